@@ -21,7 +21,9 @@ html_theme = "alabaster"
 html_title = "inertial-pair"
 html_theme_options = {
     "fixed_sidebar": True,
-    "page_width": "1080px",
+    "page_width": "1260px",
+    "body_max_width": "1000px",
+    "code_font_size": "0.78em",  # with the comment at its end a line of an example fits
     "description": "Two masses, one dry contact",
     "show_powered_by": False,
 }

@@ -84,8 +84,9 @@ Latex(equation("y", before) + equation("y'", after))
 Latex(equation("y'", return_map.return_map_series(5)))
 
 # %% [markdown]
-# The pair merges where $y'\leqslant0$. Below a threshold $r^*$ the graph stays above zero: whatever its energy, no pair
-# with $m_2\leqslant r^*M$ merges after a start on $S_0$. Beyond, it dips below zero, and merging has a window (grey).
+# The pair merges where $y'\leqslant0$. Below a threshold $r^*$ the graph stays above zero: no pair with $m_2<r^*M$
+# merges after a start on $S_0$ above $E_{cr}$; at $r^*$ it does from some energies. Beyond, the graph dips below zero,
+# and merging has a window (grey).
 
 # %%
 maps = lambdify((theta, q), (before, after))
@@ -161,11 +162,11 @@ print(f"{len(chart.leaves)} cells: {shares}")
 draw_map(chart)
 
 # %% [markdown]
-# Left of the dashed line, $m_2/M\leqslant r^*$, nothing merges. To its right tongues of merging open, one above the
-# other: in the lowest the first slip ends below $E_{cr}$, in the others a later one does. Below the lowest lies the
-# paper's "slightly above $E_{cr}$", now for each mass ratio exactly. Between the tongues the pair steps over every
-# window, and it creeps. These gaps close as $m_2/m_1$ grows: a light driving body almost always merges. In the top
-# right corner the gaps are narrower than the cells of this depth.
+# Left of the dashed line, $m_2/M<r^*$, nothing merges. To its right tongues of merging open, one above the other: in
+# the lowest the first slip ends below $E_{cr}$, in the others a later one does. Below the lowest lies the paper's
+# "slightly above $E_{cr}$", now for each mass ratio exactly. Between the tongues the pair steps over every window, and
+# it creeps. As far as they are seen, these gaps close as $m_2/m_1$ grows. In the top right corner they are narrower
+# than the cells of this depth.
 
 # %%
 merging = [cell.sides for cell in chart.leaves if cell.verdict is Verdict.MERGES]

@@ -89,7 +89,7 @@ draw_response_map(response_map(pair, tuple(window[0]), tuple(window[1]), 5))
 # ## Resonance
 #
 # At the resonance of body 1 without a damper friction can take no more than $4b$ times the amplitude in a cycle:
-# below $U=4b/\pi$ all motions stay bounded, above it all of them grow.
+# below $U=4b/\pi$ all velocities stay bounded, above it all motions grow.
 
 # %%
 with house_style():
@@ -109,7 +109,8 @@ figure
 # %% [markdown]
 # ## A reference
 #
-# Body 2 can follow $r$ if and only if $|r''|\le b/m_2$. The force is then $u=Mr''+a_1r'+a_2(r+x_1(0)-r(0))$.
+# Body 2 can follow an $r$ with its place and velocity at the start, from a suitable start of body 1, if and only if
+# $|r''|\le b/m_2$. The force of a pair that sticks is then $u=Mr''+a_1r'+a_2(r+x_1(0)-r(0))$.
 
 # %%
 rest = load_scene("at-rest")

@@ -9,11 +9,23 @@ import sys
 from collections.abc import Sequence
 
 from numerics.cli.arguments import parser
-from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, complete, drop_output, missing, refuse, wrong_path
+from numerics.exits import (
+    FAILED,
+    INTERRUPTED,
+    OK,
+    USAGE,
+    complete,
+    drop_output,
+    missing,
+    open_streams,
+    refuse,
+    wrong_path,
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
+    open_streams()
     known = parser()
     complete(known)
     options = known.parse_args(arguments)

@@ -30,6 +30,20 @@ def drop_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+def open_streams() -> None:
+    """Give a program that was started with a closed stream an empty one in its place."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open(mode))  # noqa: SIM115 - open until the program ends
+
+
+def path(text: str) -> Path:
+    """Return the path that a flag names; "" would be the current folder, which nobody means by it."""
+    if not text:
+        raise argparse.ArgumentTypeError("the name is empty; give one")
+    return Path(text)
+
+
 def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
     """Return what is wrong with a path to write to, or None; a figure is named by the flag that asked for it."""
     if path is None:
@@ -40,7 +54,8 @@ def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
         return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
     if figure_flag and path.suffix not in FIGURES:
         return f"{figure_flag} {path.name}: the name must end in one of {', '.join(FIGURES)}"
-    return wrong_folder(path.parent)
+    is_device = path.exists() and not path.is_file()
+    return None if is_device else wrong_folder(path.parent)
 
 
 def wrong_folder(path: Path) -> str | None:
@@ -99,4 +114,6 @@ class OneLineParser(argparse.ArgumentParser):
         if mistyped is not None:
             near = difflib.get_close_matches(mistyped[1], re.findall(r"[\w-]+", mistyped[2]), n=1, cutoff=0.5)
             message = f"{mistyped[1]!r} is not known; did you mean {near[0]}?" if near else message
+        elif message.startswith(("the following", "unrecognized")):
+            message += "; --help tells what there is"
         self.exit(refuse(message, USAGE))

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
 import stat
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -71,24 +73,47 @@ def make_private(folder: Path) -> None:
             place.mkdir(mode=0o700, exist_ok=True)
 
 
+A_DAY = 86400.0  # s
+
+
+def forget_unused(folder: Path, most: int, idle: float = A_DAY) -> None:
+    """Remove the folders in a folder of the cache that were used longest ago, all but so many.
+
+    One that was used within the last `idle` seconds stays: a process with other sources may want it again.
+    """
+    try:
+        used = sorted((one.stat().st_mtime, one) for one in folder.iterdir() if one.is_dir())
+    except OSError:
+        return
+    for last, old in used[:-most]:
+        if time.time() - last > idle:
+            shutil.rmtree(old, ignore_errors=True)
+
+
 @contextmanager
 def whole_file(path: Path) -> Iterator[BinaryIO]:
     """Open a binary file that takes its name only when the block ends well; otherwise nothing is left behind.
 
-    A temporary file in the same folder takes the bytes and then the name. Raises OSError, which names `path`.
+    A temporary file in the same folder takes the bytes and then the name. A link stays a link; a device or a pipe takes
+    the bytes when they are whole. Raises OSError, which names `path`.
     """
     temporary = None
     try:
-        if path.is_dir():
-            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+        if path.exists() and not path.is_file():
+            with path.open("wb") as device, tempfile.TemporaryFile() as file:  # a folder is refused here
+                yield file
+                file.seek(0)
+                shutil.copyfileobj(file, device)
+            return
+        target = Path(os.path.realpath(path))
+        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=target.parent)
         temporary = Path(name)
         with os.fdopen(handle, "wb") as file:
             yield file
             file.flush()
             os.fsync(file.fileno())
         temporary.chmod(0o644)  # mkstemp's own mode hides the file from other readers
-        temporary.replace(path)
+        temporary.replace(target)
     except OSError as error:
         raise OSError(error.errno or errno.EIO, error.strerror or str(error), str(path)) from None
     finally:

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import gc
 import importlib.util
 import os
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from numerics.exits import (
@@ -18,16 +18,17 @@ from numerics.exits import (
     complete,
     drop_output,
     missing,
+    open_streams,
+    path,
     program_name,
     wrong_folder,
     wrong_path,
 )
+from numerics.shown import console
 from paper_checks.reporting import command_line
 from paper_checks.running import early
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from paper_checks.evidence.claim import Claim
     from paper_checks.running.runner import Row
 
@@ -47,6 +48,7 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
 
     As a program, rows come from the user's cache and from several processes; called from Python, from this process.
     """
+    open_streams()
     words = list(sys.argv[1:] if arguments is None else arguments)
     if not words or words[0] not in (*COMMANDS, "-h", "--help", "--version"):
         words.insert(0, "run")
@@ -58,6 +60,7 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
         os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
         # sympy remembers a thousand answers of each of its functions; with more, rows take a tenth less
         os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
+        gc.set_threshold(200_000, 20, 20)  # most expressions go by themselves: looking for the others takes a twentieth
     if hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="backslashreplace")
     for module in (
@@ -117,8 +120,8 @@ def _parser() -> argparse.ArgumentParser:
     explore = commands.add_parser("explore", help="write a page on which you can play with the pair")
     explore.add_argument(
         "--out",
-        type=Path,
-        default=Path("explore.html"),
+        type=path,
+        default="explore.html",
         metavar="F",
         help="default: %(default)s; its folder is made, if need be",
     )
@@ -134,7 +137,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     sign.set_defaults(command=_sign)
     source = commands.add_parser("source", help="say whether a file is the text of the paper that was checked")
-    source.add_argument("file", type=Path, metavar="FILE")
+    source.add_argument("file", type=path, metavar="FILE")
     source.set_defaults(command=_source)
     for command in (run, report):
         command.add_argument(
@@ -180,7 +183,7 @@ def _run(options: argparse.Namespace) -> int:
     else:
         from paper_checks.report.formats.terminal import print_rows
 
-        print_rows(_console(), rows, times=options.times)
+        print_rows(console(None), rows, times=options.times)
     return exit_code(rows)
 
 
@@ -197,7 +200,8 @@ def _list(options: argparse.Namespace) -> int:
     else:
         from paper_checks.report.formats.terminal import print_claims
 
-        print_claims(_console(whole_lines=not sys.stdout.isatty()), CLAIMS, found)
+        # in a pipe no line is broken: grep reads lines
+        print_claims(console(None if sys.stdout.isatty() else 1000), CLAIMS, found)
     return 0
 
 
@@ -285,13 +289,6 @@ def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
         manner = rows.Manner(manner.jobs, Kept(options.seed), options.fresh)
     with progress(len(claims)) as shown:
         return rows.rows(claims, Context(options.seed, options.debug), manner, shown)
-
-
-def _console(*, whole_lines: bool = False) -> Console:
-    """Return what prints to stdout, as wide as the terminal, or so wide that no line is broken: grep reads lines."""
-    from rich.console import Console
-
-    return Console(highlight=False, soft_wrap=False, width=1000 if whole_lines else None)
 
 
 def _complain(message: str) -> None:

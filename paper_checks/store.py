@@ -9,11 +9,11 @@ from __future__ import annotations
 import hashlib
 import importlib.metadata
 import os
-import shutil
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 
-from numerics.files import cache_folder, make_private
+from numerics.files import cache_folder, forget_unused, make_private
 from paper_checks import atomic
 
 ROOT = Path(__file__).parents[1]
@@ -79,14 +79,9 @@ class Store:
 
     def forget_old(self) -> None:
         """Remove the folders of states that have not been used for longest."""
-        with_times = []
-        try:
-            self._folder.touch()
-            with_times = [(one.stat().st_mtime, one) for one in self._folder.parent.iterdir() if one.is_dir()]
-        except OSError:
-            return
-        for _, old in sorted(with_times)[:-_GENERATIONS]:
-            shutil.rmtree(old, ignore_errors=True)
+        with suppress(OSError):  # nothing was put there
+            os.utime(self._folder)
+        forget_unused(self._folder.parent, _GENERATIONS, idle=0)
 
     def _seal(self, name: str, body: bytes) -> bytes:
         return hashlib.sha256(f"{self._state} {name}\n".encode() + body).hexdigest().encode()

@@ -13,12 +13,10 @@ from sympy import (
     Expr,
     Integer,
     Symbol,
-    cancel,
     cos,
     cosh,
     diff,
     exp,
-    expand,
     integrate,
     sin,
     sinh,
@@ -26,6 +24,7 @@ from sympy import (
     sqrt,
 )
 
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import branch_named
 from theory.symbols import a1, a2, free, m1, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
@@ -143,7 +142,7 @@ def residual(found: ModeSolution) -> tuple[Expr, ...]:
     system = equations + tuple(entry.subs(t, 0) for entry in initial)
     known = coefficients(found.mode, found.regime)
     # Linear in the independent functions t, exp, cos, ... with rational coefficients: cancelling decides.
-    return tuple(cancel(expand(entry.subs(known, simultaneous=True))) for entry in system)
+    return tuple(in_lowest_terms(entry.subs(known, simultaneous=True)) for entry in system)
 
 
 @cache

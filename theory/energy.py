@@ -7,16 +7,14 @@ from sympy import (
     ImmutableMatrix,
     Rational,
     Symbol,
-    cancel,
     diag,
     diff,
     factor,
-    simplify,
-    solve,
     sqrt,
 )
 
 from theory.filippov import STATE, derivative_along, half_width, load_threshold, sliding_field
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import free_system, slip
 from theory.symbols import (
@@ -62,7 +60,7 @@ def slip_rate(sign: int) -> Expr:
 @cache
 def stick_rate() -> Expr:
     """dE/dt on S0 along Filippov's sliding field, W: zero when a1 = 0."""
-    return cancel(derivative_along(sliding_field(damped=True), energy()).subs(v2, v1))
+    return in_lowest_terms(derivative_along(sliding_field(damped=True), energy()).subs(v2, v1))
 
 
 def on_surface() -> Expr:
@@ -73,7 +71,8 @@ def on_surface() -> Expr:
 @cache
 def level_semi_axis() -> Expr:
     """Semi-axis along x1 of the ellipse {E = E0} on S, m: where the ellipse meets v1 = v2 = 0."""
-    return max(solve(on_surface().subs(v1, 0) - E0, x1), key=lambda root: root.subs({E0: 1, a2: 1}))
+    square = Symbol("x^2", positive=True)
+    return sqrt(root(on_surface().subs({v1: 0, x1: sqrt(square)}) - E0, square))
 
 
 @cache
@@ -86,7 +85,7 @@ def critical_energy() -> Expr:
 def semi_axis_margin() -> Expr:
     """L^2 - semi-axis^2, m^2, as (E_cr - E0) times a positive factor: the condition and its converse."""
     gap = critical_energy() - E0
-    return cancel((half_width() ** 2 - level_semi_axis() ** 2) / gap) * gap
+    return in_lowest_terms((half_width() ** 2 - level_semi_axis() ** 2) / gap) * gap
 
 
 @cache
@@ -98,7 +97,7 @@ def edge_speed_squared() -> Expr:
     square = Symbol("v^2", real=True)
     level = on_surface().subs(v1, sqrt(square)).subs(x1, half_width())
     gap = E0 - critical_energy()
-    return cancel(root(level - E0, square) / gap) * gap
+    return in_lowest_terms(root(level - E0, square) / gap) * gap
 
 
 @cache
@@ -157,4 +156,4 @@ def dwell_time_bound() -> Expr:
     """
     largest = sqrt(2 * E0 / diff(energy(), v2, 2))
     rate = undamped(slip(1).field)[2]
-    return simplify(2 * largest / rate)
+    return 2 * largest / rate

@@ -14,7 +14,6 @@ from sympy import (
     Expr,
     Integer,
     Symbol,
-    cancel,
     cos,
     diff,
     expand,
@@ -31,7 +30,9 @@ from sympy import (
 )
 
 from theory.closed_forms import Regime, rate, rates, solution
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
+from theory.power_series import taylor
 from theory.scaling import canonical_pair, excess
 from theory.symbols import V1, V2, X, epsilon, h_value, overshoot, q, r, t, theta, v1_0, v2_0, x1_0
 
@@ -48,15 +49,15 @@ def half_tangent_form(expression: Expr) -> Expr:
     """
     k = half_tangent
     circle = {sin(theta): 2 * k / (1 + k**2), cos(theta): (1 - k**2) / (1 + k**2)}
-    return factor(expand_trig(expression).xreplace(circle))
+    return factored(expand_trig(expression).xreplace(circle))
 
 
 def on_circle(expression: Expr) -> Expr:
     """An expression in theta, sin theta, cos theta as one fraction without powers of the sine above the first."""
     c, s = Symbol("c"), Symbol("s")
-    parts = fraction(cancel(expression.subs({cos(theta): c, sin(theta): s}, simultaneous=True)))
+    parts = fraction(in_lowest_terms(expression.subs({cos(theta): c, sin(theta): s}, simultaneous=True)))
     above, below = (rem(part, s**2 + c**2 - 1, s) for part in parts)
-    top, bottom = fraction(cancel(above / below))
+    top, bottom = fraction(in_lowest_terms(above / below))
     return (top / factor(bottom)).subs({c: cos(theta), s: sin(theta)}, simultaneous=True)
 
 
@@ -128,13 +129,13 @@ def half_angle_slope() -> tuple[Expr, Expr]:
     """
     halved = {cos(theta): 1 - 2 * sin(angle) ** 2, sin(theta): 2 * sin(angle) * cos(angle), theta: 2 * angle}
     increment = sin(angle) - angle * cos(angle)
-    return cancel(h_slope().subs(halved) / increment), increment
+    return in_lowest_terms(h_slope().subs(halved) / increment), increment
 
 
 @cache
 def h_limits() -> tuple[Expr, Expr]:
     """Limits of h at both ends of (0, 2 pi)."""
-    return limit(h(), theta, 0, "+"), limit(h(), theta, 2 * pi, "-")
+    return taylor(h(), theta, 1), limit(h(), theta, 2 * pi, "-")
 
 
 @dataclass(frozen=True)
@@ -157,7 +158,7 @@ class Excursion:
 @cache
 def displacement_of_angle() -> Expr:
     """D(theta): the relative displacement of an excursion over q, from the integral of the guard."""
-    path = integrate(-slip_from_ray().guard * sqrt(q), (theta, 0, theta))
+    path = integrate(expand(-slip_from_ray().guard * sqrt(q)), (theta, 0, theta))
     return on_circle(expand(path / q).subs(epsilon, sqrt(q) * h()))
 
 

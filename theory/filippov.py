@@ -19,9 +19,9 @@ from sympy import (
     Lt,
     Symbol,
     diff,
-    factor,
 )
 
+from theory.fraction import factored
 from theory.linear import root
 from theory.model import slip
 from theory.symbols import a1, a2, distance, lower, undamped, upper, v1, v2, x1
@@ -54,13 +54,13 @@ def derivative_along(field: ImmutableMatrix, quantity: Expr) -> Expr:
 @cache
 def transversality(sign: int, damped: bool = False) -> Expr:
     """Phi_sign . n_S on S as one fraction of factored terms, m/s^2."""
-    return factor(derivative_along(phi(sign, damped), guard()).subs(v2, v1))
+    return factored(derivative_along(phi(sign, damped), guard()).subs(v2, v1))
 
 
 @cache
 def half_width() -> Expr:
     """Half width L of S0, m: where Phi_- . n_S vanishes (a1 = 0)."""
-    return factor(root(transversality(-1), x1))
+    return factored(root(transversality(-1), x1))
 
 
 @cache
@@ -68,7 +68,7 @@ def load_threshold() -> Expr:
     """The load a2 L at which adhesion gives way, N; the same with and without damping."""
     load_symbol = Symbol("p", real=True)
     product = transversality(-1, damped=True).subs(x1, (load_symbol - a1 * v1) / a2)
-    return factor(root(product, load_symbol))
+    return factored(root(product, load_symbol))
 
 
 def load(damped: bool = False) -> Expr:
@@ -127,7 +127,7 @@ def manifest_signs(damped: bool = False) -> dict[tuple[str, int], Expr]:
     position = Symbol("x", real=True)
     at = root(load(damped) - a2 * position, x1)
     return {
-        (part, sign): factor(transversality(sign, damped).subs(x1, at.subs(position, place)))
+        (part, sign): factored(transversality(sign, damped).subs(x1, at.subs(position, place)))
         for (part, sign), place in places.items()
     }
 
@@ -137,14 +137,14 @@ def sliding_weight(damped: bool = False) -> Expr:
     """Weight alpha of Phi_+ for which alpha Phi_+ + (1 - alpha) Phi_- is tangent to S; dimensionless."""
     alpha = Symbol("alpha", real=True)
     tangency = alpha * transversality(1, damped) + (1 - alpha) * transversality(-1, damped)
-    return factor(root(tangency, alpha))
+    return factored(root(tangency, alpha))
 
 
 @cache
 def weight_margin(damped: bool = False) -> Expr:
     """alpha (1 - alpha) in factored form: nonnegative, that is alpha in [0, 1], exactly on S0."""
     alpha = sliding_weight(damped)
-    return factor(alpha * (1 - alpha))
+    return factored(alpha * (1 - alpha))
 
 
 @cache
@@ -152,13 +152,13 @@ def sliding_field(damped: bool = False) -> ImmutableMatrix:
     """Filippov's field on S0: the convex combination with the weight put in, on v2 = v1."""
     alpha = sliding_weight(damped)
     mixed = alpha * phi(1, damped) + (1 - alpha) * phi(-1, damped)
-    return ImmutableMatrix(mixed.subs(v2, v1).applyfunc(factor))
+    return ImmutableMatrix(mixed.subs(v2, v1).applyfunc(factored))
 
 
 def at_edge(quantity: Expr, side: int, damped: bool = False) -> Expr:
     """Value of a function of the state on the edge of S0 where the load is side * threshold."""
     place = (side * load_threshold() - (a1 * v1 if damped else 0)) / a2
-    return factor(quantity.subs({v2: v1}).subs(x1, place))
+    return factored(quantity.subs({v2: v1}).subs(x1, place))
 
 
 @cache

@@ -11,7 +11,6 @@ from sympy import (
     Integer,
     Rational,
     Symbol,
-    cancel,
     diff,
     factor,
     factorial,
@@ -22,6 +21,7 @@ from sympy import (
 
 from theory.energy import energy, inner_product, other, sigma
 from theory.filippov import STATE, derivative_along
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, free_system, slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v2, x1, x1_other
@@ -71,7 +71,7 @@ def held_at_the_limit() -> Expr:
 def imbalance(sign: int) -> Expr:
     """p(t), N: (M/m2)(Lambda - sign b) along the reference, for the force u at that time."""
     along = {x1: reference(sign), v1: diff(reference(sign), t)}
-    return cancel((total_mass() / m2 * (load() - sign * b)).subs(along, simultaneous=True)).expand()
+    return in_lowest_terms((total_mass() / m2 * (load() - sign * b)).subs(along, simultaneous=True)).expand()
 
 
 def jet(order: int) -> Expr:
@@ -94,7 +94,7 @@ def deviation_force(mode: str, sign: int) -> Expr:
     acceleration = found.subs(along, simultaneous=True) - diff(place, t, 2)
     inertia = total_mass() if mode == "stick" else m1
     spring = -diff(found, x1) * inertia
-    return cancel(inertia * acceleration + a1 * gap_rate + spring * gap).expand()
+    return in_lowest_terms(inertia * acceleration + a1 * gap_rate + spring * gap).expand()
 
 
 def excess_load(sign: int) -> Expr:

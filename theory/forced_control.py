@@ -7,14 +7,12 @@ from sympy import (
     ImmutableMatrix,
     Symbol,
     acos,
-    cancel,
     cos,
     diff,
     exp,
     expand,
     factor,
     integrate,
-    simplify,
     sin,
     solve,
     sqrt,
@@ -24,6 +22,7 @@ from sympy import (
 from theory.energy import metric, slip_rate
 from theory.filippov import STATE, guard
 from theory.forced_response import decline, natural, swing
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import slip, stick
 from theory.scaling import stick_frequency
@@ -84,7 +83,7 @@ def farthest() -> Expr:
     second = first.subs(t, turn) - strongest() * (t - turn)
     switch = root(second.subs(t, duration) - velocity_gain, turn)
     place = integrate(first, (t, 0, turn)) + integrate(second, (t, turn, duration))
-    return simplify(place.subs(turn, switch))
+    return place.subs(turn, switch).expand()
 
 
 def nearest() -> Expr:
@@ -106,9 +105,8 @@ def spread() -> Expr:
 @cache
 def least_time() -> Expr:
     """The least time of a transfer from rest to rest over D, s."""
-    return max(
-        solve(spread().subs(velocity_gain, 0) - path, duration), key=lambda one: one.subs({path: 1, m2: 1, b: 1})
-    )
+    square = Symbol("T^2", positive=True)
+    return sqrt(root(spread().subs({velocity_gain: 0, duration: sqrt(square)}) - path, square))
 
 
 def bang(first_half: bool) -> Expr:
@@ -169,7 +167,7 @@ def undamped_slipping_amplitude() -> Expr:
     """The same for a1 = 0, N, by theta = omega_1 tau."""
     response = impulse_response().subs({decline: 0, swing: natural, t: half_time})
     g = Symbol("g", positive=True)
-    return simplify(slipping_amplitude().subs(g, response).subs(half_time, angle / natural))
+    return in_lowest_terms(slipping_amplitude().subs(g, response).subs(half_time, angle / natural))
 
 
 @cache
@@ -204,9 +202,9 @@ def ring_ratio() -> Expr:
 def ring_radius() -> Expr:
     """The largest |w| in N <= epsilon, m/s: sqrt(c^T G^-1 c) epsilon with w = c^T z and the energy metric G."""
     gradient = ImmutableMatrix([diff(guard(), one) for one in STATE])
-    return simplify(sqrt((gradient.T * metric().inv() * gradient)[0])) * tolerance
+    return sqrt((gradient.T * metric().inv() * gradient)[0]) * tolerance
 
 
 def path_per_energy() -> Expr:
     """|dz/dE| at most, m/J: how far the free pair, z = x1 - x2, slips for its energy where no damper takes a share."""
-    return cancel(-guard() / slip_rate(1).subs(a1, 0))
+    return in_lowest_terms(-guard() / slip_rate(1).subs(a1, 0))

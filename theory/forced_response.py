@@ -11,7 +11,6 @@ from sympy import (
     I,
     Symbol,
     asin,
-    cancel,
     cos,
     diff,
     exp,
@@ -28,6 +27,7 @@ from sympy import (
 )
 
 from theory.forced import load
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1
@@ -91,7 +91,7 @@ def size_squared(impedance: Expr) -> Expr:
 def entrained_amplitude() -> Expr:
     """U*, N: the amplitude at which the stuck response needs all of the friction, omega^2 |x1| = b/m2."""
     place = amplitude / sqrt(size_squared(stuck_impedance()))
-    return solve(m2 * omega**2 * place - b, amplitude)[0]
+    return root(m2 * omega**2 * place - b, amplitude)
 
 
 @cache
@@ -136,9 +136,9 @@ def _reduced(value: Expr) -> Expr:
     """The value as one fraction, without the square of the sine of half a period's turn."""
     turn = pi * swing / omega
     c, s = Symbol("c"), Symbol("s")
-    parts = fraction(cancel(value.subs({cos(turn): c, sin(turn): s})))
+    parts = fraction(in_lowest_terms(value.subs({cos(turn): c, sin(turn): s})))
     above, below = (part.expand().subs(s**2, 1 - c**2) for part in parts)
-    return cancel(above / below).subs({c: cos(turn), s: sin(turn)})
+    return in_lowest_terms(above / below).subs({c: cos(turn), s: sin(turn)})
 
 
 def half_turn(value: Expr) -> Expr:

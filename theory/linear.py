@@ -1,6 +1,8 @@
 """The root of an equation that is linear in its unknown: exact, and much quicker than sympy's general `solve`."""
 
-from sympy import Expr, Symbol, cancel, diff
+from sympy import Expr, Symbol, diff
+
+from theory.fraction import in_lowest_terms
 
 
 def root(expression: Expr, unknown: Symbol) -> Expr:
@@ -8,7 +10,7 @@ def root(expression: Expr, unknown: Symbol) -> Expr:
 
     Raises ValueError for an expression that is not linear in the unknown, or in which it is not.
     """
-    slope = cancel(diff(expression, unknown))
+    slope = in_lowest_terms(diff(expression, unknown))
     if slope == 0 or slope.has(unknown):
         raise ValueError(f"{expression} is not linear in {unknown}")
-    return cancel(-expression.subs(unknown, 0) / slope)
+    return in_lowest_terms(-expression.subs(unknown, 0) / slope)

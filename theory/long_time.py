@@ -7,8 +7,9 @@ that converges; pi A grows as the time does. Solving it for y gives the expansio
 
 from functools import cache
 
-from sympy import Expr, Symbol, cancel, diff, expand, fraction, log, pi
+from sympy import Expr, Symbol, diff, expand, fraction, log, pi
 
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.near_critical import cycle_limit
 from theory.power_series import composed, taylor
@@ -26,13 +27,13 @@ inverse_time = Symbol("x", positive=True)  # 1/tau
 def map_coefficients() -> tuple[Expr, Expr]:
     """(a, b) of F(y) = y - a y^2 + b y^3 - ..., exact in the mass ratio: 9 r/4 and 81 r/40."""
     polynomial = expand(return_map_series())
-    return cancel(-polynomial.coeff(scaled_excess, 2)), cancel(polynomial.coeff(scaled_excess, 3))
+    return in_lowest_terms(-polynomial.coeff(scaled_excess, 2)), in_lowest_terms(polynomial.coeff(scaled_excess, 3))
 
 
 def logarithm_weight() -> Expr:
     """B = 1 - b/a^2, the coefficient of ln y in the Abel function: 1 - 2/(5 r)."""
     first, second = map_coefficients()
-    return cancel(1 - second / first**2)
+    return in_lowest_terms(1 - second / first**2)
 
 
 @cache
@@ -40,10 +41,10 @@ def abel_defect() -> Expr:
     """Coefficients of y^0 and y^1 of A(F(y)) - A(y) - 1, as one polynomial in y: 0."""
     y = scaled_excess
     image = y - step * y**2 + curvature * y**3
-    shrink = cancel(image / y)
+    shrink = in_lowest_terms(image / y)
     weight = 1 - curvature / step**2
     change = composed(log(1 + y), y, 2, shrink - 1)
-    return expand(taylor(cancel((1 / image - 1 / y) / step), y, 2) + weight * change - 1)
+    return expand(taylor(in_lowest_terms((1 / image - 1 / y) / step), y, 2) + weight * change - 1)
 
 
 def reduced_excess() -> Expr:
@@ -58,8 +59,8 @@ def expansion_defect() -> Expr:
     weight = Symbol("B", real=True)
     y = reduced_excess()
     # ln y = -Lambda + ln(1 - ...), as pi x/a = e^(-Lambda)
-    inside = cancel(y * step / (pi * inverse_time))
-    first = taylor(cancel(pi / (step * y) - 1 / inverse_time), inverse_time, 1)
+    inside = in_lowest_terms(y * step / (pi * inverse_time))
+    first = taylor(in_lowest_terms(pi / (step * y) - 1 / inverse_time), inverse_time, 1)
     change = composed(log(1 + inverse_time), inverse_time, 1, inside - 1)
     return expand(first + pi * weight * (change - logarithm) - phase)
 
@@ -67,7 +68,7 @@ def expansion_defect() -> Expr:
 @cache
 def leading_coefficient() -> Expr:
     """C = lim tau w = q pi/a = 4 pi q/(9 r)."""
-    return cancel(q * cycle_limit() / map_coefficients()[0])
+    return in_lowest_terms(q * cycle_limit() / map_coefficients()[0])
 
 
 @cache
@@ -75,7 +76,7 @@ def logarithm_coefficient() -> Expr:
     """Coefficient of -C ln(tau)/tau^2 in w: pi B = pi (1 - 2/(5 r))."""
     weight = Symbol("B", real=True)
     slope = diff(expand(reduced_excess() * step / pi), logarithm).coeff(inverse_time, 2)
-    return cancel((-slope).subs(weight, logarithm_weight()))
+    return in_lowest_terms((-slope).subs(weight, logarithm_weight()))
 
 
 def balanced_share() -> Expr:

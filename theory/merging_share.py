@@ -6,8 +6,9 @@ their share of the sphere is the flux through S over the rate at which the energ
 
 from functools import cache
 
-from sympy import Expr, Symbol, cos, diff, integrate, limit, oo, pi, simplify, sqrt
+from sympy import Expr, Symbol, cos, diff, expand, integrate, limit, oo, pi, simplify, sqrt
 
+from theory.fraction import in_lowest_terms
 from theory.scaling import excess_rate, reduced_energy, reduced_slip
 from theory.symbols import V1, V2, X, r
 
@@ -21,20 +22,20 @@ turn = Symbol("varphi", real=True)
 def divergence() -> Expr:
     """The divergence of the slip field: 0, so volume is kept."""
     field = reduced_slip(-1)
-    return simplify(sum(diff(entry, one) for entry, one in zip(field, (X, V1, V2), strict=True)))
+    return sum(diff(entry, one) for entry, one in zip(field, (X, V1, V2), strict=True))
 
 
 @cache
 def flux() -> Expr:
     """Rate of V1 - V2 on S in the slip with v1 < v2: (1 - X)/q."""
     field = reduced_slip(-1)
-    return simplify((field[1] - field[2]).subs(V2, V1))
+    return in_lowest_terms((field[1] - field[2]).subs(V2, V1))
 
 
 @cache
 def dissipation() -> Expr:
     """-d(E/E_cr)/dtau in that slip where V1 - V2 = -g: 2 r g."""
-    return simplify(-excess_rate(-1).subs(V2, V1 + relative))
+    return in_lowest_terms(-excess_rate(-1).subs(V2, V1 + relative))
 
 
 @cache
@@ -42,7 +43,7 @@ def sphere() -> Expr:
     """The measure of {E/E_cr = e}: the volume within, differentiated."""
     axes = [1 / sqrt(diff(reduced_energy(), one, 2) / 2) for one in (X, V1, V2)]
     volume = 4 * pi / 3 * axes[0] * axes[1] * axes[2] * sqrt(level) ** 3
-    return simplify(diff(volume, level))
+    return diff(volume, level)
 
 
 @cache
@@ -54,6 +55,6 @@ def density() -> Expr:
 @cache
 def large_energy_limit() -> Expr:
     """lim e times the share as e grows: there r g^2/e tends to 1, and the integral of 1 - X over the disc is pi."""
-    at = simplify(density().subs(relative, sqrt(level) / sqrt(r)) * level)
-    over = integrate(integrate(at.subs(X, radius * cos(turn)) * radius, (turn, 0, 2 * pi)), (radius, 0, 1))
-    return limit(simplify(over), level, oo)
+    at = density().subs(relative, sqrt(level) / sqrt(r)) * level
+    share = expand(at.subs(X, radius * cos(turn)) * radius)
+    return limit(integrate(integrate(share, (turn, 0, 2 * pi)), (radius, 0, 1)), level, oo)

@@ -8,8 +8,9 @@ physical.
 from dataclasses import dataclass
 from functools import cache, cached_property
 
-from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S, factor
+from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S
 
+from theory.fraction import factored
 from theory.linear import root
 from theory.symbols import a1, a2, acceleration1, acceleration2, b, free, m1, m2, sgn, u, v1, v2, x1
 
@@ -51,17 +52,17 @@ class Branch:
     @cached_property
     def force_on_first(self) -> Expr:
         """The interface force on body 1, N: what Newton's law leaves after spring, damper and control."""
-        return factor(m1 * self.acceleration1 + a1 * v1 + a2 * x1 - u)
+        return factored(m1 * self.acceleration1 + a1 * v1 + a2 * x1 - u)
 
     @cached_property
     def force_on_second(self) -> Expr:
         """The interface force on body 2, N: no other force acts on it."""
-        return factor(m2 * self.acceleration2)
+        return factored(m2 * self.acceleration2)
 
     @cached_property
     def force_imbalance(self) -> Expr:
         """Sum of both interface forces, N: zero exactly where they are equal and opposite."""
-        return factor(self.force_on_first + self.force_on_second)
+        return factored(self.force_on_first + self.force_on_second)
 
     @property
     def field(self) -> ImmutableMatrix:
@@ -88,7 +89,7 @@ def branch(relative_sign: int, stiction_sign: int, name: str = "") -> Branch:
 def _accelerations(driving: Expr, driven: Expr) -> tuple[Expr, Expr]:
     """The accelerations: eq (3) has that of body 1 alone, eq (4) that of body 2 besides."""
     first = root(driving, acceleration1)
-    return factor(first), factor(root(driven.subs(acceleration1, first), acceleration2))
+    return factored(first), factored(root(driven.subs(acceleration1, first), acceleration2))
 
 
 BRANCH_NAMES = {
@@ -152,7 +153,7 @@ def case_study_closed_form() -> tuple[Expr, Expr]:
     kept = {STICTION_SIGN: Integer(-1)}
     first = root(driving_equation().subs(CASE_STUDY), acceleration1)
     second = root(driven_equation().subs(kept).subs(CASE_STUDY), acceleration2)
-    return factor(first), second
+    return factored(first), second
 
 
 @cache

@@ -8,12 +8,13 @@ epsilon^order on are dropped.
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Expr, Integer, Symbol, asin, atan2, cancel, cos, expand, factor, limit, sin, solve, sqrt
+from sympy import Expr, Integer, Symbol, asin, atan2, cos, expand, factor, limit, sin, solve, sqrt
 
 from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.filippov import at_edge
+from theory.fraction import in_lowest_terms
 from theory.power_series import composed, reverted, taylor
 from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
 from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
@@ -107,13 +108,13 @@ def cycle(order: int = ORDER) -> CycleSeries:
 def inverse_step() -> Expr:
     """lim (1/w' - 1/w) as w -> 0, dimensionless: the constant gain of 1/w per excursion."""
     after = cycle().next_excess
-    return cancel(limit(cancel((epsilon**2 - after) / (after * epsilon**2)), epsilon, 0))
+    return in_lowest_terms(limit(in_lowest_terms((epsilon**2 - after) / (after * epsilon**2)), epsilon, 0))
 
 
 @cache
 def quadratic_coefficient() -> Expr:
     """c in w' = w - c w^2 + ..., read off the series of w' in epsilon = sqrt(w)."""
-    return cancel(-cycle().next_excess.coeff(epsilon, 4))
+    return in_lowest_terms(-cycle().next_excess.coeff(epsilon, 4))
 
 
 @cache
@@ -129,7 +130,7 @@ def reduced_rate_constant() -> Expr:
     1/w gains ``inverse_step`` in the limit per ``cycle_limit`` of time, so 1/(tau w) tends to their quotient
     (Stolz-Cesaro); it does not depend on where w started.
     """
-    return cancel(cycle_limit() / inverse_step())
+    return in_lowest_terms(cycle_limit() / inverse_step())
 
 
 @cache
@@ -175,4 +176,4 @@ def critical_limits() -> CriticalLimits:
 
 def excess_ratio_limit() -> Expr:
     """lim w'/w as w -> 0, dimensionless: 1, so the decay is slower than every exponential."""
-    return limit(cancel(cycle().next_excess / epsilon**2), epsilon, 0)
+    return limit(in_lowest_terms(cycle().next_excess / epsilon**2), epsilon, 0)

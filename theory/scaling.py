@@ -6,10 +6,11 @@ For a1 = 0 one parameter is left, the mass fraction q = m1/M; with a1 > 0 the da
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, sqrt, together
+from sympy import Expr, ImmutableMatrix, Symbol, diff, sqrt, together
 
 from theory.energy import critical_energy, energy, slip_rate
 from theory.filippov import load_threshold, phi, sliding_field
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, undamped, v1, v2, x1, zeta
 
@@ -48,7 +49,7 @@ def parameters() -> dict[Symbol, Expr]:
 def to_reduced(expression: Expr) -> Expr:
     """An SI expression of state and parameters in reduced coordinates; its unit remains in M, Omega, L."""
     state = {x1: L * X, v1: L * Omega * V1, v2: L * Omega * V2}
-    return factor(expression.subs(state, simultaneous=True).subs(parameters(), simultaneous=True))
+    return factored(expression.subs(state, simultaneous=True).subs(parameters(), simultaneous=True))
 
 
 def to_si(expression: Expr) -> Expr:
@@ -67,7 +68,9 @@ def to_si(expression: Expr) -> Expr:
 def reduced_field(field: ImmutableMatrix) -> ImmutableMatrix:
     """A field on (x1, v1, v2) as d(X, V1, V2)/dtau, dimensionless: no unit may remain."""
     units = (L * Omega, L * Omega**2, L * Omega**2)
-    return ImmutableMatrix([cancel(to_reduced(entry) / unit) for entry, unit in zip(field, units, strict=True)])
+    return ImmutableMatrix(
+        [in_lowest_terms(to_reduced(entry) / unit) for entry, unit in zip(field, units, strict=True)]
+    )
 
 
 @cache
@@ -85,7 +88,7 @@ def reduced_stick(damped: bool = False) -> ImmutableMatrix:
 @cache
 def reduced_energy() -> Expr:
     """E/E_cr in reduced coordinates, dimensionless."""
-    return cancel(to_reduced(energy() / critical_energy()))
+    return in_lowest_terms(to_reduced(energy() / critical_energy()))
 
 
 def excess() -> Expr:
@@ -97,7 +100,7 @@ def excess() -> Expr:
 def excess_rate(sign: int, damped: bool = False) -> Expr:
     """dw/dtau in slip with sgn(V1 - V2) = sign, dimensionless."""
     rate = slip_rate(sign) if damped else undamped(slip_rate(sign))
-    return factor(cancel(to_reduced(rate / critical_energy()) / Omega))
+    return factored(to_reduced(rate / critical_energy()) / Omega)
 
 
 def canonical_pair() -> dict[Symbol, Expr]:

@@ -24,7 +24,7 @@ from types import FunctionType
 from typing import Any, TypeVar
 
 from numerics.arithmetic import pair
-from numerics.files import cache_folder, make_private
+from numerics.files import cache_folder, forget_unused, make_private
 
 try:
     import fcntl
@@ -37,6 +37,8 @@ _WAITING: list[tuple[Any, Any, Any, dict[str, Any]]] = []
 _OPTIONS: dict[Any, dict[str, Any]] = {}
 _ROOMS = ("arithmetic", "linear", "free")
 """Where compilable functions are."""
+_STATES = 8
+"""Of how many states of the sources compiled code is kept, beside those of the last day."""
 _SOON = 2.0
 """After so many seconds of compiling a person at a terminal is told why nothing happens."""
 _ONE_AT_A_TIME = threading.RLock()
@@ -126,7 +128,10 @@ def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Calla
         with ExitStack() as stack:
             stack.enter_context(_told())
             with suppress(OSError):  # a folder that cannot be written keeps no compiled code either
+                if not path.parent.is_dir():  # of these sources, the first
+                    forget_unused(path.parent.parent, _STATES)
                 make_private(path.parent)  # what numba keeps there is code
+                os.utime(path.parent)
                 file = stack.enter_context(path.open("wb"))
                 if fcntl is not None:
                     fcntl.flock(file, fcntl.LOCK_EX)  # closing the file ends it
@@ -156,7 +161,7 @@ def _told() -> Iterator[None]:
 def _folder_of_these_sources(config: Any) -> Iterator[None]:
     before = config.CACHE_DIR
     folder = Path(before) / "inertial-pair" if before else cache_folder()
-    config.CACHE_DIR = str(folder / _digest_of_sources())
+    config.CACHE_DIR = str(folder / "compiled" / _digest_of_sources())
     try:
         yield
     finally:

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from numerics.cli import commands, control, solving
-from numerics.exits import OneLineParser, Version, program_name
+from numerics.exits import OneLineParser, Version, path, program_name
 from numerics.trade.command import measure_trade
 
 _EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage, or invalid scene
 SCENE is a TOML file, - for standard input, or a shipped scene; the command `scenes` lists them."""
 _SCENE = "TOML file, - for standard input, or the short name of a shipped scene"
-_FIGURE: dict[str, Any] = {"type": Path, "help": "write a figure: .svg, .pdf or .png"}
+_FIGURE: dict[str, Any] = {"type": path, "help": "write a figure: .svg, .pdf or .png"}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -88,10 +87,10 @@ def _solve(asked: argparse.ArgumentParser) -> None:
     output = asked.add_mutually_exclusive_group()
     output.add_argument("--json", action="store_true", help="print the trajectory as JSON")
     output.add_argument("--csv", action="store_true", help="print events and final state as CSV, with units")
-    output.add_argument("--npz", type=Path, metavar="F", help="write a NumPy archive")
+    output.add_argument("--npz", type=path, metavar="F", help="write a NumPy archive")
     output.add_argument("--plot", metavar="F", **_FIGURE)
     proof = "write a theorem for `python -m paper_checks.proofs F`, which checks it"
-    output.add_argument("--proof", type=Path, metavar="F", help=proof)
+    output.add_argument("--proof", type=path, metavar="F", help=proof)
 
 
 def _count(asked: argparse.ArgumentParser, flag: str, default: int | None, what: str) -> None:
@@ -115,7 +114,7 @@ def _of_a_map(chart: argparse.ArgumentParser) -> None:
     _count(chart, "--depth", 10, "cells down to 2^-N of each side")
     _count(chart, "--jobs", 1, "processes that share the work")
     chart.add_argument("--dask", metavar="ADDRESS", help="compute on the Dask cluster of this scheduler instead")
-    chart.add_argument("--resume", type=Path, metavar="F", help="keep finished blocks in F, and go on from there")
+    chart.add_argument("--resume", type=path, metavar="F", help="keep finished blocks in F, and go on from there")
     chart.add_argument("--out", metavar="FIGURE", **_FIGURE)
     chart.add_argument("--json", action="store_true", help="print all cells as JSON")
     chart.set_defaults(figures=("out",))
@@ -155,7 +154,7 @@ def _plans(command: Callable[..., argparse.ArgumentParser]) -> None:
     move.add_argument("--amplitude", metavar="U", help="the force stays within -U and U, N")
     move.add_argument("--margin", default="0", metavar="E", help="the load stays within (1 - E) b (%(default)s)")
     for one in (track, move):
-        one.add_argument("--out", type=Path, metavar="F", help="write the scene to F instead of printing it")
+        one.add_argument("--out", type=path, metavar="F", help="write the scene to F instead of printing it")
     ring.add_argument("--radius", required=True, metavar="R", help="radius of the ring about the limit of x1 - x2, m")
     what = "divides v1 - v2, to make metres of it, 1/s (%(default)s)"
     ring.add_argument("--rate", default="1", metavar="W", help=what)

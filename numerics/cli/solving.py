@@ -14,6 +14,7 @@ from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import write_figure
 
 if TYPE_CHECKING:
+    from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
@@ -36,7 +37,7 @@ def solve_scene(options: argparse.Namespace) -> int:
         "arithmetic": options.arithmetic or (None if options.digits else "ball"),
         "max_events": options.max_events,
         "max_digits": options.max_digits,
-        "progress": _progress if sys.stderr.isatty() else None,
+        "progress": _progress(options.max_events),
     }
     if isinstance(scene, PlaneScene):
         from numerics.cli import surface
@@ -72,8 +73,21 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     return None
 
 
-def _progress(events: int, fraction: float) -> None:
-    print(f"\r{events} events, {100 * fraction:.0f} % of the horizon ", end="", file=sys.stderr, flush=True)
+def _progress(most: int) -> Progress:
+    """Return what shows on a terminal how far a run is, and says once, early, that its cap may come before its end."""
+    said = False
+
+    def show(events: int, fraction: float) -> None:
+        nonlocal said
+        if not said and events > fraction * most and fraction < 1:
+            said = True
+            told = f"if it goes on like this, the cap of {most} events comes before the horizon"
+            print(f"{told}: choose an earlier one, or ask `energy` for a late time", file=sys.stderr)
+        if sys.stderr.isatty():
+            done = f"\r{events} events, {100 * fraction:.0f} % of the horizon "
+            print(done, end="", file=sys.stderr, flush=True)
+
+    return show
 
 
 def _write_proof(trajectory: Trajectory, path: Path) -> None:

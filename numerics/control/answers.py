@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from flint import arb
 
@@ -13,6 +13,7 @@ from numerics.arithmetic.attempts import SPARE_DIGITS
 from numerics.arithmetic.ball import Ball, undecided
 from numerics.errors import NumericsError
 from numerics.scene import Scene
+from numerics.scene.decimals import require_whole
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
@@ -35,6 +36,14 @@ def not_negative(x: arb, question: str) -> bool:
 
 def silent(_: str) -> None:
     """Hear nothing."""
+
+
+def require_digits(digits: Any, **caps: Any) -> None:
+    """Raise ValueError, naming the argument, unless the digits, and every cap that is given, are whole numbers > 0."""
+    require_whole("digits", digits, 1)
+    for name, cap in caps.items():
+        if cap is not None:
+            require_whole(name, cap, 1)
 
 
 def most_digits(digits: int, max_digits: int | None) -> int:

@@ -148,7 +148,8 @@ def _one_period(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> 
     Raises one of _LOST, as where there is no event, and NotSettled where there are more than `most`.
     """
     x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
-    run = run_scene(drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS), Ball(working_digits()), most + 1)
+    scene = drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS)
+    run = run_scene(scene, Ball(working_digits()), most + 1)
     if len(run.events) > most:
         raise NotSettled(
             f"a period of {float(drive.period):.4g} s holds more than {most} events, a fifth of max_events; raise "
@@ -157,9 +158,8 @@ def _one_period(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> 
     if len(run.modes) == 1:
         raise undecided("has a period an event?", "none")
     longest = max(legs(run), key=lambda one: float(one.end - one.start))
-    began = number(begin) + longest.start
-    t = rounded(began + (longest.end - longest.start) / 2, _DIGITS)
-    within = drive.mode(longest.side, longest.cell).motion(longest.state, began).state(number(t) - began)
+    t = rounded(number(begin) + (longest.start + longest.end) / 2, _DIGITS)
+    within = longest.motion(scene).state(number(t - begin) - longest.start)
     return _three(run.final_state, run.final_mode.sign), (t, _three(within, longest.side))
 
 

@@ -256,7 +256,7 @@ def one_round(drive: Drive, begin: Fraction, start: Sequence[Fraction], radius: 
     first, last = ((one.side, one.cell) for one in (parts[0], parts[-1]))
     if not (run.reached and len(run.modes) > 1 and first == last and left > 0):
         raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
-    motions = [drive.mode(one.side, one.cell).motion(one.state, origin + one.start) for one in parts]
+    motions = [one.motion(scene) for one in parts]
     ended = zip(parts, motions, motions[1:], strict=False)
     maps = [across(one, part.end - part.start, two) for part, one, two in ended]
     maps.append(state_part(motions[-1].flow(left)))

@@ -17,7 +17,7 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, rounded, silent
+from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, require_digits, rounded, silent
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.stuck import (
@@ -148,13 +148,14 @@ def response(
 
     Raises InvalidScene (a force that is not periodic, friction by place), EventUndecided (nothing was proved at the cap
     on digits, by default 16 times as many as are asked for), NotSettled (a period has too many events),
-    PrecisionExhausted, TypeError (no scene).
+    PrecisionExhausted, TypeError (no scene), ValueError (digits).
 
     >>> from numerics import load_scene
     >>> found = response(load_scene("forced-sine-stick-slip"), digits=8)
     >>> found.regime.name, found.attraction, found.thresholds.entrainment.str(6, radius=False)
     ('STICK_SLIP', 'every motion tends to it', '0.300167')
     """
+    require_digits(digits, max_digits=max_digits, max_events=max_events)
     if isinstance(scene, PlaneScene):
         if amplitude is None or omega is None:
             size, rate = rotating_force(scene, digits)
@@ -254,7 +255,9 @@ def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
     why = "every motion tends to it, and sticks after a finite time"
     if not drive.has_one_motion and pair.a1 > 0:
         why = "motions next to it tend to it, and stick after a finite time"
-    if pair.a1 == 0:
+    touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
+    others = known is not None and known.exception is not None
+    if pair.a1 == 0 and (others or not touches):
         why = "not all motions tend to it: a free oscillation of the stuck pair stays"
         if known is not None and known.exception is not None:
             up_to = f"up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
@@ -262,7 +265,7 @@ def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
                 "not all motions do; the response breaks, but with a free oscillation that flattens the load's peaks"
             )
             why = f"{why}; others stick {up_to}" if entrained(drive) else f"{breaks} they stick {up_to}"
-    elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
+    elif touches:
         tend = "every motion tends to it" if drive.has_one_motion else "what tends to it is open"
         multipliers, why = None, f"{tend}; its load touches the limit"
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)

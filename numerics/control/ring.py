@@ -21,14 +21,12 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
-from numerics.control.answers import Tell, most_digits, not_negative, number, silent
+from numerics.control.answers import Tell, most_digits, not_negative, number, require_digits, silent
 from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.resting_place import creeping_place
-from numerics.linear.cells import mode_in
-from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2, Row, W
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
@@ -76,13 +74,14 @@ def ring_entry(
     """Return when the relative motion enters for good the ring of a radius (m) > 0; w counts as w/rate, rate (1/s) > 0.
 
     `tell` hears what is being done. Raises InvalidScene, EventUndecided (the motion touches the ring), NotSettled (it
-    settles too late, or not for certain), PrecisionExhausted, TypeError. max_digits is as in `response`.
+    settles too late, or not for certain), PrecisionExhausted, TypeError, ValueError. max_digits is as in `response`.
 
     >>> from numerics import load_scene
     >>> ring_entry(load_scene("velocities"), "0.001").entry.str(8, radius=False)
     '4.7556413'
     """
     require_kind("ring_entry", scene, Scene, BUILD)
+    require_digits(digits, max_digits=max_digits)
     size, per = exact_decimal(radius, "radius"), exact_decimal(rate, "rate")
     for name, one in (("radius", size), ("rate", per)):
         if one <= 0:
@@ -220,11 +219,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 
 def stretches(trajectory: Trajectory) -> list[Passage]:
     """Return the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
-    scene, pieces = trajectory.scene, pieces_of(trajectory.scene)
-    return [
-        Passage(one.start, one.end, mode_in(scene, pieces[one.piece], one.side, one.cell).motion(one.state, one.start))
-        for one in legs(trajectory)
-    ]
+    return [Passage(one.start, one.end, one.motion(trajectory.scene)) for one in legs(trajectory)]
 
 
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:

@@ -1,4 +1,4 @@
-"""Thresholds of a force U sin(omega t + phase): up to U* it may stick for ever, only from U** on slip for ever.
+"""Thresholds of a force U sin(omega t + phase): sticking for ever needs U <= U*, slip with two turns a period U >= U**.
 
 With beta = b/m2, M = m1 + m2 and Z(m) = |a2 - m omega^2 + i a1 omega|:
 
@@ -26,7 +26,7 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import number
+from numerics.control.answers import number, require_digits
 from numerics.errors import InvalidScene
 from numerics.linear.system import is_positive_on
 from numerics.plane.rotating import rotating_threshold
@@ -61,7 +61,8 @@ class Thresholds(ShortRepr):
 
 
 def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_digits: int | None = None) -> Thresholds:
-    """Return both thresholds at the frequency omega (rad/s) > 0. Raises InvalidScene, PrecisionExhausted, TypeError.
+    """Return both thresholds at the frequency omega (rad/s) > 0. Raises InvalidScene, PrecisionExhausted, TypeError,
+    ValueError (digits).
 
     >>> from numerics import Pair
     >>> found = thresholds(Pair(m1=1, m2=1, a2=200, b="0.5"), 12)
@@ -70,6 +71,7 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
     """
     if not isinstance(pair, PlanePair):
         require_kind("thresholds", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
+    require_digits(digits, max_digits=max_digits)
     rate = exact_decimal(omega, "omega")
     if rate <= 0:
         raise InvalidScene(f"omega = {short(rate)} must be > 0; give a frequency in rad/s")

@@ -22,7 +22,7 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
-from numerics.control.answers import Claim, not_negative, rounded
+from numerics.control.answers import Claim, not_negative, require_digits, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
@@ -88,7 +88,8 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
 
     The scene's own force is replaced, its friction in time counts. Raises InvalidScene (a jump of r or r', another
-    start), EventUndecided (an acceleration that touches the limit where that cannot be decided exactly), TypeError.
+    start), EventUndecided (an acceleration that touches the limit where that cannot be decided exactly), TypeError,
+    ValueError (digits).
 
     >>> from numerics import load_reference, load_scene
     >>> found = track(load_scene("at-rest"), load_reference("s-curve"))
@@ -96,6 +97,7 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     ((Fraction(0, 1), Fraction(2, 1)), '0.288675')
     """
     require_kind("track", scene, Scene, BUILD)
+    require_digits(digits, max_digits=max_digits)
     _require(scene, reference)
 
     def attempt(_: Ball) -> tuple[tuple[Demand, ...], list[arb]]:

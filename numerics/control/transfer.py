@@ -22,7 +22,16 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, TIME_DIGITS, Claim, not_negative, number, rounded, rounded_up
+from numerics.control.answers import (
+    KEPT_DIGITS,
+    TIME_DIGITS,
+    Claim,
+    not_negative,
+    number,
+    require_digits,
+    rounded,
+    rounded_up,
+)
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.linear.system import V1, X1, LinearMode, Motion
@@ -95,7 +104,7 @@ def fastest_transfer(
     """Return the transfer of a scene's pair over a distance (m) from its initial state, which must be at rest.
 
     `amplitude` bounds |u| (N), else u is free; 0 <= margin < 1. Raises InvalidScene, EventUndecided (an amplitude on a
-    boundary), PrecisionExhausted, TypeError (no scene).
+    boundary), PrecisionExhausted, TypeError (no scene), ValueError (digits).
 
     >>> from numerics import load_scene
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01")
@@ -103,6 +112,7 @@ def fastest_transfer(
     ('0.28284271', Fraction(0, 1))
     """
     require_kind("fastest_transfer", scene, Scene, BUILD)
+    require_digits(digits, max_digits=max_digits)
     by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
     most = None if amplitude is None else exact_decimal(amplitude, "amplitude")
     _require(scene, by, most, part)

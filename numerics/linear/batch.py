@@ -32,14 +32,21 @@ class Columns(Protocol):
 
 
 def run_rows(
-    columns: Columns, literal: bool, max_events: int, kept: NDArray[np.float64], ends: NDArray[np.float64]
+    columns: Columns,
+    literal: bool,
+    max_events: int,
+    has_ledger: bool,
+    kept: NDArray[np.float64],
+    ends: NDArray[np.float64],
 ) -> None:
     """Solve rows of scenes; write start and first events of each to `kept` (n, k, ROW), its end to `ends` (n, END_ROW).
 
-    Rows that are in doubt, or out of range, keep the `how` that they had. Releases Python's lock.
+    Rows that are in doubt, or out of range, keep the `how` that they had. Without `has_ledger` an end says nan of what
+    friction and viscosity took: that costs a fifth of the time, and not everybody asks. Releases Python's lock.
     """
     table, polynomial, sines = columns.table, columns.polynomial, columns.sines
-    compiled(follow_rows)(table, polynomial, sines, literal, max_events, most_terms(polynomial.shape[1]), kept, ends)
+    terms = most_terms(polynomial.shape[1])
+    compiled(follow_rows)(table, polynomial, sines, literal, max_events, has_ledger, terms, kept, ends)
 
 
 class Drives(NamedTuple):
@@ -99,6 +106,7 @@ def follow_drives(
             max_events,
             False,
             False,
+            True,
             rows[:room_for],
             end,
         )
@@ -117,7 +125,15 @@ def follow_drives(
 
 @compilable_with(makes_arrays=True, forceinline=False)
 def follow_rows(
-    table: Any, polynomial: Any, sines: Any, literal: bool, max_events: int, coefficients: int, kept: Any, ends: Any
+    table: Any,
+    polynomial: Any,
+    sines: Any,
+    literal: bool,
+    max_events: int,
+    has_ledger: bool,
+    coefficients: int,
+    kept: Any,
+    ends: Any,
 ) -> None:
     """Solve rows of scenes, each in units that are powers of 2; tables are formed anew only where they change."""
     terms, waves = polynomial.shape[1], sines.shape[1]
@@ -166,7 +182,7 @@ def follow_rows(
             form(tables, 0, pair, terms, omegas, drive.length[0, 0], REACH, False)
         own = constants(pair, literal)
         how, count = follow_in(
-            room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, kept[row], end
+            room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, has_ledger, kept[row], end
         )
         if how >= 3:  # out of range, or in doubt
             continue

@@ -85,18 +85,15 @@ def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
             if not (used >> j) & 1 and size > most:
                 most, pick = size, j
         used |= 1 << pick
-        for i in range(4):
-            v[i] = E[i, pick]
-        length = orthogonal(Q, k, v)
+        a, b, c, d, length = orthogonal(Q, k, E[0, pick], E[1, pick], E[2, pick], E[3, pick])
         if length <= 1e-12 * most or length == 0.0:  # a direction that is left
             for n in range(4):
-                for i in range(4):
-                    v[i] = 1.0 if i == n else 0.0
-                length = orthogonal(Q, k, v)
+                v[:] = 0.0
+                v[n] = 1.0
+                a, b, c, d, length = orthogonal(Q, k, v[0], v[1], v[2], v[3])
                 if length > 0.4:
                     break
-        for i in range(4):
-            Q[i, k] = v[i] / length
+        Q[0, k], Q[1, k], Q[2, k], Q[3, k] = a / length, b / length, c / length, d / length
     for k in range(4):
         reach = R[0] + abs(Q[2, k]) * R[1]
         for j in range(4):
@@ -108,17 +105,17 @@ def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
     R[0] = R[1] = 0.0
 
 
-@compilable_with(forceinline=False, **_CONTRACT)
-def orthogonal(Q: Any, k: int, v: Any) -> float:
-    """Make v orthogonal to the first k columns of Q, again where rounding may count; return its length."""
-    square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]
+@compilable_with(**_CONTRACT)
+def orthogonal(Q: Any, k: int, a: float, b: float, c: float, d: float) -> tuple[float, float, float, float, float]:
+    """Return a vector made orthogonal to the first k columns of Q, again where rounding may count, and its length."""
+    square = a * a + b * b + c * c + d * d
     for _ in range(2):
         before = square
         for n in range(k):
-            dot = v[0] * Q[0, n] + v[1] * Q[1, n] + v[2] * Q[2, n] + v[3] * Q[3, n]
-            for i in range(4):
-                v[i] -= dot * Q[i, n]
-        square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]
+            p, q, r, s = Q[0, n], Q[1, n], Q[2, n], Q[3, n]
+            dot = a * p + b * q + c * r + d * s
+            a, b, c, d = a - dot * p, b - dot * q, c - dot * r, d - dot * s
+        square = a * a + b * b + c * c + d * d
         if square > 0.01 * before:  # lost no more than a digit
             break
-    return math.sqrt(square)
+    return a, b, c, d, math.sqrt(square)

@@ -20,7 +20,7 @@ from numerics.linear.columns import (
 from numerics.linear.error_set import carry, take_in
 from numerics.linear.first_root import value_slope
 from numerics.linear.pairs import add, divide, multiply, times
-from numerics.linear.table import FIRST, NODES, PRECISE, UNIT, WEIGHTS, WIDE_UNIT, Tables
+from numerics.linear.table import FIRST, NODES, PRECISE, UNIT, WEIGHTS, WIDE_UNIT, Tables, parts
 
 
 @compilable_with(forceinline=False)
@@ -144,16 +144,17 @@ def slid_and_damped(
         damped, damped_size = of_square(tables.squares[at[0], at[1]], room.z, tables.count[at[0]])
         return slid, size, damped, damped_size
     if pair.a1 > 0.0:
-        X, place, v = room.X[0, 0], room.nodes[0], room.nodes[1]
-        for n in range(NODES.shape[0]):
-            place[n], v[n] = s * NODES[n], (terms - 1) * X[terms - 1]
-        for k in range(terms - 3, 0, -2):  # two powers at a time: v is read and written half as often
-            high, low = (k + 1) * X[k + 1], k * X[k]
+        X, place, v, cut = room.X[0, 0], room.nodes[0], room.nodes[1], parts(terms)
+        for part in range(cut):
             for n in range(NODES.shape[0]):
-                v[n] = (v[n] * place[n] + high) * place[n] + low
-        for n in range(NODES.shape[0]):
-            damped += WEIGHTS[n] * v[n] * v[n]
-        damped *= s / h
+                place[n], v[n] = s / cut * (part + NODES[n]), (terms - 1) * X[terms - 1]
+            for k in range(terms - 3, 0, -2):  # two powers at a time: v is read and written half as often
+                high, low = (k + 1) * X[k + 1], k * X[k]
+                for n in range(NODES.shape[0]):
+                    v[n] = (v[n] * place[n] + high) * place[n] + low
+            for n in range(NODES.shape[0]):
+                damped += WEIGHTS[n] * v[n] * v[n]
+        damped *= s / (cut * h)
     return slid, size, damped, damped
 
 

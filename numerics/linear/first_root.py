@@ -40,11 +40,11 @@ def lower_bound(q: Any, theta: float, c: Any) -> tuple[float, float]:
     three, four = two * theta, two * two
     q0, q1, q2, q3, q4 = q[0], q[1] * theta, q[2] * two, q[3] * three, q[4] * four
     q5, q6, q7 = q[5] * (four * theta), q[6] * (four * two), q[7] * (four * three)
-    tail, even, odd = 0.0, four * four, four * four * theta
-    for k in range(DEGREE + 1, q.shape[0] - 1, 2):
-        tail += abs(q[k]) * even + abs(q[k + 1]) * odd
-        even *= two
-        odd *= two
+    even = odd = 0.0
+    for k in range(q.shape[0] - 2, DEGREE, -2):
+        even = even * two + abs(q[k])
+        odd = odd * two + abs(q[k + 1])
+    tail = four * four * (even + theta * odd)
     B = BERNSTEIN
     for i in range(DEGREE + 1):
         c[i] = (B[0, i] * q0 + B[1, i] * q1) + (B[2, i] * q2 + B[3, i] * q3)
@@ -64,10 +64,11 @@ def lower_bound(q: Any, theta: float, c: Any) -> tuple[float, float]:
 @compilable_with(forceinline=False, **_FREE)
 def bend_bound(q: Any, theta: float) -> float:
     """Return a bound on |q''| over [0, theta]."""
-    total = 0.0
-    for k in range(q.shape[0] - 1, 1, -1):
-        total = total * theta + (k * (k - 1)) * abs(q[k])
-    return total
+    even, odd, square = 0.0, 0.0, theta * theta
+    for k in range(q.shape[0] - 2, 1, -2):
+        even = even * square + (k * (k - 1)) * abs(q[k])
+        odd = odd * square + ((k + 1) * k) * abs(q[k + 1])
+    return even + theta * odd
 
 
 @compilable_with(forceinline=False, fastmath={"contract"})

@@ -121,7 +121,9 @@ def follow(
 ) -> tuple[int, int]:
     """Follow the modes (follow_in), all rows kept, in a room of its own."""
     room, spare = make_room(tables.rows.shape[4], tables.rows.shape[5]), np.empty(ROW)
-    return follow_in(room, spare, pair, drive, tables, start, is_decided, clear_until, most, wide, True, rows, end)
+    return follow_in(
+        room, spare, pair, drive, tables, start, is_decided, clear_until, most, wide, True, True, rows, end
+    )
 
 
 @compilable_with(forceinline=False)
@@ -137,6 +139,7 @@ def follow_in(
     most: int,
     wide: bool,
     keeps_all: bool,
+    has_ledger: bool,
     rows: Any,
     end: Any,
 ) -> tuple[int, int]:
@@ -144,7 +147,7 @@ def follow_in(
 
     `is_decided`: the mode and the order of the start are known; else they follow from its velocities and load. Up to
     `clear_until` (time in the first piece) no event happens. `most` events at most. Where rows have no room for one
-    more, NO_ROOM if `keeps_all`, else it is left out.
+    more, NO_ROOM if `keeps_all`, else it is left out. Without `has_ledger` what friction and viscosity took is nan.
     """
     y, clock = room.y, room.clock
     N = begin(room, pair, start, WIDE_UNIT if wide else UNIT)
@@ -156,7 +159,8 @@ def follow_in(
     late = slope = off = 0.0
     since = 1e300  # time since an exit, if this slip began with one
     count = events = steps = last_event = 0
-    slid_work = damped_work = lost = 0.0
+    slid_work = damped_work = lost = 0.0 if has_ledger else math.nan
+    slid = size = damped = terms = 0.0
     is_calm, look, entered = False, 0, 0  # is the rest of the piece stick; when to look next, and since when it sticks
     how = DOUBT
     while True:
@@ -223,11 +227,14 @@ def follow_in(
         s = (to, to_low) if not is_root and ahead.high == to else (ahead.high, ahead.low)
         is_last = is_last and not is_root and ahead.high == to
         # evolve
-        slid, size, damped, terms = slid_and_damped(pair, tables, room, (kind, side), mode, s[0])
+        if has_ledger:
+            slid, size, damped, terms = slid_and_damped(pair, tables, room, (kind, side), mode, s[0])
         time, added = evolve(tables, room, (kind, side), mode, s, is_root, wide)
         N, since, order = N + added, since + time, 0
-        slid_work, damped_work = slid_work + b * slid, damped_work + pair.a1 * damped
-        lost += loss_error(pair, room, mode, b, N, (time, size, damped, terms)) + 2.0 * UNIT * (slid_work + damped_work)
+        if has_ledger:
+            slid_work, damped_work = slid_work + b * slid, damped_work + pair.a1 * damped
+            its_error = loss_error(pair, room, mode, b, N, (time, size, damped, terms))
+            lost += its_error + 2.0 * UNIT * (slid_work + damped_work)
         if not abs(y[0, 0]) + abs(y[1, 0]) + abs(y[2, 0]) + abs(y[3, 0]) + N < 1e300:
             how = OUT_OF_RANGE
             break

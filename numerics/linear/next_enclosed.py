@@ -161,7 +161,8 @@ def scanned(
     used = range(len(rests))
     near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
     h = h / 4 if any(one.order for one in guards) else h
-    for _ in range(2 * ctx.prec):
+    more = ctx.prec < path.numbers.bits
+    for _ in range(ctx.prec // 2 if more else 2 * ctx.prec):
         if not h > flow.tiny:
             break
         guard = scan(near, guards, rests, h, since)
@@ -182,6 +183,9 @@ def scanned(
         since, h = (since + h).mid(), 4 * h
         near, left = [_moved(rows[k][:FEW], since) for k in used], (reach - since).upper()
         h = left if left < 2 * h else h
+    else:
+        if more:
+            return None  # after so many intervals it is digits that are short
     return (since, h) if since * _FINE > reach else None
 
 

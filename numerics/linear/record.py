@@ -91,13 +91,13 @@ def tabulate(rows: Any, end: Any, count: int, starts: Any, until: float, reached
 
 def rounded(record: Record) -> Record:
     """Return a record of double-double without low halves; what they were is added to the bounds of the errors."""
-    rows, end = record.rows.copy(), record.end.copy()
-    for table in (rows, end[None]):
-        table[:, _LATE] += abs(table[:, _LOCAL + 1])
-        table[:, _LATE + 1 : _LATE + 5] += abs(table[:, _X1 + 1 : _X1 + 8 : 2])
-        table[:, _LATE + 5] += np.nan_to_num(abs(table[:, _EXCESS + 1]))  # nan: it is formed from the state
-        table[:, _LOCAL + 1 : _EXCESS : 2] = 0.0
-        table[:, _EXCESS + 1] *= 0.0
+    table, end = np.concatenate([record.rows, record.end[None, :ROW]]), record.end.copy()
+    table[:, _LATE] += abs(table[:, _LOCAL + 1])
+    table[:, _LATE + 1 : _LATE + 5] += abs(table[:, _X1 + 1 : _X1 + 8 : 2])
+    table[:, _LATE + 5] += np.fmax(abs(table[:, _EXCESS + 1]), 0.0)  # 0 for nan: it is formed from the state
+    table[:, _LOCAL + 1 : _EXCESS : 2] = 0.0
+    table[:, _EXCESS + 1] *= 0.0
+    rows, end[:ROW] = table[:-1], table[-1]
     end[_LOST] += abs(end[_FRICTION + 1]) + abs(end[_FRICTION + 3])
     end[[_FRICTION + 1, _FRICTION + 3]] = 0.0
     lost = float(end[_FRICTION]), float(end[_FRICTION + 2]), float(end[_LOST])
@@ -120,7 +120,10 @@ class How(IntEnum):
 
 
 class Knot(NamedTuple):
-    """One row in the numbers of an arithmetic that has no columns for them; the names are those of the columns."""
+    """One row in the numbers of an arithmetic that has no columns for them; the names are those of the columns.
+
+    It has no bounds: the numbers of balls are their own, those of mpmath have none.
+    """
 
     mode: int
     order: int
@@ -134,12 +137,6 @@ class Knot(NamedTuple):
     x2: Any
     v2: Any
     excess: Any = None
-    late: Any = 0
-    x1_error: Any = 0
-    v1_error: Any = 0
-    x2_error: Any = 0
-    v2_error: Any = 0
-    excess_error: Any = 0
     cell: Any = (0, 0)
     """Of a slip whose friction depends on the state (cells.py); a row starts at a crossing of a knot, too."""
 

@@ -174,7 +174,7 @@ class PlaneSolution:
         """Return a time of the run as a ball. Raises ValueError."""
         time = t if isinstance(t, arb) else Ball.number(exact_decimal(t, "t"))
         if time < 0 or time > self.end_time:
-            raise ValueError(f"t = {time.str(6)} s is outside of the run, [0, {self.end_time.str(6)}] s")
+            raise ValueError(f"t = {str(t)[:40]} s is outside of the run, [0, {self.end_time.str(6)}] s")
         return time
 
     def _points(self) -> list[tuple[arb, PlaneState]]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import operator
 import re
+from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral, Rational, Real
@@ -101,6 +102,13 @@ def require_whole(name: str, value: Any, least: int) -> None:
         raise ValueError(f"{name} = {str(value)[:40]!r} must be a whole number")
     if not least <= operator.index(value) <= 2**62:
         raise ValueError(f"{name} = {str(value)[:40]} must be at least {least} and at most 2^62")
+
+
+def listed(name: str, values: Any) -> Iterable[Any]:
+    """Return what an argument lists; raises InvalidScene for a number, and for a text, whose letters nobody means."""
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise InvalidScene(f"{name} = {str(values)[:40]!r} must be a list; write [...], also around one")
+    return values
 
 
 def require_function(name: str, value: Any, of: str) -> None:

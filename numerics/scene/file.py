@@ -79,12 +79,13 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
         shown = f"{str(name_or_path)[:40]!r}, {type(name_or_path).__name__}"
         raise InvalidScene(f"a {what} is named by text or a path, not {shown}; give {form} or a shipped name")
     name, known = os.fspath(name_or_path), _names_in(folder)
+    shipped = ", ".join(known) if len(known) < 9 else "those that `inertial-pair scenes` lists"
     if not name:
-        raise InvalidScene(f"the name of the {what} is empty; give {form} or one of: {', '.join(known)}")
+        raise InvalidScene(f"the name of the {what} is empty; give {form} or one of {shipped}")
     if name in known:
         return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8"), ""
     near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
-    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of: {', '.join(known)}"
+    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
     return _text_of(Path(name), what, remedy), "standard input" if name == "-" else repr(name)
 
 
@@ -150,7 +151,8 @@ def parse_scene(text: str, file: str = "") -> Scene:
     if on_surface:  # what is asked of a Scene is refused by its type
         if weakening:
             raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
-        return cast("Scene", plane_scene(tables, lambda one, number: _in_place(_force_piece, one, number)))
+        changes = [_in_place(_start_and_b, one, number, "friction") for number, one in enumerate(friction, start=1)]
+        return cast("Scene", plane_scene(tables, lambda one, number: _in_place(_force_piece, one, number), changes))
     return Scene(
         Pair(**pair),
         State(**initial),
@@ -194,8 +196,12 @@ def _force_piece(table: dict[str, Any]) -> Piece:
 
 def _friction_piece(table: dict[str, Any]) -> tuple[Fraction, Fraction]:
     """Return one piece of friction, checked by itself."""
-    ((start, b),) = Friction([(_given(table, "from", "friction"), _given(table, "b", "friction"))]).pieces
+    ((start, b),) = Friction([_start_and_b(table)]).pieces
     return start, b
+
+
+def _start_and_b(table: dict[str, Any]) -> tuple[Any, Any]:
+    return _given(table, "from", "friction"), _given(table, "b", "friction")
 
 
 def _list(table: dict[str, Any], key: str) -> list[Any]:

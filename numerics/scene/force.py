@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import zip_longest
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, put, short
+from numerics.scene.decimals import Exact, exact_decimal, listed, put, short
 from numerics.scene.pieces import Piece, Sine, require_order
 from numerics.scene.short_repr import ShortRepr
 
@@ -34,7 +34,7 @@ class Force(ShortRepr):
 
     def __init__(self, pieces: Iterable[Piece] = ()) -> None:
         """Keep the pieces; each starts after the one before it."""
-        kept = tuple(pieces)
+        kept = tuple(listed("pieces", pieces))
         if not all(isinstance(one, Piece) for one in kept):
             raise InvalidScene("a force is made of Piece(start, polynomial, sines); build them first")
         require_order("force", [one.start for one in kept])
@@ -84,7 +84,7 @@ class Force(ShortRepr):
         """Return a staircase of sines, `duration` (s) each, whose phase goes on without a jump; the last one stays."""
         length = _length(exact_decimal(duration, "duration"), "duration")
         at, phase, before, pieces = exact_decimal(start, "start"), Fraction(0), Fraction(0), []
-        for one in omegas:
+        for one in listed("omegas", omegas):
             omega = exact_decimal(one, "omega")
             phase += (before - omega) * at
             pieces.append(Piece(at, (), (Sine(amplitude, omega, phase),)))

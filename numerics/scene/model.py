@@ -176,8 +176,9 @@ class Scene(ShortRepr):
 
     @property
     def is_forced(self) -> bool:
-        """Return whether anything acts on the paper's free pair: a force, or a friction that is not one number b."""
-        return bool(self.force.pieces or self.friction.pieces or self.friction.weakening)
+        """Return whether anything acts on the paper's free pair: a force but 0, or friction other than one number b."""
+        pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
+        return bool(pushes or self.friction.pieces or self.friction.weakening)
 
     def require_one_b(self, what: str) -> None:
         """Raise InvalidScene, for what is worked out for Coulomb friction only, if friction depends on the state."""

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
+from numerics.scene.decimals import Exact, exact_decimal, keep, listed, put, short
 from numerics.scene.short_repr import ShortRepr
 from numerics.scene.weakening import Weakening
 
@@ -60,8 +60,10 @@ class Piece(ShortRepr):
         """Read start and coefficients (N, N/s, N/s^2, ...)."""
         keep(self, start=start)
         not_before_zero("a piece of force", self.start)
-        coefficients = [exact_decimal(one, f"polynomial[{k}]") for k, one in enumerate(polynomial)]
-        kept = tuple(sines)
+        coefficients = [
+            exact_decimal(one, f"polynomial[{k}]") for k, one in enumerate(listed("polynomial", polynomial))
+        ]
+        kept = tuple(listed("sines", sines))
         if not all(isinstance(one, Sine) for one in kept):
             raise InvalidScene("sines must be Sine(amplitude, omega, phase); build them first")
         for name, count, most in (
@@ -100,7 +102,7 @@ class Friction(ShortRepr):
         if not isinstance(weakening, Weakening | None):
             raise InvalidScene("weakening must be a Weakening(speed, last_slope, place); build it first")
         kept = []
-        for one in pieces:
+        for one in listed("pieces", pieces):
             start, b = two_of(one)
             kept.append((not_before_zero("a piece of friction", start), exact_decimal(b, "b")))
             if kept[-1][1] <= 0:

@@ -236,8 +236,13 @@ def is_plane(tables: dict[str, Any]) -> bool:
     return axes or any(isinstance(one, list) for one in content) or (isinstance(named[0], dict) and "shape" in named[0])
 
 
-def plane_scene(tables: dict[str, Any], read_piece: Callable[[dict[str, Any], int], Piece]) -> PlaneScene:
-    """Return the scene of the tables of a file, their keys checked; `read_piece` reads a numbered piece of force."""
+def plane_scene(
+    tables: dict[str, Any], read_piece: Callable[[dict[str, Any], int], Piece], friction: Iterable[tuple[Any, Any]]
+) -> PlaneScene:
+    """Return the scene of the tables of a file, their keys checked.
+
+    `read_piece` reads a numbered piece of force; `friction` are start and b of its pieces.
+    """
     pair, initial, run = (tables.get(name, {}) for name in ("pair", "initial", "run"))
     lists = [one for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
     named = [one.get("axis", "x") for one in tables.get("force", [])]
@@ -250,10 +255,4 @@ def plane_scene(tables: dict[str, Any], read_piece: Callable[[dict[str, Any], in
     pieces: list[list[Piece]] = [[] for _ in range(n)]
     for number, (axis, one) in enumerate(zip(named, tables.get("force", []), strict=True), start=1):
         pieces[AXES.index(axis)].append(read_piece({key: v for key, v in one.items() if key != "axis"}, number))
-    friction = []
-    for number, one in enumerate(tables.get("friction", []), start=1):
-        for key in ("from", "b"):
-            if key not in one:
-                raise InvalidScene(f"[[friction]] number {number}: missing key {key} in friction; give it")
-        friction.append((one["from"], one["b"]))
     return PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=map(Force, pieces), friction=friction)

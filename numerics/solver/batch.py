@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -25,7 +26,8 @@ class Batch:
     status         a Status                       events    how many there were
     mode           -1, 0, +1: sign of v1 - v2     t         s, the horizon or the last event
     y              x1, v1, x2, v2 (m, m/s)        energy_excess   E/E_cr - 1, accurate in itself where no force acts
-    dissipated     J, the sum of what friction and viscosity took in every mode, which never cancels
+    dissipated     J, the sum of what friction and viscosity took in every mode, which never cancels; of columns under a
+                   force formed when it is first looked at, by a second run
     *_error        bounds on the errors of these  digits    right digits of all that is kept, by the bounds
     certain        whether no bound reaches as far as another sequence of events
     event_t, event_y, event_mode   the first `keep_events` events: (..., k), (4, ..., k), (..., k); nan and 0 beyond
@@ -54,12 +56,20 @@ class Batch:
     ((4, 2, 2), (2, 2), (4, 2, 2))
     """
 
-    def __init__(self, table: Table, ends: Table, kept: Table, shape: tuple[int, ...]) -> None:
+    def __init__(
+        self,
+        table: Table,
+        ends: Table,
+        kept: Table,
+        shape: tuple[int, ...],
+        form_ledgers: Callable[[Table], None] | None = None,
+    ) -> None:
         """Keep SI numbers, and what the runs wrote (linear/record.py): a row for each end, for start and first events.
 
-        In these rows the time counts from the start of the run, whatever piece of force it is in.
+        In these rows the time counts from the start of the run, whatever piece of force it is in. `form_ledgers` writes
+        to the ends what friction and viscosity took, where that is nan.
         """
-        self.table, self.ends, self.kept, self.shape = table, ends, kept, shape
+        self.table, self.ends, self.kept, self.shape, self._form_ledgers = table, ends, kept, shape, form_ledgers
 
     def __len__(self) -> int:
         """Return how many scenes there were."""
@@ -93,6 +103,12 @@ class Batch:
     def _end(self, name: str) -> Table:
         return np.where(self._gone, np.nan, self.ends[:, AT[name]].reshape(self.shape))
 
+    def _taken(self, name: str) -> Table:
+        if self._form_ledgers is not None:
+            self._form_ledgers(self.ends)
+            self._form_ledgers = None
+        return self._end(name)
+
     def _event(self, name: str) -> Table:
         return self.kept[:, 1:, AT[name]].reshape(*self.shape, self.kept.shape[1] - 1)
 
@@ -100,7 +116,7 @@ class Batch:
     def _how(self) -> NDArray[np.int64]:
         return self.ends[:, AT["how"]].astype(np.int64).reshape(self.shape)
 
-    @property
+    @cached_property
     def _gone(self) -> NDArray[np.bool_]:
         return np.asarray(self._how == How.OUT_OF_RANGE)
 
@@ -173,12 +189,12 @@ class Batch:
     @cached_property
     def dissipated(self) -> Table:
         """Return what friction and viscosity took, J."""
-        return self._end("friction") + self._end("viscous")
+        return self._taken("friction") + self._taken("viscous")
 
     @cached_property
     def dissipated_error(self) -> Table:
         """Return a bound on its error."""
-        return self._end("dissipated_error")
+        return self._taken("dissipated_error")
 
     @cached_property
     def event_t(self) -> Table:

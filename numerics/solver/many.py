@@ -10,6 +10,7 @@ import reprlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,11 +23,12 @@ from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.solver.batch import SI, Batch
-from numerics.solver.rows import Chunk, Columns, room
+from numerics.solver.rows import Chunk, Columns, form_ledgers, room
 from numerics.tasks import available_cores
 from numerics.trajectory.run import MAX_EVENTS
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
+_FLOATS = np.finfo(np.float64)
 _CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
 _TOO_FEW = 256
@@ -233,21 +235,30 @@ def _solved(
             return exact(start + row)
 
         chunks.append(Chunk(own, exact_here, ends[part], kept[part], literal, limits.max_events))
-    for count in _in_threads(chunks, limits.jobs):
+    for count in _in_threads([chunk.solve for chunk in chunks], limits.jobs):
         done += count
         if limits.progress is not None:
             limits.progress(done, len(table))
-    return Batch(table, ends, kept, shape)
+    form = None if columns is None else partial(_form_ledgers, columns, literal, limits.max_events, limits.jobs)
+    return Batch(table, ends, kept, shape, form)
 
 
-def _in_threads(chunks: list[Chunk], jobs: int | None) -> Iterator[int]:
+def _form_ledgers(columns: Columns, literal: bool, max_events: int, jobs: int | None, ends: Table) -> None:
+    """Form the ledgers that the runs have left out, in chunks."""
+    size = _chunk(len(ends), jobs)
+    parts = [slice(start, start + size) for start in range(0, len(ends), size)]
+    tasks = [partial(form_ledgers, columns.part(one), literal, max_events, ends[one]) for one in parts]
+    list(_in_threads(tasks, jobs))
+
+
+def _in_threads(tasks: Sequence[Callable[[], int]], jobs: int | None) -> Iterator[int]:
     """Yield how many scenes each chunk had, as they finish; compiled code runs in threads, Python in turn."""
-    if jobs == 1 or len(chunks) <= 1 or not can_compile():
-        yield from map(Chunk.solve, chunks)
+    if jobs == 1 or len(tasks) <= 1 or not can_compile():
+        yield from (task() for task in tasks)
         return
-    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(chunks)))
+    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(tasks)))
     try:
-        futures: list[Future[int]] = [pool.submit(chunk.solve) for chunk in chunks]
+        futures: list[Future[int]] = [pool.submit(task) for task in tasks]
         for future in as_completed(futures):
             yield future.result()
     finally:
@@ -266,9 +277,11 @@ def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[in
     arrays = {name: np.asarray(_numbers(name, values)) for name, values in named.items()}
     shape = _common_shape(arrays)
     wide = np.zeros((*shape, len(arrays)))
-    for index, (name, array) in enumerate(arrays.items()):
+    for index, array in enumerate(arrays.values()):
         wide[..., index] = array
-        _refuse(name, array)
+    if not (wide.size and _allowed(wide, np.array([_least(name) for name in arrays])).all()):
+        for name, array in arrays.items():
+            _refuse(name, array)
     flat = wide.reshape(-1, len(arrays))
     table = np.zeros((len(flat), 2 * len(SI)))
     table[:, ::2] = flat[:, : len(SI)]
@@ -305,10 +318,21 @@ def _numbers(name: str, values: Any) -> Table | float:
 
 def _refuse(name: str, array: Table) -> None:
     """Raise InvalidScene, naming the first number that is out of bounds, if there is one."""
-    positive = name in _POSITIVE or name.endswith(".omega")
-    wrong = ~np.isfinite(array) | ((array <= 0) if positive else (array < 0) & (name == "a1"))
+    least = _least(name)
+    wrong = ~_allowed(array, least)
     if np.any(wrong):
         first = tuple(int(i) for i in np.argwhere(wrong)[0])
         place = f"{name}{list(first) if first else ''} = {array[first]:g}"
-        bound = "> 0 and finite" if positive else ">= 0 and finite" if name == "a1" else "finite"
+        bound = "finite" if least < 0 else ">= 0 and finite" if least == 0 else "> 0 and finite"
         raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")
+
+
+def _least(name: str) -> float:
+    """Return the least number that a quantity may be."""
+    if name in _POSITIVE or name.endswith(".omega"):
+        return float(_FLOATS.smallest_subnormal)
+    return 0.0 if name == "a1" else float(_FLOATS.min)
+
+
+def _allowed(array: Table, least: Any) -> NDArray[np.bool_]:
+    return np.asarray((array >= least) & (array <= _FLOATS.max))

@@ -68,7 +68,7 @@ class Chunk:
         self.ends[:, AT["how"]] = UNKNOWN
         if self.columns is not None and can_compile():
             free = self.columns.free
-            for rows, run in ((np.flatnonzero(free), _free_rows), (np.flatnonzero(~free), run_rows)):
+            for rows, run in ((np.flatnonzero(free), _free_rows), (np.flatnonzero(~free), _rows_without_ledger)):
                 if len(rows):
                     kept, ends = self.kept[rows], self.ends[rows]
                     run(self.columns.part(rows), self.literal, self.max_events, kept, ends)
@@ -100,6 +100,20 @@ def _free_rows(columns: Columns, literal: bool, max_events: int, kept: Table, en
     compiled(solve_rows)(columns.table, literal, max_events, kept, ends)
 
 
+def _rows_without_ledger(columns: Columns, literal: bool, max_events: int, kept: Table, ends: Table) -> None:
+    run_rows(columns, literal, max_events, False, kept, ends)
+
+
+def form_ledgers(columns: Columns, literal: bool, max_events: int, ends: Table) -> int:
+    """Run once more the rows of which nobody has formed what friction and viscosity took; return how many there are."""
+    rows = np.flatnonzero(np.isnan(ends[:, AT["friction"]]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
+    if len(rows):
+        own = ends[rows]
+        run_rows(columns.part(rows), literal, max_events, True, np.empty((len(rows), 1, ROW)), own)
+        ends[rows] = own
+    return len(rows)
+
+
 def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
     """Solve one scene, and write its first events and its end."""
     try:
@@ -108,7 +122,7 @@ def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
             return
         found = run_scene(scene, _FLOAT64, max_events)
     except (EventUndecided, OutOfRange) as error:
-        end[:] = np.nan
+        kept[:] = end[:] = np.nan  # also what a run wrote, in units of its own, before it ended so
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
         end[AT["mode"]] = end[AT["events"]] = end[AT["certain"]] = 0.0
         return

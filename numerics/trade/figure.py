@@ -35,6 +35,7 @@ def draw_trade(trade: Trade, columns: int = 4, panel_size: tuple[float, float] =
                 handles.setdefault(who, line)
         panel.set(xscale="log", title=scene, xlabel="time (s)", ylabel="right digits")
         panel.set_yscale("symlog", linthresh=20, linscale=2.5)
+        panel.set_ylim(-3, 1.5 * panel.dataLim.ymax)  # the library's margin is that of a linear scale: marks are cut
         panel.grid(alpha=0.25)
     figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=5)
     return figure

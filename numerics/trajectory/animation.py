@@ -29,9 +29,8 @@ def animate(trajectory: Solution, file: str | Path | None, duration: float, fram
     def drawn(count: int) -> tuple[Any, Callable[[int], tuple[Any, ...]]]:
         from matplotlib import pyplot as plt
 
-        number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
         times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-        y, modes = number(trajectory.sol(times)), trajectory.mode_at(times)
+        y, modes = trajectory.floats(trajectory.sol(times)), trajectory.mode_at(times)
         figure, (above, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
         draw(trajectory, "velocities", below)
         below.set_title("")

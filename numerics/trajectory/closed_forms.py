@@ -1,4 +1,4 @@
-"""A motion between two events in closed form, over points or intervals of mpmath: the waves of Waves.v.
+"""A motion between two events in closed form, over intervals of mpmath: the waves of Waves.v.
 
 Everything is in SI units and in time u (s) since the phase began. A sign k = +1 or -1 is that of v1 - v2 in a slip, and
 that of the slip which follows a stick.
@@ -13,7 +13,7 @@ from numerics.scene import Pair
 from numerics.trajectory.spells import Spell, Steady, bounded
 
 Value = Any
-"""A number of mpmath: a point or an interval."""
+"""An interval of mpmath."""
 
 
 class State(NamedTuple):
@@ -52,7 +52,7 @@ class Wave(NamedTuple):
         on, (decay, _, side, root) = self.on, self.swing
         if side > 0:
             phase = root * u
-            cosine, sine = (bounded(on, function, phase) for function in (on.cos, on.sin))
+            cosine, sine = (bounded(function, phase) for function in (on.cos, on.sin))
             swung = on.exp(-(decay * u)) * (self.even * cosine + self.odd * (sine / root))
         elif side == 0:
             swung = on.exp(-(decay * u)) * (self.even + self.odd * u)
@@ -70,7 +70,7 @@ class Wave(NamedTuple):
 
 
 class ClosedForms:
-    """What a pair does in one spell of force and friction, over `on`: a context of points or of intervals."""
+    """What a pair does in one spell of force and friction, over `on`: a context of intervals."""
 
     def __init__(self, on: Any, pair: Pair, spell: Spell) -> None:
         """Read the exact parameters; whether damping is below its critical value is decided exactly."""

@@ -49,8 +49,13 @@ class Curve(NamedTuple):
 
     def energy(self, pair: Pair) -> NDArray[np.float64]:
         """Return the energy of spring and bodies, J."""
-        x1, v1, _, v2 = self.y
-        return np.asarray((float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2)
+        return energy_of(pair, self.y)
+
+
+def energy_of(pair: Pair, y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the energy of spring and bodies in states x1, v1, x2, v2, shape (4, n), J."""
+    x1, v1, _, v2 = y
+    return np.asarray((float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2)
 
 
 def sampled(trajectory: Rows) -> Curve:
@@ -59,7 +64,7 @@ def sampled(trajectory: Rows) -> Curve:
     At a jump of u or b, as at an event, there are two points.
     """
     cells = cells_of(trajectory.scene)
-    pair, number = trajectory.scene.pair, np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+    pair, number = trajectory.scene.pair, trajectory.floats
     with trajectory.arithmetic.context():
         lengths = number(trajectory.row_lengths)
         rows = np.arange(len(lengths))

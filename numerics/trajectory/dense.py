@@ -1,10 +1,16 @@
-"""A trajectory at any time: which row's segment holds it, and the linear flow from that row's state."""
+"""A trajectory at any time: which row's segment holds it, and the linear flow from that row's state.
+
+In binary64 many motions are followed at once (flow.py), in every other arithmetic one by one (motions.py); nothing else
+here knows the difference.
+"""
 
 from __future__ import annotations
 
+import math
 import operator
+from collections.abc import Callable
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -19,6 +25,8 @@ from numerics.trajectory.motions import Moving
 from numerics.trajectory.rows import Rows
 
 Side = Literal["left", "right"]
+Numbers = NDArray[Any]
+_union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 
 class Dense:
@@ -41,7 +49,7 @@ class Dense:
             end = self.of.end_time
             wrong = given[~((given >= 0) & (given <= end))]
             if wrong.size:
-                self._refuse(f"{wrong.flat[0]:g}")
+                self._refuse(str(wrong.flat[0]).removesuffix(".0"))
             return given
         given = np.asarray(t, dtype=object)
         found = np.empty(given.shape, dtype=float if self.in_floats else object)
@@ -59,12 +67,12 @@ class Dense:
             return t
         exact = exact_time(t)
         if not 0 <= exact <= max(until, Fraction(to_float(end))):
-            self._refuse(f"{float(exact):g}")
+            self._refuse(str(t)[:40])
         return self.arithmetic.number(exact)
 
     def _refuse(self, t: str) -> None:
         end = self.arithmetic.to_float(self.of.end_time)
-        raise ValueError(f"t = {t} s is outside the solved time [0, {end:g}] s")
+        raise ValueError(f"t = {t} s is outside the solved time [0, {end:g}] s; solve further")
 
     def middle(self, x: Number) -> Number:
         """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""
@@ -82,56 +90,79 @@ class Dense:
         points = np.array([self.middle(one) for one in times], dtype=object) if self.is_ball else times
         return np.maximum(np.searchsorted(self.starts, points, side=side) - 1, 0)
 
-    def states(self, t: Any, side: Side) -> NDArray[Any]:
+    def states(self, t: Any, side: Side) -> Numbers:
         """Return (x1, v1, x2, v2) at the times, shape (4, ...)."""
         given = self.times(t)
-        times = given.ravel()
-        rows = self.rows(times, side)
-        if self.in_floats:
-            found = self.floats(rows, self.since(times, rows))
-        else:
-            found = np.empty((4, len(times)), dtype=object)
-            for at, (time, row) in enumerate(zip(times, rows.tolist(), strict=True)):
-                found[:, at] = _union([self.motion(one).after(since) for one, since in self._held(time, row)])
-        return found.reshape(4, *given.shape)
+        return self._at(self.flow, given.ravel(), side).reshape(4, *given.shape)
 
     def excess(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
 
         What friction and viscosity took since the last event is subtracted from what it was there.
         """
-        time = self.time(t)
-        row = int(self.rows(np.array([time], dtype=None if self.in_floats else object), side)[0])
-        carried, unit = self.of.columns.numbers("excess"), self.of.frame.critical_energy
-        if carried[row] is None or (self.of.bounded and carried[row] != carried[row]):  # nan
+        times, unit = self.times(t).reshape(1), self.of.frame.critical_energy
+        carried = self.of.columns.numbers("excess")
+        first = carried[self.rows(times, side)[0]]
+        if first is None or (self.of.bounded and math.isnan(first)):
             return None
-        if self.in_floats:
-            since = self.since(np.array([time]), np.array([row]))
-            return float(carried[row] - over_rows(losses, self.of, np.array([row]), since)[:2].sum() / unit)
-        return _union(
-            [(carried[one] - sum(self.motion(one).losses(since)[:2]) / unit,) for one, since in self._held(time, row)]
-        )[0]
 
-    def since(self, times: NDArray[Any], rows: NDArray[np.int64]) -> NDArray[Any]:
-        """Return how long after the starts of their rows times are, s: the low halves keep short slips apart."""
+        def left(rows: NDArray[np.int64], since: Numbers) -> Numbers:
+            friction, viscous, _ = self.losses(rows, since)
+            return np.asarray(carried[rows] - (friction + viscous) / unit)
+
+        return self._at(left, times, side)[0]
+
+    def _at(self, function: Callable[..., Numbers], times: Numbers, side: Side) -> Numbers:
+        """Return a function of rows and of the times since they began at times of the run.
+
+        Where balls leave open which segment holds a time, all that may hold it answer.
+        """
+        rows = self.rows(times, side)
+        if not self.is_ball:
+            return function(rows, self.since(times, rows))
+        found = []
+        for time, row in zip(times, rows.tolist(), strict=True):
+            held = self._held(time, row)
+            found.append(reduce(_union, function(held, time - self.of.row_times[held]).T))
+        return np.array(found, dtype=object).T if found else np.empty((4, 0), dtype=object)
+
+    def since(self, times: Numbers, rows: NDArray[np.int64]) -> Numbers:
+        """Return how long after the starts of their rows times are, s."""
+        if not self.in_floats:
+            return np.asarray(times - self.of.row_times[rows])
         starts = np.array([float(piece.start) for piece in self.of.pieces])
-        local, low = self.of.columns.halves("local")
+        local, low = self.of.columns.halves("local")  # the low halves keep short slips apart
         return np.asarray(np.maximum((times - starts[self.of.row_pieces[rows]]) - local[rows] - low[rows], 0.0))
 
-    def _held(self, time: Number, row: int) -> list[tuple[int, Number]]:
-        """Return the rows that may hold a time (for balls all that are not excluded), and the time since each began."""
+    def _held(self, time: Number, row: int) -> NDArray[np.int64]:
+        """Return the rows that are not excluded to hold a ball of times; one of them holds its middle."""
         first = last = row
-        if self.is_ball:
-            while first > 0 and self._may_hold(first - 1, time):
-                first -= 1
-            while last + 1 < len(self.starts) and self._may_hold(last + 1, time):
-                last += 1
-        return [(one, time - self.of.row_times[one]) for one in range(first, last + 1)]
+        while first > 0 and self._may_hold(first - 1, time):
+            first -= 1
+        while last + 1 < len(self.starts) and self._may_hold(last + 1, time):
+            last += 1
+        return np.arange(first, last + 1)
 
     def _may_hold(self, row: int, time: Number) -> bool:
         """Return whether it is not excluded that the segment of a row holds a time."""
         starts, last = self.of.row_times, row == len(self.starts) - 1
         return not time < starts[row] and (last or not starts[row + 1] < time)
+
+    def flow(self, rows: NDArray[np.int64], since: Numbers) -> Numbers:
+        """Return the states at times (s) after the starts of rows, shape (4, n)."""
+        if self.in_floats:
+            return np.asarray(self.of.row_states[:, rows] + over_rows(moved, self.of, rows, since))
+        return self._one_by_one(Moving.after, rows, since)
+
+    def losses(self, rows: NDArray[np.int64], since: Numbers) -> Numbers:
+        """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
+        if self.in_floats:
+            return over_rows(losses, self.of, rows, since)
+        return self._one_by_one(Moving.losses, rows, since)
+
+    def _one_by_one(self, function: Callable[..., Any], rows: NDArray[np.int64], since: Numbers) -> Numbers:
+        found = [function(self.motion(row), tau) for row, tau in zip(rows.tolist(), since, strict=True)]
+        return np.array(found, dtype=object).T if found else np.empty((4, 0), dtype=object)
 
     def motion(self, row: int) -> Moving:
         """Return the motion of a row's segment; not for binary64."""
@@ -141,10 +172,6 @@ class Dense:
             self._motions[row] = Moving(self.arithmetic, of.row_mode(of.row_modes[1][row]), start)
         return self._motions[row]
 
-    def floats(self, rows: NDArray[np.int64], since: NDArray[Any]) -> NDArray[np.float64]:
-        """Return the states at times after the starts of rows, in binary64, shape (4, n)."""
-        return self.of.row_states[:, rows] + over_rows(moved, self.of, rows, since)
-
     def after(self, rows: range, since: Number) -> tuple[Number, Number, Number, Number]:
         """Return the state at `since` (s) after the start of a segment that consists of rows."""
         row = rows[0]
@@ -153,10 +180,8 @@ class Dense:
             if self.middle(since) <= self.middle(before):
                 break
             row, since = later, since - before
-        if self.in_floats:
-            x1, v1, x2, v2 = self.floats(np.array([row]), np.array([since]))[:, 0].tolist()
-            return x1, v1, x2, v2
-        return self.motion(row).after(since)
+        x1, v1, x2, v2 = self.flow(np.array([row]), np.array([since]))[:, 0].tolist()
+        return x1, v1, x2, v2
 
     def mode(self, t: Any, side: Side) -> Any:
         """Return the modes at the times: a Mode, or an object array."""
@@ -165,14 +190,6 @@ class Dense:
         found = np.empty(len(rows), dtype=object)
         found[:] = [MODES[self.of.row_signs[row]] for row in rows]
         return found[0] if given.ndim == 0 else found.reshape(given.shape)
-
-
-def _union(found: list[tuple[Number, ...]]) -> tuple[Number, ...]:
-    """Return the unions of what several rows say, number by number; mostly there is one row."""
-    first, *rest = found
-    for other in rest:
-        first = tuple(one.union(two) for one, two in zip(first, other, strict=True))
-    return first
 
 
 def exact_time(t: Any, name: str = "t") -> Fraction:

@@ -8,17 +8,14 @@ Quadratic forms of z' = A z are integrated by Van Loan's block exponential, what
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import EventKind, Mode
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.dense import Dense
-from numerics.trajectory.flow import losses, over_rows
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -57,7 +54,8 @@ class Segment(ShortRepr):
 
     def losses(self) -> tuple[Number, Number]:
         """Return what friction and viscosity take in it, b int |v1 - v2| and a1 int v1^2, J."""
-        friction, viscous, _ = losses_of_rows(self.dense, self.rows).sum(axis=1)
+        rows = np.array(self.rows)
+        friction, viscous, _ = self.dense.losses(rows, self.dense.of.row_lengths[rows]).sum(axis=1)
         return friction, viscous
 
 
@@ -78,25 +76,10 @@ class EnergyLedger(ShortRepr):
     work: Number = 0
 
 
-def losses_of_rows(dense: Dense, rows: range) -> NDArray[Any]:
-    """Return b int |v1 - v2|, a1 int v1^2 and int u v1 over the segments of rows, J, shape (3, n).
-
-    To be used in the arithmetic's context; enclosures for balls.
-    """
-    run = dense.of
-    lengths = run.row_lengths[rows.start : rows.stop]
-    if run.arithmetic.name != "float64":
-        found = np.empty((3, len(lengths)), dtype=object)
-        for at, (row, length) in enumerate(zip(rows, lengths, strict=True)):
-            found[:, at] = dense.motion(row).losses(length)
-        return found
-    return over_rows(losses, run, np.array(rows), lengths)
-
-
 def ledger_of(dense: Dense) -> EnergyLedger:
     """Return the ledger of the whole run; in the arithmetic's context."""
     run, zero = dense.of, dense.arithmetic.number(0)
-    losses = losses_of_rows(dense, range(len(run.row_lengths)))
+    losses = dense.losses(np.arange(len(run.row_lengths)), run.row_lengths)
     friction, viscous, work = (sum(part.tolist(), zero) for part in losses)
     initial, final = run.arithmetic.number(run.scene.energy), run.final_energy
     return EnergyLedger(initial, final, friction, viscous, initial + work - final - friction - viscous, work)

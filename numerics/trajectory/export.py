@@ -138,7 +138,7 @@ def as_csv(record: dict[str, Any], unit_of: Callable[[str], str] = unit_of) -> s
 def arrays(trajectory: Solution) -> dict[str, NDArray[Any]]:
     """Return t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds; numbers in binary64."""
     with trajectory.arithmetic.context():
-        number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+        number = trajectory.floats
         return {
             "t": number(trajectory.t),
             "y": number(trajectory.y),

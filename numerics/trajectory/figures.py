@@ -87,7 +87,7 @@ def _shade_stick(trajectory: Solution, curve: Curve, ax: Any) -> None:
 
 def _mark_events(trajectory: Solution, ax: Any, across: int | None, up: int) -> None:
     """Mark the events at row `up` of y, against row `across` of it, or against time."""
-    number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+    number = trajectory.floats
     if len(trajectory.events) > _MOST_MARKED:
         return
     for (marker, label), t, y in zip(_MARKERS.values(), trajectory.t_events, trajectory.y_events, strict=True):

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, widened
+from numerics.arithmetic.ball import Ball
+from numerics.linear.cells import mode_in
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
+from numerics.linear.system import Motion
+from numerics.scene import Scene
+from numerics.trajectory.trajectory import Trajectory
 
 
 class Leg(NamedTuple):
@@ -29,25 +33,19 @@ class Leg(NamedTuple):
     cell: tuple[int, int]
     """Of a slip whose friction depends on the state (linear/cells.py)."""
 
+    def motion(self, scene: Scene) -> Motion:
+        """Return the motion from its start on, of the scene to which it belongs."""
+        return mode_in(scene, pieces_of(scene)[self.piece], self.side, self.cell).motion(self.state, self.start)
 
-def legs(trajectory: Any) -> list[Leg]:
+
+def legs(trajectory: Trajectory) -> list[Leg]:
     """Return the legs up to the horizon; else up to the event at which the run was cut off, and one of length 0."""
-    pieces, number = pieces_of(trajectory.scene), Ball.number
-    with trajectory.arithmetic.context():
-        knots: list[Knot] = trajectory.record.rows
-        starts = [widened(number(pieces[one.piece].start) + one.local, arb(one.late)) for one in knots]
-        last = number(trajectory.scene.until) if trajectory.reached else starts[-1]
-        ends = [*starts[1:], last]
-        begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
-        return [
-            Leg(one.mode, one.piece, start, end, _state(one), one.event, first, one.cell)
-            for one, start, end, first in zip(knots, starts, ends, begins, strict=True)
-        ]
-
-
-def _state(knot: Knot) -> tuple[arb, arb, arb, arb]:
-    """Return the state of a knot with its bounds."""
-    x1, v1, x2, v2 = (
-        widened(getattr(knot, name), arb(getattr(knot, f"{name}_error"))) for name in ("x1", "v1", "x2", "v2")
-    )
-    return x1, v1, x2, v2
+    knots: list[Knot] = trajectory.record.rows
+    starts = trajectory.row_times.tolist()
+    with trajectory.arithmetic.context():  # a time is known, whatever a box of starts is
+        last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
+    begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
+    return [
+        Leg(one.mode, one.piece, start, end, (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell)
+        for one, start, end, first in zip(knots, starts, [*starts[1:], last], begins, strict=True)
+    ]

@@ -1,4 +1,4 @@
-"""A motion from one phase to the next, over points and over intervals of mpmath: its events in sure bounds."""
+"""A motion from one phase to the next, over intervals of mpmath: its events in sure bounds."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from mpmath.ctx_iv import MPIntervalContext
-from mpmath.ctx_mp import MPContext
 
 from numerics.linear.modes import Mode
 from numerics.scene import Pair
@@ -40,21 +39,20 @@ class Known(NamedTuple):
 
 
 class Forms:
-    """The closed forms of a pair in a spell, over points with twice as many bits as over intervals."""
+    """The closed forms of a pair in a spell, over intervals."""
 
     def __init__(self, pair: Pair, most: int) -> None:
         """Compute with so many bits at most."""
         self.sign_bits, self.parts = SIGN_BITS[0], PARTS
-        self.pair, self.bits, self.points, self.boxes = pair, most, MPContext(), MPIntervalContext()
-        self.points.prec, self.boxes.prec = 2 * most, most
+        self.pair, self.bits, self.boxes = pair, most, MPIntervalContext()
+        self.boxes.prec = most
 
     def begin(self, spell: Spell) -> None:
         """Begin a spell."""
-        self.spell = spell
-        self.sharp, self.wide = (ClosedForms(on, self.pair, spell) for on in (self.points, self.boxes))
+        self.wide = ClosedForms(self.boxes, self.pair, spell)
 
     def narrow(self, bits: int) -> None:
-        """Compute over intervals with no more bits than these."""
+        """Compute with no more bits than these."""
         self.bits = self.boxes.prec = min(self.bits, bits)
 
     def keeps(self, wave: Wave, zeros: int, end: Fraction) -> None:
@@ -103,18 +101,21 @@ class Forms:
 
 @dataclass
 class Run:
-    """Where a motion is: at a point, and surely in a box."""
+    """Where a motion surely is: in a box."""
 
     forms: Forms
-    at_points: State
     at: State
     known: Known
 
     @classmethod
     def start(cls, forms: Forms, numbers: tuple[Fraction, ...], k: int = 0) -> Run:
         """Return the run from an exact state, t, x1, v1, x2, v2; with k at the edge towards a slip of that sign."""
-        points, boxes = (State(*map(of.number, numbers)) for of in (forms.sharp, forms.wide))
-        return cls(forms, points, boxes, Known(numbers[2] == numbers[4], k))
+        return cls(forms, State(*map(forms.wide.number, numbers)), Known(numbers[2] == numbers[4], k))
+
+    @property
+    def time(self) -> float:
+        """Return about when it is there, s."""
+        return float(self.at.t.mid)
 
     def _keeps(self, mode: Mode, k: int, wave: Wave, end: Fraction) -> None:
         """See that what is positive in a mode is so until an end."""
@@ -123,65 +124,60 @@ class Run:
         else:
             self.forms.keeps(wave, (1 + (self.known.k == k)) if self.known.touches else 0, end)
 
-    def guards(self, mode: Mode, k: int) -> tuple[Wave, Wave]:
-        """Return what is positive until a phase ends, over points and over intervals."""
-        sharp, wide = self.forms.sharp, self.forms.wide
-        if mode is Mode.STICK:
-            return sharp.grip(k, self.at_points), wide.grip(k, self.at)
-        return sharp.guard(k, self.at_points), wide.guard(k, self.at)
+    def guard(self, mode: Mode, k: int) -> Wave:
+        """Return what is positive until a phase ends."""
+        wide = self.forms.wide
+        return wide.grip(k, self.at) if mode is Mode.STICK else wide.guard(k, self.at)
 
     def hit(self, mode: Mode, k: int, time: float, places: int) -> tuple[Fraction, Fraction]:
         """Go to the next event, near the time; return bounds of the time since, to so many places, or TooCoarse."""
-        sharp, wide = self.forms.sharp, self.forms.wide
+        wide, guard = self.forms.wide, self.guard(mode, k)
         if mode is not Mode.STICK and self.known.k not in (0, k):
             raise Unseen
-        low, high = self._bracket(time - float(self.at_points.t), places, *self.guards(mode, k))
-        self._keeps(mode, k, self.guards(mode, k)[1], low)
+        low, high = self._bracket(time - self.time, places, guard)
+        self._keeps(mode, k, guard, low)
         if mode is Mode.STICK:
-            self._keeps(mode, -k, self.guards(mode, -k)[1], high)
+            self._keeps(mode, -k, self.guard(mode, -k), high)
         between = self.forms.boxes.mpf([wide.number(low).a, wide.number(high).b])
-        self.at_points = moved(sharp, mode, k, self.at_points, sharp.number((low + high) / 2), ends=True)
         self.at = moved(wide, mode, k, self.at, between, ends=True)
         self.known = Known(touches=True, k=k if mode is Mode.STICK else 0)
         return low, high
 
     def rest(self, mode: Mode, time: Fraction) -> tuple[Fraction, Value]:
         """Go on in a mode to a time; return for how long it surely lasts, and v1 - v2 then. Raises TooCoarse."""
-        sharp, wide = self.forms.sharp, self.forms.wide
+        wide = self.forms.wide
         left = wide.number(time) - self.at.t
         if not left > 0:  # the last event may be at the end
             raise TooCoarse
         least = outward(left, int(self.forms.bits * 0.3))[1]
         signs = (1, -1) if mode is Mode.STICK else (mode.sign,)
-        guards = [self.guards(mode, k)[1] for k in signs]
+        guards = [self.guard(mode, k) for k in signs]
         if not all(guard(wide.number(least)) > 0 for guard in guards):
             raise TooCoarse
         for k, guard in zip(signs, guards, strict=True):
             self._keeps(mode, k, guard, least)
         relative = mode.sign * guards[0](left)
-        since = sharp.number(time) - self.at_points.t
-        self.at_points = moved(sharp, mode, mode.sign, self.at_points, since, ends=False)
         self.at = moved(wide, mode, mode.sign, self.at, left, ends=False)._replace(t=wide.number(time))
         self.known = Known(touches=mode is Mode.STICK)
         return least, relative
 
-    def _bracket(self, guess: float, shown: int, sharp: Wave, wide: Wave) -> tuple[Fraction, Fraction]:
-        """Return decimals around the root of a falling wave, sure for every state of the boxes."""
-        points, number = self.forms.points, self.forms.wide.number
-        slope, root = sharp.slope(), points.mpf(guess)
-        for _ in range(60):
-            step = sharp(root) / slope(root)
-            root -= step
-            if abs(step) < abs(root) * points.mpf(2) ** (-1.8 * self.forms.bits):
-                break
+    def _bracket(self, guess: float, shown: int, guard: Wave) -> tuple[Fraction, Fraction]:
+        """Return decimals around the root of a falling wave, sure for every state of the box."""
+        number, slope, root = self.forms.wide.number, guard.slope(), Fraction(guess)
         places = int(self.forms.bits * 0.301) - math.floor(math.log10(guess))
-        centre, steps = int(points.nint(root * points.mpf(10) ** places)), 1
+        for _ in range(60):
+            value = guard(number(root))
+            root -= sum(outward(value.mid / slope(number(root)).mid, places), Fraction(0)) / 2
+            if 0 in value:
+                break
+        unit, steps = Fraction(10) ** -places, 1
+        centre = round(root / unit)
         while True:
-            if Fraction(steps, 10**places) > Fraction(1, 10**shown):
+            low, high = ((centre + by) * unit for by in (-steps, steps))
+            spare = (steps + 7) // 8 * unit  # the kernel's bounds are not these to the last bit
+            if low <= spare or steps * unit > Fraction(10) ** -shown:
                 raise TooCoarse
-            low, high = (Fraction(centre + by, 10**places) for by in (-steps, steps))
-            if wide(number(low)) > 0 and wide(number(high)) < 0:
-                spare = Fraction((steps + 7) // 8, 10**places)  # the kernel's bounds are not these to the last bit
+            if guard(number(low)) > 0 and guard(number(high)) < 0:
                 return low - spare, high + spare
             steps += (steps + 3) // 4
 

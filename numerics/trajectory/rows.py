@@ -84,8 +84,11 @@ class Rows:
         local, y = self.columns.numbers("local"), self.row_states
         if self.arithmetic.name == "float64":
             return local, y
-        number = np.vectorize(self.arithmetic.to_float, otypes=[float])
-        return number(local), number(y)
+        return self.floats(local), self.floats(y)
+
+    def floats(self, numbers: Any) -> NDArray[np.float64]:
+        """Return numbers of the arithmetic in binary64, in their shape."""
+        return np.asarray(np.vectorize(self.arithmetic.to_float, otypes=[float])(numbers))
 
     @cached_property
     def row_times(self) -> NDArray[Any]:

@@ -112,11 +112,11 @@ class Chain:
             found[self.column[name]] += value * value / 2
         return found
 
-    def _variation(self, side: int, piece: int, cell: tuple[int, int] = PLAIN) -> Variation:
-        """Return a motion; it is made once."""
-        key = side, piece, cell
+    def _variation(self, leg: Leg) -> Variation:
+        """Return the motion of a leg, differentiated; it is made once."""
+        key = leg.side, leg.piece, leg.cell
         if key not in self._variations:
-            self._variations[key] = Variation(self.scene, self.pieces[piece], side, self.column, cell)
+            self._variations[key] = Variation(self.scene, self.pieces[leg.piece], leg.side, self.column, leg.cell)
         return self._variations[key]
 
     def _zeros(self, *rows: int) -> Array:
@@ -135,7 +135,7 @@ class Chain:
         """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
         tau = t - leg.start
-        flow, columns = self._variation(leg.side, leg.piece, leg.cell).over(leg.state, leg.start, tau)
+        flow, columns = self._variation(leg).over(leg.state, leg.start, tau)
         if self.cells and leg.side:
             rate = self.cells.growth(self.cells.branch(self.pieces[leg.piece], leg.side, leg.cell))
             norm = norm * (rate * tau.abs_upper()).exp()
@@ -181,11 +181,11 @@ class Chain:
         """Return the derivatives after an event by a guard."""
         at = self.pieces[leg.piece], after.start, after.state
         before, behind = (self._field(*at, one.side, one.cell) for one in (leg, after))
-        motion = self._variation(leg.side, leg.piece, leg.cell)
+        motion = self._variation(leg)
         by_state, by_numbers, rate = motion.guard(after.state, after.start, before, after.side)
         held = arb(0)
         if self.cells and leg.side == 0:
-            held = self._add_the_edge(by_state, by_numbers, after)
+            held = self._add_the_edge(by_state, by_numbers, after, motion.by_b)
         t = -(by_state @ ended.y + by_numbers) / rate
         off = ended.norm * self._guard_by_norm(leg.side) + ended.place * abs(held)
         late = _widened(t, off / abs(rate))
@@ -197,13 +197,12 @@ class Chain:
         self.y.append(y)
         return self._pointed(ended)
 
-    def _add_the_edge(self, by_state: Array, by_numbers: Array, after: Leg) -> arb:
+    def _add_the_edge(self, by_state: Array, by_numbers: Array, after: Leg, by_b: int) -> arb:
         """Put B(0) + C(z) for b into the derivatives of the guard of stick; return its derivative by z."""
         assert self.cells is not None
-        piece, cell = self.pieces[after.piece], (0, after.cell[1])
-        motion, z = self._variation(0, after.piece), after.state[0] - after.state[2]
-        by_numbers[motion.by_b] -= 1
-        name = next(name for name, place in self.column.items() if place == motion.by_b)
+        piece, cell, z = self.pieces[after.piece], (0, after.cell[1]), after.state[0] - after.state[2]
+        by_numbers[by_b] -= 1
+        name = next(name for name, place in self.column.items() if place == by_b)
         for key, one in self.cells.by_numbers(piece, 1, cell, name).items():
             by_numbers[self.column[key]] += Ball.number(one.offset) + Ball.number(one.pull) * z
         pull = Ball.number(self.cells.branch(piece, 1, cell).pull)

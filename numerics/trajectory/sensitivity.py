@@ -81,7 +81,7 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
     `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
     """
     found = {name: getattr(scene.initial if name in WRT[:4] else scene.pair, name) for name in WRT}
-    if not scene.is_forced:
+    if not (scene.force.pieces or scene.is_forced):
         return found
     found["until"] = scene.until
     for index, piece in enumerate(scene.force.pieces):
@@ -240,7 +240,7 @@ def _time(trajectory: Trajectory, t: Any) -> arb:
     """Return a time (s) as a ball. Raises ValueError outside [0, end]."""
     end, time = trajectory.end_time, _ball(t if isinstance(t, arb) or hasattr(t, "man_exp") else exact_time(t))
     if time < 0 or time > _ball(trajectory.scene.until if trajectory.reached else end):
-        raise ValueError(f"t = {float(time):g} s is outside the solved time [0, {float(end):g}] s; solve further")
+        raise ValueError(f"t = {str(t)[:40]} s is outside the solved time [0, {float(end):g}] s; solve further")
     return time
 
 

@@ -42,8 +42,7 @@ def sensitivity_arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
     """Return the derivatives in binary64, and the names that their last axis stands for, for a NumPy archive."""
     found = sensitivities(trajectory)
     named = {"t": found.t, "y": found.y, "final": found.final, "energy": found.energy}
-    number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
-    arrays = {f"sensitivity_{name}": number(array) for name, array in named.items()}
+    arrays = {f"sensitivity_{name}": trajectory.floats(array) for name, array in named.items()}
     return arrays | {"sensitivity_wrt": np.array(found.wrt)}
 
 

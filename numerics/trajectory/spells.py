@@ -9,8 +9,6 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mpmath.ctx_mp import MPContext
-
 from numerics.linear.pieces import particular
 from numerics.scene import Pair, Scene
 
@@ -49,7 +47,7 @@ class Steady(NamedTuple):
     tones: tuple[Tone, ...] = ()
 
     def __call__(self, on: Any, t: Any) -> Any:
-        """Return the value at t, over a context of points or of intervals of mpmath."""
+        """Return the value at t, over a context of intervals of mpmath."""
 
         def number(one: Fraction) -> Any:
             return on.mpf(one.numerator) / on.mpf(one.denominator)
@@ -59,8 +57,8 @@ class Steady(NamedTuple):
             value = number(coefficient) + after * value
         for tone in self.tones:
             angle = number(tone.turn) * t + number(tone.phase)
-            value += (number(tone.in_sine) + number(tone.rise_sine) * t) * bounded(on, on.sin, angle)
-            value += (number(tone.in_cosine) + number(tone.rise_cosine) * t) * bounded(on, on.cos, angle)
+            value += (number(tone.in_sine) + number(tone.rise_sine) * t) * bounded(on.sin, angle)
+            value += (number(tone.in_cosine) + number(tone.rise_cosine) * t) * bounded(on.cos, angle)
         return value
 
     def slope(self) -> Steady:
@@ -73,11 +71,9 @@ class Steady(NamedTuple):
         return Steady(self.since, tuple(factor * one for one in self.polynomial), tones)
 
 
-def bounded(on: Any, function: Callable[[Any], Any], angle: Any) -> Any:
-    """Return a sine or cosine; over an interval by its middle and its slope, as the kernel does."""
-    if isinstance(on, MPContext) or angle.delta > SHORT:
-        return function(angle)
-    return function(angle.mid) + (angle - angle.mid)
+def bounded(function: Callable[[Any], Any], angle: Any) -> Any:
+    """Return a sine or cosine over an interval, a short one by its middle and its slope, as the kernel does."""
+    return function(angle) if angle.delta > SHORT else function(angle.mid) + (angle - angle.mid)
 
 
 class Spell(NamedTuple):

@@ -68,7 +68,7 @@ def theorem(trajectory: Solution) -> str:
         except TooCoarse as error:
             unseen = isinstance(error, Unseen)
     if unseen:
-        since = f"after t = {float(writer.run.at_points.t):.6g} s the checker does not see that the pair keeps its mode"
+        since = f"after t = {writer.run.time:.6g} s the checker does not see that the pair keeps its mode"
         raise NoProof(
             f"no theorem is written: {since}, as it does not at a graze, or exactly at an edge or the critical energy"
         )
@@ -158,7 +158,7 @@ class _Writer:
     def _hit(self, mode: Mode, k: int, time: float) -> None:
         """Go to the next event, with the motion that is close."""
         if self.renewing and self._size() > WORN * self.fresh:
-            now = float(self.run.at_points.t)
+            now = self.run.time
             self._renewed(mode, Fraction(f"{(now + time) / 2:.{max(0, 2 - math.floor(math.log10(time - now)))}f}"))
         self._narrow()
         bits, ahead = self.forms.bits + KERNEL_BITS, gallina.truth(k > 0)
@@ -211,8 +211,7 @@ class _Writer:
             }
         )
         if not all(
-            run.guards(mode, k)[1](wide.number(Fraction(0))) > 0
-            for k in ((1, -1) if mode is Mode.STICK else (mode.sign,))
+            run.guard(mode, k)(wide.number(Fraction(0))) > 0 for k in ((1, -1) if mode is Mode.STICK else (mode.sign,))
         ):
             return False
         new = " ".join(map(gallina.number, (time, x1, v1, v2, radius)))
@@ -242,7 +241,7 @@ class _Writer:
         found = []
         for box, shown in zip(boxes, places, strict=True):
             low, high = outward(box, shown)
-            if high - low > Fraction(3, 10**shown):
+            if high - low > 3 * Fraction(10) ** -shown:
                 raise TooCoarse
             found.append(f"({decimal_text(low)}, {decimal_text(high)})")
         return "\n    ".join((" ".join(found[:2]), " ".join(found[2:])))

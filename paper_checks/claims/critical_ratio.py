@@ -191,7 +191,7 @@ def mass_ratio() -> Case:
             critical point of $w'$ in both variables, so a sign of the derivative there would prove nothing; its
             factors $1-2r\sin^2\varphi$ and $\varphi-r(\varphi-\sin\varphi\cos\varphi)$ do.
             """,
-            "At $r=r^*$ itself one energy merges: from $w=q\\,h(\\theta^*)^2$ on a ray the pair lands on $E=E_{cr}$ inside $S_0$.",
+            "At $r=r^*$ itself one energy merges by its first slip: from $w=q\\,h(\\theta^*)^2$ on a ray the pair lands on $E=E_{cr}$ inside $S_0$. Others come to that $w$ after some slips.",
             r"""
             So for $r<r^*$ a trajectory in the whole state space merges exactly if $E\leqslant E_{cr}$ where it first
             meets $S$; it then sticks there for ever. Otherwise it sticks up to a ray or slips on from $S$, with

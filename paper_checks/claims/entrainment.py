@@ -11,6 +11,7 @@ from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
+from theory.fraction import in_lowest_terms
 from theory.model import slip
 from theory.scaling import stick_frequency
 
@@ -19,9 +20,9 @@ from theory.scaling import stick_frequency
 def square_wave() -> Evidence:
     """h and h' continue to a motion that is its own negative half a period later."""
     stiffness = m1 * (decline**2 + swing**2)
-    place, speed = (sp.cancel(response.half_turn(one) * stiffness) for one in response.square_wave())
+    place, speed = (in_lowest_terms(response.half_turn(one) * stiffness) for one in response.square_wave())
     c, s = (response.half_turn(one(pi * swing / omega)) for one in (cos, sin))
-    first, second = place - 1, sp.cancel((speed + decline * (place - 1)) / swing)
+    first, second = place - 1, in_lowest_terms((speed + decline * (place - 1)) / swing)
     later = 1 + decayed * (first * c + second * s)
     later_speed = decayed * ((swing * second - decline * first) * c - (swing * first + decline * second) * s)
     return identity(
@@ -155,7 +156,7 @@ def _gain() -> Expr:
 
 OPEN = (
     "That each amplitude between $U_*$ and $U_{**}$ has just one motion with two stops, and that its conditions hold on the whole branch, is not proved.",
-    "Motions that slip for ever and turn at other times than after each half period of the force are not treated for $a_1=0$.",
+    "Motions that slip for ever and turn at other times than after each half period of the force are not treated, with a damper or without: whether $U_{**}$ is the least amplitude for those, too, is open.",
 )
 
 

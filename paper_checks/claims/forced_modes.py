@@ -157,7 +157,9 @@ def finitely_many_events() -> Evidence:
         there in both modes: no event. Else $\Lambda-sb$ has one sign on some $(-\epsilon,0)$: if it is that of $s$
         there is no stick, and $s\dot z$ increases; if not, a pair once stuck sticks up to $0$. In each case only
         finitely many events are left. With a friction $b(t)$ by pieces, analytic in each, the same holds with
-        $m_2\ddot r=sb(t)$.
+        $m_2\ddot r=sb(t)$. Where $b$ and $\Lambda$ both fall to $0$ at the end of a piece, friction changes
+        $\Lambda$ there by less than every multiple of $b$, so $\Lambda/b$ has a limit: where that is not $\pm 1$ it is
+        as where $|\Lambda(0)|\neq b$, where it is $s$ as where $\Lambda(0)=sb$.
         """,
         leading_term(),
         marginal_rule(),
@@ -272,7 +274,7 @@ def forced_mode_rule() -> Case:
     clause(
         "finite",
         """
-        Where $u$ is analytic by pieces (polynomials plus sinusoids by pieces are) and $b>0$ is constant on each of
+        Where $u$ is analytic by pieces, their ends included (polynomials plus sinusoids by pieces are), and $b>0$ is constant on each of
         finitely many pieces of time, the pair changes its mode finitely often in every bounded interval of time.
         """,
         kernel="no-zeno-varying scenes-analytic",

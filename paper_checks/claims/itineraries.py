@@ -24,6 +24,7 @@ from theory.excursion import (
     half_tangent_form,
     next_excess,
 )
+from theory.fraction import in_lowest_terms
 from theory.power_series import taylor
 
 LARGEST = pi**2 / 4
@@ -99,7 +100,7 @@ def largest_excess() -> Evidence:
 def largest_relative_speed() -> Evidence:
     """The extremum of the guard of an excursion and its value."""
     at = {theta: 2 * sp.atan(h_value)}
-    rational = [sp.cancel(sp.expand_trig(one.subs(at))) for one in (diff(guard_of_u(), theta), guard_of_u())]
+    rational = [in_lowest_terms(sp.expand_trig(one.subs(at))) for one in (diff(guard_of_u(), theta), guard_of_u())]
     return identity(
         r"$(V_1-V_2)/\sqrt q$ is stationary at $\theta=2\arctan\nu$, with the value $-2(\nu-\arctan\nu)$",
         rational,

@@ -17,6 +17,10 @@ DECIMALS = 40
 """Decimals to which force, times and places are rounded where members of the family are solved."""
 
 
+SEEN_DIGITS = 60
+"""Right digits of those solutions: a slip ends within `DECIMALS` of where the force drops, which fewer do not tell apart."""
+
+
 SHOWN = (Fraction(-55, 100), Fraction(-46, 100), Fraction(-37, 100))
 """Speeds at the exit, m/s, of the members that are solved and drawn."""
 
@@ -136,7 +140,7 @@ def seen() -> Steps:
     """Members solved in balls, rounded to many decimals: their modes, and how near they come back."""
     found = []
     for speed in SHOWN:
-        run = solved(member(speed))
+        run = solved(member(speed), SEEN_DIGITS)
         start, end = run.sol(0), run.sol(run.scene.until, side="left")
         error = max((abs(end[place] - start[place]) for place in (0, 1, 3)), key=float)
         modes = (Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS, Mode.STICK)

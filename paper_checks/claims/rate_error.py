@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import flint
-from flint import acb, arb, arb_poly, arb_series
+from flint import acb, arb, arb_poly, arb_series, fmpq
 
 from paper_checks.decide.balls import point, precision, terms
 
@@ -33,6 +33,10 @@ COEFFICIENTS = [-DENOMINATOR // n for n in range(1, TERMS + 1)]
 """Those of its series, over one denominator, so that they are exact at every precision."""
 
 
+REACH, FIXED, WEIGHT = fmpq(4, 5), fmpq(2, 5), fmpq(4, 9)
+"""Up to where that series is taken, and two numbers of the map."""
+
+
 SERIES = arb_poly(COEFFICIENTS)
 SLOPE = SERIES.derivative()
 
@@ -43,13 +47,14 @@ def logarithm(x: Any) -> Any:
     Also where x may be 0. Raises ArithmeticError where x is not proved to be that small.
     """
     size = abs(x[0] if isinstance(x, arb_series) else x).upper()
-    if not size < point(Fraction(4, 5)):
+    if not size < REACH:
         raise ArithmeticError(f"the series of the logarithm is not proved to converge: |x| = {size.str(5)}")
     total = _first_terms(x) / DENOMINATOR
     # what is left out is at most |x|^N/(N (1 - |x|)), its derivative at most |x|^(N-1)/(1 - |x|)
-    tail, slope = (arb(0, (5 * size ** (TERMS - less)).upper()) for less in (0, 1))
+    slope = 5 * size ** (TERMS - 1)
+    tail = arb(0, (slope * size).upper())
     if isinstance(x, arb_series):
-        return total + arb_series([tail, slope * x[1]])
+        return total + arb_series([tail, arb(0, slope.upper()) * x[1]])
     return total + (acb(tail, tail) if isinstance(x, acb) else tail)
 
 
@@ -76,8 +81,8 @@ class Slip(NamedTuple):
 def of_map(slip: Slip, p: Any) -> tuple[Any, Any]:
     """Return G and c^2: pi times their quotient is what pi G is of (y - y')/r, as y - y' = r c^2."""
     r, s = 1 - p * p, (slip.depth / slip.height) ** 2
-    gain = (slip.depth / (slip.height * slip.height)) ** 2 * 4 / 9 / (1 - r * s) - 1
-    return gain + (r - point(Fraction(2, 5))) * s * logarithm(r * s), slip.depth * slip.depth
+    gain = (slip.depth / (slip.height * slip.height)) ** 2 * WEIGHT / (1 - r * s) - 1
+    return gain + (r - FIXED) * s * logarithm(r * s), slip.depth * slip.depth
 
 
 def of_time(slip: Slip, p: Any) -> tuple[Any, Any]:

@@ -280,7 +280,10 @@ def forced_periodic_response() -> Case:
         threshold=equal(r"U_{\mathrm{res}}", 4 * b / pi, response.resonant_amplitude),
         growth=equal(r"\rho", (response.amplitude - 4 * b / pi) / (2 * m1), response.growth_rate),
     ),
-    clause("bounded", r"If $U_1<U_{\mathrm{res}}$, every motion is bounded."),
+    clause(
+        "bounded",
+        r"If $U_1<U_{\mathrm{res}}$, every motion has bounded $x_1,v_1,v_2$; body 2 may be carried away all the same.",
+    ),
     clause(
         "sine",
         r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",

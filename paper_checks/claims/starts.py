@@ -159,7 +159,8 @@ def _from_rest(scene: Scene) -> Steps:
     """Return that from rest the pair sticks for ever exactly if |x1(0)| <= L, and both sides of that edge in balls."""
     needed = m2 * undamped(free(stick().acceleration1))
     edge = scene.pair.half_width
-    hair = replace(scene, initial=State(x1=edge + Fraction(1, 10**300)))
+    hair_out = State(x1=edge + Fraction(1, 10**300))
+    hair = replace(scene, initial=hair_out, until=Fraction(1))  # a second has the events that are shown
     return (
         identity(
             "stuck from rest, $x_1(t)=x_1(0)\\cos\\omega t$: $|x_1(t)|\\leqslant|x_1(0)|$",

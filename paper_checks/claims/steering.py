@@ -233,7 +233,7 @@ def damping_for_tracking() -> Case:
         ),
     ),
     open=(
-        "What the long-run motion is for a friction that depends on the state (who merges, how fast the others settle) is not decided here.",
+        "What the long-run motion is for a friction that varies with the time or depends on the state (who merges, how fast the others settle) is not decided here: $E_{cr}$ and the $1/t$ law are those of a constant $b$.",
         "For a friction that jumps down where a stick ends (static above kinetic) there is not one motion from a start, stick and slip both are: which of them is meant is not decided here.",
     ),
 )
@@ -242,12 +242,13 @@ def varying_interface() -> Case:
     rate = forced.place_dependent_rate(1)
     return because(
         """
-        For friction that varies in time the problem is not open: nothing in the theory asks for a constant $b$. Where
-        it varies with the state two motions may move apart, but a start still has one motion, and friction that stays
-        above some least value still brakes every relative motion down; how the long run looks then is open.
+        A part of the problem is not open: with a friction that varies in time a start has one motion, and two motions
+        never move apart. Where it varies with the state they may, but a start still has one motion; and friction that
+        stays above some least value, whatever it depends on, brakes every relative motion down. How the long run looks
+        is open in both cases.
         """,
         counterexample(
-            "For $b(t)$ the effect is known: from every start there is one solution, and two solutions never move apart in $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
+            "For $b(t)$ this much of the effect is known: from every start there is one solution, and two solutions never move apart in $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
             contraction.friction_in_time(),
         ),
         carried(

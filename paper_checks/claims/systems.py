@@ -9,7 +9,7 @@ from paper_checks.claims.words import *
     clause(
         "contraction",
         r"""
-        In any real space with an inner product let $M>0$ and $K\geqslant 0$ be symmetric, $C$ a damper with
+        In any real space with an inner product let $M>0$, with an inverse, and $K\geqslant 0$ be symmetric, $C$ a damper with
         $(C(v)-C(w))\cdot(v-w)\geqslant 0$, and $f\in\partial\psi(B\dot q)$ a friction with any function $\psi$. Two
         motions of $M\ddot q+C(\dot q)+Kq+B^{T}f=u$ under one force never part in $N$, $N^2=q\cdot Kq+\dot q\cdot M\dot
         q$ of their difference.

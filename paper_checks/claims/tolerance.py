@@ -88,8 +88,9 @@ def heavy_damping() -> Evidence:
         order $1/a_1$. While $|v_2|$ exceeds it, it falls at the rate $b/m_2$, so both velocities meet at
         $m_2|v_2(0)|/b$, but for terms that tend to $0$. In slip $p=a_2x_1+a_1v_1$ obeys $\dot
         p=a_2v_1-(a_1/m_1)(p+b\sigma)$: it is at $-b\sigma$, but for terms of order $1/a_1$, when they meet. There
-        $|\Lambda|=bm_2/M$ and smaller terms, less than $b$, so the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets
-        $|p|$ fall from then on: it sticks for ever.
+        $|\Lambda|=bm_2/M$ and smaller terms, less than $b$; if $v_2(0)=0$ they may meet before that, and there
+        $|\Lambda|\leqslant b$ as where every slip ends. So the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets $|p|$
+        fall from then on: it sticks for ever.
         """,
         energy.energy_never_grows(),
         identity(r"there the load is $m_2b\sigma/M$", load, m2 * b * sigma / total_mass()),

@@ -196,7 +196,7 @@ def _depths() -> dict[Basic, Basic]:
         upper=Formula("R_n", "<=", (5 * first_excess + sqrt(first_excess) / 10) / R, bounds_error),
     ),
     open=(
-        "Whether the factor $1/r$ of these bounds is needed: in the numbers that were tried $R_n$ stays small for small $r$, too.",
+        r"Whether the upper bound needs its factor $1/r$. The lower one does, as is seen in numbers: for small $r$ the late $r\,R_n$ come near to $\pi\int_0^{y_0}\bigl(\frac{4}{9y^2}+\frac{2}{5y}-\frac{1}{c^2}\bigr)\,dy<0$, $c$ as a function of $y$.",
     ),
 )
 def rate_with_error() -> Case:

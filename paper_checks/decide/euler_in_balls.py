@@ -100,24 +100,25 @@ class _ManySteps:
     """
 
     def __init__(self, scene: Scene, step: Fraction) -> None:
-        """Find the products, and by how much each step of them can change the relative velocity."""
+        """Find the products, and by how much all steps of each can change the relative velocity: by |z|, and beside it."""
         number, pair = BALL.number, scene.pair
         self.centre, self.omega = number(pair.b / pair.a2), number(pair.a2 / pair.m1).sqrt()
         self.products = [acb(1, -number(step) * self.omega)]
         for _ in range(MOST):
             self.products.append(self.products[-1] ** 2)
-        self.spring, self.driven = number(step * pair.a2 / pair.m1), number(step * pair.b / pair.m2)
+        spring, driven = number(step * pair.a2 / pair.m1), number(step * pair.b / pair.m2)
+        self.changes = [(spring * abs(one) * (1 << k), driven * (1 << k)) for k, one in enumerate(self.products)]
 
     def _turned(self, x1: arb, v1: arb, sign: int) -> acb:
         return acb(x1 + sign * self.centre, v1 / self.omega)
 
     def power(self, x1: arb, v1: arb, relative: arb, sign: int, left: int) -> int | None:
         """Return a k for which 2^k steps are no more than are left and keep the sign; None where k would be small."""
-        size = abs(self._turned(x1, v1, sign))
+        size, least = abs(self._turned(x1, v1, sign)), abs(relative)
         for power in range(min(MOST, left.bit_length() - 1), SINGLE.bit_length() - 2, -1):
             # |x1 - centre| is at most |z| all the way, which grows
-            change = self.spring * size * abs(self.products[power]) + self.driven
-            if change * (1 << power) < abs(relative):
+            of_spring, of_friction = self.changes[power]
+            if of_spring * size + of_friction < least:
                 return power
         return None
 

@@ -70,13 +70,23 @@ def simplifies_to_zero(expression: sp.Expr) -> bool:
     """Say whether the expression is 0 by its normal form, or one of sympy's rewritings, cheapest first, makes it 0."""
     if is_zero(expression):
         return True
-    for rewriting in (sp.cancel, sp.trigsimp, sp.simplify):
+    for rewriting in (_with_simple_roots, sp.cancel, sp.trigsimp, sp.simplify):
         try:
             if rewriting(expression) == 0:
                 return True
         except sp.PolynomialError:  # cancel refuses piecewise expressions
             continue
     return False
+
+
+def _with_simple_roots(expression: sp.Expr) -> sp.Expr:
+    """Return the expression with 1 - cos^2 for sin^2 in what its roots are taken of."""
+
+    def rooted(part: sp.Expr) -> sp.Expr:
+        squares = {one**2: 1 - sp.cos(one.args[0]) ** 2 for one in part.base.atoms(sp.sin)}
+        return sp.expand(part.base.xreplace(squares)) ** part.exp
+
+    return expression.replace(lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer, rooted)
 
 
 def _evidence(statement: str, passed: bool | None, cases: int, value: str, assumptions: tuple[str, ...]) -> Evidence:

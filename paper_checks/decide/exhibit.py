@@ -32,7 +32,7 @@ def exhibit(statement: str, point: Point, *relations: Relation) -> Evidence:
             raise TypeError(f"{symbol} = {value} is not a rational number: write sp.Rational('0.006')")
     answers, texts = [], []
     for left, relation, right in relations:
-        sides = [sp.simplify(sp.sympify(side).subs(values)) for side in (left, right)]
+        sides = [_value(sp.sympify(side), values) for side in (left, right)]
         rational = all(side.is_Rational for side in sides)
         answers.append(bool(RELATIONAL[relation](*sides)) if rational else None)
         shown = [_decimal(side) if side.is_Rational else latex(side) for side in sides]
@@ -46,10 +46,16 @@ def value_at(expression: sp.Expr, point: Point) -> str:
 
     Raises ValueError where it is no rational number there.
     """
-    value = sp.simplify(expression.subs(dict(point)))
+    value = _value(expression, point)
     if not value.is_Rational:
         raise ValueError(f"{expression} has no rational value at the point: {value}")
     return _decimal(value)
+
+
+def _value(expression: sp.Expr, point: Point) -> sp.Expr:
+    """Return an expression at a point: a rational number, where it can be brought to one."""
+    value = expression.subs(dict(point))
+    return value if value.is_Rational else sp.simplify(value)
 
 
 def _decimal(value: sp.Rational) -> str:

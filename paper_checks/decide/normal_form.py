@@ -27,6 +27,21 @@ def is_zero(expression: sp.Expr) -> bool:
         return False
 
 
+def fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return numerator and denominator of the normal form, expanded, with whole coefficients.
+
+    Raises ZeroDivisionError where the expression divides by 0.
+
+    >>> x = sp.Symbol("x")
+    >>> fraction((x**2 - 1) / (x - 1) + sp.sin(3 * x) / 2)
+    (2*x + sin(3*x) + 2, 2)
+    """
+    form = _Form(expression)
+    top, bottom = form.value(expression)
+    scale = math.lcm(*(int(one.q) for part in (top, bottom) for one in part.coeffs()))
+    return form.expression(top * scale), form.expression(bottom * scale)
+
+
 class Fraction(NamedTuple):
     """A fraction of two polynomials."""
 
@@ -105,6 +120,15 @@ class _Form:
             return top * bottom**-1
         return self._letter("whole", part)
 
+    def expression(self, polynomial: fmpq_mpoly) -> sp.Expr:
+        """Return a polynomial in the letters as an expression."""
+        letters = [self._written(kind, part) for kind, part in self.place] or [sp.Integer(1)]
+        terms = (
+            sp.Mul(sp.Rational(int(coefficient.p), int(coefficient.q)), *map(sp.Pow, letters, exponents))
+            for exponents, coefficient in polynomial.to_dict().items()
+        )
+        return sp.Add(*terms)
+
     def vanishes(self, polynomial: fmpq_mpoly, relations: int) -> bool:
         """Say whether a polynomial is 0 by the first of the relations; the last letter's even and odd powers part."""
         if polynomial == 0 or not relations:
@@ -152,6 +176,11 @@ class _Form:
 
     def _letter(self, kind: str, part: sp.Expr) -> Fraction:
         return Fraction(self.context.gen(self.place[kind, part]), self.context.constant(1))
+
+    def _written(self, kind: str, part: sp.Expr) -> sp.Expr:
+        if kind == "root":
+            return sp.sqrt(part)
+        return part if kind == "whole" else {"sine": sp.sin, "cosine": sp.cos}[kind](self.units[part] * part)
 
     def _constant(self, value: fmpq) -> Fraction:
         return Fraction(self.context.constant(value), self.context.constant(1))

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import sympy as sp
 
+from paper_checks.decide.normal_form import fraction
+
 
 def cleared(expression: sp.Expr) -> sp.Expr:
     """Return the numerator of an expression whose denominator is positive by the assumptions on its symbols.
 
     The sign of the result is the sign of the expression. Raises ValueError where that is not manifest.
     """
-    numerator, denominator = sp.fraction(sp.together(expression))
+    numerator, denominator = fraction(expression)
+    if (-denominator).is_positive:
+        return -numerator
     if not denominator.is_positive:
         raise ValueError(f"the denominator {denominator} is not manifestly positive; clear it by hand")
-    return sp.expand(numerator)
+    return numerator
 
 
 RELATIONAL = {"=": sp.Eq, "!=": sp.Ne, "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}

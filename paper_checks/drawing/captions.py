@@ -74,12 +74,12 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "merging-bands": (
         "Speeds that merge come in bands",
-        "Coloured: speeds at $x_1=0$ from which the pair merges sooner or later; white: speeds from which it never does. The bands are "
-        "equally spaced in the long run. Drawn in float64; the row proves speeds in many of the bands.",
+        "Coloured: speeds at $x_1=0$ from which the pair merges sooner or later; white: speeds from which it never does. Far up the bands "
+        "look equally spaced, which is not proved. Drawn in float64; the row proves speeds in many of the bands.",
     ),
     "merging-share": (
         "How many states merge",
-        "Just above $E_{cr}$ nearly all states merge; as the energy grows their share falls like $1/E$.",
+        "For pairs up to the critical share $r^*$: just above $E_{cr}$ nearly all states merge; as the energy grows their share falls like $1/E$.",
     ),
     "rate-bounds": (
         "The 1/t law between two explicit bounds",

@@ -107,5 +107,5 @@ def rotating_force() -> Figure:
         axes.plot(amplitudes, speeds, color=colour, label=f"$a_1={a1}$ N s/m")
         axes.plot([least], [0], "o", color=colour)
     axes.set(xlabel="amplitude $U$ (N)", ylabel="speed of slip (mm/s)")
-    axes.legend(loc="upper left")
+    axes.legend(loc="lower right")
     return figure

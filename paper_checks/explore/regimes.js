@@ -68,7 +68,7 @@ function energyAbout({ pair, force }, state) {
 
 function drivenRegime(solution) {
   const { scene, pair } = solution, period = 2 * Math.PI / scene.omega, bound = thresholds(pair, scene.omega);
-  const limits = `u/b = ${shown(Math.abs(scene.amplitude))}: at this frequency some motion sticks for ever up to ${shown(bound.stuck)}; slipping without a stop needs at least ${shown(bound.slipping)}.`;
+  const limits = `u/b = ${shown(Math.abs(scene.amplitude))}: at this frequency some motion sticks for ever up to ${shown(bound.stuck)}; slipping without a stop, one way for half a period and then the other, needs at least ${shown(bound.slipping)}.`;
   const known = { row: "entrainment-threshold" };
   if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.`, ...known };
   const { stuck, stops } = lastPeriod(solution, period), repeats = repetition(solution, period);

@@ -1,10 +1,9 @@
 (** The paper's Fig. 5 (m1 = m2 = 1, a2 = 200, b = 0.05, started at rest but for v1 = 0.15;
     its events until t = 4.7 are those of Velocities.v): when the pair first sticks, for how long,
     and that it slips at t = 4.7, where the paper has it stick. *)
-From Coq Require Import Reals QArith Qreals List Lra.
+From Coq Require Import QArith Qreals List.
 From InertialPair Require Import Dini Pair Chase Forced Existence Waves Trajectory Velocities.
 Import ListNotations.
-Local Open Scope R_scope.
 
 (** slips at the head of a table: until they end the only contacts are those at their ends *)
 Lemma slips_first x v1 x2 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->

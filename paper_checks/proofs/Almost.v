@@ -1,10 +1,8 @@
 (** Almost everywhere, without measure theory: null sets by covers, absolute continuity by lists of intervals.
     An absolutely continuous function with a derivative >= 0 outside a null set does not decrease. *)
-From Coq Require Import Reals List Lra Psatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import List.
 From InertialPair Require Import Dini Pair Stick.
 Import ListNotations.
-Local Open Scope R_scope.
 
 (** covered by open intervals of any small total length *)
 Definition null (N : R -> Prop) := forall e, 0 < e -> exists a b : nat -> R, (forall n, a n <= b n) /\

@@ -2,10 +2,8 @@
     (theta = 2 p, k = cot p, c the depth, D = c + gap). A slip is long if its depth alone reaches the other end of S0.
     After a long slip that crosses, the next contact function at the mirror angle is at least P = pi (1 + k^2) - theta;
     after a short one that crosses, the next push exceeds that of the shortest long slip by at least P. *)
-From Coq Require Import Reals Lra Psatz Nsatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Stick Excursion Rate Turning Orbit Gap.
-Local Open Scope R_scope.
 
 (** k' = -(1 + k^2) *)
 Lemma derive_ct p : 0 < p < PI -> is_derive ct p (- (1 + ct p ^ 2)).

@@ -1,9 +1,6 @@
 (** Long and short slips alternate, for solutions; a short slip that ends in S0 stays above E_cr if 1 - 2 h k < q
     h^2. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit MergeSet Gap Alternate Cross.
-Local Open Scope R_scope.
 
 (** (c), the algebra: the level is a quadratic in D; its least value is positive if 1 - 2 h k < q h^2 *)
 Lemma level_pos m1 m2 p d : 0 < m1 -> 0 < m2 -> 1 - 2 * hh p * ct p < m1 / (m1 + m2) * hh p ^ 2 -> 0 < level m1 m2 p d.

@@ -1,8 +1,7 @@
 (** Analytic functions of time, as far as events need them: next to any time such a function is constant, or it rises,
     or it falls. Polynomials, sinusoids and their sums are analytic. *)
-From Coq Require Import Reals Lra Lia Psatz Classical List Wf_nat.
-From Coquelicot Require Import Coquelicot.
-Local Open Scope R_scope.
+From Coq Require Import Classical List Wf_nat.
+From InertialPair Require Import Dini.
 
 (** f is analytic at t: near t it has derivatives P 0 = f, P 1, P 2, ... that grow no faster than those of a power
     series *)

@@ -1,9 +1,6 @@
 (** Motions under a force, put together from arcs: what starts on a smooth arc that obeys the law of friction runs
     along it; the mirror image of a motion; motions that repeat with the opposite sign. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence.
-Local Open Scope R_scope.
 
 (** a right derivative sees only what comes next *)
 Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.
@@ -80,6 +77,65 @@ Proof.
   unfold forced. rewrite !forced_moves. intros (CU & H). split; [apply cont_opp; auto|apply moves_mirror; auto].
 Qed.
 
+(** a motion until a time, of which friction may be c times as strong in a stick *)
+Record moves_until T c (U x v1 v2 s : R -> R) : Prop := {
+  u_lip : forall r t, 0 <= r <= t -> t <= T -> Rabs (s t - s r) <= c * (t - r);
+  u_slip : forall t, 0 <= t < T -> opposes s (v1 t - v2 t) t;
+  u_cx : cont x;
+  u_cv : cont v1;
+  u_x : forall t, 0 <= t < T -> rderiv x t (v1 t);
+  u_v1 : forall t, 0 <= t < T -> rderiv (fun r => m1 * v1 r + b * s r - U r) t (- (a2 * x t + a1 * v1 t));
+  u_v2 : forall t, 0 <= t <= T -> m2 * v2 t - b * s t = m2 * v2 0 - b * s 0 }.
+
+(** and another one from there *)
+Theorem joined T c U x v1 v2 s y w1 w2 z : 0 <= T -> moves_until T c U x v1 v2 s ->
+  moves m1 m2 a1 a2 b c (fun t => U (T + t)) y w1 w2 z -> x T = y 0 -> v1 T = w1 0 -> v2 T = w2 0 ->
+  moves m1 m2 a1 a2 b c U (join T x y) (join T v1 w1) (join T v2 w2) (join T s (fun t => s T + (z t - z 0))).
+Proof.
+  intros HT [Al As Ax Av Dx D1 A2] [Bl Bs Bx Bv Dy E1 B2] X0 V0 W0. set (g := fun t => s T + (z t - z 0)).
+  assert (G : s T = g 0) by (unfold g; ring).
+  assert (Early : forall t, t <= T -> join T x y t = x t /\ join T v1 w1 t = v1 t /\ join T v2 w2 t = v2 t /\
+    join T s g t = s t) by (intros t Ht; rewrite !join_before by auto; auto).
+  assert (Late : forall t, T <= t -> join T x y t = y (t - T) /\ join T v1 w1 t = w1 (t - T) /\
+    join T v2 w2 t = w2 (t - T) /\ join T s g t = g (t - T)) by (intros t Ht; rewrite !join_after by auto; auto).
+  assert (Lg : forall p q, 0 <= p <= q -> Rabs (g q - g p) <= c * (q - p)).
+  { intros p q Hp. replace (g q - g p) with (z q - z p) by (unfold g; ring). auto. }
+  assert (Rg : forall t k, rderiv z t k -> rderiv g t k).
+  { intros t k D. apply rderiv_eq with (0 + (k - 0)); [ring|].
+    apply rderiv_plus; [apply rderiv_const|apply rderiv_minus; [auto|apply rderiv_const]]. }
+  constructor; auto using cont_join.
+  - intros r t Hr. destruct (Rle_dec t T) as [Le|].
+    { destruct (Early r ltac:(lra)) as (_ & _ & _ & ->), (Early t Le) as (_ & _ & _ & ->). auto. }
+    destruct (Late t ltac:(lra)) as (_ & _ & _ & ->). destruct (Rle_dec T r) as [Le|].
+    { destruct (Late r Le) as (_ & _ & _ & ->). replace (t - r) with (t - T - (r - T)) by ring. apply Lg. lra. }
+    destruct (Early r ltac:(lra)) as (_ & _ & _ & ->). pose proof (Al r T ltac:(lra) ltac:(lra)).
+    pose proof (Lg 0 (t - T) ltac:(lra)) as Q. rewrite <- G in Q.
+    replace (g (t - T) - s r) with ((g (t - T) - s T) + (s T - s r)) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]. lra.
+  - intros t Ht k Hk W. destruct (Rlt_dec t T) as [Lt|].
+    + destruct (Early t ltac:(lra)) as (_ & Q1 & Q2 & _). rewrite Q1, Q2 in W. apply rderiv_join_before; auto.
+      apply (As t ltac:(lra) k Hk W).
+    + destruct (Late t ltac:(lra)) as (_ & Q1 & Q2 & _). rewrite Q1, Q2 in W. apply rderiv_join_after; [lra|].
+      apply Rg, (Bs (t - T) ltac:(lra) k Hk W).
+  - intros t Ht. destruct (Rlt_dec t T) as [Lt|].
+    + destruct (Early t ltac:(lra)) as (_ & -> & _). apply rderiv_join_before; auto.
+    + destruct (Late t ltac:(lra)) as (_ & -> & _). apply rderiv_join_after; [|apply Dy]; lra.
+  - intros t Ht. destruct (Rlt_dec t T) as [Lt|].
+    + destruct (Early t ltac:(lra)) as (-> & -> & _).
+      apply rderiv_near with (fun r => m1 * v1 r + b * s r - U r) (T - t); [lra| |auto].
+      intros r Hr. destruct (Early r ltac:(lra)) as (_ & -> & _ & ->). auto.
+    + destruct (Late t ltac:(lra)) as (-> & -> & _).
+      apply rderiv_ext with (fun r => m1 * w1 (r - T) + b * z (r - T) - U (T + (r - T)) + b * (s T - z 0)).
+      { intros r Hr. destruct (Late r ltac:(lra)) as (_ & -> & _ & ->). unfold g.
+        replace (T + (r - T)) with r by ring. ring. }
+      apply rderiv_eq with (- (a2 * y (t - T) + a1 * w1 (t - T)) + 0); [ring|]. apply rderiv_plus;
+        [|apply rderiv_const]. apply (rderiv_later (fun q => m1 * w1 q + b * z q - U (T + q))), E1. lra.
+  - intros t Ht. destruct (Early 0 HT) as (_ & _ & -> & ->). destruct (Rle_dec t T) as [Le|].
+    + destruct (Early t Le) as (_ & _ & -> & ->). auto.
+    + destruct (Late t ltac:(lra)) as (_ & _ & -> & ->). pose proof (B2 (t - T) ltac:(lra)).
+      pose proof (A2 T ltac:(lra)) as Q. rewrite W0 in Q. unfold g. lra.
+Qed.
+
 (** A smooth arc that obeys the law of friction on [0, T) under the force u: g is a selection of the set-valued sign. *)
 Record forced_arc (T : R) (u X V1 V2 g : R -> R) : Prop := {
   fa_x : forall t, is_derive X t (V1 t);
@@ -94,63 +150,22 @@ Theorem arc_begins U u X V1 V2 g T : 0 <= T -> cont U -> (forall t, 0 <= t < T -
 Proof.
   intros HT CU DU [AX AV AW Law].
   destruct (forced_existence m1 m2 a1 a2 b (X T) (V1 T) (V2 T) (fun t => U (T + t)) Hm1 Hm2 Ha1 Ha2 Hb (cont_shift _ _
-    HT CU)) as (y & w1 & w2 & z & H & Y0 & W10 & W20). pose proof (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H) as Cw2.
-  destruct H as [L P N _ Cy Cw1 Dy Dw W].
-  assert (CX : cont X) by (eapply cont_of_derive; eauto). assert (CV : cont V1) by exact (cont_of_derive V1 _ AV).
-  assert (CW : cont V2) by exact (cont_of_derive V2 _ AW).
-  assert (C2 : cont (join T V2 w2)) by (apply cont_join; auto).
-  assert (Sz : forall r, 0 <= r -> m2 / b * w2 r = z r + (m2 / b * w2 0 - z 0)).
-  { intros r Hr. specialize (W r Hr). apply Rmult_eq_reg_l with b; [|lra].
-    replace (b * (m2 / b * w2 r)) with (m2 * w2 r) by (field; lra).
-    replace (b * (z r + (m2 / b * w2 0 - z 0))) with (b * z r + (m2 * w2 0 - b * z 0)) by (field; lra). lra. }
-  assert (Early : forall t, 0 <= t < T -> rderiv (fun t => m2 / b * join T V2 w2 t) t (g t)).
-  { intros t Ht. apply rderiv_eq with (m2 / b * (b * g t / m2)); [field; lra|].
-    apply rderiv_scal, rderiv_join_before; auto; [lra|]. apply rderiv_of_derive; auto. }
-  assert (Late : forall t k, T <= t -> rderiv z (t - T) k -> rderiv (fun t => m2 / b * join T V2 w2 t) t k).
-  { intros t k Ht D. apply rderiv_ext with (fun u => z (u - T) + (m2 / b * w2 0 - z 0)).
-    - intros r Hr. rewrite join_after by lra. symmetry. apply Sz; lra.
-    - apply rderiv_eq with (k + 0); [ring|]. apply rderiv_plus; [apply rderiv_later; auto|apply rderiv_const]. }
-  exists (join T X y), (join T V1 w1), (join T V2 w2), (fun t => m2 / b * join T V2 w2 t).
+    HT CU)) as (y & w1 & w2 & z & H & Y0 & W10 & W20). apply forced_moves in H.
+  set (S := fun t => m2 / b * V2 t). assert (DS : forall t, rderiv S t (g t)).
+  { intros t. apply rderiv_eq with (m2 / b * (b * g t / m2)); [field; lra|]. apply rderiv_scal, rderiv_of_derive, AW. }
+  exists (join T X y), (join T V1 w1), (join T V2 w2), (join T S (fun t => S T + (z t - z 0))).
   split; [|intros t Ht; rewrite !join_before by (auto; lra); auto].
-  assert (Second : forall r t, T <= r <= t -> Rabs (m2 / b * join T V2 w2 t - m2 / b * join T V2 w2 r) <= t - r).
-  { intros r t Hr. rewrite !join_after by lra. rewrite (Sz (r - T)), (Sz (t - T)) by lra.
-    replace (t - r) with (t - T - (r - T)) by ring.
-    replace (z (t - T) + (m2 / b * w2 0 - z 0) - (z (r - T) + (m2 / b * w2 0 - z 0))) with (z (t - T) - z (r - T)) by
-      ring.
-    apply L; lra. }
-  assert (First : forall r t, 0 <= r <= t -> t <= T -> Rabs (m2 / b * join T V2 w2 t - m2 / b * join T V2 w2 r) <= t -
-    r).
-  { intros r t Hr Ht. rewrite <- (Rmult_1_l (t - r)). apply (lip_between (fun t => m2 / b * join T V2 w2 t) g);
-    auto using cont_scal.
-    intros q Hq. split; [apply Early; lra|]. apply Law; lra. }
-  constructor; auto using cont_join.
-  - intros r t Hr. destruct (Rle_dec t T); [apply First; auto|]. destruct (Rle_dec T r); [apply Second; lra|].
-    pose proof (First r T ltac:(lra) ltac:(lra)) as A. pose proof (Second T t ltac:(lra)) as B.
-    apply Rabs_inv in A. apply Rabs_inv in B. apply Rabs_le. lra.
-  - intros t Ht Hv. destruct (Rlt_dec t T) as [l|l].
-    + rewrite !join_before in Hv by (auto; lra). destruct (Law t ltac:(lra)) as (_ & G & _).
-      rewrite <- (G Hv). apply Early; lra.
-    + rewrite !join_after in Hv by lra. apply Late, P; auto; lra.
-  - intros t Ht Hv. destruct (Rlt_dec t T) as [l|l].
-    + rewrite !join_before in Hv by (auto; lra). destruct (Law t ltac:(lra)) as (_ & _ & G).
-      rewrite <- (G Hv). apply Early; lra.
-    + rewrite !join_after in Hv by lra. apply Late, N; auto; lra.
-  - intros t Ht. destruct (Rlt_dec t T) as [l|l].
-    + rewrite (join_before T V1) by (auto; lra). apply rderiv_join_before; auto. apply rderiv_of_derive; auto.
-    + rewrite (join_after T V1) by lra. apply rderiv_join_after; [lra|]. apply Dy; lra.
-  - intros t Ht. destruct (Rlt_dec t T) as [l|l].
-    + rewrite (join_before T X), (join_before T V1) by (auto; lra).
-      apply rderiv_eq with (m1 * ((u t - a2 * X t - a1 * V1 t - b * g t) / m1) + b * g t - u t); [field; lra|].
-      apply rderiv_minus; [|auto]. apply rderiv_plus; [|apply rderiv_scal, Early; lra].
-      apply rderiv_scal, rderiv_join_before; auto. apply rderiv_of_derive; auto.
-    + rewrite (join_after T X), (join_after T V1) by lra.
-      apply rderiv_ext with (fun r => m1 * w1 (r - T) + b * z (r - T) - U (T + (r - T)) + b * (m2 / b * w2 0 - z 0)).
-      { intros r Hr. rewrite !join_after by lra. rewrite (Sz (r - T)) by lra. replace (T + (r - T)) with r by ring.
-        ring. }
-      apply rderiv_eq with (- (a2 * y (t - T) + a1 * w1 (t - T)) + 0); [ring|]. apply rderiv_plus;
-        [|apply rderiv_const].
-      apply (rderiv_later (fun r => m1 * w1 r + b * z r - U (T + r))), Dw; lra.
-  - intros t Ht. field. lra.
+  apply forced_moves. split; [auto|]. apply joined; [auto| |apply H|auto|auto|auto]. constructor.
+  - intros r t Hr Ht. apply (lip_between S g); [apply cont_scal; exact (cont_of_derive V2 _ AW)|auto|].
+    intros q Hq. split; [apply DS|apply Law; lra].
+  - intros t Ht k Hk W. destruct (Law t Ht) as (_ & P & N). replace k with (g t); [apply DS|].
+    destruct Hk; subst k; [apply P|apply N]; lra.
+  - exact (cont_of_derive X _ AX).
+  - exact (cont_of_derive V1 _ AV).
+  - intros t Ht. apply rderiv_of_derive, AX.
+  - intros t Ht. eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_plus; apply rderiv_scal;
+      [apply rderiv_of_derive, AV|apply DS]|apply DU; auto]]. field; lra.
+  - intros t Ht. unfold S. field; lra.
 Qed.
 
 (** so every motion that starts on an arc, at any time, runs along it *)

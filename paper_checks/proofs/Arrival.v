@@ -3,10 +3,7 @@
     theta/sin theta, theta = om1 tau <= pi/2. The force is F until tau: body 1 runs ahead with the speed beta tau
     g(t)/g(tau), and is met at tau. From then on the force may be -F, and body 1 falls behind; or, where F allows it,
     the pair sticks at the limit, and both bodies come to rest. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Nonstop Undamped Transfer.
-Local Open Scope R_scope.
 
 (** a function whose derivative is not negative does not fall *)
 Lemma rises f f' p q : p <= q -> (forall t, is_derive f t (f' t)) -> (forall t, p <= t <= q -> 0 <= f' t) -> f p <= f q.

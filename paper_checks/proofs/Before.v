@@ -1,10 +1,8 @@
 (** What came before a contact at the time T: one mode, for a while. Where the load is off the edges friction brings
     the relative velocity to 0 or cannot bring it there; where it comes to an edge, what the force asks beyond b keeps
     its sign before T, and with it the load. *)
-From Coq Require Import Reals Lra Psatz Classical.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import Classical.
 From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Arcs Mode Analytic Modes.
-Local Open Scope R_scope.
 
 (** exp rises *)
 Lemma exp_mono p q : p <= q -> exp p <= exp q.

@@ -1,9 +1,6 @@
 (** a1 > 0: under a bounded force (Lipschitz impulse) every motion is bounded, so any two of them approach each other,
     and there is at most one periodic motion. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced Response.
-Local Open Scope R_scope.
 
 Section Bounded.
 Variables m1 m2 a1 a2 b : R.
@@ -142,10 +139,8 @@ Proof.
   set (V := Rabs (v2 0) + B + 1). pose proof (Rabs_pos (v2 0)).
     pose proof (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H) as Cv.
   assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-  assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k)).
-  { intros t k Ht S. apply rderiv_ext with (fun u => (v2 t - b / m2 * s t) + b / m2 * s u).
-    { intros u Hu. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t u H Ht ltac:(lra)). lra. }
-    apply rderiv_eq with (0 + b / m2 * k); [ring|]. apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto]. }
+  assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
+    by (intros; eapply (forced_v2_rate m1 m2 a1 a2 b); eauto).
   assert (Up : forall t, 0 <= t -> v2 t <= V).
   { apply barrier; auto; [unfold V; pose proof (Rle_abs (v2 0)); lra|]. intros t Ht Hv.
     destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q.

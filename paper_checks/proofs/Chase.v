@@ -1,10 +1,7 @@
 (** Tools for existence: a function that chases another with speed at most 1, as a supremum of subsolutions (Perron),
     moves no more than that one does when it is changed; and integrals of functions that are continuous on [0,
     +oo). *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
-Local Open Scope R_scope.
 
 (** the least upper bound as a number (no choice) *)
 Lemma lub_real (A : R -> Prop) m M : A m -> (forall y, A y -> y <= M) ->

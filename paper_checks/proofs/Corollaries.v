@@ -1,8 +1,5 @@
 (** The limit of the relative displacement; stability of the set of stuck motions; explicit time to fall. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Inclusion.
-Local Open Scope R_scope.
 
 Section Corollaries.
 Variables m1 m2 a1 a2 b : R.

@@ -1,10 +1,7 @@
 (** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and which slips from S0 merge where
     they land. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap
   Alternate.
-Local Open Scope R_scope.
 
 Section Cross.
 Variables m1 m2 a2 b : R.
@@ -41,17 +38,11 @@ Qed.
 Theorem sticks_iff t : 0 <= t -> v1 t = v2 t -> (sticks t <-> E t <= Ecr).
 Proof.
   intros Ht Ev. split.
-  - intros S. assert (C : forall T, t <= T -> E t <= E T).
-    { intros T HT. assert (- E T <= - E t); [|lra].
-      apply (rderiv_mono (fun u => - E u) t T (fun u => -1 * (- b * Rabs (v1 u - v2 u) - 0 * v1 u ^ 2))).
-      - apply cont_ext with (fun u => -1 * E u); [intros; ring|]. apply cont_scal.
-        exact (cont_E m1 m2 0 a2 b Hm2 x v1 v2 s H).
-      - lra.
-      - intros u Hu. split.
-        + apply rderiv_ext with (fun u => -1 * E u); [intros; ring|]. apply rderiv_scal.
-          exact (energy_rate m1 m2 0 a2 b Hm1 Hm2 x v1 v2 s H u ltac:(lra)).
-        + specialize (S (u - t) ltac:(lra)). replace (t + (u - t)) with u in S by ring. rewrite S.
-          replace (v2 u - v2 u) with 0 by ring. rewrite Rabs_R0. lra. }
+  - intros S. assert (C : forall T, t <= T -> E T - E t = 0 * (T - t)).
+    { intros T HT. apply rderiv_line; [exact (cont_E m1 m2 0 a2 b Hm2 x v1 v2 s H)|lra|]. intros u Hu.
+      eapply rderiv_eq; [|exact (energy_rate m1 m2 0 a2 b Hm1 Hm2 x v1 v2 s H u ltac:(lra))].
+      specialize (S (u - t) ltac:(lra)). replace (t + (u - t)) with u in S by ring. rewrite S.
+      replace (v2 u - v2 u) with 0 by ring. rewrite Rabs_R0. ring. }
     destruct (dichotomy_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [(T & HT & HE)|(_ & Lim)];
       [fold Ecr in HE|fold Ecr in Lim].
     + destruct (Rle_dec t T) as [n|n].

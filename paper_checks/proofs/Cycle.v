@@ -1,8 +1,6 @@
 (** One cycle: slip from an exit ray, landing inside the strip, stick along an ellipse to the opposite ray. *)
-From Coq Require Import Reals Lra Psatz Nsatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip.
-Local Open Scope R_scope.
 
 Section Cycle.
 Variables m1 m2 a2 b : R.

@@ -1,10 +1,7 @@
 (** U** with damping that lets body 1 swing (a1^2 < 4 m1 a2): the response to the push that is turned round in closed
     form, and the motion that slips for ever, which then attracts every motion. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Waves Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Nonstop.
 From InertialPair Require Import Undamped.
-Local Open Scope R_scope.
 
 (** z <= sinh z and 1 < cosh z for z > 0 *)
 Lemma sinh_above z : 0 < z -> z < sinh z.

@@ -1,8 +1,5 @@
 (** Every solution tends to one stuck motion; it merges with it in finite time or it is on the critical ellipse. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit.
-Local Open Scope R_scope.
 
 Section Dichotomy.
 Variables m1 m2 a2 b : R.

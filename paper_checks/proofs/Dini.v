@@ -1,6 +1,7 @@
 (** Right increments: o(h), O(h), right derivatives; the Dini monotonicity lemma. *)
-From Coq Require Import Reals Lra Psatz.
-Local Open Scope R_scope.
+From Coq Require Export Reals Lra Lia Psatz.
+From Coquelicot Require Export Coquelicot.
+Global Open Scope R_scope.
 
 (** a bound of the absolute value, both sides *)
 Lemma Rabs_inv x a : Rabs x <= a -> - a <= x <= a.
@@ -369,16 +370,20 @@ Corollary rderiv_mono f s t l : cont f -> 0 <= s <= t -> (forall r, s <= r < t -
   f t <= f s.
 Proof. intros C H D. apply dini_mono; auto. intros r Hr. destruct (D r Hr). eapply rderiv_dini; eauto. Qed.
 
-(** a right derivative of size at most K on [r, t) *)
-Lemma lip_between f f' K r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u (f' u) /\ - K <= f' u <= K)
-  ->
-  Rabs (f t - f r) <= K * (t - r).
+(** a right derivative between two bounds on [r, t) *)
+Lemma between f f' lo hi r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u (f' u) /\ lo <= f' u <= hi) ->
+  lo * (t - r) <= f t - f r <= hi * (t - r).
 Proof.
-  intros C Hr F. apply Rabs_le. split.
-  - cut (-1 * f t - -1 * f r <= K * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
+  intros C Hr F. split.
+  - cut (-1 * f t - -1 * f r <= - lo * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
     intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|apply rderiv_scal; eauto]. lra.
   - apply (dini_slope f); auto. intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|eauto]. lra.
 Qed.
+
+(** of size at most K *)
+Lemma lip_between f f' K r t : cont f -> 0 <= r <= t ->
+  (forall u, r <= u < t -> rderiv f u (f' u) /\ - K <= f' u <= K) -> Rabs (f t - f r) <= K * (t - r).
+Proof. intros C Hr F. pose proof (between f f' (- K) K r t C Hr F). apply Rabs_le. lra. Qed.
 
 (** one everywhere: a Lipschitz constant *)
 Lemma lip_of_rderiv f f' K r t : cont f -> (forall u, 0 <= u -> rderiv f u (f' u) /\ Rabs (f' u) <= K) -> 0 <= r <= t ->
@@ -389,11 +394,14 @@ Qed.
 
 (** a constant right derivative: a line *)
 Lemma rderiv_line f k r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u k) -> f t - f r = k * (t - r).
+Proof. intros C Hr F. pose proof (between f (fun _ => k) k k r t C Hr ltac:(split; [auto|lra])). lra. Qed.
+
+(** a Lipschitz constant bounds the right derivative *)
+Lemma lip_rderiv f K t l : (forall r q, 0 <= r <= q -> Rabs (f q - f r) <= K * (q - r)) -> 0 <= t ->
+  rderiv f t l -> Rabs l <= K.
 Proof.
-  intros C Hr F. apply Rle_antisym.
-  - apply dini_slope; auto. intros u Hu. apply (rderiv_dini _ _ k); [lra|auto].
-  - assert (-1 * f t - -1 * f r <= - k * (t - r)); [|lra]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
-    intros u Hu. apply (rderiv_dini _ _ (-1 * k)); [lra|auto using rderiv_scal].
+  intros L Ht F. apply le_epsilon. intros e He. destruct (F e He) as (d & Hd & Q). specialize (Q (d / 2) ltac:(lra)).
+  pose proof (L t (t + d / 2) ltac:(lra)) as B. apply Rabs_inv in Q. apply Rabs_inv in B. apply Rabs_le. split; nra.
 Qed.
 
 (** ** What decreases and is not negative has a limit *)

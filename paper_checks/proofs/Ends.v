@@ -1,9 +1,6 @@
 (** The places of exits and entries of a solution that never merges: every exit is at an end of S0, the entry after it
     tends to the same end, and the speeds at both tend to 0. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Slip Cycle Orbit Sharp Law Paper Return Surface.
-Local Open Scope R_scope.
 
 (** a sequence whose squares tend to 0 tends to 0 *)
 Lemma from_squares u : is_lim_seq (fun n => u n ^ 2) 0 -> is_lim_seq u 0.

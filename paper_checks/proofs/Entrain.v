@@ -1,16 +1,5 @@
 (** A sinusoidal force u = F sin (om t): the stuck periodic response, and when it exists. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Chase Forced Limit Viscous.
-Local Open Scope R_scope.
-
-(** a Lipschitz constant bounds the right derivative *)
-Lemma lip_rderiv f K t l : (forall r q, 0 <= r <= q -> Rabs (f q - f r) <= K * (q - r)) -> 0 <= t ->
-  rderiv f t l -> Rabs l <= K.
-Proof.
-  intros L Ht F. apply le_epsilon. intros e He. destruct (F e He) as (d & Hd & Q). specialize (Q (d / 2) ltac:(lra)).
-  pose proof (L t (t + d / 2) ltac:(lra)) as B. apply Rabs_inv in Q. apply Rabs_inv in B. apply Rabs_le. split; nra.
-Qed.
+From InertialPair Require Import Dini Pair Stick Chase Forced Limit Bounded.
 
 Section Entrain.
 Variables m1 m2 a1 a2 b F om : R.
@@ -76,28 +65,33 @@ Proof.
   split; intros K; [apply Rmult_le_compat_l; lra|apply Rmult_le_reg_l with (1 := Q); auto].
 Qed.
 
-(** F <= F*: the stuck response is a solution *)
-Theorem entrained : F <= Fstar -> forced m1 m2 a1 a2 b drive rX rV rV (fun t => m2 / b * rV t).
+(** the impulse of a force up to F is F-Lipschitz *)
+Lemma drive_lip r t : 0 <= r <= t -> Rabs (drive t - drive r) <= F * (t - r).
 Proof.
-  intros HS. apply Fstar_load in HS. assert (Hk : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
-  assert (CX : cont rX) by (eapply cont_of_derive; intros; apply derive_rX).
-  assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV).
-  constructor; auto.
-  - intros r t Hr. rewrite <- (Rmult_1_l (t - r)).
-    apply (lip_of_rderiv (fun t => m2 / b * rV t) (fun t => m2 / b * (- om ^ 2 * rX t))); auto using cont_scal.
-    intros u _. split; [apply rderiv_scal, rderiv_of_derive, derive_rV|].
-    replace 1 with (m2 / b * (b / m2)) by (field; lra). apply abs_scal; [lra|].
-      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (om ^ 2)) by nra.
-    eapply Rle_trans; [|exact HS]. apply Rmult_le_compat_l; [nra|apply rX_bound].
-  - intros; lra.
-  - intros; lra.
+  intros Hr. apply (lip_of_rderiv drive (fun t => F * sin (om * t))); auto.
   - eapply cont_of_derive; intros; apply derive_drive.
-  - intros; apply rderiv_of_derive, derive_rX.
-  - intros t Ht. apply rderiv_ext with (fun u => M * rV u - drive u). { intros; unfold M; field; lra. }
-    apply rderiv_eq with (M * (- om ^ 2 * rX t) - F * sin (om * t)); [rewrite <- balance; ring|].
-    apply rderiv_minus; [apply rderiv_scal|]; apply rderiv_of_derive; [apply derive_rV|apply derive_drive].
-  - intros t Ht. field; lra.
+  - intros u _. split; [apply rderiv_of_derive, derive_drive|]. rewrite <- (Rmult_1_r F) at 2.
+    apply abs_scal; auto. apply Rabs_le, SIN_bound.
 Qed.
+
+(** the stuck response is a solution, if friction is strong enough for it *)
+Lemma response f : 0 < f -> om ^ 2 * (F / sqrt Z) <= f / m2 ->
+  forced m1 m2 a1 a2 f drive rX rV rV (fun t => m2 / f * rV t).
+Proof.
+  intros Hf Q. assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV).
+  apply stuck_forced; auto.
+  - eapply cont_of_derive; intros; apply derive_drive.
+  - eapply cont_of_derive; intros; apply derive_rX.
+  - intros; apply rderiv_of_derive, derive_rX.
+  - intros t Ht. apply rderiv_eq with (M * (- om ^ 2 * rX t) - F * sin (om * t)); [rewrite <- balance; ring|].
+    apply rderiv_minus; [apply rderiv_scal|]; apply rderiv_of_derive; [apply derive_rV|apply derive_drive].
+  - intros r t Hr. apply (lip_of_rderiv rV (fun t => - om ^ 2 * rX t)); auto.
+    intros u _. split; [apply rderiv_of_derive, derive_rV|]. rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (om ^ 2)) by nra.
+    eapply Rle_trans; [|exact Q]. apply Rmult_le_compat_l; [nra|apply rX_bound].
+Qed.
+(** F <= F* is enough *)
+Theorem entrained : F <= Fstar -> forced m1 m2 a1 a2 b drive rX rV rV (fun t => m2 / b * rV t).
+Proof. intros HS. apply response; [auto|apply Fstar_load, HS]. Qed.
 
 (** the velocity of the stuck response is b/m2-Lipschitz only if F <= F* *)
 Lemma gentle_needs : (forall r t, 0 <= r <= t -> Rabs (rV t - rV r) <= b / m2 * (t - r)) -> F <= Fstar.
@@ -130,60 +124,28 @@ Lemma rV_period n t : rV (t + INR n * (2 * PI / om)) = rV t.
 Proof. unfold rV. replace (om * (t + INR n * (2 * PI / om))) with (om * t + 2 * INR n * PI) by (field; lra).
   rewrite cos_period, sin_period. auto. Qed.
 
-(** a1 > 0: under F > F* nothing sticks for ever. A scaled difference of a stuck motion and the stuck response is a
-    stuck motion of the free pair, which comes to rest; so the response inherits the Lipschitz constant b/m2 of the
-    motion. *)
+(** a1 > 0: under F > F* nothing sticks for ever. With more friction a stuck motion and the stuck response are motions
+    of one pair and approach each other; so the response inherits the Lipschitz constant b/m2 of the motion. *)
 Theorem stuck_for_ever x v1 v2 s : 0 < a1 -> forced m1 m2 a1 a2 b drive x v1 v2 s -> (forall t, 0 <= t ->
   v1 t = v2 t) -> F <= Fstar.
 Proof.
-  intros Ha H St. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-    assert (Hk' : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
-  pose proof (sqrt_lt_R0 Z HZ) as Sz.
-  set (K := om ^ 2 * (F / sqrt Z)). assert (HK : 0 <= K). { unfold K. apply Rmult_le_pos; [nra|].
-    apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]. }
-  assert (CX : cont rX) by (eapply cont_of_derive; intros; apply derive_rX).
-  assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV).
-  assert (LV : forall r t, 0 <= r <= t -> Rabs (rV t - rV r) <= K * (t - r)).
-  { intros r t Hr. apply (lip_of_rderiv rV (fun t => - om ^ 2 * rX t)); auto. intros u _.
-    split; [apply rderiv_of_derive, derive_rV|].
-    rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (om ^ 2)) by nra. apply Rmult_le_compat_l; [nra|apply rX_bound]. }
+  intros Ha H St. set (K := om ^ 2 * (F / sqrt Z)). assert (HK : 0 <= K).
+  { apply Rmult_le_pos; [nra|]. apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat, sqrt_lt_R0; auto]. }
+  set (f := b + m2 * K). assert (Hf : 0 < f) by (unfold f; nra).
+  assert (Ef : f / m2 = b / m2 + K) by (unfold f; field; lra). assert (0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
   assert (Lv : forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= b / m2 * (t - r)).
   { intros r t Hr. rewrite (St t), (St r) by lra. apply (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr). }
-  set (e := b / m2 / (b / m2 + K)). assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
-  set (y := fun t => e * (x t - rX t)). set (w := fun t => e * (v1 t - rV t)).
-  assert (HS : solution m1 m2 a1 a2 b y w w (fun t => m2 / b * w t)).
-  { pose proof H as H0. destruct H0 as [_ _ _ CU Cx Cv Rx _ _]. constructor.
-    - intros r t Hr. unfold w. replace (m2 / b * (e * (v1 t - rV t)) - m2 / b * (e * (v1 r - rV r)))
-        with (m2 / b * (e * ((v1 t - v1 r) - (rV t - rV r)))) by ring.
-      replace (t - r) with (m2 / b * (e * ((b / m2 + K) * (t - r)))) by (unfold e; field; repeat split; try lra;
-        apply Rgt_not_eq; assert (0 < b + K * m2) by nra; lra).
-      apply abs_scal; [lra|]. apply abs_scal; [lra|]. unfold Rminus at 1. eapply Rle_trans; [apply Rabs_triang|].
-        rewrite Rabs_Ropp.
-      pose proof (Lv r t Hr). pose proof (LV r t Hr). lra.
-    - intros; lra.
-    - intros; lra.
-    - apply cont_scal, cont_minus; auto.
-    - apply cont_scal, cont_minus; auto.
-    - intros t Ht. apply rderiv_scal, rderiv_minus; [auto|apply rderiv_of_derive, derive_rX].
-    - intros t Ht. pose proof (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t H St Ht) as Q.
-      assert (QX : rderiv (fun r => M * rV r - drive r) t (- (a2 * rX t + a1 * rV t))).
-      { apply rderiv_eq with (M * (- om ^ 2 * rX t) - F * sin (om * t)); [rewrite <- balance; ring|].
-        apply rderiv_minus; [apply rderiv_scal|]; apply rderiv_of_derive; [apply derive_rV|apply derive_drive]. }
-      apply rderiv_ext with (fun r => e * ((M * v1 r - drive r) - (M * rV r - drive r))).
-      { intros; unfold w, M; field; lra. }
-      apply rderiv_eq with (e * (- (a2 * x t + a1 * v1 t) - - (a2 * rX t + a1 * rV t))); [unfold y, w; ring|].
-      apply rderiv_scal, rderiv_minus; auto.
-    - intros t Ht. field; lra. }
+  assert (H' : forced m1 m2 a1 a2 f drive x v1 v1 (fun t => m2 / f * v1 t)).
+  { apply stuck_forced; auto; try apply H.
+    - intros t Ht. exact (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t H St Ht).
+    - intros r t Hr. eapply Rle_trans; [apply Lv; auto|]. apply Rmult_le_compat_r; lra. }
   apply gentle_needs. intros r t Hr. apply le_epsilon. intros d Hd.
-  destruct (rest m1 m2 a1 a2 b Hm1 Hm2 Ha Ha2 Hb (energy m1 m2 a2 (y 0) (w 0) (w 0)) (m1 * (e * d / 2) ^ 2 / 2))
-    as (T & HT & Q).
-  { apply energy_pos; auto. } { assert (0 < (e * d / 2) ^ 2); [|nra]. assert (0 < e * d) by nra. nra. }
+  destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra)) HF drive_lip
+    (m1 * (d / 2) ^ 2 / 2)) as (T & HT & Q); [assert (0 < (d / 2) ^ 2) by (apply pow_lt; lra); nra|].
   assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2).
-  { intros u Hu. destruct (Q _ _ _ _ HS (Rle_refl _) u Hu) as (B & _). unfold energy in B.
-    pose proof (pow2_ge_0 (y u)). pose proof (pow2_ge_0 (w u)).
-    assert (w u ^ 2 <= (e * d / 2) ^ 2) by nra. assert (0 <= e * d / 2) by nra.
-    assert (W : - (e * d / 2) <= w u <= e * d / 2) by (apply sq_le_abs; auto).
-    unfold w in W. apply Rabs_le. split; apply Rmult_le_reg_l with e; nra. }
+  { intros u Hu. specialize (Q u Hu). unfold energy in Q. apply Rabs_le, sq_le_abs; [lra|].
+    pose proof (Rmult_le_pos a2 _ (Rlt_le _ _ Ha2) (pow2_ge_0 (x u - rX u))).
+    pose proof (Rmult_le_pos m2 _ (Rlt_le _ _ Hm2) (pow2_ge_0 (v1 u - rV u))). apply Rmult_le_reg_l with m1; lra. }
   assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by (apply Rdiv_lt_0_compat; lra).
   destruct (nat_above T (2 * PI / om) Pp) as (n & Hn).
   rewrite <- (rV_period n t), <- (rV_period n r). set (p := INR n * (2 * PI / om)) in *.

@@ -1,10 +1,7 @@
 (** The first re-entry after an exit, after any number of crossings, merges exactly if the half angle of the exit is
     in one interval: if it is the first landing by the return map, and after a crossing it is above E_cr. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp MergeSet Gap
   Alternate Cross Alternation Margin Reentry Kappa Return.
-Local Open Scope R_scope.
 
 Section Equivalence.
 Variables m1 m2 a2 b : R.

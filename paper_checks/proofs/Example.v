@@ -1,9 +1,6 @@
 (** The paper's case study, m1 = m2 = 1, a1 = 0, a2 = 200, b = 1/2: S0 ends at 5 mm. Its sentences about the start, as
     theorems: at rest at 6 mm the pair slips at once, at rest up to 5 mm it never does. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Cross Surface.
-Local Open Scope R_scope.
 
 (** the half width of S0 is 5 mm, 1/2 mm for b = 0.05 *)
 Lemma half_width_example : L 1 1 200 (1 / 2) = 5 / 1000.

@@ -1,9 +1,7 @@
 (** One excursion from an exit ray: h increases on (0, 2 pi), so each push has one slip angle; and the trigonometric
     inequalities in the half angle that bound its depth. *)
-From Coq Require Import Reals Lra Psatz Nsatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Stick.
-Local Open Scope R_scope.
 
 (** a smooth function, 0 at 0, with derivative >= 0 on [0, p) *)
 Lemma from_zero (f f' : R -> R) p : (forall u, is_derive f u (f' u)) -> (forall u, 0 <= u < p -> 0 <= f' u) ->

@@ -1,7 +1,5 @@
 (** Existence without a force: the case U = 0 of `ForcedExistence.v`. *)
-From Coq Require Import Reals Lra Psatz.
 From InertialPair Require Import Dini Pair Forced ForcedExistence.
-Local Open Scope R_scope.
 
 (** from every start there is a solution *)
 Theorem existence m1 m2 a1 a2 b x0 v10 v20 : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->

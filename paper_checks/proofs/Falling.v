@@ -2,10 +2,7 @@
   body 1:
     damping cannot save contraction. Where it falls by a jump, a stick can be left at any time: a continuum of motions.
       *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Arcs Existence Surface Robust.
-Local Open Scope R_scope.
 
 Section Falling.
 Variables m1 m2 a1 a2 : R.
@@ -83,86 +80,40 @@ Proof.
   exists D. split; auto. intros T HT.
   destruct (existence m1 m2 0 a2 bk (X x0 v0 T) (V x0 v0 T) (V x0 v0 T) Hm1 Hm2 (Rle_refl 0) Ha2 Hk) as (y & w1 & w2 & r
     & H & Y0 & W1 & W2).
-  set (f := fun t => m2 / bk * V x0 v0 t). set (g := fun t => f T + (r t - r 0)).
-  assert (Cf : cont f) by (apply cont_scal, CV). assert (Cr : cont r) by (exact (cont_s _ _ _ _ _ _ _ _ _ H)).
-  assert (Cg : cont g) by (apply cont_plus; [apply cont_const|apply cont_minus; auto using cont_const]).
-  assert (Efg : f T = g 0) by (unfold g; ring).
-  assert (Rg : forall t l, rderiv r t l -> rderiv g t l).
-  { intros t l Q. apply rderiv_eq with (0 + (l - 0)); [ring|]. apply rderiv_plus; [apply rderiv_const|].
-    apply rderiv_minus; [auto|apply rderiv_const]. }
+  set (f := fun t => m2 / bk * V x0 v0 t).
   assert (Rf : forall t, rderiv f t (- (c / bk) * X x0 v0 t)).
   { intros t. apply rderiv_eq with (m2 / bk * (- (om * om) * X x0 v0 t)); [rewrite O2; unfold c; field; lra|].
     apply rderiv_scal, rderiv_of_derive, derive_V; auto. }
-  set (jx := join T (X x0 v0) y). set (jv := join T (V x0 v0) w1). set (jw := join T (V x0 v0) w2). set (js := join T f
-    g).
-  assert (Before : forall t, t <= T -> jx t = X x0 v0 t /\ jv t = V x0 v0 t /\ jw t = V x0 v0 t /\ js t = f t).
-  { intros t Ht. unfold jx, jv, jw, js. rewrite !join_before by (auto; lra). auto. }
-  assert (After : forall t, T <= t -> jx t = y (t - T) /\ jv t = w1 (t - T) /\ jw t = w2 (t - T) /\ js t = g (t - T)).
-  { intros t Ht. unfold jx, jv, jw, js. rewrite !join_after by lra. auto. }
-  assert (Lr : bk < bs) by (specialize (Between 0 ltac:(lra)); lra).
-  assert (Lf : forall p q, 0 <= p <= q -> q <= T -> bk * Rabs (f q - f p) <= bs * (q - p)).
-  { intros p q Hp Hq. apply Rle_trans with (bk * (bs / bk * (q - p))); [|apply Req_le; field; lra].
-    apply Rmult_le_compat_l; [lra|]. apply (lip_between f (fun t => - (c / bk) * X x0 v0 t)); auto. intros u Hu. split;
-      [apply Rf|].
-    pose proof (Between u ltac:(lra)) as (_ & Bu). apply Rabs_le_between. rewrite Rabs_mult, Rabs_Ropp.
-    rewrite (Rabs_pos_eq (c / bk)) by (apply Rlt_le, Rdiv_lt_0_compat; auto).
-    apply Rmult_le_reg_l with bk; auto. replace (bk * (c / bk * Rabs (X x0 v0 u))) with (c * Rabs (X x0 v0 u)) by
-      (field; lra).
-    replace (bk * (bs / bk)) with bs by (field; lra). lra. }
-  assert (Lg : forall p q, 0 <= p <= q -> bk * Rabs (g q - g p) <= bs * (q - p)).
-  { intros p q Hp. pose proof (s_lip _ _ _ _ _ _ _ _ _ H p q Hp) as L. unfold g.
-    replace (f T + (r q - r 0) - (f T + (r p - r 0))) with (r q - r p) by ring. nra. }
-  exists jx, jv, jw, js. split; [|destruct (Before 0 ltac:(lra)) as (-> & -> & -> & _); split; [auto|split; [auto|split;
-    [auto|split]]]].
-  - constructor.
-    + intros p q Hp. destruct (Rle_dec q T) as [Le|].
-      { destruct (Before p ltac:(lra)) as (_ & _ & _ & ->), (Before q Le) as (_ & _ & _ & ->). auto. }
-      destruct (Rle_dec T p) as [Le|].
-      { destruct (After p Le) as (_ & _ & _ & ->), (After q ltac:(lra)) as (_ & _ & _ & ->).
-        replace (q - p) with (q - T - (p - T)) by ring. apply Lg. lra. }
-      destruct (Before p ltac:(lra)) as (_ & _ & _ & ->), (After q ltac:(lra)) as (_ & _ & _ & ->).
-      pose proof (Lf p T ltac:(lra) ltac:(lra)). pose proof (Lg 0 (q - T) ltac:(lra)) as L2. rewrite <- Efg in L2.
-      pose proof (Rabs_triang (g (q - T) - f T) (f T - f p)) as Tr.
-      replace (g (q - T) - f T + (f T - f p)) with (g (q - T) - f p) in Tr by ring. nra.
-    + intros t Ht W. destruct (Rlt_dec t T) as [Lt|N]; [destruct (Before t ltac:(lra)) as (_ & E1 & E2 & _); lra|].
-      destruct (After t ltac:(lra)) as (_ & E1 & E2 & _). apply rderiv_join_after; [lra|]. apply Rg, (s_pos _ _ _ _ _ _
-        _ _ _ H); lra.
-    + intros t Ht W. destruct (Rlt_dec t T) as [Lt|N]; [destruct (Before t ltac:(lra)) as (_ & E1 & E2 & _); lra|].
-      destruct (After t ltac:(lra)) as (_ & E1 & E2 & _). apply rderiv_join_after; [lra|]. apply Rg, (s_neg _ _ _ _ _ _
-        _ _ _ H); lra.
-    + apply cont_join; auto; [lra|apply (s_cx _ _ _ _ _ _ _ _ _ H)].
-    + apply cont_join; auto; [lra|apply (s_cv _ _ _ _ _ _ _ _ _ H)].
-    + intros t Ht. destruct (Rlt_dec t T) as [Lt|N].
-      * destruct (Before t ltac:(lra)) as (_ & -> & _). apply rderiv_join_before; auto. apply rderiv_of_derive,
-        derive_X; auto.
-      * destruct (After t ltac:(lra)) as (_ & -> & _). apply rderiv_join_after; [lra|]. apply (s_x _ _ _ _ _ _ _ _ _ H).
-        lra.
-    + intros t Ht. destruct (Rlt_dec t T) as [Lt|N].
-      * destruct (Before t ltac:(lra)) as (-> & -> & _).
-        apply (rderiv_near (fun u => m1 * V x0 v0 u + bk * f u)) with (T - t); [lra| |].
-        { intros u Hu. destruct (Before u ltac:(lra)) as (_ & -> & _ & ->). auto. }
-        apply rderiv_eq with (m1 * (- (om * om) * X x0 v0 t) + bk * (- (c / bk) * X x0 v0 t)).
-        { rewrite O2. unfold c. field. lra. }
-        apply rderiv_plus; apply rderiv_scal; [apply rderiv_of_derive, derive_V; auto|apply Rf].
-      * destruct (After t ltac:(lra)) as (-> & -> & _).
-        apply rderiv_ext with (fun u => m1 * w1 (u - T) + bk * g (u - T)).
-        { intros u Hu. destruct (After u ltac:(lra)) as (_ & -> & _ & ->). auto. }
-        apply (rderiv_later (fun u => m1 * w1 u + bk * g u)).
-        apply rderiv_ext with (fun u => (m1 * w1 u + bk * r u) + bk * (f T - r 0)); [intros; unfold g; ring|].
-        apply rderiv_eq with (- (a2 * y (t - T) + 0 * w1 (t - T)) + 0); [ring|].
-        apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_const].
-    + intros t Ht. destruct (Before 0 ltac:(lra)) as (_ & _ & -> & ->).
-      assert (B : forall u, m2 * V x0 v0 u - bk * f u = 0) by (intros; unfold f; field; lra). rewrite B.
-      destruct (Rle_dec t T); [destruct (Before t ltac:(lra)) as (_ & _ & -> & ->); apply B|].
-      destruct (After t ltac:(lra)) as (_ & _ & -> & ->). pose proof (s_v2 _ _ _ _ _ _ _ _ _ H (t - T) ltac:(lra)).
-      specialize (B T). unfold g. rewrite W2 in *. lra.
-  - intros t Ht. destruct (Before t ltac:(lra)) as (_ & -> & -> & _). auto.
+  set (jx := join T (X x0 v0) y). set (jv := join T (V x0 v0) w1). set (jw := join T (V x0 v0) w2).
+  assert (Before : forall t, t <= T -> jx t = X x0 v0 t /\ jv t = V x0 v0 t /\ jw t = V x0 v0 t).
+  { intros t Ht. unfold jx, jv, jw. rewrite !join_before by (auto; lra). auto. }
+  assert (After : forall t, T <= t -> jv t = w1 (t - T) /\ jw t = w2 (t - T)).
+  { intros t Ht. unfold jv, jw. rewrite !join_after by lra. auto. }
+  exists jx, jv, jw, (join T f (fun t => f T + (r t - r 0))).
+  split; [|destruct (Before 0 ltac:(lra)) as (-> & -> & ->); split; [auto|split; [auto|split; [auto|split]]]].
+  - apply two_frictions_moves; auto. apply joined; auto; [lra|constructor; auto|].
+    + intros p q Hp Hq. apply (lip_between f (fun t => - (c / bk) * X x0 v0 t)); [apply cont_scal, CV|auto|].
+      intros u Hu. split; [apply Rf|]. pose proof (Between u ltac:(lra)) as (_ & Bu). apply Rabs_le_between.
+      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (c / bk)) by (apply Rlt_le, Rdiv_lt_0_compat; auto).
+      apply Rmult_le_reg_l with bk; auto. replace (bk * (bs / bk)) with bs by (field; lra).
+      replace (bk * (c / bk * Rabs (X x0 v0 u))) with (c * Rabs (X x0 v0 u)) by (field; lra). lra.
+    + intros t _ k _ W. lra.
+    + intros t _. apply rderiv_of_derive, derive_X; auto.
+    + intros t _. apply rderiv_ext with (fun u => m1 * V x0 v0 u + bk * f u); [intros; ring|].
+      apply rderiv_eq with (m1 * (- (om * om) * X x0 v0 t) + bk * (- (c / bk) * X x0 v0 t)).
+      { rewrite O2. unfold c. field. lra. }
+      apply rderiv_plus; apply rderiv_scal; [apply rderiv_of_derive, derive_V; auto|apply Rf].
+    + intros t _. unfold f. field; lra.
+    + apply solution_moves in H. destruct H as [L P Cy Cw Dy Dw W]. constructor; auto. intros p q Hp.
+      eapply Rle_trans; [apply L; auto|]. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_reg_l with bk; auto.
+      replace (bk * (bs / bk)) with bs by (field; lra). specialize (Between 0 ltac:(lra)). lra.
+  - intros t Ht. destruct (Before t ltac:(lra)) as (_ & -> & ->). auto.
   - destruct (slips_beyond m1 m2 a2 bk Hm1 Hm2 Ha2 Hk y w1 w2 r H 0 (Rle_refl 0)) as (d & Hd & Sl); [rewrite W1, W2;
     auto| |].
     + intros In. apply Rabs_le in In. rewrite Y0 in In. pose proof (Between T ltac:(lra)) as (Bu & _).
       unfold L in In. apply Rmult_le_compat_l with (r := c) in In; [|lra].
       replace (c * (bk * (m1 + m2) / (a2 * m2))) with bk in In by (unfold c; field; lra). lra.
-    + exists d. split; auto. intros t Ht. destruct (After t ltac:(lra)) as (_ & -> & -> & _). specialize (Sl (t - T)
+    + exists d. split; auto. intros t Ht. destruct (After t ltac:(lra)) as (-> & ->). specialize (Sl (t - T)
       ltac:(lra)).
       intros E. rewrite E in Sl. replace (w2 (t - T) - w2 (t - T)) with 0 in Sl by ring. rewrite Rmult_0_r in Sl. lra.
 Qed.

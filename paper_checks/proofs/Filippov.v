@@ -1,9 +1,7 @@
 (** What is called a solution in Pair.v is what Filippov calls one:
     absolutely continuous functions that obey the differential inclusion almost everywhere. *)
-From Coq Require Import Reals List Lra Psatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import List.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Existence Analytic Modes Zeno Almost.
-Local Open Scope R_scope.
 
 Section Filippov.
 Variables m1 m2 a1 a2 b : R.
@@ -75,12 +73,7 @@ Proof.
     assert (B : forall u, p <= u < q -> g t - e / 2 <= g u <= g t + e / 2).
     { intros u Hu. specialize (K u ltac:(lra)). assert (Q : Rabs (u - t) < d) by (apply Rabs_def1; lra).
       specialize (K Q). apply Rabs_def2 in K. lra. }
-    split.
-    - cut (-1 * f q - -1 * f p <= - (g t - e / 2) * (q - p)); [lra|].
-      apply (dini_slope (fun u => -1 * f u)); [apply cont_scal; auto|lra|]. intros u Hu. specialize (B u Hu).
-      apply rderiv_dini with (-1 * g u); [lra|]. apply rderiv_scal, D; lra.
-    - apply (dini_slope f); [auto|lra|]. intros u Hu. specialize (B u Hu). apply rderiv_dini with (g u); [lra|].
-      apply D; lra. }
+    apply (between f g); auto; [lra|]. intros u Hu. split; [apply D; lra|auto]. }
   apply Rle_lt_trans with (e / 2); [|lra]. replace ((f (t + h) - f t) / h - g t)
     with ((f (t + h) - f t - g t * h) / h) by (field; auto).
   apply Rabs_def2 in Hh. unfold Rdiv at 1. rewrite Rabs_mult, Rbasic_fun.Rabs_inv. apply Rmult_le_reg_r with (Rabs h);
@@ -97,13 +90,7 @@ Lemma ac_of_rderiv f g : cont f -> cont g -> (forall u, 0 <= u -> rderiv f u (g 
 Proof.
   intros F G D. apply ac_lip. intros T HT. destruct (cont_bounded g T G HT) as (B & HB). exists B. split.
   { pose proof (HB 0 ltac:(lra)). pose proof (Rabs_pos (g 0)). lra. }
-  intros r t Hr Hl. apply Rabs_le.
-  assert (Q : forall u, r <= u < t -> - B <= g u <= B) by (intros u Hu; apply Rabs_inv, HB; lra). split.
-  - cut (-1 * f t - -1 * f r <= B * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u));
-    [apply cont_scal; auto|lra|].
-    intros u Hu. specialize (Q u Hu). apply rderiv_dini with (-1 * g u); [lra|]. apply rderiv_scal, D; lra.
-  - apply (dini_slope f); [auto|lra|]. intros u Hu. specialize (Q u Hu). apply rderiv_dini with (g u); [lra|].
-    apply D; lra.
+  intros r t Hr Hl. apply (lip_between f g); auto. intros u Hu. split; [apply D; lra|apply Rabs_inv, HB; lra].
 Qed.
 
 (** equal around t *)
@@ -161,9 +148,7 @@ Proof.
           + exfalso. apply Nt. exists k. split; [lia|auto].
           + exists k. split; [lia|lra]. }
       apply (G n); auto. destruct (Req_dec t (p n)) as [E|]; [exfalso; apply Nt; exists n; auto|]. lra. }
-    assert (Pos : 0 <= p i).
-    { clear - P0 Step Hi. assert (G : forall k, (k <= i)%nat -> 0 <= p k); [|apply G; auto].
-      induction k as [|k IH]; intros Hk; [lra|]. destruct (Step k ltac:(lia)). specialize (IH ltac:(lia)). lra. }
+    assert (Pos : 0 <= p i) by (rewrite <- P0; apply (times_within n p); [apply Step|lia]).
     destruct (Step i Hi) as (_ & Mode). set (d := Rmin (t - p i) (p (S i) - t)).
     assert (Hd : 0 < d) by (apply Rmin_glb_lt; lra). assert (d <= t - p i) by apply Rmin_l.
     assert (d <= p (S i) - t) by apply Rmin_r.
@@ -209,14 +194,9 @@ Proof.
       { apply rderiv_ext with (fun u => m2 / b * v2 u + - (c / b)); [intros u Hu; rewrite V2 by lra; field; lra|].
         apply rderiv_eq with (m2 / b * (/ M * g t) + 0); [unfold k; field; lra|].
         apply rderiv_plus; [apply rderiv_scal, rderiv_of_derive; auto|apply rderiv_const]. }
-      assert (Bk : -1 <= k <= 1).
-      { assert (B : forall e, 0 < e -> Rabs k <= 1 + e).
-        { intros e He. destruct (Ds e He) as (h & Hh & K). specialize (K (h / 2) ltac:(lra)).
-          pose proof (s_lip _ _ _ _ _ _ _ _ _ H t (t + h / 2) ltac:(lra)) as L. replace (t + h / 2 - t)
-            with (h / 2) in L by ring.
-          apply Rabs_inv in L. apply Rabs_inv in K. apply Rabs_le. split; nra. }
-        apply Rabs_inv. apply le_epsilon. exact B. }
-      pose proof (St t Hpi) as Et. exists k. split; auto. split; [lra|]. split; [lra|]. split; auto. split.
+      assert (Bk : Rabs k <= 1).
+      { apply (lip_rderiv s 1 t k); [intros r q Hq; rewrite Rmult_1_l; apply (s_lip _ _ _ _ _ _ _ _ _ H)|lra|]; auto. }
+      pose proof (St t Hpi) as Et. exists k. split; [apply Rabs_inv; auto|]. split; [lra|]. split; [lra|]. split; auto. split.
       * replace ((- a2 * x t - a1 * v1 t - b * k) / m1) with (/ M * g t); auto. unfold k, g, M. field. lra.
       * replace (b * k / m2) with (/ M * g t); auto. unfold k. field. lra.
     + apply (Slip 1); auto. intros u Hu. specialize (Fo u Hu). lra.

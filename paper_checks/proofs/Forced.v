@@ -1,9 +1,6 @@
 (** The pair under a force on body 1: solutions, contraction, uniqueness, energy, what body 2 can follow, least time.
     The force enters through its impulse U (U' = u from the right): any continuous U is allowed, so jumps of u are. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase.
-Local Open Scope R_scope.
 
 (** right derivatives are unique *)
 Lemma rderiv_unique f t l k : rderiv f t l -> rderiv f t k -> l = k.
@@ -251,18 +248,37 @@ Proof.
   apply Rlt_le, Rdiv_lt_0_compat; auto.
 Qed.
 
+(** the acceleration of body 2 by the rate of the impulse of friction *)
+Lemma forced_v2_rate U x v1 v2 s t k : forced U x v1 v2 s -> 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k).
+Proof.
+  intros H Ht S. apply rderiv_ext with (fun u => (v2 t - b / m2 * s t) + b / m2 * s u).
+  { intros u Hu. pose proof (forced_v2 _ _ _ _ _ t u H Ht ltac:(lra)). lra. }
+  apply rderiv_eq with (0 + b / m2 * k); [ring|]. apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto].
+Qed.
+
 (** where the acceleration of body 2 is less than b/m2 in size the pair sticks *)
 Theorem must_stick U x v1 v2 s t l : forced U x v1 v2 s -> 0 <= t -> rderiv v2 t l -> Rabs l < b / m2 -> v1 t = v2 t.
 Proof.
   intros H Ht F B. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-  assert (V : forall k, rderiv s t k -> l = b / m2 * k).
-  { intros k S. apply (rderiv_unique v2 t); auto.
-    apply rderiv_ext with (fun u => (v2 t - b / m2 * s t) + b / m2 * s u).
-    { intros u Hu. pose proof (forced_v2 _ _ _ _ _ t u H Ht ltac:(lra)). lra. }
-    apply rderiv_eq with (0 + b / m2 * k); [ring|]. apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto]. }
+  assert (V : forall k, rderiv s t k -> l = b / m2 * k)
+    by (intros k S; exact (rderiv_unique v2 t _ _ F (forced_v2_rate _ _ _ _ _ t k H Ht S))).
   destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]]; auto; exfalso.
   - rewrite (V _ (f_neg _ _ _ _ _ H t Ht Lt)) in B. rewrite Rabs_left in B; lra.
   - rewrite (V _ (f_pos _ _ _ _ _ H t Ht ltac:(lra))) in B. rewrite Rabs_pos_eq in B; lra.
+Qed.
+
+(** a stick that asks for no more than b: M v' = u - a2 x - a1 v, and v is b/m2-Lipschitz *)
+Lemma stuck_forced U x v : cont U -> cont x -> (forall t, 0 <= t -> rderiv x t (v t)) ->
+  (forall t, 0 <= t -> rderiv (fun r => M * v r - U r) t (- (a2 * x t + a1 * v t))) ->
+  (forall p q, 0 <= p <= q -> Rabs (v q - v p) <= b / m2 * (q - p)) -> forced U x v v (fun t => m2 / b * v t).
+Proof.
+  intros CU Cx Dx Dv L. constructor; auto; try (intros; lra).
+  - intros p q Hp. replace (m2 / b * v q - m2 / b * v p) with (m2 / b * (v q - v p)) by ring.
+    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra).
+    apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
+  - apply (lip_cont v (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
+  - intros t Ht. apply rderiv_ext with (2 := Dv t Ht). intros; unfold M; field; lra.
+  - intros t Ht. field; lra.
 Qed.
 
 (** every r with |r''| <= b/m2 (r' Lipschitz) is followed, stuck, under the impulse of M r'' + a1 r' + a2 (x0 + r -
@@ -272,24 +288,16 @@ Theorem trackable x0 r r' : cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
   forced (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t)
     (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t).
 Proof.
-  intros C R L. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-    assert (Hk' : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
-  assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [lra|auto]).
-  assert (Cx : cont (fun t => x0 + r t - r 0)) by (apply cont_minus; [apply cont_plus;
-    [apply cont_const|auto]|apply cont_const]).
-  constructor; auto.
-  - intros p q Hp. replace (m2 / b * r' q - m2 / b * r' p) with (m2 / b * (r' q - r' p)) by ring.
-    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra). apply abs_scal; [lra|auto].
-  - intros; lra.
-  - intros; lra.
+  intros C R L. assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto).
+  assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
+  apply stuck_forced; auto.
   - repeat apply cont_plus; apply cont_scal; auto using integral_cont.
   - intros t Ht. apply rderiv_eq with (0 + r' t - 0); [ring|].
     apply rderiv_minus; [apply rderiv_plus; [apply rderiv_const|auto]|apply rderiv_const].
   - intros t Ht. apply rderiv_ext with (fun u => - a1 * r u + - a2 * integral (fun u => x0 + r u - r 0) u).
-    { intros u Hu. unfold M. field. lra. }
+    { intros u Hu. ring. }
     apply rderiv_eq with (- a1 * r' t + - a2 * (x0 + r t - r 0)); [ring|].
     apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
-  - intros t Ht. field; lra.
 Qed.
 
 (** so body 2 can be given the velocity v iff v is b/m2-Lipschitz *)
@@ -308,8 +316,7 @@ Lemma tracking_force x0 r r' t l : cont r -> rderiv r t (r' t) -> rderiv r' t l 
     (x0 + r t - r 0)).
 Proof.
   intros C R R' Ht.
-  assert (Cx : cont (fun t => x0 + r t - r 0)) by (apply cont_minus; [apply cont_plus;
-    [apply cont_const|auto]|apply cont_const]).
+  assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
   repeat apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
 Qed.
 

@@ -3,10 +3,7 @@
     than c when c is changed, and P is then the fixed point of a Picard iteration. The impulse U of the force cancels
     in the difference of two iterates, and enters the first step only: so the constant C grows with t, and each bound
     is taken until t. *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced.
-Local Open Scope R_scope.
 
 (** a continuous function is bounded up to each time *)
 Lemma cont_bounded f t : cont f -> 0 <= t -> exists B, forall u, 0 <= u <= t -> Rabs (f u) <= B.
@@ -127,66 +124,30 @@ Fixpoint it n : R -> R := match n with O => fun _ => 0 | S n => next (it n) end.
 Lemma it_cont n : cont (it n).
 Proof. induction n; simpl; [apply cont_const|apply next_cont; auto]. Qed.
 
-(** the largest |U - U(0)| until t, as a least upper bound *)
-Let top t := real (Lub_Rbar (fun y => exists u, 0 <= u <= t /\ y = Rabs (U u - U 0))).
-Let top_lub t : 0 <= t -> (forall u, 0 <= u <= t -> Rabs (U u - U 0) <= top t) /\
-  (forall B, (forall u, 0 <= u <= t -> Rabs (U u - U 0) <= B) -> top t <= B).
+(** 1 more than the largest first iterate until t, as a least upper bound *)
+Let C t := 1 + real (Lub_Rbar (fun y => exists u, 0 <= u <= t /\ y = Rabs (it 1 u))).
+Let C_lub t : 0 <= t -> (forall u, 0 <= u <= t -> 1 + Rabs (it 1 u) <= C t) /\
+  (forall B, (forall u, 0 <= u <= t -> 1 + Rabs (it 1 u) <= B) -> C t <= B).
 Proof.
-  intros Ht. destruct (cont_bounded U t CU Ht) as (B & HB).
-  destruct (lub_real (fun y => exists u, 0 <= u <= t /\ y = Rabs (U u - U 0)) (Rabs (U 0 - U 0)) (2 * B)) as (P & L).
+  intros Ht. destruct (cont_bounded (it 1) t (it_cont 1) Ht) as (B & HB).
+  destruct (lub_real (fun y => exists u, 0 <= u <= t /\ y = Rabs (it 1 u)) (Rabs (it 1 0)) B) as (P & L).
   - exists 0; split; auto; lra.
-  - intros y (u & Hu & ->). pose proof (HB u Hu). pose proof (HB 0 ltac:(lra)).
-    pose proof (Rabs_triang (U u) (- U 0)) as Q.
-    rewrite Rabs_Ropp in Q. unfold Rminus. lra.
-  - split; [intros u Hu; apply P; exists u; auto|]. intros B' HB'. apply L. intros y (u & Hu & ->). auto.
+  - intros y (u & Hu & ->). auto.
+  - split; [intros u Hu; apply Rplus_le_compat_l, P; exists u; auto|]. intros B' HB'. unfold C.
+    apply Rle_trans with (1 + (B' - 1)); [|lra]. apply Rplus_le_compat_l, L. intros y (u & Hu & ->).
+    specialize (HB' u Hu). lra.
 Qed.
-Let top_pos t : 0 <= t -> 0 <= top t.
-Proof. intros Ht. destruct (top_lub t Ht) as (P & _). eapply Rle_trans; [apply Rabs_pos|apply (P 0); lra]. Qed.
-
-Let C t := Rabs v10 + (a2 * Rabs x0 + b) / m1 + top t / m1.
 Let Cp t : 0 <= t -> 0 < C t.
-Proof.
-  intros Ht. unfold C. pose proof (Rabs_pos v10). pose proof (Rabs_pos x0).
-    assert (0 < (a2 * Rabs x0 + b) / m1) by (apply Rdiv_lt_0_compat; auto; nra).
-  assert (0 <= top t / m1); [|lra]. apply Rmult_le_pos; auto. apply Rlt_le, Rinv_0_lt_compat; auto.
-Qed.
+Proof. intros Ht. pose proof (proj1 (C_lub t Ht) t ltac:(lra)). pose proof (Rabs_pos (it 1 t)). lra. Qed.
 Let C_mono r t : 0 <= r <= t -> C r <= C t.
-Proof.
-  intros Hr. unfold C. apply Rplus_le_compat_l, Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|].
-  destruct (top_lub r ltac:(lra)) as (_ & L). destruct (top_lub t ltac:(lra)) as (P & _). apply L. intros u Hu.
-    apply P. lra.
-Qed.
+Proof. intros Hr. apply C_lub; [lra|]. intros u Hu. apply C_lub; lra. Qed.
 
 (** the first two differ by at most C(t) exp (lam t) *)
 Lemma it_first t : 0 <= t -> Rabs (it 1 t - it 0 t) <= C t * exp (lam * t).
 Proof.
-  intros Ht. simpl. unfold next, force.
-  assert (Z : forall u, integral (fun _ => 0) u = 0) by (intros; rewrite integral_const; ring).
-  assert (PL : integral (place (fun _ => 0)) t = x0 * t).
-  { rewrite <- integral_const. unfold integral. apply RInt_ext. intros u _. unfold place. rewrite Z. apply Rplus_0_r. }
-  rewrite PL, Z. pose proof (chase_lip (aim (fun _ => 0)) 0 t ltac:(lra)) as L. rewrite chase_0 in L.
-    fold (impulse (fun _ => 0)) in L.
-  assert (E : 1 + t <= exp (lam * t)).
-  { apply Rle_trans with (exp t); [apply exp_ineq1_le|]. destruct (Req_dec t 0) as [->|]; [rewrite Rmult_0_r; lra|].
-    destruct (Req_dec K 0); [lra|]. apply Rlt_le, exp_increasing. unfold lam. nra. }
-  replace ((m1 * v10 + (U t - U 0) - a2 * (x0 * t) - a1 * 0 - b * impulse (fun _ => 0) t) / m1 - 0)
-    with (v10 + (U t - U 0) / m1 + (- (a2 * x0 * t + b * impulse (fun _ => 0) t) / m1)) by (field; lra).
-  eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang|].
-  unfold Rdiv. rewrite !Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ m1)) by (apply Rlt_le, Rinv_0_lt_compat; auto).
-  assert (Q : Rabs (a2 * x0 * t + b * impulse (fun _ => 0) t) <= (a2 * Rabs x0 + b) * t).
-  { eapply Rle_trans; [apply Rabs_triang|].
-    rewrite !Rabs_mult, (Rabs_pos_eq a2), (Rabs_pos_eq t), (Rabs_pos_eq b) by lra.
-    assert (Rabs (impulse (fun _ => 0) t) <= t) by (apply Rabs_le; lra). nra. }
-  set (q := Rabs (a2 * x0 * t + b * impulse (fun _ => 0) t)) in *. set (y := a2 * Rabs x0 + b) in *.
-  assert (0 < / m1) by (apply Rinv_0_lt_compat; auto). unfold C. fold y. unfold Rdiv. pose proof (Rabs_pos v10).
-  assert (Tu : Rabs (U t - U 0) * / m1 <= top t * / m1).
-  { apply Rmult_le_compat_r; [lra|]. destruct (top_lub t Ht) as (P & _). apply P. lra. }
-  assert (0 <= top t * / m1) by (apply Rmult_le_pos; [auto|lra]). set (g := Rabs (U t - U 0) * / m1) in *.
-    set (g' := top t * / m1) in *.
-  assert (0 < y) by (unfold y; pose proof (Rabs_pos x0); nra).
-  assert (q * / m1 <= y * / m1 * t) by (replace (y * / m1 * t) with (y * t * / m1) by ring;
-    apply Rmult_le_compat_r; lra).
-  assert (0 < y * / m1) by nra. nra.
+  intros Ht. pose proof (proj1 (C_lub t Ht) t ltac:(lra)). change (it 0 t) with 0. rewrite Rminus_0_r.
+  pose proof (Rabs_pos (it 1 t)). pose proof (exp_ineq1_le (lam * t)).
+  assert (0 <= lam * t) by (apply Rmult_le_pos; unfold lam; lra). nra.
 Qed.
 
 (** each difference is half the one before, up to T *)

@@ -1,9 +1,7 @@
 (** Any slip that starts on S at or beyond the end of the strip: gap d >= 0, push u; it ends where hh p - d cot p =
     u. *)
-From Coq Require Import Reals Lra Psatz Nsatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle.
-Local Open Scope R_scope.
 
 (** k = cot p *)
 Definition ct p := cos p / sin p.
@@ -19,48 +17,40 @@ Proof.
     { apply Rdiv_lt_0_compat; [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]. }
   lra.
 Qed.
+(** and takes every value *)
+Lemma ct_atan c : ct (PI / 2 - atan c) = c.
+Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
 (** h - d cot increases from -oo to +oo: one root *)
 Lemma push_incr d p q : 0 <= d -> 0 < p -> p < q -> q < PI -> push d p < push d q.
 Proof.
   intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq).
   unfold push. assert (d * ct q <= d * ct p) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
+(** what is below u at one angle is u at another *)
+Lemma push_ex d u p0 : 0 < p0 < PI -> push d p0 < u -> {p | 0 < p < PI /\ push d p = u}.
+Proof.
+  intros Hp P. set (F := fun p => p - sin p * cos p - d * (sin p * cos p) - u * sin p ^ 2). pose proof PI_RGT_0.
+  assert (E : forall p, 0 < p < PI -> 0 < sin p ^ 2 /\ F p = sin p ^ 2 * (push d p - u)).
+  { intros p Hq. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; [apply pow_lt; auto|].
+    unfold F, push, hh, ct. field. lra. }
+  destruct (IVT F p0 PI) as (z & Hz & Z); [unfold F; reg|lra|destruct (E p0 Hp) as (Q & ->); nra| |].
+  { unfold F. rewrite sin_PI. lra. }
+  assert (z <> PI) by (intros ->; unfold F in Z; rewrite sin_PI in Z; lra). exists z. split; [lra|].
+  destruct (E z ltac:(lra)) as (Q & R). apply Rmult_eq_reg_l with (sin z ^ 2); lra.
+Qed.
 (** one half angle for each push *)
 Theorem push_root d u : 0 < d -> exists! p, 0 < p < PI /\ push d p = u.
 Proof.
   intros Hd. assert (Ex : exists p, 0 < p < PI /\ push d p = u).
-  { set (F := fun p => p - sin p * cos p - d * (sin p * cos p) - u * sin p ^ 2).
-    pose proof PI2_1 as P1. pose proof (Rabs_pos u) as Up. set (e := d / (8 * (1 + Rabs u))).
-    assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
-    assert (E8 : e * (1 + Rabs u) = d / 8) by (unfold e; field; lra).
-    set (p0 := Rmin 1 e). assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= e).
-    { unfold p0. repeat split; [apply Rmin_glb_lt; lra|apply Rmin_l|apply Rmin_r]. }
-    destruct (IVT F p0 PI) as (z & Hz & Z).
-    - intros t. apply derivable_continuous_pt.
-      exists (1 - (1 + d) * (cos t * cos t - sin t * sin t) - u * (2 * sin t * cos t)).
-      apply is_derive_Reals. unfold F. auto_derive; auto. ring.
-    - lra.
-    - unfold F. pose proof (sin_half p0 ltac:(lra)) as S. pose proof (A_above p0 ltac:(lra)) as A.
-      pose proof (sin_below p0 ltac:(lra)) as B. pose proof (sin_below (p0 / 2) ltac:(lra)) as B2.
-        pose proof (sin_pos (p0 / 2) ltac:(lra)) as S2.
-      assert (C : 1 / 2 <= cos p0). { replace p0 with (2 * (p0 / 2)) by field. rewrite cos_2a_sin. nra. }
-      assert (SC : p0 / 4 <= sin p0 * cos p0). { replace (p0 / 4) with (p0 / 2 * (1 / 2)) by field.
-        apply Rmult_le_compat; lra. }
-      assert (DS : d * (p0 / 4) <= d * (sin p0 * cos p0)) by (apply Rmult_le_compat_l; lra).
-      assert (U : - u * sin p0 ^ 2 <= Rabs u * p0 ^ 2).
-      { apply Rle_trans with (Rabs u * sin p0 ^ 2).
-        - apply Rmult_le_compat_r; [apply pow2_ge_0|]. pose proof (Rle_abs (- u)) as Q. rewrite Rabs_Ropp in Q. lra.
-        - apply Rmult_le_compat_l; auto. apply pow_incr. pose proof (sin_pos p0 ltac:(lra)). lra. }
-      assert (P3 : 2 / 3 * p0 ^ 3 <= p0 ^ 2). { assert (0 < p0 ^ 2) by (apply pow_lt; lra).
-        replace (p0 ^ 3) with (p0 * p0 ^ 2) by ring. nra. }
-      assert (Q : p0 ^ 2 * (1 + Rabs u) <= p0 * (d / 8)).
-      { rewrite <- E8. replace (p0 ^ 2 * (1 + Rabs u)) with (p0 * (p0 * (1 + Rabs u))) by ring.
-        apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; lra. }
-      assert (0 < p0 * d) by (apply Rmult_lt_0_compat; lra). lra.
-    - unfold F. rewrite sin_PI. nra.
-    - assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI in Z. nra. }
-      exists z. split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. unfold push, hh, ct. unfold F in Z.
-      replace (z - sin z * cos z) with (u * sin z ^ 2 + d * (sin z * cos z)) by lra. field. lra. }
+  { (* as the cotangent goes to infinity *)
+    set (c := (PI / 2 + Rabs u + 1) / d). pose proof PI_RGT_0. pose proof (Rabs_pos u). pose proof (Rle_abs (- u)) as Au.
+    rewrite Rabs_Ropp in Au. assert (Hc : 0 < c) by (apply Rdiv_lt_0_compat; lra).
+    assert (Ec : d * c = PI / 2 + Rabs u + 1) by (unfold c; field; lra). pose proof (atan_bound c).
+    assert (0 < atan c) by (rewrite <- atan_0; apply atan_increasing; auto). set (p0 := PI / 2 - atan c).
+    destruct (push_ex d u p0) as (p & P); [unfold p0; lra| |exists p; auto].
+    assert (hh p0 < hh (PI / 2)) as Hh by (apply hh_incr; unfold p0; lra).
+    replace (hh (PI / 2)) with (PI / 2) in Hh by (unfold hh; rewrite sin_PI2, cos_PI2; field).
+    unfold push. unfold p0 at 2. rewrite ct_atan, Ec. lra. }
   destruct Ex as (p & Hp & E). exists p. split; [auto|]. intros p' (Hp' & E').
   destruct (Rtotal_order p p') as [Lt|[|Gt]]; auto; exfalso.
   - pose proof (push_incr d p p' ltac:(lra) ltac:(lra) Lt ltac:(lra)). lra.

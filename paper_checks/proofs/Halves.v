@@ -1,10 +1,7 @@
 (** Motions with the force's period that slip one way for half of it and then the other way: half the difference of such
     a motion and of itself half a period later is one that repeats with the opposite sign. So U** is the least amplitude
     for these motions, too. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Nonstop.
-Local Open Scope R_scope.
 
 Section Mean.
 Variables m1 m2 a1 a2 b : R.

@@ -4,12 +4,9 @@
       interval above
     E_cr. For m1/m2 > - cos (2 phi* ) nothing that has touched S above E_cr ever merges: not after the first slip,
       nor after any later one. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap
   Alternate Cross.
 From InertialPair Require Import Levels Return.
-Local Open Scope R_scope.
 
 (** the next contact is not later than the first re-entry *)
 Lemma contact_first l x v1 v2 t0 t1 t : contact_after v1 v2 t0 t1 -> first_reentry l x v1 v2 t0 t -> t1 <= t.

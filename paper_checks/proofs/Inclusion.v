@@ -3,10 +3,7 @@
       the
     inner product need not be definite. Two motions never part, and defects add up; friction that brakes has a finite
       path. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Forced.
-Local Open Scope R_scope.
 
 (** *** Real functions *)
 

@@ -1,11 +1,8 @@
 (** Where merging at the first landing is possible (m1/m2 <= - cos (2 phi* )), kappa_c >= 1/sqrt 3: so long and short
     slips alternate there. *)
-From Coq Require Import Reals Lra Psatz.
 From Interval Require Import Tactic.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Gap Alternate Cross
   Alternation Margin Reentry.
-Local Open Scope R_scope.
 
 (** phi* is above 1.89 *)
 Lemma root_above ps : 0 < ps <= PI -> K ps = 0 -> 189 / 100 < ps.

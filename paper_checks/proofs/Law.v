@@ -1,8 +1,5 @@
 (** Every start on S0 slightly above E_cr, and every solution that never merges: no merging, and the sharp law. *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Dichotomy Slip Cycle Orbit Sharp.
-Local Open Scope R_scope.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Dichotomy Slip Cycle Orbit Sharp Return.
 
 (** sin u >= u - u^3/6 *)
 Lemma sin_above u : 0 <= u <= PI -> u - u ^ 3 / 6 <= sin u.
@@ -15,13 +12,6 @@ Proof.
     pose proof (sin_pos (t / 2) ltac:(lra)). nra.
   - rewrite sin_0. field.
 Qed.
-
-(** from squares to absolute values *)
-Lemma sq_le z c : 0 <= c -> z ^ 2 <= c ^ 2 -> Rabs z <= c.
-Proof. intros. apply Rabs_le. split; nra. Qed.
-(** a positive product with a positive factor *)
-Lemma pos_factor a c : 0 < a -> 0 < a * c -> 0 < c.
-Proof. intros Ha P. apply Rmult_lt_reg_l with a; lra. Qed.
 
 Section Law.
 Variables m1 m2 a2 b : R.
@@ -237,87 +227,20 @@ Proof.
 Qed.
 
 (** *** Every solution that never merges comes back to S0 slightly above E_cr *)
-(** Near the middle of the critical ellipse the speed of the stuck pair is stationary, that of a slipping body is not:
-    contact. *)
+(** its energy comes down to E_cr, so it does before a contact; from one beyond S0 it returns *)
 Lemma strip x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s -> (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
   forall e, 0 < e -> exists t, 0 <= t /\ v1 t = v2 t /\ - L <= x t <= L /\ en (x t) (v1 t) (v2 t) <= Ecr + e.
 Proof.
-  intros H Up e He. destruct (convergence m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as (x0 & v0 & H1 & _ & H3 & H4).
-    cbv beta in H3, H4.
-  pose proof (Mom m1 m2 a2 Hm1 Hm2 Ha2) as Mo. fold M om in Mo. assert (M0 : 0 < M) by (unfold M; lra).
-  assert (El : en x0 v0 v0 = Ecr).
-  { destruct (Req_dec (en x0 v0 v0) Ecr) as [|N]; auto. exfalso. fold en in H3. fold en Ecr in H1.
-    destruct (H3 ((Ecr - en x0 v0 v0) / 2)) as (T & HT & K); [lra|]. specialize (K T ltac:(lra)).
-      specialize (Up T HT). lra. }
-  (* the critical ellipse crosses the middle at T' *)
-  assert (Cir : (- (v0 / om)) ^ 2 + x0 ^ 2 = L ^ 2).
-  { unfold Ecr in El. rewrite Ecr_L in El by auto. fold L in El. unfold en, energy in El.
-    apply Rmult_eq_reg_l with (a2 / 2); [|lra]. replace (a2 / 2 * L ^ 2) with (a2 * L ^ 2 / 2) by field. rewrite <- El.
-    rewrite Mo. unfold M. field. lra. }
-  set (d0 := Rmin (a2 * L ^ 2 / 8) (m2 * (L * om) ^ 2 / 128)).
-  assert (Lo2 : 0 < (L * om) ^ 2) by (apply pow_lt, Rmult_lt_0_compat; auto).
-    assert (L2 : 0 < L ^ 2) by (apply pow_lt; auto).
-  assert (D0 : 0 < d0). { apply Rmin_glb_lt; [|]; apply Rdiv_lt_0_compat; try lra; apply Rmult_lt_0_compat; auto. }
-  assert (D1 : d0 <= a2 * L ^ 2 / 8) by apply Rmin_l. assert (D2 : d0 <= m2 * (L * om) ^ 2 / 128) by apply Rmin_r.
-  destruct (H3 e He) as (Ta & HTa & Ka). destruct (H4 d0 D0) as (Tb & HTb & Kb).
-  destruct (polar (- (v0 / om)) x0 L om (Rmax Ta Tb) L0 om_pos Cir) as (T & HT & Cc & Cs).
-  pose proof (Rmax_l Ta Tb). pose proof (Rmax_r Ta Tb).
-  assert (XT : forall t, X m1 m2 a2 x0 v0 t = - (L * sin (om * (t - T)))).
-  { intros t. unfold X. fold om. replace (om * (t - T)) with (om * t - om * T) by ring. rewrite sin_minus, <- Cs.
-    replace (v0 / om) with (- (L * cos (om * T))) by lra. ring. }
-  assert (VT : forall t, V m1 m2 a2 x0 v0 t = - (L * om * cos (om * (t - T)))).
-  { intros t. unfold V. fold om. replace (om * (t - T)) with (om * t - om * T) by ring. rewrite cos_minus, <- Cs.
-    replace v0 with (- (L * cos (om * T)) * om) by (rewrite Cc; field; lra). ring. }
-  set (tau := 1 / 2 / om). assert (Tau : 0 < tau) by (unfold tau; apply Rdiv_lt_0_compat; lra).
-    assert (Ot : om * tau = 1 / 2) by (unfold tau; field; lra).
-  assert (Near : forall t, T <= t -> Rabs (x t - X m1 m2 a2 x0 v0 t) <= L / 2 /\
-    Rabs (v2 t - V m1 m2 a2 x0 v0 t) <= L * om / 8).
-  { intros t Hu. specialize (Kb t ltac:(lra)). unfold energy in Kb.
-    pose proof (pow2_ge_0 (v1 t - V m1 m2 a2 x0 v0 t)) as P1.
-    pose proof (pow2_ge_0 (x t - X m1 m2 a2 x0 v0 t)) as P0. pose proof (pow2_ge_0 (v2 t - V m1 m2 a2 x0 v0 t)) as P2.
-    set (dx := x t - X m1 m2 a2 x0 v0 t) in *. set (dv := v2 t - V m1 m2 a2 x0 v0 t) in *.
-    assert (0 <= a2 * dx ^ 2) by (apply Rmult_le_pos; lra). assert (0 <= m2 * dv ^ 2) by (apply Rmult_le_pos; lra).
-    assert (0 <= m1 * (v1 t - V m1 m2 a2 x0 v0 t) ^ 2) by (apply Rmult_le_pos; lra).
-    assert (0 < L * om) by (apply Rmult_lt_0_compat; auto). split.
-    - assert (dx ^ 2 <= (L / 2) ^ 2). { apply Rmult_le_reg_l with (a2 / 2); lra. } apply sq_le; lra.
-    - assert (dv ^ 2 <= (L * om / 8) ^ 2). { apply Rmult_le_reg_l with (m2 / 2); lra. } apply sq_le; lra. }
-  assert (CW : cont (fun t => v1 t - v2 t)).
-  { apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H)]. }
-  assert (Con : exists t, T <= t <= T + tau /\ v1 t = v2 t).
-  { apply Classical_Prop.NNPP. intros No. set (w := fun t => v1 t - v2 t) in *.
-    assert (NZ : forall t, T <= t <= T + tau -> w t <> 0). { intros t Hu Z. apply No. exists t; split; auto.
-      unfold w in Z; lra. }
-    assert (Sg : forall t, T <= t <= T + tau -> 0 < w T * w t).
-    { intros t Hu. destruct (Rlt_dec 0 (w T * w t)); auto. exfalso.
-      destruct (cont_IVT w T t CW) as (c & Hc & Zc); try lra. apply (NZ c); [lra|auto]. }
-    assert (Sl : exists k, (k = 1 \/ k = -1) /\ s (T + tau) - s T = k * (T + tau - T)).
-    { destruct (Rlt_dec 0 (w T)) as [P|P]; [exists 1|exists (-1)]; (split; [auto|]);
-        apply (slip_impulse m1 m2 0 a2 b x v1 v2 s H T (T + tau)); auto; try lra; intros t Hu; fold (w t);
-          apply (pos_factor (Rabs (w T)));
-        try (apply Rabs_pos_lt, NZ; lra); pose proof (Sg t ltac:(lra)) as Q; pose proof (NZ T ltac:(lra));
-        [rewrite Rabs_pos_eq|rewrite Rabs_left]; lra. }
-    destruct Sl as (k & Hk & Sl). pose proof (s_v2 _ _ _ _ _ _ _ _ _ H T ltac:(lra)) as W1.
-      pose proof (s_v2 _ _ _ _ _ _ _ _ _ H (T + tau) ltac:(lra)) as W2.
-    assert (Dv : v2 (T + tau) - v2 T = k * (L * om / 2)).
-    { apply Rmult_eq_reg_l with m2; [|lra].
-      replace (m2 * (v2 (T + tau) - v2 T)) with (b * (s (T + tau) - s T)) by lra. rewrite Sl.
-      replace (k * (T + tau - T)) with (k * tau) by ring. unfold tau, L, Stick.L. rewrite Mo at 1. unfold M.
-        field. repeat split; lra. }
-    destruct (Near T ltac:(lra)) as (_ & N1). destruct (Near (T + tau) ltac:(lra)) as (_ & N2). rewrite VT in N1, N2.
-    replace (om * (T - T)) with 0 in N1 by ring. replace (om * (T + tau - T)) with (1 / 2) in N2 by lra.
-      rewrite cos_0 in N1.
-    pose proof (cos_below (1 / 2) ltac:(lra)) as Cb. pose proof (COS_bound (1 / 2)) as Cu. apply Rabs_inv in N1.
-      apply Rabs_inv in N2.
-    assert (Lo : 0 < L * om) by (apply Rmult_lt_0_compat; auto).
-    assert (L * om * (7 / 8) <= L * om * cos (1 / 2) <= L * om * 1) by (split; apply Rmult_le_compat_l; lra).
-    destruct Hk; subst k; lra. }
-  destruct Con as (t & Hu & Ev). exists t. split; [lra|]. split; [auto|]. split; [|rewrite <- El; apply Ka; lra].
-  destruct (Near t ltac:(lra)) as (N1 & _). rewrite XT in N1. apply Rabs_inv in N1.
-  assert (Th : 0 <= om * (t - T) <= 1 / 2). { split; [apply Rmult_le_pos; lra|]. rewrite <- Ot.
-    apply Rmult_le_compat_l; lra. }
-  pose proof (sin_below (om * (t - T)) ltac:(lra)). pose proof PI2_1. pose proof (sin_pos (om * (t - T)) ltac:(lra)).
-  assert (0 <= L * sin (om * (t - T)) <= L * (1 / 2)) by (split; [apply Rmult_le_pos|apply Rmult_le_compat_l];
-    lra). lra.
+  intros H Up e He. destruct (dichotomy_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [(T & HT & N)|(_ & K)].
+  { specialize (Up T HT). fold en Ecr in N. lra. }
+  destruct (K e He) as (T & HT & KT). fold en Ecr in KT.
+  destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
+  destruct (Classical_Prop.classic (- L <= x tc <= L)) as [In|Out].
+  { exists tc. split; [lra|]. split; [auto|]. split; [auto|]. apply KT. lra. }
+  destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 tc Ev Out) as (k & d & u & Hk & Hd & HG).
+  destruct (returns m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k d u tc Hk ltac:(lra) (or_introl Hd) HG) as (t & F).
+  destruct (first_reentry_in _ _ _ _ _ _ F) as (Ht & Ev' & In). exists t.
+  split; [lra|]. split; [auto|]. split; [auto|]. apply KT. lra.
 Qed.
 
 (** the sharp law for every solution that never merges *)

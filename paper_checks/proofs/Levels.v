@@ -5,10 +5,7 @@
       where it is the level after an excursion from a ray,
     which is positive. Elsewhere its least value, h^2 - (1 - h k)^2/(k^2 + q), falls in p up to the angle with
     k^2 + 2 q = 1, and there it is again the level after an excursion from a ray. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Cycle Orbit Gap Alternate Cross.
-Local Open Scope R_scope.
 
 Section Share.
 Variable q : R.
@@ -92,18 +89,10 @@ Qed.
 (** the angle beyond pi/2 with k^2 + 2 q = 1 *)
 Lemma turn_ex : 2 * q < 1 -> exists t, PI / 2 < t < PI /\ ct t ^ 2 + 2 * q = 1 /\ ct t < 0.
 Proof.
-  intros Hs. pose proof PI_RGT_0. set (ka := sqrt (1 - 2 * q)). assert (K0 : 0 < ka) by (apply sqrt_lt_R0; lra).
-  assert (KK : ka * ka = 1 - 2 * q) by (apply sqrt_sqrt; lra). set (F := fun p => cos p + ka * sin p).
-  destruct (cont_IVT F (PI / 2) PI) as (t & Ht & Z).
-  - apply cont_of_derive with (fun p => - sin p + ka * cos p). intros u. unfold F. auto_derive; auto. ring.
-  - lra.
-  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI. lra.
-  - unfold F in Z. exists t.
-    assert (t <> PI / 2). { intros ->. rewrite sin_PI2, cos_PI2 in Z. lra. }
-    assert (t <> PI). { intros ->. rewrite sin_PI, cos_PI in Z. lra. }
-    pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)) as S.
-    assert (C : ct t = - ka). { unfold ct. replace (cos t) with (- ka * sin t) by lra. field. lra. }
-    split; [lra|]. rewrite C. split; [|lra]. replace ((- ka) ^ 2) with (ka * ka) by ring. lra.
+  intros Hs. set (ka := sqrt (1 - 2 * q)). assert (K0 : 0 < ka) by (apply sqrt_lt_R0; lra).
+  assert (KK : ka * ka = 1 - 2 * q) by (apply sqrt_sqrt; lra). pose proof (atan_bound (- ka)).
+  assert (atan (- ka) < 0) by (rewrite <- atan_0; apply atan_increasing; lra).
+  exists (PI / 2 - atan (- ka)). rewrite ct_atan. repeat split; nra.
 Qed.
 
 (** No level is below the least one of excursions from a ray. *)

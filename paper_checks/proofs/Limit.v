@@ -1,10 +1,7 @@
 (** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A, B
     move only by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a
     fixed amount. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
-Local Open Scope R_scope.
 
 (** Archimedes *)
 Lemma nat_above y d : 0 < d -> exists k : nat, y < INR k * d.
@@ -96,18 +93,6 @@ Proof.
   eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|apply rderiv_const]]. ring.
 Qed.
 
-(** the turning frame: cosine *)
-Lemma turn_cos t : rderiv (fun u => cos (om * u)) t (- om * sin (om * t)).
-Proof. apply rderiv_of_derive. auto_derive; auto. ring. Qed.
-(** and sine *)
-Lemma turn_sin t : rderiv (fun u => sin (om * u)) t (om * cos (om * t)).
-Proof. apply rderiv_of_derive. auto_derive; auto. ring. Qed.
-(** they are continuous *)
-Lemma cont_cos : cont (fun u => cos (om * u)).
-Proof. apply cont_of_derive with (fun t => - om * sin (om * t)). intros t; auto_derive; auto. ring. Qed.
-(** both *)
-Lemma cont_sin : cont (fun u => sin (om * u)).
-Proof. apply cont_of_derive with (fun t => om * cos (om * t)). intros t; auto_derive; auto. ring. Qed.
 (** v2 is continuous *)
 Lemma cont_v : cont v2. Proof. exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
 (** the momentum is continuous *)
@@ -118,37 +103,23 @@ Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
 (** the energy is continuous *)
 Lemma cont_En : cont E. Proof. exact (cont_E m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
-(** A is continuous *)
-Lemma cont_A : cont A.
+(** the place in the frame that turns with the pair, from a phase on *)
+Let turned phi t := x t * cos (om * t + phi) - P t / (M * om) * sin (om * t + phi).
+(** it is continuous *)
+Lemma cont_turned phi : cont (turned phi).
 Proof.
-  apply cont_minus; apply cont_mult; auto using cont_cos, cont_sin. { apply (s_cx _ _ _ _ _ _ _ _ _ H). }
-  apply cont_ext with (fun u => / (M * om) * P u). { intros; unfold Rdiv; ring. } apply cont_scal, cont_P.
+  apply cont_minus; apply cont_mult; [apply (s_cx _ _ _ _ _ _ _ _ _ H)| |apply cont_ext with (fun u => / (M * om) * P u)|].
+  2: { intros; unfold Rdiv; ring. } 2: apply cont_scal, cont_P.
+  - apply cont_of_derive with (fun t => - om * sin (om * t + phi)). intros t; auto_derive; auto. ring.
+  - apply cont_of_derive with (fun t => om * cos (om * t + phi)). intros t; auto_derive; auto. ring.
 Qed.
-(** B is continuous *)
-Lemma cont_B : cont B.
+(** and changes only by slip *)
+Lemma turned_rate phi t : 0 <= t -> rderiv (turned phi) t (m2 / M * w t * cos (om * t + phi)).
 Proof.
-  apply cont_plus; apply cont_mult; auto using cont_cos, cont_sin. { apply (s_cx _ _ _ _ _ _ _ _ _ H). }
-  apply cont_ext with (fun u => / (M * om) * P u). { intros; unfold Rdiv; ring. } apply cont_scal, cont_P.
-Qed.
-
-(** A changes only by slip *)
-Lemma A_rate t : 0 <= t -> rderiv A t (m2 / M * w t * cos (om * t)).
-Proof.
-  intros Ht. pose proof (s_x _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (P_rate t Ht) as Q.
-  eapply rderiv_ext with (f := fun u => x u * cos (om * u) - / (M * om) * (P u * sin (om * u))).
-  { intros; unfold A; field. split; lra. }
-  eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_mult; [exact X|apply turn_cos]|apply rderiv_scal,
-    rderiv_mult; [exact Q|apply turn_sin]]].
-  unfold w, P. replace a2 with (M * (om * om)) by (rewrite om_sq; field; lra). unfold M in *. field. split; lra.
-Qed.
-(** B changes only by slip *)
-Lemma B_rate t : 0 <= t -> rderiv B t (m2 / M * w t * sin (om * t)).
-Proof.
-  intros Ht. pose proof (s_x _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (P_rate t Ht) as Q.
-  eapply rderiv_ext with (f := fun u => x u * sin (om * u) + / (M * om) * (P u * cos (om * u))).
-  { intros; unfold B; field. split; lra. }
-  eapply rderiv_eq; [|apply rderiv_plus; [apply rderiv_mult; [exact X|apply turn_sin]|apply rderiv_scal,
-    rderiv_mult; [exact Q|apply turn_cos]]].
+  intros Ht. apply rderiv_ext with (fun u => x u * cos (om * u + phi) - / (M * om) * (P u * sin (om * u + phi))).
+  { intros; unfold turned; field. split; lra. }
+  eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H t Ht)|]|apply rderiv_scal,
+    rderiv_mult; [apply P_rate, Ht|]]; apply rderiv_of_derive; auto_derive; auto; reflexivity].
   unfold w, P. replace a2 with (M * (om * om)) by (rewrite om_sq; field; lra). unfold M in *. field. split; lra.
 Qed.
 
@@ -159,30 +130,32 @@ Proof. intros Ht. eapply rderiv_eq; [|apply (energy_rate m1 m2 0 a2 b Hm1 Hm2 _ 
 Lemma E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
-(** energy pays for every change of A and B *)
-Lemma paid F c r t : 0 <= r <= t -> cont F -> (forall u, 0 <= u -> rderiv F u (m2 / M * w u * c u)) ->
-  (forall u, -1 <= c u <= 1) -> Rabs (F t - F r) <= kap * (E r - E t).
+(** energy pays for every change of it *)
+Lemma paid phi r t : 0 <= r <= t -> Rabs (turned phi t - turned phi r) <= kap * (E r - E t).
 Proof.
-  intros Hr CF RF Hc. pose proof cont_En.
+  intros Hr. pose proof cont_En. set (c := fun u => cos (om * u + phi)).
   assert (Z : forall k u, k = 1 \/ k = -1 -> k * (m2 / M * w u * c u) + kap * (- b * Rabs (w u)) <= 0).
   { intros k u Hk. assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; lra).
     replace (kap * (- b * Rabs (w u))) with (- (m2 / M * Rabs (w u))) by (unfold kap; field; lra).
-    assert (k * (w u * c u) <= Rabs (w u)). { specialize (Hc u).
-      unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
+    assert (k * (w u * c u) <= Rabs (w u)).
+    { pose proof (COS_bound (om * u + phi) : -1 <= c u <= 1). unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
     assert (m2 / M * (k * (w u * c u)) <= m2 / M * Rabs (w u)) by (apply Rmult_le_compat_l; lra). lra. }
-  assert (Q : forall k, k = 1 \/ k = -1 -> k * F t + kap * E t <= k * F r + kap * E r).
-  { intros k Hk. apply (rderiv_mono (fun u => k * F u + kap * E u) r t (fun u => k * (m2 / M * w u * c u) + kap *
+  assert (Q : forall k, k = 1 \/ k = -1 -> k * turned phi t + kap * E t <= k * turned phi r + kap * E r).
+  { intros k Hk. apply (rderiv_mono (fun u => k * turned phi u + kap * E u) r t (fun u => k * (m2 / M * w u * c u) + kap *
     (- b * Rabs (w u)))); auto.
-    - apply cont_plus; apply cont_scal; auto.
-    - intros u Hu. split; auto. apply rderiv_plus; apply rderiv_scal; [apply RF|apply E_rate]; lra. }
+    - apply cont_plus; apply cont_scal; auto using cont_turned.
+    - intros u Hu. split; auto. apply rderiv_plus; apply rderiv_scal; [apply turned_rate|apply E_rate]; lra. }
   pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). apply Rabs_le; lra.
 Qed.
 (** A moves at most kap times the energy lost *)
 Lemma A_paid r t : 0 <= r <= t -> Rabs (A t - A r) <= kap * (E r - E t).
-Proof. intros. apply paid with (fun u => cos (om * u)); auto using cont_A, A_rate, COS_bound. Qed.
+Proof. intros Hr. pose proof (paid 0 r t Hr) as Q. unfold turned in Q. rewrite !Rplus_0_r in Q. exact Q. Qed.
 (** and so does B *)
 Lemma B_paid r t : 0 <= r <= t -> Rabs (B t - B r) <= kap * (E r - E t).
-Proof. intros. apply paid with (fun u => sin (om * u)); auto using cont_B, B_rate, SIN_bound. Qed.
+Proof.
+  intros Hr. assert (Q : forall u, B u = turned (- (PI / 2)) u); [|rewrite !Q; apply paid, Hr].
+  intros u. unfold B, turned. rewrite cos_plus, sin_plus, cos_neg, sin_neg, cos_PI2, sin_PI2. ring.
+Qed.
 
 (** x from A and B *)
 Lemma x_AB t : x t = A t * cos (om * t) + B t * sin (om * t).
@@ -365,14 +338,14 @@ Proof.
     unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. destruct (High tc ltac:(lra)). nra. }
   destruct (polar_soon (A tc) (B tc) R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
   assert (Out : forall u, ts <= u < ts + tau -> LL + g <= x u).
-  { intros u Hu. rewrite x_AB.
-    assert (PA := A_paid tc u ltac:(lra)). assert (PB := B_paid tc u ltac:(lra)).
+  { intros u Hu. pose proof (paid (- (om * u)) tc u ltac:(lra)) as Qu.
+    replace (turned (- (om * u)) u) with (x u) in Qu by (unfold turned; rewrite Rplus_opp_r, cos_0, sin_0; ring).
+    replace (turned (- (om * u)) tc) with (R * cos (om * (u - ts))) in Qu.
+    2: { replace (om * (u - ts)) with (om * u - om * ts) by ring. transitivity (A tc * cos (om * u) + B tc * sin (om * u)).
+      - rewrite <- Cs, <- Ss, cos_minus. ring.
+      - unfold turned, A, B. rewrite cos_plus, sin_plus, cos_neg, sin_neg. ring. }
     destruct (High tc ltac:(lra)) as (_ & K1). destruct (High u ltac:(lra)) as (_ & K2).
     assert (KK : kap * (E tc - E u) <= g / 2). { apply Rle_trans with (kap * d); auto. apply Rmult_le_compat_l; lra. }
-    apply Rabs_inv in PA. apply Rabs_inv in PB.
-    pose proof (COS_bound (om * u)) as Cb. pose proof (SIN_bound (om * u)) as Sb.
-    assert (Main : A tc * cos (om * u) + B tc * sin (om * u) = R * cos (om * (u - ts))).
-    { rewrite <- Cs, <- Ss. replace (om * (u - ts)) with (om * u - om * ts) by ring. rewrite cos_minus. ring. }
     assert (Zu : 0 <= om * (u - ts) <= z).
     { split; [apply Rmult_le_pos; lra|]. replace z with (om * tau) by (rewrite Ez; field; lra).
       apply Rmult_le_compat_l; lra. }
@@ -382,17 +355,7 @@ Proof.
     { replace (zu ^ 2) with (zu * zu) by ring. apply Rle_trans with (zu * 1); [apply Rmult_le_compat_l; lra|lra]. }
     assert (Q : R0 - g <= R * q). { assert (1 - z / 2 <= q) by lra. assert (0 < 1 - z / 2) by lra.
       assert (R0 * (1 - z / 2) <= R * q) by (apply Rmult_le_compat; lra). lra. }
-    assert (DA : Rabs ((A u - A tc) * cos (om * u)) <= g / 2).
-    { rewrite Rabs_mult. assert (Rabs (A u - A tc) <= g / 2) by (apply Rabs_le; lra).
-      assert (Rabs (cos (om * u)) <= 1) by (apply Rabs_le; lra).
-      pose proof (Rabs_pos (A u - A tc)). pose proof (Rabs_pos (cos (om * u))). 
-      apply Rle_trans with (g / 2 * 1); [apply Rmult_le_compat; auto|lra]. }
-    assert (DB : Rabs ((B u - B tc) * sin (om * u)) <= g / 2).
-    { rewrite Rabs_mult. assert (Rabs (B u - B tc) <= g / 2) by (apply Rabs_le; lra).
-      assert (Rabs (sin (om * u)) <= 1) by (apply Rabs_le; lra).
-      pose proof (Rabs_pos (B u - B tc)). pose proof (Rabs_pos (sin (om * u))). 
-      apply Rle_trans with (g / 2 * 1); [apply Rmult_le_compat; auto|lra]. }
-    apply Rabs_inv in DA. apply Rabs_inv in DB. unfold g in *. lra. }
+    apply Rabs_inv in Qu. unfold g in *. lra. }
   pose proof (outside_costs ts tau g ltac:(lra) Htau Hg Out) as Cost. fold e0 in Cost.
   destruct (High ts ltac:(lra)) as (_ & K1). destruct (High (ts + tau) ltac:(lra)) as (_ & K2).
   assert (0 < e0); [|lra]. lra.

@@ -1,10 +1,7 @@
 (** The one numerical inequality behind the merging set: a short slip that ends in S0 stays above E_cr, with the share q
     replaced by the least one at which the slip is short. By interval arithmetic away from p = 0. *)
-From Coq Require Import Reals Lra Psatz.
 From Interval Require Import Tactic.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate Gap.
-Local Open Scope R_scope.
 
 (** in the middle, by interval arithmetic *)
 Lemma margin_mid p : 7 / 10 <= p <= 16 / 10 ->

@@ -1,8 +1,5 @@
 (** The other side: which exits merge at the first landing, for solutions; the threshold of Turning.v. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp Law Cross.
-Local Open Scope R_scope.
 
 Section Merge.
 Variables m1 m2 a2 b : R.

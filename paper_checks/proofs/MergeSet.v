@@ -1,8 +1,5 @@
 (** The half angles with hh <= sqrt r depth: none, or one closed interval around the turning point. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate Turning Orbit.
-Local Open Scope R_scope.
 
 (** h/c is above 1 for short and for long slips *)
 Lemma ratio_short : exists p, 0 < p < PI / 2 /\ 1 <= ratio p.
@@ -77,6 +74,15 @@ Proof.
     + destruct (Req_dec p pu) as [->|]; [lra|]. pose proof (Rises p pu ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
+(** the share of body 2 beside the least ratio, as the critical mass ratio beside that of the masses *)
+Lemma ratio_share p m1 m2 : 0 < p < PI -> K p = 0 -> 0 < m1 -> 0 < m2 ->
+  0 < m2 / (m1 + m2) * ratio p ^ 2 /\
+  m2 / (m1 + m2) - ratio p ^ 2 = (- cos (2 * p) - m1 / m2) * (m2 / (m1 + m2) * ratio p ^ 2).
+Proof.
+  intros Hp Z H1 H2. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. rewrite (ratio_root p Hp Z), cos_2a_sin.
+  split; [|field; lra]. apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; lra|apply Rinv_0_lt_compat; nra].
+Qed.
+
 (** the set of half angles that merge at the first landing, r = m2/(m1+m2): empty, or [pl, pu] around phi* *)
 Theorem merging_angles : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 -> let r :=
   m2 / (m1 + m2) in
@@ -102,28 +108,12 @@ Proof.
       pose proof (pow_lt _ 2 B) as B2. split; intros Q.
     - apply Rmult_le_reg_r in Q; auto. rewrite <- SS in Q. destruct (Rle_dec (ratio p) (sqrt r)); auto. nra.
     - apply Rmult_le_compat_r; [lra|]. rewrite <- SS. apply Rmult_le_compat; lra. }
-  assert (Rs : ratio ps <= sqrt r).
-  { apply (Eq ps Hps). assert (hh ps ^ 2 - r * depth ps ^ 2 <= 0); [|lra]. apply Lo.
-    destruct (Rle_dec (/ (2 * sin ps ^ 2)) r) as [|N]; auto. exfalso.
-      assert (- cos (2 * ps) < m1 / m2) by (apply Iff; auto; fold r; lra). lra. }
+  destruct (ratio_share ps m1 m2 Hps Z H1 H2) as (Pr & Sh). fold r in Pr, Sh.
+  assert (Rs : ratio ps <= sqrt r) by (apply Rnot_lt_le; intros N; nra).
   destruct (ratio_set ps (sqrt r) Hps Le Ri S1 Rs S0) as (pl & pu & A1 & A2 & A3 & A4 & A5 & A6 & A7).
   exists pl, pu. repeat (split; [auto; fail|]).
   split; [rewrite <- A5; apply Eq; lra|]. split; [rewrite <- A6; apply Eq; lra|]. split.
-  - intros Hlt. assert (Rs2 : ratio ps < sqrt r).
-    { destruct (Rle_lt_or_eq_dec _ _ Rs) as [|E]; auto. exfalso.
-      (* equality puts r at 1/(2 sin^2 ps), the threshold *)
-      assert (/ (2 * sin ps ^ 2) < r).
-      { pose proof (sin_gt_0 ps ltac:(lra) ltac:(lra)) as S. pose proof (pow_lt _ 2 S) as S2. rewrite cos_2a_sin in Hlt.
-        assert (Q : m1 < (2 * sin ps ^ 2 - 1) * m2).
-          { apply Rmult_lt_reg_r with (/ m2); [apply Rinv_0_lt_compat; auto|].
-          replace ((2 * sin ps ^ 2 - 1) * m2 * / m2) with (2 * sin ps ^ 2 - 1) by (field; lra).
-            unfold Rdiv in Hlt. lra. }
-        apply Rmult_lt_reg_r with (2 * sin ps ^ 2 * (m1 + m2)); [apply Rmult_lt_0_compat; lra|]. unfold r.
-        replace (/ (2 * sin ps ^ 2) * (2 * sin ps ^ 2 * (m1 + m2))) with (m1 + m2) by (field; lra).
-        replace (m2 / (m1 + m2) * (2 * sin ps ^ 2 * (m1 + m2))) with (2 * sin ps ^ 2 * m2) by (field; lra). lra. }
-      pose proof (Lo (/ (2 * sin ps ^ 2)) ltac:(lra)) as Lq. pose proof (Eq ps Hps) as (_ & Eh). rewrite Eh, E in Lq.
-      replace ((sqrt r * depth ps) ^ 2) with (sqrt r * sqrt r * depth ps ^ 2) in Lq by ring. rewrite SS in Lq.
-      pose proof (pow_lt _ 2 (depth_pos ps Hps)). nra. }
+  - intros Hlt. assert (Rs2 : ratio ps < sqrt r) by (apply Rnot_le_lt; intros N; nra).
     split; [destruct (Req_dec pl ps) as [E|]|destruct (Req_dec pu ps) as [E|]]; try lra; rewrite E in *; lra.
   - intros p Hp. rewrite <- (A7 p Hp). apply Eq; auto.
 Qed.

@@ -1,11 +1,8 @@
 (** Who merges from S0 when it first meets S after it left S0, and who at the first re-entry of S0,
     after any number of crossings: exactly the energies of one and the same closed interval above E_cr,
     whose ends are the two roots of hh = sqrt r depth. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp MergeSet Cross
   Alternation Kappa Return Heavy Equivalence.
-Local Open Scope R_scope.
 
 Section Roots.
 Variable ps : R.
@@ -37,12 +34,9 @@ Qed.
 (** at the critical mass ratio the zero of K is a root *)
 Lemma critical_root m1 m2 : 0 < m1 -> 0 < m2 -> m1 / m2 = - cos (2 * ps) -> ratio ps = sqrt (m2 / (m1 + m2)).
 Proof.
-  intros H1 H2 E. pose proof (sin_gt_0 ps ltac:(lra) ltac:(lra)) as S. pose proof (g_pos ps Hps) as G.
-  assert (Rp : 0 <= ratio ps) by (apply Rlt_le, Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto).
-  rewrite <- (sqrt_pow2 (ratio ps)), (ratio_root ps) by auto. f_equal. rewrite cos_2a_sin in E.
-  assert (E1 : m1 = (2 * sin ps ^ 2 - 1) * m2).
-  { replace m1 with (m1 / m2 * m2) by (field; lra). rewrite E. ring. }
-  rewrite E1. field. split; [nra|lra].
+  intros H1 H2 E. destruct (ratio_share ps m1 m2 Hps Z H1 H2) as (_ & Q). rewrite E in Q.
+  replace (m2 / (m1 + m2)) with (ratio ps ^ 2) by lra. rewrite sqrt_pow2; [auto|].
+  apply Rlt_le, Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto.
 Qed.
 End Roots.
 

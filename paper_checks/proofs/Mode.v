@@ -2,10 +2,7 @@
     sticking needs, the pair sticks if the load is within b, and slips with the load's sign if it is beyond b. The
     force need only be known from t0 on, for a while, and be continuous from the right at t0: a jump at t0 decides
     with its later value. *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Arcs.
-Local Open Scope R_scope.
 
 Section Mode.
 Variables m1 m2 a1 a2 b : R.
@@ -232,16 +229,9 @@ Proof.
     - apply driven; [lra|auto|]. lra.
     - rewrite excess_of_load. unfold excess, y, y', kap, M. field. repeat split; lra. }
   assert (BW : forall t, t0 <= t < T -> big (fun h => -1 * W (t + h) - -1 * W t)).
-  { intros t Ht. pose proof (little_big _ (rate_w t ltac:(lra))) as R.
-    pose proof (big_s m1 m2 a1 a2 b _ _ _ _ _ t H ltac:(lra)) as S.
-    apply big_ext with (fun h => - k * ((w (t + h) - w t - kap * load t * h + b * kap * (s (t + h) - s t)) + kap *
-      load t * h
-      - b * kap * (s (t + h) - s t))); [intros h; unfold W; ring|].
-    apply big_scal. apply (big_minus (fun h => w (t + h) - w t - kap * load t * h + b * kap * (s (t + h) - s t) + kap
-      * load t * h)).
-    - apply (big_plus (fun h => w (t + h) - w t - kap * load t * h + b * kap * (s (t + h) - s t)));
-      [exact R|apply big_scal, big_id].
-    - apply big_scal, S. }
+  { intros t Ht. apply big_ext with (fun h => - k * ((v1 (t + h) - v2 (t + h)) - (v1 t - v2 t)));
+    [intros h; unfold W, w; ring|]. apply big_scal, (moves_gap_big m1 m2 a1 a2 b Hm1 Hm2 1 U x v1 v2 s) with (u t);
+    [apply (forced_moves m1 m2 a1 a2 b), H|lra|apply DU; lra]. }
   set (Phi := fun t => -1 * W t * A t + y t * - B t).
   assert (DPhi : forall t, t0 <= t < T -> dini_le Phi t (- (A t * beyond k t / m1))).
   { intros t Ht. assert (At : 0 <= A t <= 1) by (unfold A; split; nra).

@@ -6,10 +6,7 @@
     the sinusoid minus b times k, where k is its response to the push 1 of that kind: k and its speed change sign over
       half a period. What is left to choose is the phase; v1 = v2 at the turn fixes one part of the response,
       and v1 > v2 afterwards asks at least so much of the other. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Chase Forced ForcedExistence Response Bounded Arcs.
-Local Open Scope R_scope.
 
 (** the impulse of F sin (om t + phi) *)
 Definition wave F om phi t := F / om * (cos phi - cos (om * t + phi)).
@@ -41,26 +38,18 @@ Qed.
 (** what is positive inside an interval is not negative at its ends *)
 Lemma ends_nonneg f p q : cont f -> 0 <= p < q -> (forall t, p < t < q -> 0 < f t) -> 0 <= f p /\ 0 <= f q.
 Proof.
-  intros C Hp P.
-  assert (Near : forall r, 0 <= r -> (forall d, 0 < d -> exists t, p < t < q /\ Rabs (t - r) < d) -> 0 <= f r).
-  { intros r Hr Ex. apply Rnot_lt_le. intros N. destruct (C r Hr (- f r)) as (d & Hd & K); [lra|].
-    destruct (Ex d Hd) as (t & Ht & Dt). specialize (K t ltac:(lra) Dt). specialize (P t Ht). apply Rabs_def2 in K.
-      lra. }
-  split; apply Near; try lra; intros d Hd; pose proof (Rmin_l (d / 2) ((q - p) / 2));
-    pose proof (Rmin_r (d / 2) ((q - p) / 2)); assert (0 < Rmin (d / 2) ((q - p) / 2)) by (apply Rmin_glb_lt; lra).
-  - exists (p + Rmin (d / 2) ((q - p) / 2)). split; [lra|]. apply Rabs_def1; lra.
-  - exists (q - Rmin (d / 2) ((q - p) / 2)). split; [lra|]. apply Rabs_def1; lra.
+  intros C Hp P. split.
+  - apply Rnot_lt_le. intros N. destruct (C p ltac:(lra) (- f p)) as (d & Hd & K); [lra|].
+    set (h := Rmin (d / 2) ((q - p) / 2)). assert (h <= d / 2) by apply Rmin_l. assert (h <= (q - p) / 2) by apply Rmin_r.
+    assert (0 < h) by (apply Rmin_glb_lt; lra). specialize (P (p + h) ltac:(lra)).
+    specialize (K (p + h) ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. lra.
+  - assert (-1 * f q <= 0); [|lra]. apply (cont_le (fun t => -1 * f t) 0 ((p + q) / 2) q); [apply cont_scal, C|lra|].
+    intros t Ht. specialize (P t ltac:(lra)). lra.
 Qed.
 
 (** a right derivative 0: no change *)
 Lemma rderiv_0 f r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u 0) -> f t = f r.
-Proof.
-  intros C Hr D. apply Rle_antisym.
-  - apply (rderiv_mono f r t (fun _ => 0)); auto. intros u Hu. split; [auto|lra].
-  - cut (-1 * f t <= -1 * f r); [lra|]. apply (rderiv_mono (fun u => -1 * f u) r t (fun _ => -1 * 0));
-    auto using cont_scal.
-    intros u Hu. split; [apply rderiv_scal; auto|lra].
-Qed.
+Proof. intros C Hr D. pose proof (rderiv_line f 0 r t C Hr D). lra. Qed.
 
 (** while body 1 is the faster one the impulse of friction grows like time *)
 Lemma slip_clock m1 m2 a1 a2 b U x v1 v2 s p q : forced m1 m2 a1 a2 b U x v1 v2 s -> 0 <= p < q ->
@@ -73,9 +62,8 @@ Proof.
   - apply le_epsilon. intros e He. set (r := Rmin (p + e / 2) t). assert (p < r) by (apply Rmin_glb_lt; lra).
     assert (r <= p + e / 2) by apply Rmin_l. assert (r <= t) by apply Rmin_r.
     pose proof (L p r ltac:(lra)) as B. apply Rabs_inv in B.
-    assert (-1 * s t - -1 * s r <= -1 * (t - r)); [|lra].
-    apply (dini_slope (fun u => -1 * s u)); auto using cont_scal; [lra|]. intros u Hu.
-    apply rderiv_dini with (-1 * 1); [lra|]. apply rderiv_scal, (f_pos _ _ _ _ _ _ _ _ _ _ H); [lra|]. apply P; lra.
+    assert (s t - s r = 1 * (t - r)); [|lra]. apply (forced_slip m1 m2 a1 a2 b _ _ _ _ _ _ _ _ H); auto; [lra|].
+    intros u Hu. specialize (P u ltac:(lra)). lra.
 Qed.
 
 (** a slip forwards begins where the load is at least b *)

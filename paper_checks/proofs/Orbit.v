@@ -1,26 +1,17 @@
 (** From cycle to cycle: the exits of a solution are an orbit of the return map; the cycle time. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Gap.
-Local Open Scope R_scope.
 
-(** it exists, as h goes from 0 to infinity *)
+(** each h > 0 is that of an angle *)
 Lemma half_ex u : 0 < u -> {p | 0 < p < PI /\ hh p = u}.
 Proof.
-  intros Hu. set (F := fun p => p - sin p * cos p - u * sin p ^ 2). set (p0 := Rmin 1 (u / 4)).
+  intros Hu. set (p0 := Rmin 1 (u / 4)). pose proof PI2_1.
   assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= u / 4).
   { unfold p0. repeat split; [apply Rmin_glb_lt; lra|apply Rmin_l|apply Rmin_r]. }
-  pose proof PI2_1.
-  destruct (IVT F p0 PI) as (z & Hz & Z).
-  - intros t. apply derivable_continuous_pt. exists (1 - (cos t * cos t - sin t * sin t) - u * (2 * sin t * cos t)).
-    apply is_derive_Reals. unfold F. auto_derive; auto. ring.
-  - lra.
-  - unfold F. pose proof (sin_half p0 ltac:(lra)) as S. pose proof (A_above p0 ltac:(lra)) as A.
-    assert ((p0 / 2) ^ 2 <= sin p0 ^ 2) by (apply pow_incr; lra). assert (0 < p0 ^ 2) by (apply pow_lt; lra). nra.
-  - unfold F. rewrite sin_PI. nra.
-  - assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI in Z. nra. }
-    exists z. split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S.
-    unfold hh. unfold F in Z. replace (z - sin z * cos z) with (u * sin z ^ 2) by lra. field. lra.
+  destruct (push_ex 0 u p0) as (p & P); [lra| |exists p; rewrite <- push_0; auto]. rewrite push_0.
+  pose proof (sin_half p0 ltac:(lra)) as S. pose proof (A_above p0 ltac:(lra)) as A.
+  assert (0 < p0 ^ 2) by (apply pow_lt; lra). assert (p0 ^ 2 / 4 <= sin p0 ^ 2) by nra.
+  apply Rmult_lt_reg_r with (sin p0 ^ 2); [lra|]. replace (hh p0 * sin p0 ^ 2) with (p0 - sin p0 * cos p0);
+    [nra|unfold hh; field; lra].
 Qed.
 (** the half angle by the push *)
 Definition half u := match Rlt_dec 0 u with left Hu => proj1_sig (half_ex u Hu) | right _ => 1 end.
@@ -250,26 +241,27 @@ Fixpoint tim t0 p n := match n with O => t0 | S n => tim t0 p n + cyc (orb p n) 
 (** the orbit stays among them *)
 Lemma orb_ok p n : ok p -> ok (orb p n).
 Proof. intros Hp. induction n; simpl; auto. apply next_ok; auto. Qed.
-(** a cycle takes no negative time *)
-Lemma cyc_pos p : ok p -> 0 <= cyc p.
+(** a cycle is longer than its slip *)
+Lemma cyc_long p : ok p -> 0 < 2 * p / o1 < cyc p.
 Proof.
-  intros Hp. pose proof (ok_pi _ Hp). assert (0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
-  pose proof (acos_bound 0). destruct (next_ok p Hp) as (Hn & E). pose proof (hh_pos _ (ok_pi _ Hn)) as Hq.
+  intros Hp. pose proof (ok_pi _ Hp). split; [apply Rdiv_lt_0_compat; lra|].
+  destruct (next_ok p Hp) as (Hn & E). pose proof (hh_pos _ (ok_pi _ Hn)) as Hq.
   destruct Hp as (Hp & _). pose proof (depth_two p Hp). pose proof (depth_pos p ltac:(lra)).
-  assert (R1 : 1 <= amp (hh (next p) ^ 2)) by (apply amp_ge; auto; apply pow2_ge_0).
-    set (rho := amp (hh (next p) ^ 2)) in *.
-  unfold cyc. fold rho. apply Rplus_le_le_0_compat; [lra|]. apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto].
+  assert (R1 : 1 <= amp (hh (next p) ^ 2)) by (apply amp_ge; auto; apply pow2_ge_0). unfold cyc.
+  set (rho := amp (hh (next p) ^ 2)) in *.
   assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
     apply Rinv_le_contravar; lra. }
   pose proof (acos_bound (- / rho)). pose proof (acos_bound ((1 - q * depth p) / rho)).
-  assert (Qd : 0 < q * depth p <= 2). { split; [apply Rmult_lt_0_compat; auto|]. nra. }
-  assert (- / rho <= (1 - q * depth p) / rho <= 1) by (unfold Rdiv; split; nra).
-  assert (acos ((1 - q * depth p) / rho) <= acos (- / rho)); [|lra]. apply cos_decr_0; try lra.
-    rewrite !cos_acos by lra. lra.
+  assert (Qd : 0 < q * depth p < 2) by (split; nra).
+  assert (- / rho < (1 - q * depth p) / rho <= 1) by (unfold Rdiv; split; nra).
+  assert (acos ((1 - q * depth p) / rho) < acos (- / rho)).
+  { apply cos_decreasing_0; try lra. rewrite !cos_acos by lra. lra. }
+  apply Rminus_lt_0. replace (_ - _) with ((acos (- / rho) - acos ((1 - q * depth p) / rho)) / om) by ring.
+  apply Rdiv_lt_0_compat; lra.
 Qed.
 (** the exit times do not decrease *)
 Lemma tim_mono t0 p n : ok p -> tim t0 p n <= tim t0 p (S n).
-Proof. intros Hp. simpl. pose proof (cyc_pos _ (orb_ok p n Hp)). lra. Qed.
+Proof. intros Hp. simpl. pose proof (cyc_long _ (orb_ok p n Hp)). lra. Qed.
 (** they are not before the first *)
 Lemma tim_start t0 p n : ok p -> t0 <= tim t0 p n.
 Proof. intros Hp. induction n; [simpl; lra|]. pose proof (tim_mono t0 p n Hp). lra. Qed.

@@ -1,9 +1,6 @@
 (** U** for a pair with more than critical damping, a1^2 > 4 m1 a2: the response of body 1 to the square wave is a sum
   of two exponentials, and the least amplitude of a motion that never stops is the one of `Nonstop.v`. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Forced Nonstop.
-Local Open Scope R_scope.
 
 Section Overdamped.
 Variables m1 m2 a1 a2 b om : R.

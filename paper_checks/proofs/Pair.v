@@ -1,8 +1,6 @@
 (** The friction pair: what a solution is; two solutions never move apart in the energy norm, so they are unique; the
     rate of the energy; and how long a stay off S can last. With damping a1 >= 0 throughout. *)
-From Coq Require Import Reals Lra Psatz.
 From InertialPair Require Import Dini.
-Local Open Scope R_scope.
 
 (** *** What friction and inertia do in a short time *)
 
@@ -187,6 +185,12 @@ Proof.
     field. lra. }
   apply rderiv_eq with (/ m1 * (- (a2 * x t + a1 * v1 t) + u) - 0); [field; lra|].
   apply rderiv_minus; [|apply rderiv_const]. apply rderiv_scal, rderiv_plus; auto. apply (q_v1 _ _ _ _ _ _ H t Ht).
+Qed.
+(** and so it moves by O(h) *)
+Lemma moves_gap_big t u : 0 <= t -> rderiv U t u -> big (fun h => (v1 (t + h) - v2 (t + h)) - (v1 t - v2 t)).
+Proof.
+  intros Ht HU. eapply big_ext; [|exact (big_minus _ _ (rderiv_big _ _ _ (moves_slip t u Ht HU))
+    (big_scal (b * ((m1 + m2) / (m1 * m2))) _ (moves_big t Ht)))]. intros h. cbv beta. ring.
 Qed.
 (** and with it, where its impulse has the right derivative l *)
 Lemma moves_rate t u l : 0 <= t -> rderiv U t u -> rderiv s t l -> rderiv (fun r => v1 r - v2 r) t

@@ -1,8 +1,5 @@
 (** The last sentences of Section III, as theorems: the times of exit and entry, and c1/t <= E - E_cr <= c2/t. *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Dichotomy Slip Cycle Gap Orbit Sharp Law.
-Local Open Scope R_scope.
 
 Section Paper.
 Variables m1 m2 a2 b : R.
@@ -39,10 +36,8 @@ Theorem times : (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
 Proof.
   intros Up. destruct (reaches_ray Up) as (k & t0 & p & Hk & Ht & Hp & HR).
   set (ph := orb m1 m2 p). set (tm := tim m1 m2 a2 t0 p). set (sl := fun n => 2 * ph n / o1 m1 a2).
-  pose proof (o1_pos m1 a2 Hm1 Ha2) as O1.
   assert (Ok : forall n, ok m1 m2 (ph n)) by (intros; apply orb_ok; auto).
-  assert (Sp : forall n, 0 < sl n). { intros n. pose proof (ok_pi m1 m2 _ (Ok n)). unfold sl.
-    apply Rdiv_lt_0_compat; lra. }
+  assert (Sp : forall n, 0 < sl n) by (intros n; apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))).
   assert (T0 : forall n, t0 <= tm n) by (intros; apply tim_start; auto).
   assert (K : forall n, k * (-1) ^ n = 1 \/ k * (-1) ^ n = -1).
   { induction n; simpl; [lra|]. destruct IHn; [right|left]; lra. }
@@ -51,25 +46,7 @@ Proof.
     (forall u, sl n <= u <= cyc m1 m2 a2 (ph n) -> v1 (tm n + u) = v2 (tm n + u) /\ - L <= x (tm n + u) <= L)).
   { intros n. pose proof (exits m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n) as Rn.
     destruct (cycle m1 m2 a2 b Hm1 Hm2 Ha2 Hb (k * (-1) ^ n) x v1 v2 s (tm n) (ph n) (K n) H ltac:(pose proof (T0
-      n); lra) (Ok n) Rn) as (C1 & C2 & C3 & C4).
-    split; [|split; [exact C3|exact C4]].
-    destruct (Req_dec (cyc m1 m2 a2 (ph n)) (sl n)) as [E|E]; [|unfold sl in *; lra]. exfalso.
-    (* a stick of length 0: the landing would be on the opposite ray, but it is at 1 - q c > -1 *)
-    destruct C2 as (X1 & _). rewrite E in X1.
-    assert (Xl : k * (-1) ^ n * x (tm n + sl n) = L * (1 - q * depth (ph n))).
-    { destruct (K n) as [Kn|Kn]; rewrite Kn in *.
-      - destruct (slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s (tm n) (ph n) H ltac:(pose proof (T0 n);
-        lra) (ok_pi m1 m2 _ (Ok n)) Rn) as (_ & S1 & _).
-        unfold sl, L, q. rewrite S1. ring.
-      - apply ray_mirror in Rn. replace (- -1) with 1 in Rn by ring.
-        destruct (slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ (tm n) (ph n) (mirror m1 m2 a2 b _ _ _ _ H) ltac:(pose
-          proof (T0 n); lra) (ok_pi m1 m2 _ (Ok n)) Rn) as (_ & S1 & _).
-        cbv beta in S1. unfold sl, L, q. rewrite <- S1. ring. }
-    pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. fold (tm n) in X1. fold L in X1.
-    pose proof (depth_two _ (proj1 (Ok n))) as D2. pose proof (depth_pos _ (ok_pi m1 m2 _ (Ok n))) as D0.
-    pose proof (qr_one m1 m2 Hm1 Hm2) as QR. pose proof (r_pos m1 m2 Hm1 Hm2) as R0. fold q in QR.
-    assert (q * depth (ph n) < 2) by nra.
-    assert (L * (1 - q * depth (ph n)) = - L) by lra. nra. }
+      n); lra) (Ok n) Rn) as (_ & _ & C). split; [apply (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (Ok n))|exact C]. }
   assert (TS : forall n, tm (S n) = tm n + cyc m1 m2 a2 (ph n)) by reflexivity.
   exists (fun n => tm n + sl n), (fun n => tm (S n)).
   split; [intros n; pose proof (T0 n); pose proof (Sp n); destruct (Cy n); rewrite TS; lra|].

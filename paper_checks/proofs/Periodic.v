@@ -1,10 +1,8 @@
 (** a1 > 0: under a periodic bounded force there is exactly one periodic motion of (x, v1, v2), and every motion tends
     to it. The states of any motion at 0, P, 2P, ... have a cluster point z (bounded), consecutive ones approach each
     other, and the period map does not increase distances: so it fixes z. *)
-From Coq Require Import Reals Lra Lia Psatz ConstructiveEpsilon.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import ConstructiveEpsilon.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs.
-Local Open Scope R_scope.
 
 (** a bounded sequence converges along some phi with n <= phi n *)
 Lemma subseq (u : nat -> R) B : (forall n, Rabs (u n) <= B) -> exists l (phi : nat -> nat), (forall n,

@@ -1,8 +1,5 @@
 (** For all parameters there is a solution that sticks and slips in turn for ever: start on S0 slightly above E_cr. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Excursion Rate Slip Cycle Orbit Sharp Law Paper Existence.
-Local Open Scope R_scope.
 
 (** Entries te and exits tau: it sticks from te n to tau n, and slips from tau n to te (n + 1). *)
 Theorem stick_slip_for_ever m1 m2 a2 b : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> exists x v1 v2 s,

@@ -1,8 +1,6 @@
 (** A friction by pieces in time: the rate of the energy with the friction of the time, and two forces. *)
-From Coq Require Import Reals Lra Psatz List.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import List.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Varying.
-Local Open Scope R_scope.
 
 (** the friction at a time, of the pieces (friction, duration) and the friction b behind the last *)
 Fixpoint friction (pieces : list (R * R)) b t :=

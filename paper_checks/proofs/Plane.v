@@ -1,10 +1,7 @@
 (** The pair on a surface, round friction. A stuck pair runs on an ellipse: it sticks for ever exactly if the semi-major
   axis is at most L, so the energy of the edge lies between E_cr (a line) and 2 E_cr (a circle). The end of a slip is a
       regular event of G = b|s| + Lambda.s. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Inclusion Limit.
-Local Open Scope R_scope.
 
 Section Ellipse.
 Context {Y : ModuleSpace R_AbsRing}.

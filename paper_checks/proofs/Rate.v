@@ -1,8 +1,5 @@
 (** Orbits of the return map y' = h^2 - r c^2: y_n -> 0 and n y_n -> 4/(9 r). *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion.
-Local Open Scope R_scope.
 
 (** h in the half angle *)
 Definition hh p := (p - sin p * cos p) / sin p ^ 2.          (* h in the half angle *)

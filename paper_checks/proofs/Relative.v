@@ -1,8 +1,6 @@
 (** The relative motion of the bodies in a tube of the energy distance: how far the relative velocities differ, and
     that the displacement is not seen. *)
-From Coq Require Import Reals Lra Psatz.
 From InertialPair Require Import Dini Pair Forced Drift.
-Local Open Scope R_scope.
 
 (** N^2 = 2 energy: (v1 - v2)^2 <= kappa N^2, and no smaller factor will do *)
 Theorem ring_factor m1 m2 a2 : 0 < m1 -> 0 < m2 -> 0 < a2 ->

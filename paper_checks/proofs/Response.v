@@ -3,10 +3,7 @@
     dv2 tends to +-c with c^2 = 2 l / m2. If c > 0, the relative velocity of one pair stays c above the other's; each
     time that it crosses 0 both friction forces are at opposite limits for a while, and this costs a fixed part of
     dv2: so it crosses a last time, and then one body 2 is pulled to one side for ever. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced.
-Local Open Scope R_scope.
 
 (** the last time at which a continuous function is not negative *)
 Lemma last_nonneg w r t : cont w -> 0 <= r <= t -> 0 <= w r -> w t < 0 ->
@@ -88,13 +85,57 @@ Proof.
     exfalso. apply No. exists t; split; lra.
 Qed.
 
+(** a bounded motion under a bounded force has a Lipschitz relative velocity *)
+Definition speed B G := / m1 * ((a2 + a1) * B + b + G) + b / m2.
+(** as has body 1, of a constant that is less by what friction gives body 2 *)
+Lemma v1_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
+  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
+  forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= (speed B G - b / m2) * (t - r).
+Proof.
+  intros H LU Bd r t Hr. assert (Im : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
+  set (g := fun u => m1 * v1 u + b * s u - U u). pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as Cs.
+  assert (Lg : Rabs (g t - g r) <= (a2 + a1) * B * (t - r)).
+  { apply (lip_of_rderiv g (fun u => - (a2 * x u + a1 * v1 u))); auto.
+    - unfold g. pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
+      apply cont_minus; auto; apply cont_plus; apply cont_scal; auto.
+    - intros u Hu. split; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); auto|]. destruct (Bd u Hu) as (B1 & B2 & _).
+      rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|]. pose proof (abs_scal a2 _ _ ltac:(lra) B1).
+      pose proof (abs_scal a1 _ _ Ha B2). lra. }
+  pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as L1. pose proof (LU r t Hr) as L2.
+  replace (v1 t - v1 r) with (/ m1 * (g t - g r - b * (s t - s r) + (U t - U r))) by (unfold g; field; lra).
+  replace ((speed B G - b / m2) * (t - r)) with (/ m1 * (((a2 + a1) * B + b + G) * (t - r))) by (unfold speed; ring).
+  apply abs_scal; [lra|]. apply Rabs_inv in Lg. apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le. split; nra.
+Qed.
+(** the relative velocity of a bounded motion is Lipschitz *)
+Lemma w_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
+  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
+  forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= speed B G * (t - r).
+Proof.
+  intros H LU Bd r t Hr. pose proof (v1_lip U x v1 v2 s G B H LU Bd r t Hr) as L1. apply Rabs_inv in L1.
+  pose proof (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr) as L2. apply Rabs_inv in L2. apply Rabs_le. lra.
+Qed.
+
+(** *** Two bounded motions under one bounded force *)
 Section Two.
 Variables U x v1 v2 s x' v1' v2' s' : R -> R.
-Hypotheses (H : forced U x v1 v2 s) (H' : forced U x' v1' v2' s').
+Variables G B : R.
+Hypotheses (H : forced U x v1 v2 s) (H' : forced U x' v1' v2' s') (HG : 0 <= G)
+  (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r))
+  (Bd : forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B)
+  (Bd' : forall t, 0 <= t -> Rabs (x' t) <= B /\ Rabs (v1' t) <= B /\ Rabs (v2' t) <= B).
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 Let y t := x t - x' t.
 Let p t := v1 t - v1' t.
 Let q t := v2 t - v2' t.
+Let K := speed B G.
+
+Let HB : 0 <= B.
+Proof. destruct (Bd 0 (Rle_refl 0)) as (Q & _). pose proof (Rabs_pos (x 0)). lra. Qed.
+Let HK : 0 < K.
+Proof.
+  assert (0 < b / m2) by (apply Rdiv_lt_0_compat; auto). assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
+  assert (0 <= / m1 * ((a2 + a1) * B + b + G)); [|unfold K, speed; lra]. apply Rmult_le_pos; [lra|]. nra.
+Qed.
 
 (** the energy distance does not increase *)
 Lemma D_mono r t : 0 <= r <= t -> D t <= D r.
@@ -103,60 +144,25 @@ Proof. intros Hr. exact (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 Ha Hb _ _ _ _ 
 Lemma D_pos t : 0 <= D t.
 Proof. apply energy_pos; auto. Qed.
 
-(** a common bound for the three differences *)
-Lemma diff_bound : exists C, 0 < C /\ forall t, 0 <= t -> Rabs (y t) <= C /\ Rabs (p t) <= C /\ Rabs (q t) <= C.
+(** dv1 is Lipschitz *)
+Lemma p_lip r t : 0 <= r <= t -> Rabs (p t - p r) <= 2 * K * (t - r).
 Proof.
-  set (k := 2 * D 0 * (/ a2 + / m1 + / m2) + 1). pose proof (D_pos 0).
-  assert (0 < / a2) by (apply Rinv_0_lt_compat; auto). assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
-    assert (0 < / m2) by (apply Rinv_0_lt_compat; auto).
-  assert (Hk : 1 <= k) by (unfold k; nra). exists k. split; [lra|]. intros t Ht.
-  pose proof (D_mono 0 t ltac:(lra)) as Dt. unfold D at 1, energy, Pair.energy in Dt. fold (y t) (p t) (q t) in Dt.
-  pose proof (pow2_ge_0 (y t)). pose proof (pow2_ge_0 (p t)). pose proof (pow2_ge_0 (q t)).
-  assert (B : forall m z, 0 < m -> m * z ^ 2 <= 2 * D 0 -> / m <= / a2 + / m1 + / m2 -> Rabs z <= k).
-  { intros m z Hm Q I. assert (Im : 0 < / m) by (apply Rinv_0_lt_compat; auto). apply Rabs_le, sq_le_abs; [lra|].
-    assert (z ^ 2 <= k); [|nra]. replace (z ^ 2) with (/ m * (m * z ^ 2)) by (field; lra).
-    apply Rle_trans with (/ m * (2 * D 0)); [apply Rmult_le_compat_l; lra|]. unfold k. nra. }
-  split; [|split]; [apply (B a2)|apply (B m1)|apply (B m2)]; auto; nra.
-Qed.
-
-(** dv1 is Lipschitz: the impulse of the force cancels *)
-Lemma p_lip : exists K, 0 < K /\ forall r t, 0 <= r <= t -> Rabs (p t - p r) <= K * (t - r).
-Proof.
-  destruct diff_bound as (C & HC & B). exists (/ m1 * ((a2 + a1) * C + 2 * b)).
-    assert (Im : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
-  split; [apply Rmult_lt_0_compat; nra|]. intros r t Hr.
-  set (g := fun u => (m1 * v1 u + b * s u - U u) - (m1 * v1' u + b * s' u - U u)).
-  pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as Cs. pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H') as Cs'.
-  assert (Lg : Rabs (g t - g r) <= (a2 + a1) * C * (t - r)).
-  { apply (lip_of_rderiv g (fun u => - (a2 * x u + a1 * v1 u) - - (a2 * x' u + a1 * v1' u))); auto.
-    - unfold g. pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
-      pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H').
-      apply cont_minus; apply cont_minus; auto; apply cont_plus; apply cont_scal; auto.
-    - intros u Hu. split; [apply rderiv_minus;
-      [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H)|apply (f_v1 _ _ _ _ _ _ _ _ _ _ H')]; auto|].
-      destruct (B u Hu) as (B1 & B2 & _).
-      replace (- (a2 * x u + a1 * v1 u) - - (a2 * x' u + a1 * v1' u)) with (- (a2 * y u + a1 * p u)) by (unfold y,
-        p; ring).
-      rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|]. pose proof (abs_scal a2 _ _ ltac:(lra) B1).
-        pose proof (abs_scal a1 _ _ Ha B2). lra. }
-  pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as L1. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H' r t Hr) as L2.
-  replace (p t - p r) with (/ m1 * (g t - g r - b * ((s t - s r) - (s' t - s' r)))) by (unfold p, g; field; lra).
-  replace (/ m1 * ((a2 + a1) * C + 2 * b) * (t - r)) with (/ m1 * ((a2 + a1) * C * (t - r) + b * (2 * (t - r))))
-    by ring.
-  apply abs_scal; [lra|]. apply Rabs_inv in Lg. apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le. split; nra.
+  intros Hr. pose proof (v1_lip _ _ _ _ _ G B H LU Bd r t Hr) as L. pose proof (v1_lip _ _ _ _ _ G B H' LU Bd' r t Hr) as L'.
+  assert (0 <= b / m2 * (t - r)) by (apply Rmult_le_pos; [apply Rlt_le, Rdiv_lt_0_compat|]; lra).
+  apply Rabs_inv in L. apply Rabs_inv in L'. apply Rabs_le. unfold p, K. lra.
 Qed.
 
 (** D pays for dv1^2 *)
 Lemma D_pays r t g : 0 <= r <= t -> 0 <= g -> (forall u, r <= u < t -> g <= p u ^ 2) ->
   D t - D r <= - (a1 * g) * (t - r).
 Proof.
-  intros Hr Hg G. apply dini_slope; auto. { exact (forced_cont_D m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
+  intros Hr Hg Gp. apply dini_slope; auto. { exact (forced_cont_D m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
   intros u Hu e He.
   assert (Z : rderiv (fun r => U r - U r) u 0) by (apply rderiv_ext with (fun _ => 0); [intros;
     ring|apply rderiv_const]).
-  destruct (forced_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & K).
-  exists d; split; auto. intros h Hh. specialize (K h Hh).
-  change (D (u + h) - D u <= (0 * p u - a1 * p u ^ 2 + e) * h) in K. specialize (G u Hu).
+  destruct (forced_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & Q).
+  exists d; split; auto. intros h Hh. specialize (Q h Hh).
+  change (D (u + h) - D u <= (0 * p u - a1 * p u ^ 2 + e) * h) in Q. specialize (Gp u Hu).
   assert (a1 * g * h <= a1 * p u ^ 2 * h) by (apply Rmult_le_compat_r; [lra|apply Rmult_le_compat_l; lra]).
   lra.
 Qed.
@@ -164,15 +170,16 @@ Qed.
 (** dv1 -> 0 *)
 Lemma p_to_0 e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (p t) <= e.
 Proof.
-  intros He. destruct p_lip as (K & HK & L). destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & _ & Low & Lim).
-  set (g := e / (2 * K)). assert (Hg : 0 < g) by (apply Rdiv_lt_0_compat; lra).
+  intros He. destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & _ & Low & Lim).
+  set (g := e / (2 * (2 * K))). assert (Hg : 0 < g) by (apply Rdiv_lt_0_compat; lra).
   set (cost := a1 * (e / 2) ^ 2 * g). assert (Hcost : 0 < cost) by (unfold cost; apply Rmult_lt_0_compat;
     [apply Rmult_lt_0_compat; nra|auto]).
   destruct (Lim (cost / 2)) as (T & HT & Up); [lra|]. exists T; split; auto. intros t Ht.
   destruct (Rle_dec (Rabs (p t)) e) as [|N]; auto. exfalso.
   assert (Q : D (t + g) - D t <= - (a1 * (e / 2) ^ 2) * (t + g - t)).
-  { apply D_pays; [lra|apply pow2_ge_0|]. intros u Hu. pose proof (L t u ltac:(lra)) as Lu.
-    assert (K * (u - t) <= K * g) by (apply Rmult_le_compat_l; lra). assert (K * g = e / 2) by (unfold g; field; lra).
+  { apply D_pays; [lra|apply pow2_ge_0|]. intros u Hu. pose proof (p_lip t u ltac:(lra)) as Lu.
+    assert (2 * K * (u - t) <= 2 * K * g) by (apply Rmult_le_compat_l; lra).
+    assert (2 * K * g = e / 2) by (unfold g; field; lra).
     apply Rabs_inv in Lu. unfold Rabs in N. destruct (Rcase_abs (p t)); nra. }
   pose proof (Low (t + g) ltac:(lra)). specialize (Up t Ht). replace (t + g - t) with g in Q by ring.
     unfold cost in *. lra.
@@ -181,8 +188,7 @@ Qed.
 (** dx -> 0: else the momentum m1 dv1 + m2 dv2 would leave every bound *)
 Lemma y_to_0 e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (y t) <= e.
 Proof.
-  intros He. destruct diff_bound as (C & HC & B). set (CP := (m1 + m2) * C).
-    assert (HCP : 0 < CP) by (apply Rmult_lt_0_compat; lra).
+  intros He. set (CP := (m1 + m2) * (2 * B + 1)). assert (HCP : 0 < CP) by (apply Rmult_lt_0_compat; lra).
   set (P := fun u => m1 * p u + m2 * q u).
   set (L := 8 * CP / (a2 * e)). assert (Hae : 0 < a2 * e) by nra. assert (HL : 0 < L) by (apply Rdiv_lt_0_compat; lra).
   set (n := a2 * e / (2 * (a2 * L + a1))). assert (Hn : 0 < n) by (apply Rdiv_lt_0_compat; nra).
@@ -206,8 +212,8 @@ Proof.
   assert (Ry : forall u, 0 <= u -> rderiv y u (p u)).
   { intros u Hu. apply rderiv_minus; [apply (f_x _ _ _ _ _ _ _ _ _ _ H)|apply (f_x _ _ _ _ _ _ _ _ _ _ H')]; auto. }
   assert (PB : forall u, 0 <= u -> - CP <= P u <= CP).
-  { intros u Hu. destruct (B u Hu) as (_ & B1 & B2). apply Rabs_inv in B1. apply Rabs_inv in B2. unfold P, CP.
-    split; nra. }
+  { intros u Hu. destruct (Bd u Hu) as (_ & B1 & B2), (Bd' u Hu) as (_ & B1' & B2'). unfold P, p, q, CP.
+    apply Rabs_inv in B1. apply Rabs_inv in B2. apply Rabs_inv in B1'. apply Rabs_inv in B2'. split; nra. }
   assert (Key : forall k, k = 1 \/ k = -1 -> k * y t <= e).
   { intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
     assert (Yu : forall u, t <= u <= t + L -> e - n * L <= k * y u).
@@ -226,53 +232,17 @@ Proof.
     pose proof (PB t ltac:(lra)). pose proof (PB (t + L) ltac:(lra)). destruct Hk; subst k; lra. }
   pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). apply Rabs_le; lra.
 Qed.
-End Two.
-
-(** a bounded motion under a bounded force has a Lipschitz relative velocity *)
-Definition speed B G := / m1 * ((a2 + a1) * B + b + G) + b / m2.
-(** the relative velocity of a bounded motion is Lipschitz *)
-Lemma w_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
-  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
-  forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= speed B G * (t - r).
-Proof.
-  intros H LU Bd r t Hr. assert (Im : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
-  set (g := fun u => m1 * v1 u + b * s u - U u). pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as Cs.
-  assert (Lg : Rabs (g t - g r) <= (a2 + a1) * B * (t - r)).
-  { apply (lip_of_rderiv g (fun u => - (a2 * x u + a1 * v1 u))); auto.
-    - unfold g. pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
-      apply cont_minus; auto; apply cont_plus; apply cont_scal; auto.
-    - intros u Hu. split; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); auto|]. destruct (Bd u Hu) as (B1 & B2 & _).
-      rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|]. pose proof (abs_scal a2 _ _ ltac:(lra) B1).
-        pose proof (abs_scal a1 _ _ Ha B2). lra. }
-  pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as L1. pose proof (LU r t Hr) as L2.
-    pose proof (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr) as L3.
-  assert (L4 : Rabs (v1 t - v1 r) <= / m1 * (((a2 + a1) * B + b + G) * (t - r))).
-  { replace (v1 t - v1 r) with (/ m1 * (g t - g r - b * (s t - s r) + (U t - U r))) by (unfold g; field; lra).
-    apply abs_scal; [lra|]. apply Rabs_inv in Lg. apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le.
-      split; nra. }
-  apply Rabs_inv in L3. apply Rabs_inv in L4. unfold speed. apply Rabs_le. lra.
-Qed.
 
 (** the distance of two bounded solutions tends to 0 *)
-Theorem approach_bounded U x v1 v2 s x' v1' v2' s' G B : forced U x v1 v2 s -> forced U x' v1' v2' s' ->
-  0 <= G -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
-  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
-  (forall t, 0 <= t -> Rabs (x' t) <= B /\ Rabs (v1' t) <= B /\ Rabs (v2' t) <= B) ->
-  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
+Theorem approach_bounded e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+  energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
 Proof.
-  intros H H' HG LU Bd Bd' e He.
-  destruct (dec_limit _ (D_mono _ _ _ _ _ _ _ _ _ H H') (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)) as (l &
-    Hl & Low & Lim).
+  intros He. destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & Hl & Low & Lim).
   destruct (Req_dec l 0) as [L0|L0]. { destruct (Lim e He) as (T & HT & Q). exists T; split; auto. intros t Ht.
-    specialize (Q t Ht). unfold energy in *. lra. }
+    specialize (Q t Ht). unfold D in Q. lra. }
   exfalso. set (c := sqrt (2 * l / m2)). assert (Hq : 0 < 2 * l / m2) by (apply Rdiv_lt_0_compat; lra).
   assert (Hc : 0 < c) by (apply sqrt_lt_R0; auto).
     assert (Ec : m2 * (c * c) = 2 * l) by (unfold c; rewrite sqrt_sqrt by lra; field; lra).
-  assert (HB : 0 <= B). { destruct (Bd 0 ltac:(lra)) as (Q & _). pose proof (Rabs_pos (x 0)). lra. }
-  set (K := speed B G). assert (HK : 0 < K).
-  { unfold K, speed. assert (0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-    assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
-    assert (0 <= / m1 * ((a2 + a1) * B + b + G)); [|lra]. apply Rmult_le_pos; [lra|]. nra. }
   assert (Hcost : 0 < b / m2 * (c / (8 * K))) by (apply Rmult_lt_0_compat; apply Rdiv_lt_0_compat; lra).
   set (d := Rmin (c / 4) (b / m2 * (c / (8 * K)) / 2)).
   assert (d1 : d <= c / 4) by apply Rmin_l. assert (d2 : d <= b / m2 * (c / (8 * K)) / 2) by apply Rmin_r.
@@ -282,20 +252,20 @@ Proof.
   set (g := m2 * (c * d) / 2).
   assert (Ey : 0 < g / a2) by (apply Rdiv_lt_0_compat; unfold g; lra).
     assert (Ep : 0 < g / m1) by (apply Rdiv_lt_0_compat; unfold g; lra).
-  destruct (y_to_0 _ _ _ _ _ _ _ _ _ H H' (sqrt (g / a2))) as (T1 & HT1 & Y); [apply sqrt_lt_R0; auto|].
-  destruct (p_to_0 _ _ _ _ _ _ _ _ _ H H' (sqrt (g / m1))) as (T2 & HT2 & P); [apply sqrt_lt_R0; auto|].
-  destruct (p_to_0 _ _ _ _ _ _ _ _ _ H H' (c / 4)) as (T3 & HT3 & P'); [lra|].
+  destruct (y_to_0 (sqrt (g / a2))) as (T1 & HT1 & Y); [apply sqrt_lt_R0; auto|].
+  destruct (p_to_0 (sqrt (g / m1))) as (T2 & HT2 & P); [apply sqrt_lt_R0; auto|].
+  destruct (p_to_0 (c / 4)) as (T3 & HT3 & P'); [lra|].
   destruct (Lim g) as (T4 & HT4 & Up); [unfold g; lra|].
   set (T := T1 + T2 + T3 + T4). assert (HT : 0 <= T) by (unfold T; lra).
   assert (Q : forall t, T <= t -> - (c * d) <= (v2 t - v2' t) ^ 2 - c * c <= c * d).
   { intros t Ht. specialize (Y t ltac:(unfold T in *; lra)). specialize (P t ltac:(unfold T in *; lra)).
     specialize (Up t ltac:(unfold T in *; lra)).
-    specialize (Low t ltac:(lra)). unfold energy, Pair.energy in Up, Low.
+    specialize (Low t ltac:(lra)). unfold D, energy, Pair.energy in Up, Low.
     assert (SqB : forall m z, 0 < m -> 0 < g / m -> Rabs z <= sqrt (g / m) -> 0 <= m * z ^ 2 <= g).
     { intros m z Hm Hgm Hz. split; [apply Rmult_le_pos; [lra|apply pow2_ge_0]|].
       replace g with (m * (sqrt (g / m) * sqrt (g / m))) by (rewrite sqrt_sqrt by lra; field; lra).
       apply Rmult_le_compat_l; [lra|]. apply Rabs_inv in Hz. nra. }
-    pose proof (SqB a2 _ Ha2 Ey Y). pose proof (SqB m1 _ Hm1 Ep P). set (z := (v2 t - v2' t) ^ 2) in *.
+    pose proof (SqB a2 _ Ha2 Ey Y) as S1. pose proof (SqB m1 _ Hm1 Ep P) as S2. unfold y in S1. unfold p in S2. set (z := (v2 t - v2' t) ^ 2) in *.
     split; apply Rmult_le_reg_l with m2; auto; unfold g in *; lra. }
   assert (Near : forall z, 0 < z -> - (c * d) <= z ^ 2 - c * c <= c * d ->
     c - d <= z <= c + d) by (intros z Hz Hzz; split; [destruct (Rle_dec (c - d) z); auto; exfalso;
@@ -323,4 +293,5 @@ Proof.
       apply Near; [pose proof (NZ T ltac:(lra)); specialize (Sign t Ht); nra|].
       specialize (Q t Ht). replace ((v2' t - v2 t) ^ 2) with ((v2 t - v2' t) ^ 2) by ring. auto.
 Qed.
+End Two.
 End Response.

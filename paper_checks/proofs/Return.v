@@ -2,11 +2,7 @@
 
     Each slip that crosses S0 moves body 1 by more than 2 L, so it lasts some time, so its depth is not small,
       so it costs a fixed amount of energy. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Gap Alternate
-  Cross.
-Local Open Scope R_scope.
+From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Slip Cycle Gap Orbit Sharp Alternate.
 
 (** t1 is the next contact after t0; t is the first contact in [-l, l] after t0, all earlier ones being crossings *)
 Definition contact_after (v1 v2 : R -> R) t0 t1 := t0 < t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\ v1 t1 = v2 t1.
@@ -86,12 +82,8 @@ Proof.
       assert (0 <= m2 * v2 w ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]). lra. }
     assert (VV : V * V = 2 * e / m1). { apply sqrt_sqrt. pose proof (pow2_ge_0 (v1 w)). lra. }
     pose proof (sqrt_pos (2 * e / m1)) as V0. fold V in V0. split; nra. }
-  pose proof (s_cx _ _ _ _ _ _ _ _ _ H) as CX. apply Rabs_le. split.
-  - assert (Q := dini_slope (fun w => -1 * x w) V t u (cont_scal _ _ CX) Ht). cbv beta in Q.
-    cut (-1 * x u - -1 * x t <= V * (u - t)); [lra|]. apply Q. intros w Hw.
-    eapply rderiv_dini; [|apply rderiv_scal, (s_x _ _ _ _ _ _ _ _ _ H w ltac:(lra))]. pose proof (Vb w ltac:(lra)). lra.
-  - apply (dini_slope x V t u CX Ht). intros w Hw.
-    eapply rderiv_dini; [|apply (s_x _ _ _ _ _ _ _ _ _ H w ltac:(lra))]. apply (Vb w); lra.
+  apply (lip_between x v1 V t u (s_cx _ _ _ _ _ _ _ _ _ H) Ht). intros w Hw.
+  split; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply Vb]; lra.
 Qed.
 
 (** so a slip that crosses has a half angle of at least this *)

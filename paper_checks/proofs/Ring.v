@@ -1,9 +1,6 @@
 (** The tolerance ring under a force: the energy distance of two motions never grows, so a tube around one of them has
     one entry time for the other and is never left; in it the relative velocities differ by a bounded amount. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded.
-Local Open Scope R_scope.
+From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Relative.
 
 (** a continuous function that never grows and comes down to e: from one time on it is there, and before it is not *)
 Lemma one_entry f e r : cont f -> (forall p q, 0 <= p <= q -> f q <= f p) -> 0 <= r -> f r <= e ->
@@ -24,16 +21,10 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 <
 (** the relative velocity is seen by the energy: (p - q)^2 <= kappa (m1 p^2 + m2 q^2), kappa = M/(m1 m2) *)
 Lemma relative x p q e : energy m1 m2 a2 x p q <= e -> Rabs (p - q) <= sqrt (2 * ((m1 + m2) / (m1 * m2)) * e).
 Proof.
-  intros E. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. unfold energy in E. pose proof (pow2_ge_0 x).
+  intros E. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr.
+  pose proof (proj1 (ring_factor m1 m2 a2 Hm1 Hm2 Ha2) x p q) as Q.
   assert (Hk : 0 < (m1 + m2) / (m1 * m2)) by (apply Rdiv_lt_0_compat; nra).
-  apply Rle_trans with ((m1 + m2) / (m1 * m2) * (m1 * p ^ 2 + m2 * q ^ 2)).
-  - apply Rmult_le_reg_r with (m1 * m2); [nra|].
-    replace ((m1 + m2) / (m1 * m2) * (m1 * p ^ 2 + m2 * q ^ 2) * (m1 * m2)) with ((p - q) * (p - q) * (m1 * m2) + (m1
-      * p + m2 * q) ^ 2) by (field; lra).
-    pose proof (pow2_ge_0 (m1 * p + m2 * q)). lra.
-  - replace (2 * ((m1 + m2) / (m1 * m2)) * e) with ((m1 + m2) / (m1 * m2) * (2 * e)) by ring. apply Rmult_le_compat_l;
-    [lra|].
-    assert (0 <= a2 * x ^ 2) by nra. lra.
+  apply (Rmult_le_compat_l ((m1 + m2) / (m1 * m2))) in E; lra.
 Qed.
 
 (** with damping, under a bounded force: every tube around a motion is entered by every other one at one time and for

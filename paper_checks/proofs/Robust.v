@@ -2,9 +2,7 @@
     stick while the load is below bs has a bounded number of slips, and sticks for ever from some time on. Between bk
       and
     bs such motions are not unique in general (a stick might be left at any time); these are those that keep it. *)
-From Coq Require Import Reals Lra Lia Psatz.
 From InertialPair Require Import Dini Pair Stick Forced Response Bounded Limit.
-Local Open Scope R_scope.
 
 Section Robust.
 Variables m1 m2 a1 a2 bs bk : R.
@@ -26,6 +24,21 @@ Record two_frictions (x v1 v2 s : R -> R) : Prop := {
   j_x : forall t, 0 <= t -> rderiv x t (v1 t);
   j_v1 : forall t, 0 <= t -> rderiv (fun u => m1 * v1 u + bk * s u) t (- (a2 * x t + a1 * v1 t));
   j_v2 : forall t, 0 <= t -> m2 * v2 t - bk * s t = m2 * v2 0 - bk * s 0 }.
+
+(** it moves as any motion with the friction bk, but its impulse may be faster *)
+Lemma two_frictions_moves x v1 v2 s :
+  two_frictions x v1 v2 s <-> moves m1 m2 a1 a2 bk (bs / bk) (fun _ => 0) x v1 v2 s.
+Proof.
+  assert (Q : forall p y, bk * p <= bs * y <-> p <= bs / bk * y).
+  { intros p y. replace (bs * y) with (bk * (bs / bk * y)) by (field; lra).
+    split; [apply Rmult_le_reg_l; auto|apply Rmult_le_compat_l; lra]. }
+  split; [intros [L P N CX CV X V W]|intros [L P CX CV X V W]]; constructor; auto using opposes_both;
+    try (intros; apply Q; auto; fail).
+  - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + bk * s r); [intros; ring|auto].
+  - intros t Ht Hv. apply (P t Ht 1); auto; lra.
+  - intros t Ht Hv. apply (P t Ht (-1)); auto; lra.
+  - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + bk * s r - 0); [intros; ring|auto].
+Qed.
 
 (** and a stick is kept while its load is below bs *)
 Record jumping (x v1 v2 s : R -> R) : Prop := {
@@ -54,14 +67,9 @@ Let e0 := least_loss (E 0).
 Let Mp : 0 < M. Proof. unfold M; lra. Qed.
 Let Kp : 0 < kap. Proof. unfold kap. apply Rdiv_lt_0_compat; nra. Qed.
 
-(** it moves as any motion with the friction bk, but its impulse may be faster *)
+(** what is known of all motions *)
 Lemma jumping_moves : moves m1 m2 a1 a2 bk (bs / bk) (fun _ => 0) x v1 v2 s.
-Proof.
-  destruct H as [[L P N CX CV X V W] _]. constructor; auto using opposes_both.
-  - intros r t Hr. apply Rmult_le_reg_l with bk; auto. replace (bk * (bs / bk * (t - r))) with (bs * (t - r)) by
-    (field; lra). auto.
-  - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + bk * s r); [intros; ring|auto].
-Qed.
+Proof. apply two_frictions_moves, H. Qed.
 Let Cs : cont s. Proof. exact (moves_cs _ _ _ _ _ _ _ _ _ _ _ jumping_moves). Qed.
 Let Cw : cont w.
 Proof. apply cont_minus; [apply (j_cv _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ jumping_moves)]. Qed.
@@ -191,18 +199,10 @@ Proof.
   assert (Q : E (c + h0) + bk * g / 2 * (c + h0 - p) ^ 2 <= E p + bk * g / 2 * (p - p) ^ 2).
   { apply (rderiv_mono (fun t => E t + bk * g / 2 * (t - p) ^ 2) p (c + h0)
       (fun u => (- bk * Rabs (w u) - a1 * v1 u ^ 2) + bk * g * (u - p))); [| lra|].
-    - apply cont_plus; [apply CE|]. apply cont_scal.
-      apply cont_ext with (fun u => (u - p) * (u - p)); [intros; ring|].
-      assert (Ci : cont (fun u => u - p)) by (apply (lip_cont _ 1); [lra|]; intros r t Hr;
-        replace (t - p - (r - p)) with (t - r) by ring; rewrite Rabs_pos_eq; lra). apply cont_mult; auto.
+    - apply cont_plus; [apply CE|]. apply cont_of_derive with (fun u => bk * g * (u - p)).
+      intros u. auto_derive; auto. field.
     - intros u Hu. split.
-      + apply rderiv_plus; [apply jumping_energy_rate; lra|].
-        intros e He. exists (e / (bk * g / 2)); split; [apply Rdiv_lt_0_compat; nra|]. intros h Hh.
-        replace (bk * g / 2 * (u + h - p) ^ 2 - bk * g / 2 * (u - p) ^ 2 - bk * g * (u - p) * h) with
-          (bk * g / 2 * h * h) by field.
-        rewrite Rabs_pos_eq by (assert (0 <= bk * g / 2) by nra; nra). apply Rmult_le_compat_r; [lra|].
-        apply Rmult_le_reg_r with (/ (bk * g / 2)); [apply Rinv_0_lt_compat; nra|].
-        replace (bk * g / 2 * h * / (bk * g / 2)) with h by (field; nra). unfold Rdiv at 1 in Hh. lra.
+      + apply rderiv_plus; [apply jumping_energy_rate; lra|]. apply rderiv_of_derive. auto_derive; auto. field.
       + pose proof (gains p u ltac:(lra) ltac:(lra) Wp) as Gu. fold g in Gu. pose proof (pow2_ge_0 (v1 u)).
         assert (k * w u <= Rabs (w u)). { pose proof (Rle_abs (w u)). pose proof (Rle_abs (- w u)) as R2.
           rewrite Rabs_Ropp in R2. destruct Hk'; subst k; lra. } nra. }

@@ -1,9 +1,6 @@
 (** The pair in the plane under a rotating force, round friction: while U <= U* it moves on a circle, stuck; above, body
   2 slips at a constant speed given by a quadratic. So there is no regime of sticking and slipping in turn: U** = U*. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Limit.
-Local Open Scope R_scope.
+From InertialPair Require Import Dini Limit.
 
 Section Rotating.
 Variables m1 m2 a1 a2 b om : R.

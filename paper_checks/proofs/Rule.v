@@ -1,10 +1,7 @@
 (** The rest of the rule of modes: how slip and stick move under the load; the tie in which every derivative is 0;
     jumps of the force. *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Entrain Mode
   Analytic Before.
-Local Open Scope R_scope.
 
 (** the derivatives of an analytic function are those of its series *)
 Lemma derivatives f t : analytic_at f t -> exists (P : nat -> R -> R) d C K, 0 < d /\ 0 < C /\ 0 < K /\

@@ -1,8 +1,5 @@
 (** From one exit on: E > E_cr for ever, the exits obey the return map, and t (E - E_cr) tends to the sharp constant. *)
-From Coq Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit.
-Local Open Scope R_scope.
 
 (** the inverse of a root *)
 Lemma root_inv M a : 0 < M -> 0 < a -> / sqrt (a / M) = sqrt (M / a).

@@ -1,9 +1,6 @@
 (** A solution runs along any smooth arc that obeys the law of friction, as under a force ([follow_arc]); and the mirror
     image of a solution is one. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs.
-Local Open Scope R_scope.
 
 Section Arc.
 Variables m1 m2 a2 b : R.

@@ -1,10 +1,7 @@
 (** Contacts and stuck motions (a1 = 0 from the second section on): every solution meets S in bounded time; the
     ellipses on S up to E_cr are solutions; on S at such a level a solution moves along its ellipse for ever, and the
     energy distance to it never grows. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair.
-Local Open Scope R_scope.
 
 (** a derivative is a right derivative *)
 Lemma rderiv_of_derive f t l : is_derive f t l -> rderiv f t l.
@@ -130,14 +127,8 @@ Proof.
     assert (k * (b * (m1 + m2) / (a2 * m2)) = 1) by (unfold k; field; lra).
     replace (m2 / b * (- (a2 / (m1 + m2)) * X x0 v0 t)) with (- (k * X x0 v0 t)) by (unfold k; ring). nra. }
   constructor; auto.
-  - intros r t Hr. apply Rabs_le. split.
-    + assert (Q := dini_slope (fun t => -1 * (m2 / b * V x0 v0 t)) 1 r t (cont_scal _ _ (cont_scal _ _ CV)) Hr).
-      simpl in Q.
-      cut (-1 * (m2 / b * V x0 v0 t) - -1 * (m2 / b * V x0 v0 r) <= 1 * (t - r)); [lra|]. apply Q. intros u _.
-      eapply rderiv_dini; [|apply rderiv_scal, RS]. specialize (Sl u); lra.
-    + assert (Q := dini_slope (fun t => (m2 / b * V x0 v0 t)) 1 r t (cont_scal _ _ CV) Hr). simpl in Q.
-      cut ((m2 / b * V x0 v0 t) - (m2 / b * V x0 v0 r) <= 1 * (t - r)); [lra|]. apply Q. intros u _.
-      eapply rderiv_dini; [|apply RS]. specialize (Sl u); lra.
+  - intros r t Hr. rewrite <- (Rmult_1_l (t - r)).
+    eapply (lip_between (fun t => m2 / b * V x0 v0 t)); [apply cont_scal, CV|auto|]. intros u _. split; [apply RS|apply Sl].
   - intros; lra.
   - intros; lra.
   - intros; apply rderiv_of_derive, derive_X.

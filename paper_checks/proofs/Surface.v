@@ -4,10 +4,7 @@
       otherwise
     it slips at once, into the half-space of the transversality conditions. The ellipses on S up to E_cr are the only
     motions on S that last for ever. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit Sharp Law Gap Cross Return.
-Local Open Scope R_scope.
 
 Section Surface.
 Variables m1 m2 a2 b : R.

@@ -1,10 +1,8 @@
 (** The paper's equations (3), (4) without a control, which switch between the two modes by three-valued signs:
     absolutely continuous functions obey them at almost all times exactly if they are a solution in Filippov's sense.
     Isolated times, such as the simple zeros of a function, are a null set. *)
-From Coq Require Import Reals Lra Psatz Cantor.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import Cantor.
 From InertialPair Require Import Dini Pair Almost Filippov.
-Local Open Scope R_scope.
 
 (** *** Null sets *)
 (** of two one *)

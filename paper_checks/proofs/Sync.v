@@ -1,10 +1,7 @@
 (** Capture under a force: once the friction that sticking needs stays below b by a margin, the pair sticks after a
     bounded time and for ever. Then: a1 > 0, F < F*: every motion under F sin (om t) sticks for ever and tends to the
     response. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced Limit Entrain Response Bounded.
-Local Open Scope R_scope.
 
 Section Catch.
 Variables m1 m2 a1 a2 b : R.
@@ -76,15 +73,6 @@ Lemma Z_pos : 0 < Z m1 m2 a1 a2 om.
 Proof. unfold Z. assert (0 < a1 * om) by (apply Rmult_lt_0_compat; auto).
   pose proof (pow2_ge_0 (a2 - (m1 + m2) * om ^ 2)). assert (0 < (a1 * om) ^ 2) by nra. lra. Qed.
 
-(** the impulse of a force up to F is F-Lipschitz *)
-Lemma drive_lip r t : 0 <= r <= t -> Rabs (drive F om t - drive F om r) <= F * (t - r).
-Proof.
-  intros Hr. apply (lip_of_rderiv (drive F om) (fun t => F * sin (om * t))); auto.
-  - eapply cont_of_derive; intros; apply derive_drive; auto.
-  - intros u _. split; [apply rderiv_of_derive, derive_drive; auto|]. rewrite <- (Rmult_1_r F) at 2.
-    apply abs_scal; auto. apply Rabs_le, SIN_bound.
-Qed.
-
 (** every motion tends to the stuck response, F <= F* *)
 Theorem entrains x v1 v2 s : F <= Fstar m1 m2 a1 a2 b om -> forced m1 m2 a1 a2 b (drive F om) x v1 v2 s ->
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
@@ -92,7 +80,7 @@ Theorem entrains x v1 v2 s : F <= Fstar m1 m2 a1 a2 b om -> forced m1 m2 a1 a2 b
 Proof.
   intros HS H. pose proof Z_pos as HZ.
   exact (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ F H (entrained m1 m2 a1 a2 b F om Hm2 Hb HF
-    Hom HZ HS) HF drive_lip).
+    Hom HZ HS) HF (drive_lip F om HF Hom)).
 Qed.
 
 (** and for F < F* it sticks for ever *)

@@ -2,10 +2,7 @@
   number
     of directions, chains, a surface; the dampers C may be any monotone ones. M^-1 is written as an operator of its own.
       *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Forced Inclusion.
-Local Open Scope R_scope.
 
 Section Systems.
 Context {V W : ModuleSpace R_AbsRing}.

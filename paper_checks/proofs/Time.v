@@ -4,10 +4,7 @@
     In Omega t the slip takes 2 p sqrt q and the stick pi - A - B, with sin A = sqrt q u'/rho,
       sin B = sqrt q (2 p - u)/rho, where u = h(p), u' is that of the next exit, and rho^2 = 1 + q u'^2.
       A small angle is its sine up to its cube over 6, rho is 1 up to q u^2/2, and u' is u up to r c^2/u. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Law.
-Local Open Scope R_scope.
 
 (** an angle with sine y/rho, where 1/rho is 1 up to e, is y up to its cube and y e *)
 Lemma angle_near a y rho e c : 0 <= a <= PI / 2 -> 1 <= rho -> 1 - / rho <= e -> 0 <= y <= c -> sin a = y / rho ->

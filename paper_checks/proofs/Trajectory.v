@@ -1,13 +1,11 @@
 (** Trajectories as theorems: what a table of events says about a motion ([unfolds]), and a program that accepts a table
     only if it is true of every motion of its scene ([Check.sound]). The program bounds the closed forms of Waves.v by
     interval arithmetic; which one is left open. *)
-From Coq Require Import Reals QArith Qreals List Bool Lra Psatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import QArith Qreals List Bool.
 From Interval.Real Require Import Xreal.
 From Interval.Interval Require Import Interval.
 From InertialPair Require Import Dini Pair Chase Forced ForcedExistence Arcs Varying Waves.
 Import ListNotations.
-Local Open Scope R_scope.
 
 (** *** Statements *)
 (** from the time [since] on: the friction, and the force on body 1, a polynomial of the time since [from] and sines *)

@@ -1,9 +1,6 @@
 (** The fastest transfer of body 2 over D, from rest to rest in 2 tau, tau = sqrt (m2 D/b): which amplitude of the
     force it needs, stuck, and if the bodies may slip (a1 = 0). *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Nonstop Undamped.
-Local Open Scope R_scope.
 
 (** a sum of an upper right derivative and a right derivative *)
 Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
@@ -80,12 +77,9 @@ Proof.
   assert (M0 : 0 < (m1 + m2) * be) by (apply Rmult_lt_0_compat; lra).
   split.
   - intros H. split; [|split].
-    + rewrite HD2. apply le_epsilon. intros e He.
-      set (f := fun t => (m1 + m2) * be + a1 * (be * t) + a2 * (be * t ^ 2 / 2)).
-      destruct (ends_nonneg (fun t => F + e - f t) 0 tau) as (_ & Q); [|lra| |unfold f in Q; lra].
-      * apply cont_minus; [apply cont_const|]. apply cont_of_derive with (fun t => a1 * be + a2 * (be * t)). intros t.
-        unfold f.
-        auto_derive; auto. field.
+    + rewrite HD2. set (f := fun t => (m1 + m2) * be + a1 * (be * t) + a2 * (be * t ^ 2 / 2)). change (f tau <= F).
+      apply (cont_le f F 0 tau); [|lra|].
+      * apply cont_of_derive with (fun t => a1 * be + a2 * (be * t)). intros t. unfold f. auto_derive; auto. field.
       * intros t Ht. specialize (H t ltac:(lra)). rewrite force_first in H by lra. apply Rabs_inv in H. unfold f. lra.
     + specialize (H (2 * tau) ltac:(lra)). rewrite force_last in H by lra. apply Rabs_inv in H. lra.
     + intros Little. assert (HDF : a2 * D <= F).
@@ -172,15 +166,14 @@ Proof.
     W0 in Q by lra.
     fold be in Q. apply Rmult_eq_reg_l with be; lra. }
   assert (Ahead : be * tau <= v1 tau).
-  { rewrite <- (Full tau) by lra. cut (0 <= v1 tau - v2 tau); [lra|]. apply le_epsilon. intros e He.
-    destruct (ends_nonneg (fun t => v1 t - v2 t + e) 0 tau) as (_ & Q); [|lra| |lra].
-    { apply cont_plus; [|apply cont_const]. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|].
-      exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H). }
-    intros t Ht. destruct (Rlt_dec (v1 t) (v2 t)) as [N|]; [exfalso|lra].
+  { rewrite <- (Full tau) by lra. cut (v2 tau - v1 tau <= 0); [lra|].
+    apply (cont_le (fun t => v2 t - v1 t) 0 0 tau); [|lra|].
+    { apply cont_minus; [exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H)]. }
+    intros t Ht. apply Rnot_lt_le. intros N.
     assert (S1 : rderiv s t 1).
     { apply rderiv_near with (fun u => s 0 + u) (tau - t); [lra|intros; symmetry; apply Es; lra|].
       apply rderiv_of_derive. auto_derive; auto. }
-    pose proof (rderiv_unique _ _ _ _ S1 (f_neg _ _ _ _ _ _ _ _ _ _ H t ltac:(lra) N)). lra. }
+    pose proof (rderiv_unique _ _ _ _ S1 (f_neg _ _ _ _ _ _ _ _ _ _ H t ltac:(lra) ltac:(lra))). lra. }
   set (G := fun t => g' (tau - t)). set (K := fun t => g (tau - t)).
   assert (DK : forall t, is_derive K t (- G t)).
   { intros t. unfold K, G. replace (- g' (tau - t)) with (scal (-1) (g' (tau - t))) by (unfold scal; simpl;

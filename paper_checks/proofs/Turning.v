@@ -1,8 +1,6 @@
 (** The one root of K in (0, pi], without numerics. *)
-From Coq Require Import Reals Lra Psatz Nsatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Stick Excursion Rate.
-Local Open Scope R_scope.
 
 (** the turning function *)
 Definition K p := (p - sin p * cos p) - sqrt 2 * (sin p - p * cos p).

@@ -2,10 +2,7 @@
     and the two parts of the force solve a linear system: the load is b at the exit, v1 = v2 again at the end of the
     slip, and the state has changed sign after half a period. A solution of it is such a motion exactly if v1 > v2 in
     the slip and the load stays within b in the stick. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Entrain Arcs Nonstop Rule.
-Local Open Scope R_scope.
 
 Section TwoStop.
 Variables m1 m2 a1 a2 b om F phi ts : R.
@@ -106,16 +103,12 @@ Proof.
   split; [|split; [auto|split; [|exact Load]]].
   - apply Rle_antisym.
     + (* the load just before pi/om, where all has the opposite sign *)
-      assert (Q : forall e, 0 < e -> 0 <= b + e + m2 * (u T - a2 * x T - a1 * v1 T) / M).
-      { intros e He. apply (ends_nonneg (fun t => b + e + m2 * (u t - a2 * x t - a1 * v1 t) / M) ts T); [|lra|].
-        - apply cont_plus; [apply cont_const|]. apply cont_ext with (fun t => m2 / M * (u t - a2 * x t - a1 * v1 t)).
-          { intros; field; lra. }
+      assert (Q0 : - (m2 * (u T - a2 * x T - a1 * v1 T) / M) <= b).
+      { apply (cont_le (fun t => - (m2 * (u t - a2 * x t - a1 * v1 t) / M)) b ts T); [|lra|].
+        - apply cont_ext with (fun t => - m2 / M * (u t - a2 * x t - a1 * v1 t)); [intros; field; lra|].
           apply cont_scal. repeat apply cont_minus; auto using cont_scal.
-          apply cont_of_derive with (fun t => F * (om * cos (om * t + phi))). intros t. unfold u. auto_derive; auto.
-            ring.
-        - intros t Ht. pose proof (Load t ltac:(lra)) as B. apply Rabs_inv in B. lra. }
-      assert (Q0 : 0 <= b + m2 * (u T - a2 * x T - a1 * v1 T) / M) by (apply le_epsilon; intros e He;
-        specialize (Q e He); lra).
+          apply cont_of_derive with (fun t => F * (om * cos (om * t + phi))). intros t. unfold u. auto_derive; auto. ring.
+        - intros t Ht. pose proof (Load t Ht) as B. apply Rabs_inv in B. lra. }
       assert (ut : u T = - (F * sin phi)).
       { unfold u, T. replace (om * (PI / om) + phi) with (phi + PI) by (field; lra). rewrite neg_sin. ring. }
       rewrite ut, X0, V0 in Q0. apply Rmult_le_reg_l with (m2 / M); [apply Rdiv_lt_0_compat; auto|].

@@ -1,9 +1,6 @@
 (** U** without damping. The motion that slips for ever has a closed threshold, and above body 1's resonance the
     relative velocity keeps its sign by itself, so that the threshold decides alone. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Forced Nonstop.
-Local Open Scope R_scope.
 
 (** an increasing function, by its derivative inside *)
 Lemma grows f f' p q : p < q -> (forall t, p <= t <= q -> is_derive f t (f' t)) -> (forall t, p < t < q ->

@@ -1,11 +1,8 @@
 (** What the law E - E_cr ~ 1/t owes to the energy at the start. The upper constant depends on it alone: E - E_cr <=
     c/t, one c for all motions that start below a level and never merge. The lower one does not: of every energy above
     E_cr there are motions that come to S0 within a fixed time as close to E_cr as one likes, and never merge. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Slip Cycle Sharp Law Return Chase Forced
   ForcedExistence Arcs.
-Local Open Scope R_scope.
 
 Section Uniform.
 Variables m1 m2 a2 b : R.

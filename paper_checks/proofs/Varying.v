@@ -1,10 +1,8 @@
 (** A friction that changes in time, by pieces: b1 for the time T1, then b2 for T2, ..., and b from then on. A motion
     of such a pair is one of constant friction in each piece; it exists from every start, it is the only one, and two
     of them never move apart in the energy norm. *)
-From Coq Require Import Reals Lra Psatz List.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import List.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs.
-Local Open Scope R_scope.
 
 Section Varying.
 Variables m1 m2 a1 a2 : R.

@@ -1,9 +1,6 @@
 (** Captive level and, with a1 > 0, the way to rest: E decays exponentially, and the pair sticks for ever in finite
     time. *)
-From Coq Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
-Local Open Scope R_scope.
 
 Section Captive.
 Variables m1 m2 a1 a2 b : R.
@@ -64,10 +61,7 @@ Proof.
       destruct Hk; subst k; nra. }
   destruct (Rtotal_order (w t) 0) as [Lt|[Eq|Gt]]; [apply (Sl (-1)); auto; lra| |apply (Sl 1); auto; lra].
   apply rderiv_dini with 0; [lra|].
-  assert (B : big (fun h => w (t + h) - w t)).
-  { pose proof (rderiv_big _ _ _ (moves_slip _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 Ht (rderiv_const 0 t))) as B1.
-    eapply big_ext; [|exact (big_minus _ _ B1 (big_scal (b * ((m1 + m2) / (m1 * m2))) _
-      (moves_big _ _ _ _ _ _ _ _ _ _ _ Mo t Ht)))]. intros h. unfold w. cbv beta. ring. }
+  pose proof (moves_gap_big _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 Ht (rderiv_const 0 t)) as B. fold (w t) in B.
   intros e He. destruct (big_mult _ _ B B e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
     specialize (K h Hh). simpl in K.
   rewrite Eq in *. replace (w (t + h) * w (t + h) - 0 * 0 - 0 * h) with ((w (t + h) - 0) * (w (t + h) - 0)) by

@@ -1,10 +1,8 @@
 (** Free motions in closed form: from one event to the next the state is a wave. When a wave is positive,
     its first root, and what a motion does until then: a slip up to its next contact, a stick up to its edge.
     Damping may be below, at or beyond its critical value. *)
-From Coq Require Import Reals List Lra Psatz.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import List.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs.
-Local Open Scope R_scope.
 
 (** *** Waves *)
 (** the cosine and the sine of a frequency whose square is d, which need not be positive: cos (w u) and sin (w u) / w,

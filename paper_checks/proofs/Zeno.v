@@ -1,10 +1,8 @@
 (** Events do not accumulate: under a force that is analytic by pieces, and a friction that is constant by pieces, a
     motion changes its mode finitely often in bounded time. After any time one mode lasts for a while, by the rule of
     `Mode.v`; before any time, too, by `Before.v`. *)
-From Coq Require Import Reals Lra Psatz List.
-From Coquelicot Require Import Coquelicot.
+From Coq Require Import List.
 From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Arcs Varying Mode Analytic Modes Before.
-Local Open Scope R_scope.
 
 Section Zeno.
 Variables m1 m2 a1 a2 b : R.

@@ -28,6 +28,7 @@ except ImportError:  # not a POSIX system
 PACKAGES = "coq libcoq-coquelicot libcoq-interval"
 TESTED_VERSION = "8.16"
 _LIBRARIES = ("Coquelicot", "Interval")
+_FOLDERS = 400  # how many are kept, beside those of the last day: five whole libraries
 _PATIENCE = 900  # seconds for one file; the longest takes less than a tenth of that
 
 Progress = Callable[[int, int, str], None]
@@ -99,6 +100,7 @@ def locked(store: Path, progress: Progress | None = None) -> Iterator[None]:
                     progress(0, 0, "wait for another process that compiles them")
                 fcntl.flock(file, fcntl.LOCK_EX)
         yield
+        files.forget_unused(store, _FOLDERS)
 
 
 @dataclass
@@ -143,6 +145,7 @@ def compile_all(
                     found.broken[name] = f"{name}.v rests on {lost[0]}.v, which does not compile"
                 elif settled(name) and (store / named[name] / f"{name}.vo").exists():
                     found.folders[name] = store / named[name]
+                    os.utime(found.folders[name])
                 elif settled(name) and len(running) < jobs:
                     running.append(_Run(sources, name, store, named))
                 else:

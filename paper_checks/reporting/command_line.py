@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Iterator, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from numerics.exits import path
+
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from numerics.trade.recorded import Trade
     from paper_checks.evidence.claim import Claim
     from paper_checks.report.output.finished import Files
@@ -35,7 +38,7 @@ def forms(text: str) -> tuple[str, ...]:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options of the command."""
     parser.add_argument("ids", nargs="*", metavar="ID", help="rows to report on; all without it (see list)")
-    parser.add_argument("--out", type=Path, default=Path("report-out"), metavar="DIR", help="default: %(default)s")
+    parser.add_argument("--out", type=path, default="report-out", metavar="DIR", help="default: %(default)s")
     parser.add_argument(
         "--format", type=forms, default=("html",), metavar="F[,F]", help=f"of {', '.join(FORMS)}; default: html"
     )
@@ -43,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--steps", action="store_true", help="print all steps in LaTeX and PDF; the HTML pages have them folded"
     )
     parser.add_argument(
-        "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
+        "--trade", type=path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
     )
 
 

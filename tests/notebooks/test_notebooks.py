@@ -1,7 +1,5 @@
 """Every notebook runs from a fresh kernel without a warning, shows something, and imports instead of defining."""
 
-from __future__ import annotations
-
 import ast
 from pathlib import Path
 

@@ -31,9 +31,9 @@ def scene_of(until, v1):
 
 
 def same(found: Batch, other: Batch) -> bool:
-    return all(
-        np.array_equal(getattr(found, name), getattr(other, name), equal_nan=True) for name in Batch.__annotations__
-    )
+    names = ["status", "events", "mode", "t", "y", "y_error", "event_t", "event_y", "energy_excess"]
+    names += ["dissipated", "dissipated_error", "digits"]
+    return all(np.array_equal(getattr(found, name), getattr(other, name), equal_nan=True) for name in names)
 
 
 def test_the_batch_has_the_results_of_solve():
@@ -134,6 +134,16 @@ def test_rows_under_a_force_are_what_their_scenes_give_by_themselves_in_any_orde
             assert one.accuracy.digits - 1 <= found.digits[k] <= one.accuracy.digits + 1
 
 
+def test_a_sweep_of_amplitudes_may_begin_at_0():
+    """There the row is one of the free pair, and so is the scene: a sine of amplitude 0 is no force."""
+    found = solve_many(1, 1, 200, "0.5", x1=0.02, until=3, sines=[([0, 1], 5, 0)])
+    for row, amplitude in enumerate([0, 1]):
+        force = Force.sine(amplitude, 5)
+        scene = Scene(Pair(1, 1, 200, "0.5"), State(x1=Fraction(0.02)), until=3, force=force)
+        assert scene.is_forced == bool(amplitude)
+        assert tuple(solve(scene, arithmetic="float64").final_state) == tuple(found.y[:, row])
+
+
 def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
     """Forces and frictions by pieces, one pair with several forces among them: the same bits."""
     scenes = [a_scene(np.random.default_rng((7, k))) for k in range(60)]
@@ -152,6 +162,23 @@ def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
         count = min(5, len(alone.events))
         np.testing.assert_allclose(found.event_t[k, :count], alone.event_times[:count], rtol=1e-15)
         assert found.event_mode[k, :count].tolist() == [mode.sign for mode in alone.modes[1 : count + 1]]
+
+
+def test_columns_under_a_force_form_the_ledger_when_it_is_looked_at(monkeypatch):
+    """A copy does, too; rows of the free pair among them have theirs, and one out of range has none."""
+    monkeypatch.setattr(batch, "_TOO_FEW", 3)
+    amplitude, b = np.array([0.375, 0.0, 0.5, 1.0, 0.75]), np.array([0.5, 0.5, 0.0625, 1e-300, 0.25])
+    sines, start = [(amplitude, 5.0, 0.25)], {"v1": 0.125, "until": 3}
+    found = solve_many(1, 1, 200, b, a1=[1, 0, 0, 0, 2], sines=sines, **start, keep_events=4)
+    copy, before = pickle.loads(pickle.dumps(found)), found.y.copy()
+    exact = solve_many(1, 1, 200, b, a1=[1, 0, 0, 0, 2], sines=sines, **start, exact=True)
+    assert np.isnan(found.dissipated).tolist() == (~exact.success).tolist() == [False, False, False, True, False]
+    assert np.isnan(found.event_t[3]).all()  # what a run wrote before it left the range is in no unit of the caller
+    np.testing.assert_allclose(found.dissipated, exact.dissipated, rtol=1e-11)
+    np.testing.assert_allclose(found.dissipated_error, exact.dissipated_error, rtol=0.1)
+    assert (found.dissipated[found.success] > 0).all()
+    assert same(found, copy)
+    np.testing.assert_array_equal(before, found.y)
 
 
 def test_shapes_broadcast():

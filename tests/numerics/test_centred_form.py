@@ -1,7 +1,5 @@
 """Centred forms: each holds every value over its cell, and is not much wider."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from flint import arb, fmpq

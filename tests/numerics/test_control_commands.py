@@ -1,7 +1,5 @@
 """The commands for control engineers: each answer solved again, printed, written, drawn; bad input in one line."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Where forward Euler misleads: counted against theory and judged like a peer."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -2,10 +2,12 @@
 
 import os
 import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from numerics.files import NOWHERE, cache_folder, cache_refused, make_private, whole_file
+from numerics.files import A_DAY, NOWHERE, cache_folder, cache_refused, forget_unused, make_private, whole_file
 from numerics.scene.file import load_scene, parse_scene
 
 SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.05\n[run]\nuntil = 5\n"
@@ -19,6 +21,22 @@ def test_a_file_appears_whole_or_not_at_all(tmp_path):
         raise RuntimeError
     assert target.read_bytes() == b"before"
     assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_link_stays_and_a_device_takes_the_bytes(tmp_path):
+    (tmp_path / "link").symlink_to("result")
+    with whole_file(tmp_path / "link") as file:
+        file.write(b"whole")
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "result").read_bytes() == b"whole"
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with ThreadPoolExecutor(1) as other:
+        read = other.submit(pipe.read_bytes)
+        with whole_file(pipe) as file:
+            file.write(b"whole")
+        assert read.result() == b"whole"
+    assert pipe.is_fifo()
 
 
 @pytest.mark.parametrize("name", ["", "nowhere/result"])
@@ -114,3 +132,18 @@ def test_a_byte_order_mark_is_no_part_of_a_scene(tmp_path):
     path = tmp_path / "Über den Tisch.toml"
     path.write_bytes(b"\xef\xbb\xbf" + SCENE.replace("\n", "\r\n").encode())
     assert load_scene(path) == parse_scene(SCENE)
+
+
+def test_a_cache_forgets_what_was_used_longest_ago_but_nothing_of_the_last_day(tmp_path):
+    for age in range(6):  # days and a bit
+        folder = tmp_path / str(age)
+        folder.mkdir()
+        (folder / "kept").write_text("")
+        os.utime(folder, (0, time.time() - age * A_DAY - 60))
+    (tmp_path / "lock").write_text("")
+    forget_unused(tmp_path / "nowhere", 1)
+    forget_unused(tmp_path, 3)
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["0", "1", "2", "lock"]
+    (tmp_path / "3").mkdir()
+    forget_unused(tmp_path, 1)
+    assert {one.name for one in tmp_path.iterdir()} == {"0", "3", "lock"}

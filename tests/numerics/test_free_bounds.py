@@ -1,7 +1,5 @@
 """The error bounds of a free run against errors that are planted in its start."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from random import Random
 

@@ -78,6 +78,7 @@ FOR_THE_HOUSE = {
     "dense",
     "energy_of",
     "event_rows",
+    "floats",
     "frame",
     "made",
     "of",
@@ -106,6 +107,23 @@ def test_every_function_says_what_it_raises_and_has_an_example(name):
     told = getattr(numerics, name).__doc__
     assert ">>>" in told
     assert "Raise" in told or name == "scene_text"
+
+
+@pytest.mark.parametrize("wrong", [{"digits": 0}, {"digits": "9"}, {"max_digits": 1.5}])
+@pytest.mark.parametrize(
+    ("name", "of"),
+    {
+        "solve": (PAPER,),
+        "response": (numerics.load_scene("forced-sine-stick-slip"),),
+        "thresholds": (PAPER.pair, 5),
+        "track": (numerics.load_scene("at-rest"), numerics.load_reference("s-curve")),
+        "fastest_transfer": (numerics.load_scene("at-rest"), "0.1"),
+        "ring_entry": (PAPER, "0.001"),
+    }.items(),
+)
+def test_digits_that_are_no_whole_number_are_refused_by_name(name, of, wrong):
+    with pytest.raises(ValueError, match=next(iter(wrong)) + " = "):
+        getattr(numerics, name)(*of, **wrong)
 
 
 @pytest.mark.parametrize("given", [PAPER.pair, None, "velocities"])

@@ -1,13 +1,33 @@
 """What rounding and truncation do to a guard is within the sums that the kernel's tables keep."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from kernel_runs import STATE, a_scene
 
 from numerics.linear.columns import force_columns, make_room, product, state_columns
+from numerics.linear.engine import run_pairs
 from numerics.linear.next_event import slip_guard, stick_guards
 from numerics.linear.prepare import prepare
 from numerics.linear.table import ORDERS, UNIT, fill
+from numerics.scene import Force, Pair, Piece, Scene, State
+
+
+@pytest.mark.parametrize("wide", [False, True])
+@pytest.mark.parametrize("power", [2, 20, 28, 60])
+def test_what_viscosity_takes_under_a_power_of_time_is_within_its_bound(power, wide):
+    """In stick, from rest, over one step: x is a series of rational numbers, and so is int v^2 dt."""
+    pair = Pair(1, 1, 1, 100, a1="0.5")
+    series = [Fraction(0)] * (power + 32)
+    for k in range(power, len(series) - 2):
+        pull = (k == power) - pair.a1 * (k + 1) * series[k + 1] - pair.a2 * series[k]
+        series[k + 2] = pull / (pair.mass * (k + 1) * (k + 2))
+    speed = [(k - 1, k * c) for k, c in enumerate(series) if c]
+    truth = pair.a1 * sum(c * d / (k + n + 1) for k, c in speed for n, d in speed)
+    force = Force([Piece(0, [0] * power + [1])])
+    record = run_pairs(Scene(pair, State(), 1, force=force), wide=wide, max_events=1)
+    assert abs(Fraction(record.viscous) - truth) <= record.dissipated_error < 1e-8 * truth
 
 
 def wholly(prepared, mode, order, wide):

@@ -1,7 +1,5 @@
 """The energy at times that nobody could step to: against stepping, the sharp law, and the rim behind it."""
 
-from __future__ import annotations
-
 import json
 from fractions import Fraction
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """How a merging map is come by: processes, checkpoints, windows that are none, and the command."""
 
-from __future__ import annotations
-
 import json
 import sys
 from fractions import Fraction

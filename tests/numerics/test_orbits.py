@@ -1,7 +1,5 @@
 """How a periodic motion is found and proved: its equations, its modes, its multipliers, and when it is given up."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -1,7 +1,5 @@
 """The peers: each installed one gets free and forced scenes right, says what is missing, and never runs for ever."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from functools import cache

@@ -99,6 +99,8 @@ def test_on_the_threshold_the_load_touches_and_has_no_multipliers():
     found = response(under(Pair(1, 1, 200, "0.5"), "0.5", 20))
     assert found.regime is Regime.ENTRAINED
     assert "free oscillation" in found.attraction
+    at_edge = response(under(Pair(1, 1, 200, "0.5"), "0.75", 20))  # beside it no other motion sticks for ever
+    assert (at_edge.multipliers, at_edge.attraction) == (None, "what tends to it is open; its load touches the limit")
     damped = Pair(1, 1, 68, "0.5", 5)  # at omega = 4: Z = |36 + 20 i|; with a1 = 12 it is |36 + 48 i| = 60
     exact = Pair(1, 1, 68, "0.5", 12)
     assert response(under(damped, "0.5", 4)).multipliers is not None

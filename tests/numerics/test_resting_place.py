@@ -1,7 +1,5 @@
 """Where a creeping pair comes to rest: its limit, how far and how fast it still moves."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import pairwise
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """When the relative motion is in its ring for good: against dense samples and runs, also under a force."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Sensitivities against differences of solves in balls, against other arithmetics, and what is exact of them."""
 
-from __future__ import annotations
-
 import tomllib
 from fractions import Fraction
 from pathlib import Path

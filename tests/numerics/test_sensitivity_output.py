@@ -1,7 +1,5 @@
 """Sensitivities as the command line tells them: digits that are right, an archive, a table, refusals."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

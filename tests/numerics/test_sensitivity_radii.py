@@ -1,7 +1,5 @@
 """Radii of sensitivities: what is widened holds the derivatives of every point inside; the worst column counts."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

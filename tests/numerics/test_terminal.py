@@ -1,12 +1,16 @@
 """What a terminal shows, and errors, which name the argument that helps."""
 
+import io
 import re
+import subprocess
 import sys
 
 import pytest
 
+from numerics.cli.solving import _progress
 from numerics.errors import OutOfRange
 from numerics.scene.file import load_scene
+from numerics.shown import print_table
 from numerics.solver.solve import solve
 
 
@@ -60,3 +64,30 @@ def test_a_scene_beyond_float64_is_sent_to_balls(run, scene_file):
     assert (code, "use --arithmetic ball" in err) == (1, True)
     with pytest.raises(OutOfRange, match='use arithmetic="ball"'):
         solve(load_scene(scene_file))
+
+
+def test_a_cap_that_comes_before_the_horizon_is_told_early_and_once(capsys):
+    show = _progress(5000)
+    for events, fraction in ((1000, 0.21), (2000, 0.39), (3000, 0.5), (3001, 1.0)):
+        show(events, fraction)
+    told = capsys.readouterr().err
+    assert (told.count("the cap of 5000 events comes before the horizon"), told.count("\n")) == (1, 1)
+    _progress(5000)(3001, 1.0)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_reader_that_leaves_a_table_is_left_to_the_program(monkeypatch):
+    class Left(io.StringIO):
+        def write(self, text):
+            raise BrokenPipeError
+
+    monkeypatch.setattr(sys, "stdout", Left())
+    with pytest.raises(BrokenPipeError):
+        print_table(("a", "b"), [("1", "2")])
+
+
+@pytest.mark.parametrize("redirected", ["<&-", ">&-", "2>&-"])
+def test_a_stream_that_is_closed_is_no_traceback(redirected):
+    command = f"{sys.executable} -m numerics solve at-rest --arithmetic float64 {redirected}"
+    ended = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stderr) == (0, "")

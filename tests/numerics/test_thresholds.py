@@ -1,7 +1,5 @@
 """U* and U** against the linear systems that they come from, in another arithmetic; their special frequencies."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

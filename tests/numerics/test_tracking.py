@@ -1,7 +1,5 @@
 """References that body 2 is to follow: the force against the independent reference, and what friction cannot do."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -216,7 +216,11 @@ class TestRecorded:
         )
         found = recorded()
         assert set(found.machine) == {*MACHINE, "busy"}
-        assert len(draw_trade(found).axes) == len(found.scenes)
+        panels = draw_trade(found).axes
+        assert len(panels) == len(found.scenes)
+        for one in panels:  # no mark is cut by the frame
+            marks = [one.transData.transform((1, y))[1] for line in one.lines for y in line.get_ydata()]
+            assert one.bbox.y0 + 4 < min(marks) < max(marks) < one.bbox.y1 - 4
         assert {one.who for one in found.runs} == {one.label for one in CONTENDERS}
         assert all(one.digits and one.peer_digits for one in found.sweeps)
 

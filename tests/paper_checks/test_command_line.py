@@ -149,7 +149,14 @@ def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatc
 
 @pytest.mark.parametrize(
     "arguments",
-    [["run", "--nonsense"], ["report", "--format", "html,docx"], ["--seed", "x"], ["--jobs", "x"], ["source"]],
+    [
+        ["run", "--nonsense"],
+        ["report", "--format", "html,docx"],
+        ["--seed", "x"],
+        ["--jobs", "x"],
+        ["source"],
+        ["report", "--out", ""],
+    ],
 )
 def test_usage_errors(arguments, capsys):
     with pytest.raises(SystemExit) as stop:

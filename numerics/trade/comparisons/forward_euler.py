@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from numerics.scene import Law, Scene
 from numerics.trade.comparisons.peer import Call, Extra, PeerFailed, PeerRun, Unsupported
 from numerics.trade.comparisons.switched import SwitchedPair
+from numerics.trajectory.curve import energy_of
 
 MAX_STEPS = 20_000_000
 Vector = NDArray[np.float64]
@@ -56,9 +57,7 @@ class EulerRun:
     @property
     def energy(self) -> NDArray[np.float64]:
         """Return E at every step, J."""
-        pair = self.scene.pair
-        x1, v1, _, v2 = self.y
-        return (float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2
+        return energy_of(self.scene.pair, self.y)
 
 
 def forward_euler(scene: Scene, step: float, loop: Callable[..., None] | None = None) -> EulerRun:

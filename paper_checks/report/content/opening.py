@@ -15,6 +15,7 @@ from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import motion
+from paper_checks.proofs.cited import CITED
 from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
 from paper_checks.report.content.phrases import formula, in_short, kind, picture
 from paper_checks.report.content.trust import LAW
@@ -98,6 +99,8 @@ ASKED = {
     "stuck-ellipses": "What becomes of the critical energy there?",
 }
 """What is often asked, by the row that answers it."""
+NUMBERS = "In balls every printed digit is proved, and so is the order of events. In float64 a bound of its error stands beside it, which is tested and not proved; on a surface it is proved."
+DRAWN = "`python -m numerics solve velocities --plot velocities.svg` solves its scene and draws it; `python -m numerics scenes` lists the others. What forward Euler makes of it: `euler-reproduces-figures`."
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
 
@@ -231,6 +234,9 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
     for name, question in ASKED.items():
         if name in shown:
             yield question, f"{in_short(shown[name])} All of it: `{name}`; weakest step: {kind(shown[name])}."
+    if "forced-contraction" in shown:
+        text = f"Theorem `uniqueness` of the kernel: {CITED['uniqueness'][1]} Under a force, with existence: `forced-contraction`."
+        yield "Is the motion from a start the only one, and where is that proved?", text
     if any(row.kernel for row in shown.values()):
         text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. What it did not prove: `trust`."
         yield "What does the kernel prove, and with which axioms?", text
@@ -239,7 +245,9 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
     if any(row.claim.kind is Kind.THEOREM for row in shown.values()):
         yield "What is new past the paper?", "One list: `new`."
     yield "Which law of friction is used?", LAW
+    yield "How sure is a number of the solver?", NUMBERS
     yield "How do I check one row again?", "Every row's page ends with the command. How to install it: `provenance`."
+    yield "How do I draw Fig. 5 again?", DRAWN
     if answers:
         yield "How fast is it beside heyoka?", " ".join(answers)
     yield (
@@ -267,7 +275,9 @@ def hypotheses(name: str) -> str:
 def still_open(rows: Sequence[Row]) -> Section:
     """Return all that rows leave open, sentence by sentence, and what is not settled at all."""
     kinds = {
-        "Parts that decided rows leave open": tuple(f"{text} (`{row.claim.id}`)" for row in rows for text in row.open),
+        "Parts that decided rows leave open, and that no verdict needs": tuple(
+            f"{text} (`{row.claim.id}`)" for row in rows for text in row.open
+        ),
         "Not settled here": tuple(f"`{row.claim.id}`: {row.finding.missing}" for row in rows if row.finding.missing),
     }
     parts = (block for title, items in kinds.items() if items for block in (Heading(title), Points(items)))

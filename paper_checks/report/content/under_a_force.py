@@ -136,7 +136,7 @@ def _resonance() -> Iterator[Block]:
     yield Heading("Resonance", "at-resonance")
     yield Paragraph(
         "Friction takes energy out of a resonant oscillation, but only so much. Without a damper, a force with more than $4b/\\pi$ at the frequency of body 1 alone "
-        f"makes every motion grow; with less, every motion stays bounded (`forced-resonance-bound`). For $b={float(drawing.PAIR.b):g}$ N that is "
+        f"makes every motion grow; with less, $x_1$ and both velocities stay bounded (`forced-resonance-bound`). For $b={float(drawing.PAIR.b):g}$ N that is "
         f"{_digits(edge)} N. The growth is at least" + _formula("forced-resonance-bound", "grows", "growth")
     )
     yield picture("resonance")

@@ -1,12 +1,14 @@
 """What a theorem leaves out fails: a counterexample for each hypothesis that a sentence once lacked."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from numerics import Force, Pair, Scene, State, solve
+from numerics import Force, Friction, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, solve
 from numerics.linear.modes import Mode
+from paper_checks import explore
 from paper_checks.claims import claim_named
 
 
@@ -70,3 +72,98 @@ def test_body_1_tracks_but_for_the_offset_of_the_force():
         end = solve(Scene(pair, start, until=60, force=force)).sol(60)
         assert end[[0, 1, 3]] == pytest.approx([0.5, 0, 0], abs=1e-6)
     assert "$x_1$ does but for the $\\gamma$" in sentence("damping-for-tracking", "velocity")
+
+
+def test_below_resonance_body_2_may_be_carried_away():
+    """Two harmonics without a damper, both off the frequency 1 of body 1: U_1 = 0, and x2 falls by 0.9 m a second."""
+    quarter = "1.5707963267948966"
+    force = Force([Piece(0, (), (Sine(4, 2, quarter), Sine(4, 4, quarter)))])
+    run = solve(Scene(Pair(m1=1, m2=1, a2=1, b=1), State(), until=200, force=force))
+    half, end = run.sol([100, 200]).T
+    assert np.all(np.abs([*half[[0, 1, 3]], *end[[0, 1, 3]]]) < 4)
+    assert half[2] < -80
+    assert end[2] - half[2] < -80
+    assert "body 2 may be carried away" in sentence("forced-resonance-bound", "bounded")
+
+
+def test_no_level_of_the_energy_decides_under_a_friction_that_varies_in_time():
+    """Omega = 1, L = b; b is 2 N near each half turn of the stuck pair, else 1 N: of one energy, one start sticks."""
+    half_turns = [str(round(n * math.pi + side, 6)) for n in range(12) for side in (1.1, math.pi - 1.1)]
+    friction = Friction(list(zip(half_turns, 12 * [1, 2], strict=True)))
+    pair = Pair(m1=1, m2=1, a2=2, b=2)
+    sticks, slips = (
+        solve(Scene(pair, start, until=37, friction=friction)) for start in (State(x1="1.5"), State(v1="1.5", v2="1.5"))
+    )
+    assert sticks.energy[0] == slips.energy[0] == 2.25
+    assert sticks.modes == (Mode.STICK,)
+    assert len(slips.modes) > 6
+    assert slips.energy[-1] < 1.1
+    assert any("varies with the time" in one for one in claim_named("varying-interface").open)
+
+
+def test_circles_that_are_too_large_may_slip_more_than_once():
+    """A light body 1 on a surface, a circle 2 % too large: it slips twice before it sticks for ever."""
+    pair = PlanePair(m1="0.05", m2="0.95", a2=1, b="0.95")
+    run = solve(PlaneScene(pair, 10, x1=["1.02", 0], v1=[0, "1.02"], v2=[0, "1.02"]))
+    assert run.modes == ("slip", "stick", "slip", "stick")
+    assert "slips once or a few times" in (Path(explore.__file__).parent / "surface.html").read_text(encoding="utf-8")
+
+
+def test_a_body_2_at_rest_is_met_before_the_heavy_damper_has_settled():
+    """A slip from x1 = 2.1 m that lasts 0.19 m1/a1: at its end the load is near b, not b m2/M, and the pair sticks."""
+    run = solve(Scene(Pair(m1=1, m2=1, a1=1000, a2=1, b=1), State(x1="2.1"), until=2))
+    assert run.modes == (Mode.SLIP_MINUS, Mode.STICK)
+    place, velocity = run.events[0].y[:2]
+    assert 0.9 < abs(float(place) + 1000 * float(velocity)) / 2 < 1
+
+
+def landing(share, excess):
+    """Return y = w/q at the first re-entry of a pair with r = share that left a ray with y = excess; by bisection."""
+    q, gap, push = 1 - share, 0.0, math.sqrt(excess)
+    while True:
+        low, high = 1e-9, 2 * math.pi - 1e-9
+        for _ in range(60):
+            angle = (low + high) / 2
+            rise = (angle - math.sin(angle)) / (1 - math.cos(angle))
+            low, high = (low, angle) if rise > push + gap / math.tan(angle / 2) else (angle, high)
+        k = 1 / math.tan(angle / 2)
+        reach = 2 - angle * k + gap
+        if reach <= 2 / q:
+            return rise**2 - 2 * (1 - rise * k) * reach + (k**2 + q) * reach**2
+        gap, push = reach - 2 / q, rise + k * reach
+
+
+def test_at_the_critical_share_more_than_one_energy_merges_in_the_end():
+    """The one energy that merges by its first slip is where another one lands, between y = 25 and y = 36 on the ray."""
+    share, angle = 0.557839090721526312, 2 * 1.89863787162680043
+    merging = ((angle - math.sin(angle)) / (1 - math.cos(angle))) ** 2
+    assert landing(share, merging) == pytest.approx(0, abs=1e-12)
+    assert landing(share, 25) < merging < landing(share, 36)
+    assert "at $r^*$ it does from some energies" in (
+        Path(__file__).parents[3] / "notebooks" / "past_the_paper.py"
+    ).read_text(encoding="utf-8")
+
+
+def late_rest(share, count):
+    """Return the rest R_n of the 1/t law for r = share from y_0 = (pi/2 - 1)^2, its cycles summed one by one."""
+    q, y, angle, rest = 1 - share, (math.pi / 2 - 1) ** 2, math.pi / 2, 0.0
+    for _ in range(count):
+        push = math.sqrt(y)
+        for _ in range(3):
+            versine, depth = 2 * math.sin(angle / 2) ** 2, 2 - angle / math.tan(angle / 2)
+            angle -= ((angle - math.sin(angle)) / versine - push) * versine / depth
+        depth = 2 - angle / math.tan(angle / 2)
+        lost = share * depth**2
+        place, speed = 1 - q * depth, math.sqrt(q) * (push - angle)
+        time = math.sqrt(q) * angle - math.atan(math.sqrt(q * (y - lost))) + math.atan(speed / place)
+        gain = 4 * lost / (9 * share * y * (y - lost)) - 1 + (1 - 2 / (5 * share)) * math.log1p(-lost / y)
+        rest, y = rest + math.pi * gain - time, y - lost
+    return rest
+
+
+def test_the_lower_bound_of_the_rest_needs_its_factor():
+    """From r = 0.02 to 0.01 the rest falls by what pi/r times the integral of 4/(9 y^2) + 2/(5 y) - 1/c^2 falls by."""
+    integral = -0.0136878 / math.pi  # over all y up to (pi/2 - 1)^2, from 30 digits
+    fallen = late_rest(0.01, 8000) - late_rest(0.02, 4000)
+    assert fallen == pytest.approx(math.pi * integral * (100 - 50), rel=0.05)
+    assert "The lower one does" in " ".join(claim_named("rate-with-error").open)

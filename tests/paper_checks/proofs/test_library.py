@@ -124,7 +124,7 @@ def test_what_a_proof_uses_is_known_and_has_no_circle(built):
 
     for one in built.theorems:
         below(one)
-    assert "convergence" in built.theorem("sharp-law").uses
+    assert "first-re-entry" in built.theorem("sharp-law").uses
     assert "uniqueness" in built.theorem("capture").uses
     assert "follow-forced-arc" in built.theorem("trajectory-velocities").uses  # by way of an applied functor
 

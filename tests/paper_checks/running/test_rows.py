@@ -158,6 +158,12 @@ def test_a_cache_that_cannot_be_written_keeps_nothing(settled, tmp_path):
     assert store.row(settled[0].claim.id) is None
 
 
+def test_forgetting_before_anything_was_kept_stands_in_nobodys_way(settled, store, tmp_path):
+    store.forget_old()
+    store.keep(plain.plain(settled[0]))
+    assert store.row(settled[0].claim.id) is not None
+
+
 def test_the_oldest_states_are_forgotten(store, settled, tmp_path):
     for number in range(12):
         (tmp_path / f"old{number}").mkdir()
