@@ -30,7 +30,7 @@ from numerics.plane.vector import Vector, wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
-_OFTEN = 16
+_OFTEN = 8
 """Steps of a slip between two questions whether it has settled."""
 _QUICK = 256
 """It is asked where a direction settles so many times in the time in which things change."""
