@@ -161,7 +161,7 @@ def scanned(
     used = range(len(rests))
     near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
     h = h / 4 if any(one.order for one in guards) else h
-    more = ctx.prec < path.numbers.bits
+    more = ctx.prec < min(path.numbers.bits, _SHARP_BITS)
     for _ in range(ctx.prec // 2 if more else 2 * ctx.prec):
         if not h > flow.tiny:
             break
