@@ -25,7 +25,8 @@ class Weakening(ShortRepr):
 
     B goes from the pair's b at w = 0 through the points `speed`, (|w|, B in N), linear between, and on from the last
     one with `last_slope` (N s/m). C is linear between the points `place`, (z, C in N), and constant outside of them.
-    Where b changes in time by pieces, B and C are both scaled by b(t)/b. Raises InvalidScene.
+    Where b changes in time by pieces, B and C are both scaled by b(t)/b. It is a part of the scene's friction:
+    `Scene(pair, state, until, friction=Friction(weakening=falling))`. Raises InvalidScene.
 
     >>> falling = Weakening(speed=[("0.05", "0.3")], last_slope="0.4")
     >>> falling, falling.speed, falling.last_slope, falling.place
