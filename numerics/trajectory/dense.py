@@ -110,7 +110,8 @@ class Dense:
             friction, viscous, _ = self.losses(rows, since)
             return np.asarray(carried[rows] - (friction + viscous) / unit)
 
-        return self._at(left, times, side)[0]
+        found: Number = self._at(left, times, side).tolist()[0]
+        return found
 
     def _at(self, function: Callable[..., Numbers], times: Numbers, side: Side) -> Numbers:
         """Return a function of rows and of the times since they began at times of the run.

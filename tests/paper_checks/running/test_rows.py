@@ -297,8 +297,12 @@ def test_ctrl_c_while_a_process_is_started_is_not_lost(elsewhere, monkeypatch):
             signal.raise_signal(signal.SIGINT)
 
     monkeypatch.setattr(processes.ProcessPoolExecutor, "submit", interrupts)
-    with pytest.raises(KeyboardInterrupt):
-        list(processes.answers(["energy-rate"], 1, tells_what_ctrl_c_does, Context()))
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # it is ignored where tests run in the background
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            list(processes.answers(["energy-rate"], 1, tells_what_ctrl_c_does, Context()))
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_what_fails_prints_its_traceback_where_that_is_asked_for(capsys):
