@@ -64,7 +64,7 @@ def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[
             return
         starts += 1
         try:
-            one = _followed(drive, begin, at, periods, most, tell)
+            one = _followed(drive, begin, at, periods, most, tell, sticks=sticks)
         except _LOST as error:
             failures.append(error)
             return
@@ -125,16 +125,26 @@ def _state(orbit: Orbit, t: Fraction) -> State3:
     return x1, v1, v2
 
 
-def _followed(drive: Drive, begin: Fraction, at: Sequence[arb], periods: Sequence[int], most: int, tell: Tell) -> Orbit:
+def _followed(
+    drive: Drive, begin: Fraction, at: Sequence[arb], periods: Sequence[int], most: int, tell: Tell, *, sticks: bool
+) -> Orbit:
     """Return the periodic motion to which (x1, v1, v2) at a time (s) leads, proved. Raises one of _LOST, NotSettled.
 
-    The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
+    The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing. A
+    period without an event ends the search if the pair may stick for ever (`sticks`); else it breaks later, but a whole
+    batch of them takes too long.
     """
-    guess = begin, at
     for count in periods:
+        guess = None if count else (begin, at)
         tell(f"following {count} periods of {float(drive.period):.4g} s")
         for _ in range(count):
-            at, guess = _one_period(drive, begin, at, most)
+            at, found = _one_period(drive, begin, at, most)
+            guess = found or guess
+            if found is None and sticks:
+                guess = None
+                break
+        if guess is None:
+            raise undecided("has a period an event?", "none")
         try:
             return solve_from(drive, *guess, most, tell)
         except _LOST as error:
@@ -142,10 +152,12 @@ def _followed(drive: Drive, begin: Fraction, at: Sequence[arb], periods: Sequenc
     raise lost
 
 
-def _one_period(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> tuple[State3, tuple[Fraction, State3]]:
+def _one_period(
+    drive: Drive, begin: Fraction, at: Sequence[arb], most: int
+) -> tuple[State3, tuple[Fraction, State3] | None]:
     """Return the state a period after a time (s), and time and state in the middle of the longest leg on the way.
 
-    Raises one of _LOST, as where there is no event, and NotSettled where there are more than `most`.
+    None for these without an event. Raises one of _LOST, NotSettled where there are more events than `most`.
     """
     x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
     scene = drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS)
@@ -155,12 +167,13 @@ def _one_period(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> 
             f"a period of {float(drive.period):.4g} s holds more than {most} events, a fifth of max_events; raise "
             "max_events, or take frequencies with a shorter common period"
         )
+    last = _three(run.final_state, run.final_mode.sign)
     if len(run.modes) == 1:
-        raise undecided("has a period an event?", "none")
+        return last, None
     longest = max(legs(run), key=lambda one: float(one.end - one.start))
     t = rounded(number(begin) + (longest.start + longest.end) / 2, _DIGITS)
     within = longest.motion(scene).state(number(t - begin) - longest.start)
-    return _three(run.final_state, run.final_mode.sign), (t, _three(within, longest.side))
+    return last, (t, _three(within, longest.side))
 
 
 def _three(state: Sequence[arb], side: int) -> State3:

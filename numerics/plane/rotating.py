@@ -17,7 +17,8 @@ from fractions import Fraction
 
 from flint import acb, acb_poly, arb
 
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.attempts import to_digits
+from numerics.arithmetic.ball import Ball, undecided
 from numerics.errors import InvalidScene
 from numerics.plane.vector import Vector
 from numerics.scene.decimals import Exact, exact_decimal, short
@@ -75,7 +76,10 @@ def rotating_threshold(pair: PlanePair, omega: Exact, digits: int = 15) -> arb:
 
 
 def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:
-    """Return the motion of a round pair that goes round with U (cos wt, sin wt). Raises InvalidScene."""
+    """Return the motion of a round pair that goes round with U (cos wt, sin wt).
+
+    Raises InvalidScene, EventUndecided (exponents that are not told apart).
+    """
     m1, m2, a1, a2, b = round_numbers(pair)
     w, size = _frequency(omega), exact_decimal(amplitude, "amplitude")
     if size <= 0:
@@ -84,7 +88,8 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
     slope, level = a1 * m2 * w**3, (m2 * w * w * size / b) ** 2 - stuck
     if level > 0 and not driven:
         raise InvalidScene("body 1 alone resonates here without a damper, and U > U*: there is no such motion")
-    with Ball(digits + _SPARE).context():
+
+    def attempt(_: Ball) -> tuple[RotatingResponse, list[arb]]:
         n, i = Ball.number, acb(0, 1)
         p = n(level) / (n(slope * slope + driven * level).sqrt() + n(slope)) if level > 0 else arb(0)
         alone, both = (acb(n(a2 - m * w * w), n(a1 * w)) for m in (m1, m1 + m2))
@@ -95,7 +100,9 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
         threshold = rotating_threshold(pair, w, digits + _SPARE)
         exponents = _exponents(pair, w, rho, digits) if level > 0 else ()
         q1 = v1 / (i * n(w))
-        return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, digits)
+        return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, digits), []
+
+    return to_digits(attempt, digits, spare=_SPARE)
 
 
 def _exponents(pair: PlanePair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...]:
@@ -109,7 +116,11 @@ def _exponents(pair: PlanePair, w: Fraction, rho: arb, digits: int) -> tuple[acb
 
     (p, q), (r, s) = moved(1), moved(-1)
     whole = q * s + (p * s + r * q) * acb(b / (2 * rho))
-    return tuple(sorted(whole.roots(tol=arb(10) ** (-digits - 3)), key=lambda one: -float(one.real.mid())))
+    try:
+        roots = whole.roots(tol=arb(10) ** (-digits - 3))
+    except ValueError:  # at this precision two of them are not apart
+        raise undecided("are the exponents of the slip apart?", "roots") from None
+    return tuple(sorted(roots, key=lambda one: -float(one.real.mid())))
 
 
 def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fraction]:

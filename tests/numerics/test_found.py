@@ -20,6 +20,7 @@ from numerics.errors import EventUndecided, InvalidScene, NumericsError, Precisi
 from numerics.free.root import falling_root
 from numerics.linear.modes import EventKind
 from numerics.scene import Force, Pair, Piece, Scene, State
+from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.solver.many import solve_many, solve_scenes
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import require_same_sequence
@@ -156,6 +157,18 @@ def test_a_force_beyond_all_digits_is_refused_at_once():
     with pytest.raises(PrecisionExhausted, match="max_digits"):
         response(scene, amplitude="1e999", omega=5)
     assert response(scene, amplitude="1e40", omega=5).regime is Regime.NON_STOP
+
+
+def test_a_pair_that_sticks_for_whole_periods_slips_later():
+    """At the resonance of the stuck pair nothing sticks for ever; a period without an event ended the search."""
+    found = response(Scene(Pair(1, 1, 200, "0.5"), State(), 1), amplitude="0.1", omega=10, digits=8)
+    assert (found.regime, found.thresholds.entrainment) == (Regime.STICK_SLIP, 0)
+
+
+def test_exponents_that_differ_by_many_magnitudes_are_told_apart():
+    """A rotating force of 1e9 rad/s: the roots were sought at one precision, and flint's words came through."""
+    found = response(PlaneScene(PlanePair(1, 1, 200, "0.5", 1), 1), amplitude=1, omega="1e9")
+    assert [float(one.real) < 0 for one in found.exponents] == [True] * 6
 
 
 @pytest.mark.parametrize("a1", [0, "1.95"])
