@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import sympy as sp
@@ -18,6 +19,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
 
 
+@lru_cache(maxsize=1000)
 def is_zero(expression: sp.Expr) -> bool:
     """Say whether the normal form is 0: then so is the expression, wherever it is defined. False decides nothing."""
     form = _Form(expression)
