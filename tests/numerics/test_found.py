@@ -18,8 +18,8 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene, NumericsError
 from numerics.free.root import falling_root
 from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
-from numerics.solver.many import solve_many
+from numerics.scene import Force, Pair, Piece, Scene, State
+from numerics.solver.many import solve_many, solve_scenes
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.status import Status
@@ -139,3 +139,15 @@ def test_numbers_of_a_batch_that_are_masked_or_countless():
         solve_many(1, 1, 200, 0.5, v1=np.ma.masked_array([0.1, 0.2], [True, False]), until=5)
     with pytest.raises(ValueError, match="at most 2"):
         solve_many(1, 1, 200, 0.5, until=5, max_events=10**20)
+
+
+@pytest.mark.parametrize("a1", [0, "1.95"])
+def test_a_force_of_nothing_from_some_time_on_is_no_force(a1):
+    """With a damper the times of events after it were counted from it in float64, and said to be certain."""
+    start = State("-0.00846", "-0.318", 0, "-0.172")
+    plain = Scene(Pair("6.5", "2.4", 338, "3.24", a1), start, "2.43")
+    cut = replace(plain, force=Force([Piece("1.31", [])]))
+    assert solve(cut).t[-2] > 1.31
+    assert np.allclose(solve(cut).t, solve(plain).t, rtol=1e-13, atol=0)
+    found = solve_scenes([plain, cut], keep_events=20).event_t
+    assert np.allclose(*found, rtol=1e-13, atol=0, equal_nan=True)
