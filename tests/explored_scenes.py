@@ -7,9 +7,7 @@ from itertools import product
 from pathlib import Path
 from typing import NamedTuple
 
-from numerics import Force, Pair, Scene, State
-from numerics.scene.file import load_scene
-from numerics.scene.pieces import Piece, Sine
+from numerics import Force, Pair, Piece, Scene, Sine, State, load_scene
 from paper_checks.explore.scenes import reduced
 
 GRID = [

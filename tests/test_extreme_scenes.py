@@ -8,9 +8,8 @@ from control_scenes import referred
 from extremes.catalogue import ANSWER, CATALOGUE, HERE, scene
 from flint import arb, ctx
 
-from numerics.errors import EventUndecided, NumericsError
+from numerics import EventUndecided, NumericsError, solve
 from numerics.free.energy import energy_at
-from numerics.solver.solve import solve
 from numerics.solver.truth import record as as_record
 
 WAYS = {"ball": {"digits": 50}, "mpmath": {"arithmetic": "mpmath", "digits": 50}, "float64": {"arithmetic": "float64"}}

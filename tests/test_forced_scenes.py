@@ -19,10 +19,8 @@ from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import KINDS, MODERATE, pairs, states
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State
+from numerics import EventUndecided, Force, Friction, NumericsError, OutOfRange, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.ball import precision
-from numerics.errors import EventUndecided, NumericsError, OutOfRange
-from numerics.solver.solve import solve
 from numerics.solver.truth import record as as_record
 
 WAYS = {

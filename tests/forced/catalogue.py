@@ -4,8 +4,7 @@ import json
 import tomllib
 from pathlib import Path
 
-from numerics import Scene
-from numerics.scene.file import load_scene
+from numerics import Scene, load_scene
 
 HERE = Path(__file__).parent
 ANSWER = json.loads((HERE / "answers.json").read_text("utf-8"))

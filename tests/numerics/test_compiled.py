@@ -9,16 +9,15 @@ from forced.catalogue import scene as scene_of
 from hypothesis import example, given
 from strategies import free_scenes
 
+from numerics import OutOfRange, load_scene
 from numerics.arithmetic import compiled as compiling
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.errors import OutOfRange
 from numerics.free.bounds import initial
 from numerics.free.engine import begin_exactly, in_halves
 from numerics.free.rows import solve_start
 from numerics.linear.record import END_ROW, ROW
-from numerics.scene.file import load_scene
 from numerics.trajectory.run import run_scene
 
 FLOATS, PAIRS = Float64(), DoubleDouble()

@@ -13,10 +13,21 @@ from kernel_runs import moved
 from reaching import LeftOut, reaching
 from strategies import driven_scenes, scenes, weakened_scenes
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, State, Weakening
+from numerics import (
+    EventUndecided,
+    Force,
+    Friction,
+    InvalidScene,
+    Law,
+    OutOfRange,
+    Pair,
+    Piece,
+    Scene,
+    State,
+    Weakening,
+)
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
-from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 from numerics.linear.enclosed import _Run, run_enclosed
 from numerics.linear.pieces import pieces_of
 

@@ -9,9 +9,7 @@ import pytest
 from forced import catalogue
 from scipy.optimize import brentq
 
-from numerics.scene import Force, Law, Pair, Scene, State
-from numerics.scene.file import load_scene
-from numerics.scene.plane import PlanePair, PlaneScene
+from numerics import Force, Law, Pair, PlanePair, PlaneScene, Scene, State, load_scene
 from numerics.trade import contenders
 from numerics.trade.comparisons import direct, forward_euler, switched
 from numerics.trade.comparisons.peer import PeerFailed, Unsupported

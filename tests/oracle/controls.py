@@ -5,6 +5,7 @@ from typing import Any
 
 from numerics import (
     Force,
+    NumericsError,
     Pair,
     Scene,
     State,
@@ -16,7 +17,6 @@ from numerics import (
     thresholds,
     track,
 )
-from numerics.errors import NumericsError
 
 DIGITS = 20
 PAIR, FREE = Pair(1, 1, 200, "0.5", 3), Pair(1, 1, 200, "0.5")
