@@ -5,7 +5,6 @@ from typing import Any
 
 from numerics import (
     Force,
-    NumericsError,
     Pair,
     Scene,
     State,
@@ -113,14 +112,3 @@ def answers() -> dict[str, Callable[[], Any]]:
                 load_scene(name), radius, rate=rate
             )
     return asked
-
-
-def controls() -> dict[str, Any]:
-    """The answers, or the kind of refusal."""
-    found = {}
-    for name, ask in answers().items():
-        try:
-            found[name] = ask()
-        except NumericsError as error:
-            found[name] = {"refused": type(error).__name__}
-    return found
