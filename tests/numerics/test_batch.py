@@ -14,12 +14,23 @@ from hypothesis import strategies as st
 from kernel_runs import a_scene
 from strategies import scenes
 
-from numerics.errors import EventUndecided, InvalidScene, OutOfRange
-from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State
+from numerics import (
+    Batch,
+    EventUndecided,
+    Force,
+    InvalidScene,
+    Law,
+    OutOfRange,
+    Pair,
+    Piece,
+    Scene,
+    Sine,
+    State,
+    solve,
+    solve_many,
+    solve_scenes,
+)
 from numerics.solver import many as batch
-from numerics.solver.batch import Batch
-from numerics.solver.many import solve_many, solve_scenes
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.status import Status
 

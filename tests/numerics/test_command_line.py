@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from three_scenes import PAPER, SCENE
 
+from numerics import solve
 from numerics.cli import solving
 from numerics.cli.arguments import parser
 from numerics.scene.file import shipped_scenes
-from numerics.solver.solve import solve
 from numerics.trajectory.export import as_record
 
 TWO_SECONDS = replace(PAPER, until=2)

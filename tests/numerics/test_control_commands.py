@@ -7,17 +7,24 @@ from fractions import Fraction
 import pytest
 from control_scenes import DAMPED
 
+from numerics import (
+    Force,
+    Friction,
+    Mode,
+    Pair,
+    Scene,
+    State,
+    Weakening,
+    fastest_transfer,
+    response,
+    scene_text,
+    solve,
+    track,
+)
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import SecondSolveDiffers, solved_again
-from numerics.control.response import response
-from numerics.control.tracking import track
-from numerics.control.transfer import fastest_transfer
-from numerics.linear.modes import Mode
-from numerics.scene import Force, Friction, Pair, Scene, State, Weakening
 from numerics.scene.file import load_reference, load_scene, parse_scene
-from numerics.scene.writing import scene_text
-from numerics.solver.solve import solve
 
 
 @pytest.fixture

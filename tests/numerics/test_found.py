@@ -14,13 +14,22 @@ from hypothesis import strategies as st
 from scene_files import scenes_in
 from strategies import EXTREME, scenes
 
+from numerics import (
+    EventUndecided,
+    Force,
+    InvalidScene,
+    NumericsError,
+    Pair,
+    Piece,
+    Scene,
+    State,
+    solve,
+    solve_many,
+    solve_scenes,
+)
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, InvalidScene, NumericsError
 from numerics.free.root import falling_root
 from numerics.linear.modes import EventKind
-from numerics.scene import Force, Pair, Piece, Scene, State
-from numerics.solver.many import solve_many, solve_scenes
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.status import Status
 

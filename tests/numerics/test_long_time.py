@@ -9,14 +9,12 @@ from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from numerics import Pair, Scene, State, load_scene, solve
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball, digits_within
 from numerics.free.abel import arcs
 from numerics.free.energy import Road, energy_at
 from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
 
 
 @pytest.mark.parametrize(

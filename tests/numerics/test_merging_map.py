@@ -13,6 +13,7 @@ from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 
+from numerics import Pair
 from numerics.arithmetic.ball import Ball
 from numerics.free import merging as merging_cell
 from numerics.free import merging_map
@@ -21,7 +22,6 @@ from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
 from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
 from numerics.free.merging_map import COLOURS, Window, merging_cells
-from numerics.scene import Pair
 
 POINTS = 200
 PROVED_TO_CREEP = 0.325  # below (pi/2 - 1)^2

@@ -11,16 +11,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import decimals
 
+from numerics import Force, InvalidScene, NotSettled, Pair, Piece, Scene, Sine, State, load_scene, ring_entry, solve
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
 from numerics.control.attraction import passage_at
 from numerics.control.pictures import draw_ring
-from numerics.control.ring import ring_entry
-from numerics.errors import InvalidScene, NotSettled
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,9 @@ import pytest
 from flint import arb
 from three_scenes import PAPER
 
+from numerics import solve
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.solver.solve import solve
 from numerics.trajectory.sensitivity import WRT, sensitivities
 
 

@@ -13,9 +13,9 @@ import pytest
 from flint import arb, fmpq
 from planted_trades import MACHINE, run, trade_of
 
+from numerics import OutOfRange
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.errors import OutOfRange
 from numerics.trade import contenders, measure, scenes
 from numerics.trade.comparisons.peer import PeerFailed, PeerRun
 from numerics.trade.contenders import CONTENDERS, answer_of, contender, looked_at

@@ -10,11 +10,9 @@ from hypothesis import given
 from strategies import near_critical, scenes
 from three_scenes import PAPER
 
+from numerics import EventUndecided, NumericsError, Pair, PrecisionExhausted, Scene, State, solve
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
 from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status

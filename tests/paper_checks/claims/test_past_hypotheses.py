@@ -6,8 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from numerics import Force, Friction, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, load_scene, solve
-from numerics.linear.modes import Mode
+from numerics import Force, Friction, Mode, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, load_scene, solve
 from paper_checks import explore
 from paper_checks.claims import claim_named, onset, tolerance
 
