@@ -11,7 +11,9 @@ from flint import arb, arb_poly
 from numerics.plane.defect import Curve, Defect
 from numerics.plane.path import AGAIN, LATE, SHORT, SLIP, Path, exactly_on_edge
 from numerics.plane.polynomial import least
+from numerics.plane.spread import Spread
 from numerics.plane.vector import Vector
+from numerics.plane.window import BEYOND
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
 _LETTER = {one: letter for letter, one in SIGNS.items()}
@@ -29,12 +31,16 @@ class BoxRun(Path):
     """Until when after the point no other event is allowed for, s."""
     after = arb(0)
     """By how much the event here may be misplaced, s."""
+    over = arb(0)
+    """Until when in the piece the last event may come, s."""
+    spread: Spread
 
     def released(self, cause: str | None) -> None:
         """Let the axes go whose load a piece of force, or the start, puts outside."""
         if cause is None:
             self.young, self.on_edge, (_, v1, v2) = {}, [], self.system.given.start
             self.mode = "".join(_LETTER[(x > y) - (x < y)] for x, y in zip(v1, v2, strict=True))
+            self.spread = Spread(self.system).grown("+" * self.system.n, self.norm)
         load, drive, before = self.load(), self.system.pieces[self.at.piece], self.mode
         on_edge = []
         for i in self.system.axes:
@@ -104,11 +110,19 @@ class BoxRun(Path):
         self.young, self.on_edge, self.after = {}, [], arb(0)
         if event is None:
             self.go_on(curve, SLIP, arb(1), norm, ends=ends)
-            self.clear = arb(0)
+            self.norm, self.clear = self.norm.min(self.spread.norm), arb(0)
         else:
             x, off, i = event
             self.go_on(curve, SLIP, x, norm, ends=False)
             self.change(i, (off * h).upper())
+
+    def go_on(self, curve: Curve, mode: str, end: arb, norm: arb, *, ends: bool) -> None:
+        """Go to the end of a curve; the spread goes on, too."""
+        before, start = self.norm, self.at.t
+        super().go_on(curve, mode, end, norm, ends=ends)
+        passed = (self.system.pieces[curve.piece].length if ends else self.at.t) - start
+        self.spread = self.spread.moved(self.mode, passed).grown(self.mode, (self.norm - before).upper())
+        self.over = arb(0) if ends else self.over
 
     def has_begun(self, i: int, s: arb_poly, norm: arb, h: arb) -> bool:
         """Return whether an axis surely slips, and goes on to, from where it begins to the end of a step.
@@ -138,17 +152,39 @@ class BoxRun(Path):
 
     def change(self, i: int, late: arb) -> None:
         """Change the mode of an axis at the point, which its event is within `late` (s) of."""
-        before, self.clear = self.mode, arb(0)
+        system, drive, before = self.system, self.system.pieces[self.at.piece], self.mode
+        alone, (reached, self.clear) = bool(self.at.t - late > self.over), (self.norm, arb(0))
         if before[i] == "0":
-            self.let_go(i, self.load()[i], 2)
+            load = self.load()[i]
+            near = self.around(late, self.friction)
+            gap = system.load(drive.force(self.at.t), self.at.q1, self.at.v1)[i]
+            of_load = Vector(-system.share[i] * x for x in system.held_row(i))
+            rate, off = near.drift[i], self.spread.of(of_load) + abs(abs(gap) - drive.b[i])
+            self.let_go(i, load, 2)
         else:
             self.halt(Vector(s if j == i else arb(0) for j, s in enumerate(self.at.s)))
-            load = self.around(late).load[i]
-            if abs(load) < self.system.pieces[self.at.piece].b[i]:
+            self.spread = self.spread.grown(before, (self.norm - reached).upper())
+            near, friction = self.around(late), drive.b[i] * SIGNS[before[i]]
+            load = near.load[i]
+            rate, off = system.kappa[i] * (load - friction), self.spread.of(system.slip_row(i))
+            if abs(load) < drive.b[i]:
                 self.put(i, "0")
             else:
                 self.let_go(i, load, 1, "is the load inside the friction set where the slip ends")
-        self.after = late
+        all_near = all(abs(x) < b * BEYOND or one != "0" for x, b, one in zip(near.load, drive.b, self.mode, strict=True))
+        if not alone or not all_near or rate.contains(0):
+            self.spread = Spread(system).grown("+" * system.n, self.norm)
+        else:
+            late = late.min((off / abs(rate)).upper())
+            earlier = self.spread.norm
+            if before[i] == "0":
+                second = system.apart[i] * near.steep[i] * late * late / 2
+                self.spread = self.spread.grown(self.mode, second.upper())
+            else:
+                held = load if self.mode[i] == "0" else drive.b[i] * SIGNS[self.mode[i]]
+                self.spread = self.spread.switched(before, i, late, held - friction, rate)
+            self.norm = self.norm.min(earlier.max(self.spread.norm))
+        self.after, self.over = late, self.at.t + late
         self.tell(before, late, "guard")
 
     def end_of(self, i: int, curve: Curve, found: Defect, norm: arb) -> tuple[arb, arb] | None:
