@@ -64,17 +64,6 @@ class System:
         found: Vector = self.push(u, q1, v1) * self.share
         return found
 
-    def held_row(self, i: int) -> Vector:
-        """Return A2 q1 + A1 v1 of one axis as a row of (q1, v1, v2)."""
-        found = [arb(0)] * (3 * self.n)
-        for j, x in self.held[i]:
-            found[j] = x
-        return Vector(found)
-
-    def slip_row(self, i: int) -> Vector:
-        """Return v1 - v2 of one axis as a row of (q1, v1, v2)."""
-        return Vector(arb((j == self.n + i) - (j == 2 * self.n + i)) for j in range(3 * self.n))
-
     def norm(self, q1: Vector, v1: Vector, v2: Vector) -> arb:
         """Return a bound on N of a difference with these components, given by their sizes."""
         return (self.spring @ abs(q1) + self.root_m1 @ abs(v1) + self.root_m2 @ abs(v2)).upper()

@@ -15,7 +15,6 @@ from numerics.plane.series import Point
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, wide
 
-
 BEYOND = 1 + 2.0**-10
 """So far beyond K friction may be: that of a mode which is followed on to where the true motion has left it."""
 
