@@ -262,6 +262,7 @@ def test_without_numba_the_same_numbers_come_out():
         ({"until": np.array(["2020-01-01"], dtype="M8[D]")}, "until = .* must be real numbers"),
         ({"m1": [True, False]}, "m1 = .* must be real numbers"),
         ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
+        ({"b": [1, 2, 3], "friction": [(1, 0.5)]}, r"give a Friction\(\[...\]\), or a list"),
     ],
 )
 def test_a_wrong_number_is_named(given_, said):
