@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from numerics import Pair, Scene, State
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.free.bound_steps import Errors, no_linear
@@ -16,7 +17,6 @@ from numerics.free.bounds import Carried, initial
 from numerics.free.engine import begin_exactly, in_halves
 from numerics.free.rows import solve_start
 from numerics.linear.record import AT, END_ROW, ROW
-from numerics.scene import Pair, Scene, State
 
 MOST = 40
 ARITHMETICS = {"float64": Float64(), "double-double": DoubleDouble()}

@@ -65,7 +65,7 @@ def _first_terms(x: Any) -> Any:
     if flint.ctx.cap == 2:
         return arb_series([SERIES(x[0]), SLOPE(x[0]) * x[1]])
     # where x begins at the second power, its own powers begin twice as far out
-    wanted = COEFFICIENTS[: flint.ctx.cap // 2 if x[0] == 0 == x[1] else TERMS]
+    wanted = COEFFICIENTS[: (flint.ctx.cap + 1) // 2 if x[0] == 0 == x[1] else TERMS]
     total = x * 0
     for one in reversed(wanted):
         total = total * x + one

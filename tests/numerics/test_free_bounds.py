@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from planted_errors import ARITHMETICS, COORDINATES, draw_scene, moved, run, unit_pair
 
+from numerics import Scene, State
 from numerics.linear.record import AT
-from numerics.scene import Scene, State
 
 EVENT = [("local", "late"), *((name, f"{name}_error") for name in COORDINATES)]
 END = [*EVENT[1:], ("excess", "excess_error"), ("friction", "dissipated_error")]

@@ -9,9 +9,8 @@ import pytest
 from kernel_runs import BOUNDS, STATE, a_scene, errors, exact, in_stick, moved, run, until
 from scene_files import scenes_in
 
-from numerics import Force, Pair, Piece, Scene, Sine, State, solve
+from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.compiled import can_compile
-from numerics.errors import EventUndecided
 from numerics.linear.columns import make_room
 from numerics.linear.first_root import CLEAR, ROOT
 from numerics.linear.modes import UNDECIDED

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from kernel_runs import STATE, a_scene
 
+from numerics import Force, Pair, Piece, Scene, State
 from numerics.linear.columns import force_columns, make_room, product, state_columns
 from numerics.linear.engine import run_pairs
 from numerics.linear.next_event import slip_guard, stick_guards
 from numerics.linear.prepare import prepare
 from numerics.linear.table import ORDERS, UNIT, fill
-from numerics.scene import Force, Pair, Piece, Scene, State
 
 
 @pytest.mark.parametrize("wide", [False, True])

@@ -12,11 +12,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals, pairs
 
+from numerics import Force, InvalidScene, Pair, Scene, State
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
 from numerics.control.transfer import Road, fastest_transfer
-from numerics.errors import InvalidScene
-from numerics.scene import Force, Pair, Scene, State
 
 
 def at_rest(pair: Pair) -> Scene:

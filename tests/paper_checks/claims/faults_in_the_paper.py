@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import sympy as sp
 
-from numerics.linear.modes import Mode
+from numerics import Mode
 from numerics.trajectory.status import Status
 from paper_checks.claims import filippov, force, itineraries, onset, steering
 from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM, at_rest
