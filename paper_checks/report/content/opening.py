@@ -238,7 +238,7 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         text = f"Theorem `uniqueness` of the kernel: {CITED['uniqueness'][1]} Under a force, with existence: `forced-contraction`."
         yield "Is the motion from a start the only one, and where is that proved?", text
     if any(row.kernel for row in shown.values()):
-        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. What it did not prove: `trust`."
+        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. The rows that need it: type kernel into the search above all rows."
         yield "What does the kernel prove, and with which axioms?", text
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."
