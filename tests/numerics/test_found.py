@@ -14,15 +14,26 @@ from hypothesis import strategies as st
 from scene_files import scenes_in
 from strategies import EXTREME, scenes
 
+from numerics import (
+    EventUndecided,
+    Force,
+    InvalidScene,
+    NumericsError,
+    Pair,
+    Piece,
+    PlanePair,
+    PlaneScene,
+    PrecisionExhausted,
+    Scene,
+    State,
+    solve,
+    solve_many,
+    solve_scenes,
+)
 from numerics.arithmetic.ball import Ball
 from numerics.control.response import Regime, response
-from numerics.errors import EventUndecided, InvalidScene, NumericsError, PrecisionExhausted
 from numerics.free.root import falling_root
 from numerics.linear.modes import EventKind
-from numerics.scene import Force, Pair, Piece, Scene, State
-from numerics.scene.plane import PlanePair, PlaneScene
-from numerics.solver.many import solve_many, solve_scenes
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.status import Status
 
@@ -128,19 +139,6 @@ def test_energies_below_the_normal_numbers_have_no_digits_to_claim():
 
 def test_nothing_at_rest_is_known_exactly():
     assert solve(Scene(Pair(1, 1, 1, 1), State(), until=3), digits=15).arithmetic.name == "float64"
-
-
-@pytest.mark.parametrize("given", [{"digits": 2.5}, {"digits": True}, {"digits": "5"}, {"max_events": 1.5}])
-def test_counts_are_whole_numbers(given):
-    with pytest.raises(ValueError, match="must be a whole number"):
-        solve(Scene(Pair(1, 1, 1, 1), State(v1=1), until=3), **given)
-
-
-def test_numbers_of_a_batch_that_are_masked_or_countless():
-    with pytest.raises(InvalidScene, match="masked"):
-        solve_many(1, 1, 200, 0.5, v1=np.ma.masked_array([0.1, 0.2], [True, False]), until=5)
-    with pytest.raises(ValueError, match="at most 2"):
-        solve_many(1, 1, 200, 0.5, until=5, max_events=10**20)
 
 
 @pytest.mark.parametrize("given", ["1_000", "\N{ARABIC-INDIC DIGIT THREE}", "nan", "0x10", "1e400"])
