@@ -18,7 +18,6 @@ from numerics import (
     Batch,
     EventUndecided,
     Force,
-    InvalidScene,
     Law,
     OutOfRange,
     Pair,
@@ -263,21 +262,13 @@ def test_without_numba_the_same_numbers_come_out():
         ({"m1": [True, False]}, "m1 = .* must be real numbers"),
         ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
         ({"b": [1, 2, 3], "friction": [(1, 0.5)]}, r"give a Friction\(\[...\]\), or a list"),
-    ],
-)
-def test_a_wrong_number_is_named(given_, said):
-    with pytest.raises(InvalidScene, match=said):
-        solve_many(**(PAPER | {"until": 5} | given_))
-
-
-@pytest.mark.parametrize(
-    ("given_", "said"),
-    [
+        ({"v1": np.ma.masked_array([0.1, 0.2], [True, False])}, "masked"),
+        ({"max_events": 10**20}, "at most 2"),
         ({"max_events": 0}, "max_events = 0 must be at least 1"),
         ({"jobs": 0}, "jobs"),
         ({"keep_events": -1}, "keep_events = -1"),
     ],
 )
-def test_wrong_arguments_are_named(given_, said):
+def test_a_wrong_number_is_named(given_, said):
     with pytest.raises(ValueError, match=said):
-        solve_many(**PAPER, until=5, **given_)
+        solve_many(**(PAPER | {"until": 5} | given_))

@@ -71,14 +71,6 @@ def test_a_cap_that_is_not_reached_changes_nothing():
     assert solve(PAPER, max_events=len(whole.events) - 1).status is Status.EVENT_LIMIT
 
 
-@pytest.mark.parametrize("name", ["digits", "max_events", "max_digits"])
-def test_bad_arguments(name):
-    with pytest.raises(ValueError, match=name):
-        solve(PAPER, **{name: 0})
-    with pytest.raises(ValueError, match="arithmetic"):
-        solve(PAPER, arithmetic="decimal")
-
-
 @given(scenes(damped=None))
 def test_dense_evaluation_is_continuous_across_events(scene):
     run = solve(scene, arithmetic="mpmath", digits=30, max_events=8)

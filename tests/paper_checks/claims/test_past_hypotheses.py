@@ -9,6 +9,7 @@ import pytest
 from numerics import Force, Friction, Mode, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, load_scene, solve
 from paper_checks import explore
 from paper_checks.claims import claim_named, onset, tolerance
+from paper_checks.proofs.cited import CITED
 
 
 def sentence(row, clause):
@@ -66,6 +67,17 @@ def test_a_slip_that_follows_a_slip_may_be_short_and_cheap():
     lost = (place**2 + 2 * speed**2) / 2 - (end[0] ** 2 + end[1] ** 2 + end[3] ** 2) / 2
     assert 0 < lost < 2 * least**2 / 16 / 500
     assert "also where a slip ends" in sentence("static-friction-stops-creeping", "costs")
+
+
+def test_a_slip_that_starts_no_stick_may_be_short_and_cheap_too():
+    """Unit masses and spring, b_k = 1 N, b_s = 2 N: from v1 = 1 um/s one slip, where E(0)/e_0 is far below 1."""
+    run = solve(Scene(Pair(m1=1, m2=1, a2=1, b=1), State(v1="1e-6"), until=1))
+    assert run.modes == (Mode.SLIP_PLUS, Mode.STICK)
+    least = 1 / (math.sqrt(2 * run.energy[0]) + 1)
+    assert run.energy[0] < 1e-10 * 2 * least**2 / 16
+    for name in ("static-slip-costs", "static-few-slips", "static-sticks-at-last"):
+        assert "sticks are kept" in CITED[name][1] or "keeps its sticks" in CITED[name][1]
+    assert "from a contact" in CITED["static-slip-costs"][1]
 
 
 def test_body_1_tracks_but_for_the_offset_of_the_force():
