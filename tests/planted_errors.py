@@ -79,12 +79,6 @@ def _with_distance(carried: Carried, scene: Scene, other: Scene) -> Carried:
     return Carried(errors, no_linear(q, errors))
 
 
-def moved(scene: Scene, by: dict[str, Fraction], until: Fraction | None = None) -> Scene:
-    """The scene with other coordinates, or another horizon."""
-    state = {name: getattr(scene.initial, name) + by.get(name, 0) for name in COORDINATES}
-    return Scene(scene.pair, State(**state), until or scene.until, scene.law)
-
-
 def draw_scene(random: Random) -> Scene:
     """A start of any kind: from off the surface, on it outside and inside S0, on a ray, close to E_cr."""
     share = random.choice([random.uniform(0.02, 0.98), 10 ** random.uniform(-4, -1), 1 - 10 ** random.uniform(-4, -1)])
