@@ -2,16 +2,21 @@
 
 A mode is a word of + 0 -: f_i = +-b_i, or f_i = Lam_i where the axis sticks. The path, the bound N and the windows are
 those of an ellipsoid, axis by axis: a slipping axis ends where s_i falls to 0, a stuck one where |Lam_i| rises to b_i.
+Since modes are linear, errors are carried on by components, too, and N never is more than these say (spread.py).
 """
 
 from __future__ import annotations
+
+from itertools import chain
 
 from flint import arb, arb_poly
 
 from numerics.plane.defect import Curve, Defect
 from numerics.plane.path import AGAIN, LATE, SHORT, SLIP, Path, exactly_on_edge
 from numerics.plane.polynomial import least
-from numerics.plane.vector import Vector
+from numerics.plane.spread import Spread
+from numerics.plane.vector import Vector, exact
+from numerics.plane.window import BEYOND
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
 _LETTER = {one: letter for letter, one in SIGNS.items()}
@@ -29,12 +34,18 @@ class BoxRun(Path):
     """Until when after the point no other event is allowed for, s."""
     after = arb(0)
     """By how much the event here may be misplaced, s."""
+    over = arb(0)
+    """Until when in the piece the last event may come, s."""
+    spread: Spread
 
     def released(self, cause: str | None) -> None:
         """Let the axes go whose load a piece of force, or the start, puts outside."""
         if cause is None:
             self.young, self.on_edge, (_, v1, v2) = {}, [], self.system.given.start
             self.mode = "".join(_LETTER[(x > y) - (x < y)] for x, y in zip(v1, v2, strict=True))
+            self.spread, (q1, v1, v2) = Spread(self.system), map(exact, self.system.given.start)
+            q1, v2, s = (one.each(arb.rad) for one in (q1, v2, v1 - v2))
+            self.spread = self.spread.grown(self.mode, self.norm, self.known((q1, s + v2, v2), self.norm))
         load, drive, before = self.load(), self.system.pieces[self.at.piece], self.mode
         on_edge = []
         for i in self.system.axes:
@@ -84,7 +95,7 @@ class BoxRun(Path):
     def one_step(self) -> None:
         """Go on for a step, or to the first event in it."""
         friction = self.friction
-        series, reach = self.linear(friction, 2 * self.system.degree)
+        series, reach = self.linear(friction, self.system.degree)
         for i, order in self.young.items():
             series.slip[i][:order] = [arb(0)] * order  # what is dropped is seen in the defect
         while True:
@@ -103,12 +114,27 @@ class BoxRun(Path):
             reach = (h * event[0] * AGAIN).mid()
         self.young, self.on_edge, self.after = {}, [], arb(0)
         if event is None:
-            self.go_on(curve, SLIP, arb(1), norm, ends=ends)
-            self.clear = arb(0)
+            self.passed(curve, found, arb(1), norm, ends=ends)
+            self.norm, self.clear = self.norm.min(self.spread.norm), arb(0)
         else:
             x, off, i = event
-            self.go_on(curve, SLIP, x, norm, ends=False)
+            self.passed(curve, found, x, norm, ends=False)
             self.change(i, (off * h).upper())
+
+    def passed(self, curve: Curve, found: Defect, end: arb, norm: arb, *, ends: bool) -> None:
+        """Go to the end of a curve; the spread goes on, too."""
+        before, start = self.norm, self.at.t
+        self.go_on(curve, SLIP, end, norm, ends=ends)
+        time = (self.system.pieces[curve.piece].length if ends else self.at.t) - start
+        q1, v2, s = (part.each(lambda p: p(end).rad()) for part in curve[2:5])
+        parts = self.known((q1, s + v2, v2), self.norm - norm)
+        self.spread = self.spread.stepped(self.mode, time, (self.norm - before).upper(), found.parts, parts)
+        self.over = arb(0) if ends else self.over
+
+    def known(self, rounded: tuple[Vector, Vector, Vector], by: arb) -> Vector:
+        """Return bounds on the components of what is rounded, and of what else is up to `by` in N."""
+        rest = (by - self.system.norm(*rounded)).max(arb(0))
+        return Vector(x + y * rest for x, y in zip(chain(*rounded), self.spread.weights, strict=True))
 
     def has_begun(self, i: int, s: arb_poly, norm: arb, h: arb) -> bool:
         """Return whether an axis surely slips, and goes on to, from where it begins to the end of a step.
@@ -137,18 +163,39 @@ class BoxRun(Path):
         return x, off, i
 
     def change(self, i: int, late: arb) -> None:
-        """Change the mode of an axis at the point, which its event is within `late` (s) of."""
-        before, self.clear = self.mode, arb(0)
+        """Change the mode of an axis at the point, which its event is within `late` (s) of.
+
+        With the rate of s_i or of the load in that window the spread says it better.
+        """
+        system, drive, before = self.system, self.system.pieces[self.at.piece], self.mode
+        alone, reached, self.clear = bool(self.at.t - late > self.over), self.norm, arb(0)
         if before[i] == "0":
-            self.let_go(i, self.load()[i], 2)
+            near, load, middle = self.around(late, self.friction), self.load()[i], self.load_there[i]
+            rate, off = near.drift[i], self.spread.of_load(i) + abs(abs(middle) - drive.b[i])
+            self.let_go(i, load, 2)
         else:
             self.halt(Vector(s if j == i else arb(0) for j, s in enumerate(self.at.s)))
-            load = self.around(late).load[i]
-            if abs(load) < self.system.pieces[self.at.piece].b[i]:
+            self.spread = self.spread.grown(before, (self.norm - reached).upper())
+            near, slips = self.around(late), drive.b[i] * SIGNS[before[i]]
+            load = near.load[i]
+            rate, off = system.kappa[i] * (load - slips), self.spread.of_slip(i)
+            if abs(load) < drive.b[i]:
                 self.put(i, "0")
             else:
                 self.let_go(i, load, 1, "is the load inside the friction set where the slip ends")
-        self.after = late
+        stuck = [j for j in system.axes if "0" in (before[j], self.mode[j])]
+        if alone and not rate.contains(0) and all(abs(near.load[j]) < drive.b[j] * BEYOND for j in stuck):
+            late, earlier = late.min((off / abs(rate)).upper()), self.spread.norm
+            if before[i] == "0":  # what slips lacks at most steep |t - t_event| of friction
+                second = system.apart[i] * near.steep[i] * late * late
+                self.spread = self.spread.grown(self.mode, second.upper())
+            else:
+                held = load if self.mode[i] == "0" else drive.b[i] * SIGNS[self.mode[i]]
+                self.spread = self.spread.switched(before, i, late, held - slips, rate)
+            self.norm = self.norm.min(earlier.max(self.spread.norm))
+        else:
+            self.spread = Spread(system).grown("+" * system.n, self.norm)
+        self.after, self.over = late, self.at.t + late
         self.tell(before, late, "guard")
 
     def end_of(self, i: int, curve: Curve, found: Defect, norm: arb) -> tuple[arb, arb] | None:

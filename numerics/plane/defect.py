@@ -7,6 +7,7 @@ here is a polynomial, the defects too: no remainder is estimated.
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import NamedTuple
 
 from flint import arb, arb_poly, arb_series
@@ -37,9 +38,10 @@ class Curve(NamedTuple):
 
 
 class Defect(NamedTuple):
-    """What a curve adds to N, and the loads along it with what they are off beside what N says."""
+    """What a curve adds to N and, not yet moved by springs, to (q1, v1, v2); loads along it, and what they are off."""
 
     norm: arb
+    parts: Vector
     load: Vector
     load_error: Vector
 
@@ -57,8 +59,8 @@ def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     d1 = whole(slope1 * system.m1 - system.push(u, curve.q1, v1) * rate + curve.impulse)
     d2 = whole(slope2 * system.m2 - curve.impulse)
     d1 += u_off * integral_bound(rate)
-    norm = system.norm(whole(moved - v1 * rate), (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2)
-    return Defect(norm, system.load(u, curve.q1, v1), system.share * u_off)
+    parts = whole(moved - v1 * rate), (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2
+    return Defect(system.norm(*parts), Vector(chain(*parts)), system.load(u, curve.q1, v1), system.share * u_off)
 
 
 def force_along(drive: Drive, t: arb_poly, degree: int) -> tuple[Vector, Vector]:
@@ -85,7 +87,7 @@ def slip_defect(system: System, curve: Curve, slip: Vector, size: arb_poly) -> t
     """
     drive, rate, smallest = system.pieces[curve.piece], curve.t.derivative(), least(size)
     if not smallest > 0:
-        return Defect(arb("inf"), system.still, system.still), arb(0)
+        return Defect(arb("inf"), system.still, system.still, system.still), arb(0)
     missing = size * size - slip * slip @ drive.b_squared
     off = drive.b * (integral_bound(missing) * total(rate) / smallest)
     off = (off + (curve.impulse * size - slip * drive.b_squared * rate).each(integral_bound)) / smallest

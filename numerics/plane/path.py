@@ -159,9 +159,13 @@ class Path:
         """Return an enclosure of the true motion's Lam at the point, or within `late` (s) of it."""
         if late is not None:
             return self.around(late).load
+        return Vector(wide(self.load_there, self.system.load_error * self.norm))
+
+    @property
+    def load_there(self) -> Vector:
+        """Return Lam of the path at the point."""
         system, at = self.system, self.at
-        found = system.load(system.pieces[at.piece].force(at.t), at.q1, at.v1)
-        return Vector(wide(found, system.load_error * self.norm))
+        return system.load(system.pieces[at.piece].force(at.t), at.q1, at.v1)
 
     def step(self, *groups: tuple[Iterable[Sequence[arb]], arb]) -> arb:
         """Return how far coefficients reach: there their last two terms are 2^-bits of a size."""

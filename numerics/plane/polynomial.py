@@ -78,7 +78,8 @@ def first_root(p: arb_poly, error: arb, start: float = 0.0) -> tuple[arb, arb] |
             if p(arb(b)) > error:
                 continue
             if p(arb(a)) > error and p(arb(b)) < -error:
-                return _newton(p, slope, arb(a), arb(b)), (error / room).upper()
+                x = _newton(p, slope, arb(a), arb(b))
+                return x, ((error + abs(p(x))) / room).upper()
         if b - a < _PARTS:
             return False
         middle = (a + b) / 2

@@ -15,6 +15,9 @@ from numerics.plane.series import Point
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, wide
 
+BEYOND = 1 + 2.0**-10
+"""So far beyond K friction may be: that of a mode which is followed on to where the true motion has left it."""
+
 
 class Around(NamedTuple):
     """Enclosures and bounds by axes, for all of a window.
@@ -42,7 +45,7 @@ def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[ar
     both = drive.force(arb_series([wide(at.t, window), 1], 2))
     u, turn = both.order(0), both.order(1)
     push = system.push(u, q1, v1)
-    if not all(x < y for x, y in zip(abs(push) + drive.b, system.m1 * first, strict=True)):
+    if not all(x < y for x, y in zip(abs(push) + drive.b * BEYOND, system.m1 * first, strict=True)):
         return None
     pull = list(push / system.mass)
     for i, f in enumerate(slips):
@@ -50,4 +53,4 @@ def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[ar
             pull[i] = (push[i] - f) / system.m1[i]
     steep = system.share * (abs(turn - system.a2 @ v1) + abs(system.a1) @ first)
     drift = system.load(turn, v1, Vector(pull))
-    return Around(first, drive.b / system.m2, push * system.share, drift, steep)
+    return Around(first, drive.b * BEYOND / system.m2, push * system.share, drift, steep)

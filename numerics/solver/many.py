@@ -207,6 +207,10 @@ def _solve_objects(
             _refuse(name, array)
         given = [np.vectorize(Fraction, otypes=[object])(array) if array.size else array for array in floats]
     objects = [np.asarray(one, dtype=object) for one in (*given, *(acts or ()))]
+    for kind, some in zip((Force, Friction), objects[len(given) :], strict=False):
+        if wrong := [one for one in some.flat if not isinstance(one, kind)]:
+            name = kind.__name__
+            raise InvalidScene(f"{name.lower()} holds {str(wrong[0])[:40]!r}; give a {name}([...]), or a list of them")
     shape = _common_shape(dict(zip((*named, "force", "friction"), objects, strict=False)))
     arrays = [np.broadcast_to(one, shape) for one in objects]
     rows, pairs = zip(*[one.ravel() for one in arrays], strict=True), dict[tuple[int, ...], Pair]()

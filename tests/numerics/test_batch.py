@@ -262,6 +262,7 @@ def test_without_numba_the_same_numbers_come_out():
         ({"m1": [True, False]}, "m1 = .* must be real numbers"),
         ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
         ({"v1": np.ma.masked_array([0.1, 0.2], [True, False])}, "masked"),
+        ({"b": [1, 2, 3], "friction": [(1, 0.5)]}, r"give a Friction\(\[...\]\), or a list"),
         ({"max_events": 10**20}, "at most 2"),
         ({"max_events": 0}, "max_events = 0 must be at least 1"),
         ({"jobs": 0}, "jobs"),

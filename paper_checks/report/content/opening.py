@@ -246,7 +246,11 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         yield "What is new past the paper?", "One list: `new`."
     yield "Which law of friction is used?", LAW
     yield "How sure is a number of the solver?", NUMBERS
-    yield "How do I check one row again?", "Every row's page ends with the command. How to install it: `provenance`."
+    short = " By hand, in ten minutes: `critical-energy`, an ellipse in a strip." if "critical-energy" in shown else ""
+    yield (
+        "How do I check one row again?",
+        f"Every row's page ends with the command. How to install it: `provenance`.{short}",
+    )
     yield "How do I draw Fig. 5 again?", DRAWN
     if answers:
         yield "How fast is it beside heyoka?", " ".join(answers)

@@ -13,6 +13,7 @@ from numerics.plane.coupled import BoxRun
 from numerics.plane.polynomial import first_root
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
+from numerics.plane.spread import Spread
 from numerics.plane.states import States
 from numerics.plane.system import System
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -137,6 +138,39 @@ def test_a_root_counts_where_the_function_surely_falls_below_0(error, off):
     """1 - 1.005 x comes to -0.005: what it gives to 0.01 may stay positive."""
     found = first_root(arb_poly([1, arb("-1.005")]), arb(error))
     assert found is False if off is None else found[1] >= off / 1.005
+
+
+def test_where_a_root_is_counts_what_it_is_rounded_by():
+    x, off = first_root(arb_poly([1, -3]), arb(0))
+    assert (x + arb(0, off)).contains(arb(1) / 3)
+
+
+@pytest.mark.parametrize("digits", [3, 5, 9])
+def test_in_what_few_digits_say_is_what_many_say(digits):
+    assert agree(said(BOX, digits=digits), said(BOX, digits=30))
+
+
+@pytest.mark.parametrize(("name", "axis"), [("x1", 0), ("x1", 1), ("v1", 0), ("v2", 1)])
+def test_what_a_path_is_off_goes_on_through_modes_and_events_as_the_motions_do(name, axis):
+    """One difference at the start, one column: at the end it is that of two runs, up to squares."""
+    scene, rows = changed(BOX, until="1.2"), ("x1", "v1", "v2")
+    other = moved(scene, name, axis, 1e-9)
+    both = [pair for one in rows for pair in zip(getattr(scene, one), getattr(other, one), strict=True)]
+
+    class Planted(BoxRun):
+        def released(self, cause):
+            super().released(cause)
+            if cause is None:
+                self.spread = Spread(self.system, [[Ball.number(y - x)] for x, y in both])
+
+    run = Planted(System(reduced(scene), 30), 100, 2000)
+    run.follow()
+    (events, one, _), (_, two, _) = said(scene, digits=30), said(other, digits=30)
+    assert {(e.before, e.after) for e in events} >= {("-+", "0+"), ("0+", "0-"), ("0+", "-+")}
+    ends = [y - x for k in (0, 1, 3) for x, y in zip(one[k], two[k], strict=True)]
+    carried = [row[0] for row in run.spread.rows]
+    scale = max(map(abs, ends), key=lambda x: x.mid())
+    assert all(abs(x - y) < scale * 1e-5 for x, y in zip(carried, ends, strict=True))
 
 
 def test_with_a_damper_a_slip_from_the_edge_is_not_sure_for_long():
