@@ -1,7 +1,5 @@
 """Derivatives of a scene by differences of solves in balls: no derivative is written down here."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from fractions import Fraction

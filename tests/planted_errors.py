@@ -1,7 +1,5 @@
 """Errors planted at the start of a free run: its bounds are then held against the run of the true start."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from random import Random

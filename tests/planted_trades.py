@@ -1,7 +1,5 @@
 """Trades with planted answers, as `python -m numerics trade --json` would write them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from numerics.trade.recorded import NONE, Run, Trade, recorded

@@ -1,7 +1,5 @@
 """Friction of the state by an event-driven Runge-Kutta method: it shares nothing with the engine but the scene."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

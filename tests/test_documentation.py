@@ -1,7 +1,5 @@
 """README and the pages in docs/: their code runs, commands are understood, scenes are scenes, no link is dead."""
 
-from __future__ import annotations
-
 import re
 import shlex
 import subprocess

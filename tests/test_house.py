@@ -1,7 +1,5 @@
 """The plan of the house: which package may import which, and that the tests see the repository's own packages."""
 
-from __future__ import annotations
-
 import graphlib
 import importlib
 import re

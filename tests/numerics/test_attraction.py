@@ -1,7 +1,5 @@
 """What is left to slide next to a periodic motion: a bound, held against maps and runs that are known."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from functools import cache

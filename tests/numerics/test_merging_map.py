@@ -1,7 +1,5 @@
 """The merging map: its cells against single runs, the edges of the set, and faults planted in it."""
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
 from functools import cache

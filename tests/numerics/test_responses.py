@@ -1,7 +1,5 @@
 """Periodic motions: their enclosures against the independent reference, their multipliers against differences of it."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

@@ -48,11 +48,15 @@ def in_balls(scene, digits=DIGITS, most=40):
     return solve(scene, arithmetic="ball", digits=digits, max_events=most)
 
 
+def compared(scene):
+    """All numbers of a scene moved at once; events, states and times up to the horizon, or the first forty events."""
+    base = in_balls(scene)
+    return deviation(base, everything(base), DIGITS, STEP)
+
+
 @pytest.mark.parametrize("name", [*FREE, *FORCED])
 def test_differences_of_solves(name):
-    """All numbers of a scene moved at once; events, states and times up to the horizon, or the first forty events."""
-    base = in_balls(named(name))
-    found = deviation(base, everything(base), DIGITS, STEP)
+    found = compared(named(name))
     assert found.events_compared
     assert found.size < (1e-25 if name == "near-E-cr" else 1e-37), found
 
@@ -61,8 +65,7 @@ def test_differences_of_solves(name):
     "name", [pytest.param(one, marks=[pytest.mark.long] * (one == "sine-at-threshold")) for one in TIES]
 )
 def test_ties_that_leave_derivatives(name):
-    base = in_balls(named(name))
-    found = deviation(base, everything(base), DIGITS, STEP)
+    found = compared(named(name))
     assert not found.events_compared
     assert found.size < TIES[name], found
 
@@ -87,8 +90,7 @@ def test_differences_by_each_number(name):
 @given(driven_scenes() | scenes(damped=None, periods=(1, 1), exponents=(-1, 1)))
 def test_differences_of_random_solves(scene):
     try:
-        base = in_balls(scene)
-        found = deviation(base, everything(base), DIGITS, STEP)
+        found = compared(scene)
     except NumericsError:  # the scene, or a neighbour, sits on a tie
         raise LeftOut from None
     assert found.size < (1e-20 if found.events_compared else 1e-3), found
@@ -254,7 +256,6 @@ HONEST_GUARD, HONEST_SYSTEM, HONEST_SINE = Variation.guard, Variation._system, v
 )
 def test_wrong_derivatives_are_found_out(monkeypatch, name, owner, part, wrong):
     """A sine that does not move with its frequency, a jump, an exit, and a motion that moves with its start alone."""
-    base = in_balls(named(name))
-    assert deviation(base, everything(base), DIGITS, STEP).size < 1e-35
+    assert compared(named(name)).size < 1e-35
     monkeypatch.setattr(owner, part, wrong)
-    assert deviation(base, everything(base), DIGITS, STEP).size > 1e-3
+    assert compared(named(name)).size > 1e-3

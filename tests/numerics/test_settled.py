@@ -1,7 +1,5 @@
 """What is said of all later times, held against what follows: stuck for ever, or near its periodic motion."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

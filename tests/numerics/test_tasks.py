@@ -1,7 +1,5 @@
 """Maps on several processes and on a cluster: the same cells, and nothing is lost when a worker is killed."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

@@ -1,7 +1,5 @@
 """Speed against accuracy: judging, timing by a planted clock, leads, what is recorded, and the command."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import replace

@@ -1,6 +1,7 @@
 """Questions about control and their answers, by name: numbers as enclosures. Public interface only."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from numerics import (
@@ -88,27 +89,21 @@ def answers() -> dict[str, Callable[[], Any]]:
     """Every question by its name, not yet asked."""
     asked: dict[str, Callable[[], Any]] = {}
     for name, scene in SHAKEN.items():
-        asked[f"response: {name}"] = lambda scene=scene: of_response(scene)
+        asked[f"response: {name}"] = partial(of_response, scene)
     for name, pair in PAIRS.items():
         for omega in (1, "3.7", 12, 20, 55):
-            asked[f"thresholds: {name} at {omega}"] = lambda pair=pair, omega=omega: of_thresholds(pair, omega)
+            asked[f"thresholds: {name} at {omega}"] = partial(of_thresholds, pair, omega)
         for distance in ("0.001", "0.01", "-0.1"):
-            asked[f"transfer: {name} by {distance}"] = lambda pair=pair, distance=distance: of_transfer(pair, distance)
+            asked[f"transfer: {name} by {distance}"] = partial(of_transfer, pair, distance)
         for amplitude in ("1.08", 3, 40):
-            asked[f"transfer: {name} with {amplitude}"] = lambda pair=pair, most=amplitude: of_transfer(
-                pair, "0.001", amplitude=most
-            )
-        asked[f"transfer: {name} with a margin"] = lambda pair=pair: of_transfer(pair, "0.01", margin="0.05")
+            asked[f"transfer: {name} with {amplitude}"] = partial(of_transfer, pair, "0.001", amplitude=amplitude)
+        asked[f"transfer: {name} with a margin"] = partial(of_transfer, pair, "0.01", margin="0.05")
         for reference in ("s-curve", "too-fast"):
-            asked[f"track: {name} on {reference}"] = lambda pair=pair, reference=reference: of_track(
-                Scene(pair, State(), until=1), reference
-            )
+            asked[f"track: {name} on {reference}"] = partial(of_track, Scene(pair, State(), until=1), reference)
     rings = [("0.001", 1), ("0.001", 20), ("0.02", 5)]
     scenes = {"velocities": rings, "start-with-speed": rings, "relative-motion-b02": rings}
     scenes |= {f"forced-{name}": rings[:1] for name in ("sine-stick-slip", "sine-entrained", "sine-non-stop", "step")}
     for name, questions in scenes.items():
         for radius, rate in questions:
-            asked[f"ring: {name} of {radius}, {rate}"] = lambda name=name, radius=radius, rate=rate: of_ring(
-                load_scene(name), radius, rate=rate
-            )
+            asked[f"ring: {name} of {radius}, {rate}"] = partial(of_ring, load_scene(name), radius, rate=rate)
     return asked

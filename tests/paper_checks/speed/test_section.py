@@ -1,7 +1,5 @@
 """The chapter on speed says what the record says: planted records in which a peer wins, fails, or did not take part."""
 
-from __future__ import annotations
-
 import re
 from html import unescape
 
