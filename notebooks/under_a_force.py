@@ -53,7 +53,7 @@ pair = Pair(m1=1, m2=1, a2=200, b="0.5", a1=2)
 # more friction than there is, $U\le U^*=\beta\,|a_2-M\omega^2+ia_1\omega|/\omega^2$ with $\beta=b/m_2$. A motion that
 # slips for ever, with two reversals a period, needs $U\ge U^{**}$, and a relative velocity that keeps its sign between
 # the reversals: it exists from some amplitude on, at some frequencies only well above $U^{**}$. In between the pair
-# slips, and sticks or reverses more than twice a period.
+# ends up slipping, and sticks or reverses more than twice, in each period.
 
 # %%
 with house_style():

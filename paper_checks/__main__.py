@@ -60,7 +60,8 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
         os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
         # sympy remembers a thousand answers of each of its functions; with more, rows take a tenth less
         os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
-        gc.set_threshold(200_000, 20, 20)  # most expressions go by themselves: looking for the others takes a twentieth
+        # most expressions go by themselves: looking for the others takes a twentieth
+        gc.set_threshold(2_000_000, 20, 20)
     if hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="backslashreplace")
     for module in (

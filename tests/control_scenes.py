@@ -9,13 +9,11 @@ from typing import Any
 import numpy as np
 from forced_reference import Reference
 
+from numerics import Force, Pair, Piece, Scene, Sine, State, scene_text, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
 from numerics.control.attraction import passage_at
 from numerics.control.orbit import Orbit
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
-from numerics.scene.writing import scene_text
-from numerics.solver.solve import solve
 
 FREE, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3)
 

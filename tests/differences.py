@@ -9,10 +9,7 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from numerics.errors import InvalidScene
-from numerics.linear.modes import Mode
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
-from numerics.solver.solve import solve
+from numerics import Force, Friction, InvalidScene, Mode, Pair, Piece, Scene, Sine, State, Weakening, solve
 from numerics.trajectory.sensitivity import parameters, sensitivities
 
 SMALLEST = 1e-9

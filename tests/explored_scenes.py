@@ -1,15 +1,13 @@
 """Scenes in reduced coordinates, for the page as numbers and for `numerics.solve` as exact rationals."""
 
-import json
 from dataclasses import asdict, dataclass
 from fractions import Fraction
 from itertools import product
-from pathlib import Path
 from typing import NamedTuple
 
-from numerics import Force, Pair, Scene, State
-from numerics.scene.file import load_scene
-from numerics.scene.pieces import Piece, Sine
+from sixty_digits import FORCED, forced_scene
+
+from numerics import Force, Pair, Piece, Scene, Sine, State
 from paper_checks.explore.scenes import reduced
 
 GRID = [
@@ -105,7 +103,6 @@ SCENES = [GridScene(*row) for row in (*GRID, *TIES, *EDGES, *CRITICAL, *DRIVEN, 
     GridScene(*TIES[-1], literal=True),
 ]
 
-FORCED = Path(__file__).parent / "forced"
 FORCED_NAMES = (
     "constant-force",
     "huge-omega",
@@ -129,10 +126,9 @@ FORCED_NAMES = (
 where binary64 has few digits, and one that is above the threshold by 1e-20."""
 
 
-def forced_scene(name: str) -> tuple[dict[str, float | bool], Answer]:
+def explored(name: str) -> tuple[dict[str, float | bool], Answer]:
     """One of them for the page, and the events that it must find, reduced."""
-    scene = load_scene(FORCED / "scenes" / f"{name}.toml")
-    answer = json.loads((FORCED / "answers.json").read_text("utf-8"))[name]
+    scene, answer = forced_scene(name), FORCED[name]
     omega, length = float(scene.pair.a2 / scene.pair.mass) ** 0.5, float(scene.pair.half_width)
     units = omega, 1 / length, 1 / (length * omega)
     rows = {

@@ -1,13 +1,16 @@
 """Runs of the engine's kernel whose start is off by planted errors, and seeded scenes for them with M = a2 = L = 1."""
 
 import math
+from dataclasses import replace
 from fractions import Fraction
+from operator import add
 from typing import NamedTuple
 
 import numpy as np
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.compiled import compiled
+from numerics.linear.columns import make_room
 from numerics.linear.kernel import follow
 from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, END_ROW, ROW
@@ -41,6 +44,11 @@ class Run(NamedTuple):
         return np.array([starts[int(row[AT["piece"]])] + row[AT["local"]] for row in self.events])
 
 
+def room_for(tables):
+    """Room for the columns of tables."""
+    return make_room(tables.rows.shape[4], tables.rows.shape[5])
+
+
 def run(scene, by=NOTHING, wide=False, most=60):
     """A run that is told that x1, v1, x2 and v2 may be off by so much at the start."""
     prepared = prepare(scene, wide=wide)
@@ -54,13 +62,8 @@ def run(scene, by=NOTHING, wide=False, most=60):
 
 def moved(scene, by):
     """A scene whose start is elsewhere."""
-    at, (x1, v1, x2, v2) = scene.initial, by
-    state = State(at.x1 + x1, at.v1 + v1, at.x2 + x2, at.v2 + v2)
-    return Scene(scene.pair, state, scene.until, scene.law, scene.force, scene.friction)
-
-
-def until(scene, time):
-    return Scene(scene.pair, scene.initial, time, scene.law, scene.force, scene.friction)
+    at = scene.initial
+    return replace(scene, initial=State(*map(add, (at.x1, at.v1, at.x2, at.v2), by)))
 
 
 def exact(x, digits=6):

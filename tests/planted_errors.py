@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from numerics import Pair, Scene, State
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.free.bound_steps import Errors, no_linear
@@ -16,7 +17,6 @@ from numerics.free.bounds import Carried, initial
 from numerics.free.engine import begin_exactly, in_halves
 from numerics.free.rows import solve_start
 from numerics.linear.record import AT, END_ROW, ROW
-from numerics.scene import Pair, Scene, State
 
 MOST = 40
 ARITHMETICS = {"float64": Float64(), "double-double": DoubleDouble()}
@@ -77,12 +77,6 @@ def _with_distance(carried: Carried, scene: Scene, other: Scene) -> Carried:
         norm + distance,
     )
     return Carried(errors, no_linear(q, errors))
-
-
-def moved(scene: Scene, by: dict[str, Fraction], until: Fraction | None = None) -> Scene:
-    """The scene with other coordinates, or another horizon."""
-    state = {name: getattr(scene.initial, name) + by.get(name, 0) for name in COORDINATES}
-    return Scene(scene.pair, State(**state), until or scene.until, scene.law)
 
 
 def draw_scene(random: Random) -> Scene:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from numerics.scene.file import Scene, load_scene
+from numerics import Scene, load_scene
 
 
 def scenes_in(folder: str) -> dict[str, Scene]:

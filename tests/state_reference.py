@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from numerics.scene import Scene
+from numerics import Scene
 
 _FIRST = 1e-7
 """A first step, s, without events: one that begins at an event does not find that again."""

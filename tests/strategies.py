@@ -6,12 +6,10 @@ from fractions import Fraction
 import numpy as np
 from hypothesis import strategies as st
 
+from numerics import Force, Friction, Law, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, Weakening, thresholds
 from numerics.arithmetic.pair import Pair as WideNumber
 from numerics.arithmetic.pair import two_sum
 from numerics.control.response import Regime
-from numerics.control.thresholds import thresholds
-from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
-from numerics.scene.plane import PlanePair, PlaneScene
 
 MODERATE = (-2, 2)
 EXTREME = (-12, 12)

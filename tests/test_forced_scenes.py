@@ -1,124 +1,20 @@
-"""The scenes of tests/forced in every arithmetic: right to the digits asked, or refused where that is right.
+"""Scenes under a force: in other units, against the reference of tests/forced_reference.py, where they end at once."""
 
-The answers come from tests/forced_reference.py, which shares nothing with the solver.
-"""
-
-import json
 import math
 from dataclasses import replace
-from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import pytest
 from control_scenes import referred
 from flint import arb, ctx
-from forced.catalogue import ANSWER, SIGNS, UNDECIDABLE, itinerary
-from forced.catalogue import scene as scene_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
+from sixty_digits import forced_scene
 from strategies import KINDS, MODERATE, pairs, states
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State
+from numerics import EventUndecided, Force, Friction, NumericsError, OutOfRange, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.ball import precision
-from numerics.errors import EventUndecided, NumericsError, OutOfRange
-from numerics.solver.solve import solve
-from numerics.solver.truth import record as as_record
-
-WAYS = {
-    "ball": {"arithmetic": "ball", "digits": 40},
-    "mpmath": {"arithmetic": "mpmath", "digits": 40},
-    "float64": {"arithmetic": "float64"},
-}
-DIGITS = {"ball": 38, "mpmath": 30, "float64": 9}
-EVENTS = {"ball": 51, "mpmath": 13, "float64": 10_000}
-"""Under which caps: of the scenes with very many events the first ones will do."""
-NAMES = ("t", "x1", "v1", "x2", "v2")
-# a touch that only exact numbers tell from a crossing
-TOUCHES = {UNDECIDABLE, "load-touches-the-edge", "load-touches-to-fourth-order"}
-# neighbours of a tie or of a contact, nearer than the bounds of float64; solve(scene) climbs there
-NEAR = {"jump-just-before-contact", "reversal-just-before-contact", "sine-barely-above-threshold", "mass-ratio-1e-6"}
-BEYOND = {"ball": {UNDECIDABLE}, "mpmath": TOUCHES, "float64": {UNDECIDABLE, *NEAR}}
-FEWER = {("sine-just-above-threshold", "float64"): 7, ("soft-spring", "float64"): 8}
-"""Right digits where a slip is so short that its end keeps fewer."""
-
-
-def outcome(name, way):
-    """The trajectory and its record, or the typed error."""
-    try:
-        return solved(name, way)
-    except NumericsError as error:
-        return error
-
-
-def solved(name, way):
-    most = {"max_digits": 120} if name == UNDECIDABLE else {}
-    found = solve(scene_of(name), max_events=EVENTS[way], **WAYS[way], **most)
-    return found, as_record(found)
-
-
-def compare(found, record, truth, digits, way):
-    """Every event and, if it was reached, the end, right to so many digits of its scale.
-
-    What is printed lies within the radius of a ball, and is right up to its last digit, and to so many, in float64.
-    """
-    got = [*record["events"], record["final"]]
-    right = [(one["n"], one["row"], one["cause"]) for one in truth["events"] if one["n"] < len(record["events"])]
-    if found.reached:
-        right.append((len(got) - 1, truth["final"], None))
-    numbers = [(event.t, *event.y) for event in found.events] + [(found.end_time, *found.final_state)]
-    with localcontext() as context:
-        context.prec, context.Emin, context.Emax = 120, -(10**6), 10**6
-        columns = list(zip(*([Decimal(one) for one in row] for _, row, _ in right), strict=True))
-        sizes = [max(map(abs, column)) for column in columns]
-        far, fast = max(sizes[1], sizes[3]), max(sizes[2], sizes[4])
-        for n, row, cause in right:
-            assert cause in {None, "both", got[n].get("cause")}
-            for k, (name, text, scale) in enumerate(zip(NAMES, row, (0, far, fast, far, fast), strict=True)):
-                printed, two = Decimal(got[n][name]), Decimal(text)
-                size = max(abs(two), scale)
-                one = Decimal(float(numbers[n][k])) if way == "float64" else printed
-                assert abs(one - two) <= Decimal(10) ** -digits * size, (n, name, one, two)
-                off, slack = abs(printed - two), Decimal("1e-59") * size
-                if way == "ball":
-                    assert off <= Decimal(got[n][f"{name}_radius"]) + slack, (n, name, printed, two)
-                if way == "float64":
-                    assert len(got) > 1000 or off <= Decimal(10) ** -digits * size, (n, name, printed, two)
-                    assert off <= Decimal((0, (1, 5), printed.as_tuple().exponent - 1)) + slack, (n, name, printed, two)
-
-
-SLOW = pytest.param(UNDECIDABLE, "mpmath", marks=pytest.mark.long)
-CASES = [(name, way) for name in ANSWER for way in WAYS if (name, way) != (UNDECIDABLE, "mpmath")]
-
-
-@pytest.mark.parametrize(("name", "way"), [*CASES, SLOW])
-def test_right_to_the_digits_asked_or_refused(name, way):
-    answer = outcome(name, way)
-    if isinstance(answer, NumericsError):
-        assert type(answer) is EventUndecided
-        assert name in BEYOND[way]
-        assert str(answer).isprintable()
-        return
-    found, record = answer
-    last = record["events"][-1]["to"] if record["events"] else record["final"]["mode"]
-    modes = "".join(SIGNS[event["from"]] for event in record["events"]) + SIGNS[last]
-    assert modes == ANSWER[name]["modes"][: len(modes)]
-    assert found.reached == (len(modes) == len(ANSWER[name]["modes"]))
-    compare(found, record, ANSWER[name], FEWER.get((name, way), DIGITS[way]), way)
-
-
-@pytest.mark.parametrize("name", ["sine-stick-slip", "many-causes", "tie-by-second-derivative-slips"])
-def test_a_wrong_answer_is_seen(name):
-    """The comparison can fail: by one unit in the 37th digit, by a radius too small, by an exchanged cause."""
-    found, record = solved(name, "ball")
-    truth = json.loads(json.dumps(ANSWER[name]))
-    truth["final"][1] = str(Decimal(truth["final"][1]) * (1 + Decimal("1e-37")))
-    with pytest.raises(AssertionError):
-        compare(found, record, truth, DIGITS["ball"], "ball")
-    record["final"]["x1_radius"] = "0"
-    record["final"]["x1"] = record["final"]["x1"][:45]
-    with pytest.raises(AssertionError):
-        compare(found, record, ANSWER[name], 30, "ball")
 
 
 def in_other_seconds(scene, factor):
@@ -147,8 +43,8 @@ def in_other_seconds(scene, factor):
 )
 def test_the_unit_of_time_does_not_matter(name, exponent):
     """@example of found faults: a time below 1e-15 s was rounded to 0 at a tie; tau^20 left the range of floats."""
-    scene, factor = scene_of(name), Fraction(10) ** exponent
-    one, two = (solve(each, **WAYS["ball"]) for each in (scene, in_other_seconds(scene, factor)))
+    scene, factor = forced_scene(name), Fraction(10) ** exponent
+    one, two = (solve(each, arithmetic="ball", digits=40) for each in (scene, in_other_seconds(scene, factor)))
     assert one.modes == two.modes
     with two.arithmetic.context():
         for a, b in zip(one.events, two.events, strict=True):
@@ -161,7 +57,7 @@ def test_the_unit_of_time_does_not_matter(name, exponent):
 @pytest.mark.parametrize("name", ["triangular-wave", "sine-stick-slip", "damping-heavy"])
 def test_the_unit_of_time_does_not_matter_in_floats(name, exponent):
     """Events, states between them, bounds and ledger. @example of found faults: refusals, a bare ZeroDivisionError."""
-    scene, factor = scene_of(name), Fraction(10) ** exponent
+    scene, factor = forced_scene(name), Fraction(10) ** exponent
     one, two = solve(scene), solve(in_other_seconds(scene, factor))
     assert one.modes == two.modes
     assert two.event_times / float(factor) == pytest.approx(one.event_times, rel=1e-14)
@@ -216,7 +112,7 @@ def require_agreement(scene):
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])
 def test_more_digits_than_a_float_has_decades_are_reached_at_once(arithmetic):
     """Beyond 308 digits what is rough is 0: it once ended Newton's method early, and no precision was enough."""
-    scene = scene_of("sine-stick-slip")
+    scene = forced_scene("sine-stick-slip")
     few, many = (solve(scene, digits=n, arithmetic=arithmetic, max_digits=500) for n in (360, 400))
     with precision(2000):
         for one, two in zip(few.event_times, many.event_times, strict=True):
@@ -245,7 +141,7 @@ def test_what_begins_at_a_tie_of_high_order_may_end_soon():
     force = Force((Piece(0, (2, 0, Fraction(1, 2), -10)),))
     for arithmetic in ("ball", "float64"):
         found = solve(Scene(Pair(1, 1, "1e-6", 1), State(), 1, force=force), arithmetic=arithmetic)
-        assert itinerary(found) == "+0-"
+        assert found.signs == [1, 0, -1]
         assert abs(float(found.event_times[0]) - 4 / 60) < 1e-7
 
 

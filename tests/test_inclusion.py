@@ -13,8 +13,7 @@ from scene_files import scenes_in
 from strategies import KINDS as STRATEGIES
 from strategies import weakened_scenes
 
-from numerics.errors import EventUndecided
-from numerics.scene.file import load_scene
+from numerics import EventUndecided, load_scene
 from numerics.trajectory.sensitivity import parameters
 
 KINDS = STRATEGIES | {"friction of the state": weakened_scenes()}

@@ -11,8 +11,7 @@ from oracle.controls import answers as questions
 from oracle.holding import compared, held, same
 from oracle.reading import data, scene_of
 
-from numerics import solve
-from numerics.errors import NumericsError
+from numerics import NumericsError, solve
 from numerics.trajectory.status import Status
 
 SCENES = data()["scenes"]

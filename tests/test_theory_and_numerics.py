@@ -6,8 +6,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from numerics import Pair, Scene, State, solve
-from numerics.linear.modes import Mode
+from numerics import Mode, Pair, Scene, State, solve
 from theory.filippov import transversality
 from theory.return_map import contact_condition, gap, landing, push
 from theory.symbols import a2, b, m1, m2, q, theta, x1

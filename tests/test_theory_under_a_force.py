@@ -8,14 +8,10 @@ from flint import arb
 from hypothesis import given
 from strategies import MODERATE, decimals, pairs
 
-from numerics import Pair, Scene, State, solve
+from numerics import Force, Mode, Pair, Piece, Scene, State, fastest_transfer, solve, track
 from numerics.arithmetic.ball import Ball
 from numerics.control.response import response as forced_response_of
 from numerics.control.thresholds import square_wave_response, thresholds
-from numerics.control.tracking import track
-from numerics.control.transfer import fastest_transfer
-from numerics.linear.modes import Mode
-from numerics.scene import Force, Piece
 from theory import forced
 from theory import forced_control as control
 from theory import forced_response as response

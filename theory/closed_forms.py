@@ -20,12 +20,11 @@ from sympy import (
     integrate,
     sin,
     sinh,
-    solve,
     sqrt,
 )
 
 from theory.fraction import in_lowest_terms
-from theory.linear import root
+from theory.linear import root, roots
 from theory.model import branch_named
 from theory.symbols import a1, a2, free, m1, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
 
@@ -119,7 +118,7 @@ def solution(mode: str, regime: Regime) -> ModeSolution:
     shape = decaying_pair(regime)
     ansatz = rest + first * shape[0] + second * shape[1]
     start = [(ansatz - x1_0).subs(t, 0), (diff(ansatz, t) - v1_0).subs(t, 0)]
-    position = ansatz.subs(solve(start, [first, second], dict=True)[0])
+    position = ansatz.subs(dict(zip((first, second), roots(start, [first, second]), strict=True)))
     if mode == "stick":
         return ModeSolution(mode, regime, position, x2_0 + position - x1_0)
     velocity2 = v2_0 + integrate(field.acceleration2, t)

@@ -14,7 +14,6 @@ from sympy import (
     factor,
     integrate,
     sin,
-    solve,
     sqrt,
     together,
 )
@@ -151,7 +150,8 @@ def impulse_response() -> Expr:
 def response_peak() -> Expr:
     """The angle theta = omega_1 t up to which g rises where a1 = 0."""
     response = impulse_response().subs({decline: 0, t: angle / swing}, simultaneous=True)
-    return min(solve(diff(response, angle), angle))
+    level = Symbol("c")
+    return acos(root(diff(response, angle).subs(cos(angle), level), level))
 
 
 @cache

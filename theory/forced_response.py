@@ -17,19 +17,17 @@ from sympy import (
     expand,
     fraction,
     integrate,
-    limit,
     pi,
-    simplify,
     sin,
-    solve,
     sqrt,
     tan,
 )
 
 from theory.forced import load
 from theory.fraction import in_lowest_terms
-from theory.linear import root
+from theory.linear import root, roots
 from theory.model import slip, stick
+from theory.power_series import taylor
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1
 
 amplitude, omega = Symbol("U", positive=True), Symbol("omega", positive=True)
@@ -128,7 +126,7 @@ def square_wave() -> tuple[Expr, Expr]:
     speed, half = diff(place, t), pi / omega
     left = {exp(-decline * half): decayed, cos(swing * half): Symbol("c"), sin(swing * half): Symbol("s")}
     ends = [(one.subs(t, half) + one.subs(t, 0)).subs(left) for one in (place, speed)]
-    found = solve(ends, [first, second], dict=True)[0]
+    found = dict(zip((first, second), roots(ends, [first, second]), strict=True))
     return _reduced(place.subs(t, 0).subs(found)), _reduced(speed.subs(t, 0).subs(found))
 
 
@@ -158,8 +156,7 @@ def non_stop_parts() -> tuple[Expr, Expr]:
     place, speed = c - b * square_place, a * omega - b * square_speed
     force = ((slip_impedance() - I * slip_impedance().coeff(I)) * c + slip_impedance().coeff(I) * a).expand()
     at_exit = load().subs({u: force, x1: place, v1: speed}, simultaneous=True) - b
-    found = solve([speed - lowest, at_exit], [a, c], dict=True)[0]
-    return found[a], found[c]
+    return roots([speed - lowest, at_exit], [a, c])
 
 
 @cache
@@ -180,9 +177,11 @@ def undamped_non_stop_amplitude_squared() -> Expr:
 @cache
 def resonant_non_stop_amplitude() -> Expr:
     """The limit of U** as omega tends to omega_1 without a damper, N."""
-    ratio = Symbol("r", positive=True)
-    reduced = undamped_non_stop_amplitude_squared().subs(natural, ratio * omega)
-    return simplify(sqrt(limit(reduced, ratio, 1)))
+    off = Symbol("epsilon")  # pi omega_1/(2 omega) is pi/2 + off, and its tangent -cos(off)/sin(off)
+    gap = 1 - natural**2 / omega**2
+    residue = taylor(gap.subs(natural, omega * (1 + 2 * off / pi)) * -cos(off) / sin(off), off, 1)
+    squared = undamped_non_stop_amplitude_squared().subs(tan(pi * natural / (2 * omega)), residue / gap)
+    return sqrt(in_lowest_terms(squared).subs(natural, omega))
 
 
 def two_stop_conditions() -> tuple[Expr, Expr, Expr]:

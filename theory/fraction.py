@@ -5,12 +5,14 @@ way is reduced at once, in a field of fractions.
 """
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 from sympy import ZZ, Expr, Rational, factor
 from sympy.polys.fields import FracField
 
 
+@cache
 def in_lowest_terms(expression: Expr) -> Expr:
     """The expression as `cancel` writes it, a quotient of expanded polynomials; exact.
 
@@ -25,6 +27,7 @@ def in_lowest_terms(expression: Expr) -> Expr:
     return found.numer.as_expr() / found.denom.as_expr()
 
 
+@cache
 def factored(expression: Expr) -> Expr:
     """The expression in lowest terms, numerator and denominator as products; exact."""
     return factor(in_lowest_terms(expression))

@@ -1,6 +1,8 @@
-"""The root of an equation that is linear in its unknown: exact, and much quicker than sympy's general `solve`."""
+"""Roots of equations that are linear in their unknowns: exact, and much quicker than sympy's general `solve`."""
 
-from sympy import Expr, Symbol, diff
+from collections.abc import Sequence
+
+from sympy import Expr, Symbol, fraction
 
 from theory.fraction import in_lowest_terms
 
@@ -10,7 +12,19 @@ def root(expression: Expr, unknown: Symbol) -> Expr:
 
     Raises ValueError for an expression that is not linear in the unknown, or in which it is not.
     """
-    slope = in_lowest_terms(diff(expression, unknown))
-    if slope == 0 or slope.has(unknown):
+    above, below = fraction(in_lowest_terms(expression))
+    slope, rest = above.coeff(unknown, 1), above.coeff(unknown, 0)
+    if slope == 0 or (slope * unknown + rest - above).expand() != 0 or (slope + rest + below).has(unknown):
         raise ValueError(f"{expression} is not linear in {unknown}")
-    return in_lowest_terms(-expression.subs(unknown, 0) / slope)
+    return in_lowest_terms(-rest / slope)
+
+
+def roots(expressions: Sequence[Expr], unknowns: Sequence[Symbol]) -> tuple[Expr, Expr]:
+    """The values of two unknowns for which two expressions are 0: the first is eliminated by the first expression.
+
+    Raises ValueError, as `root`.
+    """
+    (one, other), (first, second) = expressions, unknowns
+    eliminated = root(one, first)
+    last = root(other.subs(first, eliminated), second)
+    return in_lowest_terms(eliminated.subs(second, last)), last

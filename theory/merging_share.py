@@ -6,11 +6,11 @@ their share of the sphere is the flux through S over the rate at which the energ
 
 from functools import cache
 
-from sympy import Expr, Symbol, cos, diff, expand, integrate, limit, oo, pi, simplify, sqrt
+from sympy import Expr, Symbol, cos, diff, expand, integrate, limit, oo, pi, sqrt
 
 from theory.fraction import in_lowest_terms
 from theory.scaling import excess_rate, reduced_energy, reduced_slip
-from theory.symbols import V1, V2, X, r
+from theory.symbols import V1, V2, X, q, r
 
 level = Symbol("e", positive=True)  # E/E_cr
 relative = Symbol("g", positive=True)  # |V1 - V2| where the slip has the energy e
@@ -49,7 +49,9 @@ def sphere() -> Expr:
 @cache
 def density() -> Expr:
     """What a point (X, V) of the disc adds to the share, both half-spaces together."""
-    return simplify(2 * flux() / dissipation() / sphere())
+    share = Symbol("r", positive=True)  # 1 - q, of which sphere and dissipation have powers that cancel
+    lost, size = (one().subs(q, 1 - share) for one in (dissipation, sphere))
+    return (2 * flux() / in_lowest_terms(lost) / size).subs(share, r)
 
 
 @cache

@@ -8,13 +8,14 @@ epsilon^order on are dropped.
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Expr, Integer, Symbol, asin, atan2, cos, expand, factor, limit, sin, solve, sqrt
+from sympy import Expr, Integer, Symbol, asin, atan2, cos, expand, factor, sin, sqrt
 
 from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.filippov import at_edge
 from theory.fraction import in_lowest_terms
+from theory.linear import root, roots
 from theory.power_series import composed, reverted, taylor
 from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
 from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
@@ -65,8 +66,7 @@ def stick_rotation() -> tuple[Expr, Expr]:
     cosine, sine = Symbol("c"), Symbol("s")
     motion = [found.x1.subs(unit) + 1, found.v1.subs(unit) + epsilon]
     motion = [entry.subs({cos(t): cosine, sin(t): sine}) for entry in motion]
-    angles = solve(motion, [cosine, sine], dict=True)[0]
-    return angles[cosine], angles[sine]
+    return roots(motion, [cosine, sine])
 
 
 def angle_of(cosine: Expr, sine: Expr, order: int) -> Expr:
@@ -108,7 +108,7 @@ def cycle(order: int = ORDER) -> CycleSeries:
 def inverse_step() -> Expr:
     """lim (1/w' - 1/w) as w -> 0, dimensionless: the constant gain of 1/w per excursion."""
     after = cycle().next_excess
-    return in_lowest_terms(limit(in_lowest_terms((epsilon**2 - after) / (after * epsilon**2)), epsilon, 0))
+    return in_lowest_terms(taylor(in_lowest_terms((epsilon**2 - after) / (after * epsilon**2)), epsilon, 1))
 
 
 @cache
@@ -154,8 +154,9 @@ class CriticalLimits:
 @cache
 def exit_speed() -> Expr:
     """V of the ray l_+ with excess w, dimensionless: solved from the energy on the edge X = 1."""
-    common = Symbol("V", positive=True)
-    return solve(excess().subs({X: 1, V1: common, V2: common}, simultaneous=True) - w, common)[0]
+    squared = Symbol("V2", positive=True)
+    common = sqrt(squared)
+    return sqrt(root(excess().subs({X: 1, V1: common, V2: common}, simultaneous=True) - w, squared))
 
 
 @cache
@@ -176,4 +177,4 @@ def critical_limits() -> CriticalLimits:
 
 def excess_ratio_limit() -> Expr:
     """lim w'/w as w -> 0, dimensionless: 1, so the decay is slower than every exponential."""
-    return limit(in_lowest_terms(cycle().next_excess / epsilon**2), epsilon, 0)
+    return taylor(cycle().next_excess / epsilon**2, epsilon, 1)

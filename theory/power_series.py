@@ -1,6 +1,7 @@
 """Taylor polynomials at 0 by truncated power series: exact, and much quicker than sympy's general `series`."""
 
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 from sympy import (
@@ -15,6 +16,7 @@ from sympy import (
     cos,
     expand,
     fraction,
+    pi,
     series,
     sin,
     sqrt,
@@ -26,6 +28,7 @@ _SPARE = 12
 """Orders that a zero of the denominator may take away."""
 
 
+@cache
 def taylor(expression: Expr, variable: Symbol, order: int) -> Expr:
     """Taylor polynomial at 0 below variable**order.
 
@@ -63,11 +66,11 @@ def composed(outer: Expr, variable: Symbol, order: int, inner: Expr) -> Expr:
 
 
 def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
-    sine, cosine = Dummy("sine"), Dummy("cosine")
+    sine, cosine, half_turn = Dummy("sine"), Dummy("cosine"), Dummy("pi", positive=True)
     roots = {}
     if any(not one.exp.is_Integer for one in expression.atoms(Pow)):
         roots = {one: Dummy(one.name, positive=True) for one in expression.free_symbols - {variable} if one.is_positive}
-    unknown = expression.xreplace({sin(variable): sine, cos(variable): cosine})
+    unknown = expression.xreplace({sin(variable): sine, cos(variable): cosine, pi: half_turn})
     unknown = unknown.subs({one: root**2 for one, root in roots.items()})
     letters = sorted(unknown.free_symbols - {variable, sine, cosine}, key=str)
     field = QQ.frac_field(*letters) if letters else QQ
@@ -84,7 +87,7 @@ def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
     if zeros > _SPARE or any(top[:zeros]):
         return None
     quotient = _divided(top[zeros:], bottom[zeros:], order)
-    back = {root: sqrt(one) for one, root in roots.items()}
+    back = {half_turn: pi} | {root: sqrt(one) for one, root in roots.items()}
     return expand(sum((field.to_sympy(one).subs(back) * variable**n for n, one in enumerate(quotient)), Integer(0)))
 
 

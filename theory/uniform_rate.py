@@ -5,7 +5,7 @@ Reduced coordinates; y0 = w0/q, and theta_0, c0 are the angle and the depth of t
 
 from functools import cache
 
-from sympy import Expr, Max, Min, Symbol, acot, ceiling, pi, simplify, sqrt
+from sympy import Expr, Max, Min, Symbol, acot, ceiling, pi, sqrt
 
 from theory.energy import critical_energy, dwell_time_bound
 from theory.rate_bounds import first_depth, first_excess
@@ -20,7 +20,7 @@ crossings = Symbol("N", nonnegative=True)  # bound of the number of slips that c
 def first_contact_bound() -> Expr:
     """The reduced time up to which S is met, from the bound of a stay with E = E_cr (1 + w)."""
     seconds = dwell_time_bound().subs(E0, critical_energy() * (1 + w))
-    return simplify(to_reduced(seconds * stick_frequency()))
+    return to_reduced(seconds * stick_frequency())
 
 
 def gain() -> Expr:

@@ -86,7 +86,7 @@ def print_rotating(found: RotatingResponse, options: argparse.Namespace) -> None
     record["exponents"] = [
         [str(part.mid().str(found.digits, radius=False)) for part in (one.real, one.imag)] for one in found.exponents
     ]
-    every = "every motion tends to it" if found.attracts else "not every motion tends to it"
+    every = "every motion tends to it" if found.attracts else "other motions need not tend to it"
     lines = [f"{found.sentence}; {every}", *number_lines(record, _ROUND)]
     lines += [f"  exponent {real} + {imaginary} i 1/s" for real, imaginary in record["exponents"]]
     answer(options, record, [*lines, f"{found.digits} right digits, proved"])

@@ -15,7 +15,7 @@ from typing import Any, cast
 
 from flint import acb, arb
 
-from numerics.arithmetic.attempts import to_digits
+from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, require_digits, rounded, silent
 from numerics.control.coexisting import MAX_EVENTS, search
@@ -182,7 +182,10 @@ def response(
         found = (*stuck, *(_of_orbit(one, known, digits) for one in orbits))
         return found, [one for motion in found for one in _numbers(motion)]
 
-    motions = to_digits(attempt, digits, most_digits(digits, max_digits))
+    # v2 is lost beside a v1 that so much larger a force gives
+    times = sum(abs(one.amplitude) for one in drive.piece.sines) / drive.pair.b
+    lost = max(0, times.numerator.bit_length() - times.denominator.bit_length()) * 3 // 10
+    motions = to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
     if drive.weakening is None:
         return motions[0]
     is_all = drive.has_one_motion or motions[0].regime is Regime.GROWS

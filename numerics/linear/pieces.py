@@ -44,7 +44,7 @@ def pieces_of(scene: Scene, grid: Grid | None = None) -> Sequence[ExactPiece]:
 
 def starts_of(scene: Scene) -> NDArray[np.float64]:
     """Return when the pieces begin, s; made once and kept with the scene."""
-    if not scene.is_forced:
+    if not (scene.force.pieces or scene.friction.pieces):
         return _AT_ONCE
     if "starts" not in scene.made:
         scene.made["starts"] = np.array([float(piece.start) for piece in pieces_of(scene)])

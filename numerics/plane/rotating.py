@@ -32,7 +32,7 @@ class RotatingResponse:
 
     `threshold` U* (N); `speed` of the slip (m/s), 0 if stuck; `friction` f and `v1`, `v2`, `q1` with the force U along
     x at t = 0; `exponents` (1/s) of what is added to a slip in the rotating frame, none if stuck. `attracts`: whether
-    every motion tends to it.
+    every motion is proved to tend to it; for U < U* without a damper not every one does.
     """
 
     omega: Fraction
@@ -91,7 +91,7 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
         rho, f = n(b / (m2 * w)) * p, -n(m2 * w * w * size) / (both + i * p * alone)
         v2 = -i * f / n(m2 * w)
         v1 = v2 + f * (rho / n(b))
-        attracts = bool(a1 > 0) or (a2 / m1 not in {w * w, w * w * 4} if level > 0 else bool(level < 0))
+        attracts = bool(a1 > 0) or (level > 0 and a2 / m1 not in {w * w, w * w * 4})  # stuck, a free oscillation stays
         threshold = rotating_threshold(pair, w, digits + _SPARE)
         exponents = _exponents(pair, w, rho, digits) if level > 0 else ()
         q1 = v1 / (i * n(w))

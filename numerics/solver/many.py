@@ -20,7 +20,7 @@ from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
-from numerics.scene.decimals import require_function, require_whole
+from numerics.scene.decimals import exact_decimal, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.solver.batch import SI, Batch
 from numerics.solver.rows import Chunk, Columns, form_ledgers, room
@@ -207,6 +207,10 @@ def _solve_objects(
             _refuse(name, array)
         given = [np.vectorize(Fraction, otypes=[object])(array) if array.size else array for array in floats]
     objects = [np.asarray(one, dtype=object) for one in (*given, *(acts or ()))]
+    for kind, some in zip((Force, Friction), objects[len(given) :], strict=False):
+        if wrong := [one for one in some.flat if not isinstance(one, kind)]:
+            name = kind.__name__
+            raise InvalidScene(f"{name.lower()} holds {str(wrong[0])[:40]!r}; give a {name}([...]), or a list of them")
     shape = _common_shape(dict(zip((*named, "force", "friction"), objects, strict=False)))
     arrays = [np.broadcast_to(one, shape) for one in objects]
     rows, pairs = zip(*[one.ravel() for one in arrays], strict=True), dict[tuple[int, ...], Pair]()
@@ -307,7 +311,11 @@ def _numbers(name: str, values: Any) -> Table | float:
         raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
         given = np.asarray(values)
-        if given.dtype.kind in "iufOUS":  # NumPy would make real numbers of complex ones, dates and truth values, too
+        if given.dtype.kind in "OUS":  # texts are read as in a scene
+            given = np.vectorize(lambda one: float(exact_decimal(one, name)), otypes=[np.float64])(
+                given.astype(str) if given.dtype.kind == "S" else given
+            )
+        if given.dtype.kind in "iuf":  # NumPy would make real numbers of complex ones, dates and truth values, too
             return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         pass

@@ -16,7 +16,7 @@ from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.rows import UNKNOWN, solve_rows
 from numerics.linear.batch import run_prepared, run_rows
-from numerics.linear.pieces import pieces_of
+from numerics.linear.pieces import starts_of
 from numerics.linear.prepare import Known, Prepared, prepare
 from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
 from numerics.scene import Scene
@@ -129,8 +129,8 @@ def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
     end[:] = found.record.end
     rows = np.append(0, found.event_rows)[: len(kept)]
     kept[: len(rows)] = found.record.rows[rows]
-    if scene.is_forced:  # times count from the start of the run
-        starts = [float(piece.start) for piece in pieces_of(scene)]
+    starts = starts_of(scene)
+    if len(starts) > 1:  # times count from the start of the run
         for row in (*kept[: len(rows)], end):
             row[AT["local"]] += starts[int(row[AT["piece"]])]
             row[AT["piece"]] = 0.0

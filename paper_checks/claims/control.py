@@ -209,7 +209,7 @@ def trackable_references() -> Case:
     clause(
         "slip",
         r"""
-        With slip less will do to arrive. Let «half», and let $g$, the place of body 1 on its spring and damper after
+        To arrive the pair may slip. Let «half», and let $g$, the place of body 1 on its spring and damper after
         a unit impulse, not fall on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time
         $2t_{1/2}$ under some $|u|\leqslant U$ exactly if $U\geqslant U_{\min}$, «least» with $g=g(t_{1/2})$. Under
         Coulomb's law body 1 can be at rest then, too, if the pair may stick at the limit through the second half under

@@ -14,6 +14,7 @@ from paper_checks.claims.signum import none_under_control, under_a_force
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from theory.filippov import load, load_threshold, phi, sliding_field
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode, slip
 
@@ -36,7 +37,7 @@ def _stick_bound() -> Decide:
         return [sp.Le(Abs(force) * width, threshold, evaluate=False)]
 
     def decide(formula: Formula) -> Evidence:
-        acceleration = sp.simplify(sliding_field(damped=True)[2].subs(x1, pull))
+        acceleration = in_lowest_terms(sliding_field(damped=True)[2].subs(x1, pull))
         places = [{Abs(DRIVEN): side * acceleration} for side in (1, -1)]
         sides = [implied(loaded, partial(dict, place))(formula) for place in places]
         return min(sides, key=lambda item: (item.passed is True, item.passed is None))

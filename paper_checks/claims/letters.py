@@ -60,9 +60,7 @@ RATE = ECR * 4 * pi / 9 * m1 / m2 * sqrt((m1 + m2) / a2)
 
 def limit_of_energy() -> Formula:
     """Return the limit of t (E - E_cr)."""
-    return Formula(
-        r"t\,(E(t)-E_{cr})", "->", RATE, equals(lambda: sp.simplify(rate_constant() / critical_energy()) * ECR)
-    )
+    return Formula(r"t\,(E(t)-E_{cr})", "->", RATE, equals(lambda: rate_constant() / critical_energy() * ECR))
 
 
 C, H, R = symbols("c h r", positive=True)

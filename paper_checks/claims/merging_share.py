@@ -42,8 +42,8 @@ WITNESSES = {
 
 
 UNTIL = 150
-STAGES = (35, 200)
-"""Horizons of the runs that decide in float64: the second one where the first leaves it open."""
+STAGES = (25, 50, 200)
+"""Horizons of the runs that decide in float64: a later one where those before leave it open."""
 
 
 def start(share: Fraction, speed: Fraction) -> Scene:

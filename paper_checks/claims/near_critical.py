@@ -23,6 +23,7 @@ from paper_checks.claims.sliding import width
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import solved, within
 from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, rate_constant, truncate
+from theory.power_series import taylor
 
 HALF_PERIOD = pi * sqrt((m1 + m2) / a2)
 
@@ -97,7 +98,7 @@ def slip_durations() -> Case:
         ),
         identity(
             "its leading term is $3\\varepsilon$ in units of $1/\\Omega$",
-            sp.limit(cycle().slip_duration / epsilon, epsilon, 0),
+            taylor(cycle().slip_duration / epsilon, epsilon, 1),
             3,
         ),
         derivation=(_series(r"\Omega(t_{k+1}-\tau_k)", cycle().slip_duration),),

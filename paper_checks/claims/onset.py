@@ -299,9 +299,9 @@ def example_damped_oscillations() -> Case:
         correction(
             *dissipation.in_every_mode(),
             text=r"""
-            With a constant sign (14) is an undamped oscillation of $(x_1,\dot x_1)$ about $x_1=\mp b/200$; the total
-            energy falls at the rate $b|\dot z|$, and the alternation of slip and stick takes the amplitude of body 1
-            down. For every initial state $\dot z\to 0$ and $x_1-x_2\to\mathrm{const}$.
+            With a constant sign (14) is an undamped oscillation of $(x_1,\dot x_1)$ about $x_1=\mp b/200$; it is the
+            total energy that falls, at the rate $b|\dot z|$. For every initial state $\dot z\to 0$ and
+            $x_1-x_2\to\mathrm{const}$.
             """,
         ),
         derivation=(

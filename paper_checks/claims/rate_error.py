@@ -20,7 +20,7 @@ ORDER = 20
 
 
 ARCS = 64
-RIMS, NEAR, WIDE, LONG = 25, 8, 32, 48
+RIMS, NEAR, WIDE, LONG = 25, 8, 16, 48
 """Boxes of p on the rim, parts of each near 0, and boxes of p and of the angle beyond."""
 
 
@@ -64,8 +64,10 @@ def _first_terms(x: Any) -> Any:
         return SERIES(x)
     if flint.ctx.cap == 2:
         return arb_series([SERIES(x[0]), SLOPE(x[0]) * x[1]])
-    total = x * 0 + COEFFICIENTS[-1]
-    for one in reversed(COEFFICIENTS[:-1]):
+    # where x begins at the second power, its own powers begin twice as far out
+    wanted = COEFFICIENTS[: (flint.ctx.cap + 1) // 2 if x[0] == 0 == x[1] else TERMS]
+    total = x * 0
+    for one in reversed(wanted):
         total = total * x + one
     return total
 

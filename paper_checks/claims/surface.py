@@ -50,7 +50,8 @@ def load_and_place() -> Evidence:
         r"""
         In a slip $\mathbf s$ with $\dot{\mathbf s}=\kappa(\Lambda-b\,\mathbf s/|\mathbf s|)$ the function
         $G=b|\mathbf s|+\Lambda\cdot\mathbf s$ has the rate
-        $-\kappa(b^2-|\Lambda|^2)+\dot\Lambda\cdot\mathbf s$: it falls through its end at a rate that is known.
+        $-\kappa(b^2-|\Lambda|^2)+\dot\Lambda\cdot\mathbf s$, which is negative near the slip's end if $|\Lambda|<b$
+        there.
         """,
         kernel="plane-landing",
     ),

@@ -10,9 +10,9 @@ from paper_checks.claims.words import *
         "contraction",
         r"""
         In any real space with an inner product let $M>0$, with an inverse, and $K\geqslant 0$ be symmetric, $C$ a damper with
-        $(C(v)-C(w))\cdot(v-w)\geqslant 0$, and $f\in\partial\psi(B\dot q)$ a friction with any function $\psi$. Two
-        motions of $M\ddot q+C(\dot q)+Kq+B^{T}f=u$ under one force never part in $N$, $N^2=q\cdot Kq+\dot q\cdot M\dot
-        q$ of their difference.
+        $(C(v)-C(w))\cdot(v-w)\geqslant 0$, and $f\in\partial\psi(B\dot q)$ a friction that stays bounded, with any
+        function $\psi$. Two motions of $M\ddot q+C(\dot q)+Kq+B^{T}f=u$ under one force never part in $N$,
+        $N^2=q\cdot Kq+\dot q\cdot M\dot q$ of their difference.
         """,
         kernel="system-contraction",
     ),
@@ -24,7 +24,7 @@ from paper_checks.claims.words import *
     clause(
         "brakes",
         r"""
-        For $u=0$ and $C(v)\cdot v\geqslant 0$ let any force $f$ brake, $f\cdot B\dot q\geqslant\beta|B\dot q|$ with
+        For $u=0$ and $C(v)\cdot v\geqslant 0$ let any bounded force $f$ brake, $f\cdot B\dot q\geqslant\beta|B\dot q|$ with
         $\beta>0$. Then $\beta\int_0^\infty|B\dot q|\,dt\leqslant E(0)$; what moves by no more than $\int|B\dot q|\,dt$
         has a limit, and is at most $E(t)/\beta$ away from it; and where $|B\dot q|$ is Lipschitz in time it tends to
         $0$.

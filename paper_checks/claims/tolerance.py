@@ -85,12 +85,13 @@ def heavy_damping() -> Evidence:
         r"""
         $E$ never grows, so $|a_2x_1+b\sigma|\leqslant F$ with an $F$ that does not depend on $a_1$, and
         $|v_1|\leqslant|v_1(0)|e^{-a_1t/m_1}+F/a_1$: but for a time of order $\ln a_1/a_1$ body 1 has a velocity of
-        order $1/a_1$. While $|v_2|$ exceeds it, it falls at the rate $b/m_2$, so both velocities meet at
-        $m_2|v_2(0)|/b$, but for terms that tend to $0$. In slip $p=a_2x_1+a_1v_1$ obeys $\dot
-        p=a_2v_1-(a_1/m_1)(p+b\sigma)$: it is at $-b\sigma$, but for terms of order $1/a_1$, when they meet. There
-        $|\Lambda|=bm_2/M$ and smaller terms, less than $b$; if $v_2(0)=0$ they may meet before that, and there
-        $|\Lambda|\leqslant b$ as where every slip ends. So the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets $|p|$
-        fall from then on: it sticks for ever.
+        order $1/a_1$. While $|v_2|$ exceeds that, it falls at the rate $b/m_2$, so both velocities meet at
+        $m_2|v_2(0)|/b$, but for terms that tend to $0$; from then on both are small, and so is the time to the next
+        contact, as $v_2$ has the rate $\pm b/m_2$ in slip. In slip of sign $s$, $p=a_2x_1+a_1v_1$ obeys $\dot
+        p=a_2v_1-(a_1/m_1)(p+bs)$ and tends to $-bs$. The first slip may cross $S$. One that starts at a contact does
+        not: there $-sp\geqslant bM/m_2>b$, so $-sp$ stays above $b$, but for terms that tend to $0$, and where the
+        slip ends $0<s\Lambda=-sp\,m_2/M\leqslant b$. So the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets $|p|$ fall
+        from its edge $bM/m_2$: it sticks for ever.
         """,
         energy.energy_never_grows(),
         identity(r"there the load is $m_2b\sigma/M$", load, m2 * b * sigma / total_mass()),
@@ -139,9 +140,9 @@ OTHER_PLACE = Symbol(r"\tilde{x}_2", real=True)
             "displacement",
             """
             the relative displacement is not drawn anywhere: a start with another $x_2(0)$ keeps the difference for
-            ever, so the ring has to be centred on the motion's own limit.
+            ever. So a ring in it can only be centred on a limit of the motion's own, and without a force there is one.
             """,
-            kernel="displacement-unseen",
+            kernel="displacement-unseen displacement-limit",
         ),
     ),
 )
@@ -220,7 +221,7 @@ def ring_of_tolerance() -> Case:
         "blind",
         """
         $N$ does not see $x_1-x_2$: moving $x_2(0)$ moves the relative motion by as much, for ever. So a ring in the
-        plane of $x_1-x_2$ and its rate is centred on the limit of the motion itself.
+        plane of $x_1-x_2$ and its rate can only be centred on a limit of the motion itself.
         """,
         kernel="displacement-unseen",
     ),
@@ -239,7 +240,7 @@ def ring_of_tolerance() -> Case:
 def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
     return because(
-        "A ring that holds the image of the tube is reached no later than the tube, and not left after that. The energy distance does not see the relative displacement, so the ring is centred on its limit.",
+        "A ring that holds the image of the tube is reached no later than the tube, and not left after that. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
         ring_contains(),
     )
 

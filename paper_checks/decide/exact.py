@@ -6,7 +6,8 @@ The points are the check of the simplifier: they use neither the normal form nor
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -112,7 +113,7 @@ def _samples(
     found = 0
     for _ in range(10 * points):
         point = {symbol: _rational(symbol, randomness) for symbol in symbols}
-        value = _value(expression, point)
+        value = _value(expression, tuple(point.items()))
         if value is None:
             continue  # a pole of the expression
         yield point, value
@@ -138,12 +139,13 @@ def _rational(symbol: sp.Symbol, randomness: random.Random) -> sp.Rational:
     return size * randomness.choice((-1, 1))
 
 
-def _value(expression: sp.Expr, point: Mapping[sp.Symbol, sp.Rational]) -> Value | None:
+@lru_cache(maxsize=5000)  # steps of several claims say the same
+def _value(expression: sp.Expr, point: tuple[tuple[sp.Symbol, sp.Rational], ...]) -> Value | None:
     """Return the value at a point, exact or enclosed to `DIGITS`; None at a pole, or where it is not known so well."""
     for digits in (DIGITS, 10 * DIGITS):
         try:
             with precision(digits):
-                value = at_point(expression, point)
+                value = at_point(expression, dict(point))
         except (ZeroDivisionError, NotEvaluatedError):
             return None
         if isinstance(value, fmpq) or _radius(value) < arb(10) ** -DIGITS:

@@ -1,7 +1,8 @@
 """Whether an expression is 0, by a normal form: a fraction of polynomials in letters, reduced by their relations.
 
 A letter stands for a symbol, a square root, the sine or cosine of an angle, or for anything else as a whole. All that is
-used are the rules of a field, sqrt(x)^2 = x, sin^2 + cos^2 = 1, and sine and cosine of sums and multiples of angles.
+used are the rules of a field, sqrt(x)^2 = x, sin^2 + cos^2 = 1, |x/y| = |x|/|y|, and sine and cosine of sums and
+multiples of angles.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import sympy as sp
@@ -18,11 +20,13 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
 
 
+@lru_cache(maxsize=1000)
 def is_zero(expression: sp.Expr) -> bool:
     """Say whether the normal form is 0: then so is the expression, wherever it is defined. False decides nothing."""
-    form = _Form(expression)
     try:
-        return form.vanishes(form.value(expression).top, len(form.squares))
+        split = expression.replace(sp.Abs, _absolute)
+        form = _Form(split)
+        return form.vanishes(form.value(split).top, len(form.squares))
     except ZeroDivisionError:
         return False
 
@@ -40,6 +44,11 @@ def fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     top, bottom = form.value(expression)
     scale = math.lcm(*(int(one.q) for part in (top, bottom) for one in part.coeffs()))
     return form.expression(top * scale), form.expression(bottom * scale)
+
+
+def _absolute(inside: sp.Expr) -> sp.Expr:
+    top, bottom = fraction(inside)
+    return sp.Abs(top) / sp.Abs(bottom)
 
 
 class Fraction(NamedTuple):

@@ -41,6 +41,8 @@ def ask_cvc5(text: str, seconds: float) -> tuple[str, str]:
 
     solver = cvc5.Solver(cvc5.TermManager())
     solver.setOption("tlimit-per", str(int(1000 * seconds)))
+    solver.setOption("nl-ext", "none")  # coverings alone decide these theories, in half the time
+    solver.setOption("nl-cov", "true")
     parser = cvc5.InputParser(solver)
     parser.setStringInput(cvc5.InputLanguage.SMT_LIB_2_6, text, "statement")
     symbols = parser.getSymbolManager()

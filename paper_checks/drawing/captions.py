@@ -142,7 +142,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     "static-friction": (
         "What a slip from the edge costs",
         "With one coefficient of friction a slip costs the less the smaller the excess is that it begins with, and the pair creeps. "
-        "With static friction above kinetic every slip costs at least a fixed energy: there are few of them.",
+        "With static friction above kinetic, and sticks that are kept, every such slip costs at least a fixed energy: there are few of them.",
     ),
     "two-motions": (
         "Two motions of one force",

@@ -90,6 +90,10 @@ class Evidence:
         if not self.kind.decisive:
             object.__setattr__(self, "supports", True)
 
+    def __hash__(self) -> int:
+        """Hash what is said: all that it rests on would be hashed again for each step above it."""
+        return hash(self.statement)
+
     @property
     def decides(self) -> bool:
         """Whether it passed and is a step that can settle a claim."""

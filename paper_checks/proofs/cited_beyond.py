@@ -24,11 +24,11 @@ BEYOND: dict[str, tuple[str, str]] = {
     ),
     "system-contraction": (
         "Systems.system_contracts",
-        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone, never part in the norm of the energy.",
+        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$, $C$ monotone and friction bounded, never part in the norm of the energy.",
     ),
     "system-synchronises": (
         "Systems.system_synchronises",
-        r"Without a force, $M,K\geqslant 0$ and dampers that take power, any friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
+        r"Without a force, $M,K\geqslant 0$ and dampers that take power, any bounded friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
         r"displacement converges, and $Bq'\to 0$ where $|Bq'|$ is Lipschitz.",
     ),
     "system-parts": (
@@ -82,15 +82,15 @@ BEYOND: dict[str, tuple[str, str]] = {
     # static friction above kinetic: motions that keep a stick while the load is below the static friction
     "static-slip-costs": (
         "Robust.slip_costs",
-        "With static friction above kinetic, every slip of a free motion lasts longer and costs more energy than a fixed "
-        "amount that the start gives.",
+        "With static friction above kinetic, where sticks are kept, every slip of a free motion from a contact to the next "
+        "lasts longer than a fixed time and costs at least a fixed energy, which the start gives.",
     ),
     "static-few-slips": (
         "Robust.few_slips",
-        "With static friction above kinetic, a free motion has at most $E(0)/e_0$ slips, $e_0>0$ explicit.",
+        "With static friction above kinetic, where sticks are kept, a free motion has at most $E(0)/e_0$ such slips, $e_0>0$ explicit.",
     ),
     "static-sticks-at-last": (
         "Robust.sticks_at_last",
-        "With static friction above kinetic, by any jump, every free motion sticks for ever from some time on.",
+        "With static friction above kinetic, by any jump, every free motion that keeps its sticks sticks for ever from some time on.",
     ),
 }

@@ -16,7 +16,7 @@ def begin_for(options: argparse.Namespace) -> None:
 
 
 def begin() -> None:
-    """Let that process load the checks, and what sympy loads when it first simplifies, while this one does something else."""
+    """Let that process load the checks, while this one does something else."""
     from paper_checks.running import processes
 
-    processes.begin(["paper_checks.claims", "sympy.physics.units"])
+    processes.begin(["paper_checks.claims"])

@@ -1,5 +1,6 @@
-"""The paper's pair as a file, and a command as a user meets it: exit code, output, errors."""
+"""The paper's pair as a file, and a command as a user meets it: exit code, output, errors, its JSON."""
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 
@@ -26,3 +27,20 @@ def run(capsys) -> Callable[..., tuple[int, str, str]]:
         return code, *capsys.readouterr()
 
     return told
+
+
+@pytest.fixture
+def output(run) -> Callable[..., str]:
+    """What a command prints that ends well."""
+
+    def printed(*arguments):
+        code, out, _ = run(*arguments)
+        assert code == 0
+        return out
+
+    return printed
+
+
+@pytest.fixture
+def record(output) -> Callable[..., dict]:
+    return lambda *arguments: json.loads(output(*arguments, "--json"))

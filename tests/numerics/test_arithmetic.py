@@ -10,13 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import decimals, near_quarter_turns, wide_numbers
 
+from numerics import EventUndecided, OutOfRange
 from numerics.arithmetic import functions
 from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.questions import GRAZES
-from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.root import falling_root
 
 DEFICITS = {

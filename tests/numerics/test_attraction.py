@@ -15,13 +15,11 @@ from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from numerics import EventUndecided, Force, Pair, Scene, State, response
 from numerics.arithmetic.ball import Ball
 from numerics.control import attraction
 from numerics.control.attraction import passage_at, passages, slide_left
 from numerics.control.orbit import Orbit
-from numerics.control.response import response
-from numerics.errors import EventUndecided
-from numerics.scene import Force, Pair, Scene, State
 
 UNEVEN = Pair(3, "0.5", 200, "0.5", 3)
 STICKS, SLIPS = "3", "5"

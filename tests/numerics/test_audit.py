@@ -8,7 +8,6 @@ from itertools import islice
 import pytest
 from flint import arb
 
-from numerics.__main__ import main
 from numerics.audit import solves
 from numerics.plane.answer import PlaneState
 
@@ -48,16 +47,13 @@ def test_the_json_has_its_shape(small):
     assert all(list(row) == keys for row in record["rows"])
 
 
-def test_the_exit_code_is_that_of_the_rows(capsys, monkeypatch, small):
+def test_the_exit_code_is_that_of_the_rows(run, record, monkeypatch, small):
     shown = list(islice(small, 3))
     monkeypatch.setattr(solves, "audit", lambda *_: iter(shown))
-    assert main(["audit", "--size", "small", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["passed"] is True
+    assert record("audit", "--size", "small")["passed"] is True
     shown[1] = shown[1]._replace(passed=False)
-    assert main(["audit", "--size", "small"]) == 1
-    captured = capsys.readouterr()
-    assert "FAIL" in captured.out
-    assert captured.err == ""
+    code, out, err = run("audit", "--size", "small")
+    assert (code, "FAIL" in out, err) == (1, True, "")
 
 
 # scenes

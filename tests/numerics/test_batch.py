@@ -14,12 +14,22 @@ from hypothesis import strategies as st
 from kernel_runs import a_scene
 from strategies import scenes
 
-from numerics.errors import EventUndecided, InvalidScene, OutOfRange
-from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State
+from numerics import (
+    Batch,
+    EventUndecided,
+    Force,
+    Law,
+    OutOfRange,
+    Pair,
+    Piece,
+    Scene,
+    Sine,
+    State,
+    solve,
+    solve_many,
+    solve_scenes,
+)
 from numerics.solver import many as batch
-from numerics.solver.batch import Batch
-from numerics.solver.many import solve_many, solve_scenes
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.status import Status
 
@@ -251,21 +261,14 @@ def test_without_numba_the_same_numbers_come_out():
         ({"until": np.array(["2020-01-01"], dtype="M8[D]")}, "until = .* must be real numbers"),
         ({"m1": [True, False]}, "m1 = .* must be real numbers"),
         ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
-    ],
-)
-def test_a_wrong_number_is_named(given_, said):
-    with pytest.raises(InvalidScene, match=said):
-        solve_many(**(PAPER | {"until": 5} | given_))
-
-
-@pytest.mark.parametrize(
-    ("given_", "said"),
-    [
+        ({"v1": np.ma.masked_array([0.1, 0.2], [True, False])}, "masked"),
+        ({"b": [1, 2, 3], "friction": [(1, 0.5)]}, r"give a Friction\(\[...\]\), or a list"),
+        ({"max_events": 10**20}, "at most 2"),
         ({"max_events": 0}, "max_events = 0 must be at least 1"),
         ({"jobs": 0}, "jobs"),
         ({"keep_events": -1}, "keep_events = -1"),
     ],
 )
-def test_wrong_arguments_are_named(given_, said):
+def test_a_wrong_number_is_named(given_, said):
     with pytest.raises(ValueError, match=said):
-        solve_many(**PAPER, until=5, **given_)
+        solve_many(**(PAPER | {"until": 5} | given_))

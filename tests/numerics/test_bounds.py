@@ -9,9 +9,8 @@ from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from strategies import driven_scenes, free_scenes, viscous_scenes
 
-from numerics import Pair, Scene, State, load_scene, solve
+from numerics import EventUndecided, NumericsError, Pair, Scene, State, load_scene, solve
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, NumericsError
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.run import run_scene
 

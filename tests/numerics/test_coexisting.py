@@ -9,14 +9,24 @@ import pytest
 from control_scenes import DAMPED, middle, started, under
 from flint import arb, arb_mat
 
+from numerics import (
+    EventUndecided,
+    Force,
+    Friction,
+    InvalidScene,
+    Pair,
+    Piece,
+    Scene,
+    Sine,
+    State,
+    Weakening,
+    ring_entry,
+)
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded, solved_again
 from numerics.control.coexisting import apart, mirrored
 from numerics.control.orbit import Orbit, one_round, solve_orbit
 from numerics.control.response import PeriodicMotions, Regime, response, steady_drive
-from numerics.control.ring import ring_entry
-from numerics.errors import EventUndecided, InvalidScene
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from tests.state_reference import reference
 
 FALLING = Weakening([("0.3", "0.15")])

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from three_scenes import PAPER, SCENE
 
+from numerics import solve
 from numerics.cli import solving
 from numerics.cli.arguments import parser
 from numerics.scene.file import shipped_scenes
-from numerics.solver.solve import solve
 from numerics.trajectory.export import as_record
 
 TWO_SECONDS = replace(PAPER, until=2)
@@ -224,23 +224,13 @@ def test_bad_usage(run, words):
     assert (err.count("error"), err.count("\n")) == (1, 1)
 
 
-BAD_FILES = {
-    "bool": SCENE.replace("m1 = 1", "m1 = true").encode(),
-    "huge law": (SCENE + "law = 0x" + "f" * 20000).encode(),
-    "5000 digits": SCENE.replace("m1 = 1", "m1 = " + "1" * 5000).encode(),
-    "bomb": (SCENE + "law = " + "[" * 20000 + "]" * 20000).encode(),
-    "not utf-8": b"\xff\xfe" + SCENE.encode("utf-16-le"),
-    "empty": b"",
-}
-
-
-@pytest.mark.parametrize("kind", BAD_FILES)
-def test_an_invalid_scene_is_one_line_and_exit_code_2(run, tmp_path, kind):
+@pytest.mark.parametrize("content", [b"", SCENE.encode("utf-16"), SCENE.replace("m1 = 1", "m1 = true").encode()])
+def test_an_invalid_scene_is_one_line_and_exit_code_2(run, tmp_path, content):
+    """Of what is refused, test_scene.py has the whole list."""
     path = tmp_path / "scene.toml"
-    path.write_bytes(BAD_FILES[kind])
+    path.write_bytes(content)
     code, out, err = run("solve", path)
-    assert (code, out, len(err.splitlines())) == (2, "", 1)
-    assert err.startswith("error: ")
+    assert (code, out, err[:7], err.count("\n")) == (2, "", "error: ", 1)
 
 
 def test_the_real_process(tmp_path):

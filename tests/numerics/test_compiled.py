@@ -5,20 +5,19 @@ import threading
 
 import numpy as np
 import pytest
-from forced.catalogue import scene as scene_of
 from hypothesis import example, given
+from sixty_digits import forced_scene
 from strategies import free_scenes
 
+from numerics import OutOfRange, load_scene
 from numerics.arithmetic import compiled as compiling
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.errors import OutOfRange
 from numerics.free.bounds import initial
 from numerics.free.engine import begin_exactly, in_halves
 from numerics.free.rows import solve_start
 from numerics.linear.record import END_ROW, ROW
-from numerics.scene.file import load_scene
 from numerics.trajectory.run import run_scene
 
 FLOATS, PAIRS = Float64(), DoubleDouble()
@@ -57,9 +56,9 @@ def test_a_free_run_has_the_same_bits(arithmetic):
 @needs_numba
 @pytest.mark.parametrize("name", ["many-causes", "damping-heavy", "resonance-in-slip", "sweep", "friction-by-pieces"])
 def test_a_forced_run_has_the_same_answers(name, monkeypatch):
-    fast = run_scene(scene_of(name), FLOATS, 1000)
+    fast = run_scene(forced_scene(name), FLOATS, 1000)
     monkeypatch.setattr("numerics.linear.engine.compiled", lambda function: function)
-    plain = run_scene(scene_of(name), FLOATS, 1000)
+    plain = run_scene(forced_scene(name), FLOATS, 1000)
     assert plain.modes == fast.modes
     assert (abs(plain.event_times - fast.event_times) <= plain.accuracy.t + fast.accuracy.t).all()
     assert (abs(plain.event_states.T - fast.event_states.T) <= plain.accuracy.y + fast.accuracy.y).all()

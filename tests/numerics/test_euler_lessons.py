@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from numerics.scene.file import load_scene
+from numerics import load_scene
 from numerics.trade import euler
 from numerics.trade.comparisons.forward_euler import EulerRun, forward_euler
 from numerics.trade.euler import euler_figure, stick_energy

@@ -7,11 +7,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import MODERATE, decimals, forces, frictions, pairs, signed, states
 
-from numerics.errors import InvalidScene
-from numerics.scene import Force, Friction, Pair, Piece, Scene, State
+from numerics import Force, Friction, InvalidScene, Pair, Piece, Scene, State, scene_text
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.file import parse_scene
-from numerics.scene.writing import scene_text
 
 TIMES = st.integers(0, 40).map(lambda k: Fraction(k, 3))
 

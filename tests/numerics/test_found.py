@@ -14,13 +14,24 @@ from hypothesis import strategies as st
 from scene_files import scenes_in
 from strategies import EXTREME, scenes
 
+from numerics import (
+    EventUndecided,
+    Force,
+    InvalidScene,
+    NumericsError,
+    Pair,
+    Piece,
+    PrecisionExhausted,
+    Scene,
+    State,
+    solve,
+    solve_many,
+    solve_scenes,
+)
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, InvalidScene, NumericsError
+from numerics.control.response import Regime, response
 from numerics.free.root import falling_root
 from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
-from numerics.solver.many import solve_many
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.status import Status
 
@@ -128,14 +139,29 @@ def test_nothing_at_rest_is_known_exactly():
     assert solve(Scene(Pair(1, 1, 1, 1), State(), until=3), digits=15).arithmetic.name == "float64"
 
 
-@pytest.mark.parametrize("given", [{"digits": 2.5}, {"digits": True}, {"digits": "5"}, {"max_events": 1.5}])
-def test_counts_are_whole_numbers(given):
-    with pytest.raises(ValueError, match="must be a whole number"):
-        solve(Scene(Pair(1, 1, 1, 1), State(v1=1), until=3), **given)
+@pytest.mark.parametrize("given", ["1_000", "\N{ARABIC-INDIC DIGIT THREE}", "nan", "0x10", "1e400"])
+def test_a_batch_reads_texts_as_a_scene_does(given):
+    with pytest.raises(InvalidScene, match="v1 = "):
+        solve_many(1, 1, 200, 0.5, v1=[given], until=1)
+    read = solve_many(1, 1, 200, 0.5, v1=["1/3", " 0.1 ", Fraction(1, 7)], until=1).inputs["v1"]
+    assert read.tolist() == [1 / 3, 0.1, 1 / 7]
 
 
-def test_numbers_of_a_batch_that_are_masked_or_countless():
-    with pytest.raises(InvalidScene, match="masked"):
-        solve_many(1, 1, 200, 0.5, v1=np.ma.masked_array([0.1, 0.2], [True, False]), until=5)
-    with pytest.raises(ValueError, match="at most 2"):
-        solve_many(1, 1, 200, 0.5, until=5, max_events=10**20)
+def test_a_force_beyond_all_digits_is_refused_at_once():
+    """It was tried over hundreds of periods at every precision: v2 is nothing beside v1 until these are as many."""
+    scene = Scene(Pair(1, 1, 200, "0.5"), State(), 1)
+    with pytest.raises(PrecisionExhausted, match="max_digits"):
+        response(scene, amplitude="1e999", omega=5)
+    assert response(scene, amplitude="1e40", omega=5).regime is Regime.NON_STOP
+
+
+@pytest.mark.parametrize("a1", [0, "1.95"])
+def test_a_force_of_nothing_from_some_time_on_is_no_force(a1):
+    """With a damper the times of events after it were counted from it in float64, and said to be certain."""
+    start = State("-0.00846", "-0.318", 0, "-0.172")
+    plain = Scene(Pair("6.5", "2.4", 338, "3.24", a1), start, "2.43")
+    cut = replace(plain, force=Force([Piece("1.31", [])]))
+    assert solve(cut).t[-2] > 1.31
+    assert np.allclose(solve(cut).t, solve(plain).t, rtol=1e-13, atol=0)
+    found = solve_scenes([plain, cut], keep_events=20).event_t
+    assert np.allclose(*found, rtol=1e-13, atol=0, equal_nan=True)

@@ -1,14 +1,16 @@
 """The error bounds of a free run against errors that are planted in its start."""
 
+from dataclasses import replace
 from fractions import Fraction
 from random import Random
 
 import numpy as np
 import pytest
-from planted_errors import ARITHMETICS, COORDINATES, draw_scene, moved, run, unit_pair
+from differences import moved
+from planted_errors import ARITHMETICS, COORDINATES, draw_scene, run, unit_pair
 
+from numerics import Scene, State
 from numerics.linear.record import AT
-from numerics.scene import Scene, State
 
 EVENT = [("local", "late"), *((name, f"{name}_error") for name in COORDINATES)]
 END = [*EVENT[1:], ("excess", "excess_error"), ("friction", "dissipated_error")]
@@ -41,7 +43,7 @@ def draw_neighbours(random):
     first = run(scene, "float64").rows[1:]
     if len(first) and random.random() < 1 / 3:
         at = random.choice(first)[AT["local"]] + random.uniform(-3, 3) * size
-        scene = moved(scene, {}, Fraction(at)) if at > 0 else scene
+        scene = replace(scene, until=Fraction(at)) if at > 0 else scene
     return scene, moved(scene, by)
 
 

@@ -7,10 +7,8 @@ import pytest
 from interruption import interrupted
 from three_scenes import PAPER
 
-from numerics.errors import OutOfRange
+from numerics import OutOfRange, Pair, Scene, State, solve
 from numerics.free.energy import energy_at
-from numerics.scene import Pair, Scene, State
-from numerics.solver.solve import solve
 
 VALID = """[pair]
 m1 = 1

@@ -10,6 +10,7 @@ import re
 import sys
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -109,7 +110,7 @@ def test_every_function_says_what_it_raises_and_has_an_example(name):
     assert "Raise" in told or name == "scene_text"
 
 
-@pytest.mark.parametrize("wrong", [{"digits": 0}, {"digits": "9"}, {"max_digits": 1.5}])
+@pytest.mark.parametrize("wrong", [{"digits": 0}, {"digits": "9"}, {"digits": True}, {"max_digits": 1.5}])
 @pytest.mark.parametrize(
     ("name", "of"),
     {
@@ -228,11 +229,17 @@ def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
 # what is wrong is said in one sentence
 
 
+many = partial(solve_many, 1, 1, 200, 1, until=5)
+
+
 @pytest.mark.parametrize(
     ("call", "said"),
     [
         (lambda: solve(PAPER, progress=3), "progress = 3 must be a function"),
+        (lambda: solve(PAPER, max_events=0), "max_events = 0 must be"),
+        (lambda: solve(PAPER, max_events=1.5), "max_events = '1.5' must be a whole number"),
         (lambda: solve(PAPER, arithmetic=["ball"]), "is not one of float64"),
+        (lambda: solve(PAPER, arithmetic="decimal"), "is not one of float64"),
         (lambda: sensitivities(PAPER), r"give it solve\(scene\)"),
         (lambda: sensitivities(solve(PAPER), 1, side="x"), "side = 'x' is not one of left, right"),
         (lambda: load_scene(3), "a scene is named by text or a path"),
@@ -246,12 +253,12 @@ def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
         (lambda: solve(PAPER).animate(duration=1e9), "frames"),
         (lambda: Solver(PAPER.pair)(State(), until=None), "until must be a decimal number"),
         (lambda: solve_many(1, 1, 200, [1, 2], v1=[1, 2, 3], until=5), r"b \(2,\), v1 \(3,\)"),
-        (lambda: solve_many(1, 1, 200, 1, until=5, progress=3), "progress = 3 must be a function"),
-        (lambda: solve_many(1, 1, 200, 1, until=5, sines=[1]), "must be a triple"),
-        (lambda: solve_many(1, 1, 200, 1, until=5, sines=3), "must be a list"),
-        (lambda: solve_many(1, 1, 200, 1, until=5, polynomial=3), "must be a list"),
-        (lambda: solve_many(1, 1, 200, 1, until=5).plot("heat"), "is not one of dissipated"),
-        (lambda: solve_many(1, 1, 200, 1, until=5).plot(along=[1, 2, 3, 4]), "along must be"),
+        (lambda: many(progress=3), "progress = 3 must be a function"),
+        (lambda: many(sines=[1]), "must be a triple"),
+        (lambda: many(sines=3), "must be a list"),
+        (lambda: many(polynomial=3), "must be a list"),
+        (lambda: many().plot("heat"), "is not one of dissipated"),
+        (lambda: many().plot(along=[1, 2, 3, 4]), "along must be"),
         (lambda: solve_scenes(3), "takes a list of Scenes"),
         (lambda: solve_scenes([3]), "takes a list of Scenes"),
         (lambda: response(3), "response takes a Scene, not int"),

@@ -5,9 +5,9 @@ import math
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
-from kernel_runs import a_scene
+from kernel_runs import a_scene, room_for
 
-from numerics.linear.columns import force_columns, make_room, product, state_columns
+from numerics.linear.columns import force_columns, product, state_columns
 from numerics.linear.evolve import evolve
 from numerics.linear.prepare import prepare
 from numerics.linear.table import UNIT
@@ -18,7 +18,7 @@ seeds = st.integers(0, 2**32 - 1)
 def evolved(prepared, mode, s, start, R=0.0, wide=True):
     """The state after s steps of the first piece, from a start in units of the errors; and the room."""
     pair, tables, side = prepared.pair, prepared.tables, int(mode == 0)
-    room = make_room(tables.rows.shape[4], tables.rows.shape[5])
+    room = room_for(tables)
     room.scale[:] = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2])
     room.y[:, 0], room.R[:] = start / room.scale, R
     force_columns(room, prepared.drive, 0, 0.0, wide)

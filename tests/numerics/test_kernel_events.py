@@ -3,11 +3,10 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from kernel_runs import a_scene
+from kernel_runs import a_scene, room_for
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from numerics.linear.columns import make_room
 from numerics.linear.error_set import box, carry, norm_of, take_in, width
 from numerics.linear.first_root import ROOT
 from numerics.linear.modes import UNDECIDED
@@ -87,7 +86,7 @@ class Event:
         if mode:  # what is found of the event is off
             self.y[1] += random.choice([0.0, 0.0, 0.3]) * self.slope * late
         self.begun, self.is_exact = self.y, self.y[1] == self.y[3]
-        self.room = make_room(tables.rows.shape[4], tables.rows.shape[5])
+        self.room = room_for(tables)
         self.room.scale[:], self.room.y[:, 0], self.room.E[:, 2] = scale, self.y, self.column
         ahead = Next(ROOT, 0.5, 0.0, 1, 0.1, slope=self.slope, window=0.0, own=0.0)
         self.late, self.off, _ = lateness(pair, self.room, ahead, mode, b, 1e300, 1e300)

@@ -1,18 +1,17 @@
 """The bounds of whole runs whose starts are off by far more than rounding: true and sharp, or the run is in doubt."""
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from kernel_runs import BOUNDS, STATE, a_scene, errors, exact, in_stick, moved, run, until
+from kernel_runs import BOUNDS, STATE, a_scene, errors, exact, in_stick, moved, room_for, run
 from scene_files import scenes_in
 
-from numerics import Force, Pair, Piece, Scene, Sine, State, solve
+from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.compiled import can_compile
-from numerics.errors import EventUndecided
-from numerics.linear.columns import make_room
 from numerics.linear.first_root import CLEAR, ROOT
 from numerics.linear.modes import UNDECIDED
 from numerics.linear.next_event import Next, next_in_slip
@@ -45,7 +44,7 @@ def near_an_event(random, scene, first):
     """The scene, or one that ends next to one of its events."""
     if random.random() < 0.3 and len(first.times):
         t = math.ldexp(random.choice(first.times), first.prepared.units.time)
-        return until(scene, min(scene.until, exact(t * (1 + 10 ** random.uniform(-7, -1)), 12)))
+        return replace(scene, until=min(scene.until, exact(t * (1 + 10 ** random.uniform(-7, -1)), 12)))
     return scene
 
 
@@ -70,13 +69,14 @@ def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp(wi
     assert largest[:9] == pytest.approx(1, abs=0.25)
 
 
+def off(scene, place, by):
+    """Differences of the start by its number at `place`; by both velocities where the scene begins in stick."""
+    is_stick = scene.initial.v1 == scene.initial.v2
+    return [exact(by, 15) * (n == place or (is_stick and {n, place} == {1, 3})) for n in range(4)]
+
+
 def at(scene, place, by):
-    """The start's number at `place` moved; both velocities where the scene begins in stick."""
-    return moved(scene, in_stick(scene, np.where(np.arange(4) == place, by, 0)) if place != 3 else shifted(scene, by))
-
-
-def shifted(scene, by):
-    return (0, exact(by, 15) if scene.initial.v1 == scene.initial.v2 else 0, 0, exact(by, 15))
+    return moved(scene, off(scene, place, by))
 
 
 def border(random, scene, place):
@@ -103,11 +103,7 @@ def test_next_to_other_modes_a_run_that_may_be_off_by_more_is_in_doubt():
         if run(scene).modes is None or (end := border(random, scene, place)) is None:
             continue
         away = math.copysign(10 ** random.uniform(-7, -5), end)
-        by = (
-            shifted(scene, 1.2 * away)
-            if place == 3
-            else in_stick(scene, np.where(np.arange(4) == place, 1.2 * away, 0))
-        )
+        by = off(scene, place, 1.2 * away)
         if abs(end) < 400 * abs(away) or run(at(scene, place, end - away)).modes is None:
             continue
         assert run(at(scene, place, end - away), by, wide=doubts % 2 == 1).modes is None, (scene, place, end, away)
@@ -235,7 +231,7 @@ def test_a_slip_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(order, si
     """N takes kappa N at most of w, and kappa1 N of its slope."""
     scene = Scene(Pair("0.9", "0.1", 1, "0.1", "0.3"), State(1, 1, 0, 0), 9)
     pair, _, tables, *_ = prepare(scene, wide=False)
-    room, h, N = make_room(tables.rows.shape[4], tables.rows.shape[5]), float(tables.h[0, 0]), 1e-3
+    room, h, N = room_for(tables), float(tables.h[0, 0]), 1e-3
     unit = N * h * (pair.kappa if order == 0 and since > 9 else pair.kappa1 * h)
     for factor, is_clear in ((low, False), (high, True)):
         room.X[0, 0, order + 1] = factor * unit / (order + 1)
@@ -246,7 +242,7 @@ def test_a_slip_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(order, si
 def at_contact(u=1.0):
     """A pair in room for the kernel, at rest at v1 = v2 = 0, errors 0, and what the force and its rate are."""
     pair, _, tables, *_ = prepare(Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(1, 1, 0, 0), 9), wide=False)
-    room = make_room(tables.rows.shape[4], tables.rows.shape[5])
+    room = room_for(tables)
     room.scale[:] = 1.0
     return pair, room, (u, 1.0, abs(u))
 

@@ -4,14 +4,14 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from kernel_runs import STATE, a_scene
+from kernel_runs import STATE, a_scene, room_for
 
-from numerics.linear.columns import force_columns, make_room, product, state_columns
+from numerics import Force, Pair, Piece, Scene, State
+from numerics.linear.columns import force_columns, product, state_columns
 from numerics.linear.engine import run_pairs
 from numerics.linear.next_event import slip_guard, stick_guards
 from numerics.linear.prepare import prepare
 from numerics.linear.table import ORDERS, UNIT, fill
-from numerics.scene import Force, Pair, Piece, Scene, State
 
 
 @pytest.mark.parametrize("wide", [False, True])
@@ -33,7 +33,7 @@ def test_what_viscosity_takes_under_a_power_of_time_is_within_its_bound(power, w
 def wholly(prepared, mode, order, wide):
     """A room at the start of a run, the guard of a mode formed in it, and its columns."""
     tables, side = prepared.tables, int(mode == 0)
-    room, count = make_room(tables.rows.shape[4], tables.rows.shape[5]), int(tables.count[0])
+    room, count = room_for(tables), int(tables.count[0])
     force_columns(room, prepared.drive, 0, 0.0, wide)
     room.y[:, 0] = prepared.start[STATE]
     state_columns(room, mode, prepared.drive.b[0])
@@ -76,7 +76,7 @@ def test_what_is_cut_off_is_within_the_sums(terms):
     slip = {(0, 1): 1, (2, 3): 1, (1, 0): -3, (1, 1): -0.4, (1, 4): -1, (3, 4): 0.5}
     stick = {(0, 1): 1, (2, 3): 1, (1, 0): -1, (1, 1): -0.1, (3, 0): -1, (3, 1): -0.1}
     for A in (slip, stick):
-        entries, many, few = np.array([[one, 0.0] for one in A.values()]), *map(room_for, (24, terms))
+        entries, many, few = np.array([[one, 0.0] for one in A.values()]), *map(empty, (24, terms))
         for table in (many, few):
             fill(entries, np.array(list(A)), 0.5, 5, table[0].shape[3], *table)
         weights, (rows, *_) = np.arange(1, 23), many
@@ -86,7 +86,7 @@ def test_what_is_cut_off_is_within_the_sums(terms):
             assert (abs(cut).sum(1) <= sums[ORDERS - 1] * UNIT * (1 + 1e-9) + 1e-16).all()
 
 
-def room_for(terms):
+def empty(terms):
     """What `fill` writes into: coefficients, their number, the whole step, the sums of both guards."""
     sums = np.zeros((ORDERS, 5)), np.zeros((ORDERS, 5))
     return np.zeros((2, 2, 5, terms)), np.zeros((2, 5), dtype=np.int64), np.zeros((2, 5, 5)), *sums

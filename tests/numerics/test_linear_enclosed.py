@@ -5,18 +5,28 @@ from fractions import Fraction
 
 import pytest
 from flint import arb
-from forced.catalogue import ANSWER
-from forced.catalogue import scene as scene_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_runs import moved
 from reaching import LeftOut, reaching
+from sixty_digits import FORCED, forced_scene
 from strategies import driven_scenes, scenes, weakened_scenes
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, State, Weakening
+from numerics import (
+    EventUndecided,
+    Force,
+    Friction,
+    InvalidScene,
+    Law,
+    OutOfRange,
+    Pair,
+    Piece,
+    Scene,
+    State,
+    Weakening,
+)
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
-from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 from numerics.linear.enclosed import _Run, run_enclosed
 from numerics.linear.pieces import pieces_of
 
@@ -55,7 +65,7 @@ def same(one, two):
 @pytest.mark.parametrize("place", COORDINATES)
 def test_a_start_that_is_moved_is_noticed(name, place):
     """Moved by 1e-25, no run of 40 digits is of the same motion; moved by 1e-60 they all may be."""
-    scene = scene_of(name)
+    scene = forced_scene(name)
     found = run(scene, 40, 12)
     if scene.initial.v1 == scene.initial.v2 and place in {"v1", "v2"}:
         return  # the bodies would no longer stick at once
@@ -109,11 +119,11 @@ def test_a_load_that_stays_below_b_by_little_and_one_that_does_not(beyond, law):
 )  # fmt: skip
 def test_the_cause_of_an_event_where_a_piece_begins(name, jump):
     """Stick that ends exactly where a piece begins ends by the jump; a slip that ends there ends by itself."""
-    scene = scene_of(name)
+    scene = forced_scene(name)
     pieces = pieces_of(scene)
     row = next(row for row in events(run(scene)) if row.piece and row.local == 0)
     assert row.jump == jump
-    assert any(one["cause"] in {"jump", "both"} for one in ANSWER[name]["events"])
+    assert any(one["cause"] in {"jump", "both"} for one in FORCED[name]["events"])
     assert pieces[row.piece].is_jump
 
 

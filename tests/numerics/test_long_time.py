@@ -1,6 +1,5 @@
 """The energy at times that nobody could step to: against stepping, the sharp law, and the rim behind it."""
 
-import json
 from fractions import Fraction
 from itertools import pairwise
 
@@ -9,14 +8,11 @@ from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from numerics.__main__ import main
+from numerics import Pair, Scene, State, load_scene, solve
 from numerics.arithmetic.ball import Ball, digits_within
 from numerics.free.abel import arcs
 from numerics.free.energy import Road, energy_at
 from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
 
 
 @pytest.mark.parametrize(
@@ -63,17 +59,16 @@ def test_viscous_scenes_and_merged_ones_take_the_short_road():
     assert energy_at(load_scene("itinerary-that-merges"), "1e100").road is Road.NO_MORE_SLIP
 
 
-def test_command_line(capsys):
-    assert main(["energy", "start-with-speed", "--at", "1e100", "--digits", "20", "--json"]) == 0
-    record = json.loads(capsys.readouterr().out)
-    assert record["energy_excess"].startswith("1.396263401595463661")
-    assert len(record["excursions"]) == 101
-    assert float(record["x1_radius"]) < 1e-20
-    assert record["v1"] == record["v2"]  # it sticks then
-    assert main(["energy", "start-with-speed", "--at", "1e4", "--explain"]) == 0
-    assert "Abel functions" in capsys.readouterr().out
-    assert main(["energy", "start-with-speed", "--at", "inf"]) == 2
-    assert capsys.readouterr().err.count("\n") == 1
+def test_command_line(run, output, record):
+    asked = ("energy", "start-with-speed", "--at")
+    found = record(*asked, "1e100", "--digits", 20)
+    assert found["energy_excess"].startswith("1.396263401595463661")
+    assert len(found["excursions"]) == 101
+    assert float(found["x1_radius"]) < 1e-20
+    assert found["v1"] == found["v2"]  # it sticks then
+    assert "Abel functions" in output(*asked, "1e4", "--explain")
+    code, _, err = run(*asked, "inf")
+    assert (code, err.count("\n")) == (2, 1)
 
 
 def test_the_rim_is_covered_without_gaps():

@@ -1,12 +1,10 @@
 """How a merging map is come by: processes, checkpoints, windows that are none, and the command."""
 
-import json
 import sys
 from fractions import Fraction
 
 import pytest
 
-from numerics.__main__ import main
 from numerics.errors import InvalidMap, MissingTool
 from numerics.free import quadtree as tree
 from numerics.free.merging_map import Window, merging_cells
@@ -53,22 +51,20 @@ def test_a_foreign_or_damaged_checkpoint_is_refused(tmp_path):
 # command line
 
 
-def test_command_line(capsys, tmp_path):
+def test_command_line(output, record, tmp_path):
     picture = tmp_path / "map.png"
-    assert main(["map", "--depth", "4", "--ratio", "1", "8", "--out", str(picture), "--json"]) == 0
-    record = json.loads(capsys.readouterr().out)
+    found = record("map", "--depth", 4, "--ratio", 1, 8, "--out", picture)
     assert picture.read_bytes().startswith(b"\x89PNG")
-    assert (record["ratio"], record["energy"], record["depth"]) == (["1", "8"], ["101/100", "101"], 4)
-    assert sum(record["shares"].values()) == pytest.approx(1)
-    for low, high, least, most, name in record["cells"]:
+    assert (found["ratio"], found["energy"], found["depth"]) == (["1", "8"], ["101/100", "101"], 4)
+    assert sum(found["shares"].values()) == pytest.approx(1)
+    for low, high, least, most, name in found["cells"]:
         assert 1 <= Fraction(low) < Fraction(high) <= 8
         assert 1 < Fraction(least) < Fraction(most) <= 101
         assert name in {"merges", "creeps", "undecided"}
-    assert main(["map", "--depth", "2"]) == 0
-    assert "of the window" in capsys.readouterr().out
+    assert "of the window" in output("map", "--depth", 2)
 
 
-def test_an_interrupted_command_says_how_to_go_on(monkeypatch, capsys, tmp_path):
+def test_an_interrupted_command_says_how_to_go_on(monkeypatch, run, tmp_path):
     road = tree.run_tasks
 
     def interrupted(function, tasks, **roads):
@@ -77,8 +73,8 @@ def test_an_interrupted_command_says_how_to_go_on(monkeypatch, capsys, tmp_path)
 
     monkeypatch.setattr(tree, "run_tasks", interrupted)
     file = tmp_path / "cells.jsonl"
-    assert main(["map", "--depth", "4", "--resume", str(file)]) == 130
-    assert "goes on" in capsys.readouterr().err
+    code, _, err = run("map", "--depth", 4, "--resume", file)
+    assert (code, "goes on" in err) == (130, True)
     assert len(file.read_text().splitlines()) == 6
-    assert main(["map", "--depth", "4"]) == 130
-    assert "nothing was written" in capsys.readouterr().err
+    code, _, err = run("map", "--depth", 4)
+    assert (code, "nothing was written" in err) == (130, True)

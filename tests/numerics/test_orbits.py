@@ -9,13 +9,12 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals
 
+from numerics import EventUndecided, Force, NotSettled, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import solved_again
 from numerics.control.orbit import Orbit, one_round, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
-from numerics.errors import EventUndecided, NotSettled
 from numerics.linear.system import LinearMode, W, is_positive_on
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
 
 @pytest.mark.parametrize("radius", ["0.1", "1"])

@@ -6,12 +6,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-from forced import catalogue
 from scipy.optimize import brentq
+from sixty_digits import forced_scene
 
-from numerics.scene import Force, Law, Pair, Scene, State
-from numerics.scene.file import load_scene
-from numerics.scene.plane import PlanePair, PlaneScene
+from numerics import Force, Law, Pair, PlanePair, PlaneScene, Scene, State, load_scene
 from numerics.trade import contenders
 from numerics.trade.comparisons import direct, forward_euler, switched
 from numerics.trade.comparisons.peer import PeerFailed, Unsupported
@@ -26,7 +24,7 @@ PAPER = load_scene("relative-motion-b05")
 SCENES = {
     "paper": PAPER,
     "viscous": Scene(Pair(1, 2, 200, "0.5", a1=1), State(v1="0.6"), 5),
-    **{name: catalogue.scene(name) for name in ("sine-stick-slip", "friction-by-pieces")},
+    **{name: forced_scene(name) for name in ("sine-stick-slip", "friction-by-pieces")},
 }
 # a fine setting, and the digits that it must have there
 FINE = {
@@ -148,4 +146,4 @@ class TestOffTheLine:
 
     def test_what_is_not_written_down_is_refused(self):
         with pytest.raises(Unsupported, match="one piece"):
-            direct.smoothed(catalogue.scene("friction-by-pieces"), 1e-3, "SciPy")
+            direct.smoothed(forced_scene("friction-by-pieces"), 1e-3, "SciPy")

@@ -11,11 +11,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from strategies import forces, frictions
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Force, Friction, Scene, solve
+from numerics import Force, Friction, Mode, Piece, Scene, solve
 from numerics.cli.plot import COMMON, overview
-from numerics.linear.modes import Mode
 from numerics.linear.pieces import pieces_of
-from numerics.scene.pieces import Piece
 from numerics.trajectory.curve import force_of, sampled
 
 mpl.use("Agg")

@@ -8,10 +8,8 @@ from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import driven_scenes, scenes
 
-from numerics.errors import EventUndecided, OutOfRange
+from numerics import EventUndecided, Force, Friction, OutOfRange, Pair, Scene, State, solve
 from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Force, Friction, Pair, Scene, State
-from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 
 CAP = 25

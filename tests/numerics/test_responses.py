@@ -13,12 +13,11 @@ from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import decimals, sine_scenes
 
+from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Orbit
 from numerics.control.response import Regime, response, steady_drive
 from numerics.control.stuck import stuck_state
-from numerics.errors import EventUndecided, InvalidScene
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 
 
 def returned(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fraction(0),) * 3) -> np.ndarray:

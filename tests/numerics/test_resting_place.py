@@ -7,11 +7,11 @@ from types import SimpleNamespace
 import pytest
 from flint import arb
 
+from numerics import Pair, Scene, State
 from numerics.arithmetic.ball import Ball
 from numerics.free.engine import run_free
 from numerics.free.resting_place import creeping_place
 from numerics.linear.modes import MODES, event_kind
-from numerics.scene import Pair, Scene, State
 
 BALLS = Ball(40)
 

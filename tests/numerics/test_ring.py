@@ -11,16 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import decimals
 
-from numerics.__main__ import main
+from numerics import Force, InvalidScene, NotSettled, Pair, Piece, Scene, Sine, State, load_scene, ring_entry, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
 from numerics.control.attraction import passage_at
 from numerics.control.pictures import draw_ring
-from numerics.control.ring import ring_entry
-from numerics.errors import InvalidScene, NotSettled
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
 
 
 @pytest.mark.parametrize(
@@ -88,12 +83,11 @@ def test_bad_rings_are_refused(wrong):
         ring_entry(load_scene("velocities"), **wrong)
 
 
-def test_the_command_prints_draws_and_refuses(tmp_path, capsys):
-    assert main(["ring", "velocities", "--radius", "0.001", "--plot", str(tmp_path / "ring.svg")]) == 0
-    assert "4.755641299" in capsys.readouterr().out
+def test_the_command_prints_draws_and_refuses(tmp_path, run, output):
+    assert "4.755641299" in output("ring", "velocities", "--radius", "0.001", "--plot", tmp_path / "ring.svg")
     assert (tmp_path / "ring.svg").stat().st_size > 10_000
-    assert main(["ring", "velocities", "--radius", "-1"]) == 2
-    assert "radius = -1" in capsys.readouterr().err
+    code, _, err = run("ring", "velocities", "--radius", -1)
+    assert (code, "radius = -1" in err) == (2, True)
 
 
 STUCK_AT_LAST = [Force.sine("0.2", 12), Force((Piece(0, ["0.4"]),)), Force.trapezoid(1, 0, 1, 0, 3)]

@@ -10,8 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 
-from numerics.errors import InvalidScene
-from numerics.scene import Law, Pair, State
+from numerics import InvalidScene, Law, Pair, State
 from numerics.scene.decimals import exact_decimal
 from numerics.scene.file import load_scene, parse_scene
 

@@ -13,9 +13,21 @@ from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from strategies import driven_scenes, scenes
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, sensitivities, solve
-from numerics.errors import EventUndecided, NotDifferentiable, NumericsError
-from numerics.scene.file import load_scene
+from numerics import (
+    EventUndecided,
+    Force,
+    Friction,
+    NotDifferentiable,
+    NumericsError,
+    Pair,
+    Piece,
+    Scene,
+    Sine,
+    State,
+    load_scene,
+    sensitivities,
+    solve,
+)
 from numerics.trajectory import variation
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.variation import Variation

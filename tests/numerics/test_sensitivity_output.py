@@ -1,6 +1,5 @@
 """Sensitivities as the command line tells them: digits that are right, an archive, a table, refusals."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
@@ -8,22 +7,20 @@ import pytest
 from flint import arb
 from three_scenes import PAPER
 
-from numerics.__main__ import main
+from numerics import solve
 from numerics.arithmetic.ball import Ball
-from numerics.solver.solve import solve
 from numerics.trajectory.sensitivity import WRT, sensitivities
 
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])
-def test_json_carries_them(arithmetic, scene_file, capsys):
-    assert main(["solve", str(scene_file), "--json", "--sensitivity", "--arithmetic", arithmetic]) == 0
-    record = json.loads(capsys.readouterr().out)
+def test_json_carries_them(arithmetic, scene_file, record):
+    found = record("solve", scene_file, "--sensitivity", "--arithmetic", arithmetic)
     truth = sensitivities(solve(replace(PAPER, until=2), digits=60, arithmetic="ball"))
-    for event, t, y in zip(record["events"], truth.t, truth.y, strict=True):
+    for event, t, y in zip(found["events"], truth.t, truth.y, strict=True):
         assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
         for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):
             check_row(row, true, arithmetic)
-    for row, true in zip(record["final"]["sensitivity"].values(), (*truth.final, truth.energy), strict=True):
+    for row, true in zip(found["final"]["sensitivity"].values(), (*truth.final, truth.energy), strict=True):
         check_row(row, true, arithmetic)
 
 
@@ -41,21 +38,20 @@ def exponent(text):
     return int(power or 0) - len(digits.partition(".")[2])
 
 
-def test_the_archive_and_the_table_carry_them(scene_file, tmp_path, capsys):
+def test_the_archive_and_the_table_carry_them(scene_file, tmp_path, output):
     path = tmp_path / "out.npz"
-    assert main(["solve", str(scene_file), "--npz", str(path), "--sensitivity", "--digits", "20"]) == 0
+    output("solve", scene_file, "--npz", path, "--sensitivity", "--digits", 20)
     found = sensitivities(solve(replace(PAPER, until=2)))
     with np.load(path) as archive:
         assert tuple(archive["sensitivity_wrt"]) == WRT
         for name in ("t", "y", "final", "energy"):
             assert np.allclose(archive[f"sensitivity_{name}"], getattr(found, name), rtol=1e-9, atol=1e-12)
-    assert main(["solve", str(scene_file), "--sensitivity"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+    lines = output("solve", scene_file, "--sensitivity").splitlines()
     last = next(line for line in lines if line.startswith("by b ")).split()
     assert float(last[2]) == pytest.approx(found.t[-1, WRT.index("b")], rel=1e-5)
 
 
-@pytest.mark.parametrize("output", ["--csv", "--plot=x.svg"])
-def test_outputs_without_room_for_them_refuse(output, scene_file, capsys):
-    assert main(["solve", str(scene_file), output, "--sensitivity"]) == 2
-    assert "--sensitivity" in capsys.readouterr().err
+@pytest.mark.parametrize("form", ["--csv", "--plot=x.svg"])
+def test_outputs_without_room_for_them_refuse(form, scene_file, run):
+    code, _, err = run("solve", scene_file, form, "--sensitivity")
+    assert (code, "--sensitivity" in err) == (2, True)

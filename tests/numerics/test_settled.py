@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import decimals, signed
 
+from numerics import EventUndecided, Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
 from numerics.control.attraction import distance, passage_at
@@ -22,9 +23,6 @@ from numerics.control.orbit import Orbit
 from numerics.control.response import last_drive, response
 from numerics.control.ring import Settled, periodic_settled, ring_entry, stretches, stuck_settled
 from numerics.control.stuck import stuck_state
-from numerics.errors import EventUndecided
-from numerics.scene import Force, Pair, Piece, Scene, State
-from numerics.solver.solve import solve
 from numerics.trajectory.run import run_scene
 
 HEAVY = Pair(1, 1, 1, 1, 10)

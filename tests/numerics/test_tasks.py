@@ -10,9 +10,8 @@ from fractions import Fraction
 import pytest
 from dying_worker import squared
 
-from numerics.control.response_map import response_map
+from numerics import Pair, response_map
 from numerics.free.quadtree import CellMap
-from numerics.scene import Pair
 from numerics.tasks import run_tasks
 
 PAIR = Pair(1, 1, 200, "0.5", 3)

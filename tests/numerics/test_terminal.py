@@ -7,11 +7,9 @@ import sys
 
 import pytest
 
+from numerics import OutOfRange, load_scene, solve
 from numerics.cli.solving import _progress
-from numerics.errors import OutOfRange
-from numerics.scene.file import load_scene
 from numerics.shown import print_table
-from numerics.solver.solve import solve
 
 
 def on_a_terminal(run, monkeypatch, *arguments) -> str:

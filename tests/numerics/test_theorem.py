@@ -6,7 +6,6 @@ from fractions import Fraction
 import pytest
 
 from numerics import Force, Law, Pair, Scene, State, solve
-from numerics.__main__ import main
 from numerics.errors import NoProof
 from numerics.trajectory.theorem import theorem
 
@@ -46,12 +45,11 @@ def test_what_the_checker_does_not_cover_is_refused_in_a_sentence(scene, said):
         theorem(solve(scene, digits=15, arithmetic="ball"))
 
 
-def test_the_command_writes_a_file_or_says_why_not(tmp_path, capsys):
+def test_the_command_writes_a_file_or_says_why_not(tmp_path, run):
     path = tmp_path / "a.v"
-    assert main(["solve", "velocities", "--proof", str(path)]) == 0
+    assert run("solve", "velocities", "--proof", path)[0] == 0
     assert "Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2" in path.read_text("utf-8")
-    assert main(["solve", "velocities-literal", "--proof", str(tmp_path / "b.v")]) == 1
-    out, err = capsys.readouterr()
-    assert (out, err.count("\n")) == ("", 1)
+    code, out, err = run("solve", "velocities-literal", "--proof", tmp_path / "b.v")
+    assert (code, out, err.count("\n")) == (1, "", 1)
     assert err.startswith("error: no theorem is written: ")
     assert not (tmp_path / "b.v").exists()

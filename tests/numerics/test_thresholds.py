@@ -9,13 +9,12 @@ from flint import arb
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from numerics import Force, InvalidScene, Pair, PrecisionExhausted, Scene, State
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.pictures import threshold_curves
 from numerics.control.response_map import Regimes, response_map
 from numerics.control.thresholds import NonStop, load_margin, thresholds
-from numerics.errors import InvalidScene, PrecisionExhausted
-from numerics.scene import Force, Pair, Scene, State
 
 PAIR = Pair(1, 1, 200, "0.5", 3)
 

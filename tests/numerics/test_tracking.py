@@ -9,12 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import decimals
 
+from numerics import Friction, InvalidScene, Pair, Piece, Scene, Sine, State, load_reference, load_scene
 from numerics.arithmetic.ball import Ball
 from numerics.control.pictures import draw_tracking
 from numerics.control.tracking import Derivative, largest_size, track
-from numerics.errors import InvalidScene
-from numerics.scene import Friction, Pair, Piece, Scene, Sine, State
-from numerics.scene.file import load_reference, load_scene
 
 S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
 

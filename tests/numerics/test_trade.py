@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from dataclasses import replace
@@ -13,9 +12,8 @@ import pytest
 from flint import arb, fmpq
 from planted_trades import MACHINE, run, trade_of
 
-from numerics.__main__ import main
+from numerics import OutOfRange
 from numerics.arithmetic.ball import Ball
-from numerics.errors import OutOfRange
 from numerics.trade import contenders, measure, scenes
 from numerics.trade.comparisons.peer import PeerFailed, PeerRun
 from numerics.trade.contenders import CONTENDERS, answer_of, contender, looked_at
@@ -241,23 +239,19 @@ class TestCommand:
         monkeypatch.setattr(measure, "contender", {one.label: one for one in some}.get)
 
     @pytest.mark.usefixtures("planted")
-    def test_the_whole_command_with_planted_answers(self, capsys, tmp_path):
-        arguments = ["trade", "--size", "small", "--only", "free", "--json", "--out", str(tmp_path / "trade.png")]
-        assert main(arguments) == 0
-        record = json.loads(capsys.readouterr().out)
-        assert record["left_out"]["absent tool"] == "a-package-that-nobody-has (extra `comparisons`)"
-        assert list(record["scenes"]) == ["relative-motion-b05", "near-critical-1e-6"]
-        assert list(dict.fromkeys(row[1] for row in record["runs"])) == ["solve", "heyoka", "forward Euler"]
+    def test_the_whole_command_with_planted_answers(self, output, record, tmp_path):
+        found = record("trade", "--size", "small", "--only", "free", "--out", tmp_path / "trade.png")
+        assert found["left_out"]["absent tool"] == "a-package-that-nobody-has (extra `comparisons`)"
+        assert list(found["scenes"]) == ["relative-motion-b05", "near-critical-1e-6"]
+        assert list(dict.fromkeys(row[1] for row in found["runs"])) == ["solve", "heyoka", "forward Euler"]
         assert [path.name for path in tmp_path.iterdir()] == ["trade.png"]
-        assert main(["trade", "--size", "small", "--only", "Euler", "absent", "b05"]) == 0
-        printed = capsys.readouterr().out
+        printed = output("trade", "--size", "small", "--only", "Euler", "absent", "b05")
         assert "left out: absent tool: needs a-package-that-nobody-has" in printed
         assert "2 ms" in printed
 
     @pytest.mark.usefixtures("planted")
-    def test_the_public_interface_alone(self, capsys):
-        assert main(["trade", "--size", "small", "--interface"]) == 0
-        printed = capsys.readouterr().out
+    def test_the_public_interface_alone(self, output):
+        printed = output("trade", "--size", "small", "--interface")
         assert "solve(scene), without a force: relative-motion-b05 1, near-critical-1e-6 1" in printed
         assert "forced-stick-slip, 20 at once: 30, 11 and 13.5 digits, 0 wrong" in printed
         assert "forward Euler" not in printed
@@ -269,8 +263,6 @@ class TestCommand:
             (["--out", "no-such-folder/figure.png"], "does not exist"),
         ],
     )
-    def test_wrong_use_is_answered_in_one_line(self, arguments, message, capsys):
-        assert main(["trade", *arguments]) == 2
-        error = capsys.readouterr().err
-        assert message in error
-        assert error.count("\n") == 1
+    def test_wrong_use_is_answered_in_one_line(self, arguments, message, run):
+        code, _, error = run("trade", *arguments)
+        assert (code, message in error, error.count("\n")) == (2, True, 1)

@@ -10,11 +10,9 @@ from hypothesis import given
 from strategies import near_critical, scenes
 from three_scenes import PAPER
 
+from numerics import EventUndecided, NumericsError, Pair, PrecisionExhausted, Scene, State, solve
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
 from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
@@ -71,14 +69,6 @@ def test_a_cap_that_is_not_reached_changes_nothing():
     whole = solve(PAPER)
     assert solve(PAPER, max_events=len(whole.events)).status is Status.REACHED_HORIZON
     assert solve(PAPER, max_events=len(whole.events) - 1).status is Status.EVENT_LIMIT
-
-
-@pytest.mark.parametrize("name", ["digits", "max_events", "max_digits"])
-def test_bad_arguments(name):
-    with pytest.raises(ValueError, match=name):
-        solve(PAPER, **{name: 0})
-    with pytest.raises(ValueError, match="arithmetic"):
-        solve(PAPER, arithmetic="decimal")
 
 
 @given(scenes(damped=None))

@@ -1,7 +1,5 @@
 """Transfers from rest to rest: planned forces against the independent reference, bounds by what no control can do."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from itertools import pairwise
@@ -12,15 +10,15 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals, pairs
 
+from numerics import Force, InvalidScene, Pair, Scene, State, fastest_transfer
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
-from numerics.control.transfer import Road, fastest_transfer
-from numerics.errors import InvalidScene
-from numerics.scene import Force, Pair, Scene, State
+from numerics.control.transfer import Road
 
 
-def at_rest(pair: Pair) -> Scene:
-    return Scene(pair, State(x2="0.25"), 1)
+def planned(distance, pair=FREE, **asked):
+    """The fastest transfer from rest."""
+    return fastest_transfer(Scene(pair, State(x2="0.25"), 1), distance, **asked)
 
 
 def arrived(found):
@@ -45,7 +43,7 @@ PLANS = [
 
 @pytest.mark.parametrize(("pair", "plan", "road"), PLANS)
 def test_a_transfer_arrives_at_rest_by_the_reference(pair, plan, road):
-    found = fastest_transfer(at_rest(pair), **plan)
+    found = planned(pair=pair, **plan)
     assert found.road is road
     off, v1, v2, stuck = arrived(found)
     assert abs(off) < 1e-19
@@ -61,11 +59,11 @@ def test_a_transfer_arrives_at_rest_by_the_reference(pair, plan, road):
 @settings(max_examples=8)
 def test_more_force_is_never_slower(distance, part):
     """Of the amplitudes for which a transfer is known, none takes longer than a smaller one, none beats the bound."""
-    known = fastest_transfer(at_rest(FREE), distance)
+    known = planned(distance)
     times = []
     for k in range(1, 10):
         amplitude = Fraction(float(known.stuck_amplitude)) * k / 5 * Fraction(part + 20, 21)
-        found = fastest_transfer(at_rest(FREE), distance, amplitude=amplitude)
+        found = planned(distance, amplitude=amplitude)
         if found.time is not None:
             assert not found.time < found.bound
             times.append(found.time)
@@ -73,11 +71,11 @@ def test_more_force_is_never_slower(distance, part):
 
 
 def test_between_the_amplitudes_it_says_that_the_least_time_is_open():
-    found = fastest_transfer(at_rest(FREE), "0.01", amplitude="1.5")
+    found = planned("0.01", amplitude="1.5")
     assert found.road is Road.OPEN
     assert found.scene is None
     assert "whether slipping meets the bound with less is open" in found.fastest  # g' < 0 before half time
-    weaker = fastest_transfer(at_rest(FREE), "0.001", amplitude=1)
+    weaker = planned("0.001", amplitude=1)
     assert weaker.road is Road.OPEN
     assert "no control meets the bound with less than 1.03496 N" in weaker.fastest
 
@@ -91,14 +89,14 @@ def test_between_the_amplitudes_it_says_that_the_least_time_is_open():
 )
 def test_full_force_is_the_fastest_of_all_only_where_nothing_can_break_the_contact(amplitude, said):
     """The contact holds for every control up to the time T of the transfer if U (2 - cos(Omega T)) <= b M/m2 = 1 N."""
-    found = fastest_transfer(at_rest(FREE), "0.0005", amplitude=amplitude)
+    found = planned("0.0005", amplitude=amplitude)
     assert (found.road, found.fastest) == (Road.BANG_BANG, said)
     needed = float(amplitude) * (2 - math.cos(10 * float(found.time)))
     assert (needed <= 1) == said.startswith("no control within")
 
 
 def test_a_transfer_under_a_margin_is_the_fastest_of_those_that_keep_it():
-    found, kept = (fastest_transfer(at_rest(FREE), "0.01", margin=one) for one in (0, "0.1"))
+    found, kept = (planned("0.01", margin=one) for one in (0, "0.1"))
     assert found.time < kept.time
     assert found.fastest.startswith("no control is faster")
     assert kept.fastest.startswith("no control that keeps the margin is faster")
@@ -109,10 +107,10 @@ def test_a_transfer_under_a_margin_is_the_fastest_of_those_that_keep_it():
 def test_no_force_of_a_transfer_exceeds_its_amplitude(pair, part, twentieths):
     """Running ahead, braking and holding; the distance is a part of that over which g turns, or friction holds."""
     far = part * min(pair.half_width, pair.b * pair.m1 / (pair.m2 * pair.a2) * 10)
-    known = fastest_transfer(at_rest(pair), far)
+    known = planned(far, pair)
     least = known.stuck_amplitude / 2 if known.least_amplitude is None else known.least_amplitude
     amplitude = rounded(least + (known.stuck_amplitude - least) * twentieths / 20, 6)
-    found = fastest_transfer(at_rest(pair), far, amplitude=amplitude)
+    found = planned(far, pair, amplitude=amplitude)
     if found.scene is not None:
         times = [piece.start for piece in found.scene.force.pieces] + [found.scene.until]
         for start, end in pairwise(times):
@@ -122,7 +120,7 @@ def test_no_force_of_a_transfer_exceeds_its_amplitude(pair, part, twentieths):
 
 def test_where_holding_needs_more_no_slip_is_given():
     """It takes more than a2 D = 6.873 N, as body 1 is ahead of body 2."""
-    found = fastest_transfer(at_rest(Pair("4.2", "1.1", 87, "0.9")), "0.079", amplitude="6.015")
+    found = planned("0.079", Pair("4.2", "1.1", 87, "0.9"), amplitude="6.015")
     assert found.least_amplitude < 6.015 < found.stuck_amplitude
     assert found.road is Road.OPEN
     assert "whether both bodies can rest then is open" in found.fastest
@@ -137,7 +135,7 @@ def test_where_holding_needs_more_no_slip_is_given():
     ],
 )
 def test_the_amplitude_of_a_stuck_transfer_is_the_largest_value_of_its_force(pair, distance, most):
-    found = fastest_transfer(at_rest(pair), distance)
+    found = planned(distance, pair)
     until = found.scene.until
     largest = max(abs(float(found.scene.force(until * k / 5000))) for k in range(5000))
     assert float(found.stuck_amplitude) == pytest.approx(largest, rel=1e-3)
@@ -155,7 +153,7 @@ def test_the_amplitude_of_a_stuck_transfer_is_the_largest_value_of_its_force(pai
 )
 def test_bad_transfers_are_refused(wrong, named):
     with pytest.raises(InvalidScene, match=named):
-        fastest_transfer(at_rest(FREE), **wrong)
+        planned(**wrong)
     with pytest.raises(InvalidScene, match="rest"):
         fastest_transfer(Scene(FREE, State(v1=1), 1), 1)
     with pytest.raises(InvalidScene, match="force"):
@@ -164,5 +162,5 @@ def test_bad_transfers_are_refused(wrong, named):
 
 def test_a_margin_leaves_no_room_for_a_slip():
     """1.08 N are enough to meet the bound by slipping, which takes friction to its limit, and too little to stick."""
-    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08").road is Road.SLIP
-    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08", margin="0.01").road is Road.OPEN
+    assert planned("0.001", amplitude="1.08").road is Road.SLIP
+    assert planned("0.001", amplitude="1.08", margin="0.01").road is Road.OPEN

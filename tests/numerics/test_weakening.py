@@ -10,16 +10,26 @@ from hypothesis import given, settings
 from matplotlib import pyplot as plt
 from scene_files import scenes_in
 
+from numerics import (
+    Force,
+    Friction,
+    InvalidScene,
+    OutOfRange,
+    Pair,
+    Piece,
+    Scene,
+    Sine,
+    State,
+    Weakening,
+    scene_text,
+    sensitivities,
+    solve,
+    solve_many,
+)
 from numerics.arithmetic.ball import Ball
-from numerics.errors import InvalidScene, OutOfRange
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.file import parse_scene
-from numerics.scene.writing import scene_text
-from numerics.solver.many import solve_many
-from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.run import run_scene
-from numerics.trajectory.sensitivity import sensitivities
 from tests.differences import CENTRAL, moved
 from tests.state_reference import reference
 from tests.strategies import weakened_scenes

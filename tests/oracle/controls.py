@@ -16,7 +16,6 @@ from numerics import (
     thresholds,
     track,
 )
-from numerics.errors import NumericsError
 
 DIGITS = 20
 PAIR, FREE = Pair(1, 1, 200, "0.5", 3), Pair(1, 1, 200, "0.5")
@@ -113,14 +112,3 @@ def answers() -> dict[str, Callable[[], Any]]:
                 load_scene(name), radius, rate=rate
             )
     return asked
-
-
-def controls() -> dict[str, Any]:
-    """The answers, or the kind of refusal."""
-    found = {}
-    for name, ask in answers().items():
-        try:
-            found[name] = ask()
-        except NumericsError as error:
-            found[name] = {"refused": type(error).__name__}
-    return found

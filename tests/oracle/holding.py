@@ -7,8 +7,7 @@ from typing import Any
 
 from flint import acb, arb
 
-from numerics import solve
-from numerics.errors import EventUndecided, NumericsError, OutOfRange
+from numerics import EventUndecided, NumericsError, OutOfRange, solve
 from oracle.reading import scene_of
 
 WAYS: dict[str, dict[str, Any]] = {

@@ -154,6 +154,8 @@ def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatc
         ["report", "--format", "html,docx"],
         ["--seed", "x"],
         ["--jobs", "x"],
+        ["--jobs", "0"],
+        ["--jobs", "-1"],
         ["source"],
         ["report", "--out", ""],
     ],
@@ -164,6 +166,7 @@ def test_usage_errors(arguments, capsys):
     assert stop.value.code == 2
     found = capsys.readouterr()
     assert (found.out, found.err[:7], found.err.count("\n")) == ("", "error: ", 1)
+    assert arguments[0] != "--jobs" or "--jobs" in found.err
     assert "_" not in found.err  # names of functions are none of a user's words
 
 

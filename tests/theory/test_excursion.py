@@ -40,15 +40,6 @@ def test_the_guard_and_its_factors():
     assert identical(exc.guard_of_u(), theta - sin(theta) - h_value * (1 - cos(theta)))
 
 
-def test_h_grows_from_zero_to_infinity():
-    assert exc.h_limits() == (0, S.Infinity)
-    assert identical(exc.h(), (theta - sin(theta)) / (1 - cos(theta)))
-    assert identical(exc.h_slope(), diff(exc.h(), theta))
-    assert identical(exc.h_slope(), (2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2)
-    assert not identical(exc.h_slope(), (2 * (1 - cos(theta)) + theta * sin(theta)) / (1 - cos(theta)) ** 2)
-    assert all(exc.h_slope().subs(theta, angle).evalf(40) > 0 for angle in ANGLES)
-
-
 def test_the_end_of_the_excursion():
     one = exc.excursion()
     height = exc.h()

@@ -1,7 +1,7 @@
 """The closed form (3), (4) and its branches: signum at numbers, forces, the printed equations."""
 
 import pytest
-from sympy import Abs, Rational, S, simplify
+from sympy import Rational, S
 
 from theory import model
 from theory.symbols import (
@@ -98,19 +98,3 @@ def test_free_system_agrees_with_the_branches_off_the_surface_and_not_on_it(same
     # The set-valued sign that makes both accelerations equal gives stick.
     adhesion = -m2 * free(a1 * v1 + a2 * x1) / (total_mass() * b)
     assert all(same(left, right) for left, right in zip(model.free_system(adhesion), model.stick().field, strict=True))
-
-
-def test_the_printed_equations_5_and_6(same):
-    relative = sgn(v1 - v2)
-    first, second = model.case_study_closed_form()
-    assert same(first.subs(relative, x1), (-(200 * x1 + b * relative) / (2 - Abs(relative))).subs(relative, x1))
-    assert simplify(second - ((1 - Abs(relative)) * acceleration1 + b * relative)) == 0
-
-
-def test_the_printed_equations_7_and_8(same):
-    assert model.case_study_mode(0) == (-100 * x1, -100 * x1)
-    for sign in (1, -1):
-        first, second = model.case_study_mode(sign)
-        assert same(first, -200 * x1 - sign * b)
-        assert same(second, sign * b)
-    assert model.case_study_eigenfrequency() == 10

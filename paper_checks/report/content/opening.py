@@ -238,7 +238,7 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         text = f"Theorem `uniqueness` of the kernel: {CITED['uniqueness'][1]} Under a force, with existence: `forced-contraction`."
         yield "Is the motion from a start the only one, and where is that proved?", text
     if any(row.kernel for row in shown.values()):
-        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. What it did not prove: `trust`."
+        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. The rows that need it: type kernel into the search above all rows."
         yield "What does the kernel prove, and with which axioms?", text
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."
@@ -246,7 +246,11 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         yield "What is new past the paper?", "One list: `new`."
     yield "Which law of friction is used?", LAW
     yield "How sure is a number of the solver?", NUMBERS
-    yield "How do I check one row again?", "Every row's page ends with the command. How to install it: `provenance`."
+    short = " By hand, in ten minutes: `critical-energy`, an ellipse in a strip." if "critical-energy" in shown else ""
+    yield (
+        "How do I check one row again?",
+        f"Every row's page ends with the command. How to install it: `provenance`.{short}",
+    )
     yield "How do I draw Fig. 5 again?", DRAWN
     if answers:
         yield "How fast is it beside heyoka?", " ".join(answers)

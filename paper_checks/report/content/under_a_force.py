@@ -101,8 +101,8 @@ def _regimes() -> Iterator[Block]:
         "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
         "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
         "if $\\dot z$ keeps its sign between the turns. For $a_1=0$ and $\\omega>\\omega_1$ it always does; else it does from some amplitude on, which may "
-        "lie above $U_{**}$ (for $a_1=0$ unless $\\omega_1$ is an odd multiple of $\\omega$). In between the pair slips, and sticks or reverses more than twice in each period. With a damper every motion tends to the "
-        "one of its regime (`forced-periodic-response`)."
+        "lie above $U_{**}$ (for $a_1=0$ unless $\\omega_1$ is an odd multiple of $\\omega$). With a damper every motion tends to one (`forced-periodic-response`): "
+        "to one of these two, or in between to one that slips, and sticks or reverses more than twice, in each period."
         + _formula("entrainment-threshold", "stuck", "threshold")
         + _formula("entrainment-threshold", "non-stop-undamped", "threshold")
     )
@@ -176,7 +176,7 @@ def _ring() -> Iterator[Block]:
     yield Heading("The ring of Fig. 1", "the-ring")
     yield Paragraph(
         "Two motions under one force never move apart, so a tube around a motion is entered once, for good, and a ring that holds its image is not left after that "
-        "(`tolerance-ring`). The ring needs its centre at the limit of the motion itself: nothing acts on $x_1-x_2$ (`ring-of-tolerance`)."
+        "(`tolerance-ring`). A ring needs its centre at a limit of the motion itself, if it has one: nothing acts on $x_1-x_2$ (`ring-of-tolerance`)."
         + _formula("tolerance-ring", "ring", "within")
     )
     yield Paragraph(f"The scene of Fig. 5 (a) enters the ring of 1 mm for good at {rounded(found.entry, 4)} s.")

@@ -1,1 +1,1 @@
-"""How the report is written: HTML, LaTeX, also for the PDF, Markdown, JSON, the terminal; and figures as vector graphics."""
+"""How the report is written: HTML, LaTeX, also for the PDF, JSON, the terminal; and figures as vector graphics."""

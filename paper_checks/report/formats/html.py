@@ -79,9 +79,8 @@ def _verdict(row: Row) -> str:
 
 
 def _rows(rows: Sequence[Row], writer: HtmlWriter) -> str:
-    titles = "".join(
-        f'<th scope="col">{title}</th>' for title in ("row", "verdict", "weakest step", "where", "in short")
-    )
+    head = ("row", "verdict, weakest step", "where", "in short")
+    titles = "".join(f'<th scope="col">{title}</th>' for title in head)
     lines = "\n".join(_row(row, writer) for row in rows)
     return (
         f'<section aria-labelledby="{ROWS}">\n<h2 id="{ROWS}">{ROWS_TITLE}</h2>\n<form id="filters" hidden></form>\n'
@@ -91,12 +90,15 @@ def _rows(rows: Sequence[Row], writer: HtmlWriter) -> str:
 
 def _row(row: Row, writer: HtmlWriter) -> str:
     claim, verdict = row.claim, row.finding.verdict.value
-    words = plain(f"{claim.id.replace('-', ' ')} {claim.statement} {row.finding.reason}").lower()
-    told = f"<td><small>{kind(row)}{' · part open' if row.open else ''}</small></td><td><small>{writer.text(claim.where)}</small></td>"
+    kernel = "kernel" if row.kernel else ""
+    words = plain(f"{claim.id.replace('-', ' ')} {claim.where} {kernel} {claim.statement} {row.finding.reason}").lower()
+    chip = (
+        f'<span class="badge {verdict}">{verdict}</span> <small>{kind(row)}{" · part open" if row.open else ""}</small>'
+    )
     return (
         f'<tr data-row="{claim.id}" data-section="{escape(section_title(claim.section))}" data-verdict="{verdict}" data-step="{_weakest(row)}" '
         f'data-open="{"some" if row.open else "none"}" data-words="{escape(words)}">'
-        f'<th scope="row">{writer.text(f"`{claim.id}`")}</th><td><span class="badge {verdict}">{verdict}</span></td>{told}'
+        f'<th scope="row">{writer.text(f"`{claim.id}`")}</th><td>{chip}</td><td><small>{writer.text(claim.where)}</small></td>'
         f'<td class="short">{writer.text(in_short(row))}</td></tr>'
     )
 

@@ -71,7 +71,7 @@ if (form) {
     let below = behind.get(row);
     if (!below) {
       below = document.createElement("tr");
-      below.append(Object.assign(document.createElement("td"), { colSpan: 5, className: "behind" }));
+      below.append(Object.assign(document.createElement("td"), { colSpan: 4, className: "behind" }));
       behind.set(row, below);
       row.after(below);
       load(row, below.firstChild);

@@ -8,8 +8,6 @@ from collections.abc import Iterator
 from functools import cache
 from xml.etree import ElementTree
 
-from latex2mathml.converter import convert
-
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 ARITY = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "mover": 2, "munder": 2, "munderover": 3, "mroot": 2}
 """Elements that take exactly so many arguments; anything more among them is an error."""
@@ -46,6 +44,8 @@ def mathml(latex: str, *, display: bool = False) -> str:
 
 def tree(latex: str, *, display: bool = False) -> Element:
     """Return the MathML element of LaTeX source, its names without the namespace; raises UnreadableMathematicsError."""
+    from latex2mathml.converter import convert  # a terminal, which imports this module too, does without it
+
     try:
         text = convert(latex, display="block" if display else "inline")
     except Exception as error:

@@ -8,42 +8,32 @@ from typing import Any
 import sympy as sp
 
 from paper_checks.decide.polynomial import RELATIONAL
-from theory.filippov import EdgeContact
 
 
-def negated(original: Callable[..., Any]) -> Callable[..., Any]:
-    """A wrong sign."""
-    return lambda *arguments, **named: -original(*arguments, **named)
+def changed(change: Callable[[Any], Any]) -> Callable[..., Any]:
+    """Return a fault that changes what is returned."""
+    return lambda original: lambda *arguments, **named: change(original(*arguments, **named))
 
 
-def doubled(original: Callable[..., Any]) -> Callable[..., Any]:
-    """A wrong factor."""
-    return lambda *arguments, **named: 2 * original(*arguments, **named)
+negated = changed(lambda one: -one)
+doubled = changed(lambda one: 2 * one)
+halved = changed(lambda one: one / 2)
+squared = changed(lambda one: one**2)
 
 
-def squared(original: Callable[..., Any]) -> Callable[..., Any]:
-    """A wrong exponent."""
-    return lambda *arguments, **named: original(*arguments, **named) ** 2
+def plus(term: Any) -> Callable[..., Any]:
+    """Return a fault that adds a term."""
+    return changed(lambda one: one + term)
 
 
-def halved(original: Callable[..., Any]) -> Callable[..., Any]:
-    """A wrong factor, on the other side."""
-    return lambda *arguments, **named: original(*arguments, **named) / 2
+def without(*symbols: Any) -> Callable[..., Any]:
+    """Return a fault that drops the terms with these symbols."""
+    return changed(lambda one: one.subs(dict.fromkeys(symbols, 0)))
 
 
 def other_sign(original: Callable[..., Any]) -> Callable[..., Any]:
     """The field, rate or branch of the other half-space."""
     return lambda sign, *arguments, **named: original(-sign, *arguments, **named)
-
-
-def plus(term: Any) -> Callable[..., Any]:
-    """Return a fault that adds a term to a scalar."""
-    return lambda original: lambda *arguments, **named: original(*arguments, **named) + term
-
-
-def without(*symbols: Any) -> Callable[..., Any]:
-    """Return a fault that drops the terms with these symbols."""
-    return lambda original: lambda *arguments, **named: original(*arguments, **named).subs(dict.fromkeys(symbols, 0))
 
 
 def confused(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
@@ -83,9 +73,12 @@ def mistaken(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
 
 def entry(index, change):
     """Change one of several expressions."""
-    return lambda original: (
-        lambda *given: tuple(change(one) if place == index else one for place, one in enumerate(original(*given)))
-    )
+    return changed(lambda several: tuple(change(one) if n == index else one for n, one in enumerate(several)))
+
+
+def part(name, change):
+    """Change one of the parts of a record: of an excursion, of the limits along a trajectory to the critical orbit."""
+    return changed(lambda whole: replace(whole, **{name: change(getattr(whole, name))}))
 
 
 def raised(value):
@@ -93,24 +86,15 @@ def raised(value):
     return value + sp.Rational(1, 100)
 
 
-def failing(original):
-    """A step that has failed."""
-    return lambda *given: replace(original(*given), passed=False)
-
-
-def limit_changed(name, change):
-    """Change one of the limits along a trajectory to the critical orbit."""
-    return lambda limits: lambda: replace(limits(), **{name: change(getattr(limits(), name))})
-
-
-def with_entry(change):
-    """Change one printed pair of right sides."""
-    return lambda printed: lambda *sign: printed(*sign) + sp.Matrix(change)
-
-
-def inwards_missed(excursion):
-    """The excursion with re-entry on the other side of the edge."""
-    return lambda: replace(excursion(), position=2 - excursion().position)
+failing = changed(lambda step: replace(step, passed=False))
+inwards_missed = part("position", lambda one: 2 - one)
+"""The excursion with re-entry on the other side of the edge."""
+reversed_contact = part("second", lambda one: -one)
+"""A slip that touches S and curves back into the half-space that it came from."""
+crossing_contact = changed(lambda contact: replace(contact, first=contact.second))
+"""A guard without the double root."""
+other_weight = changed(lambda one: 1 - one)
+"""The weight of Phi_- in the place of that of Phi_+."""
 
 
 def unbounded_sign(_):
@@ -118,26 +102,6 @@ def unbounded_sign(_):
     return lambda value, velocity: sp.And(sp.Le(sp.Abs(value), 2), sp.Lt(sp.Abs(velocity), 1))
 
 
-def reversed_contact(contact):
-    """A slip that touches S and curves back into the half-space that it came from."""
-    return lambda side: EdgeContact(contact(side).first, -contact(side).second, contact(side).third)
-
-
-def crossing_contact(contact):
-    """A guard without the double root."""
-    return lambda side: EdgeContact(contact(side).second, contact(side).second, contact(side).third)
-
-
-def other_weight(weight):
-    """The weight of Phi_- in the place of that of Phi_+."""
-    return lambda: 1 - weight()
-
-
 def not_strict(beyond):
     """The edge of the strip counted with S_+ and S_-."""
     return lambda side, strict=True: beyond(side, strict=False)
-
-
-def squared_load(load):
-    """A load that does not obey the oscillator's equation."""
-    return lambda damped: load(damped) ** 2

@@ -6,6 +6,7 @@ from flint import arb
 from theory.symbols import a1, b, q, theta, v1
 
 from .faults import (
+    changed,
     confused,
     doubled,
     entry,
@@ -45,7 +46,7 @@ FAULTS = {
     "rate-bounds-explicit": {
         "rate.stick_rotation": entry(1, lambda one: -one),
         "rate.prove": (confused(">=", "<=", 0), confused("<=", ">=", 1)),
-        "rate.bounds": lambda bounds: lambda *numbers: bounds(*numbers)[::-1],
+        "rate.bounds": changed(lambda bounds: bounds[::-1]),
         "rate.depth_of_angle": doubled,
     },
     "uniform-rate": {
@@ -66,7 +67,7 @@ FAULTS = {
         "merging.prove": (confused("<=", ">=", 0), confused(">", "<", 0)),
         "critical_ratio.critical_share": doubled,
         "critical_ratio.critical_mass_ratio_residual": plus(theta),
-        "critical_ratio.half_angle": lambda f: lambda: f() + arb("1e-40"),
+        "critical_ratio.half_angle": changed(lambda one: one + arb("1e-40")),
     },
     "critical-mass-ratio": {
         "critical_ratio.ratio_slope_residual": plus(1),

@@ -5,8 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-from numerics.scene import Pair, Scene, State
-from numerics.scene.file import load_scene
+from numerics import Pair, Scene, State, load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.claims import euler
 from paper_checks.claims.itineraries import never_merges

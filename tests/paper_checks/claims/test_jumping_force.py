@@ -4,8 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from numerics.linear.modes import Mode
-from numerics.solver.solve import solve
+from numerics import Mode, solve
 from paper_checks.claims import claim_named, jumping_force
 from paper_checks.decide.enclosure import solved
 from theory import jumping_force as jump

@@ -6,15 +6,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from numerics import Force, Friction, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, solve
-from numerics.linear.modes import Mode
+from numerics import Force, Friction, Mode, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, load_scene, solve
 from paper_checks import explore
-from paper_checks.claims import claim_named
+from paper_checks.claims import claim_named, onset, tolerance
+from paper_checks.proofs.cited import CITED
 
 
 def sentence(row, clause):
     claim = claim_named(row)
     return next(one.text for one in (*claim.clauses, *claim.correction) if one.id == clause)
+
+
+def page(name):
+    return (Path(explore.__file__).parent / name).read_text(encoding="utf-8")
 
 
 def half_turn(inertia, stiffness, omega, friction, place, start, end):
@@ -65,6 +69,17 @@ def test_a_slip_that_follows_a_slip_may_be_short_and_cheap():
     assert "also where a slip ends" in sentence("static-friction-stops-creeping", "costs")
 
 
+def test_a_slip_that_starts_no_stick_may_be_short_and_cheap_too():
+    """Unit masses and spring, b_k = 1 N, b_s = 2 N: from v1 = 1 um/s one slip, where E(0)/e_0 is far below 1."""
+    run = solve(Scene(Pair(m1=1, m2=1, a2=1, b=1), State(v1="1e-6"), until=1))
+    assert run.modes == (Mode.SLIP_PLUS, Mode.STICK)
+    least = 1 / (math.sqrt(2 * run.energy[0]) + 1)
+    assert run.energy[0] < 1e-10 * 2 * least**2 / 16
+    for name in ("static-slip-costs", "static-few-slips", "static-sticks-at-last"):
+        assert "sticks are kept" in CITED[name][1] or "keeps its sticks" in CITED[name][1]
+    assert "from a contact" in CITED["static-slip-costs"][1]
+
+
 def test_body_1_tracks_but_for_the_offset_of_the_force():
     """x_ref = 0: under its force with gamma = 1/2 the pair rests with body 1 at 1/2, and others come to rest there."""
     pair, force = Pair(m1=1, m2=1, a1=1, a2=1, b=1), Force.step(0, "1/2")
@@ -106,7 +121,7 @@ def test_circles_that_are_too_large_may_slip_more_than_once():
     pair = PlanePair(m1="0.05", m2="0.95", a2=1, b="0.95")
     run = solve(PlaneScene(pair, 10, x1=["1.02", 0], v1=[0, "1.02"], v2=[0, "1.02"]))
     assert run.modes == ("slip", "stick", "slip", "stick")
-    assert "slips once or a few times" in (Path(explore.__file__).parent / "surface.html").read_text(encoding="utf-8")
+    assert "slips once or a few times" in page("surface.html")
 
 
 def test_a_body_2_at_rest_is_met_before_the_heavy_damper_has_settled():
@@ -115,6 +130,59 @@ def test_a_body_2_at_rest_is_met_before_the_heavy_damper_has_settled():
     assert run.modes == (Mode.SLIP_MINUS, Mode.STICK)
     place, velocity = run.events[0].y[:2]
     assert 0.9 < abs(float(place) + 1000 * float(velocity)) / 2 < 1
+
+
+def test_the_first_slip_under_a_heavy_damper_may_cross():
+    """Body 2 at rest, body 1 at 1 m/s: where they first meet the load is beyond -b, the more so the larger a1 is."""
+    loads = []
+    for damper in (1000, 100000):
+        run = solve(Scene(Pair(m1=1, m2=1, a1=damper, a2=1, b=1), State(v1=1), until=1))
+        assert run.modes == (Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK)
+        place, velocity = map(float, run.events[0].y[:2])
+        loads.append(-(place + damper * velocity) / 2)
+        assert float(run.events[1].t) < 10 * math.log(damper) / damper
+    assert loads[1] < loads[0] - 2 < -4
+    assert "The first slip may cross $S$" in tolerance.heavy_damping().statement
+
+
+def test_under_a_force_the_relative_displacement_need_not_have_a_limit():
+    """Two harmonics and a damper: (x1, v1, v2) repeats, and in each period x2 moves on by 0.31 m."""
+    force = Force([Piece(0, (), (Sine(2, 1), Sine(2, 2, "1.5707963267948966")))])
+    run = solve(Scene(Pair(m1=1, m2=1, a1=1, a2=1, b=1), State(), until=120, force=force))
+    late = run.sol([100, 100 + 2 * math.pi, 100 + 4 * math.pi]).astype(float)
+    assert np.ptp(late[[0, 1, 3]], axis=1) == pytest.approx([0, 0, 0], abs=1e-9)
+    assert np.diff(late[2]) == pytest.approx([0.30973, 0.30973], abs=1e-4)
+    assert "only be centred on a limit of the motion's own" in sentence("ring-of-tolerance", "displacement")
+
+
+def test_the_oscillation_of_body_1_may_grow_until_the_bodies_synchronise():
+    """The case study from x1 = 0 at rest with v2 = -0.03 m/s: one slip, then stick for ever with 1.5 mm."""
+    run = solve(Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(v2="-0.03"), until=3))
+    assert run.modes == (Mode.SLIP_PLUS, Mode.STICK)
+    assert np.max(np.abs(run.sol(np.linspace(2, 3, 500))[0])) == pytest.approx(0.001494, rel=1e-3)
+    assert "takes the amplitude" not in Path(onset.__file__).read_text(encoding="utf-8")
+
+
+def test_a_heavy_body_1_may_merge_by_a_slip_that_does_not_start_on_the_surface():
+    """Fig. 3 (a), equal masses: one slip takes the pair from 3.84 E_cr to 0.49 E_cr."""
+    scene = load_scene("itinerary-that-merges")
+    run, critical = solve(scene), float(scene.pair.critical_energy)
+    assert run.modes == (Mode.SLIP_PLUS, Mode.STICK)
+    assert run.energy[0] > 3.8 * critical > 0.5 * critical > run.energy[-1]
+    assert "no slip that starts on S does" in page("explore.html")
+
+
+def test_a_slip_on_a_surface_may_end_at_the_rate_0():
+    """On a line of it, all constants 1: the slip that touches at x1 = L = 2 with v = 1, where |Lambda| = b."""
+
+    def function(t):
+        slip = -math.sin(t) + math.cos(t) - 1 + t
+        load = -(1 + math.cos(t) + math.sin(t)) / 2
+        return abs(slip) + load * slip
+
+    assert function(-0.1) > function(-0.01) > 0
+    assert function(-0.001) / 0.001 < 0.002
+    assert "if $|\\Lambda|<b$" in sentence("stuck-ellipses", "lands")
 
 
 def landing(share, excess):

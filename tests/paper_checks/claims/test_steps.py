@@ -7,9 +7,7 @@ from functools import partial
 import pytest
 import sympy as sp
 
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
+from numerics import Mode, load_scene, solve
 from numerics.trajectory.status import Status
 from paper_checks.claims import (
     CLAIMS,

@@ -4,8 +4,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
+from numerics import Mode, load_scene
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, within
 
 WIDE = arb(1, 0.5)

@@ -26,6 +26,7 @@ ZEROS = [
     sp.sqrt(1 + root) ** 2 - 1 - root,
     (sp.Min(x, y) + 1) ** 2 - sp.Min(x, y) ** 2 - 2 * sp.Min(x, y) - 1,
     sp.sin(root) ** 2 / x + sp.cos(root) ** 2 / x - 1 / x,
+    x * sp.Abs(y / x - 1) - sp.Abs(x - y),
 ]
 
 

@@ -6,9 +6,8 @@ import re
 import matplotlib as mpl
 import pytest
 
+from numerics import load_scene, solve
 from numerics.linear.modes import EventKind
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
 from paper_checks.claims import CLAIMS
 from paper_checks.drawing.captions import CAPTIONS, caption
 from paper_checks.drawing.figures import FIGURES

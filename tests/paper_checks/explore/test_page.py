@@ -7,8 +7,7 @@ from dataclasses import replace
 import pytest
 from elements import Elements
 
-from numerics import Force, Pair
-from numerics.scene.file import load_scene
+from numerics import Force, Pair, load_scene
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
 from paper_checks.explore.page import SCRIPTS, page, section, source

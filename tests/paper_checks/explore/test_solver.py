@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from chromium import asked, faults, planted
-from explored_scenes import FORCED_NAMES, SCENES, forced_scene
+from explored_scenes import FORCED_NAMES, SCENES, explored
 
 from numerics import solve
 from paper_checks.explore.page import SOLVER, source
@@ -18,7 +18,7 @@ def answers(whole, tmp_path_factory) -> dict:
     """What the page's solver says of every scene, and the first one of which it says something else with a fault."""
     program, scenes = source(SOLVER), [one.for_page() for one in SCENES]
     question, folder = Path(__file__).with_name("solve.js"), tmp_path_factory.mktemp("solver")
-    forced = [forced_scene(name)[0] for name in FORCED_NAMES]
+    forced = [explored(name)[0] for name in FORCED_NAMES]
     return asked(
         whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS), FORCED=forced
     )
@@ -40,7 +40,7 @@ def test_events_and_states_are_those_of_the_exact_integrator(answers):
 
 @pytest.fixture(scope="module")
 def forced() -> dict:
-    return {name: forced_scene(name)[1] for name in FORCED_NAMES}
+    return {name: explored(name)[1] for name in FORCED_NAMES}
 
 
 def is_off(found, right) -> bool:

@@ -7,10 +7,9 @@ from pathlib import Path
 import pytest
 from chromium import asked, faults, planted
 
-from numerics import solve
+from numerics import PlanePair, solve
 from numerics.plane.rotating import rotating_response
 from numerics.scene.file import load_scene, parse_scene
-from numerics.scene.plane import PlanePair
 from paper_checks.explore.page import SOLVER, source
 from paper_checks.explore.surfaces import OWN_SURFACES, ReducedSurface, reduced_surface
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from chromium import asked
 
-from numerics.scene.file import load_scene
+from numerics import load_scene
 from paper_checks.explore.scenes import reduced
 
 HERE = Path(__file__).parent

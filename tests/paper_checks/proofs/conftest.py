@@ -15,3 +15,14 @@ def needs_kernel():
         pytest.fail(MISSING)
     if MISSING:
         pytest.skip(MISSING)
+
+
+@pytest.fixture
+def store(tmp_path):
+    """A store that holds all that is compiled, and keeps what a test compiles out of the user's cache."""
+    folder = tmp_path / "store"
+    folder.mkdir()
+    for kept in kernel.cache_folder().iterdir():
+        if kept.is_dir():
+            (folder / kept.name).symlink_to(kept)
+    return folder

@@ -26,11 +26,17 @@ def built():
 
 @pytest.fixture
 def planted(monkeypatch):
-    """Build with the kernel's answers changed by a function."""
+    """Build with what the kernel printed of a name, or the axioms below it, changed."""
 
-    def plant(change):
+    def plant(part, name, change):
         real = library._facts
-        monkeypatch.setattr(library, "_facts", lambda *given: change(real(*given)))
+
+        def facts(*given):
+            found = real(*given)
+            known = getattr(found, part)
+            return dataclasses.replace(found, **{part: known | {name: change(known.get(name))}})
+
+        monkeypatch.setattr(library, "_facts", facts)
         return build()
 
     return plant
@@ -88,7 +94,7 @@ def test_the_command_says_that_all_is_proved_or_what_is_not(command, planted, bu
     code, out, err = command()
     assert (code, err) == (0, "")
     assert f"{len(built.theorems)} of {len(built.theorems)} theorems proved as pinned, 0 files compiled" in out
-    planted(lambda facts: dataclasses.replace(facts, axioms=facts.axioms | {"Pair.contraction": ["Pair.easy"]}))
+    planted("axioms", "Pair.contraction", lambda _: ["Pair.easy"])
     code, _, err = command()
     assert (code, err) == (1, "Pair.contraction rests on Pair.easy, which nobody has proved\n")
 
@@ -151,11 +157,7 @@ def test_the_kernel_itself_finds_the_same_lemmas_below_a_theorem(tmp_path):
 
 @pytest.mark.usefixtures("needs_kernel")
 def test_a_statement_that_is_not_the_pinned_one_turns_that_theorem_alone(planted):
-    def change(facts):
-        said = facts.printed["Law.sharp_law"].replace("t * (", "2 * t * (")
-        return dataclasses.replace(facts, printed=facts.printed | {"Law.sharp_law": said})
-
-    turned = planted(change)
+    turned = planted("printed", "Law.sharp_law", lambda said: said.replace("t * (", "2 * t * ("))
     assert turned.problems == ("Law.sharp_law does not say what is pinned",)
     assert [one.id for one in turned.theorems.values() if not one.holds] == ["sharp-law"]
 
@@ -173,11 +175,7 @@ def test_so_does_a_sentence_that_was_not_signed_beside_its_statement(monkeypatch
 
 @pytest.mark.usefixtures("needs_kernel")
 def test_a_definition_that_is_not_the_pinned_one_turns_all_that_rest_on_it(planted):
-    def change(facts):
-        said = facts.printed["Sharp.rate"].replace("9", "8")
-        return dataclasses.replace(facts, printed=facts.printed | {"Sharp.rate": said})
-
-    turned = planted(change)
+    turned = planted("printed", "Sharp.rate", lambda said: said.replace("9", "8"))
     assert "Law.sharp_law rests on Sharp.rate, which is not defined as pinned" in turned.problems
     assert turned.theorem("trichotomy").holds is False
     assert turned.theorem("contraction").holds is True
@@ -217,50 +215,38 @@ def test_what_the_kernel_did_not_check_counts_as_an_axiom():
     assert questions._axioms(told) == ("Classical_Prop.classic", "bad is assumed to be guarded.")
 
 
-@pytest.mark.parametrize("changed", ["questions", "graph", "library", "a proof file", "the kernel"])
-def test_the_kernel_is_asked_again_where_what_its_answers_rest_on_changes(tmp_path, monkeypatch, changed):
-    asked = []
+@pytest.fixture
+def facts(tmp_path, monkeypatch):
+    """What is known of a library of one file, and how often its kernel was asked."""
+    answers, asked = questions.Answers({"Low.two": "one", "Low.one": "0 = 0"}, {}), []
     monkeypatch.setattr(kernel, "identity", lambda _: "one of a kind")
     monkeypatch.setattr(graph, "references", lambda _: ({}, frozenset()))
-    monkeypatch.setattr(questions, "ask", lambda *_: asked.append(1) or questions.Answers({}, {}))
+    monkeypatch.setattr(questions, "ask", lambda *_: asked.append(1) or answers)
 
-    def facts(text="Lemma."):
-        return library._facts(kernel.Compiled({"Low": tmp_path}), {"Low": Source("Low", text)}, tmp_path)
+    def known(text="Lemma."):
+        compiled = kernel.Compiled({"Low": tmp_path})
+        return library._facts(compiled, {"Low": Source("Low", text)}, tmp_path), len(asked)
 
-    facts(), facts()
-    assert len(asked) == 1
+    return known
+
+
+@pytest.mark.parametrize("changed", ["questions", "graph", "library", "a proof file", "the kernel"])
+def test_the_kernel_is_asked_again_where_what_its_answers_rest_on_changes(facts, monkeypatch, changed):
+    assert [facts()[1], facts()[1]] == [1, 1]
     kind = {"questions": questions, "graph": graph, "library": library}.get(changed)
     if changed == "the kernel":
         monkeypatch.setattr(kernel, "identity", lambda _: "another")
     elif kind:
         content = Path.read_text
         monkeypatch.setattr(Path, "read_text", lambda path, *a: content(path, *a) + " " * (path == Path(kind.__file__)))
-    facts("Lemma. " if changed == "a proof file" else "Lemma.")
-    assert len(asked) == 2
+    assert facts("Lemma. " if changed == "a proof file" else "Lemma.")[1] == 2
 
 
-def test_damaged_answers_are_asked_again(tmp_path, monkeypatch):
-    answers = {"Low.two": "one", "Low.one": "0 = 0"}
-    monkeypatch.setattr(kernel, "identity", lambda _: "one of a kind")
-    monkeypatch.setattr(graph, "references", lambda _: ({}, frozenset()))
-    monkeypatch.setattr(questions, "ask", lambda *_: questions.Answers(answers, {}))
-
-    def facts():
-        return library._facts(kernel.Compiled({"Low": tmp_path}), {"Low": Source("Low", "")}, tmp_path)
-
-    first = facts()
+def test_damaged_answers_are_asked_again(facts, tmp_path):
+    first, _ = facts()
     (entry,) = tmp_path.rglob("answers.json")
     entry.write_bytes(entry.read_bytes().replace(b"0 = 0", b"0 = 1"))
-    assert facts() == first
-
-
-@pytest.mark.usefixtures("needs_kernel")
-def test_an_axiom_is_reported_by_its_name(planted):
-    def change(facts):
-        return dataclasses.replace(facts, axioms=facts.axioms | {"Pair.contraction": ["Pair.friction_helps"]})
-
-    turned = planted(change)
-    assert turned.problems == ("Pair.contraction rests on Pair.friction_helps, which nobody has proved",)
+    assert facts() == (first, 2)
 
 
 @pytest.mark.slow
@@ -278,16 +264,11 @@ def test_an_axiom_is_reported_by_its_name(planted):
         ),
     ],
 )
-def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeypatch, built, true, false, said):
+def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeypatch, built, store, true, false, said):
     shutil.copytree(library.FOLDER, tmp_path / "proofs")
     damaged = tmp_path / "proofs" / "Critical.v"
     damaged.write_text(damaged.read_text("utf-8").replace(true, false), "utf-8")
-    store = tmp_path / "store"
-    store.mkdir()
-    for kept in kernel.cache_folder().iterdir():
-        if kept.name != "lock":
-            (store / kept.name).symlink_to(kept)
-    known = library._facts(compiled_here(store), library._sources(library.FOLDER, store), store)
+    _, known = known_here(store)
     monkeypatch.setattr(library, "_facts", lambda compiled, *rest: only(known, compiled.folders))
     found = build(store=store, folder=tmp_path / "proofs")
     assert bool(found.problems) == bool(said)
@@ -297,13 +278,8 @@ def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeyp
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("needs_kernel")
-def test_a_fault_in_the_theory_breaks_its_tie_and_no_other(tmp_path, monkeypatch, built):
-    store = tmp_path
-    for kept in kernel.cache_folder().iterdir():
-        if kept.name != "lock":
-            (store / kept.name).symlink_to(kept)
-    sources = library._sources(library.FOLDER, store)
-    known = library._facts(compiled_here(store), sources, store)
+def test_a_fault_in_the_theory_breaks_its_tie_and_no_other(monkeypatch, built, store):
+    sources, known = known_here(store)
     fault = re.sub(r"(Theorem tie_half_width .*? = )", r"\1 2 * ", sources[library.TIES].text)
     monkeypatch.setattr(tied, "text", lambda store: fault)
     monkeypatch.setattr(library, "_facts", lambda compiled, sources, store: without("Tie.tie_half_width", known))
@@ -319,8 +295,10 @@ def without(name, facts):
     return dataclasses.replace(facts, printed={one: text for one, text in facts.printed.items() if one != name})
 
 
-def compiled_here(store):
-    return kernel.compile_all(library._sources(library.FOLDER, store), store=store)
+def known_here(store):
+    """The sources, and the facts about them."""
+    sources = library._sources(library.FOLDER, store)
+    return sources, library._facts(kernel.compile_all(sources, store=store), sources, store)
 
 
 def only(facts, files):

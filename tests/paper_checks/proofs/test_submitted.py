@@ -7,8 +7,7 @@ from decimal import Decimal
 import pytest
 from scene_files import scenes_in
 
-from numerics import Force, Pair, Scene, State, solve
-from numerics.scene.file import load_scene
+from numerics import Force, Pair, Scene, State, load_scene, solve
 from numerics.trajectory import theorem as writer
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs.__main__ import main

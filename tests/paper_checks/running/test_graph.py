@@ -111,21 +111,18 @@ def test_what_derives_an_equality_passes_no_other_relation(relation):
     assert Formula("E", relation, m1, equals(lambda: m1)).evidence().passed is not True
 
 
-def proved(name, holds, *ties):
-    return Proved(name, "Law.sharp_law", "It is so.", "forall x, x = x", {}, (), ties, (), holds)
-
-
-def theorem(status):
-    holds = {name: passed for passed, name in kernel.STATUS.items()}[status]
-    return lambda name: proved(name, holds)
+HOLDS = {name: passed for passed, name in kernel.STATUS.items()}
 
 
 @pytest.fixture
 def theorems(monkeypatch):
+    """Plant how the theorem of a row stands, and those that it is tied to or uses."""
     monkeypatch.setattr(signed, "is_signed", lambda *_: True)
 
-    def plant(status):
-        monkeypatch.setattr(kernel, "theorem", theorem(status))
+    def plant(status, ties=(), uses=(), others=kernel.PROVED):
+        other = Proved("", "Law.sharp_law", "It is so.", "forall x, x = x", {}, (), (), (), HOLDS[others])
+        top = replace(other, uses=uses, ties=ties, holds=HOLDS[status])
+        monkeypatch.setattr(kernel, "theorem", lambda name: replace(top if name == "sharp-law" else other, id=name))
         kernel.step.cache_clear()
 
     yield plant
@@ -150,26 +147,16 @@ def test_the_kernel_carries_a_clause_or_leaves_it_to_the_other_steps(theorems, s
 
 
 @pytest.mark.parametrize("status", [kernel.PROVED, kernel.NOT_RUN, kernel.FAILED])
-def test_a_theorem_about_something_else_than_the_theory_proves_nothing(monkeypatch, status):
-    holds = {name: passed for passed, name in kernel.STATUS.items()}[status]
-    said = {
-        "sharp-law": proved("sharp-law", True, "tie-ray"),
-        "tie-ray": proved("tie-ray", holds),
-    }
-    monkeypatch.setattr(kernel, "theorem", said.__getitem__)
-    kernel.step.cache_clear()
+def test_a_theorem_about_something_else_than_the_theory_proves_nothing(theorems, status):
+    theorems(kernel.PROVED, ties=("tie-ray",), others=status)
     found = kernel.step("sharp-law")
-    kernel.step.cache_clear()
-    assert found.passed is holds
-    assert ("tie-ray" in found.value) == (holds is not True)
+    assert found.passed is HOLDS[status]
+    assert ("tie-ray" in found.value) == (status != kernel.PROVED)
 
 
-def test_a_theorem_of_the_kernel_rests_on_those_that_it_uses(monkeypatch):
-    said = {"sharp-law": replace(proved("sharp-law", True), uses=("rate",)), "rate": proved("rate", True)}
-    monkeypatch.setattr(kernel, "theorem", said.__getitem__)
-    kernel.step.cache_clear()
+def test_a_theorem_of_the_kernel_rests_on_those_that_it_uses(theorems):
+    theorems(kernel.PROVED, uses=("rate",))
     found = kernel.step("sharp-law")
-    kernel.step.cache_clear()
     assert [kernel.name_of(one) for one in found.rests_on] == ["rate"]
     assert [kernel.name_of(one) for one in closure([found])] == ["rate", "sharp-law"]
 

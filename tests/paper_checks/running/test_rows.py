@@ -16,7 +16,6 @@ from dying_process import dies_of_energy_rate, tells_what_ctrl_c_does
 from imported import imported_modules
 from interruption import interrupted
 
-from paper_checks.__main__ import main
 from paper_checks.claims import claim_named
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Verdict
@@ -312,11 +311,3 @@ def test_what_fails_prints_its_traceback_where_that_is_asked_for(capsys):
     for debug in (False, True):
         assert decide(replace(claim_named(QUICK[0]), case=case), Context(debug=debug)).verdict is Verdict.UNDECIDED
         assert ("Traceback" in capsys.readouterr().err) is debug
-
-
-@pytest.mark.parametrize("jobs", ["0", "-1", "two"])
-def test_a_number_of_processes_is_at_least_one(jobs, capsys):
-    with pytest.raises(SystemExit) as stop:
-        main(["--jobs", jobs])
-    assert stop.value.code == 2
-    assert "--jobs" in capsys.readouterr().err

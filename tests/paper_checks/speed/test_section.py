@@ -8,7 +8,7 @@ from html import unescape
 import pytest
 from planted_trades import run, trade_of
 
-from numerics.scene.file import load_scene
+from numerics import load_scene
 from numerics.trade.euler import EulerFigure, EulerOutcome
 from numerics.trade.recorded import recorded
 from paper_checks.report.content.blocks import Points, Section, Table
