@@ -121,6 +121,11 @@ class BoxRun(Path):
             self.passed(curve, found, x, norm, ends=False)
             self.change(i, (off * h).upper())
 
+    def drift(self, norm: arb, passed: arb) -> None:
+        """Let z be off by what v1 - v2 is off for a time, on the axes that slip."""
+        slips = Vector(arb(one != "0") for one in self.mode)
+        self.apart = (self.apart + self.system.apart * slips * (norm * passed)).each(arb.upper)
+
     def passed(self, curve: Curve, found: Defect, end: arb, norm: arb, *, ends: bool) -> None:
         """Go to the end of a curve; the spread goes on, too."""
         before, start = self.norm, self.at.t
@@ -169,6 +174,7 @@ class BoxRun(Path):
         """
         system, drive, before = self.system, self.system.pieces[self.at.piece], self.mode
         alone, reached, self.clear = bool(self.at.t - late > self.over), self.norm, arb(0)
+        self.drift(reached, late)
         if before[i] == "0":
             near, load, middle = self.around(late, self.friction), self.load()[i], self.load_there[i]
             rate, off = near.drift[i], self.spread.of_load(i) + abs(abs(middle) - drive.b[i])
@@ -195,6 +201,7 @@ class BoxRun(Path):
             self.norm = self.norm.min(earlier.max(self.spread.norm))
         else:
             self.spread = Spread(system).grown("+" * system.n, self.norm)
+        self.drift(reached, late)
         self.after, self.over = late, self.at.t + late
         self.tell(before, late, "guard")
 

@@ -164,13 +164,16 @@ def test_what_a_path_is_off_goes_on_through_modes_and_events_as_the_motions_do(n
                 self.spread = Spread(self.system, [[Ball.number(y - x)] for x, y in both])
 
     run = Planted(System(reduced(scene), 30), 100, 2000)
+    run.norm = arb(1e-8)
     run.follow()
-    (events, one, _), (_, two, _) = said(scene, digits=30), said(other, digits=30)
+    (events, one, _), (others, two, _) = said(scene, digits=30), said(other, digits=30)
+    for x, y, told in zip(events, others, run.events, strict=True):
+        assert abs(abs(x.t - y.t) - told.late) < told.late * 1e-4 + 1e-20
     assert {(e.before, e.after) for e in events} >= {("-+", "0+"), ("0+", "0-"), ("0+", "-+")}
     ends = [y - x for k in (0, 1, 3) for x, y in zip(one[k], two[k], strict=True)]
     carried = [row[0] for row in run.spread.rows]
     scale = max(map(abs, ends), key=lambda x: x.mid())
-    assert all(abs(x - y) < scale * 1e-5 for x, y in zip(carried, ends, strict=True))
+    assert all(abs(x - y) < scale * 1e-3 for x, y in zip(carried, ends, strict=True))
 
 
 def test_with_a_damper_a_slip_from_the_edge_is_not_sure_for_long():
