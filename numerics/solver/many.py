@@ -75,7 +75,8 @@ def solve_many(
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
-    numbers. For jumps instead, `force` and `friction`: a Force, a Friction, or sequences of them that broadcast.
+    numbers. For jumps, `force` and `friction`: a Force, a Friction, or sequences of them that broadcast; one Friction
+    for all beside `sines` costs no more than `sines` alone.
 
     The numbers are taken as the binary64 numbers that they are, exactly: 0.005 in an array is not 1/200, which matters
     to a pair that starts on the very edge. With `exact` they are read as `solve` reads them: 0.005 is 1/200, and texts
@@ -100,14 +101,17 @@ def solve_many(
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
     limits = _limits(read_law(law), max_events, keep_events, jobs, progress)
     acts = None if force is None and friction is None else (force or Force(), friction or Friction())
-    if exact or acts is not None:
+    # one friction for all rows, and a force that begins with each of its pieces as it goes on
+    shared = isinstance(friction, Friction) and not friction.weakening and force is None and len(polynomial) < 2
+    if exact or (acts is not None and not shared):
         return _solve_objects(named, acts, len(polynomial), limits, binary=not exact)
-    columns, shape = _columns(named, len(polynomial))
+    same = friction if shared else SAME_FRICTION
+    columns, shape = _columns(named, len(polynomial), same)
 
     def scene_of(row: int) -> Scene:
         coefficients, waves = columns.polynomial[row], columns.sines[row]
         numbers = [Fraction(float(one)) for one in (*columns.table[row, ::2], *coefficients, *waves.ravel())]
-        return _scene(numbers, len(coefficients), limits.law, {})
+        return _scene(numbers, len(coefficients), limits.law, {}, friction=same)
 
     return _solved(columns, scene_of, columns.table, shape, limits)
 
@@ -272,7 +276,7 @@ def _chunk(count: int, jobs: int | None) -> int:
     return max(_TOO_FEW, min(_CHUNK, -(-count // (4 * (jobs or available_cores())))))
 
 
-def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[int, ...]]:
+def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tuple[Columns, tuple[int, ...]]:
     """Return numbers as columns, and the shape that their arrays have together; checked."""
     arrays = {name: np.asarray(_numbers(name, values)) for name, values in named.items()}
     shape = _common_shape(arrays)
@@ -287,7 +291,7 @@ def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[in
     table[:, ::2] = flat[:, : len(SI)]
     rest = flat[:, len(SI) :]
     count = (len(arrays) - len(SI) - terms) // 3
-    return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3)), shape
+    return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3), friction), shape
 
 
 def _common_shape(arrays: dict[str, NDArray[Any]]) -> tuple[int, ...]:
