@@ -21,7 +21,6 @@ from numerics.linear.pieces import pieces_of
 from numerics.linear.prepare import Known, Prepared, prepare
 from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
 from numerics.scene import Friction, Scene
-from numerics.scene.model import SAME_FRICTION
 from numerics.trajectory.run import free_scene, run_scene
 
 Table = NDArray[np.float64]
@@ -34,33 +33,34 @@ class Columns:
     """Rows of scenes as compiled code reads them, all numbers binary64.
 
     `table` (n, 20): SI numbers as halves (answer.SI). u = sum_k polynomial[:, k] t^k + sum amplitude sin(omega t +
-    phase), with `polynomial` (n, p) and `sines` (n, s, 3). All have the same `friction`, without weakening.
+    phase), with `polynomial` (n, p) and `sines` (n, s, 3). All have the same pieces of friction.
     """
 
     table: Table
     polynomial: Table
     sines: Table
-    friction: Friction = SAME_FRICTION
+    frictions: Table
+    """frictions_of what friction they have."""
 
     def part(self, rows: Any) -> Columns:
         """Return some of the rows."""
         return replace(self, table=self.table[rows], polynomial=self.polynomial[rows], sines=self.sines[rows])
 
     @property
-    def frictions(self) -> Table:
-        """Return the pieces of friction as linear/batch.py reads them."""
-        pieces = [(*nearest(start), *nearest(b)) for start, b in self.friction.pieces]
-        first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan, 0.0)]
-        return np.array([*first, *pieces])
-
-    @property
     def free(self) -> NDArray[np.bool_]:
         """Return which rows are those of the free pair: a1 = 0 and no force."""
-        still = (self.table[:, -2] == 0) & (not self.friction.pieces)
+        still = (self.table[:, -2] == 0) & (len(self.frictions) == 1 and bool(np.isnan(self.frictions[0, 2])))
         for forces in (self.polynomial, self.sines[:, :, 0]):
             if forces.size:
                 still &= ~np.any(forces, axis=1)
         return np.asarray(still)
+
+
+def frictions_of(friction: Friction) -> Table:
+    """Return the pieces of a friction without weakening as linear/batch.py reads them."""
+    pieces = [(*nearest(start), *nearest(b)) for start, b in friction.pieces]
+    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan, 0.0)]
+    return np.array([*first, *pieces])
 
 
 @dataclass(frozen=True)

@@ -186,6 +186,13 @@ def test_one_friction_by_pieces_beside_sines_is_what_the_scenes_are_by_themselve
             assert one.accuracy.digits - 1 <= found.digits[k] <= one.accuracy.digits + 1
 
 
+@pytest.mark.parametrize("piece", [("1e-400", "0.02"), (1, "1e-400"), (1, "1e400")])
+def test_a_friction_that_floats_do_not_hold_is_what_its_scene_says(piece):
+    friction = Friction([piece, (2, "0.3")])
+    found = solve_many(1, 1, 200, 0.0625, v1=0.125, until=3, friction=friction)
+    assert same(found, solve_many(1, 1, 200, 0.0625, v1=0.125, until=3, friction=friction, exact=True))
+
+
 def test_columns_under_a_force_form_the_ledger_when_it_is_looked_at(monkeypatch):
     """A copy does, too; rows of the free pair among them have theirs, and one out of range has none."""
     monkeypatch.setattr(batch, "_TOO_FEW", 3)
