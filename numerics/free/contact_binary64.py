@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.elementary import depth, rise, sine_deficit, two_horners, versine
+from numerics.arithmetic.elementary import depth, rise, two_horners, versine
 from numerics.arithmetic.functions import as_float, sqrt, two_pi
 from numerics.arithmetic.protocol import Number
 
@@ -128,14 +128,15 @@ def positive_root(b: Number, c: Number) -> Number:
 def late_angle(gap: float, push: float) -> float:
     """Return, for push > 1, the angle eta = 2 pi - theta that is missing to a full turn, by Halley's method.
 
-    f = 2 pi + d sin eta - u (1 - cos eta) - (eta - sin eta) falls on 0 < eta < 3 pi/2, f'' = -(d + 1) sin - u cos.
+    f = (2 pi - eta) + (d + 1) sin eta - u (1 - cos eta) falls on 0 < eta < 3 pi/2, f'' = -(d + 1) sin - u cos.
     """
     lower, upper = 0.0, late_bound(gap, push)
-    eta = min((gap + math.sqrt(gap * gap + 2.0 * TURN * push)) / push, 0.5 * upper)
+    eta = late_guess(gap, push, upper)
     previous = upper
     for _ in range(_STEPS):
-        sine, drop = math.sin(eta), versine(eta)
-        missing = (TURN + gap * sine) - (push * drop + sine_deficit(eta))
+        half_sine, half_cosine = math.sin(0.5 * eta), math.cos(0.5 * eta)
+        sine, drop = 2.0 * half_sine * half_cosine, 2.0 * half_sine * half_sine
+        missing = (TURN - eta) + ((gap + 1.0) * sine - push * drop)
         if missing > 0.0:
             lower = eta
         elif missing < 0.0:
@@ -155,3 +156,17 @@ def late_angle(gap: float, push: float) -> float:
         previous = abs(candidate - eta)
         eta = candidate
     return eta
+
+
+@compilable
+def late_guess(gap: float, push: float, upper: float) -> float:
+    """Return a first guess of the angle missing to 2 pi, for push > 1.
+
+    With y = eta/2, C = cot y and p = pi - y the equation is p C^2 + (d + 1) C + p - u = 0; p is taken from the equation
+    for small angles, and one of Newton's steps allows for dp = -dy.
+    """
+    y = min(0.5 * (gap + math.sqrt(gap * gap + 2.0 * TURN * push)) / push, 0.25 * upper)
+    rest = 0.5 * TURN - y
+    root = math.sqrt(max((gap + 1.0) * (gap + 1.0) + 4.0 * rest * (push - rest), 0.0))
+    turned = math.atan2(gap + 1.0 + root, 2.0 * (push - rest))  # arccot C
+    return min(2.0 * (y + (turned - y) * root / (root + 1.0)), 0.98 * upper)

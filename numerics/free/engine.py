@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 from numerics.arithmetic.compiled import can_compile, compiled, compiles_now
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.arithmetic.functions import nonnegative, sign
+from numerics.arithmetic.functions import as_float, nonnegative, sign
 from numerics.arithmetic.pair import Pair, nearest
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
-from numerics.free.bounds import initial
+from numerics.free.bounds import Carried, initial
 from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
 from numerics.free.rows import UNKNOWN, solve_row, solve_start
 from numerics.free.start import SI, Begun, begin, first_mode, in_si, narrowing, wide
@@ -94,10 +94,14 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
 def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: Progress | None) -> Record | None:
     """Solve ten SI numbers as halves in compiled binary64; None where they must be converted exactly."""
     solve, end = compiled(solve_row), np.empty(END_ROW)
-    turns = row.item(16) * math.sqrt(row.item(4) / row.item(0)) / math.pi
-    room = int(min(max_events, 16 + _EVENTS_PER_TURN * min(turns, 1e6)))
+    room = _room(row.item(16) * math.sqrt(row.item(4) / row.item(0)), max_events)
     rows = _with_room(room, lambda rows: solve(row, literal, max_events, rows, end))
     return None if rows is None else _record(rows, end, Float64(), progress)
+
+
+def _room(angle: float, max_events: int) -> int:
+    """Return for how many events there is room at first, if body 1 alone turns by so many radians."""
+    return int(min(max_events, 16 + _EVENTS_PER_TURN * min(angle / math.pi, 1e6)))
 
 
 def _with_room(room: int, solve: Callable[[NDArray[np.float64]], int]) -> NDArray[np.float64] | None:
@@ -113,7 +117,7 @@ def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
     """Run in binary64, by its row where it can be, or in double-double."""
     if isinstance(arithmetic, DoubleDouble):
         _runs[0] += _WIDE_RUN
-        begun, given = _begun_wide(scene, arithmetic)
+        begun, given, carried = _begun_wide(scene, arithmetic)
     else:
         _runs[0] += 1
         row = scene_row(scene) if compiles_now() or (_runs[0] > _MANY and can_compile()) else None
@@ -121,17 +125,19 @@ def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
         if found is not None:
             return found
         begun, given = begin_exactly(scene, arithmetic)
-    rows, end = _from_start(begun, given, max_events, scene, progress)
+        carried = initial(begun.at, begun.start, begun.V1, begun.V2)
+    rows, end = _from_start(begun, carried, given, max_events, scene, progress)
     return _record(rows, end, arithmetic, progress)
 
 
-def _begun_wide(scene: Scene, arithmetic: DoubleDouble) -> tuple[Begun, tuple[Pair, ...]]:
-    """Return how a scene begins, and its given numbers, in pairs; made once and kept with the scene."""
+def _begun_wide(scene: Scene, arithmetic: DoubleDouble) -> tuple[Begun, tuple[Pair, ...], Carried]:
+    """Return how a scene begins, its given numbers, and the errors of these; made once and kept with the scene."""
     if "wide" not in scene.made:
         with arithmetic.context():
-            scene.made["wide"] = [in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic)]
-    begun, given = scene.made["wide"]
-    return begun, given
+            begun, given = (in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic))
+        scene.made["wide"] = begun, given, initial(begun.at, begun.start, begun.V1, begun.V2)
+    found: tuple[Begun, tuple[Pair, ...], Carried] = scene.made["wide"]
+    return found
 
 
 def in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
@@ -145,10 +151,15 @@ def in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
 
 
 def _from_start(
-    begun: Begun, given: tuple[Number, ...], max_events: int, scene: Scene, progress: Progress | None
+    begun: Begun,
+    carried: Carried,
+    given: tuple[Number, ...],
+    max_events: int,
+    scene: Scene,
+    progress: Progress | None,
 ) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
     """Return the rows of a run from a start: a short one by Python, which would wait for numba longer than it runs."""
-    end, carried = np.empty(END_ROW), initial(begun.at, begun.start, begun.V1, begun.V2)
+    end = np.empty(END_ROW)
     if not (compiles_now() or (_runs[0] > _MANY and can_compile())):
         few = min(_FEW, max_events) if can_compile() else max_events
         growing, plain = _Growing(few + 1, float(scene.until), progress), end.tolist()
@@ -160,7 +171,7 @@ def _from_start(
         if count < few or few == max_events:
             return np.array(growing.rows), np.array(plain)
     solve = compiled(solve_start)
-    room = min(max_events, 4 * _FEW)
+    room = _room(as_float(begun.horizon) / as_float(begun.at.sqrt_q), max_events)
     return _with_room(room, lambda rows: solve(begun, carried, given, max_events, rows, end)), end
 
 

@@ -1,6 +1,6 @@
 """Many scenes in one compiled call, in float64: first events and ends out.
 
-In come rows of numbers, of one piece of force; or scenes with forces and frictions of any pieces.
+In come rows of numbers, of one piece of force and the same pieces of friction; or scenes with pieces of any kind.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with, compiled
 from numerics.arithmetic.pair import two_sum
 from numerics.linear.columns import Constants, Drive, constants, make_room
 from numerics.linear.kernel import follow_in
+from numerics.linear.pairs import add, multiply
 from numerics.linear.prepare import REACH, Prepared, Units, most_terms
 from numerics.linear.record import AT, END_ROW, ROW, finish, in_si
 from numerics.linear.table import FIRST, Tables, form, make_tables
@@ -24,11 +25,16 @@ _X1, _EVENT, _PIECE, _LOCAL = (AT[name] for name in ("x1", "event", "piece", "lo
 
 
 class Columns(Protocol):
-    """What a batch gives: the table (n, 20) of SI numbers as halves, polynomial (n, p), sines (n, s, 3)."""
+    """What a batch gives: the table (n, 20) of SI numbers as halves, polynomial (n, p), sines (n, s, 3).
+
+    `frictions` (k, 4), the same for all rows: when a piece of friction begins (s), the first one at 0, and its b (N),
+    as halves; nan for the row's own b. With more than one piece the polynomial is a constant at most.
+    """
 
     table: NDArray[np.float64]
     polynomial: NDArray[np.float64]
     sines: NDArray[np.float64]
+    frictions: NDArray[np.float64]
 
 
 def run_rows(
@@ -44,9 +50,11 @@ def run_rows(
     Rows that are in doubt, or out of range, keep the `how` that they had. Without `has_ledger` an end says nan of what
     friction and viscosity took: that costs a fifth of the time, and not everybody asks. Releases Python's lock.
     """
+    terms = most_terms(columns.polynomial.shape[1])
     table, polynomial, sines = columns.table, columns.polynomial, columns.sines
-    terms = most_terms(polynomial.shape[1])
-    compiled(follow_rows)(table, polynomial, sines, literal, max_events, has_ledger, terms, kept, ends)
+    compiled(follow_rows)(
+        table, polynomial, sines, columns.frictions, literal, max_events, has_ledger, terms, kept, ends
+    )
 
 
 class Drives(NamedTuple):
@@ -54,7 +62,7 @@ class Drives(NamedTuple):
 
     first: Any
     begin: Any
-    """(n,) when each piece begins, s."""
+    """(n, 1) when each piece begins, s."""
     drive: Drive
 
 
@@ -67,7 +75,7 @@ def run_prepared(
     counts = np.array([(len(one.places), len(one.coefficients), len(one.sines)) for one in drives])
     before = np.cumsum(counts, axis=0) - counts
     places[:, [0, 2]] += np.repeat(before[:, 1:], counts[:, 0], axis=0)
-    begin = np.array([float(piece.start) for one in given for piece in one.pieces])
+    begin = np.array([[float(piece.start)] for one in given for piece in one.pieces])
     of_all = Drives(np.append(before[:, 0], len(places)), begin, Drive(places, b, length, coefficients, sines))
     starts, decided = np.array([one.start for one in given]), np.array([one.is_decided for one in given])
     first = given[0]
@@ -113,14 +121,8 @@ def follow_drives(
         written = rows[: min(count, room_for)]
         if how >= 3 or not finish(written, end, units.mass, units.time, units.length):  # out of range, or in doubt
             continue
-        end[_LOCAL], end[_PIECE] = end[_LOCAL] + begin[first[n] + int(end[_PIECE])], 0.0
-        ends[n], done = end, 0
-        for k in range(written.shape[0]):
-            if (k == 0 or written[k, _EVENT] == 1.0) and done < kept.shape[1]:
-                kept[n, done] = written[k]
-                kept[n, done, _LOCAL] += begin[first[n] + int(written[k, _PIECE])]
-                kept[n, done, _PIECE] = 0.0
-                done += 1
+        ends[n] = end
+        keep(written, begin[first[n] : first[n + 1]], kept[n], ends[n])
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -128,6 +130,7 @@ def follow_rows(
     table: Any,
     polynomial: Any,
     sines: Any,
+    frictions: Any,
     literal: bool,
     max_events: int,
     has_ledger: bool,
@@ -136,17 +139,18 @@ def follow_rows(
     ends: Any,
 ) -> None:
     """Solve rows of scenes, each in units that are powers of 2; tables are formed anew only where they change."""
-    terms, waves = polynomial.shape[1], sines.shape[1]
+    terms, waves, pieces = polynomial.shape[1], sines.shape[1], frictions.shape[0]
     columns = FIRST + terms + 2 * waves
     tables, room, spare = make_tables(1, columns, coefficients), make_room(columns, coefficients), np.empty(ROW)
     pair, omegas = np.zeros((5, 2)), np.zeros((waves, 2))
-    acting = np.zeros((1, 6), dtype=np.int64)
-    acting[0, 1], acting[0, 3], acting[0, 5] = terms, waves, 1
-    drive = Drive(acting, np.zeros((1, 2)), np.zeros((1, 2)), np.zeros((terms, 2)), np.zeros((waves, 3, 2)))
-    start, end = np.zeros(ROW), np.zeros(END_ROW)
+    acting = np.zeros((pieces, 6), dtype=np.int64)
+    acting[:, 1], acting[:, 2], acting[:, 3], acting[:, 5] = terms, waves * np.arange(pieces), waves, 1
+    b, length = np.zeros((pieces, 2)), np.zeros((pieces, 2))
+    given, moved = np.zeros((terms, 2)), np.zeros((pieces * waves, 3, 2))
+    start, end, rows = np.zeros(ROW), np.zeros(END_ROW), np.empty((kept.shape[1] + pieces, ROW))
     key, before = np.zeros(5 + waves), np.full(5 + waves, np.nan)
     for row in range(table.shape[0]):
-        m1, m2, a2, b, until, a1 = (
+        m1, m2, a2, own_b, until, a1 = (
             table[row, 0],
             table[row, 2],
             table[row, 4],
@@ -156,39 +160,94 @@ def follow_rows(
         )
         mass_unit = math.frexp(m1 + m2)[1]
         time_unit = (mass_unit - math.frexp(a2)[1]) // 2
-        length_unit = math.frexp(b * (m1 + m2) / (a2 * m2))[1]
+        length_unit = math.frexp(own_b * (m1 + m2) / (a2 * m2))[1]
         force_unit = mass_unit + length_unit - 2 * time_unit
         pair[0, 0], pair[2, 0] = math.ldexp(m1, -mass_unit), math.ldexp(m2, -mass_unit)
         pair[1, 0], pair[1, 1] = two_sum(pair[0, 0], pair[2, 0])
         pair[3, 0] = math.ldexp(a1, time_unit - mass_unit)
         pair[4, 0] = math.ldexp(a2, 2 * time_unit - mass_unit)
-        drive.b[0, 0], drive.length[0, 0] = math.ldexp(b, -force_unit), math.ldexp(until, -time_unit)
         for k in range(terms):
-            drive.coefficients[k, 0] = math.ldexp(polynomial[row, k], k * time_unit - force_unit)
+            given[k, 0] = math.ldexp(polynomial[row, k], k * time_unit - force_unit)
+        count, longest = put_pieces(frictions, own_b, until, sines[row], (time_unit, force_unit), b, length, moved)
+        if count == 0:
+            continue
         for k in range(waves):
-            drive.sines[k, 0, 0] = math.ldexp(sines[row, k, 0], -force_unit)
-            drive.sines[k, 1, 0] = omegas[k, 0] = key[5 + k] = math.ldexp(sines[row, k, 1], time_unit)
-            drive.sines[k, 2, 0] = sines[row, k, 2]
+            omegas[k, 0] = key[5 + k] = moved[k, 1, 0]
+        drive = Drive(acting[:count], b[:count], length[:count], given, moved)
         for i in range(4):
             start[_X1 + 2 * i] = math.ldexp(table[row, 8 + 2 * i], -length_unit + (time_unit if i % 2 else 0))
         for k in range(5):
             key[k] = pair[k, 0]
-        key[1] = min(drive.length[0, 0], steps_of(pair, omegas))
+        key[1] = min(longest, steps_of(pair, omegas))
         is_same = True
         for k in range(key.shape[0]):
             is_same = is_same and key[k] == before[k]
         if not is_same:
             before[:] = key
-            form(tables, 0, pair, terms, omegas, drive.length[0, 0], REACH, False)
-        own = constants(pair, literal)
-        how, count = follow_in(
-            room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, has_ledger, kept[row], end
+            form(tables, 0, pair, terms, omegas, longest, REACH, False)
+        own, most = constants(pair, literal), kept.shape[1] + count - 1 if kept.shape[1] > 1 else 1
+        how, written = follow_in(
+            room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, has_ledger, rows[:most], end
         )
         if how >= 3:  # out of range, or in doubt
             continue
-        in_si(kept[row, : min(count, kept.shape[1])], mass_unit, time_unit, length_unit)
+        in_si(rows[: min(written, most)], mass_unit, time_unit, length_unit)
         ends[row] = end
         in_si(ends[row : row + 1], mass_unit, time_unit, length_unit)
+        keep(rows[: min(written, most)], frictions, kept[row], ends[row])
+
+
+@compilable
+def put_pieces(
+    frictions: Any, own_b: float, until: float, sines: Any, units: tuple[int, int], b: Any, length: Any, moved: Any
+) -> tuple[int, float]:
+    """Write b, length, and sines with their phases at the beginning of each piece; return how many pieces there are and
+
+    how long the longest one is; no piece where a phase is not good to its own size, as its terms cancel.
+    """
+    time_unit, force_unit = units
+    count, longest, waves = 0, 0.0, sines.shape[0]
+    while count < frictions.shape[0] and is_before(frictions[count], until):
+        begin, begin_low = frictions[count, 0], frictions[count, 1]
+        given_b, given_low = frictions[count, 2], frictions[count, 3]
+        after, after_low = until, 0.0
+        if count + 1 < frictions.shape[0] and is_before(frictions[count + 1], until):
+            after, after_low = frictions[count + 1, 0], frictions[count + 1, 1]
+        high, low = add(after, after_low, -begin, -begin_low)
+        length[count, 0], length[count, 1] = math.ldexp(high, -time_unit), math.ldexp(low, -time_unit)
+        longest = max(longest, length[count, 0])
+        if math.isnan(given_b):
+            given_b = own_b
+        b[count, 0], b[count, 1] = math.ldexp(given_b, -force_unit), math.ldexp(given_low, -force_unit)
+        for k in range(waves):
+            sine = moved[count * waves + k]
+            sine[0, 0], sine[1, 0] = math.ldexp(sines[k, 0], -force_unit), math.ldexp(sines[k, 1], time_unit)
+            high, low = multiply(sines[k, 1], 0.0, begin, begin_low)
+            sine[2, 0], sine[2, 1] = add(high, low, sines[k, 2], 0.0)
+            if 2.0 * abs(sine[2, 0]) < abs(high):
+                return 0, longest
+        count += 1
+    return count, longest
+
+
+@compilable
+def is_before(piece: Any, until: float) -> bool:
+    """Return whether a piece begins before a time."""
+    return piece[0] < until or (piece[0] == until and piece[1] < 0.0)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def keep(rows: Any, begin: Any, kept: Any, end: Any) -> None:
+    """Keep the rows of start and events, with times from the start of the run; begin[i, 0]: when a piece begins, s."""
+    done = 0
+    for k in range(rows.shape[0]):
+        if (k == 0 or rows[k, _EVENT] == 1.0) and done < kept.shape[0]:
+            kept[done] = rows[k]
+            kept[done, _LOCAL] += begin[int(rows[k, _PIECE]), 0]
+            kept[done, _PIECE] = 0.0
+            done += 1
+    end[_LOCAL] += begin[int(end[_PIECE]), 0]
+    end[_PIECE] = 0.0
 
 
 @compilable

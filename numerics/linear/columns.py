@@ -82,6 +82,8 @@ class Room(NamedTuple):
     other: Any
     inverse: Any
     """(terms,) 1/(k + 1)."""
+    twice: Any
+    """(terms,) (k + 1) (k + 2), of a second derivative."""
     bernstein: Any
     E: Any
     R: Any
@@ -106,6 +108,7 @@ def make_room(count: int, terms: int) -> Room:
         np.zeros(terms),
         np.zeros(terms),
         1.0 / np.arange(1, terms + 1),
+        np.arange(1.0, terms + 1) * np.arange(2.0, terms + 2),
         np.zeros(8),
         np.zeros((4, 4)),
         np.zeros(2),
@@ -196,12 +199,13 @@ def state_columns(room: Room, mode: int, b: Any) -> None:
 
 
 @compilable_with(forceinline=False, **FAST)
-def product(rows: Any, degrees: Any, z: Any, count: int, X: Any) -> None:
-    """Form X = W z in float64."""
-    for i in range(2):
-        x = X[0, i]
-        x[:] = 0.0
-        for j in range(count):
+def product(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) -> None:
+    """Form X = W z in float64, of both bodies or of the first one."""
+    for i in range(bodies):
+        x, first, factor = X[0, i], rows[0, i, 0], z[0, 0]
+        for k in range(x.shape[0]):
+            x[k] = first[k] * factor
+        for j in range(1, count):
             row, factor = rows[0, i, j], z[0, j]
             for k in range(degrees[i, j]):
                 x[k] += row[k] * factor
@@ -235,6 +239,11 @@ def counted(sums: Any, size: Any, count: int, s: float) -> float:
 @compilable
 def expand(room: Room, drive: Drive, tables: Tables, piece: int, mode: int) -> None:
     """Form z, and the Taylor coefficients of x1 and x2 over a step of a mode, in float64."""
-    kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
+    kind, side, X = drive.places[piece, 4], 1 if mode == 0 else 0, room.X
     state_columns(room, mode, drive.b[piece])
-    product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
+    bodies = 1 if mode == 0 else 2
+    product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], bodies, X)
+    if mode == 0:  # body 2 goes as body 1 does, bit by bit
+        X[0, 1, 0] = room.y[2, 0]
+        for k in range(1, X.shape[2]):
+            X[0, 1, k] = X[0, 0, k]

@@ -36,10 +36,11 @@ def slip_guard(room: Room, mode: int, order: int) -> None:
     for k in range(terms - 1):
         g[k] = (k + 1.0) * sign * (one[k + 1] - two[k + 1])
     g[terms - 1] = 0.0
-    g[:order] = 0.0
     for k in range(terms - order):
         q[k] = g[k + order]
-    q[terms - order :] = 0.0
+    if order > 0:
+        g[:order] = 0.0
+        q[terms - order :] = 0.0
 
 
 @compilable
@@ -55,11 +56,12 @@ def wide_slip_guard(room: Room, mode: int, order: int) -> None:
 @compilable
 def stick_guards(room: Room, edge: tuple[float, float], order: int, side: int) -> None:
     """Form the guards (b -+ Lambda) h^2/m2 of stick; the one of `side` without its first coefficients, if order > 0."""
-    X, q, other = room.X, room.q, room.other
+    x2, q, other, sign = room.X[0, 1], room.q, room.other, float(side)
     terms = q.shape[0]
-    for k in range(terms):
-        load = (k + 2) * (k + 1) * X[0, 1, k + 2] if k < terms - 2 else 0.0
-        q[k], other[k] = -side * load, side * load
+    for k in range(terms - 2):
+        other[k] = sign * room.twice[k] * x2[k + 2]
+        q[k] = -other[k]
+    q[terms - 2] = q[terms - 1] = other[terms - 2] = other[terms - 1] = 0.0
     q[0] += edge[0]
     other[0] += edge[0]
     if order > 0:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
 from functools import partial
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,7 +24,7 @@ from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import exact_decimal, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.solver.batch import SI, Batch
-from numerics.solver.rows import Chunk, Columns, form_ledgers, room
+from numerics.solver.rows import Chunk, Columns, form_ledgers, frictions_of, room
 from numerics.tasks import available_cores
 from numerics.trajectory.run import MAX_EVENTS
 
@@ -75,7 +76,8 @@ def solve_many(
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
-    numbers. For jumps instead, `force` and `friction`: a Force, a Friction, or sequences of them that broadcast.
+    numbers. For jumps, `force` and `friction`: a Force, a Friction, or sequences of them that broadcast; one Friction
+    for all beside `sines` costs no more than `sines` alone.
 
     The numbers are taken as the binary64 numbers that they are, exactly: 0.005 in an array is not 1/200, which matters
     to a pair that starts on the very edge. With `exact` they are read as `solve` reads them: 0.005 is 1/200, and texts
@@ -100,14 +102,17 @@ def solve_many(
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
     limits = _limits(read_law(law), max_events, keep_events, jobs, progress)
     acts = None if force is None and friction is None else (force or Force(), friction or Friction())
-    if exact or acts is not None:
+    # a polynomial would have to begin anew with each piece of friction
+    shared = force is None and len(polynomial) < 2 and _fits_in_columns(friction)
+    if exact or (acts is not None and not shared):
         return _solve_objects(named, acts, len(polynomial), limits, binary=not exact)
-    columns, shape = _columns(named, len(polynomial))
+    same = friction if shared else SAME_FRICTION
+    columns, shape = _columns(named, len(polynomial), same)
 
     def scene_of(row: int) -> Scene:
         coefficients, waves = columns.polynomial[row], columns.sines[row]
         numbers = [Fraction(float(one)) for one in (*columns.table[row, ::2], *coefficients, *waves.ravel())]
-        return _scene(numbers, len(coefficients), limits.law, {})
+        return _scene(numbers, len(coefficients), limits.law, {}, friction=same)
 
     return _solved(columns, scene_of, columns.table, shape, limits)
 
@@ -135,10 +140,20 @@ def solve_scenes(
     limits = _limits(next(iter(laws), Law.FILIPPOV), max_events, keep_events, jobs, progress)
     plain = len(laws) <= 1 and not any(scene.is_forced for scene in scenes)
     table = np.array([_halves(scene, lows=plain) for scene in scenes]).reshape(len(scenes), 2 * len(SI))
-    columns = Columns(table, np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0, 3)))
+    columns = Columns(table, np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0, 3)), frictions_of(SAME_FRICTION))
     return _solved(
         columns if plain and np.isfinite(table).all() else None, scenes.__getitem__, table, (len(scenes),), limits
     )
+
+
+def _fits_in_columns(friction: Any) -> bool:
+    """Return whether all rows have this friction, and pairs of floats tell its pieces apart and hold its numbers."""
+    if not isinstance(friction, Friction) or friction.weakening:
+        return False
+    starts = (Fraction(0), *(start for start in friction.starts if start))
+    lengths = [end - start for start, end in pairwise(starts)]
+    is_held = all(2.0**-900 < one < 2.0**900 for one in (*lengths, *starts[1:], *(b for _, b in friction.pieces)))
+    return is_held and all(end < 2**80 * one for end, one in zip(starts[1:], lengths, strict=True))
 
 
 def _scenes(given: Any) -> Sequence[Scene]:
@@ -276,7 +291,7 @@ def _chunk(count: int, jobs: int | None) -> int:
     return max(_TOO_FEW, min(_CHUNK, -(-count // (4 * (jobs or available_cores())))))
 
 
-def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[int, ...]]:
+def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tuple[Columns, tuple[int, ...]]:
     """Return numbers as columns, and the shape that their arrays have together; checked."""
     arrays = {name: np.asarray(_numbers(name, values)) for name, values in named.items()}
     shape = _common_shape(arrays)
@@ -291,7 +306,7 @@ def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[in
     table[:, ::2] = flat[:, : len(SI)]
     rest = flat[:, len(SI) :]
     count = (len(arrays) - len(SI) - terms) // 3
-    return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3)), shape
+    return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3), frictions_of(friction)), shape
 
 
 def _common_shape(arrays: dict[str, NDArray[Any]]) -> tuple[int, ...]:

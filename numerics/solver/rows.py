@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.float64 import Float64
+from numerics.arithmetic.pair import nearest
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.rows import UNKNOWN, solve_rows
 from numerics.linear.batch import run_prepared, run_rows
 from numerics.linear.pieces import starts_of
 from numerics.linear.prepare import Known, Prepared, prepare
 from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
-from numerics.scene import Scene
+from numerics.scene import Friction, Scene
 from numerics.trajectory.run import free_scene, run_scene
 
 Table = NDArray[np.float64]
@@ -32,22 +33,34 @@ class Columns:
     """Rows of scenes as compiled code reads them, all numbers binary64.
 
     `table` (n, 20): SI numbers as halves (answer.SI). u = sum_k polynomial[:, k] t^k + sum amplitude sin(omega t +
-    phase), with `polynomial` (n, p) and `sines` (n, s, 3).
+    phase), with `polynomial` (n, p) and `sines` (n, s, 3). All have the same pieces of friction.
     """
 
     table: Table
     polynomial: Table
     sines: Table
+    frictions: Table
+    """frictions_of what friction they have."""
 
     def part(self, rows: Any) -> Columns:
         """Return some of the rows."""
-        return Columns(self.table[rows], self.polynomial[rows], self.sines[rows])
+        return replace(self, table=self.table[rows], polynomial=self.polynomial[rows], sines=self.sines[rows])
 
     @property
     def free(self) -> NDArray[np.bool_]:
         """Return which rows are those of the free pair: a1 = 0 and no force."""
-        acts = np.any(self.polynomial != 0, axis=1) | np.any(self.sines[:, :, 0] != 0, axis=1)
-        return np.asarray((self.table[:, -2] == 0) & ~acts)
+        still = (self.table[:, -2] == 0) & (len(self.frictions) == 1 and bool(np.isnan(self.frictions[0, 2])))
+        for forces in (self.polynomial, self.sines[:, :, 0]):
+            if forces.size:
+                still &= ~np.any(forces, axis=1)
+        return np.asarray(still)
+
+
+def frictions_of(friction: Friction) -> Table:
+    """Return the pieces of a friction without weakening as linear/batch.py reads them."""
+    pieces = [(*nearest(start), *nearest(b)) for start, b in friction.pieces]
+    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan, 0.0)]
+    return np.array([*first, *pieces])
 
 
 @dataclass(frozen=True)
@@ -68,11 +81,13 @@ class Chunk:
         self.ends[:, AT["how"]] = UNKNOWN
         if self.columns is not None and can_compile():
             free = self.columns.free
-            for rows, run in ((np.flatnonzero(free), _free_rows), (np.flatnonzero(~free), _rows_without_ledger)):
-                if len(rows):
-                    kept, ends = self.kept[rows], self.ends[rows]
-                    run(self.columns.part(rows), self.literal, self.max_events, kept, ends)
-                    self.kept[rows], self.ends[rows] = kept, ends
+            for its, run in ((free, _free_rows), (~free, _rows_without_ledger)):
+                if its.all():
+                    run(self.columns, self.literal, self.max_events, self.kept, self.ends)
+                elif its.any():
+                    kept, ends = self.kept[its], self.ends[its]
+                    run(self.columns.part(its), self.literal, self.max_events, kept, ends)
+                    self.kept[its], self.ends[its] = kept, ends
         elif can_compile():
             self._solve_linear()
         for row in np.flatnonzero(self.ends[:, AT["how"]] == UNKNOWN):

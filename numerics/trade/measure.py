@@ -163,9 +163,9 @@ def swept(name: str, size: int, budget: float) -> Sweep:
         scenes.append(replace(scene, force=factor * scene.force, initial=start))
     numbers: Any = {name: float(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
     numbers |= {name: [float(getattr(one.initial, name)) for one in scenes] for name in ("x1", "v1", "x2", "v2")}
-    if scene.friction.pieces:  # jumps are no columns
-        numbers |= {"force": [one.force for one in scenes], "friction": scene.friction}
-    elif scene.is_forced:
+    if scene.friction.pieces:
+        numbers["friction"] = scene.friction
+    if scene.is_forced:
         waves = [[(s.amplitude, s.omega, s.phase) for s in one.force.pieces[0].sines] for one in scenes]
         numbers["sines"] = np.array(waves, dtype=float).transpose(1, 2, 0)
     pairs = [SwitchedPair(one) for one in scenes]

@@ -18,6 +18,7 @@ from numerics import (
     Batch,
     EventUndecided,
     Force,
+    Friction,
     Law,
     OutOfRange,
     Pair,
@@ -172,6 +173,35 @@ def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
         count = min(5, len(alone.events))
         np.testing.assert_allclose(found.event_t[k, :count], alone.event_times[:count], rtol=1e-15)
         assert found.event_mode[k, :count].tolist() == [mode.sign for mode in alone.modes[1 : count + 1]]
+
+
+def test_one_friction_by_pieces_beside_sines_is_what_the_scenes_are_by_themselves():
+    """Horizons before and after its jumps, phases that cancel there, its own b from the start on or the row's."""
+    random, count = np.random.default_rng(11), 24
+    phase = np.where(np.arange(count) % 3, random.uniform(-3, 3, count), -4.5)  # -4.5: sin(5 t - 4.5) at t = 0.9
+    until, x1 = random.choice([0.5, 0.9, 1.5, 4], count), random.choice([0, 0.02], count)
+    amplitude = random.uniform(0, 1, count)
+    for first in ([], [(0, "0.3")]):
+        friction, pair = Friction([*first, ("0.9", "0.02"), ("1.7", "1/3")]), Pair(1, 1, 200, "0.0625", 1)
+        sines = [(amplitude, 5, phase)]
+        found = solve_many(1, 1, 200, 0.0625, a1=1, x1=x1, until=until, sines=sines, friction=friction, keep_events=9)
+        for k in range(count):
+            force = Force.sine(*(Fraction(float(one)) for one in (amplitude[k], 5, phase[k])))
+            start, end = State(x1=Fraction(float(x1[k]))), Fraction(float(until[k]))
+            one = solve(Scene(pair, start, end, force=force, friction=friction), arithmetic="float64")
+            assert (found.events[k], found.status[k]) == (len(one.events), one.status)
+            assert (abs(found.y[:, k] - one.y[:, -1]) <= found.y_error[:, k] + one.accuracy.final).all()
+            own = [event.t for event in one.events[:9]]
+            np.testing.assert_allclose(found.event_t[k, : len(own)], own, rtol=1e-11)
+            np.testing.assert_allclose(found.dissipated[k], one.ledger.friction + one.ledger.viscous, rtol=1e-9)
+            assert one.accuracy.digits - 1 <= found.digits[k] <= one.accuracy.digits + 1
+
+
+@pytest.mark.parametrize("piece", [("1e-400", "0.02"), (1, "1e-400"), (1, "1e400")])
+def test_a_friction_that_floats_do_not_hold_is_what_its_scene_says(piece):
+    friction = Friction([piece, (2, "0.3")])
+    found = solve_many(1, 1, 200, 0.0625, v1=0.125, until=3, friction=friction)
+    assert same(found, solve_many(1, 1, 200, 0.0625, v1=0.125, until=3, friction=friction, exact=True))
 
 
 def test_columns_under_a_force_form_the_ledger_when_it_is_looked_at(monkeypatch):

@@ -41,7 +41,7 @@ def wholly(prepared, mode, order, wide):
 
 
 def guard_of(room, rows, degrees, count, mode, order):
-    product(rows, degrees, room.z, count, room.X)
+    product(rows, degrees, room.z, count, 2, room.X)
     if mode:
         slip_guard(room, mode, order)
     else:
