@@ -86,7 +86,12 @@ class Spread:
         rate = _rates(self.system, mode)
         moved = (rate * time).exp() * arb_mat(self.rows)
         sizes = arb_mat([[abs(x) * time for x in row] for row in rate.tolist()]).exp()
-        parts = [Vector(row) @ lacking + x for row, x in zip(sizes.tolist(), rounded, strict=True)]
+        n, defects = self.system.n, list(lacking)
+        for i, one in enumerate(mode):
+            if one == "0":  # friction shares it out: both bodies take the same
+                whole = self.system.m1[i] * defects[n + i] + self.system.m2[i] * defects[2 * n + i]
+                defects[n + i] = defects[2 * n + i] = whole / self.system.mass[i]
+        parts = [Vector(row) @ defects + x for row, x in zip(sizes.tolist(), rounded, strict=True)]
         return Spread(self.system, moved.tolist()).grown(mode, by, parts)
 
     def switched(self, mode: str, i: int, late: arb, jump: arb, rate: arb) -> Spread:

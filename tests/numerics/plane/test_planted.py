@@ -16,6 +16,7 @@ from numerics.plane.run import Run
 from numerics.plane.spread import Spread
 from numerics.plane.states import States
 from numerics.plane.system import System
+from numerics.plane.vector import Vector
 from numerics.scene.plane import PlanePair, PlaneScene
 
 NUMBERS = ([1, 2], ["0.5", 1], [[200, 60], [60, 120]], ["0.5", "0.1"], [["0.3", "0.1"], ["0.1", "0.2"]])
@@ -148,6 +149,16 @@ def test_where_a_root_is_counts_what_it_is_rounded_by():
 @pytest.mark.parametrize("digits", [3, 5, 9])
 def test_in_what_few_digits_say_is_what_many_say(digits):
     assert agree(said(BOX, digits=digits), said(BOX, digits=30))
+
+
+def test_what_a_step_lacks_moves_both_bodies_where_they_stick():
+    """A push on body 1 that the path lacks: stuck, body 2 takes its part, m1/(m1 + m2) of it."""
+    system = System(reduced(BOX), 16)
+    with system.fine():
+        lacking = Vector([arb(0), arb(0), arb(3), arb(0), arb(0), arb(0)])
+        found = Spread(system).stepped("0+", arb(0), arb(100), lacking, Vector([arb(0)] * 6)).rows
+        for row in (found[2], found[4]):
+            assert abs(sum(row) - 3 * system.m1[0] / system.mass[0]) < 1e-9
 
 
 @pytest.mark.parametrize(("name", "axis"), [("x1", 0), ("x1", 1), ("v1", 0), ("v2", 1)])
