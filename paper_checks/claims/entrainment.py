@@ -8,6 +8,7 @@ from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.response import natural_frequency, one_response
 from paper_checks.claims.stuck import undamped_stuck
 from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from theory import forced
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
@@ -88,10 +89,12 @@ def below_non_stop() -> Evidence:
         same friction, $\dot z\geqslant 0$ and $\dot z\leqslant 0$. If $\omega_1/\omega$ is even it has the period $T$
         itself. Half of the difference between that and itself half a period later has the same friction and, as
         $u(t+T/2)=-u(t)$, the same force, and is its own negative half a period later. At its turn
-        $\Lambda\geqslant b$, which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$.
+        $\Lambda\geqslant b$, which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$. For a motion of the
+        period $T$ itself this is the kernel's theorem, whose condition $A>0$ is $-c_*>0$.
         """,
         square_wave(),
         non_stop(),
+        kernel.step("nonstop-by-halves-needs"),
     )
 
 
@@ -105,7 +108,7 @@ def over_damped() -> Evidence:
         $\frac{1}{\omega_d}\sin$ become $\cosh$ and $\frac1\nu\sinh$: real, and all terms of
         $1-\delta^2+2\delta\frac\lambda\nu\sinh\frac{\pi\nu}{\omega}$ and
         $1+2\delta\cosh\frac{\pi\nu}{\omega}+\delta^2$ positive. At $\omega_d=0$ they have limits, to which the
-        conditions tend.
+        conditions tend. That $U_{**}$ is the threshold above critical damping, too, is the kernel's theorem.
         """,
         identity(
             r"$\cos(i\nu)=\cosh\nu$ and $\sin(i\nu)/(i\nu)=\sinh(\nu)/\nu$",
@@ -113,6 +116,7 @@ def over_damped() -> Evidence:
         ),
         non_stop(),
         below_non_stop(),
+        kernel.step("nonstop-overdamped"),
     )
 
 

@@ -60,7 +60,7 @@ Theorem first_adhesion x v1 v2 s : solution 1 1 0 200 (5 / 100) x v1 v2 s -> x 0
 Proof.
   intros H X0 V1 V2. assert (Mo : motion the_scene x v1 (integral v2) v2).
   { pose proof (proj2 (free_case 1 1 0 200 (5 / 100) x v1 v2 s) H) as F.
-    assert (Cv : cont v2) by (apply (forced_cv2 1 1 0 200 (5 / 100)) with (1 := Rlt_0_1) (2 := F)).
+    assert (Cv : cont v2) by exact (moves_cv2 1 1 0 200 (5 / 100) Rlt_0_1 _ _ _ _ _ _ F).
     exists (fun _ => 0). unfold the_scene; simpl. split; [apply cont_const|]. split.
     - intros t _. apply rderiv_const.
     - unfold Q2R; simpl. rewrite X0, V1, V2, integral_0. split; [exists s|].

@@ -230,20 +230,15 @@ Proof.
   - apply Rabs_le. replace (t + h - t) with h in * by ring. lra.
 Qed.
 
-(** finitely many times *)
-Lemma null_finite (p : nat -> R) n : null (fun t => exists i, (i <= n)%nat /\ t = p i).
+(** the times of a sequence *)
+Lemma null_points (p : nat -> R) : null (fun t => exists n, t = p n).
 Proof.
-  intros e He. set (d := e / (2 * INR (S n))). assert (Hn : 0 < INR (S n)) by apply lt_0_INR, Nat.lt_0_succ.
-  assert (Hd : 0 < d) by (apply Rdiv_lt_0_compat; lra).
-  exists (fun i => if Nat.leb i n then p i - d else 0), (fun i => if Nat.leb i n then p i + d else 0). split; [|split].
-  - intros i. destruct Nat.leb; lra.
-  - intros t (i & Hi & ->). exists i. apply Nat.leb_le in Hi. rewrite Hi. lra.
-  - intros m. apply Rle_trans with (2 * d * INR (S (Nat.min m n))).
-    + induction m as [|m IH].
-      * simpl Nat.min. simpl. lra.
-      * rewrite tech5. destruct (Nat.leb (S m) n) eqn:L.
-        { apply Nat.leb_le in L. rewrite Nat.min_l in * by lia. rewrite (S_INR (S m)). lra. }
-        { apply Nat.leb_gt in L. replace (Nat.min (S m) n) with (Nat.min m n) by lia. lra. }
-    + assert (INR (S (Nat.min m n)) <= INR (S n)) by (apply le_INR; lia).
-      replace e with (2 * d * INR (S n)) by (unfold d; field; lra). apply Rmult_le_compat_l; lra.
+  intros e He. set (h := fun n : nat => e / 2 * (1 / 2) ^ S n).
+  assert (Hh : forall n, 0 < h n) by (intros n; apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]).
+  exists (fun n => p n - h n), (fun n => p n + h n). split; [|split].
+  - intros n. specialize (Hh n). lra.
+  - intros t (n & ->). exists n. specialize (Hh n). lra.
+  - intros n. apply Rle_trans with (e * (1 - (1 / 2) ^ S n)).
+    + induction n as [|n IH]; [unfold h; simpl; lra|]. rewrite tech5. unfold h at 3 4. simpl pow in *. lra.
+    + assert (0 < (1 / 2) ^ S n) by (apply pow_lt; lra). nra.
 Qed.

@@ -156,7 +156,7 @@ Proof.
   assert (E2 : forall t, 0 <= t <= tau -> v1 (tau + t) = V' t /\ v2 (tau + t) = be * (tau - t)).
   { intros t Ht. apply (follow_arc m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u2 x v1 v2 s X' V' (fun t => be * (tau - t))
     (fun _ => -1) tau tau); auto; try lra. rewrite VT, EV. apply A_meet. }
-  pose proof (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H) as Cv2. unfold arrives. fold tau.
+  pose proof (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H) as Cv2. unfold arrives. fold tau.
   exists U, x, v1, v2, s, (integral v2). split; [auto|]. split; [auto|].
   split; [apply integral_cont; auto|]. split; [intros t Ht; apply integral_rderiv; auto|].
   split; [rewrite X0; unfold k; rewrite G0, G0'; field; lra|]. split; [rewrite V0, G0; ring|]. split; [rewrite W0;

@@ -137,7 +137,7 @@ Proof.
   assert (Bv : forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B).
   { intros t Ht. destruct (E t Ht) as (E1 & E2 & E3). split; [apply (Sq a2)|apply (Sq m1)]; auto; lra. }
   set (V := Rabs (v2 0) + B + 1). pose proof (Rabs_pos (v2 0)).
-    pose proof (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H) as Cv.
+    pose proof (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H) as Cv.
   assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
   assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
     by (intros; eapply (forced_v2_rate m1 m2 a1 a2 b); eauto).

@@ -174,10 +174,6 @@ Proof. intros C. apply cont_of_derive with (fun t => f (Rmax 0 t)). intros; appl
 Lemma integral_0 f : integral f 0 = 0.
 Proof. unfold integral. rewrite RInt_point. reflexivity. Qed.
 
-(** of a constant *)
-Lemma integral_const c t : integral (fun _ => c) t = c * t.
-Proof. unfold integral. rewrite RInt_const. unfold scal; simpl; unfold mult; simpl. ring. Qed.
-
 (** the weight exp (l t) makes integration a contraction *)
 Lemma integral_near f g D l t : cont f -> cont g -> 0 < l -> 0 <= t ->
   (forall u, 0 <= u <= t -> Rabs (f u - g u) <= D * exp (l * u)) ->

@@ -13,7 +13,7 @@ Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 Let w t := v1 t - v2 t.
 Let CW : cont w.
-Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H)]. Qed.
+Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
 (** the first contact after a time off S *)
 Lemma first_contact t : 0 <= t -> w t <> 0 -> exists t1, t < t1 /\ w t1 = 0 /\ forall u, t <= u < t1 -> 0 < w t * w u.

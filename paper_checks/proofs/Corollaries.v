@@ -16,7 +16,7 @@ Proof.
   assert (Q : forall k, k = 1 \/ k = -1 -> k * b * z t + E t <= k * b * z r + E r).
   { intros k Hk. apply (rderiv_mono (fun u => k * b * z u + E u) r t
       (fun u => k * b * (v1 u - v2 u) + (- b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2))); auto.
-    - apply cont_plus; [apply cont_scal; auto|]. exact (cont_E m1 m2 a1 a2 b Hm2 _ _ _ _ H).
+    - apply cont_plus; [apply cont_scal; auto|]. exact (moves_cE m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
     - intros u Hu. split.
       + apply rderiv_plus; [apply rderiv_scal, Dz; lra|]. apply (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H); lra.
       + pose proof (pow2_ge_0 (v1 u)). assert (0 <= a1 * v1 u ^ 2) by (apply Rmult_le_pos; auto).

@@ -39,7 +39,7 @@ Theorem sticks_iff t : 0 <= t -> v1 t = v2 t -> (sticks t <-> E t <= Ecr).
 Proof.
   intros Ht Ev. split.
   - intros S. assert (C : forall T, t <= T -> E T - E t = 0 * (T - t)).
-    { intros T HT. apply rderiv_line; [exact (cont_E m1 m2 0 a2 b Hm2 x v1 v2 s H)|lra|]. intros u Hu.
+    { intros T HT. apply rderiv_line; [exact (moves_cE m1 m2 0 a2 b Hm2 _ _ x v1 v2 s H)|lra|]. intros u Hu.
       eapply rderiv_eq; [|exact (energy_rate m1 m2 0 a2 b Hm1 Hm2 x v1 v2 s H u ltac:(lra))].
       specialize (S (u - t) ltac:(lra)). replace (t + (u - t)) with u in S by ring. rewrite S.
       replace (v2 u - v2 u) with 0 by ring. rewrite Rabs_R0. ring. }

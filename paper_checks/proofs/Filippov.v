@@ -107,7 +107,7 @@ Qed.
 Theorem solution_filippov x v1 v2 s : solution m1 m2 a1 a2 b x v1 v2 s -> filippov x v1 v2.
 Proof.
   intros H. pose proof (s_cx _ _ _ _ _ _ _ _ _ H) as Cx. pose proof (s_cv _ _ _ _ _ _ _ _ _ H) as C1.
-  pose proof (cont_s m1 m2 a1 a2 b _ _ _ _ H) as Cs.
+  pose proof (moves_cs m1 m2 a1 a2 b _ _ _ _ _ _ H) as Cs.
   set (P := fun u => m1 * v1 u + b * s u). set (g := fun u => - (a2 * x u + a1 * v1 u)).
   assert (CP : cont P) by (apply cont_plus; apply cont_scal; auto).
   assert (Cg : cont g).
@@ -138,14 +138,14 @@ Proof.
     { intros t Ht. exists (fun _ => 0), (fun _ => 0), 1. repeat split; auto using analytic_const. lra. }
     destruct (no_zeno m1 m2 a1 a2 b (fun _ => 0) (fun _ => 0) x v1 v2 s T Hm1 Hm2 Ha1 Ha2 Hb Hf
       (fun t _ => rderiv_const 0 t) PA HT) as (n & p & P0 & Pn & Step).
-    exists (fun t => exists i, (i <= n)%nat /\ t = p i). split; [apply null_finite|]. intros t Ht Nt.
+    exists (fun t => exists i, t = p i). split; [apply null_points|]. intros t Ht Nt.
     assert (exists i, (i < n)%nat /\ p i < t < p (S i)) as (i & Hi & Hpi).
     { assert (G : forall k, (k <= n)%nat -> t < p k -> exists i, (i < k)%nat /\ p i < t < p (S i)).
       { induction k as [|k IH]; intros Hk Lt.
-        - exfalso. apply Nt. exists O. split; [lia|]. lra.
+        - exfalso. apply Nt. exists O. lra.
         - destruct (Rtotal_order t (p k)) as [L|[E|G]].
           + destruct (IH ltac:(lia) L) as (i & Hi & Q). exists i; split; auto.
-          + exfalso. apply Nt. exists k. split; [lia|auto].
+          + exfalso. apply Nt. exists k. auto.
           + exists k. split; [lia|lra]. }
       apply (G n); auto. destruct (Req_dec t (p n)) as [E|]; [exfalso; apply Nt; exists n; auto|]. lra. }
     assert (Pos : 0 <= p i) by (rewrite <- P0; apply (times_within n p); [apply Step|lia]).
@@ -160,7 +160,7 @@ Proof.
       split; [destruct Hk; subst k; lra|]. split; auto.
       assert (Ds : is_derive s t k).
       { set (r := t - d / 2). apply (derive_near (fun u => s r + k * (u - r)) s t (d / 2)); [lra| |].
-        - intros u Hu. pose proof (slip_impulse m1 m2 a1 a2 b x v1 v2 s H r u k) as SI. rewrite <- SI; auto; [ring| |];
+        - intros u Hu. pose proof (moves_impulse m1 m2 a1 a2 b _ _ x v1 v2 s H r u k) as SI. rewrite <- SI; auto; [ring| |];
             unfold r; [lra|]. intros q Hq. apply W. lra.
         - auto_derive; auto. ring. }
       split.

@@ -112,6 +112,10 @@ Proof.
     + intros t Ht Sl. apply P; auto; lra.
 Qed.
 
+Lemma forced_moving U x v1 v2 s : forced U x v1 v2 s -> moves m1 m2 a1 a2 b 1 U x v1 v2 s.
+Proof. apply forced_moves. Qed.
+Coercion forced_moving : forced >-> moves.
+
 (** no force: the solutions of the free pair, and only they *)
 Theorem free_case x v1 v2 s : forced (fun _ => 0) x v1 v2 s <-> solution m1 m2 a1 a2 b x v1 v2 s.
 Proof. rewrite forced_moves, solution_moves. split; [tauto|auto using cont_const]. Qed.
@@ -128,60 +132,15 @@ Proof.
     apply rderiv_eq with (- (a2 * x t + a1 * v1 t) + 0); [ring|]. apply rderiv_plus; [auto|apply rderiv_const].
 Qed.
 
-(** so: the impulse of friction is continuous *)
-Lemma forced_cs U x v1 v2 s : forced U x v1 v2 s -> cont s.
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_cs _ _ _ _ _ _ _ _ _ _ _ H). Qed.
-
-(** body 2 is moved by friction only *)
-Lemma forced_v2 U x v1 v2 s r t : forced U x v1 v2 s -> 0 <= r -> 0 <= t -> v2 t - v2 r = b / m2 * (s t - s r).
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H r t). Qed.
-
-(** v2 is continuous *)
-Lemma forced_cv2 U x v1 v2 s : forced U x v1 v2 s -> cont v2.
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H). Qed.
-
-(** friction acts against the slip *)
-Lemma forced_opposes U x v1 v2 s t k : forced U x v1 v2 s -> 0 <= t -> k = 1 \/ k = -1 -> 0 < k * (v1 t - v2 t) ->
-  rderiv s t k.
-Proof. rewrite forced_moves. intros (_ & H) Ht. exact (q_slip _ _ _ _ _ _ _ _ _ _ _ H t Ht k). Qed.
-
-(** the relative velocity changes by the load, and by friction *)
-Lemma forced_relative U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
-  rderiv (fun r => v1 r - v2 r + b * (M / (m1 * m2)) * s r) t ((u - a2 * x t - a1 * v1 t) / m1).
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_slip _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
-Lemma forced_rate U x v1 v2 s t u l : forced U x v1 v2 s -> 0 <= t -> rderiv U t u -> rderiv s t l ->
-  rderiv (fun r => v1 r - v2 r) t (M / (m1 * m2) * (m2 * (u - a2 * x t - a1 * v1 t) / M - b * l)).
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u l). Qed.
-
-(** increments of the impulse are O(h) *)
-Lemma big_s U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t -> big (fun h => s (t + h) - s t).
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_big _ _ _ _ _ _ _ _ _ _ _ H t). Qed.
-
-(** during a slip the impulse of friction is the time *)
-Lemma forced_slip U x v1 v2 s r t k : forced U x v1 v2 s -> 0 <= r <= t -> k = 1 \/ k = -1 ->
-  (forall u, r <= u < t -> 0 < k * (v1 u - v2 u)) -> s t - s r = k * (t - r).
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_impulse _ _ _ _ _ _ _ _ _ _ _ H r t k). Qed.
-
 (** *** Energy: E' = u v1 - a1 v1^2 - b |v1 - v2| wherever the impulse has the right derivative u *)
 Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
   rderiv (fun t => energy (x t) (v1 t) (v2 t)) t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
-Proof. rewrite forced_moves. intros (_ & H). exact (moves_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
+Proof. intros H. exact (moves_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
 
 Section Two.
 Variables U x v1 v2 s U' x' v1' v2' s' : R -> R.
 Hypotheses (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s').
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
-Let Mo := proj2 (proj1 (forced_moves _ _ _ _ _) H).
-Let Mo' := proj2 (proj1 (forced_moves _ _ _ _ _) H').
-
-(** the energy distance is continuous *)
-Lemma forced_cont_D : cont D.
-Proof. exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ Mo Mo'). Qed.
-(** D' <= du dv1 - a1 dv1^2: the impulses of the two forces enter only through their difference *)
-Lemma forced_D_dini t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
-  dini_le D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2).
-Proof. exact (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ Mo Mo' t du). Qed.
-
 (** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
 Let N t := sqrt (2 * D t).
 
@@ -191,10 +150,11 @@ Theorem input_to_state du J r t : (forall u, 0 <= u -> rderiv (fun r => U r - U'
 Proof.
   intros HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
   replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
-  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using forced_cont_D, cont_scal.
+  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
+  - exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H').
   - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
   - intros u Hu. split; [apply Rmult_le_pos; [lra|apply Rabs_pos]|apply rderiv_scal; auto].
-  - intros u Hu e He. destruct (forced_D_dini u _ Hu (HU u Hu) e He) as (d & Hd & K). exists d; split; auto.
+  - intros u Hu e He. destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ Hu (HU u Hu) e He) as (d & Hd & K). exists d; split; auto.
     intros h Hh. specialize (K h Hh). set (w := v1 u - v1' u) in *.
     assert (W : Rabs w <= / sqrt m1 * sqrt (2 * D u)).
     { apply Rmult_le_reg_l with (sqrt m1); auto. rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra.
@@ -244,7 +204,7 @@ Qed.
 (** under any force, |v2'| <= b/m2 in the sense of Lipschitz *)
 Theorem only_gentle U x v1 v2 s r t : forced U x v1 v2 s -> 0 <= r <= t -> Rabs (v2 t - v2 r) <= b / m2 * (t - r).
 Proof.
-  intros H Hr. rewrite (forced_v2 _ _ _ _ _ r t H) by lra. apply abs_scal; [|apply (f_lip _ _ _ _ _ H); auto].
+  intros H Hr. rewrite (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H r t) by lra. apply abs_scal; [|apply (f_lip _ _ _ _ _ H); auto].
   apply Rlt_le, Rdiv_lt_0_compat; auto.
 Qed.
 
@@ -252,7 +212,7 @@ Qed.
 Lemma forced_v2_rate U x v1 v2 s t k : forced U x v1 v2 s -> 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k).
 Proof.
   intros H Ht S. apply rderiv_ext with (fun u => (v2 t - b / m2 * s t) + b / m2 * s u).
-  { intros u Hu. pose proof (forced_v2 _ _ _ _ _ t u H Ht ltac:(lra)). lra. }
+  { intros u Hu. pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H t u Ht ltac:(lra)). lra. }
   apply rderiv_eq with (0 + b / m2 * k); [ring|]. apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto].
 Qed.
 

@@ -15,6 +15,28 @@ Proof.
   unfold g in Hm at 1. rewrite Rmax_right in Hm by lra. auto.
 Qed.
 
+(** a sequence whose steps are halved each time comes to its limit at that rate *)
+Lemma halving (a : nat -> R) c : (forall n, Rabs (a (S n) - a n) <= c * (/ 2) ^ n) ->
+  forall n, Rabs (real (Lim_seq a) - a n) <= 2 * c * (/ 2) ^ n.
+Proof.
+  intros St n. set (r := fun n => 2 * c * (/ 2) ^ n).
+  assert (R0 : is_lim_seq r 0).
+  { replace (Finite 0) with (Rbar_mult (2 * c) 0) by (simpl; f_equal; ring).
+    apply is_lim_seq_scal_l, is_lim_seq_geom. rewrite Rabs_pos_eq; lra. }
+  assert (Half : forall j, r (S j) = r j / 2 /\ - (r j / 2) <= a (S j) - a j <= r j / 2).
+  { intros j. split; [unfold r; simpl; field|]. apply Rabs_inv. eapply Rle_trans; [apply St|right; unfold r; field]. }
+  assert (Up : forall j, a j - r j <= a (S j) - r (S j)) by (intros j; destruct (Half j) as (-> & Q); lra).
+  assert (Down : forall j, a (S j) + r (S j) <= a j + r j) by (intros j; destruct (Half j) as (-> & Q); lra).
+  destruct (ex_lim_seq_adj (fun j => a j - r j) (fun j => a j + r j) Up Down) as ((l & Hl) & (k & Hk) & _).
+  { apply is_lim_seq_ext with (fun j => r j + r j); [intros; ring|]. rewrite <- (Rplus_0_r 0). apply is_lim_seq_plus'; auto. }
+  assert (La : is_lim_seq a l).
+  { apply is_lim_seq_ext with (fun j => (a j - r j) + r j); [intros; ring|]. rewrite <- (Rplus_0_r l).
+    apply is_lim_seq_plus'; auto. }
+  assert (Lk : is_lim_seq (fun j => a j + r j) l) by (rewrite <- (Rplus_0_r l); apply is_lim_seq_plus'; auto).
+  rewrite (is_lim_seq_unique _ _ La). pose proof (is_lim_seq_incr_compare _ _ Hl Up n).
+  pose proof (is_lim_seq_decr_compare _ _ Lk Down n). fold (r n). apply Rabs_le. simpl. lra.
+Qed.
+
 (** ** Picard *)
 Section Picard.
 Variables m1 m2 a1 a2 b x0 v10 v20 : R.
@@ -124,90 +146,38 @@ Fixpoint it n : R -> R := match n with O => fun _ => 0 | S n => next (it n) end.
 Lemma it_cont n : cont (it n).
 Proof. induction n; simpl; [apply cont_const|apply next_cont; auto]. Qed.
 
-(** 1 more than the largest first iterate until t, as a least upper bound *)
-Let C t := 1 + real (Lub_Rbar (fun y => exists u, 0 <= u <= t /\ y = Rabs (it 1 u))).
-Let C_lub t : 0 <= t -> (forall u, 0 <= u <= t -> 1 + Rabs (it 1 u) <= C t) /\
-  (forall B, (forall u, 0 <= u <= t -> 1 + Rabs (it 1 u) <= B) -> C t <= B).
+(** up to a time each difference is at most half the bound of the one before *)
+Lemma it_step T : 0 <= T -> exists C, 0 < C /\ forall n t, 0 <= t <= T ->
+  Rabs (it (S n) t - it n t) <= C * (/ 2) ^ n * exp (lam * t).
 Proof.
-  intros Ht. destruct (cont_bounded (it 1) t (it_cont 1) Ht) as (B & HB).
-  destruct (lub_real (fun y => exists u, 0 <= u <= t /\ y = Rabs (it 1 u)) (Rabs (it 1 0)) B) as (P & L).
-  - exists 0; split; auto; lra.
-  - intros y (u & Hu & ->). auto.
-  - split; [intros u Hu; apply Rplus_le_compat_l, P; exists u; auto|]. intros B' HB'. unfold C.
-    apply Rle_trans with (1 + (B' - 1)); [|lra]. apply Rplus_le_compat_l, L. intros y (u & Hu & ->).
-    specialize (HB' u Hu). lra.
-Qed.
-Let Cp t : 0 <= t -> 0 < C t.
-Proof. intros Ht. pose proof (proj1 (C_lub t Ht) t ltac:(lra)). pose proof (Rabs_pos (it 1 t)). lra. Qed.
-Let C_mono r t : 0 <= r <= t -> C r <= C t.
-Proof. intros Hr. apply C_lub; [lra|]. intros u Hu. apply C_lub; lra. Qed.
-
-(** the first two differ by at most C(t) exp (lam t) *)
-Lemma it_first t : 0 <= t -> Rabs (it 1 t - it 0 t) <= C t * exp (lam * t).
-Proof.
-  intros Ht. pose proof (proj1 (C_lub t Ht) t ltac:(lra)). change (it 0 t) with 0. rewrite Rminus_0_r.
-  pose proof (Rabs_pos (it 1 t)). pose proof (exp_ineq1_le (lam * t)).
-  assert (0 <= lam * t) by (apply Rmult_le_pos; unfold lam; lra). nra.
+  intros HT. destruct (cont_bounded (it 1) T (it_cont 1) HT) as (B & HB). pose proof (HB 0 ltac:(lra)).
+  pose proof (Rabs_pos (it 1 0)). exists (1 + B). split; [lra|]. induction n as [|n IH]; intros t Ht.
+  - rewrite pow_O, Rmult_1_r. change (it 0 t) with 0. rewrite Rminus_0_r. specialize (HB t Ht).
+    pose proof (exp_ineq1_le (lam * t)). assert (0 <= lam * t) by (apply Rmult_le_pos; unfold lam; lra). nra.
+  - replace ((1 + B) * (/ 2) ^ S n) with ((1 + B) * (/ 2) ^ n / 2) by (simpl; field).
+    apply (next_near (it (S n)) (it n) _ T); auto using it_cont. apply Rmult_le_pos; [lra|apply pow_le; lra].
 Qed.
 
-(** each difference is half the one before, up to T *)
-Lemma it_step n T t : 0 <= t <= T -> Rabs (it (S n) t - it n t) <= C T * (/ 2) ^ n * exp (lam * t).
+(** the limit of the iterates: they converge, at that rate *)
+Definition limit t := real (Lim_seq (fun n => it n t)).
+Lemma limit_near T : 0 <= T -> exists C, 0 < C /\ forall n t, 0 <= t <= T ->
+  Rabs (limit t - it n t) <= C * (/ 2) ^ n * exp (lam * t).
 Proof.
-  revert t. induction n; intros t Ht.
-  - rewrite pow_O, Rmult_1_r. eapply Rle_trans; [apply it_first; lra|].
-    apply Rmult_le_compat_r; [apply Rlt_le, exp_pos|apply C_mono; auto].
-  - assert (P : 0 <= C T * (/ 2) ^ n) by (apply Rmult_le_pos; [apply Rlt_le, Cp; lra|apply pow_le; lra]).
-    pose proof (next_near (it (S n)) (it n) _ T (it_cont _) (it_cont _) P IHn t Ht) as Q.
-    replace (C T * (/ 2) ^ S n) with (C T * (/ 2) ^ n / 2) by (simpl; field). exact Q.
-Qed.
-
-(** the limit of the iterates, as a least upper bound *)
-Definition limit t := real (Lub_Rbar (fun y => exists n, y = it n t - 2 * C t * (/ 2) ^ n * exp (lam * t))).
-
-(** so they converge, at that rate *)
-Lemma limit_near n t : 0 <= t -> Rabs (limit t - it n t) <= 2 * C t * (/ 2) ^ n * exp (lam * t).
-Proof.
-  intros Ht. set (r := fun n => 2 * C t * (/ 2) ^ n * exp (lam * t)).
-  assert (Rp : forall n, 0 <= r n). { intros j. unfold r. pose proof (Cp t Ht). pose proof (exp_pos (lam * t)).
-    pose proof (pow_le (/ 2) j ltac:(lra)). apply Rmult_le_pos; [apply Rmult_le_pos|]; lra. }
-  assert (Dn : forall p q, it p t - r p <= it (q + p) t - r (q + p)%nat /\
-    it (q + p) t + r (q + p)%nat <= it p t + r p).
-  { intros p q. induction q as [|q IH]; [simpl; lra|]. pose proof (it_step (q + p) t t ltac:(lra)) as Q.
-    apply Rabs_inv in Q.
-    replace (C t * (/ 2) ^ (q + p) * exp (lam * t)) with (r (q + p)%nat / 2) in Q by (unfold r; field).
-    assert (r (S q + p)%nat = r (q + p)%nat / 2) by (unfold r; simpl; field).
-    change (it (S q + p) t) with (it (S (q + p)) t). lra. }
-  assert (Nest : forall p q, it p t - r p <= it q t + r q).
-  { intros p q. destruct (Dn p q) as (A & _). destruct (Dn q p) as (_ & B).
-    replace (p + q)%nat with (q + p)%nat in B by lia.
-    pose proof (Rp (q + p)%nat). lra. }
-  destruct (lub_real (fun y => exists n, y = it n t - r n) (it 0 t - r 0%nat) (it 0 t + r 0%nat)) as (Ub & L).
-  { exists 0%nat; auto. } { intros y (j & ->). apply Nest. }
-  fold (r n). change (real (Lub_Rbar (fun y => exists n, y = it n t - r n))) with (limit t) in Ub, L.
-  assert (it n t - r n <= limit t) by (apply Ub; exists n; auto).
-  assert (limit t <= it n t + r n) by (apply L; intros y (j & ->); apply Nest).
-  apply Rabs_le; lra.
-Qed.
-
-(** the same with one constant up to T *)
-Lemma limit_near' n T t : 0 <= t <= T -> Rabs (limit t - it n t) <= 2 * C T * (/ 2) ^ n * exp (lam * t).
-Proof.
-  intros Ht. eapply Rle_trans; [apply limit_near; lra|]. apply Rmult_le_compat_r; [apply Rlt_le, exp_pos|].
-  apply Rmult_le_compat_r; [apply pow_le; lra|]. pose proof (C_mono t T Ht). lra.
+  intros HT. destruct (it_step T HT) as (C & HC & St). exists (2 * C). split; [lra|]. intros n t Ht.
+  replace (2 * C * (/ 2) ^ n * exp (lam * t)) with (2 * (C * exp (lam * t)) * (/ 2) ^ n) by ring.
+  apply (halving (fun n => it n t)). intros j. eapply Rle_trans; [apply St; auto|right; ring].
 Qed.
 
 (** the limit is continuous *)
 Lemma limit_cont : cont limit.
 Proof.
   intros t Ht e He. assert (Hl : 1 <= lam) by (unfold lam; lra). pose proof (exp_pos (lam * (t + 1))) as Ep.
-  pose proof (Cp (t + 1) ltac:(lra)) as CT.
-  destruct (small (2 * C (t + 1) * exp (lam * (t + 1))) (e / 3)) as (n & Hn); [nra|lra|].
-  destruct (it_cont n t Ht (e / 3)) as (d & Hd & Kd); [lra|].
-  exists (Rmin d 1); split; [apply Rmin_glb_lt; lra|]. intros u Hu Hd1. pose proof (Rmin_l d 1).
-    pose proof (Rmin_r d 1).
+  destruct (limit_near (t + 1) ltac:(lra)) as (C & CT & Near).
+  destruct (small (C * exp (lam * (t + 1))) (e / 3)) as (n & Hn); [nra|lra|].
+  destruct (it_cont n t Ht (e / 3)) as (d & Hd & Kd); [lra|]. smaller d 1. intros u Hu Hd1.
   assert (B : forall r, 0 <= r < t + 1 -> Rabs (limit r - it n r) < e / 3).
-  { intros r Hr. eapply Rle_lt_trans; [apply (limit_near' n (t + 1)); lra|]. eapply Rle_lt_trans; [|exact Hn].
-    rewrite (Rmult_assoc (2 * C (t + 1)) (exp _)), (Rmult_comm (exp _)), <- Rmult_assoc. apply Rmult_le_compat_l.
+  { intros r Hr. eapply Rle_lt_trans; [apply Near; lra|]. eapply Rle_lt_trans; [|exact Hn].
+    rewrite (Rmult_assoc C (exp _)), (Rmult_comm (exp _)), <- Rmult_assoc. apply Rmult_le_compat_l.
     - pose proof (pow_le (/ 2) n ltac:(lra)). nra.
     - apply Rlt_le, exp_increasing, Rmult_lt_compat_l; lra. }
   assert (Q : Rabs (u - t) < 1) by lra. apply Rabs_def2 in Q.
@@ -219,14 +189,12 @@ Qed.
 Lemma limit_fixed t : 0 <= t -> next limit t = limit t.
 Proof.
   intros Ht. apply Rminus_diag_uniq. destruct (Req_dec (next limit t - limit t) 0) as [|N]; auto. exfalso.
-  apply Rabs_pos_lt in N. pose proof (exp_pos (lam * t)). pose proof (Cp t Ht) as CT.
-  destruct (small (2 * C t * exp (lam * t)) (Rabs (next limit t - limit t)) ltac:(nra) N) as (n & Hn).
-  assert (A : Rabs (next limit t - it (S n) t) <= 2 * C t * (/ 2) ^ n / 2 * exp (lam * t)).
-  { apply (next_near limit (it n) _ t); auto using it_cont, limit_cont.
-    - pose proof (pow_le (/ 2) n ltac:(lra)). nra.
-    - intros; apply limit_near'; auto.
-    - lra. }
-  pose proof (limit_near (S n) t Ht) as B. simpl pow in B.
+  apply Rabs_pos_lt in N. pose proof (exp_pos (lam * t)). destruct (limit_near t Ht) as (C & CT & Near).
+  destruct (small (C * exp (lam * t)) (Rabs (next limit t - limit t)) ltac:(nra) N) as (n & Hn).
+  assert (A : Rabs (next limit t - it (S n) t) <= C * (/ 2) ^ n / 2 * exp (lam * t)).
+  { apply (next_near limit (it n) _ t); auto using it_cont, limit_cont; [|lra].
+    pose proof (pow_le (/ 2) n ltac:(lra)). nra. }
+  pose proof (Near (S n) t ltac:(lra)) as B. simpl pow in B.
   replace (next limit t - limit t) with ((next limit t - it (S n) t) - (limit t - it (S n) t)) in Hn by ring.
   pose proof (Rabs_triang (next limit t - it (S n) t) (- (limit t - it (S n) t))) as T. rewrite Rabs_Ropp in T.
     unfold Rminus at 1 in Hn. lra.
@@ -276,8 +244,8 @@ Proof.
   destruct (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 H' H ltac:(lra) ltac:(lra)
     ltac:(lra) ltac:(lra) t Ht) as (X1 & V1 & W1).
   repeat split; auto.
-  pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 t H ltac:(lra) Ht) as Q.
-  pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 t H' ltac:(lra) Ht) as Q'.
+  pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) Ht) as Q.
+  pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H' 0 t ltac:(lra) Ht) as Q'.
   rewrite W in Q. rewrite W1, W' in Q'. apply Rmult_eq_reg_l with (b / m2); [lra|].
     apply Rgt_not_eq, Rdiv_lt_0_compat; auto.
 Qed.

@@ -54,7 +54,7 @@ Theorem by_halves_nonstop om F phi x v1 v2 s : 0 < om -> by_halves om F phi x v1
 Proof.
   intros Hom (H & Pe & Fo & Ba). pose proof (Rdiv_lt_0_compat _ _ PI_RGT_0 Hom) as HT. set (T := PI / om) in *.
   assert (Cw : cont (fun t => v1 t - v2 t)).
-  { apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H)]. }
+  { apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H)]. }
   assert (Ends : v1 0 = v2 0 /\ v1 T = v2 T).
   { destruct (ends_nonneg (fun t => v1 t - v2 t) 0 T Cw ltac:(lra) ltac:(intros t Ht; specialize (Fo t Ht); lra)) as
       (A & B).

@@ -94,7 +94,7 @@ Proof.
 Qed.
 
 (** v2 is continuous *)
-Lemma cont_v : cont v2. Proof. exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
+Lemma cont_v : cont v2. Proof. exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H). Qed.
 (** the momentum is continuous *)
 Lemma cont_P : cont P.
 Proof. apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
@@ -102,7 +102,7 @@ Proof. apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
 (** the energy is continuous *)
-Lemma cont_En : cont E. Proof. exact (cont_E m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
+Lemma cont_En : cont E. Proof. exact (moves_cE m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H). Qed.
 (** the place in the frame that turns with the pair, from a phase on *)
 Let turned phi t := x t * cos (om * t + phi) - P t / (M * om) * sin (om * t + phi).
 (** it is continuous *)
@@ -193,7 +193,7 @@ Proof.
   assert (Kp : 0 < k) by (apply Rmult_lt_0_compat; [|apply Rdiv_lt_0_compat; [lra|apply Rmult_lt_0_compat]]; auto).
   assert (Q : (w t + k * s t) - (w r + k * s r) <= - (k + a2 / m1 * g) * (t - r)).
   { apply (dini_slope (fun u => w u + k * s u)); [|lra|].
-    { apply cont_plus; [apply cont_w|apply cont_scal, (cont_s _ _ _ _ _ _ _ _ _ H)]. }
+    { apply cont_plus; [apply cont_w|apply cont_scal, (moves_cs _ _ _ _ _ _ _ _ _ _ _ H)]. }
     intros u Hu.
     eapply rderiv_dini; [|exact (moves_slip _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo u 0 ltac:(lra) (rderiv_const 0 u))].
     replace (k + a2 / m1 * g) with (a2 / m1 * (L m1 m2 a2 b + g)) by (unfold k, L; field; lra).

@@ -44,7 +44,7 @@ Qed.
 Lemma rate_w t : t0 <= t < t0 + d0 ->
   little (fun h => w (t + h) - w t - kap * load t * h + b * kap * (s (t + h) - s t)).
 Proof.
-  intros Ht. pose proof (forced_relative m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) H ltac:(lra) (DU t Ht)) as R.
+  intros Ht. pose proof (moves_slip m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H t (u t) ltac:(lra) (DU t Ht)) as R.
   eapply little_ext; [|exact R]. intros h. unfold w, kap, load, M. field. repeat split; lra.
 Qed.
 
@@ -73,15 +73,15 @@ Qed.
 Lemma held t k : t0 <= t < t0 + d0 -> k = 1 \/ k = -1 -> k * load t <= b -> 0 < k * w t ->
   dini_le (fun r => k * w r) t 0.
 Proof.
-  intros Ht Hk G W. pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s t k H ltac:(lra) Hk W) as S.
-  eapply rderiv_dini; [|apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) k H ltac:(lra)
+  intros Ht Hk G W. pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t ltac:(lra) k Hk W) as S.
+  eapply rderiv_dini; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H t (u t) k ltac:(lra)
     (DU t Ht) S)].
   fold (load t) M. fold kap. pose proof kappa_pos. destruct Hk; subst k; nra.
 Qed.
 
 (** the relative velocity is continuous *)
 Lemma cont_w : cont w.
-Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)]. Qed.
+Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
 (** a load beyond b: slip, with its sign *)
 Theorem slips_at k : k = 1 \/ k = -1 -> b < k * load t0 -> exists d, 0 < d /\ forall t, t0 < t < t0 + d ->
@@ -164,7 +164,7 @@ Proof.
 Qed.
 Lemma cont_gain k : cont (gain k).
 Proof.
-  assert (C2 : cont v2) by exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H).
+  assert (C2 : cont v2) by exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
   apply cont_plus; apply cont_scal; [apply cont_scal, cont_w|].
   apply cont_minus; [apply cont_scal, cont_minus; auto using cont_const|].
   apply cont_of_derive with (fun _ => b / m2). intros; auto_derive; auto; ring.
@@ -176,7 +176,7 @@ Lemma ahead2_sign k t : k = 1 \/ k = -1 -> 0 <= t -> (t <= t0 -> 0 <= ahead2 k t
 Proof.
   intros Hk Ht. assert (P : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
   replace (ahead2 k t) with (b / m2 * (k * (s t - s t0) - (t - t0))).
-  2: { unfold ahead2. rewrite (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t0 t H Ht0 Ht). ring. }
+  2: { unfold ahead2. rewrite (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t0 t Ht0 Ht). ring. }
   pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L. split; intros Hl.
   - specialize (L t t0 ltac:(lra)). apply Rabs_inv in L. apply Rmult_le_pos; [lra|]. destruct Hk; subst k; lra.
   - specialize (L t0 t ltac:(lra)). apply Rabs_inv in L.
@@ -306,9 +306,9 @@ Proof.
     intros; auto_derive; auto; ring.
   - intros z Hz Wz. assert (Up : 0 <= r * (z - t0)) by (apply Rmult_le_pos; lra). assert (Wp : 0 < k * w z) by lra.
     specialize (G z ltac:(lra) Wp).
-    pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s z k H ltac:(lra) Hk Wp) as S.
+    pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H z ltac:(lra) k Hk Wp) as S.
     apply rderiv_dini with (k * (kap * (load z - b * k)) - r); [destruct Hk; subst k; lra|].
-    apply rderiv_minus; [apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s z (u z) k H
+    apply rderiv_minus; [apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H z (u z) k
       ltac:(lra) (DU z ltac:(lra)) S)|].
     apply rderiv_of_derive. auto_derive; auto; ring.
 Qed.

@@ -56,13 +56,13 @@ Lemma slip_clock m1 m2 a1 a2 b U x v1 v2 s p q : forced m1 m2 a1 a2 b U x v1 v2 
   (forall t, p < t < q -> v2 t < v1 t) -> forall t, p <= t <= q -> s t = s p + (t - p).
 Proof.
   intros H Hp P t Ht. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
-  pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as Cs.
+  pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs.
   destruct (Req_dec t p) as [->|N]; [ring|]. apply Rle_antisym.
   - pose proof (L p t ltac:(lra)) as B. apply Rabs_inv in B. lra.
   - apply le_epsilon. intros e He. set (r := Rmin (p + e / 2) t). assert (p < r) by (apply Rmin_glb_lt; lra).
     assert (r <= p + e / 2) by apply Rmin_l. assert (r <= t) by apply Rmin_r.
     pose proof (L p r ltac:(lra)) as B. apply Rabs_inv in B.
-    assert (s t - s r = 1 * (t - r)); [|lra]. apply (forced_slip m1 m2 a1 a2 b _ _ _ _ _ _ _ _ H); auto; [lra|].
+    assert (s t - s r = 1 * (t - r)); [|lra]. apply (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H _ _ _); auto; [lra|].
     intros u Hu. specialize (P u ltac:(lra)). lra.
 Qed.
 
@@ -77,7 +77,7 @@ Proof.
     apply rderiv_of_derive. auto_derive; auto; ring. }
   set (l := u - a2 * x p - a1 * v1 p - (m1 + m2) * (b / m2)).
   assert (Rw : rderiv (fun t => m1 * (v1 t - v2 t)) p l).
-  { eapply rderiv_eq; [|apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s p u 1 H ltac:(lra) DU Ds)].
+  { eapply rderiv_eq; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H p u 1 ltac:(lra) DU Ds)].
     unfold l. field; lra. }
   apply Rnot_lt_le. intros N. assert (Nl : l < 0) by (unfold l; lra).
   destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (h := Rmin (d / 2) ((q - p) / 2)).
@@ -266,14 +266,14 @@ Proof.
   assert (Ds : forall t, 0 <= t < T -> rderiv s t 1).
   { intros t Ht. apply rderiv_near with (fun u => s 0 + (u - 0)) (T - t); [lra|intros; symmetry; apply Clock; lra|].
     apply rderiv_of_derive. auto_derive; auto; ring. }
-  pose proof (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
+  pose proof (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
   pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx.
   destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0.
   assert (Meet : v1 0 = v2 0).
   { destruct (ends_nonneg (fun t => v1 t - v2 t) 0 T) as (A & B); [apply cont_minus; auto|lra|intros t Ht;
     specialize (Pos t Ht); lra|]. lra. }
   assert (V20 : v2 0 = - (b / m2 * (T / 2))).
-  { pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 T H ltac:(lra) ltac:(lra)) as Q.
+  { pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 T ltac:(lra) ltac:(lra)) as Q.
     rewrite (Clock T) in Q by lra. lra. }
   set (S := F * cos phi). set (C := F * sin phi).
   set (A := ((a2 - m1 * om ^ 2) * S + a1 * om * C) / Z1). set (B := ((a2 - m1 * om ^ 2) * C - a1 * om * S) / Z1).

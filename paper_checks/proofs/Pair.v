@@ -144,6 +144,9 @@ Proof.
     + apply q_slip0; auto; lra.
 Qed.
 
+Lemma solution_moving x v1 v2 s : solution x v1 v2 s -> moves 1 (fun _ => 0) x v1 v2 s.
+Proof. apply solution_moves. Qed.
+
 Section One.
 Variables (c : R) (U x v1 v2 s : R -> R).
 Hypothesis H : moves c U x v1 v2 s.
@@ -391,17 +394,7 @@ Section Solution.
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution x v1 v2 s.
 Let E t := energy (x t) (v1 t) (v2 t).
-Let Mo := proj1 (solution_moves _ _ _ _) H.
-
-(** the impulse is continuous *)
-Lemma cont_s : cont s.
-Proof. exact (moves_cs _ _ _ _ _ _ Mo). Qed.
-(** so is v2 *)
-Lemma cont_v2 : cont v2.
-Proof. exact (moves_cv2 _ _ _ _ _ _ Mo). Qed.
-(** and the energy *)
-Lemma cont_E : cont E.
-Proof. exact (moves_cE _ _ _ _ _ _ Mo). Qed.
+Let Mo := solution_moving _ _ _ _ H.
 
 (** the work of friction, and of the damper *)
 Theorem energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2).
@@ -409,10 +402,6 @@ Proof. exact (free_energy_rate _ _ _ _ _ Mo t). Qed.
 (** so the energy never increases *)
 Theorem energy_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (free_decreases _ _ _ _ _ Mo r t). Qed.
-(** in a slip the impulse is the time *)
-Lemma slip_impulse r t k : 0 <= r <= t -> (k = 1 \/ k = -1) -> (forall u, r <= u < t -> 0 < k * (v1 u - v2 u)) ->
-  s t - s r = k * (t - r).
-Proof. exact (moves_impulse _ _ _ _ _ _ Mo r t k). Qed.
 (** a stay off S is short *)
 Theorem dwell r t : 0 <= r <= t ->
   (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
@@ -420,3 +409,6 @@ Theorem dwell r t : 0 <= r <= t ->
 Proof. exact (free_dwell _ _ _ _ _ Mo r t). Qed.
 End Solution.
 End Pair.
+
+(** what is proved of all motions holds of solutions *)
+Coercion solution_moving : solution >-> moves.

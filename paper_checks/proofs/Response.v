@@ -38,8 +38,8 @@ Proof.
   intros H HT HB Hk O. pose proof (HB T HT) as B0. pose proof (Rabs_pos (v2 T)).
   assert (Hbm : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
   set (t := T + m2 / b * (2 * B + 1)). assert (Ht : T <= t) by (unfold t; nra).
-  pose proof (forced_slip m1 m2 a1 a2 b _ _ _ _ _ T t k H ltac:(lra) Hk ltac:(intros; apply O; lra)) as S.
-  pose proof (forced_v2 _ _ _ _ _ Hm2 _ _ _ _ _ T t H HT ltac:(lra)) as V. rewrite S in V.
+  pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H T t k ltac:(lra) Hk ltac:(intros; apply O; lra)) as S.
+  pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H T t HT ltac:(lra)) as V. rewrite S in V.
   replace (b / m2 * (k * (t - T))) with (k * (2 * B + 1)) in V by (unfold t; field; lra).
   pose proof (HB t ltac:(lra)) as B1. apply Rabs_inv in B0. apply Rabs_inv in B1. destruct Hk; subst k; lra.
 Qed.
@@ -68,12 +68,12 @@ Proof.
     { intros u Hu. split; [apply Neg; lra|]. pose proof (Gap u ltac:(lra)). pose proof (L p u ltac:(lra)) as Q.
       fold (w u) (w p) in Q. apply Rabs_inv in Q.
       assert (K * (u - p) <= K * (2 * g)) by (apply Rmult_le_compat_l; lra). lra. }
-    pose proof (forced_slip m1 m2 a1 a2 b _ _ _ _ _ (p + g) (p + 2 * g) (-1) H ltac:(lra) ltac:(auto) ltac:(intros u Hu;
+    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H (p + g) (p + 2 * g) (-1) ltac:(lra) ltac:(auto) ltac:(intros u Hu;
       destruct (In u Hu); unfold w in *; lra)) as S.
-    pose proof (forced_slip m1 m2 a1 a2 b _ _ _ _ _ (p + g) (p + 2 * g) 1 H' ltac:(lra) ltac:(auto) ltac:(intros u Hu;
+    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H' (p + g) (p + 2 * g) 1 ltac:(lra) ltac:(auto) ltac:(intros u Hu;
       destruct (In u Hu); unfold w' in *; lra)) as S'.
-    pose proof (forced_v2 _ _ _ _ _ Hm2 _ _ _ _ _ (p + g) (p + 2 * g) H ltac:(lra) ltac:(lra)) as V.
-    pose proof (forced_v2 _ _ _ _ _ Hm2 _ _ _ _ _ (p + g) (p + 2 * g) H' ltac:(lra) ltac:(lra)) as V'.
+    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H (p + g) (p + 2 * g) ltac:(lra) ltac:(lra)) as V.
+    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H' (p + g) (p + 2 * g) ltac:(lra) ltac:(lra)) as V'.
     rewrite S in V. rewrite S' in V'. destruct (G (p + g) ltac:(lra)) as (Q1 & _).
       destruct (G (p + 2 * g) ltac:(lra)) as (Q2 & _).
     fold g in Hd'. replace (p + 2 * g - (p + g)) with g in V, V' by ring. lra. }
@@ -93,7 +93,7 @@ Lemma v1_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t ->
   forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= (speed B G - b / m2) * (t - r).
 Proof.
   intros H LU Bd r t Hr. assert (Im : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
-  set (g := fun u => m1 * v1 u + b * s u - U u). pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as Cs.
+  set (g := fun u => m1 * v1 u + b * s u - U u). pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs.
   assert (Lg : Rabs (g t - g r) <= (a2 + a1) * B * (t - r)).
   { apply (lip_of_rderiv g (fun u => - (a2 * x u + a1 * v1 u))); auto.
     - unfold g. pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
@@ -156,11 +156,11 @@ Qed.
 Lemma D_pays r t g : 0 <= r <= t -> 0 <= g -> (forall u, r <= u < t -> g <= p u ^ 2) ->
   D t - D r <= - (a1 * g) * (t - r).
 Proof.
-  intros Hr Hg Gp. apply dini_slope; auto. { exact (forced_cont_D m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
+  intros Hr Hg Gp. apply dini_slope; auto. { exact (moves_cD m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
   intros u Hu e He.
   assert (Z : rderiv (fun r => U r - U r) u 0) by (apply rderiv_ext with (fun _ => 0); [intros;
     ring|apply rderiv_const]).
-  destruct (forced_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & Q).
+  destruct (moves_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & Q).
   exists d; split; auto. intros h Hh. specialize (Q h Hh).
   change (D (u + h) - D u <= (0 * p u - a1 * p u ^ 2 + e) * h) in Q. specialize (Gp u Hu).
   assert (a1 * g * h <= a1 * p u ^ 2 * h) by (apply Rmult_le_compat_r; [lra|apply Rmult_le_compat_l; lra]).
@@ -194,13 +194,13 @@ Proof.
   set (n := a2 * e / (2 * (a2 * L + a1))). assert (Hn : 0 < n) by (apply Rdiv_lt_0_compat; nra).
   assert (En : n * (a2 * L + a1) = a2 * e / 2) by (unfold n; field; nra).
   destruct (p_to_0 n Hn) as (T & HT & Small). exists T; split; auto. intros t Ht.
-  pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as Cs. pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H') as Cs'.
+  pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs. pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H') as Cs'.
   assert (Cy : cont y) by (apply cont_minus; [apply (f_cx _ _ _ _ _ _ _ _ _ _ H)|apply (f_cx _ _ _ _ _ _ _ _ _ _ H')]).
   assert (CPc : cont P).
   { apply cont_plus; apply cont_scal, cont_minus;
     [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H')| |].
-    - exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H).
-    - exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H'). }
+    - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
+    - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H'). }
   assert (RP : forall u, 0 <= u -> rderiv P u (- (a2 * y u + a1 * p u))).
   { intros u Hu. apply rderiv_ext with (fun r => ((m1 * v1 r + b * s r - U r) - (m1 * v1' r + b * s' r - U r)) +
     ((m2 * v2 0 - b * s 0) - (m2 * v2' 0 - b * s' 0))).
@@ -273,8 +273,7 @@ Proof.
     assert ((c + d) * (c + d) < z * z) by nra; nra]).
   assert (NZ : forall t, T <= t -> v2 t - v2' t <> 0). { intros t Ht E. specialize (Q t Ht). rewrite E in Q. lra. }
   assert (Cq : cont (fun t => v2 t - v2' t)).
-  { apply cont_minus; [exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)|exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _
-    _ _ H')]. }
+  { apply cont_minus; [exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H')]. }
   assert (Sign : forall t, T <= t -> 0 < (v2 T - v2' T) * (v2 t - v2' t)).
   { intros t Ht. destruct (Rlt_dec 0 ((v2 T - v2' T) * (v2 t - v2' t))) as [|N]; auto. exfalso.
     destruct (cont_IVT _ T t Cq) as (u & Hu & Zu); [lra|lra|]. apply (NZ u); [lra|auto]. }

@@ -39,7 +39,7 @@ Proof.
   destruct (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ G H H' HG LU e He) as (r & Hr & Q).
   destruct (one_entry (fun t => energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) e r) as (T & HT & One);
     auto.
-  - exact (forced_cont_D m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H').
+  - exact (moves_cD m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H').
   - intros p q Hp. exact (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ _ _ _ _ _ p q H H' Hp).
   - apply Q; lra.
   - exists T. split; [auto|]. split; [exact One|]. intros t Ht.

@@ -29,8 +29,8 @@ Let load := load m1 m2 a1 a2 u x v1.
 Theorem slip_rate t k : 0 <= t -> rderiv U t (u t) -> k = 1 \/ k = -1 -> 0 < k * (v1 t - v2 t) ->
   rderiv (fun r => v1 r - v2 r) t ((m1 + m2) / (m1 * m2) * (load t - k * b)).
 Proof.
-  intros Ht DU Hk W. pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s t k H Ht Hk W) as S.
-  eapply rderiv_eq; [|exact (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) k H Ht DU S)].
+  intros Ht DU Hk W. pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t Ht k Hk W) as S.
+  eapply rderiv_eq; [|exact (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H t (u t) k Ht DU S)].
   unfold load, Mode.load. ring.
 Qed.
 
@@ -113,7 +113,7 @@ Theorem jump_moves_strip : (cont x /\ cont v1 /\ cont v2) /\ forall j t,
   Mode.load m1 m2 a1 a2 (fun r => u r + j) (fun r => x r + j / a2) v1 t = load t.
 Proof.
   split; [|intros j t; unfold load, Mode.load; field; lra]. split; [apply (f_cx _ _ _ _ _ _ _ _ _ _ H)|].
-  split; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)].
+  split; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)].
 Qed.
 End Rule.
 

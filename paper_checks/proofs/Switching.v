@@ -40,7 +40,7 @@ Qed.
 Lemma null_isolated (E : R -> Prop) :
   (forall t, E t -> 0 <= t /\ exists d, 0 < d /\ forall r, t - d < r < t + d -> E r -> r = t) -> null E.
 Proof.
-  intros Iso e He.
+  intros Iso.
   (* every cell [k w, (k + 1) w) of every width w = 1 / (i + 1) is given a point,
     which is its time if it has only one *)
   set (low := fun n => INR (snd (of_nat n)) / (INR (fst (of_nat n)) + 1)).
@@ -53,14 +53,11 @@ Proof.
   { intros n. exists (high n). intros r [->|(_ & Hr)]; [apply Rlt_le; auto|lra]. }
   assert (Some : forall n, exists r, A n r) by (intros n; exists (low n); left; auto).
   set (p := fun n => proj1_sig (completeness (A n) (Bound n) (Some n))).
-  set (h := fun n : nat => e / 2 * (1 / 2) ^ S n).
-  assert (Hh : forall n, 0 < h n) by (intros n; apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]).
-  exists (fun n => p n - h n), (fun n => p n + h n). split; [|split].
-  - intros n. specialize (Hh n). lra.
-  - intros t Et. destruct (Iso t Et) as (Ht & d & Hd & Only).
+  assert (In : forall t, E t -> exists n, t = p n).
+  { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & Only).
     destruct (nfloor_ex (1 / d)) as (i & Hi); [apply Rlt_le, Rdiv_lt_0_compat; lra|].
     pose proof (pos_INR i) as Pi. destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [apply Rmult_le_pos; lra|].
-    set (n := to_nat (i, k)). exists n. specialize (Hh n).
+    set (n := to_nat (i, k)). exists n.
     assert (Ln : low n * (INR i + 1) = INR k).
     { unfold low, n. rewrite cancel_of_to. simpl. field. lra. }
     assert (Hn : high n * (INR i + 1) = INR k + 1).
@@ -68,12 +65,10 @@ Proof.
     assert (Wd : 1 < d * (INR i + 1)).
     { assert (Q : d * (1 / d) = 1) by (field; lra). rewrite <- Q at 1. apply Rmult_lt_compat_l; lra. }
     assert (In : low n <= t < high n) by (split; nra).
-    assert (Is : p n = t); [|lra]. unfold p. destruct completeness as (c & Ub & Lub). simpl. apply Rle_antisym.
+    symmetry. unfold p. destruct completeness as (c & Ub & Lub). simpl. apply Rle_antisym.
     + apply Lub. intros r [->|(Er & Hr)]; [lra|]. rewrite (Only r); auto; [lra|]. nra.
-    + apply Ub. right. auto.
-  - intros n. apply Rle_trans with (e * (1 - (1 / 2) ^ S n)).
-    + induction n as [|n IH]; [unfold h; simpl; lra|]. rewrite tech5. unfold h at 3 4. simpl pow in *. lra.
-    + assert (0 < (1 / 2) ^ S n) by (apply pow_lt; lra). nra.
+    + apply Ub. right. auto. }
+  intros e He. destruct (null_points p e He) as (a & b & Ab & Ac & As). exists a, b. auto.
 Qed.
 
 (** the simple zeros of a function *)

@@ -22,8 +22,8 @@ Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
 Lemma slip_falls t k : T <= t -> k = 1 \/ k = -1 -> 0 < k * w t -> dini_le (fun r => k * w r) t (- (kap * g)).
 Proof.
   intros Ht Hk Hw. assert (Mp : 0 < M) by (unfold M; lra). assert (Kp : 0 < kap) by (apply Rdiv_lt_0_compat; nra).
-  pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s t k H ltac:(lra) Hk Hw) as S. pose proof (Load t Ht) as L.
-  eapply rderiv_dini; [|apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) k H ltac:(lra) (HU t
+  pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t ltac:(lra) k Hk Hw) as S. pose proof (Load t Ht) as L.
+  eapply rderiv_dini; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H t (u t) k ltac:(lra) (HU t
     ltac:(lra)) S)].
   fold M. fold kap. set (l := m2 * (u t - a2 * x t - a1 * v1 t) / M) in *. apply Rabs_inv in L.
   replace (k * (kap * (l - b * k))) with (kap * (k * l - b)) by (destruct Hk; subst k; ring).
@@ -32,7 +32,7 @@ Qed.
 
 (** the relative velocity is continuous *)
 Lemma cont_w : cont w.
-Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)]. Qed.
+Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
 (** while it slips, |v1 - v2| falls at least at a fixed rate *)
 Theorem catch t : T + Rabs (w T) / (kap * g) <= t -> v1 t = v2 t.

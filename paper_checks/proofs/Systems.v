@@ -204,7 +204,7 @@ Proof.
   - intros t Ht e He. assert (He' : 0 < e / (2 * (a2 + m1 + m2 + 1))) by (apply Rdiv_lt_0_compat; lra).
     destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1). destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t Ht _ He')
       as (d2 & H2 & K2).
-    destruct (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H t Ht _ He') as (d3 & H3 & K3).
+    destruct (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t Ht _ He') as (d3 & H3 & K3).
     exists (Rmin d1 (Rmin d2 d3)); split; [repeat apply Rmin_glb_lt; auto|]. intros u Hu Hd.
     pose proof (Rmin_l d1 (Rmin d2 d3)). pose proof (Rmin_r d1 (Rmin d2 d3)). pose proof (Rmin_l d2 d3). pose proof
       (Rmin_r d2 d3).
@@ -225,10 +225,10 @@ Proof.
     + apply Rmult_le_reg_l with m1; auto. rewrite <- (Rabs_pos_eq m1) at 1 by lra. rewrite <- Rabs_mult.
       match type of K2 with Rabs ?a <= _ => match goal with |- Rabs ?c <= _ => replace c with a by (field; lra) end end.
         lra.
-    + pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) as W.
+    + pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)) as W.
       match goal with |- Rabs ?c <= _ => replace c with 0 by lra end. rewrite Rabs_R0. auto.
   - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
-    destruct (friction_power s (v1 t - v2 t) t (fun k => forced_opposes m1 m2 a1 a2 b _ _ _ _ _ t k H Ht) (e / b)) as
+    destruct (friction_power s (v1 t - v2 t) t (fun k => q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k) (e / b)) as
       (d & Hd & K); [apply Rdiv_lt_0_compat; auto|]. exists d; split; auto.
     intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
     destruct z as ((z1, z2), z3).

@@ -122,7 +122,7 @@ Proof.
   { intros h t Hh. unfold late. rewrite Rmax_right by lra. f_equal. ring. }
   assert (C : cont (late u2)).
   { apply cont_path with (c := fun t => Rmax 0 (t - (S + r))); [intros; apply Rmax_l| |
-      exact (forced_cv2 M1 M2 A1 A2 B Hm2 _ _ _ _ _ G)].
+      exact (moves_cv2 M1 M2 A1 A2 B Hm2 _ _ _ _ _ _ G)].
     intros p q. unfold Rmax. repeat destruct Rle_dec; unfold Rabs; repeat destruct Rcase_abs; lra. }
   exists (late z), (late u1), (fun t => integral (late u2) t - integral (late u2) (S + r)), (late u2).
   split; [|split; [|split; [|split]]].

@@ -162,13 +162,13 @@ Proof.
   intros Dg Dg' G0 G0' Gp Gt LU H X0 V0 W0 C R ED ZT. pose proof tau_pos as Tp. pose proof be_pos as Bp.
   pose proof (fastest _ _ _ _ _ _ H C R W0 ZT ED) as Full.
   assert (Es : forall t, 0 <= t <= tau -> s t = s 0 + t).
-  { intros t Ht. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 t H ltac:(lra) ltac:(lra)) as Q. rewrite Full,
+  { intros t Ht. pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) ltac:(lra)) as Q. rewrite Full,
     W0 in Q by lra.
     fold be in Q. apply Rmult_eq_reg_l with be; lra. }
   assert (Ahead : be * tau <= v1 tau).
   { rewrite <- (Full tau) by lra. cut (v2 tau - v1 tau <= 0); [lra|].
     apply (cont_le (fun t => v2 t - v1 t) 0 0 tau); [|lra|].
-    { apply cont_minus; [exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H)]. }
+    { apply cont_minus; [exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H)]. }
     intros t Ht. apply Rnot_lt_le. intros N.
     assert (S1 : rderiv s t 1).
     { apply rderiv_near with (fun u => s 0 + u) (tau - t); [lra|intros; symmetry; apply Es; lra|].
@@ -191,7 +191,7 @@ Proof.
   assert (Cf : cont f).
   { pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
     pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H).
-    pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H). unfold f, Pm.
+    pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H). unfold f, Pm.
       repeat first [apply cont_minus|apply cont_plus|apply cont_mult]; auto using cont_const, cont_scal. }
   assert (Le : f tau <= f 0).
   { apply dini_mono; auto; [lra|]. intros t Ht.

@@ -88,12 +88,12 @@ Proof.
   intros (H & Slip & St & Anti). pose proof Hts as Ht0.
   change (PI / om) with T in Ht0, St, Anti |- *. assert (Mp : 0 < M) by (unfold M; lra).
   destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0.
-  pose proof (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
+  pose proof (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
   pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx.
   assert (Meet : v1 0 = v2 0) by (pose proof (St T ltac:(lra)); lra).
   pose proof (slip_clock _ _ _ _ _ _ _ _ _ _ 0 ts H ltac:(lra) Slip) as Clock.
   assert (V2 : forall t, 0 <= t <= ts -> v2 t = v2 0 + b / m2 * t).
-  { intros t Ht. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 t H ltac:(lra) ltac:(lra)) as Q.
+  { intros t Ht. pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) ltac:(lra)) as Q.
     rewrite (Clock t) in Q by lra.
     lra. }
   assert (Load : forall t, ts <= t < T -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b).

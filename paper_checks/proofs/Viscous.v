@@ -83,7 +83,7 @@ Theorem captive_sticks t0 : 0 <= t0 -> v1 t0 = v2 t0 -> captive (E t0) -> forall
 Proof.
   intros Ht W C t Hu.
   assert (CW : cont w). { apply cont_minus;
-    [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ H)]. }
+    [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
   assert (Q : w t * w t <= w t0 * w t0).
   { apply (dini_mono (fun u => w u * w u)); [apply cont_mult; auto|lra|]. intros r Hr. apply gap_rate; [lra|].
     apply captive_less with (E t0); auto. apply E_mono; lra. }
@@ -234,9 +234,9 @@ Proof.
     { intros r Hr. unfold P. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H r ltac:(lra)). lra. }
     eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H u Hu)|apply rderiv_const]]. ring. }
   assert (CL : cont L).
-  { apply cont_plus; [exact (cont_E m1 m2 a1 a2 b Hm2 _ _ _ _ H)|].
+  { apply cont_plus; [exact (moves_cE m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|].
     apply cont_scal, cont_mult; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|].
-    apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ H)]. }
+    apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
   assert (RE : forall u, is_derive (fun u => exp (k * u)) u (k * exp (k * u))). { intros u. auto_derive; auto. ring. }
   assert (Q : exp (k * t) * L t <= exp (k * 0) * L 0).
   { set (L' := fun u => (- b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2) + c * (v1 u * P u + x u * - (a2 * x u + a1 * v1 u))).
