@@ -52,4 +52,6 @@ def sign(claims: Sequence[Claim], keys: Sequence[str]) -> int:
         print(one, *(" " + text.replace("\n", "\n ") for text in known[one]), sep="\n")
     if keys:
         signed.sign(known, keys)
+    else:
+        print(f"{len(known) - len(some)} of {len(known)} pairs are signed")
     return 1 if some and not keys else 0
