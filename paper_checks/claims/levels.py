@@ -28,7 +28,7 @@ def critical_energy_claim() -> Case:
     above = signed(E0 - critical_energy(), ">")
     return because(
         r"""
-        The ellipse $\{E=E_0\}\cap S$ has the semi-axis $\sqrt{2E_0/a}$ along $x_1$; it lies in $S_0$ exactly if that
+        The ellipse $\{E=E_0\}\cap S$ has the semi-axis $\sqrt{2E_0/a_2}$ along $x_1$; it lies in $S_0$ exactly if that
         is at most $L$. At $E_0=0$ the ellipse is the equilibrium, which the paper counts among the periodic
         trajectories.
         """,
