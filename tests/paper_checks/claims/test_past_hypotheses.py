@@ -194,6 +194,27 @@ def test_a_slip_on_a_surface_may_end_at_the_rate_0():
     assert "if $|\\Lambda|<b$" in sentence("stuck-ellipses", "lands")
 
 
+def test_a_slip_on_a_surface_that_is_not_straight_may_end_against_the_load():
+    """All constants 1: followed back from s = 0 at x1 = (0.8, 0), v = (0, 1), where it meets the load head-on."""
+
+    def rates(state):
+        first, second = state[2:4], state[4:6]
+        friction = (first - second) / np.linalg.norm(first - second)
+        return np.concatenate([first, -state[:2] - friction, friction])
+
+    step = 1e-3
+    state = np.array([0.8, -step, 1.4 * step, 1, -1.4 * step, 1])  # s = 2 (|Lambda| + 1) times the time left, along x
+    for _ in range(700):  # Runge and Kutta, back in time
+        k1 = rates(state)
+        k2 = rates(state - step / 2 * k1)
+        k3 = rates(state - step / 2 * k2)
+        k4 = rates(state - step * k3)
+        state = state - step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    x, y = state[2:4] - state[4:6]
+    assert math.atan2(y, x) < -0.19  # so it turns by 11 degrees until it ends along +x, the load being (-0.4, 0)
+    assert "But for exceptions, exactly straight slips among them" in page("surface.html")
+
+
 def landing(share, excess):
     """Return y = w/q at the first re-entry of a pair with r = share that left a ray with y = excess; by bisection."""
     q, gap, push = 1 - share, 0.0, math.sqrt(excess)
