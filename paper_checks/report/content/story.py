@@ -39,7 +39,7 @@ def _story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str])
         yield Paragraph(f"This differs from the verdict on record, {row.claim.recorded.value}.", "Attention", True)
     if text := _decisive(row):
         yield Paragraph(text, "Decisive step", True)
-    texts = {
+    texts: dict[str, list[str | None]] = {
         "Why": [finding.reason],
         "Counterexample": [finding.counterexample],
         "What is true": _corrected(row),

@@ -91,12 +91,10 @@ def _coloured(verdict: Verdict) -> Text:
 
 def _table(rows: Sequence[Row], width: int, times: bool) -> Table:
     """Ids, verdicts and kinds keep their width; places are cut to what is left, or left out; reasons fold."""
-    table = _empty_table("claim", "verdict", "established by")
-    kept = [
-        max(map(len, each)) + 1
-        for each in zip(*((one.claim.id, one.finding.verdict.value, kind(one)) for one in rows), strict=True)
-    ]
-    places = width - sum(kept) >= ROOM_FOR_PLACES
+    titles = "claim", "verdict", "established by"
+    table = _empty_table(*titles)
+    lines = [titles, *((one.claim.id, one.finding.verdict.value, kind(one)) for one in rows)]
+    places = width - sum(max(map(len, column)) + 2 for column in zip(*lines, strict=True)) >= ROOM_FOR_PLACES
     if places:
         table.add_column("where", ratio=1)
     reasons = width >= ROOM_FOR_REASONS
