@@ -112,7 +112,7 @@ def test_the_terminal_tells_them_too(rows, theorem):
 def test_the_terminal_says_what_is_true_and_leaves_out_places_where_dots_would_stand(theorem):
     read = replace(theorem, finding=replace(theorem.finding, reason="Read as: for ever. It is. So."))
     assert "\n  It is." in printed([read, theorem])
-    assert ("where" in printed([read, theorem]), "where" in printed([read, theorem], 40)) == (True, False)
+    assert ("where" in printed([read, theorem]), "where" in printed([read, theorem], 39)) == (True, False)
 
 
 def test_the_terminal_says_why_the_kernel_was_not_run_and_what_to_do(theorem):
