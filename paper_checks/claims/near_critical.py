@@ -60,7 +60,7 @@ def stick_durations() -> Case:
                 *never_merges(),
                 heads_for_the_other_ray(),
                 identity(
-                    r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a}$",
+                    r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a_2}$",
                     critical_limits().stick_duration,
                     pi * sqrt((m1 + m2) / a2),
                 ),
