@@ -61,8 +61,6 @@ FLOORS = {
         ("running",),
         ("drawing", "explore"),
         ("report",),
-        ("speed",),
-        ("reporting",),
         ("__main__",),
     ),
     "paper_checks.report": (("mathematics",), ("content",), ("formats",), ("output",)),
