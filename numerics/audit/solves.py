@@ -28,8 +28,8 @@ from numerics.errors import NumericsError
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.shown import print_table
 from numerics.solver.solve import solve
+from numerics.trajectory.columns import STATE
 from numerics.trajectory.comparison import as_fraction
-from numerics.trajectory.rows import STATE
 
 Progress: TypeAlias = Callable[[str], None]
 """Hears now and then, in a few words, what is being tried."""
