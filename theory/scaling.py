@@ -48,7 +48,7 @@ def parameters() -> dict[Symbol, Expr]:
 
 def to_reduced(expression: Expr) -> Expr:
     """An SI expression of state and parameters in reduced coordinates; its unit remains in M, Omega, L."""
-    state = {x1: L * X, v1: L * Omega * V1, v2: L * Omega * V2}
+    state = {x1: L * X, v1: L * Omega * V1, v2: L * Omega * V2, total_mass(): M}
     return factored(expression.subs(state, simultaneous=True).subs(parameters(), simultaneous=True))
 
 
