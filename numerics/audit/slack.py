@@ -20,7 +20,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from numerics.trajectory.rows import STATE
+from numerics.trajectory.columns import STATE
 
 Figure: TypeAlias = tuple[str, Fraction, Fraction | None]
 """What it is of, its value, and the bound on its error, None where there is none; exact."""
