@@ -96,7 +96,7 @@ def _model() -> Iterator[Block]:
 
 
 def _regimes() -> Iterator[Block]:
-    yield Heading("Stuck, with stops, or without a stop", "regimes-under-a-sine")
+    yield Heading("Stuck, in between, or without a stop", "regimes-under-a-sine")
     yield Paragraph(
         "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
         "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "

@@ -2,14 +2,29 @@
 
 import inspect
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from numerics import Force, Friction, Mode, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, load_scene, solve
+from numerics import (
+    Force,
+    Friction,
+    Mode,
+    Pair,
+    Piece,
+    PlanePair,
+    PlaneScene,
+    Scene,
+    Sine,
+    State,
+    load_scene,
+    solve,
+    thresholds,
+)
 from paper_checks import explore
-from paper_checks.claims import claim_named, onset, tolerance
+from paper_checks.claims import claim_named, entrainment, onset, tolerance
 from paper_checks.proofs.cited import CITED
 from paper_checks.report.content import under_a_force
 
@@ -108,6 +123,17 @@ def test_below_resonance_body_2_may_be_carried_away():
     assert half[2] < -80
     assert end[2] - half[2] < -80
     assert "body 2 may be carried away" in sentence("forced-resonance-bound", "bounded")
+
+
+def test_a_motion_that_never_stops_may_do_with_less_than_two_turns_need():
+    """At a fifth of U** = 5.18 N: six turns a period, friction's third harmonic being at the frequency of body 1."""
+    scene = replace(entrainment.LIGHT, until=40)
+    late = [event.after for event in solve(scene).events if event.t > 40 - 2 * math.pi / 10]
+    assert late in (3 * [Mode.SLIP_MINUS, Mode.SLIP_PLUS], 3 * [Mode.SLIP_PLUS, Mode.SLIP_MINUS])
+    assert thresholds(scene.pair, 10).non_stop > 5
+    assert "A motion that turns more often may do with less" in sentence("entrainment-threshold", "more-turns")
+    stops = solve(replace(scene, force=Force.sine("0.02", 10))).events
+    assert any(event.after == Mode.STICK for event in stops if event.t > 40 - 2 * math.pi / 10)
 
 
 def test_no_level_of_the_energy_decides_under_a_friction_that_varies_in_time():
