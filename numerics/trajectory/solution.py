@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
-from numerics.linear.record import How, Record
-from numerics.scene import Scene
+from numerics.linear.record import How
 from numerics.trajectory.dense import Dense, Side
 from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
@@ -24,24 +22,6 @@ from numerics.trajectory.status import Status
 
 class Solution(Rows):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
-
-    def __init__(
-        self,
-        scene: Scene | Callable[[], Scene],
-        arithmetic: Arithmetic,
-        record: Record,
-        *,
-        digits: int | None = None,
-        tried: str = "",
-        t_eval: Any = None,
-    ) -> None:
-        """Keep what a run wrote. `digits`: right digits that were asked for and reached; `tried`: what did not answer.
-
-        Raises ValueError for times in t_eval that are outside the run.
-        """
-        super().__init__(scene, arithmetic, record)
-        self.digits, self.tried, self.t_eval = digits, tried, t_eval
-        self.look_up_times()
 
     def look_up_times(self) -> None:
         """Raise ValueError for times in t_eval that are outside the run."""
