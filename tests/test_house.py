@@ -63,8 +63,6 @@ FLOORS = {
         ("running",),
         ("drawing", "explore"),
         ("report",),
-        ("speed",),
-        ("reporting",),
         ("__main__",),
     ),
     "paper_checks.report": (("mathematics",), ("content",), ("formats",), ("output",)),
