@@ -46,7 +46,7 @@ _SEARCH_BITS = 96
 
 @dataclass(frozen=True, repr=False)
 class Ring(ShortRepr):
-    """When the relative motion of a scene is in its ring for good: z within `radius` (m), w within radius `rate` (m/s).
+    """When the relative motion of a scene is in its ring for good, of a `radius` (m); w counts as w / `rate` (1/s).
 
     `entry` (s), exactly 0 if it never leaves it; `centre` (m): z*, less the z of the periodic motion if there is an
     `orbit`; enclosures with `digits` right digits. `why` says what keeps it inside for ever.
