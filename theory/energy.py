@@ -23,6 +23,7 @@ from theory.symbols import (
     a2,
     m1,
     m2,
+    put,
     undamped,
     v1,
     v1_other,
@@ -127,7 +128,7 @@ def captive_energy() -> Expr:
 def other(quantity: Expr) -> Expr:
     """The same function of a second solution (tilde)."""
     renamed = {x1: x1_other, v1: v1_other, v2: v2_other, sigma: sigma_other}
-    return quantity.subs(renamed, simultaneous=True)
+    return put(quantity, renamed)
 
 
 @cache

@@ -25,7 +25,7 @@ from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import slip, stick
 from theory.scaling import stick_frequency
-from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v2_0, x1, x1_0, x2_0
+from theory.symbols import a1, a2, b, m1, m2, put, t, u, v1, v2_0, x1, x1_0, x2_0
 
 r_place, r_speed, r_acceleration = Symbol("r", real=True), Symbol(r"\dot{r}", real=True), Symbol(r"\ddot{r}", real=True)
 """A reference for body 2 and its derivatives, m, m/s, m/s^2; here x1 - x2 = 0 at the start."""
@@ -68,7 +68,7 @@ def stuck_offset() -> Expr:
 def stuck_force() -> Expr:
     """The force, N, under which the stuck pair has a place, velocity and acceleration: that of the reference."""
     along = {x1: r_place, v1: r_speed}
-    return root(stick().acceleration1.subs(along, simultaneous=True) - r_acceleration, u).expand()
+    return root(put(stick().acceleration1, along) - r_acceleration, u).expand()
 
 
 @cache
@@ -118,7 +118,7 @@ def transfer_force(first_half: bool) -> Expr:
     """The force under which the pair makes that transfer stuck, N, by the same times."""
     place, sign = bang(first_half), 1 if first_half else -1
     known = {r_place: place, r_speed: sign * diff(place, t), r_acceleration: diff(place, t, 2)}
-    return stuck_force().subs(known, simultaneous=True)
+    return put(stuck_force(), known)
 
 
 @cache
@@ -149,7 +149,7 @@ def impulse_response() -> Expr:
 
 def response_peak() -> Expr:
     """The angle theta = omega_1 t up to which g rises where a1 = 0."""
-    response = impulse_response().subs({decline: 0, t: angle / swing}, simultaneous=True)
+    response = put(impulse_response(), {decline: 0, t: angle / swing})
     level = Symbol("c")
     return acos(root(diff(response, angle).subs(cos(angle), level), level))
 

@@ -25,13 +25,12 @@ from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
+from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.rows import Rows
 
 Floats = NDArray[np.float64]
 ROUNDING = {"float64": 2.0**-53, "double-double": 2.0**-105}
 """The rounding of one operation."""
-MOST_DIGITS = {"float64": 17, "double-double": 31}
-"""The most digits that numbers of an arithmetic can show."""
 
 
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
@@ -40,7 +39,7 @@ _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 
 def proved_digits(trajectory: Rows) -> int:
     """Return how many digits the balls of a trajectory leave right: of every event, and of the end."""
-    with trajectory.arithmetic.context():
+    with trajectory.context():
         values = list(_enclosed(trajectory))
         # the count of accurate bits is within two bits of the logarithm: only the worst are measured, and all zeros
         bits = [None if value.contains(0) else value.rel_accuracy_bits() for value, _ in values]

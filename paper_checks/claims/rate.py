@@ -22,6 +22,7 @@ from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
+from theory.symbols import put
 
 
 @cache
@@ -65,7 +66,7 @@ def one_cycle() -> Steps:
     landed = -one.velocity / one.position
     speed = Symbol("e", positive=True)
     state = {x1_0: one.position, v1_0: one.velocity, epsilon: speed}
-    _, sine = (part.subs(state, simultaneous=True) for part in stick_rotation())
+    _, sine = (put(part, state) for part in stick_rotation())
     # sin(pi - alpha - beta), tan alpha = e, tan beta = -V'/X', times the two radii
     expected = (speed * one.position - one.velocity) / (one.position**2 + one.velocity**2)
     shortfall = sqrt(q) * (theta - h()) * q * in_trigonometry(depth_of_angle())

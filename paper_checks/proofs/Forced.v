@@ -51,12 +51,11 @@ Proof.
 Qed.
 
 (** if D' <= j sqrt (2 D), then sqrt (2 D) grows at most by the integral J of j *)
-Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> (forall u, 0 <= u -> 0 <= j u /\ rderiv J u (j
-  u)) ->
-  (forall u, 0 <= u -> dini_le D u (j u * sqrt (2 * D u))) -> 0 <= r <= t ->
+Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> 0 <= r <= t ->
+  (forall u, r <= u < t -> 0 <= j u /\ rderiv J u (j u) /\ dini_le D u (j u * sqrt (2 * D u))) ->
   sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r).
 Proof.
-  intros CD PD CJ HJ HD Hr. apply le_epsilon. intros e He. assert (e2 : 0 < e ^ 2) by nra.
+  intros CD PD CJ Hr HJ. apply le_epsilon. intros e He. assert (e2 : 0 < e ^ 2) by nra.
   set (y := fun u => 2 * D u + e ^ 2). assert (yP : forall u, e ^ 2 <= y u) by (intros u; unfold y; specialize (PD u);
     lra).
   assert (yP0 : forall u, 0 < y u) by (intros u; specialize (yP u); lra).
@@ -64,9 +63,9 @@ Proof.
   { apply (dini_mono (fun u => sqrt (y u) - J u)); auto.
     - apply cont_minus; auto. apply (cont_sqrt y (e ^ 2)); auto. apply cont_plus; [apply cont_scal; auto|apply
       cont_const].
-    - intros u Hu q Hq. destruct (HJ u ltac:(lra)) as (Pj & Ju). set (l := j u * sqrt (2 * D u)) in *.
+    - intros u Hu q Hq. destruct (HJ u Hu) as (Pj & Ju & HD). set (l := j u * sqrt (2 * D u)) in *.
       assert (Fy : dini_le y u (2 * l)).
-      { intros p Hp. destruct (HD u ltac:(lra) (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
+      { intros p Hp. destruct (HD (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
         specialize (K h Hh). fold l in K. unfold y. lra. }
       destruct (sqrt_dini y u _ yP0 Fy (q / 2)) as (d1 & Hd1 & K1); [lra|]. destruct (Ju (q / 2)) as (d2 & Hd2 & K2);
         [lra|].
@@ -144,26 +143,31 @@ Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 (** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
 Let N t := sqrt (2 * D t).
 
-(** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
-Theorem input_to_state du J r t : (forall u, 0 <= u -> rderiv (fun r => U r - U' r) u (du u)) ->
-  cont J -> (forall u, 0 <= u -> rderiv J u (Rabs (du u))) -> 0 <= r <= t -> N t <= N r + (J t - J r) / sqrt m1.
+(** it bounds the velocity of body 1 *)
+Lemma velocity_within t : sqrt m1 * Rabs (v1 t - v1' t) <= N t.
 Proof.
-  intros HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
+  rewrite <- (sqrt_Rsqr_abs (v1 t - v1' t)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
+  unfold D, energy, Pair.energy, Rsqr. pose proof (pow2_ge_0 (x t - x' t)). pose proof (pow2_ge_0 (v2 t - v2' t)). nra.
+Qed.
+
+(** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
+Theorem input_to_state du J r t : cont J -> 0 <= r <= t ->
+  (forall u, r <= u < t -> rderiv (fun r => U r - U' r) u (du u) /\ rderiv J u (Rabs (du u))) ->
+  N t <= N r + (J t - J r) / sqrt m1.
+Proof.
+  intros CJ Hr HU. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
   replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
   apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
   - exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H').
   - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
-  - intros u Hu. split; [apply Rmult_le_pos; [lra|apply Rabs_pos]|apply rderiv_scal; auto].
-  - intros u Hu e He. destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ Hu (HU u Hu) e He) as (d & Hd & K). exists d; split; auto.
-    intros h Hh. specialize (K h Hh). set (w := v1 u - v1' u) in *.
-    assert (W : Rabs w <= / sqrt m1 * sqrt (2 * D u)).
-    { apply Rmult_le_reg_l with (sqrt m1); auto. rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra.
-      rewrite <- (sqrt_Rsqr_abs w), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
-      unfold D, energy, Pair.energy, Rsqr. fold w. pose proof (pow2_ge_0 (x u - x' u)).
-      pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
-    assert (P : du u * w <= Rabs (du u) * Rabs w) by (rewrite <- Rabs_mult; apply Rle_abs).
-    assert (Rabs (du u) * Rabs w <= Rabs (du u) * (/ sqrt m1 * sqrt (2 * D u))) by (apply Rmult_le_compat_l; [apply Rabs_pos|auto]).
-    pose proof (pow2_ge_0 w). eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. nra.
+  - intros u Hu. destruct (HU u Hu) as (DU & DJ). pose proof (Rabs_pos (du u)).
+    split; [apply Rmult_le_pos; lra|split; [apply rderiv_scal; auto|]]. intros e He.
+    destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU e He) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+    pose proof (pow2_ge_0 (v1 u - v1' u)). pose proof (Rle_abs (du u * (v1 u - v1' u))) as P. rewrite Rabs_mult in P.
+    assert (Rabs (du u) * Rabs (v1 u - v1' u) <= / sqrt m1 * Rabs (du u) * N u); [|unfold N in *; nra].
+    replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1' u))) by (field; lra).
+    apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|apply velocity_within].
 Qed.
 End Two.
 
@@ -192,11 +196,9 @@ Corollary input_to_state_integral u u' x v1 v2 s x' v1' v2' s' t : cont u -> con
   sqrt (2 * energy (x 0 - x' 0) (v1 0 - v1' 0) (v2 0 - v2' 0)) + integral (fun r => Rabs (u r - u' r)) t / sqrt m1.
 Proof.
   intros C C' H H' Ht. assert (CA : cont (fun r => Rabs (u r - u' r))) by (apply cont_abs, cont_minus; auto).
-  pose proof (input_to_state _ _ _ _ _ _ _ _ _ _ H H' (fun r => u r - u' r) (integral (fun r => Rabs (u r - u'
-    r))) 0 t) as Q.
-  rewrite integral_0, Rminus_0_r in Q. apply Q; auto using integral_cont; [| |lra]; intros r Hr.
-  - apply rderiv_minus; apply integral_rderiv; auto.
-  - apply (integral_rderiv (fun r => Rabs (u r - u' r))); auto.
+  pose proof (input_to_state _ _ _ _ _ _ _ _ _ _ H H' (fun r => u r - u' r) _ 0 t (integral_cont _ CA) ltac:(lra)) as Q.
+  rewrite integral_0, Rminus_0_r in Q. apply Q. intros r Hr. split; [|apply (integral_rderiv _ _ CA); lra].
+  apply rderiv_minus; apply integral_rderiv; auto; lra.
 Qed.
 
 (** *** What body 2 can follow *)

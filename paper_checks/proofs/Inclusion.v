@@ -316,8 +316,8 @@ Proof.
   - apply (cont_energy (fun u => minus (y u) (y' u))), vcont_minus; [apply (d_cont _ _ _ _ (proj1 H))|apply (d_cont _ _
     _ _ (proj1 H'))].
   - intros u. unfold D. pose proof (ip_pos _ In (minus (y u) (y' u))). lra.
-  - intros u Hu. split; [apply norm_pos|auto].
-  - intros u Hu e He. destruct (distance_dini u (d u) Hu (HG u Hu) e He) as (c & Hc & K). exists c; split; auto.
+  - intros u Hu. split; [apply norm_pos|split; [apply HJ; lra|]]. intros e He.
+    destruct (distance_dini u (d u) ltac:(lra) (HG u ltac:(lra)) e He) as (c & Hc & K). exists c; split; auto.
     intros h Hh. specialize (K h Hh). pose proof (cauchy (d u) (minus (y u) (y' u))). pose proof (Mo (y u) (y' u)).
     rewrite Q, (ip_plus _ In) in *. nra.
 Qed.

@@ -25,6 +25,11 @@ Proof.
   - replace (Nat.leb (S i) n) with true by (symmetry; apply Nat.leb_le; lia). apply Step. lia.
 Qed.
 
+(** a slip towards k *)
+Lemma one_sided k (v1 v2 : R -> R) p q : k = 1 \/ k = -1 -> (forall t, p < t < q -> 0 < k * (v1 t - v2 t)) ->
+  one_mode v1 v2 p q.
+Proof. intros [->| ->] S; [right; left|right; right]; intros t Ht; specialize (S t Ht); lra. Qed.
+
 (** a mode lasts on every part of an interval *)
 Lemma one_mode_within v1 v2 p q p' q' : one_mode v1 v2 p q -> p <= p' -> q' <= q -> one_mode v1 v2 p' q'.
 Proof. intros [M|[M|M]] Hp Hq; [left|right; left|right; right]; intros t Ht; apply M; lra. Qed.

@@ -81,7 +81,7 @@ NEW: dict[str, tuple[str, str, str]] = {
     "entrainment-threshold": (
         "thresholds-over-frequency",
         "Three regimes under a sine",
-        "Stuck for ever, with stops, and without a stop. Up to $U_*$ some motion sticks for ever; below $U_{**}$ none of the force's "
+        "Stuck for ever, in between, and without a stop. Up to $U_*$ some motion sticks for ever; below $U_{**}$ none of the force's "
         "period slips for ever with two reversals. Both are closed forms; that between them each amplitude has one motion is open",
     ),
     "uniform-rate": (
