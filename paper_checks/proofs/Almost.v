@@ -57,11 +57,11 @@ Qed.
 Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
 Proof.
   intros F T HT e He. pose proof (Rabs_pos c). destruct (F T HT (e / (Rabs c + 1))) as (d & Hd & K).
-  { apply Rdiv_lt_0_compat; lra. }
+  { positive. }
   exists d; split; auto. intros l C L. specialize (K l C L).
   replace (moves (fun t => c * f t) l) with (Rabs c * moves f l).
   - apply Rmult_le_compat_l with (r := Rabs c) in K; auto. apply Rle_trans with (1 := K).
-    assert (0 < e / (Rabs c + 1)) by (apply Rdiv_lt_0_compat; lra).
+    assert (0 < e / (Rabs c + 1)) by positive.
     replace e with ((Rabs c + 1) * (e / (Rabs c + 1))) at 2 by (field; lra). nra.
   - clear. induction l as [|(p, q) l IH]; simpl; [ring|]. rewrite <- IH. rewrite <- Rmult_minus_distr_l, Rabs_mult.
     ring.
@@ -70,16 +70,16 @@ Qed.
 Lemma ac_lip f : (forall T, 0 <= T -> exists K, 0 <= K /\ forall r t, 0 <= r <= t -> t <= T ->
   Rabs (f t - f r) <= K * (t - r)) -> ac f.
 Proof.
-  intros L T HT e He. destruct (L T HT) as (K & HK & Q). exists (e / (K + 1)); split; [apply Rdiv_lt_0_compat; lra|].
+  intros L T HT e He. destruct (L T HT) as (K & HK & Q). exists (e / (K + 1)); split; [positive|].
   intros l C Ln.
   assert (Mv : moves f l <= K * lengths l).
   { assert (G : forall l lo, 0 <= lo -> chain l lo T -> moves f l <= K * lengths l).
     { clear l C Ln. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
       pose proof (chain_le _ _ _ C). specialize (IH q ltac:(lra) C). specialize (Q p q ltac:(lra) ltac:(lra)). lra. }
     apply (G l 0); auto; lra. }
-  assert (0 < e / (K + 1)) by (apply Rdiv_lt_0_compat; lra).
+  assert (0 < e / (K + 1)) by positive.
   apply Rle_trans with (K * (e / (K + 1))).
-  - apply Rle_trans with (1 := Mv). apply Rmult_le_compat_l; auto.
+  - apply Rle_trans with (1 := Mv). scale.
   - replace e with ((K + 1) * (e / (K + 1))) at 2 by (field; lra). nra.
 Qed.
 (** linear functions *)
@@ -92,7 +92,7 @@ Qed.
 Lemma cont_ac f : ac f -> cont f.
 Proof.
   intros F t Ht e He. destruct (F (t + 1) ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
-  exists (Rmin d 1); split; [apply Rmin_glb_lt; lra|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
+  exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
     pose proof (Rmin_r d 1).
   apply Rabs_def2 in Hd1. destruct (Rle_dec s t).
   - specialize (K [(s, t)]). simpl in K. rewrite Rabs_minus_sym. specialize (K ltac:(lra) ltac:(lra)). lra.
@@ -125,7 +125,7 @@ Proof.
   assert (Q : forall h, h <> 0 -> Rabs h < d -> Rabs (f (t + h) - f t - f' t * h) <= e * Rabs h).
   { intros h Hh Hh'. specialize (K h Hh Hh'). replace (f (t + h) - f t - f' t * h)
     with (((f (t + h) - f t) / h - f' t) * h)
-      by (field; auto). rewrite Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|lra]. }
+      by (field; auto). rewrite Rabs_mult. scale. }
   intros r c Hr Hc.
   assert (A : - e * (c - t) <= f c - f t).
   { destruct (Req_dec c t) as [->|]; [lra|]. specialize (Q (c - t) ltac:(lra)). rewrite (Rabs_pos_eq (c - t)) in Q
@@ -141,7 +141,7 @@ Qed.
 Theorem ac_grows : f p <= f q.
 Proof.
   apply Rnot_lt_le. intros Lt. set (e := (f p - f q) / (2 * (q - p + 1))).
-  assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
+  assert (He : 0 < e) by positive.
   destruct (F q ltac:(lra) e He) as (d & Hd & K). destruct (HN d Hd) as (a & b & Hab & Cov & Sm).
   set (La := fun n t => sum_f_R0 (fun i => clamp (a i) (b i) t) n).
   assert (LaG : forall n r t, r <= t -> La n r <= La n t).
@@ -175,7 +175,7 @@ Proof.
   assert (Near : forall c, p <= c <= q -> exists h, 0 < h /\ forall r t, c - h < r <= c -> c <= t < c + h ->
     - e * (t - r) <= f t - f r \/ exists n, a n < r /\ t < b n).
   { intros c Hc. destruct (Classical_Prop.classic (N c)) as [Nc|Nc].
-    - destruct (Cov c Nc) as (n & Hn). exists (Rmin (c - a n) (b n - c)). split; [apply Rmin_glb_lt; lra|].
+    - destruct (Cov c Nc) as (n & Hn). exists (Rmin (c - a n) (b n - c)). split; [positive|].
       intros r t Hr Ht. right. exists n. pose proof (Rmin_l (c - a n) (b n - c)).
         pose proof (Rmin_r (c - a n) (b n - c)).
       lra.
@@ -223,7 +223,7 @@ Corollary ac_rderiv f g t : ac f -> cont g -> 0 <= t ->
   (forall T, 0 <= T -> exists N, null N /\ forall u, 0 <= u <= T -> ~ N u -> is_derive f u (g u)) -> rderiv f t (g t).
 Proof.
   intros F G Ht D e He. destruct (D (t + 1) ltac:(lra)) as (N & HN & Dn). destruct (G t Ht e He) as (d & Hd & K).
-  exists (Rmin d 1); split; [apply Rmin_glb_lt; lra|]. intros h Hh. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
+  exists (Rmin d 1); split; [positive|]. intros h Hh. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
   destruct (ac_slope f N t (t + h) (g t - e) (g t + e)) as (A & B); auto; [lra| |].
   - intros u Hu Nu. exists (g u). split; [apply Dn; auto; lra|]. specialize (K u ltac:(lra)).
     assert (Q : Rabs (u - t) < d) by (rewrite Rabs_pos_eq; lra). specialize (K Q). apply Rabs_def2 in K. lra.
@@ -234,11 +234,11 @@ Qed.
 Lemma null_points (p : nat -> R) : null (fun t => exists n, t = p n).
 Proof.
   intros e He. set (h := fun n : nat => e / 2 * (1 / 2) ^ S n).
-  assert (Hh : forall n, 0 < h n) by (intros n; apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]).
+  assert (Hh : forall n, 0 < h n) by (intros n; apply Rmult_lt_0_compat; [lra|positive]).
   exists (fun n => p n - h n), (fun n => p n + h n). split; [|split].
   - intros n. specialize (Hh n). lra.
   - intros t (n & ->). exists n. specialize (Hh n). lra.
   - intros n. apply Rle_trans with (e * (1 - (1 / 2) ^ S n)).
     + induction n as [|n IH]; [unfold h; simpl; lra|]. rewrite tech5. unfold h at 3 4. simpl pow in *. lra.
-    + assert (0 < (1 / 2) ^ S n) by (apply pow_lt; lra). nra.
+    + assert (0 < (1 / 2) ^ S n) by positive. nra.
 Qed.

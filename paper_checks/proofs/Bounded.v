@@ -59,8 +59,7 @@ Qed.
 Lemma W_below t : (a2 * x t ^ 2 + m1 * v1 t ^ 2) / 4 <= W t <= 3 / 4 * (a2 * x t ^ 2 + m1 * v1 t ^ 2).
 Proof.
   assert (Cr : forall k, k = 1 \/ k = -1 -> k * (c * m1 * (x t * v1 t)) <= m1 / 4 * v1 t ^ 2 + a2 / 4 * x t ^ 2).
-  { intros k Hk. assert (c * (c * m1) * x t ^ 2 <= a2 / 4 * x t ^ 2) by (apply Rmult_le_compat_r;
-    [apply pow2_ge_0|auto]).
+  { intros k Hk. assert (c * (c * m1) * x t ^ 2 <= a2 / 4 * x t ^ 2) by scale.
     pose proof (pow2_ge_0 (v1 t / 2 - k * c * x t)) as S. apply (Rmult_le_compat_l m1) in S; [|lra].
       destruct Hk; subst k; lra. }
   pose proof (Cr 1 ltac:(auto)). pose proof (Cr (-1) ltac:(auto)). unfold W. lra.
@@ -83,9 +82,9 @@ Proof.
   assert (S3 : - (c * a1 * (x t * v1 t)) <= c * (a2 / 2) * x t ^ 2 + a1 / 4 * v1 t ^ 2).
   { pose proof (pow2_ge_0 (v1 t / 2 + c * x t)) as S. apply (Rmult_le_compat_l a1) in S; [|lra].
     assert (c * (c * a1) * x t ^ 2 <= c * (a2 / 2) * x t ^ 2) by (apply Rmult_le_compat_r;
-      [apply pow2_ge_0|apply Rmult_le_compat_l; lra]). lra. }
-  assert (S4 : c * m1 * v1 t ^ 2 <= a1 / 4 * v1 t ^ 2) by (apply Rmult_le_compat_r; [apply pow2_ge_0|auto]).
-  assert (0 <= a1 * v1 t ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
+      [positive|scale]). lra. }
+  assert (S4 : c * m1 * v1 t ^ 2 <= a1 / 4 * v1 t ^ 2) by scale.
+  assert (0 <= a1 * v1 t ^ 2) by positive.
     apply (Rmult_le_compat_l (c / 3)) in Wu; [|lra]. lra.
 Qed.
 
@@ -100,7 +99,7 @@ Proof.
     eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. apply Rplus_le_compat_r.
       eapply Rle_trans; [apply W_rate|]. fold R0.
     pose proof (Rmax_r (W 0) (3 * R0 / c)). assert (R0 <= c / 3 * W t); [|lra].
-    replace R0 with (c / 3 * (3 * R0 / c)) by (field; lra). apply Rmult_le_compat_l; lra.
+    replace R0 with (c / 3 * (3 * R0 / c)) by (field; lra). scale.
 Qed.
 End One.
 
@@ -111,7 +110,7 @@ Theorem bounded U x v1 v2 s G : forced U x v1 v2 s -> 0 <= G -> (forall r t, 0 <
 Proof.
   intros H HG LU.
   set (c := Rmin (Rmin 1 (a1 / (4 * m1))) (Rmin (a2 / (2 * a1)) (a2 / (4 * m1)))).
-  assert (Hc : 0 < c) by (repeat apply Rmin_glb_lt; try apply Rdiv_lt_0_compat; lra).
+  assert (Hc : 0 < c) by positive.
   assert (L1 : c <= 1) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_l]).
   assert (L2 : c <= a1 / (4 * m1)) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_r]).
   assert (L3 : c <= a2 / (2 * a1)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_l]).
@@ -124,21 +123,21 @@ Proof.
     apply Rle_trans with (1 * (c * m1)); [apply Rmult_le_compat_r; nra|]. rewrite Rmult_1_l.
       apply Rmult_le_compat_r; lra. }
   destruct (W_bounded U x v1 v2 s G H HG LU c Hc c1 c2 c3) as (C & HC).
-  assert (Ia : 0 < / a2) by (apply Rinv_0_lt_compat; auto). assert (Im : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
+  assert (Ia : 0 < / a2) by positive. assert (Im : 0 < / m1) by positive.
   assert (E : forall t, 0 <= t -> 0 <= a2 * x t ^ 2 /\ 0 <= m1 * v1 t ^ 2 /\ a2 * x t ^ 2 + m1 * v1 t ^ 2 <= 4 * C).
   { intros t Ht. pose proof (W_below x v1 c c3 t) as (Q & _). specialize (HC t Ht). cbv beta in Q, HC.
     pose proof (pow2_ge_0 (x t)). pose proof (pow2_ge_0 (v1 t)). repeat split; [nra|nra|lra]. }
   assert (C0 : 0 <= C) by (destruct (E 0 ltac:(lra)); lra).
   set (B := 4 * C * (/ a2 + / m1) + 1). assert (HB : 1 <= B) by (unfold B; nra).
   assert (Sq : forall m z, 0 < m -> m * z ^ 2 <= 4 * C -> / m <= / a2 + / m1 -> Rabs z <= B).
-  { intros m z Hm Q I. assert (0 < / m) by (apply Rinv_0_lt_compat; auto). apply Rabs_le, sq_le_abs; [lra|].
+  { intros m z Hm Q I. assert (0 < / m) by positive. apply Rabs_le, sq_le_abs; [lra|].
     assert (z ^ 2 <= B); [|nra]. replace (z ^ 2) with (/ m * (m * z ^ 2)) by (field; lra).
-    apply Rle_trans with (/ m * (4 * C)); [apply Rmult_le_compat_l; lra|]. unfold B. nra. }
+    apply Rle_trans with (/ m * (4 * C)); [scale|]. unfold B. nra. }
   assert (Bv : forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B).
   { intros t Ht. destruct (E t Ht) as (E1 & E2 & E3). split; [apply (Sq a2)|apply (Sq m1)]; auto; lra. }
   set (V := Rabs (v2 0) + B + 1). pose proof (Rabs_pos (v2 0)).
     pose proof (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H) as Cv.
-  assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  assert (Hk : 0 < b / m2) by positive.
   assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
     by (intros; eapply (forced_v2_rate m1 m2 a1 a2 b); eauto).
   assert (Up : forall t, 0 <= t -> v2 t <= V).
@@ -186,7 +185,7 @@ Proof.
   assert (D0 : D t <= 0).
   { apply le_epsilon. intros e He. rewrite Rplus_0_l.
     destruct (approach _ _ _ _ _ _ _ _ _ G H H' HG LU e He) as (T & HT & Q).
-    destruct (nfloor_ex (T / P)) as (n & _ & Hn). { apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+    destruct (nfloor_ex (T / P)) as (n & _ & Hn). { positive. }
     rewrite <- (PD (S n)). apply Q. rewrite S_INR. apply Rmult_lt_compat_r with (r := P) in Hn; auto.
     replace (T / P * P) with T in Hn by (field; lra). lra. }
   unfold D in D0. apply (energy_zero m1 m2 a2 Hm1 Hm2 Ha2) in D0. lra.

@@ -18,7 +18,7 @@ Qed.
 
 (** a bound times a factor *)
 Lemma abs_scal c y B : 0 <= c -> Rabs y <= B -> Rabs (c * y) <= c * B.
-Proof. intros Hc HB. rewrite Rabs_mult, (Rabs_pos_eq c) by auto. apply Rmult_le_compat_l; auto. Qed.
+Proof. intros Hc HB. rewrite Rabs_mult, (Rabs_pos_eq c) by auto. scale. Qed.
 
 (** ** The chaser: s(0) = 0, s' in Sgn (c - s) *)
 Section Chase.
@@ -182,7 +182,7 @@ Proof.
   intros Cf Cg Hl Ht B.
   assert (HD : 0 <= D). { pose proof (B 0 ltac:(lra)) as Q. rewrite Rmult_0_r, exp_0 in Q.
     pose proof (Rabs_pos (f 0 - g 0)). lra. }
-  assert (Dl : 0 <= D / l) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
+  assert (Dl : 0 <= D / l) by positive.
   assert (RE : forall u, is_derive (fun u => D / l * exp (l * u)) u (D * exp (l * u))). { intros u.
     auto_derive; auto. field; lra. }
   assert (Q : forall k, k = 1 \/ k = -1 -> k * (integral f t - integral g t) - D / l * exp (l * t) <= 0).
@@ -202,7 +202,7 @@ Qed.
 Lemma small q e : 0 < q -> 0 < e -> exists n, q * (/ 2) ^ n < e.
 Proof.
   intros Hq He. destruct (pow_lt_1_zero (/ 2)) with (y := e / q) as (n & N).
-  { rewrite Rabs_pos_eq; lra. } { apply Rdiv_lt_0_compat; auto. }
+  { rewrite Rabs_pos_eq; lra. } { positive. }
   exists n. specialize (N n (le_n n)). rewrite Rabs_pos_eq in N by (apply pow_le; lra).
   apply Rmult_lt_compat_l with (r := q) in N; auto. replace (q * (e / q)) with e in N by (field; lra). auto.
 Qed.

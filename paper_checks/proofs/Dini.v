@@ -11,6 +11,22 @@ Proof. intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rab
 Ltac smaller a b :=
   exists (Rmin a b); pose proof (Rmin_l a b); pose proof (Rmin_r a b); split; [apply Rmin_glb_lt; auto; lra|].
 
+(** signs of what is made of positive numbers, part by part *)
+Ltac positive := first [assumption | lra | (match goal with
+  | |- 0 < _ * _ => apply Rmult_lt_0_compat | |- 0 < _ / _ => apply Rdiv_lt_0_compat
+  | |- 0 < _ + _ => apply Rplus_lt_0_compat | |- 0 < / _ => apply Rinv_0_lt_compat | |- 0 < _ ^ _ => apply pow_lt
+  | |- 0 < sqrt _ => apply sqrt_lt_R0 | |- 0 < Rmin _ _ => apply Rmin_glb_lt
+  | |- 0 <= _ ^ 2 => apply pow2_ge_0 | |- 0 <= sqrt _ => apply sqrt_pos | |- 0 <= Rabs _ => apply Rabs_pos
+  | |- 0 <= _ * _ => apply Rmult_le_pos | |- 0 <= _ / _ => apply Rdiv_le_0_compat
+  | |- 0 <= _ + _ => apply Rplus_le_le_0_compat | |- 0 <= / _ => apply Rlt_le
+  | |- 0 < ?x => is_var x; unfold x | |- 0 <= ?x => is_var x; unfold x end; positive)].
+(** a product is compared by one of its factors *)
+Ltac scale := first [apply Rmult_le_compat_l | apply Rmult_le_compat_r | apply Rmult_lt_compat_l
+  | apply Rmult_lt_compat_r]; first [positive | auto].
+(** and a quotient by c without its denominator *)
+Ltac undivide c := first [refine (proj2 (Rle_div_l _ _ c _) _) | refine (proj1 (Rle_div_r _ _ c _) _)
+  | refine (proj2 (Rlt_div_l _ _ c _) _) | refine (proj1 (Rlt_div_r _ _ c _) _)]; [apply Rlt_gt; positive|].
+
 (** from squares to absolute values *)
 Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
 Proof. intros; split; nra. Qed.

@@ -19,14 +19,13 @@ Proof.
   set (p := fun l => m1 * m2 * l ^ 3 + (a1 * m2 + f' * M) * l ^ 2 + (a2 * m2 + f' * a1) * l + f' * a2).
   assert (Mp : 0 < m1 * m2) by nra. assert (P0 : p 0 < 0) by (unfold p; nra).
   set (K := 1 + (- f' * M - f' * a1 - f' * a2) / (m1 * m2)).
-  assert (HM : 0 < M) by (unfold M; lra).
+  assert (HM : 0 < M) by positive.
   assert (K1 : 1 < K). { unfold K. assert (0 < (- f' * M - f' * a1 - f' * a2) / (m1 * m2)); [|lra]. apply
     Rdiv_lt_0_compat; nra. }
   assert (PK : 0 < p K).
   { assert (E : m1 * m2 * K = m1 * m2 + (- f' * M - f' * a1 - f' * a2)) by (unfold K; field; lra).
-    assert (K2 : 1 <= K ^ 2) by nra. assert (KK : K <= K ^ 2) by nra. assert (0 <= a1 * m2 * K ^ 2) by (apply
-      Rmult_le_pos; nra).
-    assert (0 <= a2 * m2 * K) by (apply Rmult_le_pos; nra).
+    assert (K2 : 1 <= K ^ 2) by nra. assert (KK : K <= K ^ 2) by nra. assert (0 <= a1 * m2 * K ^ 2) by positive.
+    assert (0 <= a2 * m2 * K) by positive.
     assert (f' * a1 * K ^ 2 <= f' * a1 * K) by (assert (f' * a1 <= 0) by nra; nra).
     assert (f' * a2 * K ^ 2 <= f' * a2) by (assert (f' * a2 <= 0) by nra; nra).
     replace (p K) with (m1 * m2 * K * K ^ 2 + (a1 * m2 + f' * M) * K ^ 2 + (a2 * m2 + f' * a1) * K + f' * a2) by (unfold
@@ -70,7 +69,7 @@ Proof.
     rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
   rewrite Load in Hl.
   destruct (Forced.cont_abs _ CX 0 (Rle_refl 0) (Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0) / c)) as (D & HD & Near).
-  { apply Rdiv_lt_0_compat; [apply Rmin_glb_lt; lra|auto]. }
+  { positive. }
   assert (Between : forall t, 0 <= t < D -> bk < c * Rabs (X x0 v0 t) < bs).
   { intros t Ht. specialize (Near t ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite X00 in Near.
     apply Rmult_lt_compat_l with (r := c) in Near; auto. set (e := Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0)) in *.
@@ -94,7 +93,7 @@ Proof.
   - apply two_frictions_moves; auto. apply joined; auto; [lra|constructor; auto|].
     + intros p q Hp Hq. apply (lip_between f (fun t => - (c / bk) * X x0 v0 t)); [apply cont_scal, CV|auto|].
       intros u Hu. split; [apply Rf|]. pose proof (Between u ltac:(lra)) as (_ & Bu). apply Rabs_le_between.
-      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (c / bk)) by (apply Rlt_le, Rdiv_lt_0_compat; auto).
+      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (c / bk)) by positive.
       apply Rmult_le_reg_l with bk; auto. replace (bk * (bs / bk)) with bs by (field; lra).
       replace (bk * (c / bk * Rabs (X x0 v0 u))) with (c * Rabs (X x0 v0 u)) by (field; lra). lra.
     + intros t _ k _ W. lra.
@@ -105,8 +104,7 @@ Proof.
       apply rderiv_plus; apply rderiv_scal; [apply rderiv_of_derive, derive_V; auto|apply Rf].
     + intros t _. unfold f. field; lra.
     + apply solution_moves in H. destruct H as [L P Cy Cw Dy Dw W]. constructor; auto. intros p q Hp.
-      eapply Rle_trans; [apply L; auto|]. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_reg_l with bk; auto.
-      replace (bk * (bs / bk)) with bs by (field; lra). specialize (Between 0 ltac:(lra)). lra.
+      eapply Rle_trans; [apply L; auto|]. apply Rmult_le_compat_r; [lra|]. undivide bk. specialize (Between 0 ltac:(lra)). lra.
   - intros t Ht. destruct (Before t ltac:(lra)) as (_ & -> & ->). auto.
   - destruct (slips_beyond m1 m2 a2 bk Hm1 Hm2 Ha2 Hk y w1 w2 r H 0 (Rle_refl 0)) as (d & Hd & Sl); [rewrite W1, W2;
     auto| |].

@@ -20,7 +20,7 @@ Definition filippov (x v1 v2 : R -> R) := ac x /\ ac v1 /\ ac v2 /\
 Theorem filippov_solution x v1 v2 : filippov x v1 v2 -> solution m1 m2 a1 a2 b x v1 v2 (fun t => m2 / b * v2 t).
 Proof.
   intros (Ax & A1 & A2 & In). pose proof (cont_ac _ Ax) as Cx. pose proof (cont_ac _ A1) as C1.
-  pose proof (cont_ac _ A2) as C2. assert (Hk : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
+  pose proof (cont_ac _ A2) as C2. assert (Hk : 0 < m2 / b) by positive.
   assert (As : ac (fun t => m2 / b * v2 t)) by (apply ac_scal; auto).
   assert (Ds : forall t, included x v1 v2 t -> exists g, is_derive (fun t => m2 / b * v2 t) t g /\ -1 <= g <= 1 /\
     (v2 t < v1 t -> g = 1) /\ (v1 t < v2 t -> g = -1)).
@@ -65,7 +65,7 @@ Lemma derive_of_rderiv f g t : cont f -> cont g -> (forall u, 0 <= u -> rderiv f
   is_derive f t (g t).
 Proof.
   intros F G D Ht. apply is_derive_Reals. intros e He. destruct (G t ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
-  assert (Hd' : 0 < Rmin d t) by (apply Rmin_glb_lt; auto). exists (mkposreal _ Hd'). simpl. intros h Nh Hh.
+  assert (Hd' : 0 < Rmin d t) by positive. exists (mkposreal _ Hd'). simpl. intros h Nh Hh.
   pose proof (Rmin_l d t). pose proof (Rmin_r d t).
   assert (S : forall p q, t - Rmin d t < p <= q -> q < t + Rmin d t ->
     (g t - e / 2) * (q - p) <= f q - f p <= (g t + e / 2) * (q - p)).
@@ -150,7 +150,7 @@ Proof.
       apply (G n); auto. destruct (Req_dec t (p n)) as [E|]; [exfalso; apply Nt; exists n; auto|]. lra. }
     assert (Pos : 0 <= p i) by (rewrite <- P0; apply (times_within n p); [apply Step|lia]).
     destruct (Step i Hi) as (_ & Mode). set (d := Rmin (t - p i) (p (S i) - t)).
-    assert (Hd : 0 < d) by (apply Rmin_glb_lt; lra). assert (d <= t - p i) by apply Rmin_l.
+    assert (Hd : 0 < d) by positive. assert (d <= t - p i) by apply Rmin_l.
     assert (d <= p (S i) - t) by apply Rmin_r.
     assert (Dx : is_derive x t (v1 t)) by (apply derive_of_rderiv; auto; [exact (s_x _ _ _ _ _ _ _ _ _ H)|lra]).
     assert (Dp : is_derive P t (g t)) by (apply derive_of_rderiv; auto; lra).
@@ -175,7 +175,7 @@ Proof.
         apply (is_derive_plus (fun u => b / m2 * s u) (fun _ => c / m2)); [apply (is_derive_scal s t (b / m2) _ Ds)|].
         apply @is_derive_const. }
     destruct Mode as [St|[Fo|Ba]].
-    + set (M := m1 + m2). assert (HM : 0 < M) by (unfold M; lra). set (k := m2 / (b * M) * g t).
+    + set (M := m1 + m2). assert (HM : 0 < M) by positive. set (k := m2 / (b * M) * g t).
       assert (Ev : forall u, t - d < u < t + d -> / M * (P u + c) = v1 u /\ / M * (P u + c) = v2 u).
       { intros u Hu. specialize (St u ltac:(lra)). pose proof (V2 u ltac:(lra)) as Vu. unfold P.
         assert (Eq : m1 * v1 u + b * s u + c = M * v1 u).

@@ -44,7 +44,7 @@ Variable U : R -> R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (CU : cont U).
 
 Let k := b / m1 + b / m2.
-Let kp : 0 < k. Proof. unfold k. apply Rplus_lt_0_compat; apply Rdiv_lt_0_compat; auto. Qed.
+Let kp : 0 < k. Proof. unfold k. positive. Qed.
 
 (** x by v1 *)
 Definition place v t := x0 + integral v t.
@@ -86,8 +86,8 @@ Let K := (a2 + a1) / m1 * (1 + b / (m1 * k)).
 Let lam := 1 + 2 * K.
 Let Kp : 0 < K.
 Proof.
-  unfold K. apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; lra|].
-  assert (0 < b / (m1 * k)); [|lra]. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+  unfold K. apply Rmult_lt_0_compat; [positive|].
+  assert (0 < b / (m1 * k)); [|lra]. apply Rdiv_lt_0_compat; auto. positive.
 Qed.
 
 (** one step of Picard halves the distance *)
@@ -96,9 +96,9 @@ Lemma next_near v v' D T : cont v -> cont v' -> 0 <= D ->
   forall t, 0 <= t <= T -> Rabs (next v t - next v' t) <= D / 2 * exp (lam * t).
 Proof.
   intros C C' HD B t (Ht & HtT). assert (Hl : 1 <= lam) by (unfold lam; lra).
-    assert (m1p : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
-  assert (mk : 0 < / (m1 * k)) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; auto).
-  set (e := D / lam). assert (He : 0 <= e) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; lra]).
+    assert (m1p : 0 < / m1) by positive.
+  assert (mk : 0 < / (m1 * k)) by positive.
+  set (e := D / lam). assert (He : 0 <= e) by positive.
   assert (el : e / lam <= e). { apply Rmult_le_reg_r with lam; [lra|].
     unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r; nra. }
   assert (I1 : forall u, 0 <= u <= T -> Rabs (integral v u - integral v' u) <= e * exp (lam * u)).
@@ -117,8 +117,8 @@ Proof.
     rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|]. unfold G.
     pose proof (abs_scal a2 _ _ ltac:(lra) (I2 u Hu)). pose proof (abs_scal a1 _ _ Ha1 (I1 u Hu)). lra. }
   assert (Gm : forall u, 0 <= u <= t -> G u <= G t).
-  { intros u Hu. unfold G. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|].
-    destruct (Req_dec u t) as [->|]; [lra|]. apply Rlt_le, exp_increasing. apply Rmult_lt_compat_l; lra. }
+  { intros u Hu. unfold G. apply Rmult_le_compat_l; [positive|].
+    destruct (Req_dec u t) as [->|]; [lra|]. apply Rlt_le, exp_increasing. scale. }
   assert (A : forall u, 0 <= u <= t -> - (/ (m1 * k) * G t) <= aim v u - aim v' u <= / (m1 * k) * G t).
   { intros u Hu. apply Rabs_inv. replace (aim v u - aim v' u) with (/ (m1 * k) * (force v u - force v' u)) by
     (unfold aim; field; lra).

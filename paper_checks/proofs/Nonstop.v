@@ -41,7 +41,7 @@ Proof.
   intros C Hp P. split.
   - apply Rnot_lt_le. intros N. destruct (C p ltac:(lra) (- f p)) as (d & Hd & K); [lra|].
     set (h := Rmin (d / 2) ((q - p) / 2)). assert (h <= d / 2) by apply Rmin_l. assert (h <= (q - p) / 2) by apply Rmin_r.
-    assert (0 < h) by (apply Rmin_glb_lt; lra). specialize (P (p + h) ltac:(lra)).
+    assert (0 < h) by positive. specialize (P (p + h) ltac:(lra)).
     specialize (K (p + h) ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. lra.
   - assert (-1 * f q <= 0); [|lra]. apply (cont_le (fun t => -1 * f t) 0 ((p + q) / 2) q); [apply cont_scal, C|lra|].
     intros t Ht. specialize (P t ltac:(lra)). lra.
@@ -82,9 +82,9 @@ Proof.
   apply Rnot_lt_le. intros N. assert (Nl : l < 0) by (unfold l; lra).
   destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (h := Rmin (d / 2) ((q - p) / 2)).
     assert (h <= d / 2) by apply Rmin_l.
-  assert (h <= (q - p) / 2) by apply Rmin_r. assert (0 < h) by (apply Rmin_glb_lt; lra).
+  assert (h <= (q - p) / 2) by apply Rmin_r. assert (0 < h) by positive.
   specialize (Q h ltac:(lra)). apply Rabs_inv in Q. rewrite Meet in Q. specialize (Slip (p + h) ltac:(lra)).
-  assert (0 < m1 * (v1 (p + h) - v2 (p + h))) by (apply Rmult_lt_0_compat; lra). assert (l * h < 0) by nra. lra.
+  assert (0 < m1 * (v1 (p + h) - v2 (p + h))) by positive. assert (l * h < 0) by nra. lra.
 Qed.
 
 (** An oscillator without damping under a constant push f, whose state changes sign over T: tested with the cosine and
@@ -94,8 +94,8 @@ Lemma sign_change m a f y y' T : 0 < m -> 0 < a -> 0 < T -> cont y -> cont y' ->
   y T = - y 0 -> y' T = - y' 0 -> let o := sqrt (a / m) in
   - m * y' 0 * cos (o * (T / 2)) = f / o * sin (o * (T / 2)) /\ y 0 * cos (o * (T / 2)) = 0.
 Proof.
-  intros Hm Ha HT C C' D D' E E' o. assert (Ho : 0 < o) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
-  assert (O2 : m * (o * o) = a). { unfold o. rewrite sqrt_sqrt by (apply Rlt_le, Rdiv_lt_0_compat; auto). field; lra. }
+  intros Hm Ha HT C C' D D' E E' o. assert (Ho : 0 < o) by positive.
+  assert (O2 : m * (o * o) = a). { unfold o. rewrite sqrt_sqrt by positive. field; lra. }
   assert (Z1 : - (o * (T / 2)) = o * (0 - T / 2)) by field. assert (Z2 : o * (T / 2) = o * (T - T / 2)) by field.
   set (co := fun t => cos (o * (t - T / 2))). set (si := fun t => sin (o * (t - T / 2))).
   assert (Dco : forall t, is_derive co t (- o * si t)) by (intros t; unfold co, si; auto_derive; auto; unfold Rminus;
@@ -192,7 +192,7 @@ Proof.
   assert (Ahead : forall t, 0 < t < T -> V2 t < V1 t).
   { intros t Ht. pose proof (Side t Ht) as Sl. unfold slipping in Sl. fold A Bs in Sl.
     assert (0 < sin (om * t)) by (apply sin_gt_0; [nra|rewrite <- OT; apply Rmult_lt_compat_l; lra]).
-    assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
+    assert (Bs * sin (om * t) <= B * sin (om * t)) by scale.
     unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
   assert (Arc : forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1)).
   { constructor.
@@ -231,7 +231,7 @@ Proof.
     { exact (cont_of_derive k _ Dk). } { exact (cont_of_derive k' _ Dk'). }
     { intros t Ht. apply rderiv_of_derive, Dk. }
     { intros t Ht. eapply rderiv_eq; [|apply rderiv_scal, rderiv_of_derive, Dk']. rewrite Z0. field; lra. }
-    set (o := sqrt (a2 / m1)) in *. assert (Ho : 0 < o) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
+    set (o := sqrt (a2 / m1)) in *. assert (Ho : 0 < o) by positive.
     assert (Nc : cos (o * (T / 2)) <> 0).
     { intros Z. rewrite Z in Ak. pose proof (sin2_cos2 (o * (T / 2))) as SC. rewrite Z in SC. unfold Rsqr in SC.
       assert (sin (o * (T / 2)) = 0) as Zs; [|rewrite Zs in SC; lra].
@@ -312,7 +312,7 @@ Proof.
   { pose proof (exit_load _ _ _ _ _ _ _ _ _ _ 0 T _ Hm1 Hm2 H ltac:(lra) Pos Meet (rderiv_wave F om phi 0 Hom)) as Q.
     rewrite Rmult_0_r, Rplus_0_l in Q. exact Q. }
   assert (HB : leave (k 0) (k' 0) <= - B).
-  { unfold leave. assert (O2 : 0 < m1 * om ^ 2) by (apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]).
+  { unfold leave. assert (O2 : 0 < m1 * om ^ 2) by positive.
     apply Rmult_le_reg_l with (m1 * om ^ 2); auto.
     replace (m1 * om ^ 2 * (b * ((m1 + m2) / m2 - a2 * k 0 - a1 * k' 0) / (m1 * om ^ 2)))
       with (b + m1 * (b / m2) - b * (a2 * k 0) - b * (a1 * k' 0)) by (field; lra).

@@ -27,9 +27,9 @@ Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
   - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
 Proof.
   intros H H' e He. set (q := w - w'). pose proof (Rabs_pos q).
-  assert (He1 : 0 < e / (Rabs q + 1)) by (apply Rdiv_lt_0_compat; lra).
+  assert (He1 : 0 < e / (Rabs q + 1)) by positive.
   assert (Q : e / (Rabs q + 1) * Rabs q <= e).
-  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). apply Rmult_le_compat_l; lra. }
+  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). scale. }
   destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
   - destruct (friction_order s' s w' w t H' H ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K).
     exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto.
@@ -271,8 +271,7 @@ Proof.
   apply Rabs_inv in B1. apply Rabs_inv in B2.
   pose proof (q_v2 _ _ _ _ _ _ H r ltac:(lra)) as W1. pose proof (q_v2 _ _ _ _ _ _ H t ltac:(lra)) as W2.
   assert (Z : b * (s t - s r) = m2 * v2 t - m2 * v2 r) by lra.
-  apply Rmult_le_reg_l with b; auto. replace (b * (2 * sqrt (2 * E r * m2) / b)) with (2 * sqrt (2 * E r * m2)) by
-    (field; lra). destruct T as [T|T]; rewrite T in Z; lra.
+  undivide b. destruct T as [T|T]; rewrite T in Z; lra.
 Qed.
 End Free.
 
@@ -350,7 +349,7 @@ Proof.
     { intros V1 y w1 w2 z [L P _ _ _ _ _]. split; [|auto]. intros h Hh. apply Rabs_inv.
       replace h with (1 * (t + h - t)) at 2 by ring. apply L. lra. }
     destruct (friction_monotone s s' _ _ t (Pu _ _ _ _ _ H) (Pu _ _ _ _ _ H') (e / (2 * b))) as (d2 & Hd2 & K2);
-      [apply Rdiv_lt_0_compat; lra|].
+      [positive|].
     smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). cbv beta in K1.
     apply Rabs_inv in K1. apply Rmult_le_compat_l with (r := b) in K2; [|lra].
     replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra).
@@ -368,7 +367,7 @@ Proof.
   destruct (moves_D_dini u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
   specialize (K h Hh).
   pose proof (pow2_ge_0 (v1 u - v1' u)). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra].
-  apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra].
+  apply Rmult_le_pos; [positive|lra].
 Qed.
 End Two.
 

@@ -107,8 +107,8 @@ Proof.
     destruct (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ G (forced_period _ _ _ _ H) H HG LU (e /
       9)) as (T & HT & Near); [lra|].
     set (d := Rmin 1 (e / 9 / (a2 + m1 + m2))).
-      assert (Hd : 0 < d) by (apply Rmin_glb_lt; [lra|]; apply Rdiv_lt_0_compat; lra).
-    destruct (nfloor_ex (T / P)) as (N & _ & HN). { apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+      assert (Hd : 0 < d) by positive.
+    destruct (nfloor_ex (T / P)) as (N & _ & HN). { positive. }
     destruct (Cl d (S N) Hd) as (n & Hn & C1 & C2 & C3).
     assert (HnT : T <= INR n * P).
     { apply le_INR in Hn. rewrite S_INR in Hn. apply Rmult_lt_compat_r with (r := P) in HN; auto.

@@ -25,8 +25,7 @@ Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply si
 Lemma hh_below p : 0 < p < PI -> 2 / 3 * p <= hh p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (cusa (2 * p) ltac:(lra)) as C.
-  rewrite sin_2a, cos_2a_sin in C. unfold hh. apply Rmult_le_reg_r with (sin p ^ 2); [apply pow_lt; auto|].
-  replace ((p - sin p * cos p) / sin p ^ 2 * sin p ^ 2) with (p - sin p * cos p) by (field; lra). nra.
+  rewrite sin_2a, cos_2a_sin in C. unfold hh. undivide (sin p ^ 2). nra.
 Qed.
 
 (** an upper bound of the depth *)
@@ -46,15 +45,14 @@ Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
   pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap.
   assert (D : 2 / 3 * sin p ^ 2 <= depth p).
-  { unfold depth. apply Rmult_le_reg_r with (sin p); auto.
-    replace (2 * (sin p - p * cos p) / sin p * sin p) with (2 * (sin p - p * cos p)) by (field; lra).
+  { unfold depth. undivide (sin p).
     replace (2 / 3 * sin p ^ 2 * sin p) with (2 / 3 * sin p ^ 3) by ring. lra. }
   apply Rle_trans with (2 := D).
   assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by (apply pow_incr; lra).
   unfold hh. replace (3 / 2 * (sin p / p) ^ 6 * ((p - sin p * cos p) / sin p ^ 2) ^ 2) with
     (3 / 2 * (sin p ^ 2 / p ^ 6) * (p - sin p * cos p) ^ 2) by (field; lra).
   replace (2 / 3 * sin p ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6) * (2 / 3 * p ^ 3) ^ 2) by (field; lra).
-  apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rdiv_lt_0_compat; apply pow_lt; lra.
+  apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [lra|]. positive.
 Qed.
 
 (** sin p/p decreases strictly *)
@@ -64,7 +62,7 @@ Proof.
   assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
   apply (incr_function (fun u => - (sin u / u)) 0 PI (fun u => (sin u - u * cos u) / u ^ 2)); try (simpl; lra).
   - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
-  - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|apply pow_lt; auto].
+  - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|positive].
 Qed.
 (** sin p/p decreases *)
 Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
@@ -81,7 +79,7 @@ Proof.
   intros Hp. pose proof (sinc_decr p (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite sin_PI2 in Q.
     pose proof PI_4.
   assert (1 / 2 <= 1 / (PI / 2)).
-  { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
+  { undivide (PI / 2). lra. }
   assert (sin p / p * p = sin p) by (field; lra). nra.
 Qed.
 
@@ -108,10 +106,10 @@ Lemma loss_lower n : kappa * si n ^ 12 * y n ^ 2 <= y n - y (S n).
 Proof.
   rewrite step. pose proof (depth_lower _ (Hphi n)) as D. fold (y n) (si n) in D. pose proof (y_pos n).
   pose proof (pow_lt _ 6 (sinc_pos _ (Hphi n))) as S6. fold (si n) in S6.
-  assert (0 < 3 / 2 * si n ^ 6 * y n) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < 3 / 2 * si n ^ 6 * y n) by positive.
   assert (Q : (3 / 2 * si n ^ 6 * y n) ^ 2 <= depth (phi n) ^ 2) by (apply pow_incr; lra).
   replace (kappa * si n ^ 12 * y n ^ 2) with (r * (3 / 2 * si n ^ 6 * y n) ^ 2) by (unfold kappa; field).
-  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by (apply Rmult_le_compat_l; lra). lra.
+  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by scale. lra.
 Qed.
 (** the level falls *)
 Theorem y_falls n : y (S n) < y n.
@@ -138,7 +136,7 @@ Proof.
   unfold d. replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
   pose proof (pow_lt _ 12 (sinc_pos _ (Hphi n))) as Sp. fold (si n) in Sp.
     assert (0 < kappa * si n ^ 12) by (apply Rmult_lt_0_compat; [unfold kappa; lra|auto]).
-  apply Rmult_le_reg_r with (y n * y (S n)). { apply Rmult_lt_0_compat; auto. }
+  apply Rmult_le_reg_r with (y n * y (S n)). { positive. }
   replace ((y n - y (S n)) / (y n * y (S n)) * (y n * y (S n))) with (y n - y (S n)) by (field; lra).
   apply Rle_trans with (2 := Q). rewrite Rmult_assoc, Rmult_assoc. apply Rmult_le_compat_l; [unfold kappa; lra|].
     apply Rmult_le_compat_l; [lra|]. nra.
@@ -148,13 +146,13 @@ Lemma d_upper n : kappa * y n < 1 -> d n <= kappa / (1 - kappa * y n).
 Proof.
   intros K. pose proof (y_pos n) as Y. pose proof (y_pos (S n)) as Y'. pose proof (loss_upper n) as Q.
   unfold d. replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
-  assert (P1 : 0 < y n * (1 - kappa * y n)) by (apply Rmult_lt_0_compat; lra).
+  assert (P1 : 0 < y n * (1 - kappa * y n)) by positive.
   assert (P2 : y n * (1 - kappa * y n) <= y (S n)) by nra. assert (0 < kappa) by (unfold kappa; lra).
   apply Rle_trans with (kappa * y n ^ 2 / (y n * y (S n))).
-  { apply Rmult_le_compat_r; auto. apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto. }
+  { apply Rmult_le_compat_r; auto. positive. }
   replace (kappa * y n ^ 2 / (y n * y (S n))) with (kappa * y n * / y (S n)) by (field; lra).
   replace (kappa / (1 - kappa * y n)) with (kappa * y n * / (y n * (1 - kappa * y n))) by (field; lra).
-  apply Rmult_le_compat_l. { apply Rmult_le_pos; lra. } apply Rinv_le_contravar; auto.
+  apply Rmult_le_compat_l. { positive. } apply Rinv_le_contravar; auto.
 Qed.
 
 (** the explicit bound *)

@@ -10,7 +10,7 @@ Proof.
   exists d; split; [apply cond_pos|]. intros h Hh.
   assert (Q : Rabs ((f (t + h) - f t) / h - l) < e). { apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
   replace (f (t + h) - f t - l * h) with (((f (t + h) - f t) / h - l) * h) by (field; lra).
-  rewrite Rabs_mult, (Rabs_pos_eq h) by lra. apply Rmult_le_compat_r; lra.
+  rewrite Rabs_mult, (Rabs_pos_eq h) by lra. scale.
 Qed.
 
 (** continuity of the library is continuity here *)

@@ -63,7 +63,7 @@ Lemma flow_rate c : 0 <= c -> dampers c ->
 Proof.
   intros Hc Da (q, v) (p, w). pose proof (Da v w) as T. pose proof (ip_pos _ (k_form S) (minus q p)) as Kp. cbv beta in
     Kp.
-  assert (Kc : 0 <= c * dot (K (minus q p)) (minus q p)) by (apply Rmult_le_pos; auto).
+  assert (Kc : 0 <= c * dot (K (minus q p)) (minus q p)) by positive.
   rewrite (ip_minus _ state_inner). unfold state_ip, flow; simpl.
   rewrite !(m_inverse S), !(ip_opp _ (dot_inner S)), !(ip_plus _ (dot_inner S)). rewrite (ip_minus _ (dot_inner S)) in
     T.
@@ -194,14 +194,13 @@ Proof.
   intros H. assert (N : 0 < a2 + m1 + m2 + 1) by lra. split; [constructor|].
   - exists ((a2 + m1 + m2 + 1) * (b / m1 + b / m2)). intros r t Hr. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as
     L.
-    assert (B1 : 0 < b / m1) by (apply Rdiv_lt_0_compat; auto). assert (B2 : 0 < b / m2) by (apply Rdiv_lt_0_compat;
-      auto).
+    assert (B1 : 0 < b / m1) by positive. assert (B2 : 0 < b / m2) by positive.
     rewrite Rmult_assoc, pair_minus. apply pair_norm; [nra|rewrite Rminus_diag_eq, Rabs_R0 by auto; nra| |].
     + replace (b / m1 * s t - b / m1 * s r) with (b / m1 * (s t - s r)) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra.
       nra.
     + replace (- (b / m2 * s t) - - (b / m2 * s r)) with (- (b / m2 * (s t - s r))) by ring.
       rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq by lra. nra.
-  - intros t Ht e He. assert (He' : 0 < e / (2 * (a2 + m1 + m2 + 1))) by (apply Rdiv_lt_0_compat; lra).
+  - intros t Ht e He. assert (He' : 0 < e / (2 * (a2 + m1 + m2 + 1))) by positive.
     destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1). destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t Ht _ He')
       as (d2 & H2 & K2).
     destruct (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t Ht _ He') as (d3 & H3 & K3).
@@ -212,7 +211,7 @@ Proof.
       (field; lra); lra].
     rewrite pair_minus. apply pair_norm; [lra|apply Rlt_le, K1; [auto|lra]|apply Rlt_le, K2; [auto|lra]|apply Rlt_le,
       K3; [auto|lra]].
-  - intros t Ht e He. assert (He' : 0 < e / (a2 + m1 + m2 + 1)) by (apply Rdiv_lt_0_compat; lra).
+  - intros t Ht e He. assert (He' : 0 < e / (a2 + m1 + m2 + 1)) by positive.
     destruct (f_x _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1).
     destruct (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht (e / (a2 + m1 + m2 + 1) * m1)) as (d2 & H2 & K2); [nra|].
     smaller d1 d2. intros h Hh.
@@ -229,7 +228,7 @@ Proof.
       match goal with |- Rabs ?c <= _ => replace c with 0 by lra end. rewrite Rabs_R0. auto.
   - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
     destruct (friction_power s (v1 t - v2 t) t (fun k => q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k) (e / b)) as
-      (d & Hd & K); [apply Rdiv_lt_0_compat; auto|]. exists d; split; auto.
+      (d & Hd & K); [positive|]. exists d; split; auto.
     intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
     destruct z as ((z1, z2), z3).
     rewrite !pair_minus. unfold pair_ip, pair_friction; simpl. set (ds := s (t + h) - s t) in *.
@@ -240,6 +239,6 @@ Proof.
       pose proof (Rabs_pos (z2 - z3)). nra. }
     apply Rmult_le_compat_l with (r := b) in Q; [|lra]. assert (K' : b * (- (e / b * h)) <= b * (ds * (v1 t - v2 t) -
       Rabs (v1 t - v2 t) * h))
-      by (apply Rmult_le_compat_l; lra). replace (b * (- (e / b * h))) with (- (e * h)) in K' by (field; lra). lra.
+      by scale. replace (b * (- (e / b * h))) with (- (e * h)) in K' by (field; lra). lra.
 Qed.
 End OnePair.

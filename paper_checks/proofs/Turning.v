@@ -35,7 +35,7 @@ Proof.
     assert (0 < k (1 / 2)); [|nra]. unfold k.
       pose proof (sinc_strict (1 / 2) (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q.
     rewrite sin_PI2 in Q. pose proof PI_4. assert (1 / 2 <= 1 / (PI / 2)).
-    { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
+    { undivide (PI / 2). lra. }
     assert (sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
     assert (sqrt 2 < 3 / 2) by nra.
     (* sin(1/2) > 3/8 : from sin u >= u - u^3/6 *)
@@ -68,7 +68,7 @@ Proof.
   assert (A : forall q, 0 < q <= p1 -> 0 < K q).
   { intros q Hq. destruct (mvt_K 0 q ltac:(lra)) as (t & Ht & E). rewrite K0 in E.
     pose proof (Up t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
-    assert (0 < sin t * k t) by (apply Rmult_lt_0_compat; auto). nra. }
+    assert (0 < sin t * k t) by positive. nra. }
   assert (B : forall u v, p1 <= u -> u < v -> v <= PI -> K v < K u).
   { intros u v Hu Huv Hv. destruct (mvt_K u v Huv) as (t & Ht & E).
     pose proof (Down t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
@@ -132,8 +132,8 @@ Proof.
     set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in
     *.
   split; intros S; specialize (S t Ht).
-  - assert (0 < K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; auto|lra]). lra.
-  - assert (0 < - K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [lra|auto]|lra]). lra.
+  - assert (0 < K t * w * (q - p)) by positive. lra.
+  - assert (0 < - K t * w * (q - p)) by positive. lra.
 Qed.
 
 (** so it is least at the zero of K *)
@@ -175,7 +175,7 @@ Proof.
     assert (0 < ratio p). { unfold ratio. apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto. }
     assert (ratio p ^ 2 <= ratio q ^ 2) by (apply pow_incr; lra). pose proof (pow_lt _ 2 (depth_pos q Hq)). nra.
   - intros r Hr. rewrite Rel by auto. rewrite R2. pose proof (pow2_ge_0 (depth p)). nra.
-  - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by (apply pow_lt; auto). rewrite cos_2a_sin.
+  - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by positive. rewrite cos_2a_sin.
     assert (E1 : m2 / (m1 + m2) * (2 * sin p ^ 2) * (m1 + m2) = 2 * m2 * sin p ^ 2) by (field; lra).
     assert (E2 : m1 / m2 * m2 = m1) by (field; lra).
       assert (E3 : / (2 * sin p ^ 2) * (2 * sin p ^ 2) = 1) by (field; lra).
