@@ -143,8 +143,7 @@ Proof.
   { destruct (Req_dec pc p) as [<-|]; [lra|].
     destruct (MVT_cor2 G (fun t => depth t * (1 + ct t ^ 2) - 2 + ct pc * (2 * hh t)) pc p ltac:(lra)) as (t & E & Ht).
     { intros t Ht. apply is_derive_Reals. pose proof (derive_hh t ltac:(lra)) as A.
-      pose proof (derive_depth t ltac:(lra)) as B.
-      unfold G. auto_derive.
+      pose proof (derive_depth t ltac:(lra)) as B. unfold G. auto_derive.
       - repeat split; [eexists; exact A|eexists; exact B].
       - replace (Derive (fun x => hh x) t) with (depth t * (1 + ct t ^ 2)) by (symmetry; apply is_derive_unique;
         exact A).
@@ -175,8 +174,7 @@ Proof.
   assert (He : 0 <= e) by (unfold e; lra). pose proof (ct_mirror pc ltac:(lra)) as Cm.
   assert (K : - ct pc <= ct p). { rewrite <- Cm. destruct (Req_dec p (PI - pc)) as [->|]; [lra|].
     apply Rlt_le, ct_falls; lra. }
-  set (F := fun p => hh p + 2 * ct p / q).
-  assert (FI : F (PI - pc) <= F p).
+  set (F := fun p => hh p + 2 * ct p / q). assert (FI : F (PI - pc) <= F p).
   { destruct (Req_dec p (PI - pc)) as [->|]; [lra|].
     destruct (MVT_cor2 F (fun t => (depth t - 2 / q) * (1 + ct t ^ 2)) p (PI - pc) ltac:(lra)) as (t & E & Ht).
     { intros t Ht. apply is_derive_Reals, derive_push_next; lra. }

@@ -48,8 +48,7 @@ Proof.
   destruct (cont_IVT F (PI / 2) PI) as (z & Hz & Z).
   - apply cont_of_derive with (fun p => q * (p * sin p) - cos p). intros t. unfold F. auto_derive; auto. ring.
   - lra.
-  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI.
-    assert (0 < (1 - q) * (q * PI)) by positive. lra.
+  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI. assert (0 < (1 - q) * (q * PI)) by positive. lra.
   - exists z. assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI, cos_PI in Z.
     assert (0 < q * PI) by positive. lra. }
     assert (z <> PI / 2). { intros ->. unfold F in Z. rewrite sin_PI2, cos_PI2 in Z. lra. }

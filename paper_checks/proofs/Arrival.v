@@ -72,8 +72,7 @@ Proof.
   - intros t. auto_derive; [exists (- (a2 * g t + a1 * g' t) / m1); apply Dg'|].
     rewrite (is_derive_unique (fun x : R => g' x) _ _ (Dg' t)). field; lra.
   - intros t Ht. pose proof (g_pos t ltac:(lra)). pose proof (Gp t ltac:(fold tau; lra)).
-    apply Rmult_le_pos; [|positive].
-    assert (0 <= a2 * g t) by positive. assert (0 <= a1 * g' t) by positive. lra.
+    apply Rmult_le_pos; [|positive]. assert (0 <= a2 * g t) by positive. assert (0 <= a1 * g' t) by positive. lra.
 Qed.
 (** so it lies above its chord *)
 Lemma g_chord t : 0 <= t <= tau -> t * g tau <= tau * g t.
@@ -128,8 +127,7 @@ Proof.
     assert (0 <= Fm * (Rmin t tau - Rmin r tau)) by positive.
     assert (Fm * (Rmin t tau - Rmin r tau) <= F * (Rmin t tau - Rmin r tau)) by scale.
     rewrite Sp. apply Rabs_le. lra. }
-  assert (CU : cont U) by (apply (lip_cont U F); [lra|auto]).
-  assert (D1 : forall t, 0 <= t < tau -> rderiv U t Fm).
+  assert (CU : cont U) by (apply (lip_cont U F); [lra|auto]). assert (D1 : forall t, 0 <= t < tau -> rderiv U t Fm).
   { intros t Ht. apply rderiv_near with (fun t => Fm * t + U2 0) (tau - t); [lra| |].
     - intros r Hr. unfold U. rewrite Rmin_left, Rmax_right by lra. auto.
     - apply rderiv_of_derive. auto_derive; auto. ring. }
@@ -142,12 +140,10 @@ Proof.
   { constructor.
     - intros t. apply (is_derive_scal k t A (g t)), derive_k.
     - intros t. replace ((Fm - a2 * (A * k t) - a1 * (A * g t) - b * 1) / m1) with (A * g' t) by (unfold Fm, k; field;
-      lra).
-      apply (is_derive_scal g t A (g' t)), Dg.
+      lra). apply (is_derive_scal g t A (g' t)), Dg.
     - intros t. auto_derive; auto. unfold be. field; lra.
     - intros t Ht. split; [lra|]. split; [auto|]. intros W. exfalso. pose proof (g_chord t ltac:(lra)) as C.
-      fold tau in Gt.
-      assert (be * t <= A * g t); [|lra]. apply Rmult_le_reg_r with (g tau); auto.
+      fold tau in Gt. assert (be * t <= A * g t); [|lra]. apply Rmult_le_reg_r with (g tau); auto.
         replace (A * g t * g tau) with (be * (tau * g t))
         by (rewrite <- Rmult_assoc, <- A_meet; ring). rewrite Rmult_assoc. scale. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U (fun _ => Fm) _ _ _ _ tau ltac:(lra) CU D1 A1) as (x & v1 &
@@ -162,8 +158,7 @@ Proof.
   split; [rewrite X0; unfold k; rewrite G0, G0'; field; lra|]. split; [rewrite V0, G0; ring|]. split; [rewrite W0;
     ring|].
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
-  split; [|split; [rewrite W2T; ring|auto]].
-  pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
+  split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
   assert (K1 : integral v2 tau - be * tau ^ 2 / 2 = integral v2 0 - be * 0 ^ 2 / 2).
   { apply (rderiv_0 (fun t => integral v2 t - be * t ^ 2 / 2) 0 tau); [|lra|].
     - apply cont_minus; [apply integral_cont; auto|]. apply cont_of_derive with (fun t => be * t). intros t.
@@ -174,8 +169,7 @@ Proof.
     ^ 2 / 2).
   { apply (rderiv_0 (fun t => integral v2 t + be * (2 * tau - t) ^ 2 / 2) tau (tau + tau)); [|lra|].
     - apply cont_plus; [apply integral_cont; auto|]. apply cont_of_derive with (fun t => - be * (2 * tau - t)).
-      intros t.
-      auto_derive; auto. field.
+      intros t. auto_derive; auto. field.
     - intros t Ht. apply rderiv_eq with (v2 t + - be * (2 * tau - t)).
       + destruct (E2 (t - tau) ltac:(lra)) as (_ & Q). replace (tau + (t - tau)) with t in Q by ring. rewrite Q. ring.
       + apply rderiv_plus; [apply integral_rderiv; auto; lra|apply rderiv_of_derive]. auto_derive; auto. field. }
@@ -215,8 +209,7 @@ Proof.
       assert (M1 : m1 * g' tau <= 1) by (replace 1 with (m1 * / m1) by (field; lra); apply Rmult_le_compat_l; lra).
       assert (EV : V' t = A * (g tau * c t + m1 * g' tau * g t - 2 * g t)).
       { unfold V'. rewrite <- A_meet. unfold c, k. field. lra. }
-      assert (S1 : g tau * c t <= g tau * 1) by scale.
-      assert (S2 : m1 * g' tau * g t <= 1 * g t) by scale.
+      assert (S1 : g tau * c t <= g tau * 1) by scale. assert (S2 : m1 * g' tau * g t <= 1 * g t) by scale.
       assert (S3 : A * (g tau * c t + m1 * g' tau * g t - 2 * g t) <= A * (g tau - g t)) by scale.
       assert (S4 : A * (g tau - g t) <= be * (tau - t)); [|lra]. apply Rmult_le_reg_r with tau; auto.
       replace (be * (tau - t) * tau) with (A * (g tau * (tau - t))) by (rewrite <- Rmult_assoc, A_meet; ring).
@@ -242,8 +235,7 @@ Theorem rest_to_rest F : b + b / m2 * half_time m2 b D / g (half_time m2 b D) <=
   arrives F 0.
 Proof.
   intros HF Peak. fold tau be A in HF, Peak. fold Fm in HF. destruct signs as (Tp & Bp & Ap). pose proof A_above as Ab.
-  set (xt := A * k tau).
-  assert (Ex : a2 * xt = A * (1 - m1 * g' tau - a1 * g tau)) by (unfold xt, k; field; lra).
+  set (xt := A * k tau). assert (Ex : a2 * xt = A * (1 - m1 * g' tau - a1 * g tau)) by (unfold xt, k; field; lra).
   assert (Xp : 0 <= a2 * xt).
   { rewrite Ex. apply Rmult_le_pos; [lra|]. pose proof (c_below tau ltac:(lra)) as C. unfold c in C. lra. }
   assert (Eb : (m1 + m2) * be = m1 * be + b) by (unfold be; field; lra).
@@ -253,8 +245,7 @@ Proof.
     ^ 2 / 2)).
   assert (DI : forall t, is_derive I t (u2 t)).
   { intros t. unfold I, u2, X', V'. auto_derive; auto. field. }
-  assert (CI : cont I) by exact (cont_of_derive I _ DI).
-  assert (B2 : forall t, 0 <= t <= tau -> - F <= u2 t <= F).
+  assert (CI : cont I) by exact (cont_of_derive I _ DI). assert (B2 : forall t, 0 <= t <= tau -> - F <= u2 t <= F).
   { intros t Ht. assert (Q0 : 0 <= tau * t - t ^ 2 / 2) by nra.
     assert (Q1 : 0 <= a2 * (be * (tau * t - t ^ 2 / 2))) by positive.
     assert (Q2 : 0 <= a1 * (be * (tau - t))) by positive.

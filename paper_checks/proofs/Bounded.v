@@ -21,19 +21,16 @@ Let g := G + b.
 Lemma W_dini t : 0 <= t -> dini_le W t (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t *
   v1 t) + g * (Rabs (v1 t) + c * Rabs (x t))).
 Proof.
-  intros Ht e He.
-  pose proof (f_x _ _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) as V.
+  intros Ht e He. pose proof (f_x _ _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) as V.
     unfold rderiv in X, V.
   match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
-  set (k := fun h => (U (t + h) - U t) - b * (s (t + h) - s t)).
-  assert (Bk : forall h, 0 < h -> Rabs (k h) <= g * h).
+  set (k := fun h => (U (t + h) - U t) - b * (s (t + h) - s t)). assert (Bk : forall h, 0 < h -> Rabs (k h) <= g * h).
   { intros h Hh. pose proof (LU t (t + h) ltac:(lra)) as L1.
     pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2.
     replace (t + h - t) with h in * by ring. apply Rabs_inv in L1. apply Rabs_inv in L2. unfold k, g.
       apply Rabs_le. split; nra. }
   assert (Kb : big k). { exists g, 1. repeat split; try lra; [unfold g; lra|]. intros h Hh. apply Bk; lra. }
-  set (dX := fun h => ex h + v1 t * h).
-  set (dV := fun h => / m1 * (ev h + (- (a2 * x t + a1 * v1 t)) * h + k h)).
+  set (dX := fun h => ex h + v1 t * h). set (dV := fun h => / m1 * (ev h + (- (a2 * x t + a1 * v1 t)) * h + k h)).
   assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
   assert (BV : big dV). { apply big_scal, big_plus; auto.
     apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
@@ -48,8 +45,7 @@ Proof.
   assert (ID : W (t + h) - W t = rest h + (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t
     * v1 t)) * h + (v1 t + c * x t) * k h).
   { unfold W. rewrite EX, EV. unfold rest. unfold dX at 1 2 3 4, dV at 1 2 3 4. unfold dX, dV. field. lra. }
-  rewrite ID.
-  assert (Q : (v1 t + c * x t) * k h <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
+  rewrite ID. assert (Q : (v1 t + c * x t) * k h <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
   { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; auto.
     eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq c) by lra. lra. }
   lra.
@@ -81,10 +77,8 @@ Proof.
   apply (Rmult_le_compat_l c) in S2; [|lra].
   assert (S3 : - (c * a1 * (x t * v1 t)) <= c * (a2 / 2) * x t ^ 2 + a1 / 4 * v1 t ^ 2).
   { pose proof (pow2_ge_0 (v1 t / 2 + c * x t)) as S. apply (Rmult_le_compat_l a1) in S; [|lra].
-    assert (c * (c * a1) * x t ^ 2 <= c * (a2 / 2) * x t ^ 2) by (apply Rmult_le_compat_r;
-      [positive|scale]). lra. }
-  assert (S4 : c * m1 * v1 t ^ 2 <= a1 / 4 * v1 t ^ 2) by scale.
-  assert (0 <= a1 * v1 t ^ 2) by positive.
+    assert (c * (c * a1) * x t ^ 2 <= c * (a2 / 2) * x t ^ 2) by (apply Rmult_le_compat_r; [positive|scale]). lra. }
+  assert (S4 : c * m1 * v1 t ^ 2 <= a1 / 4 * v1 t ^ 2) by scale. assert (0 <= a1 * v1 t ^ 2) by positive.
     apply (Rmult_le_compat_l (c / 3)) in Wu; [|lra]. lra.
 Qed.
 
@@ -95,8 +89,7 @@ Proof.
   - pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H). unfold W.
     repeat apply cont_plus; apply cont_scal, cont_mult; auto.
   - intros t Ht Hw e He. destruct (W_dini t Ht e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh).
-    eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. apply Rplus_le_compat_r.
+    specialize (K h Hh). eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. apply Rplus_le_compat_r.
       eapply Rle_trans; [apply W_rate|]. fold R0.
     pose proof (Rmax_r (W 0) (3 * R0 / c)). assert (R0 <= c / 3 * W t); [|lra].
     replace R0 with (c / 3 * (3 * R0 / c)) by (field; lra). scale.
@@ -108,10 +101,8 @@ Theorem bounded U x v1 v2 s G : forced U x v1 v2 s -> 0 <= G -> (forall r t, 0 <
   Rabs (U t - U r) <= G * (t - r)) ->
   exists B, forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B.
 Proof.
-  intros H HG LU.
-  set (c := Rmin (Rmin 1 (a1 / (4 * m1))) (Rmin (a2 / (2 * a1)) (a2 / (4 * m1)))).
-  assert (Hc : 0 < c) by positive.
-  assert (L1 : c <= 1) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_l]).
+  intros H HG LU. set (c := Rmin (Rmin 1 (a1 / (4 * m1))) (Rmin (a2 / (2 * a1)) (a2 / (4 * m1)))).
+  assert (Hc : 0 < c) by positive. assert (L1 : c <= 1) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_l]).
   assert (L2 : c <= a1 / (4 * m1)) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_r]).
   assert (L3 : c <= a2 / (2 * a1)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_l]).
   assert (L4 : c <= a2 / (4 * m1)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_r]).
@@ -137,8 +128,7 @@ Proof.
   { intros t Ht. destruct (E t Ht) as (E1 & E2 & E3). split; [apply (Sq a2)|apply (Sq m1)]; auto; lra. }
   set (V := Rabs (v2 0) + B + 1). pose proof (Rabs_pos (v2 0)).
     pose proof (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H) as Cv.
-  assert (Hk : 0 < b / m2) by positive.
-  assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
+  assert (Hk : 0 < b / m2) by positive. assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
     by (intros; eapply (forced_v2_rate m1 m2 a1 a2 b); eauto).
   assert (Up : forall t, 0 <= t -> v2 t <= V).
   { apply barrier; auto; [unfold V; pose proof (Rle_abs (v2 0)); lra|]. intros t Ht Hv.
@@ -147,8 +137,7 @@ Proof.
       lra]. lra. }
   assert (Lo : forall t, 0 <= t -> -1 * v2 t <= V).
   { apply (barrier (fun t => -1 * v2 t)); auto using cont_scal; [unfold V; pose proof (Rle_abs (- v2 0)) as Q;
-    rewrite Rabs_Ropp in Q; lra|].
-    intros t Ht Hv. destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q.
+    rewrite Rabs_Ropp in Q; lra|]. intros t Ht Hv. destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q.
     eapply rderiv_dini; [|apply rderiv_scal, (Rv t 1); auto; apply (f_pos _ _ _ _ _ _ _ _ _ _ H); auto;
       unfold V in Hv; lra]. lra. }
   exists V. intros t Ht. destruct (Bv t Ht). repeat split; try (unfold V; lra). specialize (Up t Ht).

@@ -7,8 +7,7 @@ From InertialPair Require Import Dini Pair Stick.
 Lemma lub_real (A : R -> Prop) m M : A m -> (forall y, A y -> y <= M) ->
   (forall y, A y -> y <= real (Lub_Rbar A)) /\ (forall B, (forall y, A y -> y <= B) -> real (Lub_Rbar A) <= B).
 Proof.
-  intros Am AM. pose proof (Lub_Rbar_correct A) as (U & L).
-  assert (F : is_finite (Lub_Rbar A)).
+  intros Am AM. pose proof (Lub_Rbar_correct A) as (U & L). assert (F : is_finite (Lub_Rbar A)).
   { assert (Rbar_le (Lub_Rbar A) M). { apply L. intros y Hy. apply AM; auto. }
     pose proof (U m Am). destruct (Lub_Rbar A); simpl in *; try contradiction; reflexivity. }
   rewrite <- F in U, L. split.
@@ -179,8 +178,7 @@ Lemma integral_near f g D l t : cont f -> cont g -> 0 < l -> 0 <= t ->
   (forall u, 0 <= u <= t -> Rabs (f u - g u) <= D * exp (l * u)) ->
     Rabs (integral f t - integral g t) <= D / l * exp (l * t).
 Proof.
-  intros Cf Cg Hl Ht B.
-  assert (HD : 0 <= D). { pose proof (B 0 ltac:(lra)) as Q. rewrite Rmult_0_r, exp_0 in Q.
+  intros Cf Cg Hl Ht B. assert (HD : 0 <= D). { pose proof (B 0 ltac:(lra)) as Q. rewrite Rmult_0_r, exp_0 in Q.
     pose proof (Rabs_pos (f 0 - g 0)). lra. }
   assert (Dl : 0 <= D / l) by positive.
   assert (RE : forall u, is_derive (fun u => D / l * exp (l * u)) u (D * exp (l * u))). { intros u.

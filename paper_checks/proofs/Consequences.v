@@ -52,8 +52,7 @@ Proof.
   intros H1 H2 Ha Hb H Ht Hv. pose proof (L_pos m1 m2 a2 b H1 H2 Ha Hb) as L0.
   destruct (first_contact m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t Ht ltac:(lra)) as (t1 & T1 & Z & Sg).
   assert (Neg : forall u, t <= u < t1 -> v1 u < v2 u). { intros u Hu. specialize (Sg u Hu). nra. }
-  exists t1. split; [auto|]. split; [auto|]. split; [lra|].
-  assert (X : x t1 <= L m1 m2 a2 b).
+  exists t1. split; [auto|]. split; [auto|]. split; [lra|]. assert (X : x t1 <= L m1 m2 a2 b).
   { apply (ends_left m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t t1); auto; try lra. intros u Hu. specialize (Neg u Hu). lra. }
   destruct (Rle_dec (- L m1 m2 a2 b) (x t1)) as [|N]; [left; auto|right]. apply Rnot_le_lt in N. split; [auto|].
   destruct (slips_beyond m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t1 ltac:(lra) ltac:(lra) ltac:(lra)) as (T & HT & K).
@@ -88,11 +87,9 @@ Proof.
     set (p := v1 t - V m1 m2 a2 x0 v0 t) in *. set (q := v2 t - V m1 m2 a2 x0 v0 t) in *.
     replace (v1 t - v2 t) with (p - q) by (unfold p, q; ring).
     pose proof (pow2_ge_0 p). pose proof (pow2_ge_0 q). pose proof (pow2_ge_0 (p + q)).
-    assert (0 <= a2 * (x t - X m1 m2 a2 x0 v0 t) ^ 2) by positive.
-    assert (mu * p ^ 2 <= m1 * p ^ 2) by scale.
+    assert (0 <= a2 * (x t - X m1 m2 a2 x0 v0 t) ^ 2) by positive. assert (mu * p ^ 2 <= m1 * p ^ 2) by scale.
       assert (mu * q ^ 2 <= m2 * q ^ 2) by scale.
-    assert (Q : 2 * (p ^ 2 + q ^ 2) <= e ^ 2) by (apply Rmult_le_reg_l with mu; lra).
-    apply Rabs_le. split; nra.
+    assert (Q : 2 * (p ^ 2 + q ^ 2) <= e ^ 2) by (apply Rmult_le_reg_l with mu; lra). apply Rabs_le. split; nra.
   - destruct (rest m1 m2 a1 a2 b H1 H2 ltac:(lra) Ha Hb (energy m1 m2 a2 (x 0) (v1 0) (v2 0)) 1 (energy_pos m1 m2
     a2 H1 H2 Ha _ _ _) Rlt_0_1) as (T & HT & K).
     exists T. split; [auto|]. intros t Hu. destruct (K x v1 v2 s H (Rle_refl _) t Hu) as (_ & ->).
@@ -118,8 +115,7 @@ Proof.
   pose proof (Rmax_l 1 (M + 1)). pose proof (Rmax_r 1 (M + 1)). assert (T1 : 1 <= t) by lra.
   specialize (HM t ltac:(lra)). apply Rabs_def2 in HM.
     set (D := energy m1 m2 a2 (x t) (v1 t) (v2 t) - Ecr m1 m2 a2 b) in *.
-  assert (KK : 0 < k ^ 2) by positive.
-  assert (Ex : k ^ 2 * t ^ 2 / 4 <= exp (k * t)).
+  assert (KK : 0 < k ^ 2) by positive. assert (Ex : k ^ 2 * t ^ 2 / 4 <= exp (k * t)).
   { replace (k * t) with (k * t / 2 + k * t / 2) by field. rewrite exp_plus.
     assert (Kt : 0 < k * t) by positive. pose proof (exp_ineq1 (k * t / 2) ltac:(lra)).
     replace (k ^ 2 * t ^ 2 / 4) with (k * t / 2 * (k * t / 2)) by field. apply Rmult_le_compat; lra. }
@@ -129,8 +125,7 @@ Proof.
   { apply Rmult_le_reg_r with (/ (k ^ 2 * l)); [positive|].
     replace (t * (k ^ 2 * l) * / (k ^ 2 * l)) with t by (field; split; lra). unfold Rdiv in *. lra. }
   assert (Dp : l / 2 <= t * D) by lra. pose proof (Rle_abs C).
-  assert (D1 : 0 < D). { apply Rmult_lt_reg_l with t; lra. }
-  apply Rle_trans with (D * (k ^ 2 * t ^ 2 / 4)); [|scale].
+  assert (D1 : 0 < D). { apply Rmult_lt_reg_l with t; lra. } apply Rle_trans with (D * (k ^ 2 * t ^ 2 / 4)); [|scale].
   replace (D * (k ^ 2 * t ^ 2 / 4)) with (t * D * (k ^ 2 * t / 4)) by field.
   apply Rle_trans with (l / 2 * (k ^ 2 * t / 4)); [lra|]. apply Rmult_le_compat_r; [|auto].
   apply Rmult_le_pos; [positive|]; lra.

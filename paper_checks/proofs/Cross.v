@@ -112,8 +112,7 @@ Proof.
   (* E <= E_cr on S forces the place into [-L, L] *)
   intros Q. apply Iff in Q. unfold E in Q. rewrite <- Ev in Q.
     apply (on_surface_inside m1 m2 a2 b Hm1 Hm2 Ha2 Hb) in Q. fold L in Q.
-  assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N.
-  undivide q. nra.
+  assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N. undivide q. nra.
 Qed.
 
 (** From S0 above E_cr: stuck up to a ray at t1, then one slip up to t2, and the same equivalence. *)
@@ -123,8 +122,7 @@ Theorem first_slip t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L -> 0 < p 
     v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
     (sticks t2 <-> hh p ^ 2 <= r * depth p ^ 2).
 Proof.
-  intros Ht Ev Hx Hp En.
-  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En)
+  intros Ht Ev Hx Hp En. destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En)
     as (k & t1 & Hk & T1 & HR & St).
   destruct (merges_at_first_landing k t1 p Hk ltac:(lra) Hp HR) as (Sg & Ev2 & _ & _ & Iff & _).
   assert (T0 : 0 < 2 * p / o1) by positive.

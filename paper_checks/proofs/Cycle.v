@@ -68,8 +68,7 @@ Lemma stick_arc al rho : 1 <= rho -> 0 <= al -> rho * cos al <= 1 ->
     * Cx al rho t)).
 Proof.
   intros Hr Ha Hc. pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O. fold om in O. pose proof Mom as Mo.
-  assert (M0 : 0 < M) by positive. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
-  constructor.
+  assert (M0 : 0 < M) by positive. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. constructor.
   - intros t. unfold Cx, Cv. auto_derive; auto. ring.
   - intros t. unfold Cx, Cv. auto_derive; auto. rewrite Mo. unfold M. field. lra.
   - intros t. unfold Cx, Cv. auto_derive; auto. field. lra.
@@ -81,8 +80,7 @@ Proof.
       apply Rplus_le_reg_l with (- al). replace (- al + (al + om * t)) with (om * t) by ring.
       replace (- al + acos (- / rho)) with (om * ((acos (- / rho) - al) / om)) by (field; lra).
         apply Rmult_le_compat_l; lra. }
-    pose proof (acos_bound (- / rho)) as Ab.
-    assert (C1 : cos (al + om * t) <= cos al). { apply cos_decr_1; lra. }
+    pose proof (acos_bound (- / rho)) as Ab. assert (C1 : cos (al + om * t) <= cos al). { apply cos_decr_1; lra. }
     assert (C2 : - / rho <= cos (al + om * t)). { rewrite <- (cos_acos (- / rho)) at 1 by lra. apply cos_decr_1; lra. }
     assert (K : m2 / b * (om * om) * L = 1). { unfold L, Stick.L. rewrite Mo at 1. unfold M. field. repeat split; lra. }
     assert (K2 : -1 <= rho * cos (al + om * t) <= 1).
@@ -128,8 +126,7 @@ Proof.
   assert (Al0 : 0 < al). { destruct (Req_dec al 0) as [E|]; [|lra]. rewrite E, cos_0 in Ca. lra. }
   assert (AlP : al < PI). { destruct (Req_dec al PI) as [E|]; [|lra]. rewrite E, cos_PI in Ca. lra. }
   assert (HT : 0 <= T < PI / om).
-  { unfold T. split; [positive|].
-    apply Rmult_lt_compat_r; [positive|]. lra. }
+  { unfold T. split; [positive|]. apply Rmult_lt_compat_r; [positive|]. lra. }
   assert (Rc : rho * cos al = z) by (rewrite Ca; field; lra).
   assert (Ang : al + om * T = acos (- / rho)) by (unfold T; field; lra).
   assert (Sp : forall g, 0 <= g -> 0 <= L * rho * om * g).
@@ -179,8 +176,7 @@ Proof.
   split; [auto|]. split.
   - destruct (F T ltac:(lra)) as (G0 & G1 & G2). unfold on_ray. rewrite G0, G1, G2, XT, VT. repeat split; ring.
   - intros t Hu'. destruct (F t Hu') as (G0 & G1 & G2). split; [rewrite G1, G2; auto|]. rewrite G0. unfold Cx.
-    pose proof (acos_bound (- / rho)) as Ag.
-    assert (Th : al <= al + om * t <= acos (- / rho)).
+    pose proof (acos_bound (- / rho)) as Ag. assert (Th : al <= al + om * t <= acos (- / rho)).
     { split; [assert (0 <= om * t) by positive; lra|]. rewrite <- Ang.
       apply Rplus_le_compat_l, Rmult_le_compat_l; lra. }
     assert (C1 : cos (al + om * t) <= cos al) by (apply cos_decr_1; lra).

@@ -126,8 +126,7 @@ Proof.
   pose proof (cosh_sinh (la * T)) as CH. pose proof (sin2_cos2 (od * T)) as SC. unfold Rsqr in SC.
   assert (K : (cosh (la * T) - sinh (la * T)) * (P * cos (od * T) + Q * sin (od * T)) = 1 + a2 * h).
   { unfold Q, P. rewrite E1, E2. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
-    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *.
-    apply Rmult_eq_reg_r with weight; [|lra].
+    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *. apply Rmult_eq_reg_r with weight; [|lra].
     transitivity ((ch - sh) * ((ch + sh) * (c + la / od * n) + (n * n + c * c))).
     - rewrite W1. field. rewrite <- W1. lra.
     - rewrite SC. transitivity ((ch * ch - sh * sh) * (c + la / od * n) + ch - sh); [ring|]. rewrite CH.
@@ -135,8 +134,7 @@ Proof.
   assert (K' : (cosh (la * T) - sinh (la * T)) * (a2 * h' * cos (od * T) + (la * Q + od * P) * sin (od * T)) = - (a2 *
     h')).
   { unfold Q, P. rewrite E1, E2. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
-    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *.
-    apply Rmult_eq_reg_r with weight; [|lra].
+    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *. apply Rmult_eq_reg_r with weight; [|lra].
     transitivity ((od * od + la * la) / od * n * ((ch - sh) * (ch + sh))).
     - rewrite W1. field. rewrite <- W1. lra.
     - replace ((ch - sh) * (ch + sh)) with (ch * ch - sh * sh) by ring. rewrite CH. field. lra. }
@@ -170,8 +168,7 @@ Proof.
     with ((b / om) ^ 2 * (A ^ 2 + B ^ 2)) by (unfold A, B; field; lra).
   pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). assert (0 < b / om) by positive.
   pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). pose proof (pow2_ge_0 (a1 * om)). pose proof (pow2_ge_0 (b / om)).
-  rewrite sqrt_mult by (try apply Rmult_le_pos; lra). rewrite sqrt_mult by lra.
-  rewrite sqrt_pow2 by lra. field; lra.
+  rewrite sqrt_mult by (try apply Rmult_le_pos; lra). rewrite sqrt_mult by lra. rewrite sqrt_pow2 by lra. field; lra.
 Qed.
 
 (** exactly from U** on, where the relative velocity is positive at U** *)

@@ -77,8 +77,7 @@ Qed.
 Lemma response f : 0 < f -> om ^ 2 * (F / sqrt Z) <= f / m2 ->
   forced m1 m2 a1 a2 f drive rX rV rV (fun t => m2 / f * rV t).
 Proof.
-  intros Hf Q. assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV).
-  apply stuck_forced; auto.
+  intros Hf Q. assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV). apply stuck_forced; auto.
   - eapply cont_of_derive; intros; apply derive_drive.
   - eapply cont_of_derive; intros; apply derive_rX.
   - intros; apply rderiv_of_derive, derive_rX.
@@ -96,8 +95,7 @@ Proof. intros HS. apply response; [auto|apply Fstar_load, HS]. Qed.
 Lemma gentle_needs : (forall r t, 0 <= r <= t -> Rabs (rV t - rV r) <= b / m2 * (t - r)) -> F <= Fstar.
 Proof.
   intros L. destruct (Req_dec F 0) as [Z0|NZ].
-  { rewrite Z0. unfold Fstar. pose proof (sqrt_lt_R0 Z HZ).
-    apply Rmult_le_pos; [positive|].
+  { rewrite Z0. unfold Fstar. pose proof (sqrt_lt_R0 Z HZ). apply Rmult_le_pos; [positive|].
     apply Rlt_le, Rinv_0_lt_compat; nra. }
   apply Fstar_load. set (R := F / sqrt Z).
     assert (HR : 0 < R) by positive.
@@ -191,8 +189,7 @@ Lemma peak y : -1 <= y <= 1 -> Rabs (y + / 6 * (3 * y - 4 * y ^ 3)) <= sqrt 3 / 
 Proof.
   intros Hy. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
     assert (P : 1 <= sqrt 3) by (rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
-  set (q := sqrt 3) in *.
-  assert (A : forall z, -1 <= z <= 1 -> z + / 6 * (3 * z - 4 * z ^ 3) <= q / 2).
+  set (q := sqrt 3) in *. assert (A : forall z, -1 <= z <= 1 -> z + / 6 * (3 * z - 4 * z ^ 3) <= q / 2).
   { intros z Hz. assert (E : q / 2 - (z + / 6 * (3 * z - 4 * z ^ 3)) = 2 / 3 * ((z - q / 2) ^ 2 * (z + q))).
     { transitivity (2 / 3 * (z ^ 3 - 3 / 4 * (q * q) * z + (q * q) * q / 4)); [rewrite S; field|field]. }
     pose proof (pow2_ge_0 (z - q / 2)). assert (0 <= (z - q / 2) ^ 2 * (z + q)) by positive. lra. }
@@ -210,14 +207,12 @@ Proof.
     assert (Mp : 0 < M) by positive.
   assert (FS : Fstar m1 m2 0 a2 b om = 8 * M * (b / m2)).
   { unfold Fstar, Z. replace ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (0 * om) ^ 2) with ((8 * M * om ^ 2) ^ 2) by (unfold
-    a2, M; ring).
-    rewrite sqrt_pow2 by nra. field. lra. }
+    a2, M; ring). rewrite sqrt_pow2 by nra. field. lra. }
   assert (D1 : forall t, is_derive tX t (tV t)). { intros t. unfold tX, tV. auto_derive; auto. field. }
   assert (D2 : forall t, is_derive tV t (tA t)). { intros t. unfold tV, tA. auto_derive; auto. field. }
   assert (B : forall t, Rabs (tA t) <= b / m2).
   { intros t. unfold tA, c. pose proof (peak (sin (om * t)) ltac:(pose proof (SIN_bound (om * t)); lra)) as P.
-    rewrite <- sin_3 in P.
-    set (q := sin (om * t) + / 6 * sin (3 * (om * t))) in *.
+    rewrite <- sin_3 in P. set (q := sin (om * t) + / 6 * sin (3 * (om * t))) in *.
     replace (- om ^ 2 * (2 / sqrt 3 * (b / m2) / om ^ 2 * q)) with (- (2 / sqrt 3 * (b / m2) * q)) by (field;
       lra). rewrite Rabs_Ropp.
     replace (b / m2) with (2 / sqrt 3 * (b / m2) * (sqrt 3 / 2)) at 2 by (field; lra). apply abs_scal; auto.
@@ -225,15 +220,13 @@ Proof.
   destruct (trackable_smooth m1 m2 0 a2 b Hm2 Hb 0 tX tV tA D1 D2 B) as (U & HU & RU).
   assert (T0 : tX 0 = 0). { unfold tX. rewrite !Rmult_0_r, sin_0. ring. }
   exists (2 / sqrt 3 * Fstar m1 m2 0 a2 b om), U, (fun t => 0 + tX t - tX 0), tV, (fun t => m2 / b * tV t).
-  assert (S2 : sqrt 3 < 2). { rewrite <- (sqrt_pow2 2) by lra. apply sqrt_lt_1_alt. lra. }
-  split.
+  assert (S2 : sqrt 3 < 2). { rewrite <- (sqrt_pow2 2) by lra. apply sqrt_lt_1_alt. lra. } split.
   { rewrite FS. apply Rmult_lt_reg_l with (sqrt 3); auto.
     replace (sqrt 3 * (2 / sqrt 3 * (8 * M * (b / m2)))) with (2 * (8 * M * (b / m2))) by (field; lra).
     apply Rmult_lt_compat_r; auto. positive. }
   split; [auto|]. split; [|split; [exact HU|]].
   - intros t Ht. eapply rderiv_eq; [|apply (RU t Ht)]. rewrite T0, FS. unfold tA, tX, a2, c, M. field. lra.
-  - intros t.
-    assert (E1 : om * (t + 2 * PI / om) = om * t + 2 * INR 1 * PI) by (simpl; field; lra).
+  - intros t. assert (E1 : om * (t + 2 * PI / om) = om * t + 2 * INR 1 * PI) by (simpl; field; lra).
     assert (E3 : 3 * (om * (t + 2 * PI / om)) = 3 * (om * t) + 2 * INR 3 * PI) by (simpl; field; lra).
     unfold tX, tV. rewrite E3, E1, !sin_period, !cos_period. auto.
 Qed.

@@ -18,8 +18,7 @@ Proof.
   intros Hf. set (M := m1 + m2).
   set (p := fun l => m1 * m2 * l ^ 3 + (a1 * m2 + f' * M) * l ^ 2 + (a2 * m2 + f' * a1) * l + f' * a2).
   assert (Mp : 0 < m1 * m2) by nra. assert (P0 : p 0 < 0) by (unfold p; nra).
-  set (K := 1 + (- f' * M - f' * a1 - f' * a2) / (m1 * m2)).
-  assert (HM : 0 < M) by positive.
+  set (K := 1 + (- f' * M - f' * a1 - f' * a2) / (m1 * m2)). assert (HM : 0 < M) by positive.
   assert (K1 : 1 < K). { unfold K. assert (0 < (- f' * M - f' * a1 - f' * a2) / (m1 * m2)); [|lra]. apply
     Rdiv_lt_0_compat; nra. }
   assert (PK : 0 < p K).
@@ -31,8 +30,7 @@ Proof.
     replace (p K) with (m1 * m2 * K * K ^ 2 + (a1 * m2 + f' * M) * K ^ 2 + (a2 * m2 + f' * a1) * K + f' * a2) by (unfold
       p; ring).
     rewrite E. assert (0 < m1 * m2 * K ^ 2) by nra. lra. }
-  assert (Cp : continuity p) by (unfold p; reg).
-  destruct (IVT p 0 K Cp ltac:(lra) P0 PK) as (l & Hl & Z).
+  assert (Cp : continuity p) by (unfold p; reg). destruct (IVT p 0 K Cp ltac:(lra) P0 PK) as (l & Hl & Z).
   assert (L0 : 0 < l) by (destruct (Req_dec l 0) as [->|]; lra).
   exists l, (m2 * l + f'), (l * (m2 * l + f')), (f' * l). split; [auto|]. split; [nra|]. intros t.
   split; [|split]; auto_derive; auto; try ring.
@@ -65,8 +63,7 @@ Proof.
   set (c := m2 * a2 / (m1 + m2)). assert (Cp : 0 < c) by (unfold c; apply Rdiv_lt_0_compat; nra).
   assert (Load : forall x v, Rabs (stick_load m1 m2 0 a2 x v) = c * Rabs x).
   { intros x v. unfold stick_load. replace (- (m2 * (a2 * x + 0 * v)) / (m1 + m2)) with (- (c * x)) by (unfold c; field;
-    lra).
-    rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
+    lra). rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
   rewrite Load in Hl.
   destruct (Forced.cont_abs _ CX 0 (Rle_refl 0) (Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0) / c)) as (D & HD & Near).
   { positive. }
@@ -79,8 +76,7 @@ Proof.
   exists D. split; auto. intros T HT.
   destruct (existence m1 m2 0 a2 bk (X x0 v0 T) (V x0 v0 T) (V x0 v0 T) Hm1 Hm2 (Rle_refl 0) Ha2 Hk) as (y & w1 & w2 & r
     & H & Y0 & W1 & W2).
-  set (f := fun t => m2 / bk * V x0 v0 t).
-  assert (Rf : forall t, rderiv f t (- (c / bk) * X x0 v0 t)).
+  set (f := fun t => m2 / bk * V x0 v0 t). assert (Rf : forall t, rderiv f t (- (c / bk) * X x0 v0 t)).
   { intros t. apply rderiv_eq with (m2 / bk * (- (om * om) * X x0 v0 t)); [rewrite O2; unfold c; field; lra|].
     apply rderiv_scal, rderiv_of_derive, derive_V; auto. }
   set (jx := join T (X x0 v0) y). set (jv := join T (V x0 v0) w1). set (jw := join T (V x0 v0) w2).
@@ -104,7 +100,8 @@ Proof.
       apply rderiv_plus; apply rderiv_scal; [apply rderiv_of_derive, derive_V; auto|apply Rf].
     + intros t _. unfold f. field; lra.
     + apply solution_moves in H. destruct H as [L P Cy Cw Dy Dw W]. constructor; auto. intros p q Hp.
-      eapply Rle_trans; [apply L; auto|]. apply Rmult_le_compat_r; [lra|]. undivide bk. specialize (Between 0 ltac:(lra)). lra.
+      eapply Rle_trans; [apply L; auto|]. apply Rmult_le_compat_r; [lra|]. undivide bk.
+      specialize (Between 0 ltac:(lra)). lra.
   - intros t Ht. destruct (Before t ltac:(lra)) as (_ & -> & ->). auto.
   - destruct (slips_beyond m1 m2 a2 bk Hm1 Hm2 Ha2 Hk y w1 w2 r H 0 (Rle_refl 0)) as (d & Hd & Sl); [rewrite W1, W2;
     auto| |].

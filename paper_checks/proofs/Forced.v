@@ -221,8 +221,7 @@ Qed.
 (** where the acceleration of body 2 is less than b/m2 in size the pair sticks *)
 Theorem must_stick U x v1 v2 s t l : forced U x v1 v2 s -> 0 <= t -> rderiv v2 t l -> Rabs l < b / m2 -> v1 t = v2 t.
 Proof.
-  intros H Ht F B. assert (Hk : 0 < b / m2) by positive.
-  assert (V : forall k, rderiv s t k -> l = b / m2 * k)
+  intros H Ht F B. assert (Hk : 0 < b / m2) by positive. assert (V : forall k, rderiv s t k -> l = b / m2 * k)
     by (intros k S; exact (rderiv_unique v2 t _ _ F (forced_v2_rate _ _ _ _ _ t k H Ht S))).
   destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]]; auto; exfalso.
   - rewrite (V _ (f_neg _ _ _ _ _ H t Ht Lt)) in B. rewrite Rabs_left in B; lra.
@@ -236,8 +235,7 @@ Lemma stuck_forced U x v : cont U -> cont x -> (forall t, 0 <= t -> rderiv x t (
 Proof.
   intros CU Cx Dx Dv L. constructor; auto; try (intros; lra).
   - intros p q Hp. replace (m2 / b * v q - m2 / b * v p) with (m2 / b * (v q - v p)) by ring.
-    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra).
-    apply abs_scal; [positive|]; auto.
+    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra). apply abs_scal; [positive|]; auto.
   - apply (lip_cont v (b / m2)); [positive|]; auto.
   - intros t Ht. apply rderiv_ext with (2 := Dv t Ht). intros; unfold M; field; lra.
   - intros t Ht. field; lra.
@@ -277,8 +275,7 @@ Lemma tracking_force x0 r r' t l : cont r -> rderiv r t (r' t) -> rderiv r' t l 
   rderiv (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t) t (M * l + a1 * r' t + a2 *
     (x0 + r t - r 0)).
 Proof.
-  intros C R R' Ht.
-  assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
+  intros C R R' Ht. assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
   repeat apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
 Qed.
 
@@ -337,8 +334,7 @@ Qed.
 Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
-  intros H C R HT. assert (Hk : 0 < b / m2) by positive.
-  pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
+  intros H C R HT. assert (Hk : 0 < b / m2) by positive. pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
   pose proof (travel x2 v2 _ T Hk HT C R L) as A.
   assert (B : -1 * x2 T - -1 * x2 0 <= (-1 * v2 0 + -1 * v2 T) * T / 2 + b / m2 / 4 * (T ^ 2 - ((-1 * v2 T - -1 *
     v2 0) / (b / m2)) ^ 2)).
@@ -422,8 +418,7 @@ Theorem least_time_attained x0 D : 0 < D -> exists U x v1 v2 s x2, forced U x v1
     rderiv U t (M * push (sqrt (m2 * D / b)) t + a1 * bang (sqrt (m2 * D / b)) t + a2 * (x0 + x2 t)).
 Proof.
   intros HD. assert (Hq : 0 < m2 * D / b) by positive. set (tau := sqrt (m2 * D / b)).
-  assert (Ht : 0 < tau) by positive.
-  assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
+  assert (Ht : 0 < tau) by positive. assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
   assert (C : cont (run tau)).
   { assert (CA : forall c, cont (fun t => (t - c) * Rabs (t - c) / 2)).
     { intros c. assert (Cl : cont (fun t => t - c)). { apply (lip_cont _ 1); [lra|]. intros r t Hr.

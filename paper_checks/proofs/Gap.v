@@ -113,15 +113,13 @@ Qed.
 (** v1 < v2 until the half angle p *)
 Lemma gap_sign d p t : 0 <= d -> 0 < p < PI -> 0 < t < 2 * p / o1 -> G1 d (push d p) t < G2 (push d p) t.
 Proof.
-  intros Hd Hp Ht. assert (O : 0 < o1) by (apply o1_pos; auto).
-  assert (Th : 0 < o1 * t < 2 * p).
+  intros Hd Hp Ht. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Th : 0 < o1 * t < 2 * p).
   { split; [apply Rmult_lt_0_compat; lra|]. replace (2 * p) with (o1 * (2 * p / o1)) by (field; lra).
     apply Rmult_lt_compat_l; lra. }
   pose proof (guard d (push d p) t ltac:(lra)) as G.
   pose proof (push_incr d (o1 * t / 2) p Hd ltac:(lra) ltac:(lra) ltac:(lra)) as I.
   pose proof (pow_lt _ 2 (sin_gt_0 (o1 * t / 2) ltac:(lra) ltac:(lra))) as S.
-  assert (0 < b / (m2 * o1) * (2 * sin (o1 * t / 2) ^ 2)) by positive.
-  nra.
+  assert (0 < b / (m2 * o1) * (2 * sin (o1 * t / 2) ^ 2)) by positive. nra.
 Qed.
 (** the slip obeys the law until then *)
 Lemma gap_arc d p : 0 <= d -> 0 < p < PI ->
@@ -205,11 +203,9 @@ Proof.
         rewrite <- A, <- B, <- E. repeat split; ring. }
   destruct (gap_end d p Hp) as (Lx & L1 & L2). fold D in Lx, L1, L2.
     destruct (F (2 * p / o1) ltac:(lra)) as (A & B & C). fold t1 in A, B, C.
-  rewrite Lx in A. rewrite L1 in B. rewrite L2 in C.
-  split; [exact F|]. split.
+  rewrite Lx in A. rewrite L1 in B. rewrite L2 in C. split; [exact F|]. split.
   { intros t Hu. destruct (F (t - t0) ltac:(unfold t1 in Hu; lra)) as (_ & A' & B').
-    replace (t0 + (t - t0)) with t in A', B' by ring.
-    rewrite A', B'. apply gap_sign; auto. unfold t1 in Hu; lra. }
+    replace (t0 + (t - t0)) with t in A', B' by ring. rewrite A', B'. apply gap_sign; auto. unfold t1 in Hu; lra. }
   repeat (split; [auto; fail|]). rewrite <- (gap_energy p d). fold D. rewrite <- A. rewrite <- B at 1. rewrite <- C.
   unfold energy. destruct Hk; subst k; field.
 Qed.
@@ -241,8 +237,7 @@ Proof.
     assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & _). fold t1 in Sg, A, B, C.
   assert (D0 : 0 < d') by (unfold d'; lra). assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
-  assert (Q0 : 0 < q) by (apply q_pos; auto).
-  assert (G : at_gap (- k) d' u' x v1 v2 t1).
+  assert (Q0 : 0 < q) by (apply q_pos; auto). assert (G : at_gap (- k) d' u' x v1 v2 t1).
   { rewrite <- U in B, C. unfold at_gap. split; [|split; lra].
     replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'. field. lra. }
   assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).

@@ -41,8 +41,7 @@ Lemma round t0 : above t0 -> exists k te p t, (k = 1 \/ k = -1) /\ t0 <= te /\ 0
   first_reentry L x v1 v2 te t /\ te + 2 * p / o1 <= t.
 Proof.
   intros (Ht & Ev & Hx & HE). assert (EQ : 0 < Ecr * q) by positive.
-  assert (U : 0 < (E t0 - Ecr) / (Ecr * q)) by positive.
-  destruct (half_ex _ (sqrt_lt_R0 _ U)) as (p & Hp & Hu).
+  assert (U : 0 < (E t0 - Ecr) / (Ecr * q)) by positive. destruct (half_ex _ (sqrt_lt_R0 _ U)) as (p & Hp & Hu).
   assert (En : E t0 = Ecr * (1 + q * hh p ^ 2)).
   { rewrite Hu. replace (sqrt ((E t0 - Ecr) / (Ecr * q)) ^ 2)
       with (sqrt ((E t0 - Ecr) / (Ecr * q)) * sqrt ((E t0 - Ecr) / (Ecr * q))) by ring.
@@ -69,10 +68,8 @@ Proof.
   induction 1 as [t0 t1 C I|t0 t1 t C O F IH]; intros k d u Hk Ht Hd HG.
   all: assert (Ang : exists p, 0 < p < PI /\ push d p = u)
     by (destruct Hd as [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _)|destruct (half_ex u U) as (p & P1
-      & P2)];
-        [exists p; auto|exists p; rewrite push_0; auto]).
-  all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra;
-    assert (T0 : 0 < 2 * p / o1) by positive.
+      & P2)]; [exists p; auto|exists p; rewrite push_0; auto]).
+  all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by positive.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & V & En);
     fold o1 in Sg, A, B, V, En.
   all: assert (T : t1 = t0 + 2 * p / o1) by (apply (contact_unique v1 v2 t0); auto; split; [lra|split;
@@ -107,8 +104,7 @@ Qed.
 (** Nothing that has touched S above E_cr comes down to E_cr. *)
 Theorem never_down t0 : 0 <= t0 -> v1 t0 = v2 t0 -> Ecr < E t0 -> forall t, t0 <= t -> Ecr < E t.
 Proof.
-  intros Ht Ev HE T HT.
-  assert (St : exists t1, t0 <= t1 /\ above t1).
+  intros Ht Ev HE T HT. assert (St : exists t1, t0 <= t1 /\ above t1).
   { destruct (Rle_dec (x t0) L) as [I1|N1]; [destruct (Rle_dec (- L) (x t0)) as [I2|N2]|].
     1: exists t0; repeat split; auto; lra.
     all: destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 t0 Ev ltac:(fold L; lra)) as (k & d & u & Hk & Hd & HG);

@@ -40,8 +40,7 @@ Lemma parabola_rises p D : 0 < p < PI -> 1 <= ct p ^ 2 + 2 * q -> depth p <= D -
   hh p ^ 2 - r * depth p ^ 2 <= parabola p D.
 Proof.
   intros Hp Hk HD. rewrite <- parabola_ray by auto. pose proof (half_depth p Hp) as I. pose proof (depth_pos p Hp) as C.
-  pose proof (pow2_ge_0 (ct p)). unfold parabola. rewrite <- I.
-  set (c := depth p) in *. set (k2 := ct p ^ 2) in *.
+  pose proof (pow2_ge_0 (ct p)). unfold parabola. rewrite <- I. set (c := depth p) in *. set (k2 := ct p ^ 2) in *.
   assert (0 <= (D - c) * ((k2 + q) * (D - c) + c * (k2 + 2 * q - 1))); [|lra].
   apply Rmult_le_pos; [lra|]. assert (0 <= (k2 + q) * (D - c)) by positive.
   assert (0 <= c * (k2 + 2 * q - 1)) by positive. lra.
@@ -75,15 +74,12 @@ Lemma push_positive p : r * (1 + PI) <= PI -> 0 < p < PI -> 0 < q * hh p + ct p.
 Proof.
   intros Hr Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (pow_lt _ 2 S) as S2.
   replace (q * hh p + ct p) with ((q * p + r * (sin p * cos p)) * / sin p ^ 2) by (unfold hh, ct, r; field; lra).
-  apply Rmult_lt_0_compat; [|positive]. unfold r in *.
-  destruct (Rle_dec p (PI / 2)) as [n|n].
+  apply Rmult_lt_0_compat; [|positive]. unfold r in *. destruct (Rle_dec p (PI / 2)) as [n|n].
   - pose proof (cos_ge_0 p ltac:(lra) ltac:(lra)). assert (0 <= sin p * cos p) by positive.
-    assert (0 < q * p) by positive.
-    assert (0 <= (1 - q) * (sin p * cos p)) by positive. lra.
+    assert (0 < q * p) by positive. assert (0 <= (1 - q) * (sin p * cos p)) by positive. lra.
   - assert (- (1 / 2) <= sin p * cos p).
     { pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. pose proof (pow2_ge_0 (sin p + cos p)). lra. }
-    assert (q * (PI / 2) < q * p) by scale.
-    assert ((1 - q) * (- (1 / 2)) <= (1 - q) * (sin p * cos p)) by scale. lra.
+    assert (q * (PI / 2) < q * p) by scale. assert ((1 - q) * (- (1 / 2)) <= (1 - q) * (sin p * cos p)) by scale. lra.
 Qed.
 
 (** the angle beyond pi/2 with k^2 + 2 q = 1 *)
@@ -102,8 +98,7 @@ Proof.
   intros Hr Rays Hp HD. destruct (Rle_dec 1 (ct p ^ 2 + 2 * q)) as [n|n].
   { pose proof (parabola_rises p D Hp n HD). pose proof (Rays p Hp). lra. }
   apply Rnot_le_lt in n. pose proof (pow2_ge_0 (ct p)). destruct turn_ex as (t & Ht & Et & Ct); [lra|].
-  apply Rlt_le_trans with (least p); [|apply parabola_least].
-  assert (Pt : p < t).
+  apply Rlt_le_trans with (least p); [|apply parabola_least]. assert (Pt : p < t).
   { destruct (Rlt_dec p t) as [|N]; auto. exfalso. assert (C : ct p <= ct t).
     { destruct (Req_dec p t) as [->|]; [lra|]. apply Rlt_le, ct_falls; lra. }
     assert ((- ct t) ^ 2 <= (- ct p) ^ 2) by (apply pow_incr; lra). nra. }
@@ -116,12 +111,10 @@ Proof.
       assert (ct u * ct u <= (- ct t) * (- ct t)) by nra. replace (ct u ^ 2) with (ct u * ct u) by ring. lra. }
     assert (slope u <= 0); [|assert (0 <= (- slope u) * (t - p)) by positive; lra].
     pose proof (push_positive u Hr ltac:(lra)). pose proof (depth_pos u ltac:(lra)). pose proof (pow2_ge_0 (ct u)).
-    unfold slope. set (F := depth u * (1 + ct u ^ 2) / (ct u ^ 2 + q) ^ 2).
-    assert (0 < F) by positive.
+    unfold slope. set (F := depth u * (1 + ct u ^ 2) / (ct u ^ 2 + q) ^ 2). assert (0 < F) by positive.
     replace (F * (ct u ^ 2 + 2 * q - 1) * (q * hh u + ct u)) with (- (F * (1 - (ct u ^ 2 + 2 * q)) * (q * hh u +
       ct u))) by ring.
-    assert (0 <= F * (1 - (ct u ^ 2 + 2 * q)) * (q * hh u + ct u)); [|lra].
-    apply Rmult_le_pos; [positive|]; lra. }
+    assert (0 <= F * (1 - (ct u ^ 2 + 2 * q)) * (q * hh u + ct u)); [|lra]. apply Rmult_le_pos; [positive|]; lra. }
   rewrite least_at_turn in Fall by lra. pose proof (Rays t ltac:(lra)). lra.
 Qed.
 End Share.
@@ -147,6 +140,5 @@ Proof.
   (* the excursion of half angle pi/2 bounds the share: r < PI^2/16 *)
   pose proof PI_RGT_0. pose proof PI_rough. specialize (Up (PI / 2) ltac:(lra)). rewrite hh_half_pi in Up.
   assert (De : depth (PI / 2) = 2) by (unfold depth; rewrite sin_PI2, cos_PI2; field). rewrite De in Up.
-  assert (1 - q < PI ^ 2 / 16) by lra.
-  assert ((1 - q) * (1 + PI) <= PI ^ 2 / 16 * (1 + PI)) by scale. nra.
+  assert (1 - q < PI ^ 2 / 16) by lra. assert ((1 - q) * (1 + PI) <= PI ^ 2 / 16 * (1 + PI)) by scale. nra.
 Qed.

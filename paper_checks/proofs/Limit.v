@@ -14,8 +14,7 @@ Qed.
 Lemma polar A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
   exists t, t0 <= t /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
 Proof.
-  intros HR Hom E.
-  assert (Hq : -1 <= A / R <= 1).
+  intros HR Hom E. assert (Hq : -1 <= A / R <= 1).
   { assert (- R <= A <= R) by (pose proof (pow2_ge_0 B); split; nra).
     split; apply Rmult_le_reg_r with R; auto; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
   assert (S2 : (R * sin (acos (A / R))) ^ 2 = B ^ 2).
@@ -33,8 +32,7 @@ Proof.
   pose proof PI_RGT_0. destruct (nat_above (om * t0 - phi) (2 * PI)) as (k & Hk); [lra|].
   exists ((phi + 2 * INR k * PI) / om).
   replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by (field; lra).
-  rewrite cos_period, sin_period. repeat split; auto.
-  undivide om. lra.
+  rewrite cos_period, sin_period. repeat split; auto. undivide om. lra.
 Qed.
 
 (** and within one turn *)
@@ -59,8 +57,7 @@ Proof.
   intros Hz. replace z with (2 * (z / 2)) at 2 by field. rewrite cos_2a_sin.
   destruct (Req_dec z 0) as [->|N]. { replace (0 / 2) with 0 by field. rewrite sin_0. lra. }
   assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra).
-  assert (0 <= sin (z / 2)). { pose proof PI2_1. unfold Rdiv in *. apply sin_ge_0; lra. }
-  nra.
+  assert (0 <= sin (z / 2)). { pose proof PI2_1. unfold Rdiv in *. apply sin_ge_0; lra. } nra.
 Qed.
 
 Section Limit.
@@ -189,8 +186,7 @@ Lemma w_falls r t g : 0 <= r <= t -> (forall u, r <= u < t -> L m1 m2 a2 b + g <
   w t - w r <= - (a2 / m1 * g) * (t - r).
 Proof.
   intros Hr Hx. pose proof (proj1 (solution_moves _ _ _ _ _ _ _ _ _) H) as Mo. set (k := b * ((m1 + m2) / (m1 * m2))).
-  assert (Kp : 0 < k) by positive.
-  assert (Q : (w t + k * s t) - (w r + k * s r) <= - (k + a2 / m1 * g) * (t - r)).
+  assert (Kp : 0 < k) by positive. assert (Q : (w t + k * s t) - (w r + k * s r) <= - (k + a2 / m1 * g) * (t - r)).
   { apply (dini_slope (fun u => w u + k * s u)); [|lra|].
     { apply cont_plus; [apply cont_w|apply cont_scal, (moves_cs _ _ _ _ _ _ _ _ _ _ _ H)]. }
     intros u Hu.
@@ -290,8 +286,7 @@ Qed.
 Lemma spell_pos e l : Ecr m1 m2 a2 b < l -> 0 <= spell e l.
 Proof.
   intros Hl. pose proof (outing_pos l Hl) as O. pose proof PI_RGT_0. pose proof (sqrt_pos (2 * e * m2)).
-  assert (0 < 2 * PI / omega m1 m2 a2) by positive.
-  assert (0 <= 2 * sqrt (2 * e * m2) / b) by positive.
+  assert (0 < 2 * PI / omega m1 m2 a2) by positive. assert (0 <= 2 * sqrt (2 * e * m2) / b) by positive.
     unfold spell. lra.
 Qed.
 
@@ -306,8 +301,7 @@ Proof.
   set (e0 := b * (a2 / m1 * room l) * tau ^ 2 / 8).
   assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= room l / (2 * kap)) by apply Rmin_r.
   set (g := room l) in *. set (R0 := sqrt (2 * l / a2)). set (LL := L m1 m2 a2 b) in *.
-  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field).
-  assert (R0sq : R0 * R0 = 2 * l / a2).
+  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field). assert (R0sq : R0 * R0 = 2 * l / a2).
   { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. fold LL in EL.
     nra. }
   set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity.
@@ -319,16 +313,14 @@ Proof.
     apply Rmult_le_compat_l; lra. }
   destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
   change (energy m1 m2 a2 (x T) (v1 T) (v2 T)) with (E T) in Htc.
-  assert (Wc : w tc = 0) by (unfold w; lra). pose proof PI_RGT_0 as P0.
-  assert (P1 : 0 < 2 * PI / om) by positive.
+  assert (Wc : w tc = 0) by (unfold w; lra). pose proof PI_RGT_0 as P0. assert (P1 : 0 < 2 * PI / om) by positive.
   assert (TW : tc + 2 * PI / om + tau <= T + W).
   { unfold W, spell. fold tau om. assert (2 * sqrt (2 * E T * m2) / b <= 2 * sqrt (2 * e * m2) / b); [|lra].
     apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_l; [lra|].
       apply sqrt_le_1_alt. nra. }
   assert (High : forall u, T <= u <= T + W -> l <= E u /\ E T - d < E u <= E T).
   { intros u Hu. pose proof (E_mono u (T + W) ltac:(lra)). pose proof (E_mono T u ltac:(lra)). lra. }
-  pose proof (E_AB tc) as EAB. rewrite Wc in EAB.
-  set (R := sqrt (A tc ^ 2 + B tc ^ 2)).
+  pose proof (E_AB tc) as EAB. rewrite Wc in EAB. set (R := sqrt (A tc ^ 2 + B tc ^ 2)).
   assert (Rsq : R * R = A tc ^ 2 + B tc ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 (A tc)).
     pose proof (pow2_ge_0 (B tc)). lra. }
   assert (HR : R0 <= R).
@@ -349,8 +341,7 @@ Proof.
     { split; [apply Rmult_le_pos; lra|]. replace z with (om * tau) by (rewrite Ez; field; lra).
       apply Rmult_le_compat_l; lra. }
     pose proof (cos_below (om * (u - ts)) ltac:(lra)) as CB.
-    set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *.
-    assert (zu ^ 2 <= z).
+    set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *. assert (zu ^ 2 <= z).
     { replace (zu ^ 2) with (zu * zu) by ring. apply Rle_trans with (zu * 1); [scale|lra]. }
     assert (Q : R0 - g <= R * q). { assert (1 - z / 2 <= q) by lra. assert (0 < 1 - z / 2) by lra.
       assert (R0 * (1 - z / 2) <= R * q) by (apply Rmult_le_compat; lra). lra. }
@@ -378,8 +369,7 @@ Theorem dichotomy_energy : (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b) \/
     E t <= Ecr m1 m2 a2 b + e).
 Proof.
   destruct E_limit as (l & Hl0 & Hl & Hlim). pose proof (limit_not_above l Hl Hlim) as HL.
-  destruct (Classical_Prop.classic (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b)) as [|N]; [left; auto|right].
-  split.
+  destruct (Classical_Prop.classic (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b)) as [|N]; [left; auto|right]. split.
   - intros t Ht. destruct (Rlt_dec (Ecr m1 m2 a2 b) (E t)); auto. exfalso; apply N; exists t; split; auto; lra.
   - intros e He. destruct (Hlim e He) as (T & HT & K). exists T; split; auto. intros t Hu. specialize (K t Hu). lra.
 Qed.

@@ -96,8 +96,7 @@ Proof.
     as (k & te & p & t & Hk & Te & Hp & En & St & HR & F & Tt).
   destruct (merges_at_first_landing m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H k te p Hk ltac:(lra) Hp HR)
     as (Sg & Ev1 & Ex & _ & Iff & Dp).
-  assert (T0 : 0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]).
-  assert (Q : 0 < q < 1).
+  assert (T0 : 0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]). assert (Q : 0 < q < 1).
   { split; [auto|]. unfold q. undivide (m1 + m2). lra. }
   destruct (pc_ex q Q) as (pc & Hpc & Dc). pose proof (kappa_large m1 m2 ps pc H1 H2 Hps Z Hr Hpc Dc) as HK.
   pose proof (first_reentry_iff m1 m2 a2 b H1 H2 Ha Hb pc Hpc Dc (Rlt_le _ _ HK) x v1 v2 s H k te t p Hk ltac:(lra) Hp
@@ -116,7 +115,6 @@ Proof.
       apply Rmult_le_compat_l; [lra|auto]. }
     assert (- L m1 m2 a2 b <= k * x (te + 2 * p / o1 m1 a2) <= L m1 m2 a2 b).
     { rewrite Ex. change (m1 / (m1 + m2)) with q. set (z := q * depth p) in *.
-      assert (0 <= L m1 m2 a2 b * z) by positive.
-      assert (L m1 m2 a2 b * z <= L m1 m2 a2 b * 2) by scale. lra. }
+      assert (0 <= L m1 m2 a2 b * z) by positive. assert (L m1 m2 a2 b * z <= L m1 m2 a2 b * 2) by scale. lra. }
     destruct Hk; subst k; lra.
 Qed.

@@ -20,8 +20,8 @@ Let w t := v1 t - v2 t.
 Definition load t := m2 * (u t - a2 * x t - a1 * v1 t) / (m1 + m2).
 
 (** it is continuous where the force is: among the times Q near t0 *)
-Lemma load_near (Q : R -> Prop) e : 0 < e -> (forall e, 0 < e -> exists d, 0 < d /\ forall q, Q q -> Rabs (q - t0) < d ->
-    Rabs (u q - u t0) <= e) ->
+Lemma load_near (Q : R -> Prop) e : 0 < e -> (forall e, 0 < e -> exists d, 0 < d /\ forall q, Q q -> Rabs (q - t0)
+  < d -> Rabs (u q - u t0) <= e) ->
   exists d, 0 < d /\ forall q, 0 <= q -> Q q -> Rabs (q - t0) < d -> Rabs (load q - load t0) <= e.
 Proof.
   intros He Cq. assert (Mp : 0 < M) by positive. set (k := 1 + a2 + a1). assert (Kp : 0 < k) by (unfold k; lra).
@@ -144,7 +144,8 @@ Proof.
   assert (Gp : 0 < M / m2 * g) by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; unfold M|unfold g]; lra).
   smaller d d0. intros t Ht. apply gain_ahead; [auto|lra|]. pose proof (gain_rises k (M / m2 * g) t0 t ltac:(lra)) as Q.
   rewrite gain_0 in Q. assert (0 < M / m2 * g * (t - t0)) by positive.
-  eapply Rlt_le_trans; [eassumption|]. rewrite <- (Rminus_0_r (gain k t)). apply Q. intros r Hr. split; [apply DU; lra|].
+  eapply Rlt_le_trans; [eassumption|]. rewrite <- (Rminus_0_r (gain k t)). apply Q. intros r Hr.
+  split; [apply DU; lra|].
   rewrite excess_of_load. apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; unfold M; lra|].
   specialize (K r ltac:(lra)). apply Rabs_inv in K. unfold g in *. destruct Hk; subst k; lra.
 Qed.
@@ -172,13 +173,12 @@ Theorem sticks_at : Rabs (load t0) < b -> exists d, 0 < d /\ forall t, t0 <= t <
 Proof.
   intros G. pose proof (Rle_abs (load t0)). pose proof (Rle_abs (- load t0)) as A. rewrite Rabs_Ropp in A.
   destruct (not_ahead 1 (or_introl eq_refl) ltac:(lra)) as (d & Hd & K).
-  destruct (not_ahead (-1) (or_intror eq_refl) ltac:(lra)) as (d' & Hd' & K').
-  smaller d d'. intros t Ht.
+  destruct (not_ahead (-1) (or_intror eq_refl) ltac:(lra)) as (d' & Hd' & K'). smaller d d'. intros t Ht.
   specialize (K t ltac:(lra)). specialize (K' t ltac:(lra)). lra.
 Qed.
 
-(** *** The motion with that acceleration is one under the impulse Ut of a force, with the load at the edge. The two are as
-    far apart as the forces: by the integral of what the force asks beyond b. *)
+(** *** The motion with that acceleration is one under the impulse Ut of a force, with the load at the edge.
+The two are as far apart as the forces: by the integral of what the force asks beyond b. *)
 Let xt k t := x t0 + v1 t0 * (t - t0) + k * (b / m2) * (t - t0) ^ 2 / 2.
 Let vt k t := v1 t0 + k * (b / m2) * (t - t0).
 Let Ut k t := m1 * vt k t + b * (k * t) + a1 * xt k t
@@ -216,11 +216,13 @@ Lemma given_back g k T : g = 1 \/ g = -1 -> k = 1 \/ k = -1 -> t0 <= T <= t0 + d
 Proof.
   intros Hg Hk HT H1 Sg. assert (Start : asked g k t0 = 0) by (unfold asked; ring).
   assert (Up : forall r t, t0 <= r <= t -> t <= T -> asked g k r <= asked g k t).
-  { intros r t Hr Ht. apply Ropp_le_cancel. apply (rderiv_mono (fun t => - asked g k t) r t (fun t => - (g * beyond k t)));
+  { intros r t Hr Ht. apply Ropp_le_cancel. apply (rderiv_mono (fun t => - asked g k t)
+      r t (fun t => - (g * beyond k t)));
       [apply cont_opp, cont_asked; auto|lra|]. intros q Hq. specialize (Sg q ltac:(lra)).
     split; [apply rderiv_opp, asked_rate; auto; lra|lra]. }
   assert (Lead : forall t, t0 <= t <= T -> Rabs (lead k t) <= asked g k T / m1).
-  { intros t Ht. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (velocity_within m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 (xt k) (vt k) (vt k) t) as R.
+  { intros t Ht. pose proof (sqrt_lt_R0 _ Hm1) as Sm.
+    pose proof (velocity_within m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 (xt k) (vt k) (vt k) t) as R.
     pose proof (input_to_state m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ _ H (at_edge k Hk)
       (fun t => k * beyond k t) (asked g k) t0 t (cont_asked g k Hk) ltac:(lra)) as Q. cbv beta in Q.
     replace (energy m1 m2 a2 (x t0 - xt k t0) (v1 t0 - vt k t0) (v2 t0 - vt k t0)) with 0 in Q
@@ -231,8 +233,8 @@ Proof.
       [apply Rabs_R1|rewrite Rabs_left; lra]). rewrite <- Rabs_mult. f_equal. destruct Hk; subst k; ring. }
     apply Rmult_le_reg_l with (sqrt m1); auto. eapply Rle_trans; [exact R|]. eapply Rle_trans; [apply Q|].
     - intros r Hr. specialize (Sg r ltac:(lra)). split.
-      + eapply rderiv_eq; [|apply rderiv_minus; [apply DU; lra|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive; auto;
-          reflexivity]]. unfold beyond. destruct Hk; subst k; field; lra.
+      + eapply rderiv_eq; [|apply rderiv_minus; [apply DU; lra|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive;
+          auto; reflexivity]]. unfold beyond. destruct Hk; subst k; field; lra.
       + apply rderiv_eq with (g * beyond k r); [|apply asked_rate; auto; lra]. symmetry.
         destruct Hk, Hg; subst k g; try rewrite Rabs_pos_eq by lra; try rewrite Rabs_left1 by lra; lra.
     - rewrite <- (sqrt_sqrt m1) at 3 by lra. apply Rmult_le_reg_r with (sqrt m1); auto. field_simplify; [|lra|lra].
@@ -289,7 +291,8 @@ Proof.
   assert (C0 : 0 < c) by positive. assert (Hc : 0 < / (c + 1)) by positive.
   smaller d1 (/ (c + 1)). set (d := Rmin d1 (/ (c + 1))) in *. intros t Ht. specialize (NA t ltac:(lra)).
   pose proof (beyond_0 k Tie) as B0.
-  assert (k * (v1 t - v2 t) <= 0); [|destruct Hk; subst k; lra]. apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|].
+  assert (k * (v1 t - v2 t) <= 0); [|destruct Hk; subst k; lra].
+  apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|].
   intros T HT. assert (Short : (c + 1) * (T - t0) < 1).
   { apply Rlt_le_trans with ((c + 1) * / (c + 1)); [scale|right; field; lra]. }
   assert (Sg : forall r, t0 <= r < T -> 0 <= -1 * beyond k r /\ beyond k T <= beyond k r).

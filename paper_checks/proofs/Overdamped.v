@@ -53,8 +53,7 @@ Lemma creep_leaves : 0 < leave m1 m2 a1 a2 b om (creep 0) (creep' 0).
 Proof.
   destruct rates as (Or & E1 & E2). unfold leave. apply Rdiv_lt_0_compat; [|positive].
   apply Rmult_lt_0_compat; auto. unfold creep, creep'. rewrite !Rmult_0_r, exp_0, !Rmult_1_r.
-  set (c := part slow fast). set (d := part fast slow).
-  assert (Q : 0 < c * slow ^ 2 + d * fast ^ 2).
+  set (c := part slow fast). set (d := part fast slow). assert (Q : 0 < c * slow ^ 2 + d * fast ^ 2).
   { unfold c, d, part. fold T. pose proof (exp_pos (slow * T)) as P1. pose proof (exp_pos (fast * T)) as P2.
     assert (Le : exp (fast * T) < exp (slow * T)).
     { apply exp_increasing. apply Rmult_lt_compat_r; [|lra]. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. }

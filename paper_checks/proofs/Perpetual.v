@@ -10,8 +10,7 @@ Proof.
   intros H1 H2 Ha Hb. pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0. pose proof (q_pos m1 m2 H1 H2) as Q0.
   pose proof (L_pos m1 m2 a2 b H1 H2 Ha Hb) as L0. set (q := m1 / (m1 + m2)) in *. set (Ec := Ecr m1 m2 a2 b) in *.
   (* at the middle of S0, with the speed of the level 1 + 4 q/9 *)
-  set (v := sqrt (2 * (Ec * (1 + 4 / 9 * q)) / (m1 + m2))).
-  assert (Lv : 0 < Ec * (1 + 4 / 9 * q)) by positive.
+  set (v := sqrt (2 * (Ec * (1 + 4 / 9 * q)) / (m1 + m2))). assert (Lv : 0 < Ec * (1 + 4 / 9 * q)) by positive.
   assert (V2 : v * v = 2 * (Ec * (1 + 4 / 9 * q)) / (m1 + m2)).
   { apply sqrt_sqrt. positive. }
   assert (En : energy m1 m2 a2 0 v v = Ec * (1 + 4 / 9 * q)).

@@ -43,10 +43,8 @@ Qed.
 Theorem depth_lower p : 0 < p < PI -> 3 / 2 * (sin p / p) ^ 6 * hh p ^ 2 <= depth p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
-  pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap.
-  assert (D : 2 / 3 * sin p ^ 2 <= depth p).
-  { unfold depth. undivide (sin p).
-    replace (2 / 3 * sin p ^ 2 * sin p) with (2 / 3 * sin p ^ 3) by ring. lra. }
+  pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap. assert (D : 2 / 3 * sin p ^ 2 <= depth p).
+  { unfold depth. undivide (sin p). replace (2 / 3 * sin p ^ 2 * sin p) with (2 / 3 * sin p ^ 3) by ring. lra. }
   apply Rle_trans with (2 := D).
   assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by (apply pow_incr; lra).
   unfold hh. replace (3 / 2 * (sin p / p) ^ 6 * ((p - sin p * cos p) / sin p ^ 2) ^ 2) with
@@ -58,8 +56,7 @@ Qed.
 (** sin p/p decreases strictly *)
 Lemma sinc_strict p q : 0 < p -> p < q -> q < PI -> sin q / q < sin p / p.
 Proof.
-  intros Hp Hpq Hq.
-  assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
+  intros Hp Hpq Hq. assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
   apply (incr_function (fun u => - (sin u / u)) 0 PI (fun u => (sin u - u * cos u) / u ^ 2)); try (simpl; lra).
   - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
   - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|positive].
@@ -158,8 +155,7 @@ Qed.
 (** the explicit bound *)
 Theorem y_bound n : / y 0%nat + INR n * (kappa * si 0%nat ^ 12) <= / y n.
 Proof.
-  induction n. { simpl INR. lra. }
-  rewrite S_INR. pose proof (d_lower n) as D. unfold d in D.
+  induction n. { simpl INR. lra. } rewrite S_INR. pose proof (d_lower n) as D. unfold d in D.
   assert (si 0%nat ^ 12 <= si n ^ 12). { apply pow_incr. split; [apply Rlt_le, sinc_pos; auto|apply si_0]. }
   assert (kappa * si 0%nat ^ 12 <= kappa * si n ^ 12) by (apply Rmult_le_compat_l; [unfold kappa; lra|auto]). lra.
 Qed.
@@ -184,8 +180,7 @@ Lemma phi_to_zero : is_lim_seq phi 0.
 Proof.
   apply is_lim_seq_le_le with (fun _ => 0) (fun n => 3 / 2 * sqrt (y n)).
   - intros n. pose proof (Hphi n). split; [lra|]. unfold y.
-    rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos; auto).
-    pose proof (hh_below _ (Hphi n)). lra.
+    rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos; auto). pose proof (hh_below _ (Hphi n)). lra.
   - apply is_lim_seq_const.
   - replace (Finite 0) with (Rbar_mult (3 / 2) (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
     apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply y_to_zero]. apply continuity_pt_sqrt; lra.
@@ -206,8 +201,7 @@ Proof.
   { replace (Finite kappa) with (Rbar_mult kappa 1) by (simpl; f_equal; ring). apply is_lim_seq_scal_l, Pl. }
   assert (Up : is_lim_seq (fun n => kappa / (1 - kappa * y n)) kappa).
   { replace (Finite kappa) with (Finite (kappa / (1 - kappa * 0))) by (f_equal; field; lra).
-    apply is_lim_seq_div'; [apply is_lim_seq_const| |lra].
-    apply is_lim_seq_minus'; [apply is_lim_seq_const|].
+    apply is_lim_seq_div'; [apply is_lim_seq_const| |lra]. apply is_lim_seq_minus'; [apply is_lim_seq_const|].
       apply is_lim_seq_mult'; [apply is_lim_seq_const|apply y_to_zero]. }
   assert (Ev : eventually (fun n => kappa * y n < 1)).
   { assert (Z : is_lim_seq (fun n => kappa * y n) (kappa * 0)) by (apply is_lim_seq_mult';

@@ -10,8 +10,7 @@ Proof.
   intros Hq Hpc Dc Hp. pose proof PI_RGT_0. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
     pose proof (cos_gt_0 p ltac:(lra) ltac:(lra)) as C.
   assert (Kp : 0 < ct p) by (apply Rdiv_lt_0_compat; auto). pose proof (margin p ltac:(lra)) as M.
-  assert (W : 0 < (PI - p) * ct p) by positive.
-  assert (De : depth (PI - p) = 2 * (1 + (PI - p) * ct p)).
+  assert (W : 0 < (PI - p) * ct p) by positive. assert (De : depth (PI - p) = 2 * (1 + (PI - p) * ct p)).
   { pose proof (two_hh (PI - p) ltac:(lra)) as T. pose proof (two_hh p ltac:(lra)) as T2. rewrite ct_mirror in T by lra.
     pose proof (hh_mirror p ltac:(lra)) as Hm. pose proof (half_depth p ltac:(lra)) as Hd.
     apply Rmult_eq_reg_l with (ct p); [|lra].

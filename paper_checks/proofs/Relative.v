@@ -14,8 +14,7 @@ Proof.
     apply Rmult_le_pos; [|positive]. pose proof (pow2_ge_0 (m1 * v1 + m2 * v2)).
     assert (0 <= (m1 + m2) * a2 * x ^ 2); [|lra]. positive.
   - (* both bodies with opposite momenta *)
-    intros c H. specialize (H 0 m2 (- m1)). apply Rmult_le_reg_r with (m1 * m2 * (m1 + m2));
-      [positive|].
+    intros c H. specialize (H 0 m2 (- m1)). apply Rmult_le_reg_r with (m1 * m2 * (m1 + m2)); [positive|].
     replace ((m1 + m2) / (m1 * m2) * (m1 * m2 * (m1 + m2))) with ((m2 - - m1) ^ 2) by (field; lra).
     replace (c * (m1 * m2 * (m1 + m2))) with (c * (2 * energy m1 m2 a2 0 m2 (- m1))) by (unfold energy; field). exact H.
 Qed.

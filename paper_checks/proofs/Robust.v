@@ -162,8 +162,7 @@ Proof.
   - apply cont_ext with (fun u => (- k) * w u); [intros; ring|]. apply cont_scal, Cw.
   - unfold w. rewrite Meet. lra.
   - intros u Hu Wu. pose proof (load_above u ltac:(lra)) as La. apply rderiv_dini with (kap * (- k * ld u - bk));
-    [nra|].
-    apply rderiv_ext with (fun r => - k * w r); [intros; ring|].
+    [nra|]. apply rderiv_ext with (fun r => - k * w r); [intros; ring|].
     apply slip_rate; [lra|destruct Hk'; subst k; lra|lra].
 Qed.
 
@@ -230,13 +229,11 @@ Definition one_slip p q := 0 <= p < q /\ v1 p = v2 p /\ v1 q = v2 q /\ forall u,
 (** lasts, and costs *)
 Theorem slip_costs p q : one_slip p q -> p + h0 < q /\ E q <= E p - e0.
 Proof.
-  intros (Hp & Mp' & Mq & Sl).
-  destruct (leaves p ltac:(lra) Mp') as (k & Hk' & Edge).
+  intros (Hp & Mp' & Mq & Sl). destruct (leaves p ltac:(lra) Mp') as (k & Hk' & Edge).
   { intros d Hd. exists (p + Rmin (d / 2) ((q - p) / 2)). assert (0 < Rmin (d / 2) ((q - p) / 2)) by positive.
     pose proof (Rmin_l (d / 2) ((q - p) / 2)). pose proof (Rmin_r (d / 2) ((q - p) / 2)). split; [lra|apply Sl; lra]. }
   set (u := p + Rmin (h0 / 2) ((q - p) / 2)). assert (0 < Rmin (h0 / 2) ((q - p) / 2)) by positive.
-  pose proof (Rmin_l (h0 / 2) ((q - p) / 2)). pose proof (Rmin_r (h0 / 2) ((q - p) / 2)).
-  assert (Wu : 0 < k * w u).
+  pose proof (Rmin_l (h0 / 2) ((q - p) / 2)). pose proof (Rmin_r (h0 / 2) ((q - p) / 2)). assert (Wu : 0 < k * w u).
   { pose proof (not_back p k ltac:(lra) Mp' Hk' Edge u ltac:(unfold u; lra)). specialize (Sl u ltac:(unfold u; lra)).
     assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
   assert (Long : p + h0 < q).
@@ -251,8 +248,7 @@ Qed.
 Let e0_pos : 0 < e0.
 Proof.
   change (0 < bk * kap * (bs - bk) * h0 ^ 2 / 16). assert (0 < h0 ^ 2) by positive.
-  assert (0 < bk * kap * (bs - bk)) by positive.
-  apply Rdiv_lt_0_compat; [positive|lra].
+  assert (0 < bk * kap * (bs - bk)) by positive. apply Rdiv_lt_0_compat; [positive|lra].
 Qed.
 
 (** so there are at most E(0) / e0 of them *)
@@ -293,8 +289,7 @@ Proof.
       apply Classical_Prop.NNPP. intros Wu. apply Nu. exists u. split; auto. unfold w in Wu. lra. }
     destruct (leaves l ltac:(lra) ltac:(unfold w in Wl; lra) Out) as (k & Hk' & Edge).
     destruct (Out (h0 / 2)) as (u & Hu & Nu); [lra|]. apply No. exists (l + h0). split; [lra|].
-    pose proof (jumping_decreases c l ltac:(lra)).
-    assert (Wu : 0 < k * w u).
+    pose proof (jumping_decreases c l ltac:(lra)). assert (Wu : 0 < k * w u).
     { pose proof (not_back l k ltac:(lra) ltac:(unfold w in Wl; lra) Hk' Edge u ltac:(lra)).
       assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
     pose proof (loses l k ltac:(lra) Hk' Edge u ltac:(lra) Wu). lra.

@@ -35,12 +35,10 @@ Proof.
   intros HU Hf Hr Ba. assert (O2 : 0 < om ^ 2) by nra.
   (* u in the frame of the friction: U e^(-i ph) = X + i Z *)
   set (X := f + (a2 - m1 * om ^ 2) * (- f / (m2 * om ^ 2)) + a1 * om * (rho / om)).
-  set (Z := - (a2 - m1 * om ^ 2) * (rho / om) + a1 * om * (- f / (m2 * om ^ 2))).
-  assert (Q : X ^ 2 + Z ^ 2 = U ^ 2).
+  set (Z := - (a2 - m1 * om ^ 2) * (rho / om) + a1 * om * (- f / (m2 * om ^ 2))). assert (Q : X ^ 2 + Z ^ 2 = U ^ 2).
   { unfold balance, stiffness in Ba. apply Rmult_eq_reg_l with ((m2 * om ^ 2) ^ 2); [|apply pow_nonzero; nra].
     replace ((m2 * om ^ 2) ^ 2 * U ^ 2) with ((m2 * om ^ 2 * U) ^ 2) by ring. rewrite Ba. unfold X, Z. field. lra. }
-  destruct (polar X (- Z) U 1 0 HU Rlt_0_1) as (p & _ & Cp & Sp). { rewrite <- Q. ring. }
-  rewrite Rmult_1_l in Cp, Sp.
+  destruct (polar X (- Z) U 1 0 HU Rlt_0_1) as (p & _ & Cp & Sp). { rewrite <- Q. ring. } rewrite Rmult_1_l in Cp, Sp.
   exists (fun t => rho / om * sin (om * t + p) - f / (m2 * om ^ 2) * cos (om * t + p)),
     (fun t => - (rho / om) * cos (om * t + p) - f / (m2 * om ^ 2) * sin (om * t + p)),
     (fun t => rho * cos (om * t + p) + f / (m2 * om) * sin (om * t + p)),
@@ -98,8 +96,7 @@ Proof.
       replace ((m2 * om ^ 2 * U) ^ 2 * Ustar_plane ^ 2) with (U ^ 2 * (m2 * om ^ 2 * Ustar_plane) ^ 2) by ring. rewrite
         Us. field. lra.
   - rewrite Lt. split.
-    + intros (r & Hr & Er). apply Ba in Er. rewrite Er.
-      assert (0 < A * r ^ 2) by positive.
+    + intros (r & Hr & Er). apply Ba in Er. rewrite Er. assert (0 < A * r ^ 2) by positive.
       assert (0 <= B * r) by positive. lra.
     + intros L. set (c := (m2 * om ^ 2 * U) ^ 2 - (b * q) ^ 2). assert (Hc : 0 < c) by (unfold c; lra).
       set (w := sqrt (B ^ 2 + 4 * A * c)). assert (Ac : 0 < A * c) by positive.
@@ -108,8 +105,7 @@ Proof.
       exists ((w - B) / (2 * A)). split; [positive|]. apply Ba.
       apply Rminus_diag_uniq_sym. apply Rmult_eq_reg_l with (4 * A); [|lra].
       replace (4 * A * ((b * q) ^ 2 + B * ((w - B) / (2 * A)) + A * ((w - B) / (2 * A)) ^ 2 - (m2 * om ^ 2 * U) ^ 2))
-        with
-        (w * w - B ^ 2 - 4 * A * c) by (unfold c; field; lra). rewrite Ew. ring.
+        with (w * w - B ^ 2 - 4 * A * c) by (unfold c; field; lra). rewrite Ew. ring.
   - intros r r' Hr Hr' E E'. apply Ba in E. apply Ba in E'. apply Rminus_diag_uniq.
     assert (Z : (r - r') * (B + A * (r + r')) = 0) by lra. apply Rmult_integral in Z. destruct Z as [Z|Z]; auto.
     assert (0 <= A * (r + r')) by positive. destruct (Req_dec (r + r') 0); [lra|].

@@ -26,8 +26,7 @@ Proof.
     { induction m as [|m IH].
       - unfold g. simpl. unfold mix; simpl. ring.
       - replace (S (2 * S m)) with (S (S (S (2 * m)))) by lia. rewrite (tech5 g (S (S (2 * m)))),
-        (tech5 g (S (2 * m))), IH.
-        rewrite !tech5. unfold g.
+        (tech5 g (S (2 * m))), IH. rewrite !tech5. unfold g.
         replace (S (S (2 * m))) with (2 * S m)%nat by lia. rewrite !Even, !Odd. ring. }
     assert (Grow : forall m k, sum_f_R0 g m <= sum_f_R0 g (m + k)).
     { intros m. induction k as [|k IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r, tech5.
@@ -54,11 +53,9 @@ Proof.
   assert (Some : forall n, exists r, A n r) by (intros n; exists (low n); left; auto).
   set (p := fun n => proj1_sig (completeness (A n) (Bound n) (Some n))).
   assert (In : forall t, E t -> exists n, t = p n).
-  { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & Only).
-    destruct (nfloor_ex (1 / d)) as (i & Hi); [positive|].
+  { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & Only). destruct (nfloor_ex (1 / d)) as (i & Hi); [positive|].
     pose proof (pos_INR i) as Pi. destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [positive|].
-    set (n := to_nat (i, k)). exists n.
-    assert (Ln : low n * (INR i + 1) = INR k).
+    set (n := to_nat (i, k)). exists n. assert (Ln : low n * (INR i + 1) = INR k).
     { unfold low, n. rewrite cancel_of_to. simpl. field. lra. }
     assert (Hn : high n * (INR i + 1) = INR k + 1).
     { unfold high, n. rewrite cancel_of_to. simpl. field. lra. }
@@ -137,8 +134,7 @@ Proof.
     + replace (b * -1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
   - rewrite Rabs_R0 in E3, E4. assert (Eq : a = a').
     { apply (same_rates v1 v2 t); [intros Tu; apply No; auto|lra|lra|auto|auto]. }
-    subst a'.
-    assert (Small : Rabs a < b / m2).
+    subst a'. assert (Small : Rabs a < b / m2).
     { destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; [exfalso|lra|exfalso];
         rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra. }
     apply Rabs_def2 in Small. assert (Bk : -1 <= m2 / b * a <= 1).
@@ -180,8 +176,7 @@ Proof.
     { intros k Hk ->. assert (Ea : a = k * (b / m2)) by (rewrite Eq; field; lra).
       assert (Zl : load k t = 0) by (unfold load; rewrite Ea in E3; unfold M in *; lra).
       assert (Dl : is_derive (load k) t (a2 * v1 t + a1 * a)).
-      { unfold load. auto_derive; [repeat split; eexists; eauto|].
-        rewrite Ux, U1. ring. }
+      { unfold load. auto_derive; [repeat split; eexists; eauto|]. rewrite Ux, U1. ring. }
       assert (Ds : is_derive (speed k) t a).
       { unfold speed. auto_derive; [eexists; eauto|]. rewrite U1. ring. }
       apply No. right; right. destruct (Req_dec (a2 * v1 t + a1 * a) 0) as [Z|Nz].

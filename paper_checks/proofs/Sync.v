@@ -102,8 +102,7 @@ Proof.
     assert (He : 0 < e) by (unfold e; assert (0 < d ^ 2) by nra; nra).
   destruct (entrains x v1 v2 s ltac:(lra) H e He) as (T & HT & Near).
   exists (T + Rabs (v1 T - v2 T) / (M / (m1 * m2) * g)). split.
-  { assert (0 < M / (m1 * m2) * g) by positive.
-    assert (0 <= Rabs (v1 T - v2 T) / (M / (m1 * m2) * g)); [|lra].
+  { assert (0 < M / (m1 * m2) * g) by positive. assert (0 <= Rabs (v1 T - v2 T) / (M / (m1 * m2) * g)); [|lra].
       apply Rmult_le_pos; [apply Rabs_pos|positive]. }
   apply (catch m1 m2 a1 a2 b Hm1 Hm2 (drive F om) (fun t => F * sin (om * t)) x v1 v2 s T g H); auto.
   { intros; apply rderiv_of_derive, derive_drive; auto. }
@@ -125,7 +124,6 @@ Proof.
   assert (N2 : Rabs (m2 / M * (a2 * y + a1 * p)) <= m2 / M * ((a1 + a2) * d)).
   { apply abs_scal; [positive|]. eapply Rle_trans; [apply Rabs_triang|].
     pose proof (abs_scal a2 _ _ ltac:(lra) By). pose proof (abs_scal a1 _ _ ltac:(lra) Bp). lra. }
-  replace (m2 / M * ((a1 + a2) * d)) with g in N2 by (unfold d; field; lra).
-  unfold g in *. lra.
+  replace (m2 / M * ((a1 + a2) * d)) with g in N2 by (unfold d; field; lra). unfold g in *. lra.
 Qed.
 End Sync.

@@ -631,8 +631,7 @@ Proof.
     has (made q (steep q (steep q F)) i (swung q F i) (sung q F i)) (val (slope (slope f)) u)).
   { intros. apply (has_shared q F f); auto. rewrite !angles_slope. auto. }
   induction n as [|n IH]; intros a b; cbn [stays]; cbv zeta; intros St Hab Pa Pb u Hu; revert St.
-  all: destruct (pos (made q F _ _ _)) eqn:E0;
-    [intros _; apply (pos_spec _ _ E0), has_value, has_hull; auto|].
+  all: destruct (pos (made q F _ _ _)) eqn:E0; [intros _; apply (pos_spec _ _ E0), has_value, has_hull; auto|].
   all: destruct (nonneg (made q (steep q F) _ _ _)) eqn:E1;
     [intros _; apply (rising_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply (nonneg_spec _ _ E1), S', has_hull; auto|].
   all: destruct (nonneg (I.neg (made q (steep q F) _ _ _))) eqn:E2;
@@ -643,8 +642,7 @@ Proof.
       apply (nonneg_spec _ _ E3), J.neg_correct, S'', has_hull; auto|].
   all: destruct (if nonneg (made q (steep q (steep q F)) _ _ _) then _ else false) eqn:E6;
     [intros _; destruct (nonneg (made q (steep q (steep q F)) _ _ _)) eqn:E7; [|discriminate];
-      apply (convex_positive f (Q2R a) (Q2R b)); auto;
-      [apply (nonneg_spec _ _ E6), has_value; auto; apply has_rat|
+      apply (convex_positive f (Q2R a) (Q2R b)); auto; [apply (nonneg_spec _ _ E6), has_value; auto; apply has_rat|
         intros r Hr; apply (nonneg_spec _ _ E7), S'', has_hull; auto]|].
   - discriminate.
   - destruct (pos (value q F (rat q (mid a b)))) eqn:E4; [|discriminate].
@@ -770,18 +768,21 @@ Definition behind st w u := I.add p (at_x2 st) (I.mul p (I.mul p (rat p (1 # 2))
 
 (** the wave of body 1 in a mode, and the one that ends it where it comes to 0: the guard, or the grip towards k' *)
 Definition path K st m := match m with Slip k => slides K st k | Stick => sticks K st end.
-Definition front K st m k' := match m with Slip k => guards K st k (path K st m) | Stick => grips K k' (path K st m) end.
+Definition front K st m k' := match m with Slip k => guards K st k (path K st m) | Stick => grips K k' (path K st m)
+  end.
 (** the values of all waves of a phase at a time, from what one of them computes *)
 Definition at_time F i := let b := swung p F i in let bs := sung p F i in fun G => made p G i b bs.
 (** the mode lasts: until lo, where its front has the value at_lo; a stick does not end on the other side until hi *)
 Definition keeps K st m k' lo at_lo hi (on : bounded -> I.type) := match m with
   | Slip k => begins (how st) k (front K st m k') lo at_lo
   | Stick => let G := grips K (negb k') (path K st m) in touches (how st) &&
-      begins (held (how st) k') k' (front K st m k') lo at_lo && begins (held (how st) (negb k')) (negb k') G hi (on G) end.
+      begins (held (how st) k') k' (front K st m k') lo at_lo && begins (held (how st) (negb k')) (negb k')
+        G hi (on G) end.
 (** the state at the time t, after the time u, from the values of its waves *)
 Definition moved K st m t u (on : bounded -> I.type) h :=
   let x := on (path K st m) in let v := on (steep p (path K st m)) in match m with
-  | Slip k => let w := drive (boxes p) (numbers K) k (at_v2 st) u in State t x (if touches h then w else v) (behind st w u) w h
+  | Slip k => let w := drive (boxes p) (numbers K) k (at_v2 st) u in State t x (if touches h then w else v)
+    (behind st w u) w h
   | Stick => State t match h with Edge k => edge (boxes p) (numbers K) k t v | _ => x end v
       (I.add p (at_x2 st) (I.sub p x (at_x st))) v h end.
 
@@ -1030,8 +1031,7 @@ Proof. destruct Kn as (_ & _ & _ & _ & _ & Kh). destruct (how st); try discrimin
 (** the spell lasts *)
 Lemma fits_spec i r : fits p final i = true -> has i r -> match final with Some q => r <= Q2R q | None => True end.
 Proof.
-  unfold fits. destruct final as [e|]; auto. intros E Hi.
-  apply nonneg_spec with (r := Q2R e - r) in E; [lra|has].
+  unfold fits. destruct final as [e|]; auto. intros E Hi. apply nonneg_spec with (r := Q2R e - r) in E; [lra|has].
 Qed.
 (** body 2 in a slip *)
 Lemma slip_behind k' u w i : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = drive real k k' (v2 t) r) ->
@@ -1088,7 +1088,8 @@ Lemma moved_spec m it iu u on hw : 0 <= u -> has it (t + u) -> has iu u -> has (
   x (t + u) = val (pw m) u -> v1 (t + u) = val (slope (pw m)) u ->
   (forall r, 0 <= r <= u -> v2 (t + r) = match m with
     Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end) ->
-  forall B' f', (B' = B /\ f' = f \/ forall s, hw <> Edge s) -> match hw with Off => True | Touch => v1 (t + u) = v2 (t + u) | Edge s => v1 (t + u) = v2 (t + u) /\
+  forall B' f', (B' = B /\ f' = f \/ forall s, hw <> Edge s) -> match hw with Off => True | Touch => v1 (t + u)
+    = v2 (t + u) | Edge s => v1 (t + u) = v2 (t + u) /\
     A2 * x (t + u) + A1 * v1 (t + u) - sval real f' (t + u) = - (sign s * (B' * (M1 + M2) / M2)) end ->
   knows B' f' (moved p K st m it iu on hw) (t + u).
 Proof.
@@ -1132,8 +1133,8 @@ Proof.
       exists u. repeat (split; [assumption|]). split; [intros r Hr; specialize (Q r Hr); destruct s; simpl in *; lra|].
       repeat (split; [assumption|]). discriminate.
     - destruct (St eq_refl) as (Ev0 & O).
-      destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht k' (Q2R least) (Q2R most))
-        as (u & Hu & Ev & Ee & Ex & V);
+      destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht k' (Q2R least)
+        (Q2R most)) as (u & Hu & Ev & Ee & Ex & V);
         [lra|lra|auto|exact Z|exact P|exact O|apply Ropp_le_cancel; rewrite Ropp_0; exact En|].
       exists u. split; [auto|]. split; [apply Ev; lra|]. split; [intros r Hr; apply Ev; lra|]. split; [exact Ex|].
       split; [apply V; lra|]. split; [intros r Hr; rewrite <- Ev by auto; apply V, Hr|auto]. }
@@ -1168,11 +1169,13 @@ Proof.
   assert (U : forall r, 0 <= r <= u -> x (t + r) = val (pw m) r /\ v1 (t + r) = val (slope (pw m)) r /\
     v2 (t + r) = match m with Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end).
   { destruct m as [s|].
-    - exact (slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra) Nn).
-    - destruct (St eq_refl) as (Ev & O). apply (stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H
-        t Ht u ltac:(lra) ltac:(lra) Ev). intros r Hr. split; [apply Nn, Hr|apply O; lra]. }
+    - exact (slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra)
+        Nn).
+    - destruct (St eq_refl) as (Ev & O). apply (stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y))
+        _ _ HyM x v1 v2 _ _ H t Ht u ltac:(lra) ltac:(lra) Ev). intros r Hr. split; [apply Nn, Hr|apply O; lra]. }
   assert (Slope : forall s r, m = Slip s -> 0 <= r <= u -> v1 (t + r) - v2 (t + r) = sign s * val (fw m true) r).
-  { intros s r -> Hr. destruct (U r Hr) as (_ & -> & ->). unfold fw, pw, k. rewrite val_guard by auto. destruct s; simpl; ring. }
+  { intros s r -> Hr. destruct (U r Hr) as (_ & -> & ->). unfold fw, pw, k. rewrite val_guard by auto.
+    destruct s; simpl; ring. }
   assert (In : forall r, 0 < r <= u -> in_mode m (v1 (t + r)) (v2 (t + r))).
   { intros r Hr. destruct m as [s|].
     - specialize (Slope s r eq_refl ltac:(lra)). specialize (P r ltac:(lra)). destruct s; simpl in *; lra.
@@ -1393,8 +1396,7 @@ Proof.
         as (Eb & Rb & Cl').
       apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto. apply (Go _ (Some b) events G); [|right; exists b; auto].
       apply (closest_spec now y _); auto.
-  - destruct events as [|]; [|discriminate].
-    destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+  - destruct events as [|]; [|discriminate]. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
     destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E)
       as (Ht' & _ & Q & Kn' & Kw).
     unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).

@@ -89,13 +89,11 @@ Proof.
   change (PI / om) with T in Ht0, St, Anti |- *. assert (Mp : 0 < M) by positive.
   destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0.
   pose proof (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
-  pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx.
-  assert (Meet : v1 0 = v2 0) by (pose proof (St T ltac:(lra)); lra).
+  pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx. assert (Meet : v1 0 = v2 0) by (pose proof (St T ltac:(lra)); lra).
   pose proof (slip_clock _ _ _ _ _ _ _ _ _ _ 0 ts H ltac:(lra) Slip) as Clock.
   assert (V2 : forall t, 0 <= t <= ts -> v2 t = v2 0 + b / m2 * t).
   { intros t Ht. pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) ltac:(lra)) as Q.
-    rewrite (Clock t) in Q by lra.
-    lra. }
+    rewrite (Clock t) in Q by lra. lra. }
   assert (Load : forall t, ts <= t < T -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b).
   { intros t Ht. apply (Rule.stuck_load m1 m2 a1 a2 b Hm1 Hm2 Hb (wave F om phi) u x v1 v2 s H t (T - t)); try lra.
     - apply rderiv_wave; auto.
@@ -116,8 +114,7 @@ Proof.
       replace (m2 * (- (F * sin phi) - a2 * - x 0 - a1 * - v1 0) / M) with (- (m2 / M * (F * sin phi - a1 * v1 0 - a2
         * x 0))) in Q0 by (field; lra). lra.
     + pose proof (exit_load _ _ _ _ _ _ _ _ _ _ 0 ts _ Hm1 Hm2 H ltac:(lra) Slip Meet (rderiv_wave F om phi 0 Hom)) as
-      Q.
-      rewrite Rmult_0_r, Rplus_0_l in Q. lra.
+      Q. rewrite Rmult_0_r, Rplus_0_l in Q. lra.
   - pose proof (V2 ts ltac:(lra)). pose proof (St ts ltac:(lra)). lra.
 Qed.
 End TwoStop.

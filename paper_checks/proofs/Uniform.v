@@ -44,8 +44,7 @@ Theorem no_lower_constant E0 e : Ecr < E0 -> 0 < e -> exists x v1 v2 s, solution
   forall t, sqrt (2 * E0 * m2) / b <= t -> energy (x t) (v1 t) (v2 t) <= Ecr * (1 + e).
 Proof.
   intros HE He. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Bp : 0 < be) by positive.
-  assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto). set (q := m1 / (m1 + m2)).
-  assert (Q : 0 < q) by positive.
+  assert (Ep : 0 < Ecr) by (apply Ecr_pos; auto). set (q := m1 / (m1 + m2)). assert (Q : 0 < q) by positive.
   set (d := Rmin (Rmin e (4 / 9 * q)) (E0 / Ecr - 1)).
   assert (Hd : 0 < d /\ d <= e /\ d <= 4 / 9 * q /\ Ecr * (1 + d) <= E0).
   { assert (K : 0 < E0 / Ecr - 1). { assert (1 < E0 / Ecr); [|lra]. undivide Ecr. lra. }
@@ -53,8 +52,7 @@ Proof.
     assert (Rmin e (4 / 9 * q) <= 4 / 9 * q) by apply Rmin_r. assert (d <= E0 / Ecr - 1) by apply Rmin_r.
     split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
     replace E0 with (Ecr * (1 + (E0 / Ecr - 1))) by (field; lra). scale. }
-  destruct Hd as (D0 & De & Dq & DE).
-  assert (EL : Ecr = a2 * L ^ 2 / 2) by (apply Ecr_L; auto).
+  destruct Hd as (D0 & De & Dq & DE). assert (EL : Ecr = a2 * L ^ 2 / 2) by (apply Ecr_L; auto).
   assert (HL : 0 < b / a2 <= L).
   { split; [positive|]. unfold L, Stick.L. undivide (a2 * m2).
     replace (b / a2 * (a2 * m2)) with (b * m2) by (field; lra). nra. }
@@ -68,8 +66,7 @@ Proof.
   assert (Ec : energy (b / a2) v v = Ecr * (1 + d)).
   { unfold energy, Pair.energy. replace (a2 * (b / a2) ^ 2 / 2 + m1 * v ^ 2 / 2 + m2 * v ^ 2 / 2)
       with (a2 * (b / a2) ^ 2 / 2 + (m1 + m2) / 2 * (v * v)) by (field; lra). rewrite V2. field. lra. }
-  set (Tm := sqrt (2 * E0 * m2) / b).
-  assert (HTm : 0 < Tm) by positive.
+  set (Tm := sqrt (2 * E0 * m2) / b). assert (HTm : 0 < Tm) by positive.
   set (f := fun T => energy (b / a2 - v / o1 * sin (o1 * T)) (v * cos (o1 * T)) (v + be * T) - E0).
   destruct (cont_IVT f 0 Tm) as (T & HT & FT).
   { apply cont_of_derive with (fun T => a2 * (b / a2 - v / o1 * sin (o1 * T)) * (- v * cos (o1 * T))
@@ -87,8 +84,7 @@ Proof.
       assert (B2 : m2 * (be * Tm) ^ 2 / 2 = E0).
       { rewrite B. replace (m2 * (sqrt (2 * E0 * m2) / m2) ^ 2 / 2) with (sqrt (2 * E0 * m2) * sqrt (2 * E0 * m2) / (2
         * m2)) by (field; lra). rewrite S2. field; lra. }
-      assert (0 < be * Tm) by positive.
-      assert ((be * Tm) ^ 2 <= (v + be * Tm) ^ 2) by (apply pow_incr; lra).
+      assert (0 < be * Tm) by positive. assert ((be * Tm) ^ 2 <= (v + be * Tm) ^ 2) by (apply pow_incr; lra).
       assert (m2 * (be * Tm) ^ 2 <= m2 * (v + be * Tm) ^ 2) by scale.
       assert (0 <= a2 * (b / a2 - v / o1 * sin (o1 * Tm)) ^ 2) by positive.
       assert (0 <= m1 * (v * cos (o1 * Tm)) ^ 2) by positive. lra. }
@@ -154,8 +150,7 @@ Proof.
   { assert (2 * sqrt (2 * E T * m2) / b <= 2 * sqrt (2 * e * m2) / b); [|lra]. pose proof (Mono 0 T ltac:(lra)).
     apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_l; [lra|].
       apply sqrt_le_1_alt. nra. }
-  pose proof (Mono T tc ltac:(lra)) as Ec.
-  destruct (Classical_Prop.classic (- L <= x tc <= L)) as [In|Out].
+  pose proof (Mono T tc ltac:(lra)) as Ec. destruct (Classical_Prop.classic (- L <= x tc <= L)) as [In|Out].
   { exists tc. split; [lra|]. split; [auto|]. split; [auto|]. change (E tc <= l). lra. }
   destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 tc Ev Out) as (k & d & u & Hk & Hd & HG).
   pose proof (Mono 0 tc ltac:(lra)) as E0.
@@ -178,10 +173,8 @@ Proof.
   destruct (enters e (Ecr * (1 + 4 / 9 * q)) ltac:(lra) ltac:(nra)) as (T & HT & In).
   set (om := omega m1 m2 a2). assert (Om : 0 < om) by (apply omega_pos; auto). pose proof PI_RGT_0 as P0.
   set (K := 9 / 4 * (m2 / m1)). assert (K0 : 0 < K) by positive.
-  set (F := (5 / 6) ^ 12). assert (F0 : 0 < F) by positive.
-  set (A := om / (PI + 4)). assert (A0 : 0 < A) by positive.
-  set (T1 := 2 * T + 4 / A). assert (A1 : 0 < 4 / A) by positive.
-  assert (Ee : 0 < e / Ecr) by positive.
+  set (F := (5 / 6) ^ 12). assert (F0 : 0 < F) by positive. set (A := om / (PI + 4)). assert (A0 : 0 < A) by positive.
+  set (T1 := 2 * T + 4 / A). assert (A1 : 0 < 4 / A) by positive. assert (Ee : 0 < e / Ecr) by positive.
   assert (C1 : 0 < 2 / (K * F * A)) by positive.
   assert (C2 : 0 < e / Ecr * T1) by (apply Rmult_lt_0_compat; unfold T1; lra).
   exists (2 / (K * F * A) + e / Ecr * T1). split; [lra|]. intros x v1 v2 s H HE NM t Ht.
@@ -193,14 +186,12 @@ Proof.
   - assert (w t <= e / Ecr).
     { pose proof (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H 0 t ltac:(lra)) as M.
       change (energy (x t) (v1 t) (v2 t) <= energy (x 0) (v1 0) (v2 0)) in M. unfold w.
-      assert (energy (x t) (v1 t) (v2 t) / Ecr <= e / Ecr); [|lra].
-      apply Rmult_le_compat_r; [positive|lra]. }
+      assert (energy (x t) (v1 t) (v2 t) / Ecr <= e / Ecr); [|lra]. apply Rmult_le_compat_r; [positive|lra]. }
     apply Rle_trans with (1 := H0). apply Rmult_le_reg_r with t; auto.
     replace ((2 / (K * F * A) + e / Ecr * T1) / t * t) with (2 / (K * F * A) + e / Ecr * T1) by (field; repeat split;
       lra).
     assert (e / Ecr * t <= e / Ecr * T1) by scale. lra.
-  - destruct (In x v1 v2 s H HE) as (t1 & Ht1 & Ev & Hx & El). set (w0 := w t1).
-    assert (W0 : 0 < w0 <= 4 / 9 * q).
+  - destruct (In x v1 v2 s H HE) as (t1 & Ht1 & Ev & Hx & El). set (w0 := w t1). assert (W0 : 0 < w0 <= 4 / 9 * q).
     { split; [apply Wp; lra|]. unfold w0, w. assert (energy (x t1) (v1 t1) (v2 t1) / Ecr <= 1 + 4 / 9 * q); [|lra].
       undivide Ecr. lra. }
     assert (TT : t1 <= t) by (unfold T1 in Late; lra).
@@ -208,10 +199,8 @@ Proof.
     change (/ w0 + K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t1) / (PI + 6 * sqrt w0) - 2) <= / w t) in Lo.
     assert (Sw : sqrt w0 <= 2 / 3).
     { rewrite <- (sqrt_pow2 (2 / 3)) by lra. apply sqrt_le_1_alt. lra. }
-    pose proof (sqrt_pos w0) as Sw0.
-    assert (Fw : F <= (1 - 3 / 8 * w0 / q) ^ 12).
-    { apply pow_incr. split; [lra|]. assert (w0 / q <= 4 / 9); [|unfold Rdiv in *; lra].
-      undivide q. lra. }
+    pose proof (sqrt_pos w0) as Sw0. assert (Fw : F <= (1 - 3 / 8 * w0 / q) ^ 12).
+    { apply pow_incr. split; [lra|]. assert (w0 / q <= 4 / 9); [|unfold Rdiv in *; lra]. undivide q. lra. }
     assert (Aw : A * (t - T) <= om * (t - t1) / (PI + 6 * sqrt w0)).
     { unfold A. replace (om / (PI + 4) * (t - T)) with (om * (t - T) * / (PI + 4)) by (field; lra).
       apply Rmult_le_compat; [apply Rmult_le_pos; unfold T1 in Late; lra|positive|scale|].
@@ -219,8 +208,7 @@ Proof.
     assert (Half : A * t / 2 <= A * (t - T) - 2).
     { assert (A * T1 <= A * t) by scale. unfold T1 in H0.
       replace (A * (2 * T + 4 / A)) with (2 * (A * T) + 4) in H0 by (field; lra). lra. }
-    assert (At : 0 < A * t / 2) by positive.
-    assert (Main : K * F * (A * t / 2) <= / w t).
+    assert (At : 0 < A * t / 2) by positive. assert (Main : K * F * (A * t / 2) <= / w t).
     { apply Rle_trans with (2 := Lo). assert (0 < / w0) by positive.
       assert (K * F * (A * t / 2) <= K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t1) / (PI + 6 * sqrt w0) - 2)); [|lra].
       apply Rmult_le_compat; try lra; [positive|]. scale. }

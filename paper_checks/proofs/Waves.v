@@ -400,12 +400,10 @@ Proof.
   destruct (stuck_start t x v) as (X0 & V0). unfold E, Y in D. unfold X in D. rewrite X0, V0 in D.
   unfold spare, K, real_kit in S; cbn [add sub mul div real ka1 ka2 kM kb k2 force] in S. fold c M in S. fold X in D.
   rewrite val_grip, A. fold (Y u) in D. set (y := Y u) in *. set (w := val (slope X) u) in *. set (l := b * M / m2) in *.
-  assert (Hl : 0 < l) by positive.
-  assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
+  assert (Hl : 0 < l) by positive. assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
   { assert (0 <= (a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)).
     { apply Rmult_le_pos; [exact (Rle_0_sqr _)|apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto]. }
-    assert (0 <= a1 * a1 / M) by positive.
-    apply Rle_trans with ((y * y / a2 + M * (w * w)) * (a2 + a1 * a1 / M)).
+    assert (0 <= a1 * a1 / M) by positive. apply Rle_trans with ((y * y / a2 + M * (w * w)) * (a2 + a1 * a1 / M)).
     - apply Rminus_le_0. replace (_ - _) with ((a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)); [auto|].
       field; lra.
     - eapply Rle_trans; [apply Rmult_le_compat_r; [lra|exact D]|]. lra. }
@@ -467,8 +465,7 @@ Theorem stick_phase T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 ->
   forall u, 0 <= u <= T -> x (t0 + u) = val stuck u /\ v1 (t0 + u) = val (slope stuck) u /\
   v2 (t0 + u) = val (slope stuck) u.
 Proof.
-  intros HT HF Ev G. assert (HM : 0 < M) by positive.
-  pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
+  intros HT HF Ev G. assert (HM : 0 < M) by positive. pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
   apply (H t0 T (val stuck) (val (slope stuck)) (val (slope stuck)) (fun t => m2 / b * val (slope (slope stuck)) t)); auto.
   - constructor.
     + intros t. apply derive_val.
@@ -513,8 +510,7 @@ Theorem stick_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> v1 t0 = v2 t0 
   a2 * x (t0 + u) + a1 * v1 (t0 + u) - sval real push (t0 + u) = - (sign k * (b * M / m2)) /\
   x (t0 + u) = val stuck u /\ forall r, 0 <= r <= u -> v1 (t0 + r) = val (slope stuck) r.
 Proof.
-  intros Hl HF Ev Z P O N. assert (HM : 0 < M) by positive.
-  destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
+  intros Hl HF Ev Z P O N. assert (HM : 0 < M) by positive. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
   assert (Nn : forall r, 0 <= r < u -> 0 <= val (grip k) r).
   { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, Q; lra. }
   assert (Both : forall r, 0 <= r < u -> 0 <= val (grip true) r /\ 0 <= val (grip false) r).
@@ -523,8 +519,7 @@ Proof.
   destruct (F u ltac:(lra)) as (Fx & F1 & _). split; [|split; [|split; [auto|]]].
   - intros r Hr. destruct (F r Hr) as (_ & -> & ->). auto.
   - rewrite Fx, F1. unfold grip in E. rewrite val_grip in E. fold stuck in E.
-    pose proof (stuck_law t0 (x t0) (v1 t0) u) as L. fold stuck in L.
-    set (acc := val (slope (slope stuck)) u) in *.
+    pose proof (stuck_law t0 (x t0) (v1 t0) u) as L. fold stuck in L. set (acc := val (slope (slope stuck)) u) in *.
     replace (sign k * (b * M / m2)) with (M * (sign k * (b / m2))) by (field; lra).
     replace (sign k * (b / m2)) with (sign k * (sign k * acc)) by (f_equal; lra). destruct k; simpl; lra.
   - intros r Hr. apply F; auto.
