@@ -171,14 +171,19 @@ def undamped_slipping_amplitude() -> Expr:
 
 
 @cache
-def switching() -> tuple[Expr, Expr]:
-    """The angles Omega t of the two arcs of the fastest transfer of the stuck pair by |u| <= U without a damper, by d.
+def switching_cosines() -> tuple[Expr, Expr]:
+    """The cosines of the angles `switching`.
 
     In units of U/a2: about 1 from (0, 0) and about -1 into (d, 0), circles that meet at one place.
     """
     place = Symbol("X", real=True)
     meets = root((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)
-    return acos((1 - meets).expand()), acos(together((meets + 1) / (1 + reduced)))
+    return (1 - meets).expand(), together((meets + 1) / (1 + reduced))
+
+
+def switching() -> tuple[Expr, ...]:
+    """The angles Omega t of both arcs of the fastest transfer of the stuck pair by |u| <= U without a damper, by d."""
+    return tuple(map(acos, switching_cosines()))
 
 
 def weak_time() -> Expr:

@@ -68,7 +68,6 @@ class PlaneTrajectory(Answer):
     ARITHMETICS = ("float64", "ball")
     COLUMNS = ("t", "y", "energy", "t_error", "y_error")
     EVENT_COLUMNS = ("direction", "load")
-    AT_ASKED_TIMES = frozenset({"_points"})
 
     def __init__(self, scene: PlaneScene, found: Found) -> None:
         """Keep what a run found."""

@@ -37,14 +37,14 @@ class Solution(Rows):
     ) -> None:
         """Keep what a run wrote. `digits`: right digits that were asked for and reached; `tried`: what did not answer.
 
-        Raises ValueError for times in t_eval that are not in order, or outside the run.
+        Raises ValueError for times in t_eval that are outside the run.
         """
         super().__init__(scene, arithmetic, record)
         self.digits, self.tried, self.t_eval = digits, tried, t_eval
         self.look_up_times()
 
     def look_up_times(self) -> None:
-        """Raise ValueError for times in t_eval that are not in order, or outside the run."""
+        """Raise ValueError for times in t_eval that are outside the run."""
         if self.t_eval is not None:
             with self.context():
                 self._asked_times = self.dense.times(self.t_eval)

@@ -67,7 +67,6 @@ class Trajectory(Solution):
     FORMAT = "inertial-pair trajectory 1"
     ARITHMETICS = ("float64", "double-double", "mpmath", "ball")
     COLUMNS = ("t", "y", "energy", "energy_excess")
-    AT_ASKED_TIMES = frozenset({"_asked_times", "_asked_states", "energy", "energy_excess"})
 
     def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""

@@ -161,8 +161,8 @@ def _gain() -> Expr:
 
 
 OPEN = (
-    "That each amplitude between $U_*$ and $U_{**}$ has just one motion with two stops, and that its conditions hold on the whole branch, is not proved.",
-    "Motions that slip for ever and turn at other times than after each half period of the force are not treated but for that example: from which amplitude on there are any, with a damper or without, is open.",
+    "At which amplitudes between $U_*$ and $U_{**}$ a motion with two stops exists, and whether just one, is not decided; at that of the example above there is none.",
+    "Motions that slip for ever and turn at other times than after each half period of the force are not treated but for this example: from which amplitude on there are any, with a damper or without, is open.",
 )
 LIGHT = Scene(Pair(m1="0.1", m2=1, a1="0.02", a2=90, b="0.01"), State(), 1, force=Force.sine(1, 10))
 """A light damper, and a body 1 alone of three times the frequency of its force: U** is far above the amplitudes at which stops end."""
@@ -287,7 +287,7 @@ def _above_six_turns() -> arb:
         r"""
         A motion that turns more often may do with less. For $m_1=0.1$, $m_2=1$, $a_1=0.02$, $a_2=90$, $b=0.01$ and
         $\omega=10$, with «threshold» N, every motion tends at $U=1$ N to one that never stops and turns six times in
-        each period.
+        each period: so none of this period has two stops.
         """,
         threshold=Formula("U_{**}", "=...", Rational("5.1814"), decimal(_above_six_turns)),
     ),

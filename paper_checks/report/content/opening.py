@@ -82,7 +82,7 @@ NEW: dict[str, tuple[str, str, str]] = {
         "thresholds-over-frequency",
         "Three regimes under a sine",
         "Stuck for ever, in between, and without a stop. Up to $U_*$ some motion sticks for ever; below $U_{**}$ none of the force's "
-        "period slips for ever with two reversals. Both are closed forms; that between them each amplitude has one motion is open",
+        "period slips for ever with two reversals. Both are closed forms; between them not every amplitude has a motion with two stops",
     ),
     "uniform-rate": (
         "uniform-rate",
