@@ -25,7 +25,7 @@ from numerics.linear.table import FIRST, Tables, form, make_tables
 from numerics.scene import Law, Pair, Scene, Sine
 
 Halves = tuple[float, float]
-REACH, TERMS = 2.2, 28
+REACH, TERMS = 2.0, 28
 """rate h of a step in float64, and how many Taylor terms make truncation smaller than rounding."""
 _WIDE_REACH, _WIDE_TERMS = 1.5, 36
 """The same in double-double."""
