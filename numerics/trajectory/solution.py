@@ -14,7 +14,7 @@ from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.dense import Dense, Side
-from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of
+from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
@@ -65,13 +65,17 @@ class Solution(Rows):
         return self._accuracy if self.bounded else None
 
     @cached_property
+    def _judged(self) -> tuple[Any, float, float, int]:
+        return judged(self)
+
+    @cached_property
     def _accuracy(self) -> Accuracy:
-        return accuracy_of(self)
+        return accuracy_of(self, self._judged)
 
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
-        return self._accuracy.digits if self.bounded else 0
+        return self._judged[3] if self.bounded else 0
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
