@@ -10,7 +10,7 @@ import reprlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -93,15 +93,20 @@ def solve_many(
     """
     named = dict(zip(SI, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
     for name, given in (("polynomial", polynomial), ("sines", sines)):
-        if not isinstance(given, Sequence | np.ndarray):
+        if not _is_list(given):
             raise InvalidScene(f"{name} = {str(given)[:40]!r} must be a list: of coefficients, or of triples of a sine")
     named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
     for k, sine in enumerate(sines):
-        if not isinstance(sine, Sequence | np.ndarray) or len(sine) != 3:
+        if not _is_list(sine) or len(sine) != 3:
             raise InvalidScene(f"sines[{k}] must be a triple: amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
+    for name, values in named.items():
+        if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+            raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     limits = _limits(read_law(law), max_events, keep_events, jobs, progress)
-    acts = None if force is None and friction is None else (force or Force(), friction or Friction())
+    acts = None
+    if force is not None or friction is not None:
+        acts = Force() if force is None else force, Friction() if friction is None else friction
     # a polynomial would have to begin anew with each piece of friction
     shared = force is None and len(polynomial) < 2 and _fits_in_columns(friction)
     if exact or (acts is not None and not shared):
@@ -217,7 +222,7 @@ def _solve_objects(
     """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
     given = list(named.values())
     if binary:
-        floats = [np.asarray(_numbers(name, values)) for name, values in named.items()]
+        floats = [_numbers(name, values) for name, values in named.items()]
         for name, array in zip(named, floats, strict=True):
             _refuse(name, array)
         given = [np.vectorize(Fraction, otypes=[object])(array) if array.size else array for array in floats]
@@ -293,14 +298,14 @@ def _chunk(count: int, jobs: int | None) -> int:
 
 def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tuple[Columns, tuple[int, ...]]:
     """Return numbers as columns, and the shape that their arrays have together; checked."""
-    arrays = {name: np.asarray(_numbers(name, values)) for name, values in named.items()}
+    arrays = {name: _numbers(name, values) for name, values in named.items()}
     shape = _common_shape(arrays)
     wide = np.zeros((*shape, len(arrays)))
     for index, array in enumerate(arrays.values()):
         wide[..., index] = array
     if not (wide.size and _allowed(wide, np.array([_least(name) for name in arrays])).all()):
         for name, array in arrays.items():
-            _refuse(name, array)
+            _refuse(name, np.asarray(array))
     flat = wide.reshape(-1, len(arrays))
     table = np.zeros((len(flat), 2 * len(SI)))
     table[:, ::2] = flat[:, : len(SI)]
@@ -309,29 +314,42 @@ def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tup
     return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3), frictions_of(friction)), shape
 
 
-def _common_shape(arrays: dict[str, NDArray[Any]]) -> tuple[int, ...]:
-    """Return the shape to which arrays broadcast. Raises ValueError, which names them."""
+def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
+    """Return the shape to which arrays and numbers broadcast. Raises ValueError, which names them."""
+    shapes = {name: array.shape for name, array in arrays.items() if not isinstance(array, float)}
     try:
-        return np.broadcast_shapes(*[array.shape for array in arrays.values()])
+        return np.broadcast_shapes(*{shape for shape in shapes.values() if shape})
     except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
-        raise ValueError(f"these shapes do not broadcast together: {shapes}; give arrays of one shape") from None
+        given = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        raise ValueError(f"these shapes do not broadcast together: {given}; give arrays of one shape") from None
 
 
-def _numbers(name: str, values: Any) -> Table | float:
-    """Return values as binary64 numbers: an array, or a float."""
-    if isinstance(values, (int, float)) and not isinstance(values, bool):
-        return float(values) if abs(values) < 2**1023 else np.inf
-    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
+def _is_list(given: Any) -> bool:
+    """Return whether an argument lists something; a text does not, whose letters nobody means."""
+    if isinstance(given, np.ndarray):
+        return given.ndim > 0
+    return isinstance(given, Sequence) and not isinstance(given, str | bytes)
+
+
+def _has_truth_values(values: Any) -> bool:
+    """Return whether there are truth values in a list, of which NumPy would make 0 and 1."""
+    if isinstance(values, list | tuple):
+        return any(map(_has_truth_values, values))
+    return isinstance(values, bool) or getattr(getattr(values, "dtype", None), "kind", "") == "b"
+
+
+def _numbers(name: str, values: Any) -> Table:
+    """Return values as an array of binary64 numbers."""
     try:
         given = np.asarray(values)
         if given.dtype.kind in "OUS":  # texts are read as in a scene
             given = np.vectorize(lambda one: float(exact_decimal(one, name)), otypes=[np.float64])(
                 given.astype(str) if given.dtype.kind == "S" else given
             )
-        if given.dtype.kind in "iuf":  # NumPy would make real numbers of complex ones, dates and truth values, too
-            return np.asarray(given, dtype=np.float64)
+        # NumPy would make real numbers of complex ones, dates and truth values, too
+        if given.dtype.kind in "iuf" and not _has_truth_values(values):
+            with np.errstate(over="ignore"):  # of long floats; refused as inf
+                return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         pass
     raise InvalidScene(
@@ -350,6 +368,7 @@ def _refuse(name: str, array: Table) -> None:
         raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")
 
 
+@cache
 def _least(name: str) -> float:
     """Return the least number that a quantity may be."""
     if name in _POSITIVE or name.endswith(".omega"):

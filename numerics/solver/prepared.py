@@ -22,6 +22,8 @@ from numerics.trajectory.run import MAX_EVENTS, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
 
 _FLOAT64 = Float64()
+Four = tuple[float, float, float, float]
+"""x1, v1, x2, v2."""
 _STATE, _UNTIL = slice(8, 16), slice(16, 18)
 """Where the halves of the initial state and of the horizon stand in a row of SI numbers."""
 
@@ -64,6 +66,8 @@ class Solver:
             if exact <= 0:
                 raise InvalidScene(f"until = {float(exact):g} must be > 0; give the horizon in seconds")
             self._until = until, exact, nearest(exact)
+        if not isinstance(state, State):
+            state = _four(state)  # kept as it is now, whatever becomes of a list or an array
         halves = _halves(state)
         if self._row is not None and halves is not None:
             self._row[_STATE], self._row[_UNTIL] = halves, self._until[2]
@@ -72,17 +76,17 @@ class Solver:
                 return Trajectory(partial(self._scene, state, self._until[1]), _FLOAT64, found)
         return run_scene(self._scene(state, self._until[1]), _FLOAT64, self.max_events)
 
-    def _scene(self, state: State | Sequence[float], until: Fraction) -> Scene:
+    def _scene(self, state: State | Four, until: Fraction) -> Scene:
         """Return the scene, exact."""
         if not isinstance(state, State):
-            state = State(*(Fraction(one) for one in _four(state)))
+            state = State(*map(Fraction, state))
         return Scene.of(self.pair, state, until, self.law)
 
 
-def _halves(state: State | Sequence[float]) -> NDArray[np.float64] | None:
+def _halves(state: State | Four) -> NDArray[np.float64] | None:
     """Return a state as high and low halves; None where they would make two velocities equal that are not."""
     if not isinstance(state, State):
-        x1, v1, x2, v2 = _four(state)
+        x1, v1, x2, v2 = state
         return np.array((x1, 0.0, v1, 0.0, x2, 0.0, v2, 0.0))
     if state.row is None:
         halves = [half for one in (state.x1, state.v1, state.x2, state.v2) for half in nearest(one)]
@@ -92,7 +96,7 @@ def _halves(state: State | Sequence[float]) -> NDArray[np.float64] | None:
     return found
 
 
-def _four(state: Any) -> tuple[float, float, float, float]:
+def _four(state: Any) -> Four:
     """Return x1, v1, x2, v2 as floats."""
     try:
         x1, v1, x2, v2 = map(float, state)

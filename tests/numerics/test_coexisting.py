@@ -123,7 +123,11 @@ def test_the_last_friction_scales_the_table():
 
 def test_a_motion_that_is_not_its_own_opposite_is_found_with_that():
     for found in bistable().motions[1:]:
+        drive, legs = found.orbit.drive, found.orbit.legs
         assert not apart(found.orbit, mirrored(found.orbit))
+        pushed = replace(drive, piece=Piece(0, (20,), drive.piece.sines))  # by 20 N: 0.1 m
+        moved = Orbit(pushed, tuple(replace(one, x=one.x + arb("0.1")) for one in legs))
+        assert not apart(moved, mirrored(moved))
     orbit = bistable().motions[1].orbit
     assert apart(orbit, Orbit(orbit.drive, tuple(replace(one, x=one.x + arb("1e-6")) for one in orbit.legs)))
 

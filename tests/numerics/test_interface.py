@@ -8,6 +8,7 @@ import pickle
 import pydoc
 import re
 import sys
+from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -90,6 +91,8 @@ FOR_THE_HOUSE |= {
     f"row_{name}" for name in ("lengths", "mode", "modes", "numbers", "pieces", "signs", "states", "times")
 }
 FOR_THE_HOUSE |= {"require_one_b", "signs"}
+FOR_THE_HOUSE |= {"ARITHMETICS", "COLUMNS", "EVENT_COLUMNS", "FORMAT"}
+FOR_THE_HOUSE |= {"end_bounds", "end_numbers", "kept", "look_up_times", "restored"}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
 
 
@@ -162,6 +165,8 @@ def test_only_digits_that_something_bounds_are_called_right():
 def test_what_was_pickled_or_saved_comes_back_to_the_last_bit_and_is_equal(scene, tmp_path):
     times = [0, Decimal("0.25"), "1/3", 0.5, 2]
     answers = [*runs(scene), solve(scene, t_eval=times), solve(scene, digits=20, t_eval=times)]
+    answers.append(solve(replace(PAPER, until=solve(PAPER).events[2].t), arithmetic="float64"))
+    assert not answers[-1].certain
     for one in [*answers, Solver(PAPER.pair)((0.0, 0.15, 0.0, 0.0), until=3)]:
         one.save(tmp_path / "run.npz")
         for back in (Trajectory.load(tmp_path / "run.npz"), pickle.loads(pickle.dumps(one)), copy.deepcopy(one)):
@@ -393,6 +398,13 @@ def test_every_kind_of_number_is_read(half):
     assert Pair(1, 1, 200, half) == PAPER.pair
     assert State(x1=half).x1 == Fraction(1, 2)
     assert Solver(PAPER.pair)(State(v1="0.15"), half) == solve(Scene(PAPER.pair, PAPER.initial, half))
+
+
+def test_a_prepared_solver_keeps_the_state_that_it_was_given():
+    state = np.array([0.0, 0.15, 0.0, 0.0])
+    run = Solver(PAPER.pair)(state, 3)
+    state[:] = 0
+    assert run.scene.initial == State(v1=Fraction(0.15))
 
 
 def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():

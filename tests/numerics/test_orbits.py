@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 from control_scenes import DAMPED, middle, started, under
-from flint import arb
+from flint import arb, arb_mat
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals
@@ -33,6 +33,17 @@ def test_events_that_no_motion_has_are_not_proved():
     legs = response(under(DAMPED, "0.5")).orbit.legs
     with Ball(20).context(), pytest.raises(EventUndecided):
         solve_orbit(Orbit(steady_drive(under(DAMPED, "0.2")), legs))
+
+
+def test_a_motion_is_proved_by_what_the_period_map_does_to_a_box_not_to_a_point(monkeypatch):
+    def wide(*asked):
+        found = one_round(*asked)
+        return found if asked[3] == 0 else found._replace(slopes=found.slopes + arb_mat(3, 3, [arb(0, 9)] * 9))
+
+    orbit = response(under(DAMPED, "0.5")).orbit
+    monkeypatch.setattr("numerics.control.orbit.one_round", wide)
+    with Ball(20).context(), pytest.raises(EventUndecided):
+        solve_orbit(orbit)
 
 
 def test_many_events_in_a_period_are_solved_together():

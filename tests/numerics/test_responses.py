@@ -159,6 +159,8 @@ def test_a_drift_of_exactly_zero_is_said_only_where_no_other_motion_can_be():
     assert damped.drift.is_zero()
     assert free.drift.contains(0)
     assert not free.drift.is_zero()
+    skewed = Scene(DAMPED, State(), 1, force=Force.sine("0.6", 12) + Force.sine("0.6", 24))
+    assert not response(skewed, digits=8).drift.contains(0)
 
 
 def test_resonance_of_body_1_grows_above_4b_over_pi():

@@ -8,7 +8,7 @@ from differences import moved
 from flint import arb
 from scene_files import scenes_in
 
-from numerics import solve
+from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball, widened
 from numerics.trajectory import sensitivity
 from numerics.trajectory.legs import legs
@@ -106,3 +106,13 @@ def test_a_bound_holds_what_starts_within_it(chain, off):
                 found.append(np.concatenate([np.ravel(one) for one in parts]))
             for wide, point in zip(*found, strict=True):
                 assert widened(wide, point.rad() + arb("1e-25")).contains(point)
+
+
+@pytest.mark.parametrize("a1", [0, 20, 2000])
+def test_the_bound_on_a_load_is_what_a_state_of_that_norm_can_have(a1):
+    scene = Scene(Pair(1, 2, 200, 1, a1), State(), 1)
+    with Ball(30).context():
+        chain = Chain(scene, legs(solve(scene, arithmetic="ball")), tuple(parameters(scene)))
+        turns = np.linspace(0, np.pi, 10_001)
+        most = abs(2 / 3 * (np.sqrt(200) * np.cos(turns) + a1 / np.sqrt(3) * np.sin(turns))).max()
+        assert float(chain._guard_by_norm(0)) == pytest.approx(most, rel=1e-6)

@@ -6,11 +6,12 @@ import flint
 import mpmath
 import numpy as np
 import pytest
+from flint import arb
 from hypothesis import given
 from strategies import near_critical, scenes
 from three_scenes import PAPER
 
-from numerics import EventUndecided, NumericsError, Pair, PrecisionExhausted, Scene, State, solve
+from numerics import EventUndecided, NumericsError, Pair, PrecisionExhausted, Scene, State, load_scene, solve
 from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
@@ -79,6 +80,19 @@ def test_dense_evaluation_is_continuous_across_events(scene):
         for event in run.events:
             for left, right, size in zip(run.sol(event.t, "left"), run.sol(event.t), scale, strict=True):
                 assert abs(left - right) <= mpmath.mpf(10) ** -25 * size
+
+
+def test_segments_of_many_pieces_and_balls_of_times_say_what_sol_says_of_each_time():
+    run = solve(load_scene("forced-friction-by-pieces"), digits=20, arithmetic="ball")
+    with run.arithmetic.context():
+        for segment in run.segments:
+            for since in (segment.length / 10, segment.length * 9 / 10):
+                pairs = zip(segment.state(since), run.sol(segment.start + since), strict=True)
+                assert all(one.overlaps(two) for one, two in pairs)
+        for t in run.event_times:
+            wide = run.sol(t + arb(0, 0.01))
+            for by in (-0.009, 0.009):
+                assert all(one.contains(two) for one, two in zip(wide, run.sol(t.mid() + by), strict=True))
 
 
 @given(near_critical((3, 60)))
