@@ -135,8 +135,8 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# The curves are tangent to the diagonal at $0$, which is why the approach is slow; a light driving body ($q<1/2$) can
-# lose so much in one excursion that $w'<0$: then the pair has merged.
+# The curves are tangent to the diagonal at $0$, which is why the approach is slow; a light driving body
+# ($m_1/m_2<0.7926\ldots$) can lose so much in one excursion that $w'<0$: then the pair has merged.
 
 # %% [markdown]
 # ## The 1/t law

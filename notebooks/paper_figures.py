@@ -13,7 +13,7 @@
 # %% [markdown]
 # # The paper's figures, recomputed
 #
-# Figures 3 and 4 and the two itineraries of Section III, from exact trajectories, next to what the paper's integrator,
+# Figures 4 and 5 and the two itineraries of Section III, from exact trajectories, next to what the paper's integrator,
 # forward Euler, makes of them. The numbers beside them are computed in balls, to at least 20 right digits, and rounded
 # for print.
 

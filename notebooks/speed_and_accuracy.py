@@ -30,9 +30,9 @@ from numerics.trade.judge import judge, proved
 from numerics.trade.measure import total_time
 from numerics.trade.recorded import recorded
 from numerics.trade.scenes import HEADLINE
+from paper_checks.report.content import speed
 from paper_checks.report.content.blocks import Picture
 from paper_checks.report.formats.html_blocks import HtmlWriter
-from paper_checks.speed import section
 
 # %% [markdown]
 # ## The recorded measurement
@@ -42,11 +42,11 @@ from paper_checks.speed import section
 
 # %%
 trade = recorded()
-chapter = section.section(trade)
+chapter = speed.section(trade)
 HTML(HtmlWriter({}, {}).body([block for block in chapter.blocks if not isinstance(block, Picture)]))
 
 # %%
-section.figures(trade)[section.WORK_PRECISION]()
+speed.figures(trade)[speed.WORK_PRECISION]()
 
 # %% [markdown]
 # ## A small one, here and now

@@ -25,7 +25,7 @@ from numerics.exits import (
     wrong_path,
 )
 from numerics.shown import console
-from paper_checks.reporting import command_line
+from paper_checks.report.output import command_line
 from paper_checks.running import early
 
 if TYPE_CHECKING:

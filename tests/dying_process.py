@@ -4,7 +4,7 @@ import os
 import signal
 
 from numerics.trade.recorded import Trade
-from paper_checks.reporting import parts
+from paper_checks.report.output import parts
 from paper_checks.running import workers
 from paper_checks.running.plain import Plain
 from paper_checks.running.runner import Context

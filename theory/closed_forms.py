@@ -26,7 +26,7 @@ from sympy import (
 from theory.fraction import in_lowest_terms
 from theory.linear import root, roots
 from theory.model import branch_named
-from theory.symbols import a1, a2, free, m1, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
+from theory.symbols import a1, a2, free, m1, put, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
 
 decay = Symbol("beta", positive=True)  # decay rate a1/(2 I), 1/s
 rate = Symbol("omega", positive=True)  # angular frequency, or half distance of the real rates, 1/s
@@ -133,15 +133,15 @@ def residual(found: ModeSolution) -> tuple[Expr, ...]:
     field = branch_named(found.mode)
     along = {x1: found.x1, v1: found.v1}
     equations = (
-        diff(found.x1, t, 2) - free(field.acceleration1).subs(along, simultaneous=True),
-        diff(found.x2, t, 2) - free(field.acceleration2).subs(along, simultaneous=True),
+        diff(found.x1, t, 2) - put(free(field.acceleration1), along),
+        diff(found.x2, t, 2) - put(free(field.acceleration2), along),
     )
     common = v1_0 if found.mode == "stick" else v2_0
     initial = (found.x1 - x1_0, found.v1 - v1_0, found.x2 - x2_0, found.v2 - common)
     system = equations + tuple(entry.subs(t, 0) for entry in initial)
     known = coefficients(found.mode, found.regime)
     # Linear in the independent functions t, exp, cos, ... with rational coefficients: cancelling decides.
-    return tuple(in_lowest_terms(entry.subs(known, simultaneous=True)) for entry in system)
+    return tuple(in_lowest_terms(put(entry, known)) for entry in system)
 
 
 @cache

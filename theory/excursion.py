@@ -34,7 +34,7 @@ from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.power_series import taylor
 from theory.scaling import canonical_pair, excess
-from theory.symbols import V1, V2, X, epsilon, h_value, overshoot, q, r, t, theta, v1_0, v2_0, x1_0
+from theory.symbols import V1, V2, X, epsilon, h_value, overshoot, put, q, r, t, theta, v1_0, v2_0, x1_0
 
 angle = Symbol("phi", positive=True)  # half slip angle theta/2, in (0, pi)
 half_tangent = Symbol("k", real=True)  # tan(theta/2)
@@ -55,10 +55,10 @@ def half_tangent_form(expression: Expr) -> Expr:
 def on_circle(expression: Expr) -> Expr:
     """An expression in theta, sin theta, cos theta as one fraction without powers of the sine above the first."""
     c, s = Symbol("c"), Symbol("s")
-    parts = fraction(in_lowest_terms(expression.subs({cos(theta): c, sin(theta): s}, simultaneous=True)))
+    parts = fraction(in_lowest_terms(put(expression, {cos(theta): c, sin(theta): s})))
     above, below = (rem(part, s**2 + c**2 - 1, s) for part in parts)
     top, bottom = fraction(in_lowest_terms(above / below))
-    return (top / factor(bottom)).subs({c: cos(theta), s: sin(theta)}, simultaneous=True)
+    return put(top / factor(bottom), {c: cos(theta), s: sin(theta)})
 
 
 @dataclass(frozen=True)
@@ -83,8 +83,8 @@ def slip_from(position: Expr, velocity: Expr) -> Slip:
     meaning = rates("slip-", Regime.UNDAMPED)
 
     def reduced(expression: Expr) -> Expr:
-        canonical = expression.subs({rate: meaning[rate]}).subs(canonical_pair(), simultaneous=True)
-        return expand(canonical.subs(start, simultaneous=True).subs(t, sqrt(q) * theta))
+        canonical = put(put(expression, {rate: meaning[rate]}), canonical_pair())
+        return expand(put(canonical, start).subs(t, sqrt(q) * theta))
 
     return Slip(reduced(found.x1), reduced(found.v1), reduced(found.v2))
 
@@ -118,7 +118,7 @@ def guard_factors() -> tuple[Expr, Expr]:
 @cache
 def h_slope() -> Expr:
     """h'(theta) = (2(1 - cos theta) - theta sin theta)/(1 - cos theta)^2 in combined form."""
-    return factor(on_circle(diff(h(), theta)))
+    return factored(on_circle(diff(h(), theta)))
 
 
 @cache
@@ -172,8 +172,8 @@ def excursion() -> Excursion:
     slip = slip_from_ray()
     position = slip.X.subs(epsilon, start)
     velocity = slip.V2.subs(epsilon, start)
-    before = excess().subs({X: 1, V1: start, V2: start}, simultaneous=True)
-    after = excess().subs({X: position, V1: velocity, V2: velocity}, simultaneous=True)
+    before = put(excess(), {X: 1, V1: start, V2: start})
+    after = put(excess(), {X: position, V1: velocity, V2: velocity})
     return Excursion(
         start_velocity=start,
         duration=sqrt(q) * theta,

@@ -12,7 +12,6 @@ from sympy import (
     Rational,
     Symbol,
     diff,
-    factor,
     factorial,
     sin,
     sqrt,
@@ -21,10 +20,10 @@ from sympy import (
 
 from theory.energy import energy, inner_product, other, sigma
 from theory.filippov import STATE, derivative_along
-from theory.fraction import in_lowest_terms
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, free_system, slip, stick
-from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v2, x1, x1_other
+from theory.symbols import a1, a2, b, m1, m2, put, t, total_mass, u, v1, v2, x1, x1_other
 
 U_RATES = symbols(r"\dot{u} \ddot{u} u^{(3)} u^{(4)}", real=True)
 """Derivatives of u from the right, N/s, N/s^2, ..."""
@@ -37,14 +36,14 @@ gap, gap_rate = symbols("y \\dot{y}", real=True)
 @cache
 def load() -> Expr:
     """Lambda, N: the friction force on body 2 that sticking needs."""
-    return factor(m2 * stick().acceleration1)
+    return factored(m2 * stick().acceleration1)
 
 
 @cache
 def coupling() -> Expr:
     """kappa, 1/kg: in slip of sign s the relative velocity has the rate kappa (Lambda - s b)."""
     found = slip(1)
-    return factor((found.acceleration1 - found.acceleration2) / (load() - b))
+    return factored((found.acceleration1 - found.acceleration2) / (load() - b))
 
 
 def relative_rate(sign: int) -> Expr:
@@ -63,7 +62,7 @@ def held_at_the_limit() -> Expr:
     """The force, N, under which the pair of Section IV, b = 1/2 N, sticks from rest at 0 with the load b for ever."""
     path = reference(1).subs({x1: 0, v1: 0})
     along = {x1: path, v1: diff(path, t)}
-    balance = stick().acceleration1.subs(along, simultaneous=True) - diff(path, t, 2)
+    balance = put(stick().acceleration1, along) - diff(path, t, 2)
     return root(balance, u).subs(CASE_STUDY).subs(b, Rational(1, 2))
 
 
@@ -71,7 +70,7 @@ def held_at_the_limit() -> Expr:
 def imbalance(sign: int) -> Expr:
     """p(t), N: (M/m2)(Lambda - sign b) along the reference, for the force u at that time."""
     along = {x1: reference(sign), v1: diff(reference(sign), t)}
-    return in_lowest_terms((total_mass() / m2 * (load() - sign * b)).subs(along, simultaneous=True)).expand()
+    return in_lowest_terms(put(total_mass() / m2 * (load() - sign * b), along)).expand()
 
 
 def jet(order: int) -> Expr:
@@ -82,7 +81,7 @@ def jet(order: int) -> Expr:
 
 def tie_derivative(sign: int, order: int) -> Expr:
     """The derivative of p of an order from 1 to 4 at the tie, N/s^order: the first nonzero one decides."""
-    return diff(imbalance(sign).subs(u, jet(order)), t, order).subs(t, 0)
+    return put(diff(put(imbalance(sign), {u: jet(order)}), t, order), {t: 0})
 
 
 @cache
@@ -91,7 +90,7 @@ def deviation_force(mode: str, sign: int) -> Expr:
     place = reference(sign)
     along = {x1: place + gap, v1: diff(place, t) + gap_rate}
     found = branch_named(mode).acceleration1
-    acceleration = found.subs(along, simultaneous=True) - diff(place, t, 2)
+    acceleration = put(found, along) - diff(place, t, 2)
     inertia = total_mass() if mode == "stick" else m1
     spring = -diff(found, x1) * inertia
     return in_lowest_terms(inertia * acceleration + a1 * gap_rate + spring * gap).expand()
@@ -101,7 +100,7 @@ def excess_load(sign: int) -> Expr:
     """Lambda - sign b, N, at the place y beside the reference."""
     place = reference(sign)
     along = {x1: place + gap, v1: diff(place, t) + gap_rate}
-    return (load() - sign * b).subs(along, simultaneous=True)
+    return put(load() - sign * b, along)
 
 
 @cache
@@ -134,7 +133,7 @@ b_other = Symbol(r"\tilde{b}", positive=True)  # the friction at the place of th
 
 def place_dependent_rate(sign: int) -> Expr:
     """The rate of half the squared distance of two slips of one sign with frictions b and b~, a1 = 0, W."""
-    second = other(forced_system(sigma, u)).subs({other(sigma): sign, b: b_other}, simultaneous=True)
+    second = put(other(forced_system(sigma, u)), {other(sigma): sign, b: b_other})
     difference = forced_system(sigma).subs(sigma, sign) - second
     return inner_product(STATE - other(STATE), difference).expand().subs(a1, 0)
 
@@ -172,7 +171,7 @@ def undamped_difference() -> tuple[Expr, Expr]:
     first = forced_system(sigma)[1].subs(a1, 0)
     force = (first - other(first).subs(other(sigma), sigma)).subs(a2, m1 * frequency**2)
     place = velocity_gap / frequency * sin(frequency * t)
-    left = diff(place, t, 2) - force.subs({x1: place, x1_other: 0}, simultaneous=True)
+    left = diff(place, t, 2) - put(force, {x1: place, x1_other: 0})
     if left.expand() != 0:
         raise ArithmeticError(f"the difference of two slips leaves {left}")
     return place, diff(place, t) - velocity_gap
@@ -182,7 +181,7 @@ def undamped_difference() -> tuple[Expr, Expr]:
 def breaking_damping() -> Expr:
     """The damping, N s/m, at which the stuck pair needs all of the friction at x1 = 0 and v1 > 0."""
     needed = load().subs({u: 0, x1: 0})
-    return factor(root(needed + b, a1))
+    return factored(root(needed + b, a1))
 
 
 @cache

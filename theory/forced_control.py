@@ -11,7 +11,6 @@ from sympy import (
     diff,
     exp,
     expand,
-    factor,
     integrate,
     sin,
     sqrt,
@@ -21,11 +20,11 @@ from sympy import (
 from theory.energy import metric, slip_rate
 from theory.filippov import STATE, guard
 from theory.forced_response import decline, natural, swing
-from theory.fraction import in_lowest_terms
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.model import slip, stick
 from theory.scaling import stick_frequency
-from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v2_0, x1, x1_0, x2_0
+from theory.symbols import a1, a2, b, m1, m2, put, t, u, v1, v2_0, x1, x1_0, x2_0
 
 r_place, r_speed, r_acceleration = Symbol("r", real=True), Symbol(r"\dot{r}", real=True), Symbol(r"\ddot{r}", real=True)
 """A reference for body 2 and its derivatives, m, m/s, m/s^2; here x1 - x2 = 0 at the start."""
@@ -68,7 +67,7 @@ def stuck_offset() -> Expr:
 def stuck_force() -> Expr:
     """The force, N, under which the stuck pair has a place, velocity and acceleration: that of the reference."""
     along = {x1: r_place, v1: r_speed}
-    return root(stick().acceleration1.subs(along, simultaneous=True) - r_acceleration, u).expand()
+    return root(put(stick().acceleration1, along) - r_acceleration, u).expand()
 
 
 @cache
@@ -98,7 +97,7 @@ def middle() -> Expr:
 @cache
 def spread() -> Expr:
     """How far the place of body 2 at T can be from the middle, m."""
-    return factor((farthest() - nearest()) / 2)
+    return factored((farthest() - nearest()) / 2)
 
 
 @cache
@@ -118,7 +117,7 @@ def transfer_force(first_half: bool) -> Expr:
     """The force under which the pair makes that transfer stuck, N, by the same times."""
     place, sign = bang(first_half), 1 if first_half else -1
     known = {r_place: place, r_speed: sign * diff(place, t), r_acceleration: diff(place, t, 2)}
-    return stuck_force().subs(known, simultaneous=True)
+    return put(stuck_force(), known)
 
 
 @cache
@@ -138,7 +137,7 @@ def stuck_amplitudes() -> tuple[Expr, Expr, Expr]:
 def late_peak() -> Expr:
     """a2^2 D - a1^2 b/m2, (N/s)^2 kg: at least zero where the force of the second half has its highest point inside."""
     before = root(diff(transfer_force(False), t), t)
-    return factor(((least_time() / 2) ** 2 - before**2) * a2**2 * strongest()).expand()
+    return factored(((least_time() / 2) ** 2 - before**2) * a2**2 * strongest()).expand()
 
 
 @cache
@@ -149,7 +148,7 @@ def impulse_response() -> Expr:
 
 def response_peak() -> Expr:
     """The angle theta = omega_1 t up to which g rises where a1 = 0."""
-    response = impulse_response().subs({decline: 0, t: angle / swing}, simultaneous=True)
+    response = put(impulse_response(), {decline: 0, t: angle / swing})
     level = Symbol("c")
     return acos(root(diff(response, angle).subs(cos(angle), level), level))
 
@@ -171,14 +170,19 @@ def undamped_slipping_amplitude() -> Expr:
 
 
 @cache
-def switching() -> tuple[Expr, Expr]:
-    """The angles Omega t of the two arcs of the fastest transfer of the stuck pair by |u| <= U without a damper, by d.
+def switching_cosines() -> tuple[Expr, Expr]:
+    """The cosines of the angles `switching`.
 
     In units of U/a2: about 1 from (0, 0) and about -1 into (d, 0), circles that meet at one place.
     """
     place = Symbol("X", real=True)
     meets = root((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)
-    return acos((1 - meets).expand()), acos(together((meets + 1) / (1 + reduced)))
+    return (1 - meets).expand(), together((meets + 1) / (1 + reduced))
+
+
+def switching() -> tuple[Expr, ...]:
+    """The angles Omega t of both arcs of the fastest transfer of the stuck pair by |u| <= U without a damper, by d."""
+    return tuple(map(acos, switching_cosines()))
 
 
 def weak_time() -> Expr:
@@ -196,7 +200,7 @@ def ring_ratio() -> Expr:
     """The square of the largest |w| in N <= 1, 1/kg: where m1 v1 + m2 v2 = 0."""
     speed = Symbol("v", positive=True)
     opposite = -m1 * speed / m2
-    return factor((speed - opposite) ** 2 / (m1 * speed**2 + m2 * opposite**2))
+    return factored((speed - opposite) ** 2 / (m1 * speed**2 + m2 * opposite**2))
 
 
 def ring_radius() -> Expr:

@@ -28,7 +28,7 @@ from theory.fraction import in_lowest_terms
 from theory.linear import root, roots
 from theory.model import slip, stick
 from theory.power_series import taylor
-from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1
+from theory.symbols import a1, a2, b, m1, m2, put, t, total_mass, u, v1, x1
 
 amplitude, omega = Symbol("U", positive=True), Symbol("omega", positive=True)
 """Amplitude (N) and angular frequency (1/s) of the force."""
@@ -52,7 +52,7 @@ square_place, square_speed = Symbol("h", real=True), Symbol("h'", real=True)
 def rates() -> tuple[Expr, Expr]:
     """(lambda, omega_d), 1/s, of body 1 on its spring and damper: its motion has the roots -lambda +- i omega_d."""
     rate = Symbol("rho")
-    acceleration = slip(1).acceleration1.subs({x1: 1, v1: rate, u: 0, b: 0}, simultaneous=True)
+    acceleration = put(slip(1).acceleration1, {x1: 1, v1: rate, u: 0, b: 0})
     quadratic = expand(rate**2 - acceleration)
     half = quadratic.coeff(rate, 1) / 2
     return half, sqrt(quadratic.coeff(rate, 0) - half**2)
@@ -66,7 +66,7 @@ def left_after_half() -> Expr:
 def impedance(acceleration: Expr, inertia: Expr) -> Expr:
     """Force by place, N/m, of a body with that acceleration on exp(i omega t): a2 - I omega^2 + i a1 omega."""
     along = {x1: 1, v1: I * omega, u: 0, b: 0}
-    return -(inertia * omega**2) - inertia * acceleration.subs(along, simultaneous=True)
+    return -(inertia * omega**2) - inertia * put(acceleration, along)
 
 
 def stuck_impedance() -> Expr:
@@ -125,7 +125,7 @@ def square_wave() -> tuple[Expr, Expr]:
     place = 1 / stiffness + exp(-decline * t) * (first * cos(swing * t) + second * sin(swing * t))
     speed, half = diff(place, t), pi / omega
     left = {exp(-decline * half): decayed, cos(swing * half): Symbol("c"), sin(swing * half): Symbol("s")}
-    ends = [(one.subs(t, half) + one.subs(t, 0)).subs(left) for one in (place, speed)]
+    ends = [put(put(one, {t: half}) + put(one, {t: 0}), left) for one in (place, speed)]
     found = dict(zip((first, second), roots(ends, [first, second]), strict=True))
     return _reduced(place.subs(t, 0).subs(found)), _reduced(speed.subs(t, 0).subs(found))
 
@@ -134,7 +134,7 @@ def _reduced(value: Expr) -> Expr:
     """The value as one fraction, without the square of the sine of half a period's turn."""
     turn = pi * swing / omega
     c, s = Symbol("c"), Symbol("s")
-    parts = fraction(in_lowest_terms(value.subs({cos(turn): c, sin(turn): s})))
+    parts = fraction(in_lowest_terms(put(value, {cos(turn): c, sin(turn): s})))
     above, below = (part.expand().subs(s**2, 1 - c**2) for part in parts)
     return in_lowest_terms(above / below).subs({c: cos(turn), s: sin(turn)})
 
@@ -142,7 +142,7 @@ def _reduced(value: Expr) -> Expr:
 def half_turn(value: Expr) -> Expr:
     """The value with k = tan(pi swing/(2 omega)) for the sine and the cosine of that turn: a rational function."""
     turn, k = pi * swing / omega, Symbol("k", real=True)
-    return value.subs({cos(turn): (1 - k**2) / (1 + k**2), sin(turn): 2 * k / (1 + k**2)})
+    return put(value, {cos(turn): (1 - k**2) / (1 + k**2), sin(turn): 2 * k / (1 + k**2)})
 
 
 @cache
@@ -155,7 +155,7 @@ def non_stop_parts() -> tuple[Expr, Expr]:
     lowest = -slip(1).acceleration2 * pi / omega / 2
     place, speed = c - b * square_place, a * omega - b * square_speed
     force = ((slip_impedance() - I * slip_impedance().coeff(I)) * c + slip_impedance().coeff(I) * a).expand()
-    at_exit = load().subs({u: force, x1: place, v1: speed}, simultaneous=True) - b
+    at_exit = put(load(), {u: force, x1: place, v1: speed}) - b
     return roots([speed - lowest, at_exit], [a, c])
 
 
@@ -190,7 +190,7 @@ def two_stop_conditions() -> tuple[Expr, Expr, Expr]:
     The load is b at the exit (N); both velocities agree at the end (m/s); and from the end the stuck pair comes to
     (-x0, -v0) in the rest of half a period: the last one is for a slip that lasts all of it, (m/s).
     """
-    at_exit = load().subs({u: cosine_part, x1: exit_place, v1: exit_speed}, simultaneous=True) - b
+    at_exit = put(load(), {u: cosine_part, x1: exit_place, v1: exit_speed}) - b
     at_end = end_speed - (exit_speed + slip(1).acceleration2 * slip_length)
     return at_exit, at_end, at_end.subs({end_speed: -exit_speed, slip_length: pi / omega})
 
@@ -201,9 +201,7 @@ def short_slip() -> tuple[Expr, Expr]:
     The end w(ts) = 0 of a slip of length ts, divided by ts^2, tends to the second one: as ts -> 0 the load turns there.
     """
     load_rate = Symbol(r"\dot{\Lambda}", real=True)
-    rate = (slip(1).acceleration1 - slip(1).acceleration2).subs(
-        x1, root(load() - b - load_rate * t, x1), simultaneous=True
-    )
+    rate = put(slip(1).acceleration1 - slip(1).acceleration2, {x1: root(load() - b - load_rate * t, x1)})
     return expand(rate.subs(t, 0)), expand(diff(rate, t))
 
 

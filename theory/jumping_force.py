@@ -11,7 +11,7 @@ from sympy import Expr, ImmutableMatrix, Symbol, atan, cos, diff, expand, expand
 from theory.forced import distance_squared, load
 from theory.linear import root
 from theory.model import slip, stick
-from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v1_other, v2, v2_other, x1, x1_other
+from theory.symbols import a1, a2, b, m1, m2, put, t, u, v1, v1_other, v2, v2_other, x1, x1_other
 
 PAIR = {m1: 1, m2: 1, a1: 0, a2: 1, b: 1}
 """The pair of the family, SI units."""
@@ -92,4 +92,4 @@ def apart_squared() -> Expr:
     """The squared energy distance of two members at the exit, J."""
     one, two = exit_state(), exit_state().subs(speed, other_speed)
     states = zip((x1, v1, v2, x1_other, v1_other, v2_other), (*one, *two), strict=True)
-    return expand(distance_squared().subs(PAIR).subs(dict(states), simultaneous=True))
+    return expand(put(distance_squared().subs(PAIR), dict(states)))

@@ -12,7 +12,7 @@ from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Ration
 
 from theory.fraction import factored
 from theory.linear import root
-from theory.symbols import a1, a2, acceleration1, acceleration2, b, free, m1, m2, sgn, u, v1, v2, x1
+from theory.symbols import a1, a2, acceleration1, acceleration2, b, free, m1, m2, put, sgn, u, v1, v2, x1
 
 RELATIVE_SIGN = sgn(v1 - v2)
 STICTION_SIGN = sgn(Abs(acceleration1) - b / m2)
@@ -81,7 +81,7 @@ def branch(relative_sign: int, stiction_sign: int, name: str = "") -> Branch:
         name,
         values[RELATIVE_SIGN],
         None if relative_sign else values[STICTION_SIGN],
-        *_accelerations(driving_equation().subs(values), driven_equation().subs(values)),
+        *_accelerations(put(driving_equation(), values), put(driven_equation(), values)),
     )
 
 

@@ -18,7 +18,7 @@ from theory.fraction import in_lowest_terms
 from theory.linear import root, roots
 from theory.power_series import composed, reverted, taylor
 from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
-from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
+from theory.symbols import V1, V2, X, epsilon, put, q, t, theta, v1_0, w, x1, x1_0
 
 ORDER = 8  # enough for two terms beyond the leading one in w'
 
@@ -62,7 +62,7 @@ def stick_rotation() -> tuple[Expr, Expr]:
     Entries are functions of x10 = X, v10 = V and epsilon, the speed V = -epsilon of the next exit.
     """
     found = solution("stick", Regime.UNDAMPED)
-    unit = {rate: rates("stick", Regime.UNDAMPED)[rate].subs(canonical_pair(), simultaneous=True)}
+    unit = {rate: put(rates("stick", Regime.UNDAMPED)[rate], canonical_pair())}
     cosine, sine = Symbol("c"), Symbol("s")
     motion = [found.x1.subs(unit) + 1, found.v1.subs(unit) + epsilon]
     motion = [entry.subs({cos(t): cosine, sin(t): sine}) for entry in motion]
@@ -89,7 +89,7 @@ def cycle(order: int = ORDER) -> CycleSeries:
         epsilon * composed(sqrt(1 + epsilon), epsilon, order - 2, expand(excess_after / epsilon**2) - 1)
     )
     state = {x1_0: position, v1_0: velocity, epsilon: speed_after}
-    cosine, sine = (taylor(part.subs(state, simultaneous=True), epsilon, order - 1) for part in stick_rotation())
+    cosine, sine = (taylor(put(part, state), epsilon, order - 1) for part in stick_rotation())
     stick = angle_of(cosine, sine, order - 1)
     slip = sqrt(q) * slip_angle(order)
     return CycleSeries(
@@ -156,7 +156,7 @@ def exit_speed() -> Expr:
     """V of the ray l_+ with excess w, dimensionless: solved from the energy on the edge X = 1."""
     squared = Symbol("V2", positive=True)
     common = sqrt(squared)
-    return sqrt(root(excess().subs({X: 1, V1: common, V2: common}, simultaneous=True) - w, squared))
+    return sqrt(root(put(excess(), {X: 1, V1: common, V2: common}) - w, squared))
 
 
 @cache

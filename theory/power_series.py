@@ -24,6 +24,8 @@ from sympy import (
 )
 from sympy.polys.polyerrors import CoercionFailed
 
+from theory.symbols import put
+
 _SPARE = 12
 """Orders that a zero of the denominator may take away."""
 
@@ -88,7 +90,7 @@ def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
         return None
     quotient = _divided(top[zeros:], bottom[zeros:], order)
     back = {half_turn: pi} | {root: sqrt(one) for one, root in roots.items()}
-    return expand(sum((field.to_sympy(one).subs(back) * variable**n for n, one in enumerate(quotient)), Integer(0)))
+    return expand(sum((put(field.to_sympy(one), back) * variable**n for n, one in enumerate(quotient)), Integer(0)))
 
 
 def _circle(length: int) -> tuple[list[Any], list[Any]]:

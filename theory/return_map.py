@@ -18,7 +18,7 @@ from sympy import Expr, Integer, Rational, Symbol, cos, cot, diff, expand, sin, 
 from theory.excursion import excursion, h, half_tangent_form, slip_from_outside
 from theory.power_series import reverted
 from theory.scaling import excess
-from theory.symbols import V1, V2, X, epsilon, overshoot, q, r, theta
+from theory.symbols import V1, V2, X, epsilon, overshoot, put, q, r, theta
 
 gap = Symbol("d", nonnegative=True)  # (X - 1)/q at the start
 push = Symbol("nu", real=True)  # V1/sqrt(q) at the start
@@ -44,7 +44,7 @@ def contact_condition() -> Expr:
 def reduced_guard() -> Expr:
     """(V1 - V2)/sqrt(q) along a slip from S, in d, nu and theta; negative while it lasts."""
     start = {overshoot: q * gap, epsilon: sqrt(q) * push}
-    return expand(slip_from_outside().guard.subs(start, simultaneous=True) / sqrt(q))
+    return expand(put(slip_from_outside().guard, start) / sqrt(q))
 
 
 def in_trigonometry(expression: Expr) -> Expr:
@@ -90,9 +90,9 @@ def landing_residuals() -> tuple[Expr, Expr, Expr]:
     contact = h() - gap * half_cotangent()
     start = {overshoot: q * gap, epsilon: sqrt(q) * contact}
     path = slip_from_outside()
-    position, velocity = (one.subs(start, simultaneous=True) for one in (path.X, path.V2))
-    before = excess().subs({X: 1 + q * gap, V1: sqrt(q) * contact, V2: sqrt(q) * contact}, simultaneous=True)
-    after = excess().subs({X: position, V1: velocity, V2: velocity}, simultaneous=True)
+    position, velocity = (put(one, start) for one in (path.X, path.V2))
+    before = put(excess(), {X: 1 + q * gap, V1: sqrt(q) * contact, V2: sqrt(q) * contact})
+    after = put(excess(), {X: position, V1: velocity, V2: velocity})
     claimed = landing()
     return (
         half_tangent_form((position - 1) / q - in_trigonometry(claimed.gap)),

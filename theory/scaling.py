@@ -12,7 +12,7 @@ from theory.energy import critical_energy, energy, slip_rate
 from theory.filippov import load_threshold, phi, sliding_field
 from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
-from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, undamped, v1, v2, x1, zeta
+from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, put, q, r, total_mass, undamped, v1, v2, x1, zeta
 
 # Units of the reduced coordinates as free symbols: length (m), frequency (rad/s), mass (kg).
 L, Omega, M = Symbol("L", positive=True), Symbol("Omega", positive=True), Symbol("M", positive=True)
@@ -48,8 +48,8 @@ def parameters() -> dict[Symbol, Expr]:
 
 def to_reduced(expression: Expr) -> Expr:
     """An SI expression of state and parameters in reduced coordinates; its unit remains in M, Omega, L."""
-    state = {x1: L * X, v1: L * Omega * V1, v2: L * Omega * V2}
-    return factored(expression.subs(state, simultaneous=True).subs(parameters(), simultaneous=True))
+    state = {x1: L * X, v1: L * Omega * V1, v2: L * Omega * V2, total_mass(): M}
+    return factored(put(put(expression, state), parameters()))
 
 
 def to_si(expression: Expr) -> Expr:
@@ -62,7 +62,7 @@ def to_si(expression: Expr) -> Expr:
         q: m1 / total_mass(),
         zeta: damping_ratio(),
     }
-    return expression.subs(definitions, simultaneous=True)
+    return put(expression, definitions)
 
 
 def reduced_field(field: ImmutableMatrix) -> ImmutableMatrix:
@@ -105,4 +105,4 @@ def excess_rate(sign: int, damped: bool = False) -> Expr:
 
 def canonical_pair() -> dict[Symbol, Expr]:
     """SI parameters for which L = Omega = M = 1: its SI formulas are the reduced ones."""
-    return {symbol: value.subs({L: 1, M: 1, Omega: 1}) for symbol, value in parameters().items()}
+    return {symbol: put(value, {L: 1, M: 1, Omega: 1}) for symbol, value in parameters().items()}

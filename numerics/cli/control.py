@@ -81,16 +81,16 @@ def _lines(found: Response, record: dict[str, Any]) -> list[str]:
 _NAMED = {
     "entrainment": ("U*", "N"),
     "exception": ("other motions stick up to U*/cos(pi omega/(2 Omega))", "N"),
-    "non_stop": ("U**, necessary for no stops", "N"),
+    "non_stop": ("U**, needed to slip for ever with two reversals a period", "N"),
     "drift": ("mean velocity of body 2", "m/s"),
     "growth": ("v1's amplitude grows by", "m/s^2 at least"),
     "decay": ("decay", "of a distance left a period"),
 }
 _SLIPS_FOR_EVER = {
-    "yes": "no stops: at this amplitude the motion with two reversals a period keeps slipping",
-    "below U**": "no stops: not at this amplitude, which is below U**",
-    "turns back": "no stops: U** is not enough here; at this amplitude the relative velocity would change its sign",
-    "undecided": "no stops: it is not decided whether the relative velocity keeps its sign at this amplitude",
+    "yes": "two reversals: at this amplitude that motion keeps slipping",
+    "below U**": "two reversals: none slips for ever so at this amplitude, which is below U**",
+    "turns back": "two reversals: U** is not enough here; at this amplitude the relative velocity changes its sign",
+    "undecided": "two reversals: it is not decided whether the relative velocity keeps its sign at this amplitude",
 }
 
 

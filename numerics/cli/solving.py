@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from numerics.cli import surface
 from numerics.cli.printing import SHOWN
 from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import write_figure
@@ -18,12 +19,10 @@ if TYPE_CHECKING:
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
-UNITS = {"x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "energy_excess": ""}
 
 
 def solve_scene(options: argparse.Namespace) -> int:
     """Solve one scene and print or write what was asked for."""
-    from numerics.scene import Scene
     from numerics.scene.file import load_scene
     from numerics.scene.plane import PlaneScene
     from numerics.solver.solve import solve
@@ -31,7 +30,7 @@ def solve_scene(options: argparse.Namespace) -> int:
     wrong = _wrong_use(options)
     if wrong is not None:
         return refuse(wrong, USAGE)
-    scene: Scene | PlaneScene = load_scene(options.scene)
+    scene: Any = load_scene(options.scene)
     asked: dict[str, Any] = {
         "digits": options.digits,
         "arithmetic": options.arithmetic or (None if options.digits else "ball"),
@@ -39,14 +38,13 @@ def solve_scene(options: argparse.Namespace) -> int:
         "max_digits": options.max_digits,
         "progress": _progress(options.max_events),
     }
-    if isinstance(scene, PlaneScene):
-        from numerics.cli import surface
-
-        wrong = surface.wrong_use(options)
-        return surface.print_surface(solve(scene, **asked), options) if wrong is None else refuse(wrong, USAGE)
+    off_line = isinstance(scene, PlaneScene)
+    wrong = surface.wrong_use(options) if off_line else None
+    if wrong is not None:
+        return refuse(wrong, USAGE)
     trajectory = solve(scene, **asked)
     if options.explain:
-        print(explanation(trajectory), file=sys.stderr)
+        print((surface.explanation if off_line else explanation)(trajectory), file=sys.stderr)
     if options.npz is not None:
         from numerics.trajectory.export import write_npz
         from numerics.trajectory.sensitivity_export import sensitivity_arrays
@@ -55,9 +53,10 @@ def solve_scene(options: argparse.Namespace) -> int:
     elif options.proof is not None:
         _write_proof(trajectory, options.proof)
     elif options.plot is not None:
-        from numerics.cli.plot import overview
+        from numerics.cli import plot
+        from numerics.plane import pictures
 
-        write_figure(overview(trajectory), options.plot)
+        write_figure((pictures if off_line else plot).overview(trajectory), options.plot)
     else:
         _print(trajectory, options)
     return OK if trajectory.success else refuse(trajectory.message, FAILED)
@@ -99,7 +98,7 @@ def _write_proof(trajectory: Trajectory, path: Path) -> None:
         file.write(text.encode())
 
 
-def _print(trajectory: Trajectory, options: argparse.Namespace) -> None:
+def _print(trajectory: Any, options: argparse.Namespace) -> None:
     """Print a trajectory as JSON, as CSV or as a table, with its derivatives if they are wanted."""
     from numerics.solver.truth import record
     from numerics.trajectory.export import as_csv
@@ -121,34 +120,44 @@ def _print(trajectory: Trajectory, options: argparse.Namespace) -> None:
             print(sensitivity_table(trajectory))
 
 
-def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
-    """Print the events (where v1 = v2), all or the first and the last, and the final state; no digit is ever cut.
-
-    On a terminal on which a line would break each event has two.
-    """
+def _print_table(trajectory: Any, *, whole: bool) -> None:
+    """Print the events, all or the first and the last, and the final state; no digit is ever cut."""
+    from numerics.scene.plane import AXES, PlaneScene
     from numerics.solver.truth import record
+    from numerics.trajectory.export import END_NAMES, unit_of
 
-    count = trajectory.record.events
+    count = len(trajectory.event_times)
     left_out = 0 if whole else max(0, count - 2 * SHOWN)
     found = record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
-    rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
-    for event in found["events"]:
-        rows.append((f"{event['from']} to {event['to']}", event["t"], event["x1"], event["v1"], event["x2"]))
-    widths = [max(len(row[column]) for row in rows) for column in range(5)]
-    narrow = sys.stdout.isatty() and sum(widths) + 2 * 4 > shutil.get_terminal_size().columns
-    for number, row in enumerate(rows if count else ()):
-        cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
-        lines = ("  ".join(cells[:2]), "  ".join(["", "", *cells[2:]])) if narrow else ("  ".join(cells),)
-        print("\n".join(map(str.rstrip, lines)))
-        if left_out and number == SHOWN:
-            print(f"... {left_out} events more; --all prints them too")
+    lines = (surface.lines if isinstance(trajectory.scene, PlaneScene) else _lines)(found["events"])
+    if left_out:
+        lines.insert(len(lines) - SHOWN, f"... {left_out} events more; --all prints them too")
     final = found["final"]
-    print(f"at t = {final['t']} s, {final['mode']}; {found['message']}")
-    for name, unit in UNITS.items():
-        if name == "energy_excess" and trajectory.scene.is_forced:
+    lines.append(f"at t = {final['t']} s, {final['mode']}; {found['message']}")
+    for name in END_NAMES:
+        if name not in final or (name == "energy_excess" and trajectory.scene.is_forced):
             continue  # E_cr is that of [pair] b at rest: under a force, or another friction, it decides nothing
-        print(f"  {LABELS.get(name, name)} = {final[name]} {unit}".rstrip())
-    print(f"{found['arithmetic']}, {found['digits']} digits")
+        if isinstance(final[name], list):
+            units = [unit_of(f"{name}_{axis}") for axis, _ in zip(AXES, final[name], strict=False)]
+            value, unit = ", ".join(final[name]), ", ".join(units if len(set(units)) > 1 else units[:1])
+        else:
+            value, unit = final[name], unit_of(name)
+        lines.append(f"  {LABELS.get(name, name)} = {value} {unit}".rstrip())
+    print("\n".join([*lines, f"{found['arithmetic']}, {found['digits']} digits"]))
+
+
+def _lines(events: list[dict[str, str]]) -> list[str]:
+    """Return events (where v1 = v2) below a head; on a terminal on which a line would break each has two."""
+    rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
+    rows += [(f"{one['from']} to {one['to']}", one["t"], one["x1"], one["v1"], one["x2"]) for one in events]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    narrow = sys.stdout.isatty() and sum(widths) + 2 * 4 > shutil.get_terminal_size().columns
+    lines = []
+    for row in rows if events else ():
+        cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
+        parts = ("  ".join(cells[:2]), "  ".join(["", "", *cells[2:]])) if narrow else ("  ".join(cells),)
+        lines.append("\n".join(map(str.rstrip, parts)))
+    return lines
 
 
 def explanation(trajectory: Trajectory) -> str:

@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import json
-import sys
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli.printing import SHOWN, answer, number_lines, numbers
-from numerics.exits import FAILED, OK, refuse
-from numerics.scene.plane import AXES
+from numerics.cli.printing import answer, number_lines, numbers
 
 if TYPE_CHECKING:
     from numerics.plane.rotating import RotatingResponse
     from numerics.plane.trajectory import PlaneTrajectory
-
-_UNITS = {"x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s"}
 
 
 def wrong_use(options: argparse.Namespace) -> str | None:
@@ -28,29 +22,7 @@ def wrong_use(options: argparse.Namespace) -> str | None:
     return None
 
 
-def print_surface(trajectory: PlaneTrajectory, options: argparse.Namespace) -> int:
-    """Print, draw or write the answer of a scene on a surface."""
-    if options.explain:
-        print(_explanation(trajectory), file=sys.stderr)
-    if options.npz is not None:
-        from numerics.plane.export import write_npz
-
-        write_npz(trajectory, options.npz)
-    elif options.csv:
-        print(trajectory.to_csv().rstrip("\n"))
-    elif options.plot is not None:
-        from numerics.plane.pictures import overview
-        from numerics.shown import write_figure
-
-        write_figure(overview(trajectory), options.plot)
-    elif options.json:
-        print(json.dumps(trajectory.record(), indent=1))
-    else:
-        print("\n".join(_lines(trajectory.record(), whole=options.all or not sys.stdout.isatty())))
-    return OK if trajectory.success else refuse(trajectory.message, FAILED)
-
-
-def _explanation(trajectory: PlaneTrajectory) -> str:
+def explanation(trajectory: PlaneTrajectory) -> str:
     """Return which arithmetic answered, what was tried before, and what its digits mean."""
     tried = f" (before: {trajectory.tried})" if trajectory.tried else ""
     how = "digits count relative to each number, near 0 to the largest of its axis along the run"
@@ -58,21 +30,15 @@ def _explanation(trajectory: PlaneTrajectory) -> str:
     return f"{working}{tried}; {len(trajectory.events)} events located one by one; {how}"
 
 
-def _lines(found: dict[str, Any], *, whole: bool) -> list[str]:
-    lines, count = [], len(found["events"])
-    for number, one in enumerate(found["events"]):
-        if not whole and SHOWN <= number < count - SHOWN:
-            if number == SHOWN:
-                lines.append(f"... {count - 2 * SHOWN} events more; --all prints them too")
-            continue
+def lines(events: list[dict[str, Any]]) -> list[str]:
+    """Return a line for each event."""
+    from numerics.scene.plane import AXES
+
+    found = []
+    for one in events:
         along = ", ".join(f"{axis} {x}" for axis, x in zip(AXES, one["direction"], strict=False))
-        lines.append(f"t = {one['t']} s: {one['from']} to {one['to']}" + (f", direction {along}" if along else ""))
-    final = found["final"]
-    lines.append(f"at t = {final['t']} s, {final['mode']}; {found['message']}")
-    for name, unit in _UNITS.items():
-        units = f"{unit}, {unit}, {unit.replace('m', 'rad', 1)}" if len(final[name]) == len(AXES) else unit
-        lines.append(f"  {name} = {', '.join(final[name])} {units}")
-    return [*lines, f"  energy = {final['energy']} J", f"{found['arithmetic']}, {found['digits']} digits"]
+        found.append(f"t = {one['t']} s: {one['from']} to {one['to']}" + (f", direction {along}" if along else ""))
+    return found
 
 
 def print_rotating(found: RotatingResponse, options: argparse.Namespace) -> None:

@@ -124,7 +124,7 @@ def _lines(ax: Any, pair: Pair, omegas: Any) -> tuple[Floats, Floats, Floats]:
     low, high, edge = threshold_curves(pair, omegas)
     ax.plot(omegas, low, color=BLUE, label="$U_*$: up to it a motion sticks for ever")
     ax.plot(omegas, edge, color="black", label="no stops from this line on (drawn, not proved)")
-    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U_{**}$: none without a stop below it")
+    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U_{**}$: below it none slips on with two reversals")
     ax.set(xscale="log", yscale="log", xlim=(omegas[0], omegas[-1]))
     ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     ax.xaxis.set_major_formatter("{x:g}")

@@ -50,9 +50,19 @@ class Regime(Enum):
 class Response(ShortRepr):
     """The long-time behaviour of a scene under its periodic force; numbers are enclosures with `digits` right digits.
 
+    `drive`: pair, force and friction that repeat; `regime`; `attraction`: what is proved of other motions, a sentence;
     `thresholds` (one sine only); `orbit`: the events of the periodic motion, None if it has none; `multipliers`:
     Floquet multipliers of (x1, v1, v2), largest first, None where the linearisation does not exist; `drift`: mean
     velocity of body 2, m/s; `growth`: the least rate at which v1's amplitude grows, m/s^2, 0 unless it grows.
+
+    >>> from numerics import load_scene
+    >>> found = response(load_scene("forced-sine-entrained"), digits=8)
+    >>> print(found.regime.value, found.orbit, found.growth, found.digits, sep="; ")
+    entrained: the bodies stick for ever; None; 0; 8
+    >>> [abs(one).str(5, radius=False) for one in found.multipliers], found.drift.is_zero()
+    (['0.73040', '0.73040', '0'], True)
+    >>> float(found.one_period().until), found.drive.pair.b, found.claim()
+    (1.2566370614359172, Fraction(1, 20), None)
     """
 
     drive: Drive

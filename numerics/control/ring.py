@@ -46,10 +46,17 @@ _SEARCH_BITS = 96
 
 @dataclass(frozen=True, repr=False)
 class Ring(ShortRepr):
-    """When the relative motion of a scene enters its ring for good.
+    """When the relative motion of a scene is in its ring for good, of a `radius` (m); w counts as w / `rate` (1/s).
 
     `entry` (s), exactly 0 if it never leaves it; `centre` (m): z*, less the z of the periodic motion if there is an
     `orbit`; enclosures with `digits` right digits. `why` says what keeps it inside for ever.
+
+    >>> from numerics import load_scene
+    >>> found = ring_entry(load_scene("velocities"), "0.001", rate=20, digits=8)
+    >>> float(found.radius), float(found.rate), found.centre.str(6, radius=False), found.entry.str(6, radius=False)
+    (0.001, 20.0, '0.000326235', '4.17249')
+    >>> found.orbit, found.why
+    (None, 'all slips after event 114 are bounded, to one side and the other in turn')
     """
 
     scene: Scene

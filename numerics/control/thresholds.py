@@ -51,6 +51,11 @@ class Thresholds(ShortRepr):
     resonance of the stuck pair without damper. `exception` (N), None but where a1 = 0 and Omega/omega = n is an odd
     whole number >= 3: up to U*/cos(pi/(2 n)) other stuck motions exist, whose free oscillation flattens the peaks of
     the acceleration.
+
+    >>> from numerics import Pair
+    >>> found = thresholds(Pair(m1=1, m2=1, a2=200, b="0.5"), "10/3", digits=6)
+    >>> found.omega, [one.str(6, radius=False) for one in (found.entrainment, found.non_stop, found.exception)]
+    (Fraction(10, 3), ['8.00000', '22.1213', '9.23760'])
     """
 
     omega: Fraction

@@ -58,6 +58,16 @@ class Tracking(ShortRepr):
 
     `share`: the largest m2 |r''|/b of all, an enclosure. `force_error`: int |u - exact u| dt at most (N s), from phases
     rounded; the motion is then off by at most force_error/sqrt(m1) in the norm N (sqrt J).
+    `digits`: right digits of each number.
+
+    >>> from numerics import load_reference, load_scene
+    >>> found = track(load_scene("at-rest"), load_reference("too-fast"), digits=8)
+    >>> found.scene, found.share.str(6, radius=False), found.is_at_limit, found.force_error, found.claim()
+    (None, '1.15470', True, 0.0, None)
+    >>> [(one.number, float(one.start), float(one.end), float(one.b), one.possible) for one in found.demands]
+    [(1, 0.0, 1.0, 0.5, False), (2, 1.0, 4.0, 0.5, True)]
+    >>> found.demands[0].force.str(6, radius=False), found.demands[0].at.str(6, radius=False)
+    ('0.577350', '0.211325')
     """
 
     reference: tuple[Piece, ...]

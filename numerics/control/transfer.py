@@ -60,9 +60,17 @@ class Road(Enum):
 class Transfer(ShortRepr):
     """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
 
+    `margin`: the part of b that it leaves unused while stuck; `road`: how it is made, a Road.
     `bound` (s) no control beats; `time` (s) this transfer takes; `stuck_amplitude` (N) sticking at the limit needs;
     `least_amplitude` (N) arriving at the bound needs at least, None where g' changes sign; `fastest`: what is proved of
     `time`, a sentence.
+
+    >>> from numerics import load_scene
+    >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
+    >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
+    ('STUCK', ['0.282843', '0.298142', '2.00000'])
+    >>> found.least_amplitude, found.fastest, found.claim().ends["v2"][0]
+    (None, 'no control that keeps the margin is faster: friction is at its limit all the time', 0)
     """
 
     distance: Fraction

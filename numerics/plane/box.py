@@ -18,7 +18,7 @@ from flint import arb, arb_poly
 from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
-from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
+from numerics.plane.answer import Found, PlaneEvent, PlaneState, Working
 from numerics.plane.coupled import SIGNS
 from numerics.plane.vector import Matrix, Vector, exact
 from numerics.scene import Friction, Pair, Scene, State
@@ -51,7 +51,7 @@ def part_scene(scene: PlaneScene, axes: Sequence[int], sign: int = 1) -> Scene |
     return Scene(line, State(x1[0], v1[0], 0, v2[0]), scene.until, force=force[0], friction=changes)
 
 
-def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], name: str, most: int) -> PlaneSolution:
+def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], name: str, most: int) -> Found:
     """Return the motions of the parts, which `alone` solves in balls, as one. Raises EventUndecided, InvalidScene."""
     solved: dict[Any, Any] = {}
     answers = []
@@ -86,7 +86,7 @@ class Parts:
         return PlaneState(x1, v1, x2 + self.x2, v2)
 
 
-def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> PlaneSolution:
+def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Found:
     """Return the motions of all parts with one list of events."""
     motion, changes = Parts(scene, answers), {s for one in scene.force for s in one.starts}
     changes |= {start for start, _ in scene.friction}
@@ -135,8 +135,8 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
         events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
     stuck = all(one.status is Status.STUCK_FOR_EVER for one in answers)
     status = Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON
-    end = Ball.number(scene.until), motion.at(scene.until)
-    return PlaneSolution(scene, arithmetic, status, events, modes, end, motion)
+    until = Ball.number(scene.until)
+    return Found(arithmetic, status, tuple(events), tuple(modes), until, motion.at(scene.until), motion)
 
 
 def _load(scene: PlaneScene, y: PlaneState, t: arb, when: Fraction) -> Vector:

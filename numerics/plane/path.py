@@ -197,7 +197,7 @@ class Path:
         return curve, found, (self.norm + found.norm).upper()
 
     def exit(
-        self, curve: Curve, found: Defect, norm: arb, of: Iterable[int], start: float = 0.0
+        self, curve: Curve, found: Defect, norm: arb, of: Sequence[int], start: float = 0.0
     ) -> tuple[arb, arb] | None:
         """Return where the load of some axes leaves K first, None if it does not."""
         drive = self.system.pieces[curve.piece]
@@ -206,7 +206,27 @@ class Path:
         for i in of:
             inside = inside - found.load[i] * found.load[i] * (1 / drive.b_squared[i])
             error += off[i] * (2 * drive.b[i] + off[i]) / drive.b_squared[i]
-        return self.root(inside, error, "does the load leave the friction set, or only touch its edge", start)
+        root = self.root(inside, error, "does the load leave the friction set, or only touch its edge", start)
+        if root is None:
+            return None
+        (x, far), there = root, root[0] + arb(0, root[1])
+        near, steep = self.strain_error(found, norm, of, there) + abs(inside(x)), -inside.derivative()(there)
+        return x, far.min((near / steep).upper()) if steep > 0 else far
+
+    def strain_error(self, found: Defect, norm: arb, of: Sequence[int], x: arb) -> arb:
+        """Return a bound on what |B^-1 Lam|^2 of some axes that stick is off where the load leaves K, x an enclosure.
+
+        With w = M2 (M1+M2)^-1 B^-2 Lam an error of q1 and v1 is worth 2 w.(A2 q1 + A1 v1) of it, at most
+        2 N sqrt(w.A2 w + A1 w.M^-1 A1 w), M = M1 + M2 on axes that stick, since v1 = v2 there, M1 on the others.
+        """
+        system, b_squared = self.system, self.system.pieces[self.at.piece].b_squared
+        slope = Vector(found.load[i](x) / b_squared[i] if i in of else arb(0) for i in system.axes)
+        off = system.load_error * norm + found.load_error
+        w, heavy = slope * system.share, Vector((system.mass if i in of else system.m1)[i] for i in system.axes)
+        damped = system.a1 @ w
+        steep = (system.a2 @ w @ w + damped * damped @ (1 / heavy)).upper().sqrt()
+        far: arb = 2 * (steep * norm + abs(slope) @ found.load_error) + sum(off[i] * off[i] / b_squared[i] for i in of)
+        return far
 
     def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
         """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""

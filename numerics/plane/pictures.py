@@ -8,15 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from numerics.plane.answer import PlaneSolution
 from numerics.trajectory.animation import film
-from numerics.trajectory.figures import BLUE, GRAY, ORANGE
+from numerics.trajectory.figures import BLUE, GRAY, ORANGE, axes_for
 
 _POINTS = 60
 _TITLES = {"above": "bodies 1 (blue) and 2 (orange), m", "relative": "$v_1-v_2$, m/s"}
 
 
-def overview(trajectory: PlaneSolution) -> Any:
+def overview(trajectory: Any) -> Any:
     """Return a figure: x1 and x2 from above, and v1 - v2 (m/s), by segments."""
     import matplotlib.pyplot as plt
 
@@ -26,15 +25,10 @@ def overview(trajectory: PlaneSolution) -> Any:
     return figure
 
 
-def draw(trajectory: PlaneSolution, kind: str, axes: Any = None) -> Any:
+def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
     """Draw x1 and x2 from above, or v1 - v2, into axes (new ones, if none are given) and return them."""
-    if kind not in _TITLES:
-        raise ValueError(f"kind = {str(kind)[:40]!r} is not one of {', '.join(_TITLES)}")
-    if axes is None:
-        import matplotlib.pyplot as plt
-
-        axes = plt.subplots()[1]
-    times = [0.0, *(float(one.t.mid()) for one in trajectory.events), float(trajectory.end_time.mid())]
+    axes = axes_for(kind, _TITLES, axes)
+    times = [0.0, *trajectory.floats(trajectory.event_times), trajectory.arithmetic.to_float(trajectory.end_time)]
     for (start, end), mode in zip(pairwise(times), trajectory.modes, strict=False):
         x1, v1, x2, v2 = _at(trajectory, np.linspace(start, end, _POINTS)[1:-1])
         stuck = set(mode) <= {"0"} or mode == "stick"
@@ -46,19 +40,18 @@ def draw(trajectory: PlaneSolution, kind: str, axes: Any = None) -> Any:
     return axes
 
 
-def _at(trajectory: PlaneSolution, times: Any) -> Any:
+def _at(trajectory: Any, times: Any) -> Any:
     """Return x1, v1, x2, v2 at times (s): (4, n, m), in binary64."""
-    y = [[float(x.mid()) if hasattr(x, "mid") else float(x) for x in trajectory.sol(float(t))] for t in times]
-    return np.array(y).T.reshape(4, trajectory.scene.pair.axes, len(times))
+    return trajectory.floats(trajectory.sol(times)).reshape(4, -1, len(times))
 
 
-def animate(trajectory: PlaneSolution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
+def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation from above; see PlaneTrajectory.animate."""
 
     def drawn(count: int) -> Any:
         import matplotlib.pyplot as plt
 
-        times = np.linspace(0.0, float(trajectory.end_time.lower()), count)
+        times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
         (x1, _, x2, _), modes = _at(trajectory, times), trajectory.mode_at(times)
         figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
         draw(trajectory, "above", axes)

@@ -34,6 +34,12 @@ class RotatingResponse:
     `threshold` U* (N); `speed` of the slip (m/s), 0 if stuck; `friction` f and `v1`, `v2`, `q1` with the force U along
     x at t = 0; `exponents` (1/s) of what is added to a slip in the rotating frame, none if stuck. `attracts`: whether
     every motion is proved to tend to it; for U < U* without a damper not every one does.
+
+    >>> found = rotating_response(PlanePair(m1=1, m2=1, a2=200, b="0.5", a1=1), "0.5", 12)
+    >>> [one.str(6, radius=False) for one in (found.threshold, found.speed, found.exponents[0].real)]
+    ['0.308383', '0.0633854', '-1.86943']
+    >>> found.sentence, found.attracts, abs(found.v2).str(6, radius=False)
+    ('non-stop: body 2 slips round at a constant speed; there is no stick-slip, U** = U*', True, '0.0416667')
     """
 
     omega: Fraction

@@ -7,7 +7,7 @@ from typing import Any
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
-from numerics.plane.answer import PlaneSolution, Working
+from numerics.plane.answer import Found, Working
 from numerics.plane.box import joined
 from numerics.plane.coupled import BoxRun
 from numerics.plane.reduced import reduced
@@ -62,14 +62,13 @@ def solve_plane(
             working *= 2
             continue
         if floats or found.digits >= wanted:
-            found.t_eval, found.tried = t_eval, "; ".join(tried if floats else [])
-            found.digits = found.digits if floats else wanted
-            return PlaneTrajectory.of(found)
+            tried, right = tried if floats else [], found.digits if floats else wanted
+            return found.but(t_eval=t_eval, tried="; ".join(tried), digits=right)
         working += wanted - found.digits + 3
     raise PrecisionExhausted(f"{wanted} right digits need more than {max_digits} working digits; raise max_digits")
 
 
-def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:
+def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
     """Solve a scene once: a box part by part."""
     if scene.pair.shape == "ellipsoid" or len(scene.pair.parts) == 1:
         return followed(scene, working, name, limits)
@@ -79,10 +78,10 @@ def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[s
             return followed(part, working, "ball", limits)
         return line(part, digits=working - _SPARE, arithmetic="ball", **limits)
 
-    return joined(scene, alone, name, limits["max_events"])
+    return PlaneTrajectory(scene, joined(scene, alone, name, limits["max_events"]))
 
 
-def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:
+def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
     kind = BoxRun if scene.pair.shape == "box" else Run
     run = kind(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
@@ -92,7 +91,8 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
         events = [states.event(one) for one in run.events]
         first = events[0].before if events else states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
-        modes = [first, *(one.after for one in events)]
+        modes = (first, *(one.after for one in events))
         until = Ball.number(scene.until)
         end = (until, states.at(until)) if run.reached else (events[-1].t, events[-1].y)
-        return PlaneSolution(scene, Working(working, name), status, events, modes, end, states)
+        found = Found(Working(working, name), status, tuple(events), modes, *end, states)
+    return PlaneTrajectory(scene, found)

@@ -1,21 +1,47 @@
-"""The result of solving a scene on a surface: what a run answered, in files, as tables, drawn, filmed and compared."""
+"""The result of solving a scene on a surface: in the words of Trajectory, with a column for each axis.
+
+Its file (trajectory/saved.py) has the legs of the path with their bounds, so that any time is answered as before; of a
+box in parts, the header of each part's own trajectory.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Self
 
-from numerics.plane import export
-from numerics.plane.answer import PlaneSolution
-from numerics.plane.saved import contents, restored
-from numerics.trajectory import saved
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from numerics.arithmetic.ball import EXACT, Ball, digits_within
+from numerics.linear.modes import EventKind
+from numerics.plane.answer import Found, PlaneEvent, PlaneState, Working
+from numerics.plane.box import Parts
+from numerics.plane.defect import Curve
+from numerics.plane.path import Leg
+from numerics.plane.reduced import reduced
+from numerics.plane.states import States
+from numerics.plane.system import System
+from numerics.plane.vector import Matrix, Vector, exact
+from numerics.scene.decimals import exact_decimal
+from numerics.scene.plane import PlaneScene
+from numerics.trajectory import export, saved
+from numerics.trajectory.answer import Answer, Kept
+from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
+
+MOST = 15
+"""Digits that a float shows."""
 
 
-class PlaneTrajectory(PlaneSolution):
+class PlaneTrajectory(Answer):
     """A solved scene on a surface, in the words of Trajectory; two are equal if every number is.
 
-    Rows of `y` are x1, v1, x2, v2 by axes (m, m/s; rad, rad/s of an angle), columns belong to `t` (s). Without `digits`
-    they are floats, with proved bounds `t_error`, `y_error` beside them; else enclosures.
+    Rows of `y` are x1, v1, x2, v2 by axes (m, m/s; rad, rad/s of an angle), columns belong to `t` (s): start, events,
+    end; with t_eval, those times instead. Without `digits` they are floats, with proved bounds `t_error`, `y_error`
+    beside them; else enclosures.
 
     >>> from numerics import PlanePair, PlaneScene, solve
     >>> run = solve(PlaneScene(PlanePair(m1=1, m2=1, a2=200, b="0.5"), until=2, v1=["0.06", "0.01"]))
@@ -31,19 +57,145 @@ class PlaneTrajectory(PlaneSolution):
     ('entry', 'slip', ['slip', 'stick'], 2)
     >>> run.record()["final"]["mode"], run.to_csv()[:15], len(run.to_dataframe())
     ('stick', 'from,to,t (s),x', 3)
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     run.save(f"{folder}/run.npz")
+    ...     PlaneTrajectory.load(f"{folder}/run.npz") == run
+    True
     """
+
+    FORMAT = "inertial-pair surface trajectory 2"
+    ARITHMETICS = ("float64", "ball")
+    COLUMNS = ("t", "y", "energy", "t_error", "y_error")
+    EVENT_COLUMNS = ("direction", "load")
+
+    def __init__(self, scene: PlaneScene, found: Found) -> None:
+        """Keep what a run found."""
+        self.arithmetic: Working
+        self.arithmetic, self.status, self.events, self.modes, self.end_time, self.final_state, self.motion = found
+        self.scene = scene
+        with self.context():
+            self.digits: int = min(MOST if self.is_float else EXACT, self._right_digits())
+
+    @property
+    def is_float(self) -> bool:
+        """Return whether numbers are given as floats."""
+        return self.arithmetic.name == "float64"
+
+    @property
+    def event_kinds(self) -> tuple[EventKind, ...]:
+        """Return the kinds of the events."""
+        return tuple(one.kind for one in self.events)
+
+    @property
+    def final_mode(self) -> str:
+        """Return the mode at the end."""
+        return self.modes[-1]
+
+    @property
+    def event_times(self) -> NDArray[Any]:
+        """Return the times of the events, s."""
+        return self._shown([one.t for one in self.events])
+
+    @cached_property
+    def _points(self) -> list[tuple[arb, PlaneState]]:
+        """Return times and states of start, events and end, or at t_eval."""
+        with self.context():
+            if self.t_eval is not None:
+                return [(self._time(t), self._at(t)) for t in self.t_eval]
+            return [(arb(0), self._at(0)), *((one.t, one.y) for one in self.events), (self.end_time, self.final_state)]
+
+    @property
+    def t(self) -> NDArray[Any]:
+        """Return the times of start, events and end, or t_eval, s, shape (m,)."""
+        return self._shown([t for t, _ in self._points])
+
+    @property
+    def y(self) -> NDArray[Any]:
+        """Return the states at `t`, shape (4 n, m)."""
+        return np.array([self._shown(_flat(y)) for _, y in self._points]).T
+
+    @property
+    def t_error(self) -> NDArray[Any]:
+        """Return bounds on the errors of `t`, s."""
+        return np.array([_bound(t) for t, _ in self._points])
+
+    @property
+    def y_error(self) -> NDArray[Any]:
+        """Return bounds on the errors of `y`."""
+        return np.array([[_bound(x) for x in _flat(y)] for _, y in self._points]).T
+
+    @property
+    def energy(self) -> NDArray[Any]:
+        """Return the energy at `t`, J, shape (m,)."""
+        with self.context():
+            return self._shown([self.energy_of(y) for _, y in self._points])
+
+    @property
+    def final_energy(self) -> Any:
+        """Return the energy at the end, J."""
+        with self.context():
+            return self._shown([self.energy_of(self.final_state)])[0]
+
+    def energy_of(self, y: PlaneState) -> arb:
+        """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J. (A ball about 0 has no ** 2: flint answers nan.)"""
+        pair, (x, v, w) = self.scene.pair, map(Vector, (y.x1, y.v1, y.v2))
+        found: arb = Matrix.of(pair.a2) @ x @ x + exact(pair.m1) * v @ v + exact(pair.m2) * w @ w
+        return found / 2
+
+    def end_numbers(self) -> tuple[Any, ...]:
+        """Return x1, v1, x2, v2 and the energy at the end."""
+        return *self.final_state, self.energy_of(self.final_state)
+
+    def sol(self, t: Any) -> NDArray[Any]:
+        """Return x1, v1, x2, v2 at time(s) t (s): shape (4 n,) for a number, (4 n, ...) for an array.
+
+        Enclosed, or floats of an enclosure. Raises ValueError outside [0, end].
+        """
+        given = np.asarray(t, dtype=object)
+        states = [self._shown(_flat(self._at(one))) for one in given.flat]
+        return np.array(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
+
+    def mode_at(self, t: Any) -> Any:
+        """Return the mode at time t (s), at an event the one after it; a list for several times."""
+        if np.ndim(t):
+            return [self.mode_at(one) for one in t]
+        with self.context():
+            time = self._time(t)
+            return self.modes[sum(1 for one in self.events if not one.t > time)]
+
+    def _at(self, t: Any) -> PlaneState:
+        with self.context():
+            return self.motion.at(self._time(t))
+
+    def _time(self, t: Any) -> arb:
+        """Return a time of the run as a ball; what the float next to its end shows is one, too. Raises ValueError."""
+        given = t, float(self.end_time.mid())
+        time, last = (x if isinstance(x, arb) else Ball.number(exact_decimal(x, "t")) for x in given)
+        if time < 0 or (time > self.end_time and time > last):
+            raise ValueError(f"t = {str(t)[:40]} s is outside of the run, [0, {self.end_time.str(6)}] s")
+        return time
+
+    def _shown(self, numbers: Sequence[arb]) -> NDArray[Any]:
+        if self.is_float:
+            return np.array([float(x.mid()) for x in numbers])
+        return np.array(numbers, dtype=object)
+
+    def _right_digits(self) -> int:
+        """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest."""
+        states = [*(one.y for one in self.events), self.final_state]
+        found = [(one.t, one.t) for one in self.events]
+        for pair in ((0, 2), (1, 3)):
+            for i in range(self.scene.pair.axes):
+                column = [y[k][i] for y in states for k in pair]
+                scale = max(abs(x.mid()) for x in column)
+                found += [(x, scale if x.contains(0) else x) for x in column]
+        energy = self.energy_of(self.final_state)
+        return min(digits_within(x.rad(), of, of) for x, of in [*found, (energy, energy)])
 
     def record(self) -> dict[str, Any]:
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
         return export.as_record(self)
-
-    def to_csv(self) -> str:
-        """Return events and final state as CSV text, with units: the columns of `record`, one for each axis."""
-        return export.as_csv(self)
-
-    def to_dataframe(self) -> Any:
-        """Return t, mode, the state by axes and energy at `t` as a pandas DataFrame. Raises MissingTool."""
-        return export.dataframe(self)
 
     def plot(self, kind: str = "above", ax: Any = None) -> Any:
         """Draw "above" (both bodies, m) or "relative" (v1 - v2, m/s) into matplotlib axes and return them."""
@@ -57,42 +209,68 @@ class PlaneTrajectory(PlaneSolution):
 
         return animate(self, file, duration, frames_per_second)
 
-    def save(self, file: str | Path) -> None:
-        """Write this trajectory to a file, exactly: no pickle, no digit lost. Raises OSError.
+    def __repr__(self) -> str:
+        """Return a short summary."""
+        return (
+            f"{self.message}; {self.arithmetic.name}, {self.digits} right digits, {len(self.events)} events, "
+            f"t in [0, {self.end_time.str(6, radius=False)}] s, {self.final_mode} at the end"
+        )
 
-        >>> import tempfile
-        >>> from numerics import load_scene, solve
-        >>> run = solve(load_scene("plane-circle-merges"), digits=12)
-        >>> with tempfile.TemporaryDirectory() as folder:
-        ...     run.save(f"{folder}/run.npz")
-        ...     PlaneTrajectory.load(f"{folder}/run.npz") == run
-        True
-        """
-        saved.write(file, contents(self), {})
+    def kept(self) -> Kept:
+        """Return what the run wrote, without arrays."""
+        motion = self.motion
+        return {
+            "status": int(self.status),
+            "events": [saved.plain([*vars(one).values()]) for one in self.events],
+            "modes": list(self.modes),
+            "end": saved.plain((self.end_time, self.final_state)),
+            "legs": saved.plain(motion.legs) if isinstance(motion, States) else None,
+            "parts": [saved.contents(one)[0] for one in motion.answers] if isinstance(motion, Parts) else None,
+        }, {}
 
     @classmethod
-    def load(cls, file: str | Path) -> Self:
-        """Return the trajectory that `save` wrote to a file. Raises OSError, InvalidFile (what is no such file)."""
-        return cls.of(saved.read(file, restored))
+    def restored(cls, scene: Any, kept: Kept) -> Self:
+        """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
+        if not isinstance(scene, PlaneScene):
+            raise ValueError("its scene is on a line")
+        header, n, (name, digits) = kept[0], scene.pair.axes, kept[0]["arithmetic"]
+        working = Working(digits, name)
+        with working.context():
+            motion: Any
+            if header["parts"] is None:
+                motion = States(scene, System(reduced(scene), digits), [*map(_leg, header["legs"])])
+            else:
+                kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
+                motion = Parts(scene, [saved.restored(one, {}, kinds[one["format"]]) for one in header["parts"]])
+            events = tuple(_event(one, n) for one in header["events"])
+            modes, (time, state) = tuple(map(str, header["modes"])), header["end"]
+            if len(modes) != len(events) + 1:
+                raise ValueError("its count of events is not that of its modes")
+            status, final = Status(header["status"]), _state(state, n)
+            return cls(scene, Found(working, status, events, modes, time, final, motion))
 
-    @classmethod
-    def of(cls, found: PlaneSolution) -> Self:
-        """Return what a run answered, as a trajectory."""
-        new = object.__new__(cls)
-        new.__dict__ = vars(found)
-        return new
 
-    def __reduce__(self) -> tuple[Any, tuple[str]]:
-        """Return what is pickled and compared: the header of a file."""
-        return _from_text, (saved.header_text(contents(self)),)
-
-    def __eq__(self, other: object) -> bool:
-        """Return whether another trajectory answers the same scene with the same numbers."""
-        return isinstance(other, PlaneTrajectory) and self.__reduce__() == other.__reduce__()
-
-    __hash__ = None  # type: ignore[assignment]
+def _flat(y: PlaneState) -> list[arb]:
+    return [x for part in y for x in part]
 
 
-def _from_text(text: str) -> PlaneTrajectory:
-    """Return the trajectory of a pickled header."""
-    return PlaneTrajectory.of(restored(saved.header_of(text)))
+def _bound(x: arb) -> float:
+    """Return how far the float of x may be off."""
+    return float(abs(x - arb(float(x.mid()))).upper()) * (1 + 1e-15)
+
+
+def _state(given: Any, n: int) -> PlaneState:
+    found = PlaneState(*map(tuple, given))
+    if any(len(one) != n for one in found):
+        raise ValueError(f"its states have not {n} axes")
+    return found
+
+
+def _event(given: Any, n: int) -> PlaneEvent:
+    t, before, after, y, direction, load, cause = given
+    return PlaneEvent(t, str(before), str(after), _state(y, n), tuple(direction), tuple(load), str(cause))
+
+
+def _leg(given: Any) -> Leg:
+    (piece, t, *parts), mode, end, norm, apart = given
+    return Leg(Curve(piece, t, *map(Vector, parts)), mode, end, norm, Vector(apart))

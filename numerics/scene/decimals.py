@@ -50,7 +50,8 @@ def exact_decimal(value: object, name: str) -> Fraction:
             return _checked_size(Fraction(value), name)
         if isinstance(value, Real):
             return _from_text(repr(float(value)), name)
-    raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; write it as 0.05 or 5e-2")
+    remedy = "give arrays to solve_many" if isinstance(value, Iterable) else "write it as 0.05 or 5e-2"
+    raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; {remedy}")
 
 
 def keep(record: object, **values: Exact) -> None:

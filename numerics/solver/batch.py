@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.linear.record import AT, How
-from numerics.trajectory.digits import MOST_DIGITS, ROUNDING
+from numerics.trajectory.digits import ROUNDING
+from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
 Table = NDArray[np.float64]

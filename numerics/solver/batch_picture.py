@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from numerics.trajectory.columns import STATE
 from numerics.trajectory.figures import BLUE, ORANGE, new_axes
-from numerics.trajectory.rows import STATE
 
 UNITS = {
     "m1": "kg", "m2": "kg", "a1": "N s/m", "a2": "N/m", "b": "N", "until": "s",

@@ -24,7 +24,7 @@ from numerics.scene.plane import PlaneScene
 from numerics.solver.solve import solve
 from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.contenders import MAX_EVENTS, answer_of
-from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.comparison import as_ball
 
 
 def working_digits(digits: int) -> int:
@@ -83,7 +83,7 @@ def as_arb(value: Any) -> arb:
         return sum(map(as_arb, value), arb(0))
     if not math.isfinite(value):
         return arb("nan")
-    return Ball.number(as_fraction(value))
+    return as_ball(value)
 
 
 def first_difference(found: PeerRun, truth: PeerRun) -> str | None:

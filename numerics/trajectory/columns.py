@@ -14,6 +14,7 @@ from numerics.arithmetic.ball import precision
 from numerics.arithmetic.protocol import Number
 from numerics.linear.record import AT, Record
 
+STATE = ("x1", "v1", "x2", "v2")
 _RADIUS_BITS, _WIDE_BITS = 30, 106
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Number
 from numerics.errors import NumericsError
 
@@ -22,6 +23,11 @@ def as_fraction(value: Number) -> Fraction:
         sign = -1 if value < 0 else 1
         return sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
     return Fraction(*value.as_integer_ratio())
+
+
+def as_ball(value: Number) -> arb:
+    """Return a ball that holds a number of any arithmetic, in the present precision; a ball as it is."""
+    return value if isinstance(value, arb) else Ball.number(as_fraction(value))
 
 
 def require_same_sequence(points: Any, balls: Any) -> None:
@@ -41,5 +47,4 @@ def require_same_sequence(points: Any, balls: Any) -> None:
 
 def distance(value: Number, ball: arb) -> arb:
     """Return an enclosure of |value - true|, for a point number and the ball that holds the true one."""
-    exact = as_fraction(value)
-    return abs(ball - arb(fmpq(exact.numerator, exact.denominator)))
+    return abs(ball - as_ball(value))

@@ -1,10 +1,13 @@
-"""A trajectory as JSON, CSV, NumPy archive or data frame. Files appear whole under their name or not at all."""
+"""A trajectory as JSON, CSV, NumPy archive or data frame. Files appear whole under their name or not at all.
+
+On a surface every x1, v1, x2, v2 is a list by axes, and a table has a column for each axis.
+"""
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -15,26 +18,32 @@ from numpy.typing import NDArray
 from numerics.arithmetic.protocol import Number
 from numerics.errors import MissingTool
 from numerics.files import whole_file
+from numerics.scene.plane import AXES
+from numerics.trajectory.columns import STATE
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
-from numerics.trajectory.digits import MOST_DIGITS, ROUNDING
-from numerics.trajectory.rendering import right_digits_text, with_radius
-from numerics.trajectory.rows import STATE
-from numerics.trajectory.solution import Solution
+from numerics.trajectory.rendering import MOST_DIGITS, right_digits_text, with_radius
 
 END_NAMES = (*STATE, "energy", "energy_excess")
 Written = dict[str, str]
 Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
+UNITS = {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "load": "N"}
+OF_ANGLE = {"m": "rad", "m/s": "rad/s", "N": "N m"}
 
 
-def knows_its_digits(trajectory: Solution) -> bool:
+def is_enclosed(trajectory: Any) -> bool:
+    """Return whether the numbers of a trajectory are balls; a surface keeps them where it shows floats."""
+    return isinstance(trajectory.end_time, arb)
+
+
+def knows_its_digits(trajectory: Any) -> bool:
     """Return whether radii or error bounds say which digits of a trajectory are right."""
-    if trajectory.arithmetic.name == "ball":
+    if is_enclosed(trajectory):
         return True
-    return trajectory.accuracy is not None and trajectory.accuracy.bounded
+    return trajectory.accuracy is not None and bool(trajectory.accuracy.bounded)
 
 
-def as_record(trajectory: Solution, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
+def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
     """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
 
     `truth`, a solve of the same scene in balls, says which digits are right where no radius and no bound does. `events`
@@ -42,155 +51,151 @@ def as_record(trajectory: Solution, truth: Any = None, events: Iterable[int] | N
     differ, so that no wrong itinerary is ever printed; ValueError if a truth is needed and none is given.
     """
     write = _writer(trajectory, truth)
-    with trajectory.arithmetic.context():
+    with trajectory.context():
+        wanted = range(len(trajectory.events)) if events is None else events
         return {
             "status": trajectory.status.name.lower().replace("_", "-"),
             "message": trajectory.message,
             "arithmetic": trajectory.arithmetic.name,
             "digits": right_digits(trajectory),
-            "events": list(_events(trajectory, write, events)),
-            "final": _final(trajectory, write),
+            "events": [_event(trajectory, write, index) for index in wanted],
+            "final": write("t", trajectory.end_time, -1)
+            | {"mode": word(trajectory.final_mode)}
+            | _numbers(write, zip(END_NAMES, trajectory.end_numbers(), strict=False), -1),
         }
 
 
-def right_digits(trajectory: Solution) -> int:
+def right_digits(trajectory: Any) -> int:
     """Return the right digits that were asked for, else those of the error bounds, else the arithmetic's."""
     if trajectory.digits is not None:
-        return trajectory.digits
-    return trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits
+        return int(trajectory.digits)
+    return int(trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits)
 
 
-def _events(trajectory: Solution, write: Writer, wanted: Iterable[int] | None) -> Iterator[Written]:
-    for index in range(trajectory.record.events) if wanted is None else wanted:
-        event = trajectory.events[index]
-        row = write("t", event.t, index) | {"from": event.before.value, "to": event.after.value}
-        if trajectory.scene.is_forced:
-            row["cause"] = event.cause
-        for name, value in zip(STATE, event.y, strict=True):
-            row |= write(name, value, index)
-        yield row
+def word(mode: Any) -> str:
+    """Return a mode of a line, or of a surface, as text."""
+    return str(getattr(mode, "value", mode))
 
 
-def _final(trajectory: Solution, write: Writer) -> Written:
-    row = write("t", trajectory.end_time, -1) | {"mode": trajectory.final_mode.value}
-    for name, value in zip(END_NAMES, _end_values(trajectory), strict=True):
-        row |= write(name, value, -1)
-    return row
+def _event(trajectory: Any, write: Writer, index: int) -> dict[str, Any]:
+    event = trajectory.events[index]
+    row = write("t", event.t, index) | {"from": word(event.before), "to": word(event.after)}
+    if trajectory.scene.is_forced:
+        row["cause"] = event.cause
+    more = ((name, getattr(event, name)) for name in trajectory.EVENT_COLUMNS)
+    return row | _numbers(write, (*zip(STATE, event.y, strict=True), *more), index)
 
 
-def _end_values(trajectory: Solution) -> tuple[Number, ...]:
-    return *trajectory.final_state, trajectory.final_energy, trajectory.final.w
+def _numbers(write: Writer, named: Iterable[tuple[str, Any]], index: int) -> dict[str, Any]:
+    """Return numbers as text; a tuple by axes as lists."""
+    found: dict[str, Any] = {}
+    for name, value in named:
+        if isinstance(value, tuple):
+            rows = [write(name, one, index) for one in value]
+            found |= {key: [row[key] for row in rows] for key in rows[0]}
+        else:
+            found |= write(name, value, index)
+    return found
 
 
-def _writer(trajectory: Solution, truth: Any) -> Writer:
+def _writer(trajectory: Any, truth: Any) -> Writer:
     """Return a writer that cuts each number by its error bound, or where it parts from the true one."""
     name_of, arithmetic = trajectory.arithmetic.name, trajectory.arithmetic
     if name_of == "ball":
-        return lambda name, value, _: with_radius(name, value, trajectory.digits or arithmetic.digits)
+        return lambda name, value, _: with_radius(name, value, right_digits(trajectory))
+    most = MOST_DIGITS.get(name_of, arithmetic.digits)
+
+    def cut(name: str, value: Number, error: arb) -> Written:
+        return {name: right_digits_text(as_fraction(value), error, most)}
+
+    if is_enclosed(trajectory):
+        return lambda name, value, _: cut(name, shown := float(value.mid()), distance(shown, value).upper())
     final: tuple[Any, ...]
     if truth is not None:
         require_same_sequence(trajectory, truth)
         times, states = truth.event_times, truth.event_states
-        with truth.arithmetic.context():
-            final = truth.end_time, *_end_values(truth)
-    elif knows_its_digits(trajectory) and (accuracy := trajectory.accuracy) is not None:
-        times, states = accuracy.t, accuracy.y.T
-        last = 0.0 if trajectory.reached else float(times[-1])
-        late = last + abs(float(trajectory.end_time)) * 4 * ROUNDING[name_of]
-        final = late, *accuracy.final, accuracy.energy, accuracy.energy_excess
+        with truth.context():
+            final = truth.end_time, *truth.end_numbers()
+    elif knows_its_digits(trajectory):
+        times, states, final = trajectory.accuracy.t, trajectory.accuracy.y.T, trajectory.end_bounds()
     else:
         raise ValueError(
             f"this trajectory in {name_of} does not know which of its digits are right; "
             "give `truth`, a solve of the same scene in balls"
         )
-    at_events, most = (times, *states), MOST_DIGITS.get(name_of, arithmetic.digits)
+    at_events = (times, *states)
 
     def write(name: str, value: Number, index: int) -> Written:
         place = ("t", *END_NAMES).index(name)
         given = final[place] if index < 0 else at_events[place][index]
-        with (truth or trajectory).arithmetic.context():
-            error = arb(float(given)) if truth is None else distance(value, given)
-            return {name: right_digits_text(as_fraction(value), error, most)}
+        with (truth or trajectory).context():
+            return cut(name, value, arb(float(given)) if truth is None else distance(value, given))
 
     return write
 
 
 def unit_of(column: str) -> str:
-    """Return the SI unit of a column of a record, or of its radius; none for modes and what is dimensionless."""
-    return {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J"}.get(
-        column.removesuffix("_radius"), ""
-    )
+    """Return the SI unit of a column, or of its radius; none for modes and what is dimensionless.
+
+    An angle has rad for m, and a torque for a force.
+    """
+    whole = column.removesuffix("_radius")
+    name, _, axis = whole.rpartition("_")
+    unit = UNITS.get(name if axis in AXES else whole, "")
+    return OF_ANGLE.get(unit, unit) if axis == AXES[2] else unit
 
 
-def as_csv(record: dict[str, Any], unit_of: Callable[[str], str] = unit_of) -> str:
+def as_csv(record: dict[str, Any]) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
-    rows = [{"from": "", "to": "", **event} for event in record["events"]]
-    last = dict(record["final"])
-    rows.append({"from": last.pop("mode"), "to": "", **last})
-    columns = list(dict.fromkeys(key for row in rows for key in row))
+    final = {"from": record["final"]["mode"], "to": "", **record["final"]}
+    rows = [{"from": "", "to": "", **_by_axes(row)} for row in (*record["events"], final)]
+    columns = [one for one in dict.fromkeys(key for row in rows for key in row) if one != "mode"]
     buffer = io.StringIO()
-    writer = csv.DictWriter(buffer, columns, restval="", lineterminator="\n")
+    writer = csv.DictWriter(buffer, columns, restval="", extrasaction="ignore", lineterminator="\n")
     writer.writerow({name: f"{name} ({unit})" if (unit := unit_of(name)) else name for name in columns})
     writer.writerows(rows)
     return buffer.getvalue()
 
 
-def arrays(trajectory: Solution) -> dict[str, NDArray[Any]]:
-    """Return t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds; numbers in binary64."""
-    with trajectory.arithmetic.context():
-        number = trajectory.floats
-        return {
-            "t": number(trajectory.t),
-            "y": number(trajectory.y),
-            "energy": number(trajectory.energy),
-            "energy_excess": number(_excess(trajectory)),
-            "modes": np.array([mode.value for mode in trajectory.modes]),
-            "event_kinds": np.array([kind.value for kind in trajectory.event_kinds], dtype=str),
-        }
+def _by_axes(row: dict[str, Any]) -> dict[str, str]:
+    """Return a row with a column for each axis of a list: x1_x, x1_y, x1_x_radius, ..."""
+    found: dict[str, str] = {}
+    for key, value in row.items():
+        name = key.removesuffix("_radius")
+        lists = zip(AXES, value, strict=False) if isinstance(value, list) else ()
+        found |= {f"{name}_{axis}{key[len(name) :]}": one for axis, one in lists} or {key: value}
+    return found
 
 
-def _excess(trajectory: Solution) -> NDArray[Any]:
-    """Return E/E_cr - 1 at `t`."""
-    if trajectory.t_eval is not None:
-        found = [trajectory.reduced(one).w for one in trajectory.t]
-    else:
-        end = [trajectory.final.w] if trajectory.reached else []
-        found = [trajectory.initial.w, *(event.reduced.w for event in trajectory.events), *end]
-    return np.array(found, dtype=object)
+def arrays(trajectory: Any) -> dict[str, NDArray[Any]]:
+    """Return t (m,), y (4, m), on a surface (4 n, m), energy (m,), modes and event_kinds; numbers in binary64.
+
+    On a line energy_excess (m,), on a surface bounds t_error and y_error.
+    """
+    with trajectory.context():
+        found = {name: trajectory.floats(getattr(trajectory, name)) for name in trajectory.COLUMNS}
+    kinds = [kind.value for kind in trajectory.event_kinds]
+    return found | {"modes": np.array([*map(word, trajectory.modes)]), "event_kinds": np.array(kinds, dtype=str)}
 
 
-def write_npz(trajectory: Solution, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
+def write_npz(trajectory: Any, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
     """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
-    write_arrays(arrays(trajectory) | (extra or {}), path)
-
-
-def write_arrays(found: dict[str, NDArray[Any]], path: Path) -> None:
-    """Write arrays by their names as a NumPy archive."""
     with whole_file(path) as file:
-        np.savez(file, **found)  # type: ignore[arg-type]
+        np.savez(file, **arrays(trajectory), **(extra or {}))  # type: ignore[arg-type]
 
 
-def dataframe(trajectory: Solution) -> Any:
-    """Return t, mode, x1, v1, x2, v2, energy and energy_excess at `t` as a pandas DataFrame, numbers in binary64.
+def dataframe(trajectory: Any) -> Any:
+    """Return t, mode, the state (a column for each axis) and energies at `t` as a pandas DataFrame, in binary64.
 
     The mode at an event is the one after it. Raises MissingTool.
     """
-    if trajectory.t_eval is None:
-        modes = [*trajectory.modes, trajectory.final_mode]
-    else:
-        modes = list(trajectory.mode_at(trajectory.t_eval))
-    found = arrays(trajectory)
-    state = dict(zip(STATE, found["y"], strict=True))
-    return frame_of(
-        {"t": found["t"], "mode": [mode.value for mode in modes], **state}
-        | {name: found[name] for name in ("energy", "energy_excess")}
-    )
-
-
-def frame_of(columns: dict[str, Any]) -> Any:
-    """Return columns as a pandas DataFrame. Raises MissingTool."""
     try:
         import pandas as pd
     except ImportError:
         raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
-    return pd.DataFrame(columns)
+    asked, found = trajectory.t_eval, arrays(trajectory)
+    modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
+    axes = AXES[: len(found["y"]) // len(STATE)]
+    names = [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else STATE
+    columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(zip(names, found["y"], strict=True))}
+    return pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import Any
 
 import numpy as np
@@ -34,12 +34,7 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     and who took the rest. Raises ValueError for any other kind, MissingTool. `curve` saves sampling the trajectory for
     every picture of it.
     """
-    if not isinstance(kind, str) or kind not in _KINDS:
-        raise ValueError(f"kind = {kind!r} is not one of {', '.join(_KINDS)}")
-    if ax is None:
-        ax = new_axes()
-    elif not hasattr(ax, "set_title"):
-        raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
+    ax = axes_for(kind, _KINDS, ax)
     curve = curve or sampled(trajectory)
     title, drawn = _KINDS[kind]
     ax.set_title(title, fontsize="medium")
@@ -56,6 +51,17 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
             for one in (*ax.lines, *ax.collections):
                 one.set_rasterized(True)
         ax.legend(loc="best" if few else "upper right", fontsize="small", framealpha=0.9)
+    return ax
+
+
+def axes_for(kind: Any, kinds: Collection[str], ax: Any) -> Any:
+    """Return axes to draw a kind of picture into, new ones if none are given. Raises ValueError, TypeError."""
+    if not isinstance(kind, str) or kind not in kinds:
+        raise ValueError(f"kind = {str(kind)[:40]!r} is not one of {', '.join(kinds)}")
+    if ax is None:
+        return new_axes()
+    if not hasattr(ax, "set_title"):
+        raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
     return ax
 
 

@@ -4,33 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
 
 import flint
 import mpmath
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball, precision
+from numerics.arithmetic.ball import Ball, exact_middle, precision
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.linear.system import V1, LinearMode, Motion, Row, W, matrix, value
+from numerics.trajectory.comparison import as_ball
 
 _SPARE_BITS = 24
 _STATE = tuple(((place, Fraction(1)),) for place in range(4))
-
-
-def as_ball(x: Number) -> arb:
-    """Return a number of mpmath exactly as a ball; a ball as it is."""
-    if isinstance(x, arb):
-        return x
-    mantissa, exponent = mpmath.mpf(x).man_exp
-    with precision(max(53, int(mantissa).bit_length())):
-        return arb((int(mantissa) if x >= 0 else -abs(int(mantissa)), int(exponent)))
-
-
-def from_ball(x: arb) -> Any:
-    """Return the middle of a ball as a number of mpmath, rounded to its present precision."""
-    mantissa, exponent = x.mid().man_exp()
-    return mpmath.ldexp(mpmath.mpf(int(mantissa)), int(exponent))
 
 
 class Moving:
@@ -38,12 +23,18 @@ class Moving:
 
     def __init__(self, arithmetic: Arithmetic, mode: LinearMode, start: tuple[Number, Sequence[Number]]) -> None:
         """Keep where it begins; to be used in the arithmetic's context."""
-        self.points = arithmetic.name != "ball"
-        self.bits = mpmath.mp.prec + _SPARE_BITS if self.points else flint.ctx.prec
-        self.mode, self.begin, self.pair = mode, start, mode.pair
+        self.arithmetic, self.is_ball = arithmetic, arithmetic.name == "ball"
+        self.bits = flint.ctx.prec if self.is_ball else mpmath.mp.prec + _SPARE_BITS
+        with precision(self.bits):
+            self.begin, self.state = as_ball(start[0]), [as_ball(one) for one in start[1]]
+        self.mode, self.pair = mode, mode.pair
 
     def _numbers(self, found: Sequence[arb]) -> tuple[Number, ...]:
-        return tuple(map(from_ball, found)) if self.points else tuple(+one for one in found)
+        return tuple(+one if self.is_ball else self.arithmetic.number(exact_middle(one)) for one in found)
+
+    def _ball(self, tau: Number) -> arb:
+        with precision(self.bits):
+            return as_ball(tau)
 
     def _lost(self, tau: arb) -> int:
         """Return how many bits the squarings of a flow over tau may lose."""
@@ -57,10 +48,9 @@ class Moving:
 
     def after(self, tau: Number) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at tau (s) after the start; for balls at every point of tau."""
-        since = as_ball(tau)
+        since = self._ball(tau)
         with precision(self.bits + self._lost(since)):
-            t, state = self.begin
-            over = self.mode.motion([as_ball(one) for one in state], as_ball(t)).over(since)
+            over = self.mode.motion(self.state, self.begin).over(since)
             x1, v1, x2, v2 = (over.range(row) for row in _STATE)
         x1, v1, x2, v2 = self._numbers((x1, v1, x2, v2))
         return x1, v1, x2, v2 if self.mode.side else v1
@@ -70,11 +60,10 @@ class Moving:
 
         Enclosures for balls.
         """
-        mode, since = self.mode, as_ball(tau)
+        mode, since = self.mode, self._ball(tau)
         own, driven = bool(self.pair.a1), bool(mode.force)
         with precision(self.bits + self._lost(since)):
-            t, state = self.begin
-            motion = mode.motion([as_ball(one) for one in state], as_ball(t))
+            motion = mode.motion(self.state, self.begin)
             friction = viscous = work = arb(0)
             over = motion.over(since)
             if mode.side and (mode.slope or mode.pull):

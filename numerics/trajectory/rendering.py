@@ -11,20 +11,19 @@ from fractions import Fraction
 
 from flint import arb
 
+MOST_DIGITS = {"float64": 17, "double-double": 31}
+"""The most digits that numbers of an arithmetic can show."""
 _SPARE_DIGITS = 3
 """Printed beyond the digits asked for, so that rounding the text costs none of them."""
 
 
-def ball_text(x: arb, digits: int) -> tuple[str, str]:
-    """Return (text, radius) of a ball: `digits` significant digits and a few spare ones, radius in 3 digits upwards."""
-    text = str(x.mid().str(digits + _SPARE_DIGITS, radius=False))
-    return text, _upwards(abs(x - arb(text)).upper())
-
-
 def with_radius(name: str, x: arb, digits: int) -> dict[str, str]:
-    """Return the text of a ball under a name, and its radius beside it, under `name_radius`."""
-    text, radius = ball_text(x, digits)
-    return {name: text, f"{name}_radius": radius}
+    """Return the text of a ball under a name, and its radius beside it, under `name_radius`.
+
+    `digits` significant digits and a few spare ones, the radius in 3 digits upwards.
+    """
+    text = str(x.mid().str(digits + _SPARE_DIGITS, radius=False))
+    return {name: text, f"{name}_radius": _upwards(abs(x - arb(text)).upper())}
 
 
 def _wide(digits: int, rounding: str) -> Context:

@@ -18,12 +18,11 @@ from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import How, Record, tabulate
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
-from numerics.trajectory.columns import Columns
+from numerics.trajectory.answer import Answer
+from numerics.trajectory.columns import STATE, Columns
 
-STATE = ("x1", "v1", "x2", "v2")
 
-
-class Rows:
+class Rows(Answer):
     """A scene, the arithmetic it was solved in, and the rows of its record, in SI units and in numbers."""
 
     def __init__(self, scene: Scene | Callable[[], Scene], arithmetic: Arithmetic, record: Record) -> None:
@@ -81,14 +80,7 @@ class Rows:
     @cached_property
     def row_numbers(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
-        local, y = self.columns.numbers("local"), self.row_states
-        if self.arithmetic.name == "float64":
-            return local, y
-        return self.floats(local), self.floats(y)
-
-    def floats(self, numbers: Any) -> NDArray[np.float64]:
-        """Return numbers of the arithmetic in binary64, in their shape."""
-        return np.asarray(np.vectorize(self.arithmetic.to_float, otypes=[float])(numbers))
+        return self.floats(self.columns.numbers("local")), self.floats(self.row_states)
 
     @cached_property
     def row_times(self) -> NDArray[Any]:
@@ -98,7 +90,7 @@ class Rows:
             return local
         if self.arithmetic.name == "float64":
             return np.asarray(starts_of(self.scene)[self.row_pieces] + local)
-        with self.arithmetic.context():
+        with self.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
             return np.asarray(starts[self.row_pieces] + local)
 
@@ -164,20 +156,20 @@ class Rows:
     @cached_property
     def final_state(self) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at the end."""
-        with self.arithmetic.context():
+        with self.context():
             x1, v1, x2, v2 = (self.columns.last(name) for name in STATE)
             return x1, v1, x2, v2
 
     @cached_property
     def final_energy(self) -> Number:
         """Return the energy at the end, J, formed from the state."""
-        with self.arithmetic.context():
+        with self.context():
             return self.energy_of(self.final_state)
 
     @cached_property
     def end_time(self) -> Number:
         """Return the time at the end, s."""
-        with self.arithmetic.context():
+        with self.context():
             return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
 
     def energy_of(self, y: Any) -> Any:
@@ -189,5 +181,5 @@ class Rows:
     @cached_property
     def frame(self) -> Frame:
         """Return the constants of the pair, between SI units and reduced coordinates of its own b."""
-        with self.arithmetic.context():
+        with self.context():
             return Frame(self.arithmetic, self.scene.pair)

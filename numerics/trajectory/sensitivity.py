@@ -35,7 +35,7 @@ from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.scene import Scene
 from numerics.scene.model import require_kind
-from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.dense import Side, exact_time, require_side
 from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
@@ -151,7 +151,7 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
         begins = [leg.start for leg in chain.legs]
         if arithmetic.name != "ball":  # an event is where the trajectory has it, as rounded as that is
             own = iter(trajectory.event_times)
-            begins = [_ball(next(own)) if leg.is_event else leg.start for leg in chain.legs]
+            begins = [as_ball(next(own)) if leg.is_event else leg.start for leg in chain.legs]
         return (np.array([*chain.at_times(times, begins, side), *chain.before]),)
 
     rows = _enclosed(trajectory, at_times)[0][: asked.size]
@@ -238,15 +238,10 @@ def _right_digits(arrays: tuple[Array, ...], digits: int) -> int:
 
 def _time(trajectory: Trajectory, t: Any) -> arb:
     """Return a time (s) as a ball. Raises ValueError outside [0, end]."""
-    end, time = trajectory.end_time, _ball(t if isinstance(t, arb) or hasattr(t, "man_exp") else exact_time(t))
-    if time < 0 or time > _ball(trajectory.scene.until if trajectory.reached else end):
+    end, time = trajectory.end_time, as_ball(t if hasattr(t, "man_exp") else exact_time(t))
+    if time < 0 or time > as_ball(trajectory.scene.until if trajectory.reached else end):
         raise ValueError(f"t = {str(t)[:40]} s is outside the solved time [0, {float(end):g}] s; solve further")
     return time
-
-
-def _ball(x: Any) -> arb:
-    """Return a number of any arithmetic as a ball."""
-    return x if isinstance(x, arb) else Ball.number(as_fraction(x))
 
 
 def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:

@@ -10,9 +10,9 @@ from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import exact_middle
+from numerics.trajectory.columns import STATE
 from numerics.trajectory.export import Written
 from numerics.trajectory.rendering import right_digits_text, with_radius
-from numerics.trajectory.rows import STATE
 from numerics.trajectory.sensitivity import enclosures, sensitivities
 from numerics.trajectory.trajectory import Trajectory
 

@@ -3,75 +3,40 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cached_property
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
-from numerics.linear.record import How, Record
-from numerics.scene import Scene
+from numerics.linear.record import How
 from numerics.trajectory.dense import Dense, Side
-from numerics.trajectory.digits import Accuracy, accuracy_of
+from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
-
-_AT_ASKED_TIMES = {"_asked_times", "_asked_states", "energy"}
-"""What depends on t_eval, and is made when it is looked at."""
 
 
 class Solution(Rows):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
 
-    def __init__(
-        self,
-        scene: Scene | Callable[[], Scene],
-        arithmetic: Arithmetic,
-        record: Record,
-        *,
-        digits: int | None = None,
-        tried: str = "",
-        t_eval: Any = None,
-    ) -> None:
-        """Keep what a run wrote. `digits`: right digits that were asked for and reached; `tried`: what did not answer.
-
-        Raises ValueError for times in t_eval that are not in order, or outside the run.
-        """
-        super().__init__(scene, arithmetic, record)
-        self.digits, self.tried, self.t_eval = digits, tried, t_eval
-        self._look_up_times()
-
-    def but(self, **changed: Any) -> Self:
-        """Return the same trajectory with other `digits`, `tried` or `t_eval`."""
-        new = object.__new__(type(self))
-        new.__dict__ = {name: value for name, value in vars(self).items() if name not in _AT_ASKED_TIMES}
-        new.__dict__.update(changed)
-        new._look_up_times()
-        return new
-
-    def _look_up_times(self) -> None:
+    def look_up_times(self) -> None:
+        """Raise ValueError for times in t_eval that are outside the run."""
         if self.t_eval is not None:
-            with self.arithmetic.context():
+            with self.context():
                 self._asked_times = self.dense.times(self.t_eval)
 
     @property
-    def status(self) -> Status:
+    def status(self) -> Status:  # type: ignore[override]
         """Return how the solve ended."""
         if not self.reached:
             return Status.EVENT_LIMIT
         if not self.certain:
             return Status.SEQUENCE_OPEN
         return Status.STUCK_FOR_EVER if self.record.how == How.STUCK else Status.REACHED_HORIZON
-
-    @property
-    def success(self) -> bool:
-        """Return whether the horizon was reached, by events that are certain."""
-        return self.status.success
 
     @property
     def message(self) -> str:
@@ -88,7 +53,7 @@ class Solution(Rows):
         """Return whether the last segment of a free motion turns through more radians than points have digits for."""
         if self.arithmetic.name == "ball" or self.scene.is_forced:
             return False
-        with self.arithmetic.context():
+        with self.context():
             angle = self.frame.rate * self.columns.last("length")
             # what has decayed is no rounding yet
             damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
@@ -100,13 +65,17 @@ class Solution(Rows):
         return self._accuracy if self.bounded else None
 
     @cached_property
+    def _judged(self) -> tuple[Any, float, float, int]:
+        return judged(self)
+
+    @cached_property
     def _accuracy(self) -> Accuracy:
-        return accuracy_of(self)
+        return accuracy_of(self, self._judged)
 
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
-        return self._accuracy.digits if self.bounded else 0
+        return self._judged[3] if self.bounded else 0
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
@@ -151,19 +120,37 @@ class Solution(Rows):
     @cached_property
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
-        with self.arithmetic.context():
+        with self.context():
             return np.asarray(self.energy_of(self.y))
+
+    @cached_property
+    def energy_excess(self) -> NDArray[Any]:
+        """Return E/E_cr - 1 at `t`, shape (m,), accurate in itself."""
+        if self.t_eval is not None:
+            return np.array([self.reduced(one).w for one in self.t], dtype=object)
+        end = [self.final.w] if self.reached else []
+        return np.array([self.initial.w, *(event.reduced.w for event in self.events), *end], dtype=object)
+
+    def end_numbers(self) -> tuple[Number, ...]:
+        """Return x1, v1, x2, v2, energy and excess at the end."""
+        return *self.final_state, self.final_energy, self.final.w
+
+    def end_bounds(self) -> tuple[float, ...]:
+        """Return bounds on the errors of time, state, energy and excess at the end, of numbers that have them."""
+        found, late = self._accuracy, abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
+        late += 0.0 if self.reached else float(found.t[-1])
+        return late, *found.final, found.energy, found.energy_excess
 
     @property
     def final(self) -> ReducedState:
         """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
-        with self.arithmetic.context():
+        with self.context():
             return self._reduced(self.final_state, self.columns.last("excess"))
 
     @property
     def initial(self) -> ReducedState:
         """Return the reduced state at the start."""
-        with self.arithmetic.context():
+        with self.context():
             return self._reduced(self.row_states[:, 0], self.arithmetic.number(self.scene.energy_excess))
 
     def _reduced(self, y: Any, excess: Any = None) -> ReducedState:
@@ -178,7 +165,7 @@ class Solution(Rows):
     @property
     def dissipated(self) -> Number:
         """Return what friction and viscosity took, J: summed by the run where it has bounds, else by the ledger."""
-        with self.arithmetic.context():
+        with self.context():
             if self.bounded:
                 return self.columns.last("friction") + self.columns.last("viscous")
             return self.ledger.friction + self.ledger.viscous
@@ -186,7 +173,7 @@ class Solution(Rows):
     @cached_property
     def ledger(self) -> EnergyLedger:
         """Return the energy ledger of the whole run, with the work of u."""
-        with self.arithmetic.context():
+        with self.context():
             return ledger_of(self.dense)
 
     @cached_property
@@ -195,7 +182,7 @@ class Solution(Rows):
         rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
         causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
         states, excesses = self.event_states, self.columns.numbers("excess")[rows]
-        with self.arithmetic.context():
+        with self.context():
             reduced = [self._reduced(*one) for one in zip(states.T.tolist(), excesses, strict=True)]
         kinds, y = self.event_kinds, map(tuple, states.T.tolist())
         return tuple(map(Event, self.event_times.tolist(), kinds, modes, modes[1:], y, reduced, causes))
@@ -206,7 +193,7 @@ class Solution(Rows):
         first = [0, *self.event_rows.tolist(), *([len(self.record.rows)] if self.reached else [])]
         t, lengths = [*self._table[0].tolist(), self.end_time], self.row_lengths
         found = []
-        with self.arithmetic.context():
+        with self.context():
             for k, (mode, start, after) in enumerate(zip(self.modes, first, first[1:], strict=False)):
                 length = sum(lengths[start + 1 : after], lengths[start])
                 found.append(Segment(mode, t[k], t[k + 1], length, range(start, after), self.dense))
@@ -225,15 +212,15 @@ class Solution(Rows):
         the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
         outside [0, end].
         """
-        with self.arithmetic.context():
+        with self.context():
             return self.dense.states(t, side)
 
     def reduced(self, t: Any, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
-        with self.arithmetic.context():
+        with self.context():
             return self._reduced(self.dense.states(t, side), self.dense.excess(t, side))
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
-        with self.arithmetic.context():
+        with self.context():
             return self.dense.mode(t, side)

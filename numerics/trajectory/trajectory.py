@@ -5,7 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Literal, Self
 
-from numerics.trajectory.export import dataframe
+import numpy as np
+
+from numerics.arithmetic.by_name import arithmetic_named
+from numerics.linear.pieces import pieces_of
+from numerics.linear.record import END_ROW, ROW, How, Knot, Record
+from numerics.trajectory.answer import Kept
+from numerics.trajectory.saved import plain
 from numerics.trajectory.solution import Solution
 
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
@@ -44,9 +50,23 @@ class Trajectory(Solution):
     (5.0, [0.002483, 0.044169, 0.001745, 0.044169])
     >>> [round(one, 6) for one in run.units]  # L (m), Omega (1/s) and E_cr (J) of reduced coordinates
     [0.005, 10.0, 0.0025]
-    >>> round(run.final.w, 6), float(run.initial.X), round(run.reduced(0.5).w, 6)
-    (0.027012, 0.0, 0.247939)
+    >>> round(run.final.w, 6), float(run.initial.X), round(run.reduced(0.5).w, 6), round(run.energy_excess[-1], 6)
+    (0.027012, 0.0, 0.247939, 0.027012)
+
+    As tables, and in a file, from which it comes back to the last bit:
+
+    >>> run.to_csv()[:22], len(run.to_dataframe())
+    ('from,to,t (s),x1 (m),v', 34)
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     run.save(f"{folder}/run.npz")
+    ...     Trajectory.load(f"{folder}/run.npz") == run
+    True
     """
+
+    FORMAT = "inertial-pair trajectory 1"
+    ARITHMETICS = ("float64", "double-double", "mpmath", "ball")
+    COLUMNS = ("t", "y", "energy", "energy_excess")
 
     def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
@@ -65,33 +85,6 @@ class Trajectory(Solution):
 
         return animate(self, file, duration, frames_per_second)
 
-    def save(self, file: str | Path) -> None:
-        """Write this trajectory to a file, exactly: no pickle, no digit lost. Raises OSError.
-
-        >>> import tempfile
-        >>> from numerics import load_scene, solve
-        >>> run = solve(load_scene("start-with-speed"), digits=40)
-        >>> with tempfile.TemporaryDirectory() as folder:
-        ...     run.save(f"{folder}/run.npz")
-        ...     Trajectory.load(f"{folder}/run.npz") == run
-        True
-        """
-        from numerics.trajectory.saved import save
-
-        save(self, file)
-
-    @classmethod
-    def load(cls, file: str | Path) -> Self:
-        """Return the trajectory that `save` wrote to a file. Raises OSError, InvalidFile (what is no such file)."""
-        from numerics.trajectory.saved import load
-
-        found: Self = load(file, cls)
-        return found
-
-    def to_dataframe(self) -> Any:
-        """Return t, mode, x1, v1, x2, v2 and energy at start, events and end as a pandas DataFrame."""
-        return dataframe(self)
-
     def __repr__(self) -> str:
         """Return a short summary, as SciPy's solutions have."""
         right = self.digits or (self.right_digits if self.bounded else None)
@@ -107,22 +100,37 @@ class Trajectory(Solution):
         }
         return "\n".join(f"{name:>12}: {value}" for name, value in shown.items())
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
-        from numerics.trajectory.saved import header_text, run_of, unpickled
+    def kept(self) -> Kept:
+        """Return what the run wrote."""
+        rows, end, how, *rest = self.record
+        arrays = {"rows": rows, "end": end} if isinstance(rows, np.ndarray) else {}
+        return {"how": int(how), "rest": plain(rest), "knots": None if arrays else plain([*rows, end])}, arrays
 
-        header, arrays = run_of(self)
-        return unpickled, (type(self), self.scene, header_text(header), arrays)
+    @classmethod
+    def restored(cls, scene: Any, kept: Kept) -> Self:
+        """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
+        (header, arrays), (name, digits) = kept, kept[0]["arithmetic"]
+        if bool(arrays) != (name in cls.ARITHMETICS[:2]):
+            raise ValueError(f"its numbers are not those of {name}")
+        return cls(scene, arithmetic_named(name, digits), _record(header, arrays, len(pieces_of(scene))))
 
-    def __eq__(self, other: object) -> bool:
-        """Return whether another trajectory answers the same scene with the same numbers."""
-        if not isinstance(other, Trajectory):
-            return False
-        from numerics.trajectory.saved import header_text, run_of
 
-        (one, rows), (two, others) = run_of(self), run_of(other)
-        # as texts: a bound of an open run may be no number, which equals nothing
-        same = self.scene == other.scene and header_text(one) == header_text(two)
-        return same and [a.tobytes() for a in rows.values()] == [a.tobytes() for a in others.values()]
-
-    __hash__ = None  # type: ignore[assignment]
+def _record(header: dict[str, Any], arrays: dict[str, Any], pieces: int) -> Record:
+    """Return what a run wrote. Raises ValueError, and what else a file that nobody saved can bring about."""
+    if arrays:
+        rows, end = arrays["rows"], arrays["end"]
+        if rows.dtype != float or rows.shape[1:] != (ROW,) or end.dtype != float or end.shape != (END_ROW,):
+            raise ValueError("its arrays have other shapes")
+        codes = rows[:, [0, 4]]
+    else:
+        *rows, end = (Knot(*one) for one in header["knots"])
+        codes = np.array([(one.mode, one.piece) for one in rows], dtype=float)
+    modes, indices = codes.T
+    if not len(codes) or not np.isin(modes, (-1, 0, 1)).all() or not np.isin(indices, range(pieces)).all():
+        raise ValueError("its rows are not those of a run of its scene")
+    events, certain, *lost = header["rest"]
+    if not isinstance(events, int) or not 0 <= events < len(codes) or not isinstance(certain, bool):
+        raise ValueError("its count of events is not that of its rows")
+    if any(isinstance(one, (str, dict)) for one in lost):
+        raise ValueError("what friction took is no number")
+    return Record(rows, end, How(header["how"]), events, certain, *lost)

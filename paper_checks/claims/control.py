@@ -248,13 +248,13 @@ def trackable_references() -> Case:
         first=equal(
             r"\cos\alpha_1",
             1 - PART / 2 - PART**2 / 4,
-            lambda: cos(control.switching()[0]),
+            lambda: control.switching_cosines()[0],
             lambda: {PART: control.reduced},
         ),
         second=equal(
             r"\cos\alpha_2",
             (1 + PART / 2 + PART**2 / 4) / (1 + PART),
-            lambda: cos(control.switching()[1]),
+            lambda: control.switching_cosines()[1],
             lambda: {PART: control.reduced},
         ),
     ),

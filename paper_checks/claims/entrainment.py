@@ -3,7 +3,9 @@
 from functools import cache
 
 import sympy as sp
+from flint import arb
 
+from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.response import natural_frequency, one_response
 from paper_checks.claims.stuck import undamped_stuck
@@ -159,9 +161,33 @@ def _gain() -> Expr:
 
 
 OPEN = (
-    "That each amplitude between $U_*$ and $U_{**}$ has just one motion with two stops, and that its conditions hold on the whole branch, is not proved.",
-    "Motions that slip for ever and turn at other times than after each half period of the force are not treated, with a damper or without: whether $U_{**}$ is the least amplitude for those, too, is open.",
+    "At which amplitudes between $U_*$ and $U_{**}$ a motion with two stops exists, and whether just one, is not decided; at that of the example above there is none.",
+    "Motions that slip for ever and turn at other times than after each half period of the force are not treated but for this example: from which amplitude on there are any, with a damper or without, is open.",
 )
+LIGHT = Scene(Pair(m1="0.1", m2=1, a1="0.02", a2=90, b="0.01"), State(), 1, force=Force.sine(1, 10))
+"""A light damper, and a body 1 alone of three times the frequency of its force: U** is far above the amplitudes at which stops end."""
+
+
+@cache
+def six_turns() -> Evidence:
+    """A motion that never stops, at an amplitude far below U**."""
+    from numerics.control.response import Regime, response
+
+    found = response(LIGHT, digits=8)
+    turns = [leg.side for leg in found.orbit.legs] if found.orbit else []
+    return enclosed(
+        "the periodic motion of that pair slips in each of its six modes, with signs in turn",
+        found.regime is Regime.NON_STOP and turns in ([1, -1] * 3, [-1, 1] * 3),
+        f"{found.regime.value}; {found.attraction}; signs {turns}",
+        engine="numerics, balls",
+    )
+
+
+def _above_six_turns() -> arb:
+    """Return U** of that pair, N."""
+    from numerics.control.thresholds import thresholds
+
+    return thresholds(LIGHT.pair, 10).non_stop
 
 
 @theorem(
@@ -257,6 +283,15 @@ OPEN = (
         r"and all that holds for $a_1^2>4m_1a_2$, too; for $a_1^2=4m_1a_2$ with the limits as $\omega_d\to 0$.",
     ),
     clause(
+        "more-turns",
+        r"""
+        A motion that turns more often may do with less. For $m_1=0.1$, $m_2=1$, $a_1=0.02$, $a_2=90$, $b=0.01$ and
+        $\omega=10$, with «threshold» N, every motion tends at $U=1$ N to one that never stops and turns six times in
+        each period: so none of this period has two stops.
+        """,
+        threshold=Formula("U_{**}", "=...", Rational("5.1814"), decimal(_above_six_turns)),
+    ),
+    clause(
         "non-stop-undamped",
         r"For $a_1=0$, «natural» no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ that is so without the condition.",
         natural=natural_frequency(),
@@ -315,6 +350,7 @@ def entrainment_threshold() -> Case:
         carried("letters", square_wave()),
         carried("below", below_non_stop()),
         carried("over-damped", over_damped()),
+        carried("more-turns", six_turns(), one_response()),
         carried("two-ends", two_ends()),
         derivation=(
             r"$$\ddot x_1\propto\cos\varphi-\tfrac1n\sin\tfrac{\pi}{2n}\cos n\varphi,\qquad\max=\cos\tfrac{\pi}{2n}\ \text{at}\ \varphi=\pm\tfrac{\pi}{2n}.$$",

@@ -186,7 +186,7 @@ def sharp_limit() -> Evidence:
         identity("equivalently $w'=w-\\tfrac{9r}{4q}w^2+\\dots$", quadratic_coefficient(), 9 * r / (4 * q)),
         identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
         identity(
-            "so $t\\,(E-E_{cr})\\to E_{cr}\\,\\tfrac{4\\pi}{9}\\tfrac{m_1}{m_2}\\sqrt{(m_1+m_2)/a}$",
+            "so $t\\,(E-E_{cr})\\to E_{cr}\\,\\tfrac{4\\pi}{9}\\tfrac{m_1}{m_2}\\sqrt{(m_1+m_2)/a_2}$",
             rate_constant(),
             printed_rate_constant(),
         ),

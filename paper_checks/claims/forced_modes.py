@@ -287,7 +287,7 @@ def forced_mode_rule() -> Case:
 def forced_no_zeno() -> Case:
     """The load beside the edge has one sign before a time of accumulation."""
     return because(
-        "Where the force is analytic by pieces, modes cannot alternate without end: what decides a tie for the time after it decides it for the time before it too, so next to any instant the load keeps one side of each edge.",
+        "Where the force is analytic by pieces, modes cannot alternate without end in a bounded time: what decides a tie for the time after it decides it for the time before it too, so next to any instant the load keeps one side of each edge.",
         carried("deviation"),
         carried("finite-friction", finitely_many_events()),
     )

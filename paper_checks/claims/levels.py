@@ -48,7 +48,7 @@ def critical_energy_claim() -> Case:
             ),
         ),
         identity(
-            "$L^2-\\mathrm{semi\\text{-}axis}^2=2(E_{cr}-E_0)/a$",
+            "$L^2-\\mathrm{semi\\text{-}axis}^2=2(E_{cr}-E_0)/a_2$",
             half_width() ** 2 - level_semi_axis() ** 2,
             semi_axis_margin(),
         ),

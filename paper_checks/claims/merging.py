@@ -177,8 +177,8 @@ def merging_set() -> Case:
     """R falls and rises once, so the excursions that merge form one interval of angles."""
     return because(
         r"""
-        The energies on $S_0$ that merge at the first re-entry form one interval, whether the pair crosses $S$ before
-        it or not; below it the pair creeps for ever. $w'/q=c^2(R^2-r)$ with $R=h/c$, which falls from $\infty$ to
+        If body 2 is heavy enough, the energies on $S_0$ that merge at the first re-entry form one interval, whether
+        the pair crosses $S$ before it or not; below it the pair creeps for ever. $w'/q=c^2(R^2-r)$ with $R=h/c$, which falls from $\infty$ to
         $\sqrt{r^*}$ and rises to $\infty$: $R^2\leqslant r$ is one interval $[\theta_a,\theta_b]$, empty for $r<r^*$,
         and $w=q\,h^2$ rises with $\theta$. Below it $0<w'<w$ repeats for ever. As $R$ is strictly monotone on both
         sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and short slips in

@@ -15,7 +15,7 @@ from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.capture import stays_below_critical
-from paper_checks.claims.convergence import contact_again
+from paper_checks.claims.convergence import contact_again, stays_stuck
 from paper_checks.claims.excursions import creeps_for_ever
 from paper_checks.claims.letters import R
 from paper_checks.claims.words import *
@@ -130,6 +130,23 @@ def exact_share() -> Evidence:
 
 
 @cache
+def just_above() -> Evidence:
+    """Nearly all states just above E_cr merge, whatever the masses are."""
+    return argument(
+        r"""
+        While $E\leqslant 2E_{cr}$ the rate of $V_1-V_2$ is bounded, by $K$. A state with $|V_1-V_2|\geqslant\eta$ has
+        half of that at least for the time $\eta/(2K)$, in which $E/E_{cr}$ falls by $r\,\eta^2/(2K)$ at least: from
+        below $1+r\,\eta^2/(2K)$ to below $1$, and the pair merges. The states with $|V_1-V_2|<\eta$ are a share that
+        tends to $0$ with $\eta$, evenly up to $2E_{cr}$.
+        """,
+        contact_again(),
+        stays_below_critical(),
+        stays_stuck(),
+        identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
+    )
+
+
+@cache
 def limit() -> Evidence:
     """The share at large energies."""
     return argument(
@@ -219,9 +236,9 @@ def merging_bands() -> Case:
     """Energies that merge, in turn with energies that never do."""
     return because(
         """
-        The energies on $S_0$ that ever merge form many bands: between two that merge lies one that never does. Each
-        trajectory is solved in balls until it sticks for ever, or leaves $S_0$ by a ray so little above $E_{cr}$ that
-        it never merges.
+        For three mass ratios the energies on $S_0$ that ever merge form many bands: between two that merge lies one
+        that never does. Each trajectory is solved in balls until it sticks for ever, or leaves $S_0$ by a ray so
+        little above $E_{cr}$ that it never merges.
         """,
         carried(
             "bands",
@@ -252,8 +269,12 @@ def merging_bands() -> Case:
         ),
     ),
     clause(
+        "near",
+        r"As $E$ falls to $E_{cr}$ the share of those that merge tends to $1$, for every $r$.",
+    ),
+    clause(
         "limit",
-        r"As $E$ grows, «limit».",
+        r"As $E$ grows, «limit», for $r\leqslant r^*$.",
         limit=Formula(r"e\,\int f", "->", 1 / (2 * sqrt(q)), equals(large_energy_limit)),
     ),
 )
@@ -266,6 +287,7 @@ def merging_share(seed: int) -> Case:
         captive contacts, and falls like $1/E$.
         """,
         carried("share", exact_share()),
+        carried("near", just_above()),
         carried("limit", limit()),
         random_states(Fraction(3, 10), Fraction(4), 250, seed),
         random_states(Fraction(1, 2), Fraction(3, 2), 250, seed),

@@ -60,7 +60,7 @@ def stick_durations() -> Case:
                 *never_merges(),
                 heads_for_the_other_ray(),
                 identity(
-                    r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a}$",
+                    r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a_2}$",
                     critical_limits().stick_duration,
                     pi * sqrt((m1 + m2) / a2),
                 ),
@@ -284,7 +284,7 @@ def rate_one_over_t() -> Case:
         $E(t)-E_{cr}\leqslant E(0)-E_{cr}$. From any $t_0>0$ on it holds. More is true: $1/w$ gains $9r/(4q)$ per
         excursion in the limit, and an excursion takes $\pi/\Omega$ in the limit, so $t(E-E_{cr})$ has a limit, which
         does not depend on $E(0)$. That $E(0)$ alone fixes the constants is right for such solutions, which start on
-        $S_0$; over all solutions with one $E(0)$ there is an upper constant and no lower one (uniform-rate).
+        $S_0$; over all with one $E(0)$ that never merge there is an upper constant and no lower one (uniform-rate).
         """,
         counterexample(
             r"""

@@ -22,6 +22,7 @@ from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
+from theory.symbols import put
 
 
 @cache
@@ -65,7 +66,7 @@ def one_cycle() -> Steps:
     landed = -one.velocity / one.position
     speed = Symbol("e", positive=True)
     state = {x1_0: one.position, v1_0: one.velocity, epsilon: speed}
-    _, sine = (part.subs(state, simultaneous=True) for part in stick_rotation())
+    _, sine = (put(part, state) for part in stick_rotation())
     # sin(pi - alpha - beta), tan alpha = e, tan beta = -V'/X', times the two radii
     expected = (speed * one.position - one.velocity) / (one.position**2 + one.velocity**2)
     shortfall = sqrt(q) * (theta - h()) * q * in_trigonometry(depth_of_angle())
@@ -144,7 +145,7 @@ def sharp_rate_constant() -> Case:
     return because(
         r"""
         $t\,(E-E_{cr})$ has one limit for all starts that never merge,
-        $E_{cr}\,\frac{4\pi}{9}\,\frac{m_1}{m_2}\sqrt{M/a}$. A trajectory that never merges tends to $E_{cr}$
+        $E_{cr}\,\frac{4\pi}{9}\,\frac{m_1}{m_2}\sqrt{M/a_2}$. A trajectory that never merges tends to $E_{cr}$
         (dichotomy) and from some time on sticks and slips in turn, from ray to ray. There $1/w$ gains $9r/(4q)$ per
         excursion and an excursion with its stick takes $\pi/\Omega$, both in the limit $w\to 0$, so by Stolz and
         Cesàro $1/(\Omega t\,w)\to\frac{9r}{4\pi q}$ along the exits, and as $w_{k+1}/w_k$ and $t_{k+1}/t_k$ tend to
@@ -153,7 +154,7 @@ def sharp_rate_constant() -> Case:
         depth_over_excess(),
         derivation=(
             r"""
-            $$\lim_{t\to\infty}t\,(E-E_{cr})=E_{cr}\,\frac{4\pi}{9}\,\frac{m_1}{m_2}\sqrt{\frac{m_1+m_2}{a}}=\frac{2\pi}{9}\,\frac{b^2m_1(m_1+m_2)^{5/2}}{a^{3/2}m_2^3}$$
+            $$\lim_{t\to\infty}t\,(E-E_{cr})=E_{cr}\,\frac{4\pi}{9}\,\frac{m_1}{m_2}\sqrt{\frac{m_1+m_2}{a_2}}=\frac{2\pi}{9}\,\frac{b^2m_1(m_1+m_2)^{5/2}}{a_2^{3/2}m_2^3}$$
             """,
         ),
         figure="sharp-rate",

@@ -196,8 +196,8 @@ def _from_rest(scene: Scene) -> Steps:
         clause(
             "adheres",
             r"The pair starts in the mode (14), crosses $S$ once and adheres first from «from_» s to «to» s;",
-            from_=time("t", "0.2763", "start-with-speed", 1),
-            to=time("t", "0.3353", "start-with-speed", 2),
+            from_=time("t", "0.27630", "start-with-speed", 1),
+            to=time("t", "0.33539", "start-with-speed", 2),
         ),
         clause(
             "for-ever",

@@ -136,7 +136,7 @@ def damping_for_tracking() -> Case:
         r"""
         The velocity of body 2 tracks, its place may be left with an offset. Under the force of trackable-references
         one motion follows the reference. With a damper and a bounded force every other motion approaches it in
-        $(x_1,v_1,v_2)$; without a damper a free oscillation stays. But no force depends on $x_2$, of which the paper
+        $(x_1,v_1,v_2)$; without a damper a free oscillation may stay. But no force depends on $x_2$, of which the paper
         says that it is a variable of interest. The damper costs $a_1\dot x_{\mathrm{ref}}$ in that force. It does not
         speed up every motion: see damping-can-desynchronise.
         """,
@@ -243,9 +243,9 @@ def varying_interface() -> Case:
     return because(
         """
         A part of the problem is not open: with a friction that varies in time a start has one motion, and two motions
-        never move apart. Where it varies with the state they may, but a start still has one motion; and friction that
-        stays above some least value, whatever it depends on, brakes every relative motion down. How the long run looks
-        is open in both cases.
+        never move apart. Where it varies with the state they may, but if it does so without jumps, with bounded
+        slopes, a start still has one motion; and without a force friction that stays above some least value, whatever
+        it depends on, brakes every relative motion down. How the long run looks is open in both cases.
         """,
         counterexample(
             "For $b(t)$ this much of the effect is known: from every start there is one solution, and two solutions never move apart in $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",

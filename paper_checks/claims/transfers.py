@@ -104,7 +104,7 @@ def nothing_breaks() -> Evidence:
 @cache
 def weak_force() -> Evidence:
     """Two arcs, and a sine that no other control serves as well."""
-    first, second = control.switching()
+    first, second = control.switching_cosines()
     meets = reduced / 2 + reduced**2 / 4
     return argument(
         r"""
@@ -118,7 +118,7 @@ def weak_force() -> Evidence:
         """,
         identity(
             r"the arcs meet on both circles, and turn by these angles",
-            [cos(first) - (1 - meets), cos(second) * (1 + reduced) - (meets + 1)],
+            [first - (1 - meets), second * (1 + reduced) - (meets + 1)],
         ),
         identity(
             r"$X=d/2+d^2/4$ is on both circles",

@@ -175,6 +175,11 @@ RHO, LATE_TIME, CONTACT, LOSS = symbols("rho tau^* tau_1 l", positive=True)
 DEPTH = sp.Function("c")
 
 
+def _contact_by() -> Expr:
+    """Return the reduced time up to which S is met by what starts with w = q y0."""
+    return first_contact_bound().subs(w, q * first_excess)
+
+
 def _depths() -> dict[Basic, Basic]:
     """Return what the letters r and c(...) of the least loss stand for."""
     angle = 2 * sp.acot(q * (sqrt(first_excess) + pi / 2))
@@ -241,9 +246,9 @@ def rate_with_error() -> Case:
             r"\tau^*",
             CONTACT + 2 * pi * sqrt(q) * crossings,
             late,
-            lambda: {CONTACT: first_contact_bound().subs(w, q * first_excess)},
+            lambda: {CONTACT: _contact_by()},
         ),
-        contact=of_share(r"\tau_1", 2 * sqrt((1 + w) / R), first_contact_bound),
+        contact=of_share(r"\tau_1", 2 * sqrt((1 + q * first_excess) / R), _contact_by),
         count=equal(
             crossings,
             sp.ceiling(first_excess / LOSS),
@@ -270,10 +275,10 @@ def uniform_rate() -> Case:
     """An upper bound that E(0) fixes; a family that shows that there is no lower one."""
     return because(
         """
-        $E(0)$ fixes an upper bound of $E-E_{cr}$ over all trajectories, and no lower one. From above: $S$ is met
-        within a bounded time, few slips cross, and every other cycle adds to $1/w$. From below: trajectories with one
-        $E(0)$ may lose as much of it as one likes in their first slip. For starts on $S_0$ slightly above $E_{cr}$
-        both constants exist (rate-one-over-t).
+        $E(0)$ fixes an upper bound of $E-E_{cr}$ over all trajectories that never merge, and no lower one. From above:
+        $S$ is met within a bounded time, few slips cross, and every other cycle adds to $1/w$. From below:
+        trajectories with one $E(0)$ may lose as much of it as one likes in their first slip. For starts on $S_0$
+        slightly above $E_{cr}$ both constants exist (rate-one-over-t).
         """,
         carried("upper", from_above()),
         derivation=(

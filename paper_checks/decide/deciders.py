@@ -14,6 +14,7 @@ from paper_checks.decide.polynomial import RELATIONAL, signed
 from paper_checks.decide.smt import prove
 from paper_checks.evidence.clause import Formula, decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, enclosed
+from theory.symbols import put
 
 if TYPE_CHECKING:
     from flint import arb
@@ -38,7 +39,7 @@ def equals(derived: Derived, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = 
         if formula.relation not in ("=", "->"):
             return Evidence(EvidenceKind.EXACT, "sympy", statement, None, value="only an equality is derived")
         right = sp.sympify(formula.right)
-        return identity(statement, derived(), right.subs(where(), simultaneous=True))
+        return identity(statement, derived(), put(right, where()))
 
     return decide
 
@@ -60,7 +61,7 @@ def implied(
 
     def decide(formula: Formula) -> Evidence:
         difference = sp.sympify(formula.left) - sp.sympify(formula.right)
-        conclusion = signed(difference.subs(where(), simultaneous=True), formula.relation)
+        conclusion = signed(put(difference, where()), formula.relation)
         return prove(shown(formula), given(), conclusion)
 
     return decide
@@ -108,7 +109,7 @@ def holds_at(point: Point, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = di
     """Decide a formula at one rational point, with what theory derives in the places of `where`."""
 
     def decide(formula: Formula) -> Evidence:
-        sides = [sp.sympify(side).subs(where(), simultaneous=True) for side in (formula.left, formula.right)]
+        sides = [put(sp.sympify(side), where()) for side in (formula.left, formula.right)]
         return exhibit(shown(formula), point, (sides[0], formula.relation, sides[1]))
 
     return decide

@@ -10,6 +10,7 @@ from paper_checks.decide.polynomial import RELATIONAL
 from paper_checks.evidence.clause import RELATIONS, decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.formula import latex, pointed
+from theory.symbols import put
 
 Point = Mapping[sp.Symbol, "sp.Rational | int"]
 """Exact values of symbols, SI units; anything but a rational is refused."""
@@ -54,7 +55,7 @@ def value_at(expression: sp.Expr, point: Point) -> str:
 
 def _value(expression: sp.Expr, point: Point) -> sp.Expr:
     """Return an expression at a point: a rational number, where it can be brought to one."""
-    value = expression.subs(dict(point))
+    value = put(expression, point)
     return value if value.is_Rational else sp.simplify(value)
 
 

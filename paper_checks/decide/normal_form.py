@@ -11,11 +11,13 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpz_mpoly
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from theory.fraction import Fraction, letters_in, value, written
 
 _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
 
@@ -42,47 +44,12 @@ def fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """
     form = _Form(expression)
     top, bottom = form.value(expression)
-    scale = math.lcm(*(int(one.q) for part in (top, bottom) for one in part.coeffs()))
-    return form.expression(top * scale), form.expression(bottom * scale)
+    return written(top, form.letters), written(bottom, form.letters)
 
 
 def _absolute(inside: sp.Expr) -> sp.Expr:
     top, bottom = fraction(inside)
     return sp.Abs(top) / sp.Abs(bottom)
-
-
-class Fraction(NamedTuple):
-    """A fraction of two polynomials."""
-
-    top: fmpq_mpoly
-    bottom: fmpq_mpoly
-
-    def __add__(self, other: Any) -> Fraction:
-        """Return the sum over the least common denominator."""
-        mine, theirs = _lowest(self.bottom, other.bottom)
-        return Fraction(self.top * theirs + other.top * mine, self.bottom * theirs)
-
-    def __mul__(self, other: Any) -> Fraction:
-        """Return the product; what one has above and the other below is left out."""
-        left, right = _lowest(self.top, other.bottom), _lowest(other.top, self.bottom)
-        return Fraction(left.top * right.top, left.bottom * right.bottom)
-
-    def __neg__(self) -> Fraction:
-        """Return the fraction with its sign turned."""
-        return Fraction(-self.top, self.bottom)
-
-    def __pow__(self, exponent: int) -> Fraction:
-        """Return a whole power. Raises ZeroDivisionError where the fraction is 0 and the exponent negative."""
-        if exponent >= 0:
-            return Fraction(self.top**exponent, self.bottom**exponent)
-        if self.top == 0:
-            raise ZeroDivisionError("0 has no inverse")
-        return Fraction(self.bottom**-exponent, self.top**-exponent)
-
-
-def _lowest(top: fmpq_mpoly, bottom: fmpq_mpoly) -> Fraction:
-    common = top.gcd(bottom)
-    return Fraction(top / common, bottom / common)
 
 
 class _Form:
@@ -92,8 +59,9 @@ class _Form:
         """Find the letters; those that a square root is made of come before it."""
         self.units = _units(expression)
         names = list(dict.fromkeys(self._letters(expression)))
-        self.context = fmpq_mpoly_ctx.get([f"l{n}" for n in range(max(1, len(names)))])
-        self.one = self._constant(fmpq(1))
+        self.letters = [self._written(kind, part) for kind, part in names]
+        self.context = letters_in(len(names))
+        self.one, self.zero = self._constant(1), self._constant(0)
         self.place = {name: n for n, name in enumerate(names)}
         self.squares: list[tuple[int, Fraction]] = []
         """Letters, by their places, whose squares are fractions of the letters before them."""
@@ -106,15 +74,9 @@ class _Form:
 
     def value(self, part: sp.Expr) -> Fraction:
         """Return an expression as a fraction. Raises ZeroDivisionError where it divides by 0."""
-        if part.is_Rational:
-            return self._constant(fmpq(int(part.p), int(part.q)))
-        if part.is_Add or part.is_Mul:
-            total, *others = (self.value(one) for one in part.args)
-            for other in others:
-                total = total + other if part.is_Add else total * other
-            return total
-        if part.is_Pow and part.exp.is_Integer:
-            return self.value(part.base) ** int(part.exp)
+        return value(part, self.context, self._of)
+
+    def _of(self, part: sp.Expr) -> Fraction:
         if _is_root(part):
             return self._letter("root", part.base) ** int(part.exp.p)
         if isinstance(part, _CIRCULAR):
@@ -129,16 +91,7 @@ class _Form:
             return top * bottom**-1
         return self._letter("whole", part)
 
-    def expression(self, polynomial: fmpq_mpoly) -> sp.Expr:
-        """Return a polynomial in the letters as an expression."""
-        letters = [self._written(kind, part) for kind, part in self.place] or [sp.Integer(1)]
-        terms = (
-            sp.Mul(sp.Rational(int(coefficient.p), int(coefficient.q)), *map(sp.Pow, letters, exponents))
-            for exponents, coefficient in polynomial.to_dict().items()
-        )
-        return sp.Add(*terms)
-
-    def vanishes(self, polynomial: fmpq_mpoly, relations: int) -> bool:
+    def vanishes(self, polynomial: fmpz_mpoly, relations: int) -> bool:
         """Say whether a polynomial is 0 by the first of the relations; the last letter's even and odd powers part."""
         if polynomial == 0 or not relations:
             return bool(polynomial == 0)
@@ -174,7 +127,7 @@ class _Form:
 
     def _turned(self, angle: sp.Expr) -> tuple[Fraction, Fraction]:
         """Return cosine and sine of an angle, a sum of whole multiples of units."""
-        cosine, sine = self.one, self._constant(fmpq(0))
+        cosine, sine = self.one, self.zero
         for factor, rest in _terms(angle):
             times = factor / self.units[rest]
             along, across = self._letter("cosine", rest), self._letter("sine", rest)
@@ -191,8 +144,8 @@ class _Form:
             return sp.sqrt(part)
         return part if kind == "whole" else {"sine": sp.sin, "cosine": sp.cos}[kind](self.units[part] * part)
 
-    def _constant(self, value: fmpq) -> Fraction:
-        return Fraction(self.context.constant(value), self.context.constant(1))
+    def _constant(self, whole: int) -> Fraction:
+        return Fraction(self.context.constant(whole), self.context.constant(1))
 
 
 def _is_root(part: sp.Expr) -> bool:

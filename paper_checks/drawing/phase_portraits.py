@@ -26,7 +26,7 @@ from paper_checks.drawing.style import (
 )
 
 SHOWN = Fraction(3, 2)
-"""How long Fig. 3 is drawn, s: more would fill the picture with ever the same."""
+"""How long Fig. 4 is drawn, s: more would fill the picture with ever the same."""
 FRICTIONS = (
     ("relative-motion-b005", "#1b4f8f", "-"),
     ("relative-motion-b02", "#c8641e", "--"),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import sympy as sp
 
@@ -58,7 +59,7 @@ class Formula:
         if self.relation not in RELATIONS:
             raise LedgerError(f"the relation {self.relation!r} is none of {', '.join(RELATIONS)}")
 
-    @property
+    @cached_property
     def latex(self) -> str:
         """LaTeX of the formula, without dollars."""
         return f"{latex(self.left)}{RELATIONS[self.relation]}{self._right()}"

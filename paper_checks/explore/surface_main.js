@@ -102,11 +102,13 @@ function surfaceTab() {
     const away = ({ place }) => size(plus(to(place), at, -1));
     const handles = handlesAbove(solution).filter(({ name }) => name !== "V2" || !find("together").checked);
     const nearest = handles.reduce((best, one) => (away(one) < away(best) - 1 ? one : best));
-    // away from every handle it is the start that comes
-    held = away(nearest) < 24 ? nearest.name : "X";
+    // away from every handle it is the start that comes; a finger there scrolls the page
+    held = away(nearest) < 24 ? nearest.name : event.pointerType === "touch" ? null : "X";
+    if (!held) return;
     picture.setPointerCapture(event.pointerId);
     put(held, placeOf(event));
   });
+  picture.addEventListener("touchstart", (event) => { if (held) event.preventDefault(); }, { passive: false });
   picture.addEventListener("pointermove", (event) => { if (held && picture.hasPointerCapture(event.pointerId)) put(held, placeOf(event)); });
   for (const name of ["pointerup", "pointercancel"]) {
     picture.addEventListener(name, () => {

@@ -26,7 +26,6 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 
 Variables U u x v1 v2 s : R -> R.
 Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (DU : forall t, 0 <= t -> rderiv U t (u t)).
 Let M := m1 + m2.
-Let kap := M / (m1 * m2).
 Let w t := v1 t - v2 t.
 Let load := load m1 m2 a1 a2 u x v1.
 
@@ -40,10 +39,8 @@ Hypotheses (HT : 0 < T) (Meet : v1 T = v2 T).
 Lemma stays_behind k r t : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall q, r <= q < t -> k * load q <= b) ->
   k * w r <= 0 -> k * w t <= 0.
 Proof.
-  intros Hk Hr Ld W0. apply le_epsilon. intros e He. rewrite Rplus_0_l.
-  apply (barrier_until (fun q => k * w q) e r t); [apply cont_scal, Cw|auto|lra|]. intros q Hq Wq.
-  apply (held m1 m2 a1 a2 b Hm1 Hm2 U u x v1 v2 s 0 (q + 1) H (Rle_refl 0) ltac:(intros; apply DU; lra));
-    [lra|auto|apply Ld; lra|unfold w in Wq; lra].
+  intros Hk Hr Ld W0. apply (stays_behind m1 m2 a1 a2 b Hm1 Hm2 U u x v1 v2 s 0 t H (Rle_refl 0)) with (r := r); auto;
+    [intros; apply DU; lra|lra].
 Qed.
 
 (** the load within both edges: once stuck, the pair sticks up to T *)
@@ -71,23 +68,7 @@ Proof.
   - apply (Then r Hr). intros q Hq.
     pose proof (stays_behind (- k) r q Hk' ltac:(lra) ltac:(intros z Hz; apply Ld; lra) ltac:(lra)). lra.
   - exists (T - c). split; [lra|]. replace (T - (T - c)) with c by ring.
-    assert (Neg : forall t, c < t < T -> k * w t < 0).
-    { intros t Ht. apply Rnot_le_lt. intros N. apply No. exists t. auto. }
-    destruct Hk; subst k; [right; right|right; left]; intros t Ht; specialize (Neg t Ht); unfold w in Neg; lra.
-Qed.
-
-(** the load beyond the edge: it would drive the relative velocity away from 0 *)
-Lemma before_beyond k c g : k = 1 \/ k = -1 -> 0 <= c < T -> 0 < g -> (forall q, c < q < T -> b + g <= k * load q) ->
-  exists d, 0 < d /\ one_mode v1 v2 (T - d) T.
-Proof.
-  intros Hk Hc Hg Ld. apply (before_above k c Hk Hc); [intros q Hq; specialize (Ld q Hq); lra|].
-  intros r Hr Pos. exfalso. assert (Kp : 0 < kap) by apply (kappa_pos m1 m2 Hm1 Hm2).
-  assert (Q : -1 * (k * w T) - -1 * (k * w r) <= - (kap * g) * (T - r)).
-  { apply (dini_slope (fun z => -1 * (k * w z))); [apply cont_scal, cont_scal, Cw|lra|]. intros z Hz.
-    apply (driven m1 m2 a1 a2 b Hm1 Hm2 Hb U u x v1 v2 s 0 (T + 1) H (Rle_refl 0) ltac:(intros; apply DU; lra));
-      [lra|auto|apply Ld; lra]. }
-  assert (W0 : w T = 0) by (unfold w; lra). rewrite W0 in Q. specialize (Pos r ltac:(lra)).
-  assert (0 < kap * g * (T - r)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra). lra.
+    apply (one_sided (- k)); auto. intros t Ht. assert (k * w t < 0); [|unfold w in *; lra]. apply Rnot_le_lt. eauto.
 Qed.
 
 (** *** Before a time T at which the load comes to the edge k b. Beside the motion with the constant acceleration k b/m2
@@ -112,7 +93,7 @@ Lemma lead_bounds t : c <= t <= T -> 0 <= y' t /\ m1 * y' t <= E t.
 Proof.
   intros Ht. assert (Sp : y' t = k * w t + ahead2 m2 b v2 T k t) by exact (lead_split m2 b v1 v2 T Meet k t).
   pose proof (Ahead t Ht). pose proof (proj1 (ahead2_sign m1 m2 a1 a2 b Hm2 Hb U x v1 v2 s T H ltac:(lra) k t Hk
-    ltac:(lra)) ltac:(lra)) as A. assert (0 <= m2 * ahead2 m2 b v2 T k t) by (apply Rmult_le_pos; lra).
+    ltac:(lra)) ltac:(lra)) as A. assert (0 <= m2 * ahead2 m2 b v2 T k t) by positive.
   split; [lra|]. unfold E, gain. fold (w t) M. rewrite Sp. unfold M. nra.
 Qed.
 
@@ -141,10 +122,9 @@ Proof.
   - apply (rderiv_mult g E); [|apply rate_E; lra]. apply rderiv_of_derive. unfold g. auto_derive; auto.
     unfold Rminus. ring.
   - destruct (lead_bounds r ltac:(lra)) as (Y0 & Y1). pose proof (place_behind r ltac:(lra)).
-    pose proof (exp_pos (a1 / m1 * (r - T))).
-    assert (a1 * y' r <= a1 / m1 * E r).
+    pose proof (exp_pos (a1 / m1 * (r - T))). assert (a1 * y' r <= a1 / m1 * E r).
     { replace (a1 * y' r) with (a1 / m1 * (m1 * y' r)) by (field; lra). apply Rmult_le_compat_l; auto.
-      apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+      apply Rmult_le_pos; [auto|positive]. }
     assert (a2 * y r <= 0) by nra.
     replace (a1 / m1 * g r * E r + g r * F r) with (g r * (a1 / m1 * E r + F r)) by ring.
     apply Rmult_le_compat_l; [unfold g; lra|]. unfold F. lra.
@@ -153,8 +133,7 @@ Qed.
 (** the weight is at most 1 before T, and not small *)
 Lemma weight r : r <= T -> g r <= 1 /\ (T - 1 <= r -> exp (- (a1 / m1)) <= g r).
 Proof.
-  intros Hr. assert (A : 0 <= a1 / m1) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
-  split; [rewrite <- exp_0|intros Hr']; apply exp_mono; nra.
+  intros Hr. assert (A : 0 <= a1 / m1) by positive. split; [rewrite <- exp_0|intros Hr']; apply exp_mono; nra.
 Qed.
 
 (** where the force asks at least b - z, the weighted momentum is at most z times the time left: it ends at 0 *)
@@ -164,8 +143,7 @@ Proof.
     Meet k : E T = 0) in Q; lra].
   apply (dini_slope (fun r => -1 * (g r * E r))); [|lra|].
   - apply cont_scal, cont_mult; [|exact (cont_gain m1 m2 a1 a2 b Hm2 U x v1 v2 s T H k)].
-    apply cont_of_derive with (fun r => a1 / m1 * g r).
-    intros r. unfold g. auto_derive; auto. unfold Rminus. ring.
+    apply cont_of_derive with (fun r => a1 / m1 * g r). intros r. unfold g. auto_derive; auto. unfold Rminus. ring.
   - intros r Hr. destruct (weighted_rate r ltac:(lra)) as (D & Ge). destruct (weight r ltac:(lra)) as (G1 & _).
     specialize (Low r ltac:(lra)). pose proof (exp_pos (a1 / m1 * (r - T))). fold (g r) in *.
     eapply rderiv_dini; [|apply rderiv_scal, D]. nra.
@@ -182,8 +160,7 @@ Proof.
     assert (0 <= E t) by nra. assert (E t <= 0) by nra. split; nra. }
   assert (F0 : F r = 0).
   { apply (rderiv_unique E r); [apply rate_E; lra|]. apply (rderiv_near (fun _ => 0) E r 0 (T - r));
-    [lra| |apply rderiv_const].
-    intros t Ht. symmetry. apply E0. lra. }
+    [lra| |apply rderiv_const]. intros t Ht. symmetry. apply E0. lra. }
   pose proof (place_behind r ltac:(lra)). specialize (Pos r Hr). unfold F in F0. destruct (E0 r ltac:(lra)) as (_ & Y0).
   rewrite Y0 in F0. nra.
 Qed.
@@ -195,37 +172,47 @@ Lemma load_within d : c <= d < T -> (forall r t, d < r <= t -> t < T -> p r <= p
   exists d', d <= d' < T /\ forall t, d' < t < T -> k * load t <= b.
 Proof.
   intros Hd Up Neg. set (h := exp (- (a1 / m1))). assert (Hh : 0 < h) by apply exp_pos.
-  assert (Near : 0 < h * m1 / a2) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  assert (Near : 0 < h * m1 / a2) by positive.
   set (d' := Rmax d (T - Rmin 1 (h * m1 / a2))). assert (d <= d') by apply Rmax_l.
   assert (T - Rmin 1 (h * m1 / a2) <= d') by apply Rmax_r. pose proof (Rmin_l 1 (h * m1 / a2)).
-  pose proof (Rmin_r 1 (h * m1 / a2)). assert (0 < Rmin 1 (h * m1 / a2)) by (apply Rmin_glb_lt; lra).
+  pose proof (Rmin_r 1 (h * m1 / a2)). assert (0 < Rmin 1 (h * m1 / a2)) by positive.
   exists d'. split; [split; [auto|apply Rmax_lub_lt; lra]|]. intros t Ht.
   set (z := - p t). assert (Hz : 0 <= z) by (specialize (Neg t ltac:(lra)); unfold z; lra).
-  set (B := z * (T - t) / (h * m1)).
-  assert (Lead : forall q, t <= q < T -> y' q <= B).
+  set (B := z * (T - t) / (h * m1)). assert (Lead : forall q, t <= q < T -> y' q <= B).
   { intros q Hq. destruct (lead_bounds q ltac:(lra)) as (Y0 & Y1). destruct (weight q ltac:(lra)) as (_ & G).
     specialize (G ltac:(lra)). fold h in G.
     pose proof (momentum_up_to z q ltac:(lra) Hz ltac:(intros r Hr; specialize (Up t r ltac:(lra) ltac:(lra));
       unfold z; lra)) as Mo.
-    assert (0 <= E q) by nra. apply Rmult_le_reg_l with (h * m1); [apply Rmult_lt_0_compat; auto|].
-    replace (h * m1 * B) with (z * (T - t)) by (unfold B; field; lra).
-    assert (h * (m1 * y' q) <= h * E q) by (apply Rmult_le_compat_l; lra).
-    assert (h * E q <= g q * E q) by (apply Rmult_le_compat_r; lra).
-    assert (z * (T - q) <= z * (T - t)) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (0 <= E q) by nra. apply Rmult_le_reg_l with (h * m1); [positive|].
+    replace (h * m1 * B) with (z * (T - t)) by (unfold B; field; lra). assert (h * (m1 * y' q) <= h * E q) by scale.
+    assert (h * E q <= g q * E q) by scale. assert (z * (T - q) <= z * (T - t)) by scale. lra. }
   pose proof (place_not_far t B ltac:(lra) Lead) as Far. destruct (lead_bounds t ltac:(lra)) as (Y0 & _).
   assert (Small : a2 * (B * (T - t)) <= z).
   { replace (a2 * (B * (T - t))) with (z * ((T - t) * ((T - t) / (h * m1 / a2)))) by (unfold B; field; lra).
     rewrite <- (Rmult_1_r z) at 2. apply Rmult_le_compat_l; auto. rewrite <- (Rmult_1_r 1).
-    apply Rmult_le_compat; [lra|apply Rdiv_le_0_compat; lra|lra|]. apply Rmult_le_reg_r with (h * m1 / a2); auto.
+    apply Rmult_le_compat; [lra|positive|lra|]. apply Rmult_le_reg_r with (h * m1 / a2); auto.
     unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l; lra. }
   assert (Fn : F t <= 0).
-  { assert (0 <= a1 * y' t) by (apply Rmult_le_pos; auto). assert (a2 * - (B * (T - t)) <= a2 * y t) by (apply
-    Rmult_le_compat_l; lra).
+  { assert (0 <= a1 * y' t) by positive. assert (a2 * - (B * (T - t)) <= a2 * y t) by scale.
     unfold F. unfold z in Small. lra. }
-  pose proof (excess_of_load m1 m2 a1 a2 b Hm1 Hm2 u x v1 T k t : k * load t - b = m2 / M * F t) as X.
-  assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; unfold M; lra). nra.
+  pose proof (excess_of_load m1 m2 a1 a2 b Hm1 Hm2 u x v1 T k t : F t = M / m2 * (k * load t - b)) as X.
+  assert (0 < M / m2) by (apply Rdiv_lt_0_compat; unfold M; lra). nra.
 Qed.
 End Edge.
+
+(** the load beyond the edge: it would drive the momentum away from 0 *)
+Lemma before_beyond k c g : k = 1 \/ k = -1 -> 0 <= c < T -> 0 < g -> (forall q, c < q < T -> b + g <= k * load q) ->
+  exists d, 0 < d /\ one_mode v1 v2 (T - d) T.
+Proof.
+  intros Hk Hc Hg Ld. apply (before_above k c Hk Hc); [intros q Hq; specialize (Ld q Hq); lra|].
+  intros r Hr Pos. exfalso. assert (P : 0 < M / m2) by (apply Rdiv_lt_0_compat; unfold M; lra).
+  pose proof (gain_rises m1 m2 a1 a2 b Hm2 U u x v1 v2 s T H k (M / m2 * g) r T ltac:(lra)) as Q.
+  rewrite gain_0 in Q by auto. destruct (lead_bounds k r Hk ltac:(lra) Pos r ltac:(lra)) as (Y0 & Y1).
+  apply (Rmult_le_compat_l m1) in Y0; [rewrite Rmult_0_r in Y0|lra]. assert (0 < M / m2 * g * (T - r)) by positive.
+  assert (M / m2 * g * (T - r) <= 0 - gain m1 m2 b v1 v2 T k r); [|lra]. apply Q. intros q Hq. split; [apply DU; lra|].
+  rewrite (excess_of_load m1 m2 a1 a2 b Hm1 Hm2 u x v1 T k q). apply Rmult_le_compat_l; [apply Rlt_le, P|].
+  specialize (Ld q ltac:(lra)). unfold load in Ld. lra.
+Qed.
 
 (** one mode lasts up to T *)
 Lemma mode_before f d0 : 0 < d0 -> analytic_at f T -> (forall r, 0 <= r -> T - d0 < r < T -> u r = f r) ->
@@ -233,39 +220,26 @@ Lemma mode_before f d0 : 0 < d0 -> analytic_at f T -> (forall r, 0 <= r -> T - d
 Proof.
   intros Hd0 A Eq. set (ld := Mode.load m1 m2 a1 a2 f x v1).
   (* the load just before T is near its limit *)
-  assert (Near : forall e, 0 < e -> exists c, 0 <= c < T /\ T - d0 <= c /\ forall q, c < q < T -> Rabs (load q - ld
-    T) < e).
-  { intros e He. assert (Mp : 0 < M) by (unfold M; lra). set (n := 1 + a2 + a1). assert (Np : 0 < n) by (unfold n; lra).
-    set (e' := M / m2 * e / n). assert (He' : 0 < e').
-    { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rdiv_lt_0_compat; auto. }
-    destruct (analytic_continuous f T A e' He') as (d1 & D1 & K1).
-    destruct (f_cx _ _ _ _ _ _ _ _ _ _ H T ltac:(lra) e' He') as (d2 & D2 & K2).
-    destruct (f_cv _ _ _ _ _ _ _ _ _ _ H T ltac:(lra) e' He') as (d3 & D3 & K3).
-    set (d := Rmin (Rmin d0 d1) (Rmin d2 d3)). pose proof (Rmin_l (Rmin d0 d1) (Rmin d2 d3)).
-    pose proof (Rmin_r (Rmin d0 d1) (Rmin d2 d3)).
-    pose proof (Rmin_l d0 d1). pose proof (Rmin_r d0 d1). pose proof (Rmin_l d2 d3). pose proof (Rmin_r d2 d3).
-    assert (Hd : 0 < d) by (repeat apply Rmin_glb_lt; auto). exists (Rmax 0 (T - d)). pose proof (Rmax_l 0 (T - d)).
-    pose proof (Rmax_r 0 (T - d)).
-    split; [split; [auto|apply Rmax_lub_lt; lra]|]. split; [unfold d in *; lra|]. intros q Hq.
-    assert (Dq : Rabs (q - T) < d) by (rewrite Rabs_left; lra). unfold d in Dq.
-    specialize (K1 q ltac:(lra)). specialize (K2 q ltac:(lra) ltac:(lra)). specialize (K3 q ltac:(lra) ltac:(lra)).
-    apply Rabs_def2 in K1. apply Rabs_def2 in K2. apply Rabs_def2 in K3.
-    replace (load q - ld T) with (m2 / M * ((f q - f T) - a2 * (x q - x T) - a1 * (v1 q - v1 T)))
-      by (unfold load, ld, Mode.load, M; rewrite (Eq q) by (unfold d in *; lra); field; lra).
-    replace e with (m2 / M * (n * e')) by (unfold e'; field; unfold n in *; lra).
-    rewrite Rabs_mult, (Rabs_pos_eq (m2 / M)) by (apply Rlt_le, Rdiv_lt_0_compat; auto).
-    apply Rmult_lt_compat_l; [apply Rdiv_lt_0_compat; auto|]. unfold n. apply Rabs_def1; nra. }
+  assert (Near : forall e, 0 < e -> exists c, 0 <= c < T /\ T - d0 <= c /\ forall q, c < q < T -> Rabs (load q - ld T)
+    <= e).
+  { intros e He. destruct (load_near m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 U f x v1 v2 s T H ltac:(lra) (fun _ => True) e He)
+      as (d & Hd & K).
+    { intros e' He'. destruct (analytic_continuous f T A e' He') as (d & Hd & K). exists d. split; auto. intros q _ Dq.
+      apply Rlt_le, K, Dq. }
+    pose proof (Rmax_l 0 (T - Rmin d d0)). pose proof (Rmax_r 0 (T - Rmin d d0)). pose proof (Rmin_l d d0).
+    pose proof (Rmin_r d d0). assert (0 < Rmin d d0) by positive. exists (Rmax 0 (T - Rmin d d0)).
+    split; [split; [auto|apply Rmax_lub_lt; lra]|]. split; [lra|]. intros q Hq. unfold load, Mode.load.
+    rewrite Eq by lra. apply K; [lra|auto|]. rewrite Rabs_left; lra. }
   assert (Edge : forall k, k = 1 \/ k = -1 -> k * ld T = b -> exists d, 0 < d /\ one_mode v1 v2 (T - d) T).
   { intros k Hk Tie. destruct (Near b Hb) as (c & Hc & Hcd & Ld).
     assert (Low : forall q, c < q < T -> - k * load q <= b).
-    { intros q Hq. specialize (Ld q Hq). apply Rabs_def2 in Ld. destruct Hk; subst k; lra. }
+    { intros q Hq. specialize (Ld q Hq). apply Rabs_inv in Ld. destruct Hk; subst k; lra. }
     apply (before_above k c Hk Hc Low). intros r Hr Pos.
     assert (Same : forall t, c < t < T -> beyond m1 m2 a1 a2 b u x v1 T k t = beyond m1 m2 a1 a2 b f x v1 T k t)
       by (intros t Ht; unfold beyond; rewrite Eq by lra; auto).
     assert (Z : beyond m1 m2 a1 a2 b f x v1 T k T = 0).
     { replace (beyond m1 m2 a1 a2 b f x v1 T k T) with (M / m2 * (k * ld T - b)) by (unfold beyond, ld, Mode.load, M;
-      field; lra).
-      rewrite Tie. ring. }
+      field; lra). rewrite Tie. ring. }
     destruct (analytic_one_way _ T (-1) (or_intror eq_refl) (analytic_beyond m1 m2 a1 a2 b f x v1 T k Hm2 A)) as (d1
       & Hd1 & Way).
     set (d := Rmax r (T - d1)). assert (r <= d) by apply Rmax_l. assert (T - d1 <= d) by apply Rmax_r.
@@ -284,12 +258,11 @@ Proof.
   { intros k Hk Le. destruct (Req_dec (k * ld T) b) as [Tie|N]; [apply (Edge k); auto|].
     destruct (Near ((k * ld T - b) / 2)) as (c & Hc & _ & Ld); [lra|].
     apply (before_beyond k c ((k * ld T - b) / 2) Hk Hc); [lra|]. intros q Hq. specialize (Ld q Hq).
-    apply Rabs_def2 in Ld.
-    destruct Hk; subst k; lra. }
+    apply Rabs_inv in Ld. destruct Hk; subst k; lra. }
   destruct (Rle_dec b (ld T)) as [Hi|]; [apply (Beyond 1); [auto|lra]|].
   destruct (Rle_dec (ld T) (- b)) as [Lo|]; [apply (Beyond (-1)); [auto|lra]|].
-  destruct (Near (Rmin (b - ld T) (b + ld T))) as (c & Hc & _ & Ld); [apply Rmin_glb_lt; lra|].
+  destruct (Near (Rmin (b - ld T) (b + ld T))) as (c & Hc & _ & Ld); [positive|].
   pose proof (Rmin_l (b - ld T) (b + ld T)). pose proof (Rmin_r (b - ld T) (b + ld T)).
-  apply (before_within c Hc). intros q Hq. specialize (Ld q Hq). apply Rabs_def2 in Ld. lra.
+  apply (before_within c Hc). intros q Hq. specialize (Ld q Hq). apply Rabs_inv in Ld. lra.
 Qed.
 End Before.

@@ -47,16 +47,15 @@ Proof.
     rewrite <- (sqrt_sqrt (y t)) at 2 by (specialize (P t); lra).
   replace (sqrt (y u) * sqrt (y u) - sqrt (y t) * sqrt (y t)) with ((sqrt (y u) + sqrt (y t)) * (sqrt (y u) - sqrt
     (y t))) by ring.
-  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
+  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. scale.
 Qed.
 
 (** if D' <= j sqrt (2 D), then sqrt (2 D) grows at most by the integral J of j *)
-Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> (forall u, 0 <= u -> 0 <= j u /\ rderiv J u (j
-  u)) ->
-  (forall u, 0 <= u -> dini_le D u (j u * sqrt (2 * D u))) -> 0 <= r <= t ->
+Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> 0 <= r <= t ->
+  (forall u, r <= u < t -> 0 <= j u /\ rderiv J u (j u) /\ dini_le D u (j u * sqrt (2 * D u))) ->
   sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r).
 Proof.
-  intros CD PD CJ HJ HD Hr. apply le_epsilon. intros e He. assert (e2 : 0 < e ^ 2) by nra.
+  intros CD PD CJ Hr HJ. apply le_epsilon. intros e He. assert (e2 : 0 < e ^ 2) by nra.
   set (y := fun u => 2 * D u + e ^ 2). assert (yP : forall u, e ^ 2 <= y u) by (intros u; unfold y; specialize (PD u);
     lra).
   assert (yP0 : forall u, 0 < y u) by (intros u; specialize (yP u); lra).
@@ -64,9 +63,9 @@ Proof.
   { apply (dini_mono (fun u => sqrt (y u) - J u)); auto.
     - apply cont_minus; auto. apply (cont_sqrt y (e ^ 2)); auto. apply cont_plus; [apply cont_scal; auto|apply
       cont_const].
-    - intros u Hu q Hq. destruct (HJ u ltac:(lra)) as (Pj & Ju). set (l := j u * sqrt (2 * D u)) in *.
+    - intros u Hu q Hq. destruct (HJ u Hu) as (Pj & Ju & HD). set (l := j u * sqrt (2 * D u)) in *.
       assert (Fy : dini_le y u (2 * l)).
-      { intros p Hp. destruct (HD u ltac:(lra) (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
+      { intros p Hp. destruct (HD (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
         specialize (K h Hh). fold l in K. unfold y. lra. }
       destruct (sqrt_dini y u _ yP0 Fy (q / 2)) as (d1 & Hd1 & K1); [lra|]. destruct (Ju (q / 2)) as (d2 & Hd2 & K2);
         [lra|].
@@ -144,26 +143,31 @@ Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 (** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
 Let N t := sqrt (2 * D t).
 
-(** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
-Theorem input_to_state du J r t : (forall u, 0 <= u -> rderiv (fun r => U r - U' r) u (du u)) ->
-  cont J -> (forall u, 0 <= u -> rderiv J u (Rabs (du u))) -> 0 <= r <= t -> N t <= N r + (J t - J r) / sqrt m1.
+(** it bounds the velocity of body 1 *)
+Lemma velocity_within t : sqrt m1 * Rabs (v1 t - v1' t) <= N t.
 Proof.
-  intros HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
+  rewrite <- (sqrt_Rsqr_abs (v1 t - v1' t)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
+  unfold D, energy, Pair.energy, Rsqr. pose proof (pow2_ge_0 (x t - x' t)). pose proof (pow2_ge_0 (v2 t - v2' t)). nra.
+Qed.
+
+(** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
+Theorem input_to_state du J r t : cont J -> 0 <= r <= t ->
+  (forall u, r <= u < t -> rderiv (fun r => U r - U' r) u (du u) /\ rderiv J u (Rabs (du u))) ->
+  N t <= N r + (J t - J r) / sqrt m1.
+Proof.
+  intros CJ Hr HU. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
   replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
   apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
   - exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H').
   - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
-  - intros u Hu. split; [apply Rmult_le_pos; [lra|apply Rabs_pos]|apply rderiv_scal; auto].
-  - intros u Hu e He. destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ Hu (HU u Hu) e He) as (d & Hd & K). exists d; split; auto.
-    intros h Hh. specialize (K h Hh). set (w := v1 u - v1' u) in *.
-    assert (W : Rabs w <= / sqrt m1 * sqrt (2 * D u)).
-    { apply Rmult_le_reg_l with (sqrt m1); auto. rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra.
-      rewrite <- (sqrt_Rsqr_abs w), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
-      unfold D, energy, Pair.energy, Rsqr. fold w. pose proof (pow2_ge_0 (x u - x' u)).
-      pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
-    assert (P : du u * w <= Rabs (du u) * Rabs w) by (rewrite <- Rabs_mult; apply Rle_abs).
-    assert (Rabs (du u) * Rabs w <= Rabs (du u) * (/ sqrt m1 * sqrt (2 * D u))) by (apply Rmult_le_compat_l; [apply Rabs_pos|auto]).
-    pose proof (pow2_ge_0 w). eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. nra.
+  - intros u Hu. destruct (HU u Hu) as (DU & DJ). pose proof (Rabs_pos (du u)).
+    split; [positive|split; [apply rderiv_scal; auto|]]. intros e He.
+    destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU e He) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+    pose proof (pow2_ge_0 (v1 u - v1' u)). pose proof (Rle_abs (du u * (v1 u - v1' u))) as P. rewrite Rabs_mult in P.
+    assert (Rabs (du u) * Rabs (v1 u - v1' u) <= / sqrt m1 * Rabs (du u) * N u); [|unfold N in *; nra].
+    replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1' u))) by (field; lra).
+    apply Rmult_le_compat_l; [positive|apply velocity_within].
 Qed.
 End Two.
 
@@ -192,11 +196,9 @@ Corollary input_to_state_integral u u' x v1 v2 s x' v1' v2' s' t : cont u -> con
   sqrt (2 * energy (x 0 - x' 0) (v1 0 - v1' 0) (v2 0 - v2' 0)) + integral (fun r => Rabs (u r - u' r)) t / sqrt m1.
 Proof.
   intros C C' H H' Ht. assert (CA : cont (fun r => Rabs (u r - u' r))) by (apply cont_abs, cont_minus; auto).
-  pose proof (input_to_state _ _ _ _ _ _ _ _ _ _ H H' (fun r => u r - u' r) (integral (fun r => Rabs (u r - u'
-    r))) 0 t) as Q.
-  rewrite integral_0, Rminus_0_r in Q. apply Q; auto using integral_cont; [| |lra]; intros r Hr.
-  - apply rderiv_minus; apply integral_rderiv; auto.
-  - apply (integral_rderiv (fun r => Rabs (u r - u' r))); auto.
+  pose proof (input_to_state _ _ _ _ _ _ _ _ _ _ H H' (fun r => u r - u' r) _ 0 t (integral_cont _ CA) ltac:(lra)) as Q.
+  rewrite integral_0, Rminus_0_r in Q. apply Q. intros r Hr. split; [|apply (integral_rderiv _ _ CA); lra].
+  apply rderiv_minus; apply integral_rderiv; auto; lra.
 Qed.
 
 (** *** What body 2 can follow *)
@@ -219,8 +221,7 @@ Qed.
 (** where the acceleration of body 2 is less than b/m2 in size the pair sticks *)
 Theorem must_stick U x v1 v2 s t l : forced U x v1 v2 s -> 0 <= t -> rderiv v2 t l -> Rabs l < b / m2 -> v1 t = v2 t.
 Proof.
-  intros H Ht F B. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-  assert (V : forall k, rderiv s t k -> l = b / m2 * k)
+  intros H Ht F B. assert (Hk : 0 < b / m2) by positive. assert (V : forall k, rderiv s t k -> l = b / m2 * k)
     by (intros k S; exact (rderiv_unique v2 t _ _ F (forced_v2_rate _ _ _ _ _ t k H Ht S))).
   destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]]; auto; exfalso.
   - rewrite (V _ (f_neg _ _ _ _ _ H t Ht Lt)) in B. rewrite Rabs_left in B; lra.
@@ -234,9 +235,8 @@ Lemma stuck_forced U x v : cont U -> cont x -> (forall t, 0 <= t -> rderiv x t (
 Proof.
   intros CU Cx Dx Dv L. constructor; auto; try (intros; lra).
   - intros p q Hp. replace (m2 / b * v q - m2 / b * v p) with (m2 / b * (v q - v p)) by ring.
-    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra).
-    apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
-  - apply (lip_cont v (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
+    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra). apply abs_scal; [positive|]; auto.
+  - apply (lip_cont v (b / m2)); [positive|]; auto.
   - intros t Ht. apply rderiv_ext with (2 := Dv t Ht). intros; unfold M; field; lra.
   - intros t Ht. field; lra.
 Qed.
@@ -248,7 +248,7 @@ Theorem trackable x0 r r' : cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
   forced (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t)
     (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t).
 Proof.
-  intros C R L. assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto).
+  intros C R L. assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [positive|]; auto).
   assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
   apply stuck_forced; auto.
   - repeat apply cont_plus; apply cont_scal; auto using integral_cont.
@@ -266,7 +266,7 @@ Corollary trackable_iff v : (exists U x v1 s, forced U x v1 v s) <->
 Proof.
   split.
   - intros (U & x & v1 & s & H) p q Hp. exact (only_gentle _ _ _ _ _ p q H Hp).
-  - intros L. assert (Cv : cont v) by (apply (lip_cont v (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto).
+  - intros L. assert (Cv : cont v) by (apply (lip_cont v (b / m2)); [positive|]; auto).
     eexists _, _, v, _. apply (trackable 0 (integral v) v); auto using integral_cont, integral_rderiv.
 Qed.
 
@@ -275,8 +275,7 @@ Lemma tracking_force x0 r r' t l : cont r -> rderiv r t (r' t) -> rderiv r' t l 
   rderiv (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t) t (M * l + a1 * r' t + a2 *
     (x0 + r t - r 0)).
 Proof.
-  intros C R R' Ht.
-  assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
+  intros C R R' Ht. assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
   repeat apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
 Qed.
 
@@ -335,8 +334,7 @@ Qed.
 Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
-  intros H C R HT. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-  pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
+  intros H C R HT. assert (Hk : 0 < b / m2) by positive. pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
   pose proof (travel x2 v2 _ T Hk HT C R L) as A.
   assert (B : -1 * x2 T - -1 * x2 0 <= (-1 * v2 0 + -1 * v2 T) * T / 2 + b / m2 / 4 * (T ^ 2 - ((-1 * v2 T - -1 *
     v2 0) / (b / m2)) ^ 2)).
@@ -359,7 +357,7 @@ Proof.
   rewrite <- (sqrt_pow2 (T / 2)) by lra. apply sqrt_le_1_alt.
   replace ((T / 2) ^ 2) with (m2 / b * (b / m2 * (T / 2) ^ 2)) by (field; lra).
   replace (m2 * Rabs (x2 T - x2 0) / b) with (m2 / b * Rabs (x2 T - x2 0)) by (field; lra).
-  apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
+  apply Rmult_le_compat_l; [positive|]; auto.
 Qed.
 
 (** the bang-bang motion with its kinks at 0, tau, 2 tau: y |y| / 2 has the derivative |y|, and |y| the right
@@ -408,7 +406,7 @@ Qed.
 (** the velocity changes as fast as friction allows and no faster *)
 Lemma bang_lip tau p q : 0 <= tau -> 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p).
 Proof.
-  intros Ht Hp. unfold bang. rewrite <- Rmult_minus_distr_l. apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat; auto|].
+  intros Ht Hp. unfold bang. rewrite <- Rmult_minus_distr_l. apply abs_scal; [positive|].
   apply Rabs_le. unfold Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
@@ -419,9 +417,8 @@ Theorem least_time_attained x0 D : 0 < D -> exists U x v1 v2 s x2, forced U x v1
   forall t, 0 <= t -> v1 t = v2 t /\
     rderiv U t (M * push (sqrt (m2 * D / b)) t + a1 * bang (sqrt (m2 * D / b)) t + a2 * (x0 + x2 t)).
 Proof.
-  intros HD. assert (Hq : 0 < m2 * D / b) by (apply Rdiv_lt_0_compat; nra). set (tau := sqrt (m2 * D / b)).
-  assert (Ht : 0 < tau) by (apply sqrt_lt_R0; auto).
-  assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
+  intros HD. assert (Hq : 0 < m2 * D / b) by positive. set (tau := sqrt (m2 * D / b)).
+  assert (Ht : 0 < tau) by positive. assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
   assert (C : cont (run tau)).
   { assert (CA : forall c, cont (fun t => (t - c) * Rabs (t - c) / 2)).
     { intros c. assert (Cl : cont (fun t => t - c)). { apply (lip_cont _ 1); [lra|]. intros r t Hr.

@@ -19,55 +19,35 @@ Let w t := v1 t - v2 t.
 (** the load *)
 Definition load t := m2 * (u t - a2 * x t - a1 * v1 t) / (m1 + m2).
 
-(** it is continuous from the right *)
-Lemma load_near e : 0 < e -> exists d, 0 < d /\ forall h, 0 <= h < d -> Rabs (load (t0 + h) - load t0) <= e.
+(** it is continuous where the force is: among the times Q near t0 *)
+Lemma load_near (Q : R -> Prop) e : 0 < e -> (forall e, 0 < e -> exists d, 0 < d /\ forall q, Q q -> Rabs (q - t0)
+  < d -> Rabs (u q - u t0) <= e) ->
+  exists d, 0 < d /\ forall q, 0 <= q -> Q q -> Rabs (q - t0) < d -> Rabs (load q - load t0) <= e.
 Proof.
-  intros He. assert (Mp : 0 < M) by (unfold M; lra). set (k := 1 + a2 + a1). assert (Kp : 0 < k) by (unfold k; lra).
-  set (e' := M / m2 * e / k). assert (He' : 0 < e').
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rdiv_lt_0_compat; auto. }
-  destruct (Cu e' He') as (d1 & D1 & K1). destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t0 Ht0 e' He') as (d2 & D2 & K2).
+  intros He Cq. assert (Mp : 0 < M) by positive. set (k := 1 + a2 + a1). assert (Kp : 0 < k) by (unfold k; lra).
+  set (e' := M / m2 * e / k). assert (He' : 0 < e') by positive.
+  destruct (Cq e' He') as (d1 & D1 & K1). destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t0 Ht0 e' He') as (d2 & D2 & K2).
   destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t0 Ht0 e' He') as (d3 & D3 & K3).
   exists (Rmin d1 (Rmin d2 d3)). pose proof (Rmin_l d1 (Rmin d2 d3)). pose proof (Rmin_r d1 (Rmin d2 d3)).
-  pose proof (Rmin_l d2 d3). pose proof (Rmin_r d2 d3). split; [repeat apply Rmin_glb_lt; auto|]. intros h Hh.
-  specialize (K1 h ltac:(lra)). assert (Dh : Rabs (t0 + h - t0) < Rmin d2 d3) by (rewrite Rabs_pos_eq; lra).
-  specialize (K2 (t0 + h) ltac:(lra) ltac:(lra)). specialize (K3 (t0 + h) ltac:(lra) ltac:(lra)).
-  set (du := u (t0 + h) - u t0) in *. set (dx := x (t0 + h) - x t0) in *. set (dv := v1 (t0 + h) - v1 t0) in *.
-  replace (load (t0 + h) - load t0) with (m2 / M * (du - a2 * dx - a1 * dv)) by (unfold load, du, dx, dv, M; field;
-    unfold M in Mp; lra).
+  pose proof (Rmin_l d2 d3). pose proof (Rmin_r d2 d3). split; [repeat apply Rmin_glb_lt; auto|]. intros q Hq Qq Dq.
+  specialize (K1 q Qq ltac:(lra)). specialize (K2 q Hq ltac:(lra)). specialize (K3 q Hq ltac:(lra)).
+  replace (load q - load t0) with (m2 / M * ((u q - u t0) - a2 * (x q - x t0) - a1 * (v1 q - v1 t0)))
+    by (unfold load, M; field; lra).
   replace e with (m2 / M * (k * e')) by (unfold e'; field; unfold k in *; lra).
-  apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat; auto|]. apply Rabs_inv in K1. apply Rabs_def2 in K2.
-    apply Rabs_def2 in K3.
-  unfold k. apply Rabs_le. split; nra.
+  apply abs_scal; [positive|]. apply Rabs_inv in K1. apply Rabs_def2 in K2.
+  apply Rabs_def2 in K3. unfold k. apply Rabs_le. split; nra.
 Qed.
-
-(** how the relative velocity changes: by the load, and by friction *)
-Lemma rate_w t : t0 <= t < t0 + d0 ->
-  little (fun h => w (t + h) - w t - kap * load t * h + b * kap * (s (t + h) - s t)).
+Lemma load_after e : 0 < e -> exists d, 0 < d /\ forall q, t0 <= q < t0 + d -> Rabs (load q - load t0) <= e.
 Proof.
-  intros Ht. pose proof (moves_slip m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H t (u t) ltac:(lra) (DU t Ht)) as R.
-  eapply little_ext; [|exact R]. intros h. unfold w, kap, load, M. field. repeat split; lra.
+  intros He. destruct (load_near (fun q => t0 <= q) e He) as (d & Hd & K).
+  - intros e' He'. destruct (Cu e' He') as (d & Hd & K). exists d. split; auto. intros q Hq Dq. apply Rabs_def2 in Dq.
+    replace q with (t0 + (q - t0)) by ring. apply K. lra.
+  - exists d. split; auto. intros q Hq. apply K; [lra|lra|]. apply Rabs_def1; lra.
 Qed.
 
 (** kappa is positive *)
 Lemma kappa_pos : 0 < kap.
-Proof. unfold kap, M. apply Rdiv_lt_0_compat; [lra|apply Rmult_lt_0_compat; auto]. Qed.
-
-(** beyond b by g the relative velocity is driven at the rate kappa g at least, whatever friction does *)
-Lemma driven t k g : t0 <= t < t0 + d0 -> k = 1 \/ k = -1 -> b + g <= k * load t ->
-  dini_le (fun r => -1 * (k * w r)) t (- (kap * g)).
-Proof.
-  intros Ht Hk G e He. pose proof kappa_pos as Kp. destruct (rate_w t Ht e He) as (d & Hd & K). exists d. split; auto.
-    intros h Hh.
-  specialize (K h Hh). apply Rabs_inv in K. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L.
-    apply Rabs_inv in L.
-  set (ds := s (t + h) - s t) in *. set (dw := w (t + h) - w t) in *.
-  assert (Ds : k * ds <= h) by (destruct Hk; subst k; lra).
-  assert (F : b * kap * (k * ds) <= b * kap * h) by (apply Rmult_le_compat_l; [apply Rmult_le_pos|]; lra).
-  assert (G' : kap * (b + g) * h <= kap * (k * load t) * h) by (apply Rmult_le_compat_r; [lra|];
-    apply Rmult_le_compat_l; lra).
-  replace (-1 * (k * w (t + h)) - -1 * (k * w t)) with (- (k * dw)) by (unfold dw; ring).
-  assert (Q : - (e * h) <= k * (dw - kap * load t * h + b * kap * ds)) by (destruct Hk; subst k; lra). lra.
-Qed.
+Proof. unfold kap, M. positive. Qed.
 
 (** within b, friction brings the relative velocity back *)
 Lemma held t k : t0 <= t < t0 + d0 -> k = 1 \/ k = -1 -> k * load t <= b -> 0 < k * w t ->
@@ -83,48 +63,8 @@ Qed.
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
 
-(** a load beyond b: slip, with its sign *)
-Theorem slips_at k : k = 1 \/ k = -1 -> b < k * load t0 -> exists d, 0 < d /\ forall t, t0 < t < t0 + d ->
-  0 < k * (v1 t - v2 t).
-Proof.
-  intros Hk G. set (g := (k * load t0 - b) / 2). assert (Gp : 0 < g) by (unfold g; lra). pose proof kappa_pos as Kp.
-  destruct (load_near g Gp) as (d & Hd & K). smaller d d0. intros t Ht.
-  assert (Q : -1 * (k * w t) - -1 * (k * w t0) <= - (kap * g) * (t - t0)).
-  { apply (dini_slope (fun r => -1 * (k * w r))); [apply cont_scal, cont_scal, cont_w|lra|]. intros r Hr.
-    apply driven; [lra|auto|].
-    specialize (K (r - t0) ltac:(lra)). replace (t0 + (r - t0)) with r in K by ring. apply Rabs_inv in K.
-    unfold g in *. destruct Hk; subst k; lra. }
-  assert (W0 : w t0 = 0) by (unfold w; lra). rewrite W0 in Q.
-    assert (0 < kap * g * (t - t0)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
-  unfold w in Q. lra.
-Qed.
-
-(** a load below b cannot start a slip forwards *)
-Lemma not_ahead k : k = 1 \/ k = -1 -> k * load t0 < b -> exists d, 0 < d <= d0 /\ forall t, t0 <= t < t0 + d ->
-  k * (v1 t - v2 t) <= 0.
-Proof.
-  intros Hk G. destruct (load_near (b - k * load t0)) as (d & Hd & K); [lra|].
-  set (c := Rmin d d0). assert (c <= d) by apply Rmin_l. assert (c <= d0) by apply Rmin_r.
-  assert (Cp : 0 < c) by (apply Rmin_glb_lt; auto). exists c. split; [lra|].
-  intros t Ht. change (k * w t <= 0). apply le_epsilon. intros e He. rewrite Rplus_0_l.
-  apply (barrier_until (fun r => k * w r) e t0 t); [apply cont_scal, cont_w|lra|unfold w; rewrite Meet; lra|].
-  intros r Hr Wr. specialize (K (r - t0) ltac:(lra)). replace (t0 + (r - t0)) with r in K by ring. apply Rabs_inv in K.
-  apply held; [lra|auto|destruct Hk; subst k; lra|lra].
-Qed.
-
-(** a load within b: stick *)
-Theorem sticks_at : Rabs (load t0) < b -> exists d, 0 < d /\ forall t, t0 <= t < t0 + d -> v1 t = v2 t.
-Proof.
-  intros G. pose proof (Rle_abs (load t0)). pose proof (Rle_abs (- load t0)) as A. rewrite Rabs_Ropp in A.
-  destruct (not_ahead 1 (or_introl eq_refl) ltac:(lra)) as (d & Hd & K).
-  destruct (not_ahead (-1) (or_intror eq_refl) ltac:(lra)) as (d' & Hd' & K').
-  smaller d d'. intros t Ht.
-  specialize (K t ltac:(lra)). specialize (K' t ltac:(lra)). lra.
-Qed.
-
-(** *** A load at the edge: k load = b. Beside the motion with the constant acceleration k beta, in which both modes
-    agree, *)
-(** what the force asks beyond b: its first derivative that is not 0 decides *)
+(** *** Beside the motion with the constant acceleration k b/m2, in which both modes agree *)
+(** what the force asks beyond b: at an edge its first derivative that is not 0 decides *)
 Definition beyond k t := k * u t - a2 * (k * x t0 + k * v1 t0 * (t - t0) + b / m2 * (t - t0) ^ 2 / 2)
   - a1 * (k * v1 t0 + b / m2 * (t - t0)) - (m1 + m2) * (b / m2).
 
@@ -137,7 +77,7 @@ Definition gain k t := m1 * (k * w t) + M * ahead2 k t.
 (** what the load exceeds the edge by, on the scale of the force *)
 Definition excess k t := beyond k t - a1 * lead k t - a2 * place k t.
 
-Lemma excess_of_load k t : k * load t - b = m2 / M * excess k t.
+Lemma excess_of_load k t : excess k t = M / m2 * (k * load t - b).
 Proof. unfold excess, lead, place, beyond, load, M. field. lra. Qed.
 Lemma lead_split k t : lead k t = k * w t + ahead2 k t.
 Proof. unfold lead, w, ahead2. rewrite Meet. ring. Qed.
@@ -174,7 +114,7 @@ Proof. unfold gain, w, ahead2. rewrite Meet. ring. Qed.
 (** body 2 was ahead and falls behind, as friction gives it at most the acceleration b/m2 *)
 Lemma ahead2_sign k t : k = 1 \/ k = -1 -> 0 <= t -> (t <= t0 -> 0 <= ahead2 k t) /\ (t0 <= t -> ahead2 k t <= 0).
 Proof.
-  intros Hk Ht. assert (P : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  intros Hk Ht. assert (P : 0 < b / m2) by positive.
   replace (ahead2 k t) with (b / m2 * (k * (s t - s t0) - (t - t0))).
   2: { unfold ahead2. rewrite (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t0 t Ht0 Ht). ring. }
   pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L. split; intros Hl.
@@ -182,275 +122,189 @@ Proof.
   - specialize (L t0 t ltac:(lra)). apply Rabs_inv in L.
     assert (k * (s t - s t0) - (t - t0) <= 0) by (destruct Hk; subst k; lra). nra.
 Qed.
-
-(** a product of a function with an upper right derivative and one that is not negative *)
-Lemma dini_mult f g t l g1 : dini_le f t l -> big (fun h => f (t + h) - f t) -> rderiv g t g1 -> 0 <= g t ->
-  dini_le (fun r => f r * g r) t (l * g t + f t * g1).
+(** what it exceeds the edge by drives the momentum, and body 1 has more of it than both *)
+Lemma gain_rises k c p q : 0 <= p <= q -> (forall t, p <= t < q -> rderiv U t (u t) /\ c <= excess k t) ->
+  c * (q - p) <= gain k q - gain k p.
 Proof.
-  intros F B G Gp e He.
-  destruct (little_plus _ _ (big_mult _ _ B (rderiv_big _ _ _ G)) (little_scal (f t) _ G) (e / 2)) as (d1 & D1 & K1);
-    [lra|].
-  destruct (F (e / 2 / (g t + 1))) as (d2 & D2 & K2); [apply Rdiv_lt_0_compat; lra|].
-  smaller d1 d2. intros h Hh.
-  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1. cbv beta in K1.
-  assert (Q : (f (t + h) - f t) * g t <= (l + e / 2 / (g t + 1)) * h * g t) by (apply Rmult_le_compat_r; lra).
-  assert (e / 2 / (g t + 1) * g t <= e / 2).
-  { replace (e / 2) with (e / 2 / (g t + 1) * (g t + 1)) at 2 by (field; lra).
-    apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat|]; lra. }
-  assert (e / 2 / (g t + 1) * g t * h <= e / 2 * h) by (apply Rmult_le_compat_r; lra). lra.
+  intros Hp Ex. pose proof (dini_slope (fun t => -1 * gain k t) (- c) p q (cont_scal (-1) _ (cont_gain k)) Hp) as Q.
+  cut (-1 * gain k q - -1 * gain k p <= - c * (q - p)); [lra|]. apply Q. intros t Ht. destruct (Ex t Ht) as (HU & E).
+  eapply rderiv_dini; [|apply rderiv_scal, gain_rate; [lra|exact HU]]. lra.
+Qed.
+Lemma gain_ahead k t : k = 1 \/ k = -1 -> t0 <= t -> 0 < gain k t -> 0 < k * (v1 t - v2 t).
+Proof.
+  intros Hk Ht G. pose proof (proj2 (ahead2_sign k t Hk ltac:(lra)) Ht). unfold gain, w, M in *.
+  apply Rmult_lt_reg_l with m1; [auto|]. nra.
 Qed.
 
-(** where the force asks more than b right after, the pair slips: body 1 gains on body 2 what the force asks beyond b,
-    less what the spring and the damper take of that gain, which is less at first *)
+(** a load beyond b: slip, with its sign *)
+Theorem slips_at k : k = 1 \/ k = -1 -> b < k * load t0 -> exists d, 0 < d /\ forall t, t0 < t < t0 + d ->
+  0 < k * (v1 t - v2 t).
+Proof.
+  intros Hk G. set (g := (k * load t0 - b) / 2). destruct (load_after g) as (d & Hd & K); [unfold g; lra|].
+  assert (Gp : 0 < M / m2 * g) by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; unfold M|unfold g]; lra).
+  smaller d d0. intros t Ht. apply gain_ahead; [auto|lra|]. pose proof (gain_rises k (M / m2 * g) t0 t ltac:(lra)) as Q.
+  rewrite gain_0 in Q. assert (0 < M / m2 * g * (t - t0)) by positive.
+  eapply Rlt_le_trans; [eassumption|]. rewrite <- (Rminus_0_r (gain k t)). apply Q. intros r Hr.
+  split; [apply DU; lra|].
+  rewrite excess_of_load. apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; unfold M; lra|].
+  specialize (K r ltac:(lra)). apply Rabs_inv in K. unfold g in *. destruct Hk; subst k; lra.
+Qed.
+
+(** while the load is at most b no slip forwards begins *)
+Lemma stays_behind k r t : k = 1 \/ k = -1 -> t0 <= r <= t -> t <= t0 + d0 -> k * w r <= 0 ->
+  (forall q, r <= q < t -> k * load q <= b) -> k * w t <= 0.
+Proof.
+  intros Hk Hr Ht W L. apply le_epsilon. intros e He. rewrite Rplus_0_l.
+  apply (barrier_until (fun q => k * w q) e r t); [apply cont_scal, cont_w|lra|lra|].
+  intros q Hq Wq. apply held; [lra|auto|apply L; lra|lra].
+Qed.
+Lemma not_ahead k : k = 1 \/ k = -1 -> k * load t0 < b -> exists d, 0 < d <= d0 /\ forall t, t0 <= t < t0 + d ->
+  k * (v1 t - v2 t) <= 0.
+Proof.
+  intros Hk G. destruct (load_after (b - k * load t0)) as (d & Hd & K); [lra|].
+  set (c := Rmin d d0). assert (c <= d) by apply Rmin_l. assert (c <= d0) by apply Rmin_r.
+  assert (Cp : 0 < c) by positive. exists c. split; [lra|]. intros t Ht.
+  apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|]. intros r Hr. specialize (K r ltac:(lra)).
+  apply Rabs_inv in K. destruct Hk; subst k; lra.
+Qed.
+
+(** a load within b: stick *)
+Theorem sticks_at : Rabs (load t0) < b -> exists d, 0 < d /\ forall t, t0 <= t < t0 + d -> v1 t = v2 t.
+Proof.
+  intros G. pose proof (Rle_abs (load t0)). pose proof (Rle_abs (- load t0)) as A. rewrite Rabs_Ropp in A.
+  destruct (not_ahead 1 (or_introl eq_refl) ltac:(lra)) as (d & Hd & K).
+  destruct (not_ahead (-1) (or_intror eq_refl) ltac:(lra)) as (d' & Hd' & K'). smaller d d'. intros t Ht.
+  specialize (K t ltac:(lra)). specialize (K' t ltac:(lra)). lra.
+Qed.
+
+(** *** The motion with that acceleration is one under the impulse Ut of a force, with the load at the edge.
+The two are as far apart as the forces: by the integral of what the force asks beyond b. *)
+Let xt k t := x t0 + v1 t0 * (t - t0) + k * (b / m2) * (t - t0) ^ 2 / 2.
+Let vt k t := v1 t0 + k * (b / m2) * (t - t0).
+Let Ut k t := m1 * vt k t + b * (k * t) + a1 * xt k t
+  + a2 * (x t0 * (t - t0) + v1 t0 * (t - t0) ^ 2 / 2 + k * (b / m2) * (t - t0) ^ 3 / 6).
+(** g: the sign of what the force asks beyond b *)
+Let asked g k t := g * (k * (U t - Ut k t - (U t0 - Ut k t0))).
+
+Lemma at_edge k : k = 1 \/ k = -1 -> forced m1 m2 a1 a2 b (Ut k) (xt k) (vt k) (vt k) (fun t => k * t).
+Proof.
+  intros Hk. constructor; try (intros; lra).
+  - intros r t Hr. destruct Hk; subst k; apply Rabs_le; lra.
+  - eapply cont_of_derive. intros t. unfold Ut, xt, vt. auto_derive; auto. reflexivity.
+  - eapply cont_of_derive. intros t. unfold xt. auto_derive; auto. reflexivity.
+  - eapply cont_of_derive. intros t. unfold vt. auto_derive; auto. reflexivity.
+  - intros t _. apply rderiv_of_derive. unfold xt, vt. auto_derive; auto. field; lra.
+  - intros t _. apply rderiv_of_derive. unfold Ut, xt, vt. auto_derive; auto. field; lra.
+  - intros t _. unfold vt. field; lra.
+Qed.
+Lemma asked_rate g k t : k = 1 \/ k = -1 -> t0 <= t < t0 + d0 -> rderiv (asked g k) t (g * beyond k t).
+Proof.
+  intros Hk Ht. eapply rderiv_eq; [|apply rderiv_scal, rderiv_scal, rderiv_minus; [apply rderiv_minus;
+    [apply DU; auto|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive; auto; reflexivity]|apply rderiv_const]].
+  unfold beyond. destruct Hk; subst k; field; lra.
+Qed.
+Lemma cont_asked g k : k = 1 \/ k = -1 -> cont (asked g k).
+Proof.
+  intros Hk. apply cont_scal, cont_scal, cont_minus; [|apply cont_const].
+  apply cont_minus; [apply (f_cU _ _ _ _ _ _ _ _ _ _ H)|apply (f_cU _ _ _ _ _ _ _ _ _ _ (at_edge k Hk))].
+Qed.
+
+(** so the spring and the damper give back less than that *)
+Lemma given_back g k T : g = 1 \/ g = -1 -> k = 1 \/ k = -1 -> t0 <= T <= t0 + d0 -> T <= t0 + 1 ->
+  (forall t, t0 <= t < T -> 0 <= g * beyond k t) -> (forall t, t0 <= t <= T -> 0 <= asked g k t <= asked g k T) /\
+  forall t, t0 <= t <= T -> Rabs (excess k t - beyond k t) <= (a1 + a2) / m1 * asked g k T.
+Proof.
+  intros Hg Hk HT H1 Sg. assert (Start : asked g k t0 = 0) by (unfold asked; ring).
+  assert (Up : forall r t, t0 <= r <= t -> t <= T -> asked g k r <= asked g k t).
+  { intros r t Hr Ht. apply Ropp_le_cancel. apply (rderiv_mono (fun t => - asked g k t)
+      r t (fun t => - (g * beyond k t)));
+      [apply cont_opp, cont_asked; auto|lra|]. intros q Hq. specialize (Sg q ltac:(lra)).
+    split; [apply rderiv_opp, asked_rate; auto; lra|lra]. }
+  assert (Lead : forall t, t0 <= t <= T -> Rabs (lead k t) <= asked g k T / m1).
+  { intros t Ht. pose proof (sqrt_lt_R0 _ Hm1) as Sm.
+    pose proof (velocity_within m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 (xt k) (vt k) (vt k) t) as R.
+    pose proof (input_to_state m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ _ H (at_edge k Hk)
+      (fun t => k * beyond k t) (asked g k) t0 t (cont_asked g k Hk) ltac:(lra)) as Q. cbv beta in Q.
+    replace (energy m1 m2 a2 (x t0 - xt k t0) (v1 t0 - vt k t0) (v2 t0 - vt k t0)) with 0 in Q
+      by (unfold energy, xt, vt; rewrite <- Meet; field; lra).
+    rewrite Rmult_0_r, sqrt_0, Start, Rminus_0_r, Rplus_0_l in Q.
+    replace (Rabs (lead k t)) with (Rabs (v1 t - vt k t)).
+    2: { unfold lead, vt. rewrite <- (Rmult_1_l (Rabs (v1 t - _))). replace 1 with (Rabs k) by (destruct Hk; subst k;
+      [apply Rabs_R1|rewrite Rabs_left; lra]). rewrite <- Rabs_mult. f_equal. destruct Hk; subst k; ring. }
+    apply Rmult_le_reg_l with (sqrt m1); auto. eapply Rle_trans; [exact R|]. eapply Rle_trans; [apply Q|].
+    - intros r Hr. specialize (Sg r ltac:(lra)). split.
+      + eapply rderiv_eq; [|apply rderiv_minus; [apply DU; lra|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive;
+          auto; reflexivity]]. unfold beyond. destruct Hk; subst k; field; lra.
+      + apply rderiv_eq with (g * beyond k r); [|apply asked_rate; auto; lra]. symmetry.
+        destruct Hk, Hg; subst k g; try rewrite Rabs_pos_eq by lra; try rewrite Rabs_left1 by lra; lra.
+    - rewrite <- (sqrt_sqrt m1) at 3 by lra. apply Rmult_le_reg_r with (sqrt m1); auto. field_simplify; [|lra|lra].
+      apply Up; lra. }
+  split; [intros t Ht; rewrite <- Start; split; apply Up; lra|]. intros t Ht. specialize (Lead t Ht) as L1.
+  assert (L2 : Rabs (place k t) <= asked g k T / m1).
+  { replace (place k t) with (place k t - place k t0) by (unfold place; field; lra).
+    eapply Rle_trans; [apply (lip_between (place k) (lead k) (asked g k T / m1) t0 t (cont_place k)); [lra|]|].
+    - intros r Hr. split; [apply place_rate; lra|apply Rabs_inv, Lead; lra].
+    - pose proof (Rabs_pos (lead k t)). nra. }
+  replace (excess k t - beyond k t) with (- (a1 * lead k t + a2 * place k t)) by (unfold excess; ring).
+  replace ((a1 + a2) / m1 * asked g k T) with (a1 * (asked g k T / m1) + a2 * (asked g k T / m1)) by (field; lra).
+  apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le. split; nra.
+Qed.
+Lemma beyond_0 k : k * load t0 = b -> beyond k t0 = 0.
+Proof.
+  intros Tie. pose proof (excess_of_load k t0) as E. rewrite Tie in E.
+  replace (beyond k t0) with (excess k t0) by (unfold excess, lead, place; field; lra). lra.
+Qed.
+
+(** where the force asks more than b right after, the pair slips *)
 Theorem slips_at_edge k : k = 1 \/ k = -1 -> k * load t0 = b -> (forall t, t0 < t < t0 + d0 -> 0 < beyond k t) ->
   exists d, 0 < d /\ forall t, t0 < t < t0 + d -> 0 < k * (v1 t - v2 t).
 Proof.
-  intros Hk Tie Pp. assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).
-  destruct (not_ahead (- k) Hk' ltac:(lra)) as (d1 & Hd1 & NA). pose proof kappa_pos as Kp.
-    assert (Mp : 0 < M) by (unfold M; lra).
-  set (c := (a1 + a2) / m1). assert (C0 : 0 < c) by (apply Rdiv_lt_0_compat; lra).
-  set (d := Rmin d1 (Rmin 1 (/ (2 * c)))). exists d.
-  assert (Hd : 0 < d /\ d <= d1 /\ d <= 1 /\ c * d <= / 2).
-  { assert (0 < / (2 * c)) by (apply Rinv_0_lt_compat; lra). unfold d. pose proof (Rmin_l d1 (Rmin 1 (/ (2 * c)))).
-    pose proof (Rmin_r d1 (Rmin 1 (/ (2 * c)))). pose proof (Rmin_l 1 (/ (2 * c))). pose proof (Rmin_r 1 (/ (2 * c))).
-    split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
-    replace (/ 2) with (c * / (2 * c)) by (field; lra). apply Rmult_le_compat_l; lra. }
-  split; [lra|]. intros T HT.
-  set (W := fun t => k * w t). set (y := place k). set (y' := lead k).
-  set (A := fun t => 1 - c * (T - t)). set (B := fun t => - (a2 / m1) * ((T - t) - c * (T - t) ^ 2 / 2)).
-  assert (DA : forall t, rderiv A t c) by (intros t; apply rderiv_of_derive; unfold A; auto_derive; auto; ring).
-  assert (DB : forall t, rderiv B t (a2 / m1 * A t)).
-  { intros t. apply rderiv_of_derive. unfold A, B. auto_derive; auto. field; lra. }
-  assert (Wn : forall t, t0 <= t < T -> 0 <= W t) by (intros t Ht; specialize (NA t ltac:(lra)); unfold W, w; lra).
-  assert (Yw : forall t, t0 <= t -> y' t <= W t).
-  { intros t Ht. unfold y', W. rewrite lead_split. pose proof (proj2 (ahead2_sign k t Hk ltac:(lra)) Ht). lra. }
-  assert (Gain : forall t, t0 <= t < T -> dini_le (fun r => -1 * W r) t (- ((beyond k t - a2 * y t - a1 * y' t) / m1))).
-  { intros t Ht. replace (- ((beyond k t - a2 * y t - a1 * y' t) / m1)) with (- (kap * (k * load t - b))).
-    - apply driven; [lra|auto|]. lra.
-    - rewrite excess_of_load. unfold excess, y, y', kap, M. field. repeat split; lra. }
-  assert (BW : forall t, t0 <= t < T -> big (fun h => -1 * W (t + h) - -1 * W t)).
-  { intros t Ht. apply big_ext with (fun h => - k * ((v1 (t + h) - v2 (t + h)) - (v1 t - v2 t)));
-    [intros h; unfold W, w; ring|]. apply big_scal, (moves_gap_big m1 m2 a1 a2 b Hm1 Hm2 1 U x v1 v2 s) with (u t);
-    [apply (forced_moves m1 m2 a1 a2 b), H|lra|apply DU; lra]. }
-  set (Phi := fun t => -1 * W t * A t + y t * - B t).
-  assert (DPhi : forall t, t0 <= t < T -> dini_le Phi t (- (A t * beyond k t / m1))).
-  { intros t Ht. assert (At : 0 <= A t <= 1) by (unfold A; split; nra).
-    pose proof (dini_mult _ A t _ c (Gain t Ht) (BW t Ht) (DA t) ltac:(lra)) as Q1.
-    assert (Q2 : rderiv (fun t => y t * - B t) t (y' t * - B t + y t * - (a2 / m1 * A t))).
-    { apply (rderiv_mult y (fun r => - B r)); [apply place_rate; lra|].
-      apply rderiv_ext with (fun r => -1 * B r); [intros;
-      ring|].
-      eapply rderiv_eq; [|apply rderiv_scal, DB]. ring. }
-    intros e He. destruct (Q1 (e / 2)) as (e1 & E1 & K1); [lra|]. destruct (Q2 (e / 2)) as (e2 & E2 & K2); [lra|].
-    smaller e1 e2. intros h Hh.
-    specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. cbv beta in K1. unfold Phi.
-    assert (Rate : - ((beyond k t - a2 * y t - a1 * y' t) / m1) * A t + -1 * W t * c + (y' t * - B t + y t * - (a2 /
-      m1 * A t)) <= - (A t * beyond k t / m1)); [|nra].
-    assert (Bn : 0 <= - B t <= a2 / m1 * (T - t)).
-    { assert (Cz : 0 <= c * (T - t) <= / 2).
-      { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (c * d); [apply Rmult_le_compat_l; lra|lra]. }
-      assert (Z : 0 <= (T - t) - c * (T - t) * (T - t) / 2 <= T - t) by (split; nra).
-      assert (0 < a2 / m1) by (apply Rdiv_lt_0_compat; auto).
-      replace (- B t) with (a2 / m1 * ((T - t) - c * (T - t) * (T - t) / 2)) by (unfold B; field; lra).
-      split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]. }
-    pose proof (Yw t ltac:(lra)) as Y1. pose proof (Wn t Ht) as W0.
-    assert (P1 : y' t * (a1 / m1 * A t - B t) <= W t * (a1 / m1 * A t - B t)).
-    { apply Rmult_le_compat_r; auto. assert (0 <= a1 / m1) by (apply Rmult_le_pos; [auto|apply Rlt_le,
-      Rinv_0_lt_compat; auto]). nra. }
-    assert (P2 : W t * (a1 / m1 * A t - B t) <= W t * c).
-    { apply Rmult_le_compat_l; auto. unfold c. replace ((a1 + a2) / m1) with (a1 / m1 * 1 + a2 / m1 * 1) by (field;
-      lra).
-      assert (0 <= a1 / m1) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
-      assert (0 < a2 / m1) by (apply Rdiv_lt_0_compat; auto). nra. }
-    replace (- ((beyond k t - a2 * y t - a1 * y' t) / m1) * A t + -1 * W t * c + (y' t * - B t + y t * - (a2 / m1 * A
-      t))) with (- (A t * beyond k t / m1) + (y' t * (a1 / m1 * A t - B t) - W t * c)) by (field; lra). lra. }
-  assert (CPhi : cont Phi).
-  { assert (CA : cont A) by (apply cont_of_derive with (fun _ => c); intros; unfold A; auto_derive; auto; ring).
-    assert (CB : cont B) by (apply cont_of_derive with (fun t => a2 / m1 * A t); intros; unfold A, B; auto_derive;
-      auto; field; lra).
-    assert (Cy : cont y) by exact (cont_place k).
-    apply cont_plus; apply cont_mult; auto; [apply cont_scal, cont_scal, cont_w|].
-    apply cont_ext with (fun r => -1 * B r); [intros; ring|apply cont_scal; auto]. }
-  assert (P0 : Phi t0 = 0) by (unfold Phi, W, y, place, w; rewrite Meet; field; lra).
-  assert (PT : Phi T = - W T) by (unfold Phi, A, B; replace (T - T) with 0 by ring; field; lra).
-  assert (Ap : forall t, t0 <= t < T -> 0 < A t) by (intros t Ht; unfold A; nra).
-  assert (Q0 : beyond k t0 = 0).
-  { replace (beyond k t0) with (M / m2 * (k * load t0 - b)) by (unfold beyond, load, M; field; unfold M in Mp; lra).
-    rewrite Tie. ring. }
-  assert (Down : forall p q, t0 <= p <= q -> q <= T -> Phi q <= Phi p).
-  { intros p q Hp Hq. apply dini_mono; auto; [lra|]. intros t Ht e He.
-    destruct (DPhi t ltac:(lra) e He) as (h1 & H1 & K). exists h1.
-    split; auto. intros h Hh. specialize (K h Hh). assert (0 <= A t * beyond k t / m1); [|nra].
-    specialize (Ap t ltac:(lra)). apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto]. apply Rmult_le_pos;
-      [lra|].
-    destruct (Req_dec t t0) as [->|N]; [lra|]. apply Rlt_le, Pp; lra. }
-  change (0 < W T). apply Rnot_le_lt. intros N. set (r := (t0 + T) / 2). assert (Hr : t0 < r < T) by (unfold r; lra).
-  assert (Flat : forall t, r <= t <= T -> Phi t = 0).
-  { intros t Ht. pose proof (Down t0 t ltac:(lra) ltac:(lra)). pose proof (Down t T ltac:(lra) ltac:(lra)). lra. }
-  set (l := A r * beyond k r / m1). assert (Lp : 0 < l).
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; [apply Ap; lra|apply Pp; lra]. }
-  destruct (DPhi r ltac:(lra) (l / 2)) as (h1 & H1 & K); [lra|]. set (h := Rmin (h1 / 2) (T - r)).
-  assert (h <= h1 / 2) by apply Rmin_l. assert (h <= T - r) by apply Rmin_r. assert (0 < h) by (apply Rmin_glb_lt; lra).
-  specialize (K h ltac:(lra)). rewrite !Flat in K by lra. fold l in K. nra.
+  intros Hk Tie Pp. set (c := (a1 + a2) / m1). assert (C0 : 0 < c) by positive.
+  assert (Hc : 0 < / (2 * c + 1)) by positive. smaller d0 (/ (2 * c + 1)). intros T HT.
+  assert (Short : (2 * c + 1) * (T - t0) < 1).
+  { apply Rlt_le_trans with ((2 * c + 1) * / (2 * c + 1)); [scale|right; field; lra]. }
+  assert (Sg : forall t, t0 <= t < T -> 0 <= 1 * beyond k t).
+  { intros t Ht. destruct (Req_dec t t0) as [->|N]; [rewrite beyond_0; auto; lra|specialize (Pp t ltac:(lra)); lra]. }
+  destruct (given_back 1 k T (or_introl eq_refl) Hk ltac:(lra) ltac:(nra) Sg) as (Up & Back). fold c in Back.
+  set (J := asked 1 k) in *. assert (Jp : 0 < J T).
+  { set (r := (t0 + T) / 2). assert (Hr : t0 < r < T) by (unfold r; lra). pose proof (Pp r ltac:(lra)) as P.
+    destruct (asked_rate 1 k r Hk ltac:(lra) (beyond k r / 2)) as (d & Hd & K); [lra|].
+    set (h := Rmin (d / 2) (T - r)). pose proof (Rmin_l (d / 2) (T - r)). pose proof (Rmin_r (d / 2) (T - r)).
+    assert (0 < h) by positive. fold h in H2, H3. specialize (K h ltac:(lra)). apply Rabs_inv in K.
+    fold J in K. pose proof (Up r ltac:(lra)). pose proof (Up (r + h) ltac:(lra)). nra. }
+  assert (G : - (c * J T) * (T - t0) <= gain k T - J T - (gain k t0 - J t0) <= c * J T * (T - t0)).
+  { apply (between (fun t => gain k t - J t) (fun t => excess k t - 1 * beyond k t)); [|lra|].
+    - apply cont_minus; [apply cont_gain|apply cont_asked; auto].
+    - intros t Ht. split; [|rewrite Rmult_1_l; apply Rabs_inv, Back; lra].
+      apply rderiv_minus; [apply gain_rate; [lra|apply DU; lra]|apply asked_rate; auto; lra]. }
+  rewrite gain_0 in G. assert (J t0 = 0) by (unfold J, asked; ring). assert (0 < gain k T) by nra.
+  apply gain_ahead; auto. lra.
 Qed.
 
-(** while it slips forwards the relative velocity rises as the load exceeds b *)
-Lemma rise_le k r c : k = 1 \/ k = -1 -> 0 <= r -> 0 < c <= d0 ->
-  (forall t, t0 <= t < t0 + c -> 0 < k * w t -> kap * (k * load t - b) <= r) ->
-  forall t, t0 <= t < t0 + c -> k * w t <= r * (t - t0).
-Proof.
-  intros Hk Hr Hc G t Ht. apply le_epsilon. intros e He.
-  assert (Q : k * w t - r * (t - t0) <= e); [|lra].
-  apply (barrier_until (fun z => k * w z - r * (z - t0)) e t0 t); [|lra|unfold w; rewrite Meet; lra|].
-  - apply cont_minus; [apply cont_scal, cont_w|]. apply cont_of_derive with (fun _ => r).
-    intros; auto_derive; auto; ring.
-  - intros z Hz Wz. assert (Up : 0 <= r * (z - t0)) by (apply Rmult_le_pos; lra). assert (Wp : 0 < k * w z) by lra.
-    specialize (G z ltac:(lra) Wp).
-    pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H z ltac:(lra) k Hk Wp) as S.
-    apply rderiv_dini with (k * (kap * (load z - b * k)) - r); [destruct Hk; subst k; lra|].
-    apply rderiv_minus; [apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H z (u z) k
-      ltac:(lra) (DU z ltac:(lra)) S)|].
-    apply rderiv_of_derive. auto_derive; auto; ring.
-Qed.
-
-(** where the force asks ever less than b right after, the pair sticks: what the spring and the damper give back is
-  less than that *)
+(** where it asks ever less than b right after, the pair sticks *)
 Theorem sticks_at_edge k : k = 1 \/ k = -1 -> k * load t0 = b ->
   (forall r t, t0 <= r <= t -> t < t0 + d0 -> beyond k t <= beyond k r) ->
   exists d, 0 < d /\ forall t, t0 <= t < t0 + d -> v1 t = v2 t.
 Proof.
   intros Hk Tie Mono. assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).
-  destruct (not_ahead (- k) Hk' ltac:(lra)) as (d1 & Hd1 & NA). pose proof kappa_pos as Kp.
-    assert (Mp : 0 < M) by (unfold M; lra).
-  destruct (load_near 1 ltac:(lra)) as (d2 & Hd2 & Near).
-  set (c := (a1 + a2) / m1). assert (C0 : 0 < c) by (apply Rdiv_lt_0_compat; lra).
-  set (K := (a1 + a2) / M). assert (K0 : 0 < K) by (apply Rdiv_lt_0_compat; lra).
-  assert (KC : 0 < K * (c + 2)) by (apply Rmult_lt_0_compat; lra).
-  set (d := Rmin (Rmin d1 d2) (Rmin 1 (/ (4 * (K * (c + 2)))))).
-  assert (Hd : 0 < d /\ d <= d1 /\ d <= d2 /\ d <= 1 /\ K * (c + 2) * d <= / 4).
-  { assert (0 < / (4 * (K * (c + 2)))) by (apply Rinv_0_lt_compat; lra). unfold d.
-    pose proof (Rmin_l (Rmin d1 d2) (Rmin 1 (/ (4 * (K * (c + 2)))))).
-      pose proof (Rmin_r (Rmin d1 d2) (Rmin 1 (/ (4 * (K * (c + 2)))))).
-    pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
-    pose proof (Rmin_l 1 (/ (4 * (K * (c + 2))))). pose proof (Rmin_r 1 (/ (4 * (K * (c + 2))))).
-    split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
-    replace (/ 4) with (K * (c + 2) * / (4 * (K * (c + 2)))) by (field; split; lra). apply Rmult_le_compat_l; lra. }
-  set (W := fun t => k * w t). set (q := ahead2 k). set (y := place k). set (y' := lead k). set (E := gain k).
-  set (f := fun t => - (a1 * y' t + a2 * y t)).
-  assert (Split : forall t, y' t = W t + q t) by exact (lead_split k).
-  assert (Dy : forall t, t0 <= t -> rderiv y t (y' t)) by (intros t Ht; apply place_rate; lra).
-  assert (Cy : cont y) by exact (cont_place k).
-  assert (Y0 : y t0 = 0 /\ y' t0 = 0) by (unfold y, y', place, lead; split; field; lra).
-  assert (Load : forall t, kap * (k * load t - b) = (beyond k t + f t) / m1).
-  { intros t. rewrite excess_of_load. unfold excess, f, y, y', kap, M. field. repeat split; lra. }
-  assert (Qn : forall t, t0 <= t -> q t <= 0) by (intros t Ht; apply ahead2_sign; auto; lra).
-  assert (Wn : forall t, t0 <= t < t0 + d -> 0 <= W t) by (intros t Ht; specialize (NA t ltac:(lra)); unfold W, w; lra).
-  assert (DE : forall t, t0 <= t < t0 + d0 -> rderiv E t (beyond k t + f t)).
-  { intros t Ht. apply rderiv_eq with (excess k t); [unfold excess, f, y, y'; ring|].
-    apply gain_rate; [lra|apply DU; lra]. }
-  assert (CE : cont E) by exact (cont_gain k). assert (E0 : E t0 = 0) by exact (gain_0 k).
-  assert (B0 : beyond k t0 = 0).
-  { replace (beyond k t0) with (M / m2 * (k * load t0 - b)) by (unfold beyond, load, M; field; lra). rewrite Tie.
-    ring. }
-  (* what a bound S of f up to T gives back *)
-  assert (Better : forall T S, t0 < T < t0 + d -> 0 <= S -> (forall t, t0 <= t < T -> f t <= S) ->
-    forall t, t0 <= t < T -> f t <= / 4 * (- beyond k T + S)).
-  { intros T S HT HS Bd. set (pi := - beyond k T).
-    assert (Pi : forall t, t0 <= t <= T -> - pi <= beyond k t <= 0).
-    { intros t Ht. pose proof (Mono t T ltac:(lra) ltac:(lra)). pose proof (Mono t0 t ltac:(lra) ltac:(lra)).
-      unfold pi. lra. }
-    assert (Pp : 0 <= pi) by (destruct (Pi t0 ltac:(lra)); lra).
-    assert (W1 : forall t, t0 <= t < T -> W t <= S / m1 * (t - t0)).
-    { intros t Ht. apply (rise_le k (S / m1) (T - t0) Hk); [apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat;
-      auto]|lra| |lra].
-      intros r Hr _. rewrite Load. specialize (Bd r ltac:(lra)). destruct (Pi r ltac:(lra)).
-      apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
-    set (g := S / m1). assert (Gp : 0 <= g) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
-    assert (Gs : forall t, t0 <= t < T -> g * (t - t0) <= g) by (intros t Ht; rewrite <- (Rmult_1_r g) at 2;
-      apply Rmult_le_compat_l; lra).
-    assert (Yu : forall t, t0 <= t < T -> y t <= g * (t - t0)).
-    { intros t Ht. assert (y t - y t0 <= g * (t - t0)); [|lra]. apply (dini_slope y); auto; [lra|]. intros r Hr.
-      eapply rderiv_dini; [|apply Dy; lra]. rewrite Split. pose proof (W1 r ltac:(lra)). pose proof (Qn r ltac:(lra)).
-      pose proof (Gs r ltac:(lra)). fold g in H0. lra. }
-    assert (Cg : (a1 + a2) * g = c * S) by (unfold c, g; field; lra).
-    assert (Fl : forall t, t0 <= t < T -> - (c * S) <= f t).
-    { intros t Ht. pose proof (W1 t Ht) as W2. fold g in W2. pose proof (Qn t ltac:(lra)). pose proof (Gs t Ht).
-      pose proof (Yu t Ht).
-      unfold f. rewrite Split, <- Cg. assert (a1 * (W t + q t) <= a1 * g) by (apply Rmult_le_compat_l; lra).
-      assert (a2 * y t <= a2 * g) by (apply Rmult_le_compat_l; lra). lra. }
-    assert (El : forall t, t0 <= t < T -> - ((pi + c * S) * (t - t0)) <= E t).
-    { intros t Ht. assert (-1 * E t - -1 * E t0 <= (pi + c * S) * (t - t0)); [|lra].
-      apply (dini_slope (fun r => -1 * E r)); auto using cont_scal; [lra|]. intros r Hr.
-      eapply rderiv_dini; [|apply rderiv_scal, DE; lra]. destruct (Pi r ltac:(lra)). pose proof (Fl r ltac:(lra)).
-        lra. }
-    set (G := (pi + (c + 1) * S) / M). assert (G0 : 0 <= G).
-    { apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto]. assert (0 <= (c + 1) * S) by (apply Rmult_le_pos;
-      lra). lra. }
-    assert (Ql : forall t, t0 <= t < T -> - (G * (t - t0)) <= q t).
-    { intros t Ht. apply Rmult_le_reg_l with M; auto. pose proof (El t Ht) as E1. pose proof (W1 t Ht) as W2.
-      assert (m1 * W t <= S * (t - t0)).
-      { replace (S * (t - t0)) with (m1 * (S / m1 * (t - t0))) by (field; lra). apply Rmult_le_compat_l; lra. }
-      unfold E, gain in E1. fold (W t) (q t) in E1.
-      replace (M * - (G * (t - t0))) with (- ((pi + c * S) * (t - t0)) - S * (t - t0)) by (unfold G;
-        field; lra). lra. }
-    assert (Gs' : forall t, t0 <= t < T -> G * (t - t0) <= G) by (intros t Ht; rewrite <- (Rmult_1_r G) at 2;
-      apply Rmult_le_compat_l; lra).
-    assert (Yl : forall t, t0 <= t < T -> - (G * (t - t0)) <= y t).
-    { intros t Ht. assert (-1 * y t - -1 * y t0 <= G * (t - t0)); [|lra].
-      apply (dini_slope (fun r => -1 * y r)); auto using cont_scal; [lra|]. intros r Hr.
-      eapply rderiv_dini; [|apply rderiv_scal, Dy; lra]. rewrite Split. pose proof (Ql r ltac:(lra)).
-        pose proof (Wn r ltac:(lra)).
-      pose proof (Gs' r ltac:(lra)). lra. }
-    intros t Ht. pose proof (Ql t Ht). pose proof (Yl t Ht). pose proof (Wn t ltac:(lra)).
-    assert (F1 : f t <= (a1 + a2) * (G * (t - t0))).
-    { unfold f. rewrite Split. assert (a1 * - (G * (t - t0)) <= a1 * (W t + q t)) by (apply Rmult_le_compat_l; lra).
-      assert (a2 * - (G * (t - t0)) <= a2 * y t) by (apply Rmult_le_compat_l; lra). lra. }
-    replace ((a1 + a2) * (G * (t - t0))) with (K * (t - t0) * pi + K * (c + 1) * (t - t0) * S) in F1 by (unfold G, K;
-      field; lra).
-    assert (Kd : K * (c + 2) * (t - t0) <= / 4).
-    { apply Rle_trans with (K * (c + 2) * d); [apply Rmult_le_compat_l; lra|lra]. }
-    assert (0 <= K * (t - t0)) by (apply Rmult_le_pos; lra). assert (0 <= K * (t - t0) * c) by (apply Rmult_le_pos;
-      lra).
-    assert (K * (t - t0) * pi <= / 4 * pi) by (apply Rmult_le_compat_r; lra).
-    assert (K * (c + 1) * (t - t0) * S <= / 4 * S) by (apply Rmult_le_compat_r; lra). lra. }
-  (* so the least such bound is at most a third of what the force lacks *)
-  assert (Third : forall T, t0 < T < t0 + d -> forall t, t0 <= t < T -> f t <= / 3 * - beyond k T).
-  { intros T HT. destruct (completeness (fun z => z = 0 \/ exists t, t0 <= t < T /\ z = f t)) as (S & Ub & Lub).
-    { exists (m1 * kap + - beyond k T). intros z [->|(t & Ht & ->)].
-      - pose proof (Mono t0 T ltac:(lra) ltac:(lra)). assert (0 < m1 * kap) by (apply Rmult_lt_0_compat; auto). lra.
-      - pose proof (Mono t T ltac:(lra) ltac:(lra)). specialize (Near (t - t0) ltac:(lra)).
-        replace (t0 + (t - t0)) with t in Near by ring.
-        apply Rabs_inv in Near. assert (k * load t - b <= 1) by (destruct Hk; subst k; lra).
-        assert (kap * (k * load t - b) <= kap * 1) by (apply Rmult_le_compat_l; lra). rewrite Load in H2.
-        assert (beyond k t + f t <= m1 * kap); [|lra].
-        replace (beyond k t + f t) with (m1 * ((beyond k t + f t) / m1)) by (field; lra). apply Rmult_le_compat_l;
-          lra. }
-    { exists 0. auto. }
-    assert (S0 : 0 <= S) by (apply Ub; auto). assert (Bd : forall t, t0 <= t < T -> f t <= S) by (intros t Ht;
-      apply Ub; eauto).
-    pose proof (Better T S HT S0 Bd) as Q. pose proof (Mono t0 T ltac:(lra) ltac:(lra)).
-    assert (S <= / 4 * (- beyond k T + S)) by (apply Lub; intros z [->|(t & Ht & ->)]; [lra|auto]).
-    intros t Ht. specialize (Bd t Ht). lra. }
-  assert (Low : forall T, t0 < T < t0 + d -> f T <= / 3 * - beyond k T).
-  { intros T HT. apply Rnot_lt_le. intros N. assert (Cf : cont f).
-    { apply cont_ext with (fun t => -1 * (a1 * y' t + a2 * y t)); [intros; unfold f; ring|].
-      apply cont_scal, cont_plus; apply cont_scal; auto. apply cont_minus; [apply cont_scal,
-        (f_cv _ _ _ _ _ _ _ _ _ _ H)|].
-      apply cont_of_derive with (fun _ => b / m2). intros; auto_derive; auto; ring. }
-    destruct (Cf T ltac:(lra) (f T - / 3 * - beyond k T)) as (e & He & Q); [lra|].
-    set (r := Rmax t0 (T - e / 2)). assert (t0 <= r) by apply Rmax_l. assert (T - e / 2 <= r) by apply Rmax_r.
-    assert (r < T) by (apply Rmax_lub_lt; lra). specialize (Q r ltac:(lra)). rewrite (Rabs_left (r - T)) in Q by lra.
-    specialize (Q ltac:(lra)). apply Rabs_def2 in Q. pose proof (Third T HT r ltac:(lra)). lra. }
-  exists d. split; [lra|]. intros t Ht.
-  assert (W t <= 0 * (t - t0)).
-  { apply (rise_le k 0 d Hk); [lra|lra| |lra]. intros r Hr _. rewrite Load.
-    destruct (Req_dec r t0) as [->|N].
-    - rewrite B0. unfold f. destruct Y0 as (-> & ->). replace ((0 + - (a1 * 0 + a2 * 0)) / m1) with 0 by (field; lra).
-      lra.
-    - pose proof (Low r ltac:(lra)). pose proof (Mono t0 r ltac:(lra) ltac:(lra)).
-      assert (beyond k r + f r <= 0) by lra. assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
-      apply Rmult_le_0_r; lra. }
-  pose proof (Wn t Ht). unfold W, w in *. destruct Hk; subst k; lra.
+  destruct (not_ahead (- k) Hk' ltac:(lra)) as (d1 & Hd1 & NA). set (c := (a1 + a2) / m1).
+  assert (C0 : 0 < c) by positive. assert (Hc : 0 < / (c + 1)) by positive.
+  smaller d1 (/ (c + 1)). set (d := Rmin d1 (/ (c + 1))) in *. intros t Ht. specialize (NA t ltac:(lra)).
+  pose proof (beyond_0 k Tie) as B0.
+  assert (k * (v1 t - v2 t) <= 0); [|destruct Hk; subst k; lra].
+  apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|].
+  intros T HT. assert (Short : (c + 1) * (T - t0) < 1).
+  { apply Rlt_le_trans with ((c + 1) * / (c + 1)); [scale|right; field; lra]. }
+  assert (Sg : forall r, t0 <= r < T -> 0 <= -1 * beyond k r /\ beyond k T <= beyond k r).
+  { intros r Hr. pose proof (Mono t0 r ltac:(lra) ltac:(lra)). split; [lra|apply Mono; lra]. }
+  destruct (given_back (-1) k T (or_intror eq_refl) Hk ltac:(lra) ltac:(nra)) as (_ & Back);
+    [intros r Hr; apply Sg; auto|]. specialize (Back T ltac:(lra)). fold c in Back. apply Rabs_inv in Back.
+  assert (J : 0 * (T - t0) <= asked (-1) k T - asked (-1) k t0 <= - beyond k T * (T - t0)).
+  { apply (between _ (fun t => -1 * beyond k t)); [apply cont_asked; auto|lra|].
+    intros r Hr. destruct (Sg r Hr). split; [apply asked_rate; auto; lra|lra]. }
+  replace (asked (-1) k t0) with 0 in J by (unfold asked; ring). pose proof (Mono t0 T ltac:(lra) ltac:(lra)).
+  pose proof (excess_of_load k T). assert (0 < M / m2) by (apply Rdiv_lt_0_compat; unfold M; lra).
+  assert (c * asked (-1) k T <= c * (T - t0) * - beyond k T) by nra. assert (excess k T <= 0) by nra. nra.
 Qed.
 
 (** *** The rule for ties: the first derivative that is not 0 decides *)
@@ -468,7 +322,7 @@ Proof.
     destruct (MVT_cor2 (fun t => g * P i t) (fun t => g * P (S i) t) t0 t) as (c & Ec & Hc); [lra| |].
     { intros c _. apply is_derive_Reals, is_derive_scal, DP. }
     pose proof (IH (S i) ltac:(lia) ltac:(lia) c ltac:(lra)) as Pc.
-    assert (0 < g * P (S i) c * (t - t0)) by (apply Rmult_lt_0_compat; lra). lra.
+    assert (0 < g * P (S i) c * (t - t0)) by positive. lra.
 Qed.
 (** it keeps that sign for a while *)
 Lemma sign_stays g : g = 1 \/ g = -1 -> 0 < g * P n t0 -> exists d, 0 < d <= d0 /\ forall t, t0 <= t < t0 + d ->
@@ -478,7 +332,7 @@ Proof.
   { apply cont_of_derive with (fun t => g * P (S n) t). intros t. apply is_derive_scal, DP. }
   destruct (C t0 Ht0 (g * P n t0) Pn) as (d & Hd & K). exists (Rmin d d0). pose proof (Rmin_l d d0).
     pose proof (Rmin_r d d0).
-  split; [split; [apply Rmin_glb_lt; auto|auto]|]. intros t Ht. specialize (K t ltac:(lra)).
+  split; [split; [positive|auto]|]. intros t Ht. specialize (K t ltac:(lra)).
   rewrite Rabs_pos_eq in K by lra. specialize (K ltac:(lra)). apply Rabs_def2 in K. lra.
 Qed.
 End Mode.
@@ -499,7 +353,7 @@ Proof.
   assert (Part : forall d, 0 < d <= d0 -> forall t, t0 <= t < t0 + d -> rderiv U t (u t)) by (intros; apply DU; lra).
   split; intros Pn.
   - destruct (sign_stays t0 d0 Ht0 Hd0 P n DP 1 (or_introl eq_refl)) as (d & Hd & Sg); [lra|].
-    apply (slips_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht0 ltac:(lra) (Part d Hd) Cu Meet k Hk
+    apply (slips_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht0 ltac:(lra) (Part d Hd) Meet k Hk
       Tie).
     intros t Ht. rewrite P0 by lra. rewrite <- (Rmult_1_l (P 0%nat t)).
     apply (all_below t0 P n DP Flat 1 d (or_introl eq_refl) Sg 0%nat ltac:(lia) t Ht).
@@ -514,5 +368,5 @@ Proof.
     + destruct (Req_dec r t) as [->|N]; [lra|]. destruct (MVT_cor2 (P 0%nat) (P 1%nat) r t) as (c & Ec & Hc); [lra| |].
       { intros c _. apply is_derive_Reals, DP. }
       pose proof (all_below t0 P (S m) DP Flat (-1) d (or_intror eq_refl) Sg 1%nat ltac:(lia) c ltac:(lra)) as Pc.
-      assert (0 < -1 * P 1%nat c * (t - r)) by (apply Rmult_lt_0_compat; lra). lra.
+      assert (0 < -1 * P 1%nat c * (t - r)) by positive. lra.
 Qed.

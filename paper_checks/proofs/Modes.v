@@ -25,6 +25,11 @@ Proof.
   - replace (Nat.leb (S i) n) with true by (symmetry; apply Nat.leb_le; lia). apply Step. lia.
 Qed.
 
+(** a slip towards k *)
+Lemma one_sided k (v1 v2 : R -> R) p q : k = 1 \/ k = -1 -> (forall t, p < t < q -> 0 < k * (v1 t - v2 t)) ->
+  one_mode v1 v2 p q.
+Proof. intros [->| ->] S; [right; left|right; right]; intros t Ht; specialize (S t Ht); lra. Qed.
+
 (** a mode lasts on every part of an interval *)
 Lemma one_mode_within v1 v2 p q p' q' : one_mode v1 v2 p q -> p <= p' -> q' <= q -> one_mode v1 v2 p' q'.
 Proof. intros [M|[M|M]] Hp Hq; [left|right; left|right; right]; intros t Ht; apply M; lra. Qed.
@@ -59,8 +64,7 @@ Proof.
   { intros r t Hr Ht. apply Rnot_le_lt. intros N. destruct (cont_IVT _ r t C ltac:(lra) N) as (c & Hc & Z).
     apply (Nz c); lra. }
   destruct (Rlt_dec p q) as [Lt|N]; [|left; intros t Ht; lra]. set (m := (p + q) / 2).
-  assert (Hm : p < m < q) by (unfold m; lra).
-  assert (All : forall t, p < t < q -> 0 < (v1 m - v2 m) * (v1 t - v2 t)).
+  assert (Hm : p < m < q) by (unfold m; lra). assert (All : forall t, p < t < q -> 0 < (v1 m - v2 m) * (v1 t - v2 t)).
   { intros t Ht. destruct (Rle_dec m t); [apply Same; lra|]. rewrite Rmult_comm. apply Same; lra. }
   destruct (Rdichotomy _ _ (Nz m Hm)); [right; right|right; left]; intros t Ht; specialize (All t Ht); nra.
 Qed.

@@ -45,14 +45,16 @@ Theorem varying_input_to_state pieces b : 0 < b -> sound pieces -> forall U U' x
 Proof.
   intros Hb. induction pieces as [|(b1, T) later IH]; intros So U U' x v1 v2 x' v1' v2' du J H H' HU CJ HJ r t Hr.
   - destruct H as (s & H), H' as (s' & H').
-    exact (input_to_state m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ _ H H' du J r t HU CJ HJ Hr).
+    apply (input_to_state m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ _ H H' du J); auto.
+    intros u Hu. split; [apply HU|apply HJ]; lra.
   - destruct (So (b1, T) (or_introl eq_refl)) as (Hb1 & HT). simpl in Hb1, HT.
     destruct H as ((y & w1 & w2 & s & F & E) & H), H' as ((y' & w1' & w2' & s' & F' & E') & H').
     set (N := fun t => sqrt (2 * energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t))).
     assert (First : forall p q, 0 <= p <= q -> q <= T -> N q <= N p + (J q - J p) / sqrt m1).
     { intros p q Hp Hq. unfold N. destruct (E p ltac:(lra)) as (-> & -> & ->), (E q ltac:(lra)) as (-> & -> & ->),
         (E' p ltac:(lra)) as (-> & -> & ->), (E' q ltac:(lra)) as (-> & -> & ->).
-      exact (input_to_state m1 m2 a1 a2 b1 Hm1 Hm2 Ha1 Ha2 Hb1 _ _ _ _ _ _ _ _ _ _ F F' du J p q HU CJ HJ Hp). }
+      apply (input_to_state m1 m2 a1 a2 b1 Hm1 Hm2 Ha1 Ha2 Hb1 _ _ _ _ _ _ _ _ _ _ F F' du J); auto.
+      intros u Hu. split; [apply HU|apply HJ]; lra. }
     assert (Then : forall p q, T <= p <= q -> N q <= N p + (J q - J p) / sqrt m1).
     { intros p q Hp. pose proof (IH (fun z Hz => So z (or_intror Hz)) _ _ _ _ _ _ _ _ (fun t => du (T + t)) (fun t =>
       J (T + t)) H H') as Q.

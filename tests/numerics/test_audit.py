@@ -3,13 +3,16 @@
 import copy
 import dataclasses
 import json
+from fractions import Fraction
 from itertools import islice
 
 import pytest
 from flint import arb
 
 from numerics.audit import solves
+from numerics.audit.slack import slack
 from numerics.plane.answer import PlaneState
+from numerics.scene.plane import PlanePair, PlaneScene
 
 
 def nothing(_):
@@ -147,6 +150,23 @@ def test_on_a_surface_what_is_planted_is_found(kind):
         row = surface_row(change, kind)
         assert not row.passed
         assert row.measured[figure] > (solves.MOST_SLACK if change is loose else 0)
+
+
+@pytest.mark.parametrize("name", ["t", "x1", "v1", "x2", "v2"])
+def test_bounds_of_one_kind_that_are_10_000_times_as_large_are_loose(name):
+    """An event of which one axis is off by 0 and another by 1e-20, bounds 30 times what N makes of that."""
+    pair = PlanePair([1, 4], 1, [100, 100], 1)
+    scene, e = PlaneScene(pair, 1, x1=1), Fraction(1, 10**20)
+    bounds = {"t": 0.3 * e, "x1": 3 * e, "v1": 15 * e, "x2": 30 * e, "v2": 30 * e}
+
+    def figures(off, factor):
+        for kind in ("t", "x1", "v1", "x2", "v2", "x1", "v1", "x2", "v2"):
+            for axis in range(1 if kind == "t" else 2):
+                value = Fraction(1, 2) + (off * e if (kind, axis) == ("v2", 1) else 0)
+                yield kind, value, Fraction(bounds[kind]) * (factor if kind == name else 1)
+
+    usual = slack(scene, figures(1, 1), figures(0, 1))
+    assert 1 < usual < 100 < solves.MOST_SLACK < slack(scene, figures(1, 10**4), figures(0, 1))
 
 
 def test_a_sequence_of_friction_of_the_state_that_is_wrong_is_found():

@@ -60,6 +60,17 @@ def test_csv_has_a_row_for_each_event_and_the_end(run, scene_file):
     assert {"from", "to", "x1 (m)", "x1_radius (m)", "v2 (m/s)", "energy (J)", "energy_excess"} <= set(rows[0])
 
 
+@pytest.mark.parametrize("how", [{"arithmetic": "ball"}, {"arithmetic": "float64"}, {"arithmetic": "mpmath"}])
+def test_a_trajectory_has_the_text_that_the_command_prints(run, scene_file, how):
+    scene = TWO_SECONDS
+    truth = solve(scene, digits=40) if how["arithmetic"] == "mpmath" else None
+    _, out, _ = run("solve", scene_file, "--csv", "--arithmetic", how["arithmetic"])
+    assert solve(scene, **how).to_csv(truth) == out
+    if truth is not None:
+        with pytest.raises(ValueError, match="give `truth`"):
+            solve(scene, **how).to_csv()
+
+
 def test_npz_holds_plain_arrays(run, scene_file, tmp_path):
     target = tmp_path / "run.npz"
     assert run("solve", scene_file, "--npz", target) == (0, "", "")

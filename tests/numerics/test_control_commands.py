@@ -44,7 +44,9 @@ def test_response_tells_regime_thresholds_and_periodic_motion(
     assert found["non_stop"].startswith("0.833087260443534")
     assert len(found["multipliers"]) == 3
     assert (tmp_path / "r.svg").stat().st_size > 10_000
-    assert "U**, necessary for no stops = 0.8330872604435" in output("response", shaken, "--amplitude", amplitude)
+    assert "U**, needed to slip for ever with two reversals a period = 0.8330872604435" in output(
+        "response", shaken, "--amplitude", amplitude
+    )
 
 
 @pytest.mark.parametrize(

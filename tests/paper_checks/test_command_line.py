@@ -11,14 +11,14 @@ from planted_trades import MACHINE, planted
 import numerics.trade.recorded as recorded_module
 import paper_checks.__main__ as command_line
 import paper_checks.claims as claims_module
-import paper_checks.reporting.parts as parts_module
+import paper_checks.report.output.parts as parts_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
+from paper_checks.report.content import speed as section_module
 from paper_checks.report.content import under_a_force
 from paper_checks.report.content.blocks import Section
 from paper_checks.report.formats import latex
-from paper_checks.speed import section as section_module
 
 
 @pytest.fixture

@@ -56,7 +56,7 @@ SYMBOLS = {
     "load": Symbol("\\Lambda", "the load: the friction force on body 2 that sticking needs, $m_2(u-a_2x_1-a_1v_1)/M$", "N", r"\\Lambda"),
     "distance": Symbol("N", "energy distance of two motions, $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$", "$\\sqrt{\\mathrm J}$", _letter("N")),
     "kappa": Symbol("\\kappa", "$M/(m_1m_2)$: in slip of sign $s$, $\\ddot z=\\kappa(\\Lambda-sb)$", "1/kg", r"\\kappa"),
-    "thresholds": Symbol("U_*,\\,U_{**}", "amplitudes of $u=U\\sin\\omega t$ up to which the pair may stick for ever, and which a slip without a stop needs that turns twice in a period of the force", "N", r"U_\{?\*"),
+    "thresholds": Symbol("U_*,\\,U_{**}", "amplitudes of $u=U\\sin\\omega t$ up to which the pair may stick for ever, and which a slip without a stop needs that turns after each half period of the force", "N", r"U_\{?\*"),
 }  # fmt: skip
 """The symbols by name, in the order in which a reader meets them."""
 OWN = {

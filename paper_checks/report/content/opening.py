@@ -17,7 +17,7 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import motion
 from paper_checks.proofs.cited import CITED
 from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
-from paper_checks.report.content.phrases import formula, in_short, kind, picture
+from paper_checks.report.content.phrases import formula, in_short, kind, picture, place
 from paper_checks.report.content.trust import LAW
 from paper_checks.running.runner import Row
 
@@ -81,8 +81,8 @@ NEW: dict[str, tuple[str, str, str]] = {
     "entrainment-threshold": (
         "thresholds-over-frequency",
         "Three regimes under a sine",
-        "Stuck for ever, with stops, and without a stop. Up to $U_*$ some motion sticks for ever; below $U_{**}$ none of the force's "
-        "period slips for ever with two reversals. Both are closed forms; that between them each amplitude has one motion is open",
+        "Stuck for ever, in between, and without a stop. Up to $U_*$ some motion sticks for ever; below $U_{**}$ none of the force's "
+        "period slips for ever with two reversals. Both are closed forms; between them not every amplitude has a motion with two stops",
     ),
     "uniform-rate": (
         "uniform-rate",
@@ -93,13 +93,14 @@ NEW: dict[str, tuple[str, str, str]] = {
 """Results past the paper that the first page shows, by their rows: figure, title, and a sentence with formulas of the row."""
 ASKED = {
     "synchronisation-time": "Do the bodies synchronise at 4.7 s?",
-    "critical-energy": "Where does $E_{cr}$ come from?",
+    "critical-energy": "What is $E_{cr}$, and who proved it?",
     "static-friction-stops-creeping": "What if static friction is above kinetic?",
     "motions-on-a-surface": "What changes on a surface?",
     "stuck-ellipses": "What becomes of the critical energy there?",
 }
 """What is often asked, by the row that answers it."""
 NUMBERS = "In balls every printed digit is proved, and so is the order of events. In float64 a bound of its error stands beside it, which is tested and not proved; on a surface it is proved."
+WITHOUT = "On two solvers, exact algebra, enclosures and written inferences, as the row's weakest step says: every claim of the paper is decided so, too, and its row says that the kernel was not run. A theorem past the paper that needs the kernel is unchecked then, never passed. What each kind of step guarantees: `trust`."
 DRAWN = "`python -m numerics solve velocities --plot velocities.svg` solves its scene and draws it; `python -m numerics scenes` lists the others. What forward Euler makes of it: `euler-reproduces-figures`."
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
@@ -233,13 +234,14 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         yield "Which claims fail, and what are the counterexamples?", f"{some}."
     for name, question in ASKED.items():
         if name in shown:
-            yield question, f"{in_short(shown[name])} All of it: `{name}`; weakest step: {kind(shown[name])}."
+            yield question, _answered(shown[name])
     if "forced-contraction" in shown:
         text = f"Theorem `uniqueness` of the kernel: {CITED['uniqueness'][1]} Under a force, with existence: `forced-contraction`."
         yield "Is the motion from a start the only one, and where is that proved?", text
     if any(row.kernel for row in shown.values()):
         text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. The rows that need it: type kernel into the search above all rows."
         yield "What does the kernel prove, and with which axioms?", text
+        yield "What does `holds` rest on without the kernel?", WITHOUT
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."
     if any(row.claim.kind is Kind.THEOREM for row in shown.values()):
@@ -258,6 +260,15 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         "Does the paper's version on arXiv say the same?",
         f"Not known. {source.PREPRINT[:1].upper()}{source.PREPRINT[1:]}: see `provenance`.",
     )
+
+
+def _answered(row: Row) -> str:
+    """Return what a row says in short, the paper's sentence where it holds as written, and where the proof is."""
+    holds = row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.HOLDS
+    said = f"The paper says {place(row.claim)}: {row.claim.statement} It holds. " if holds else ""
+    names = dict.fromkeys(name for one in (*row.claim.clauses, *row.claim.correction) for name in one.kernel)
+    kernel = f", in the kernel {', '.join(f'`{name}`' for name in names)}" if names else ""
+    return f"{said}{in_short(row)} Proof: `{row.claim.id}`{kernel}; weakest step: {kind(row)}."
 
 
 def new(rows: Sequence[Row]) -> Section:

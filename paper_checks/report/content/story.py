@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping
+from itertools import chain
 
 from paper_checks.decide import kernel
 from paper_checks.decide.exhibit import ENGINE as EXHIBITED
@@ -38,16 +39,17 @@ def _story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str])
         yield Paragraph(f"This differs from the verdict on record, {row.claim.recorded.value}.", "Attention", True)
     if text := _decisive(row):
         yield Paragraph(text, "Decisive step", True)
-    texts = {
-        "Why": finding.reason,
-        "Counterexample": finding.counterexample,
-        "What is true": finding.corrected,
-        "Missing for a proof": finding.missing,
+    texts: dict[str, list[str | None]] = {
+        "Why": [finding.reason],
+        "Counterexample": [finding.counterexample],
+        "What is true": _corrected(row),
+        "Missing for a proof": [finding.missing],
     }
-    yield from (Paragraph(text, label) for label, text in texts.items() if text)
+    for label, parts in texts.items():
+        yield from (Paragraph(text, label if text is parts[0] else "") for text in parts if text)
     yield from (Paragraph(text, "Open") for text in row.open)
     yield from _picture(row, elsewhere)
-    if symbols := notation.used([row.claim.statement, *filter(None, texts.values())], row.claim.id):
+    if symbols := notation.used([row.claim.statement, *filter(None, chain(*texts.values()))], row.claim.id):
         yield Folded("Symbols", (notation.table(symbols, "", anchored=False),))
     yield from _folded(row, common)
     yield Code(f"python -m paper_checks run {row.claim.id}")
@@ -62,6 +64,17 @@ def _statement(row: Row) -> Iterator[Block]:
     several = len(row.claim.clauses) > 1
     for number, clause in enumerate(row.claim.clauses, start=1):
         yield Paragraph(displayed(clause), f"({number}) {clause.id.replace('-', ' ')}" if several else "Theorem")
+
+
+def _corrected(row: Row) -> list[str | None]:
+    """Return the nearest true statement, a paragraph for each clause that ends a sentence; none where nothing is corrected."""
+    if row.finding.corrected != row.claim.corrected:
+        return [row.finding.corrected]
+    paragraphs = [""]
+    for clause in row.claim.correction:
+        paragraphs[-1] += " " * bool(paragraphs[-1]) + displayed(clause)
+        paragraphs += [""] * clause.text.endswith(".")
+    return [*paragraphs]
 
 
 def displayed(clause: Clause) -> str:

@@ -96,7 +96,7 @@ def _model() -> Iterator[Block]:
 
 
 def _regimes() -> Iterator[Block]:
-    yield Heading("Stuck, with stops, or without a stop", "regimes-under-a-sine")
+    yield Heading("Stuck, in between, or without a stop", "regimes-under-a-sine")
     yield Paragraph(
         "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
         "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
@@ -146,8 +146,8 @@ def _tracking() -> Iterator[Block]:
     found = track(load_scene("at-rest"), load_reference("s-curve"))
     yield Heading("What body 2 can follow", "what-body-2-can-follow")
     yield Paragraph(
-        "Body 2 can follow a reference, from a suitable start of body 1, exactly if the reference never asks for more acceleration than $b/m_2$ and starts with the place and the velocity of body 2 (`trackable-references`). The pair then "
-        "sticks, and one force does it:" + _formula("trackable-references", "force", "force")
+        "Body 2 can follow a reference, from a suitable start of body 1, exactly if the reference never asks for more acceleration than $b/m_2$ and starts with the place and the velocity of body 2 (`trackable-references`). A pair that "
+        "sticks does it, under one force:" + _formula("trackable-references", "force", "force")
     )
     yield Paragraph(
         f"The reference in the picture asks for {rounded(100 * found.share, 1)} % of the friction that there is."

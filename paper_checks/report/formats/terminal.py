@@ -14,7 +14,7 @@ from rich.text import Text
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, Subject
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.content.phrases import OUTCOMES, first_sentence, is_new_theorem, kind, speaker
+from paper_checks.report.content.phrases import OUTCOMES, in_short, is_new_theorem, kind, speaker
 from paper_checks.report.mathematics.prose import plain
 from paper_checks.running.runner import Row
 
@@ -27,6 +27,8 @@ STYLES = {
 }
 
 
+ROOM_FOR_PLACES = 8
+"""Columns that have to be left for the places; in fewer there would be nothing but dots."""
 ROOM_FOR_REASONS = 120
 """Columns from which on the table carries the reasons too; below, it would fold them into ribbons."""
 
@@ -36,7 +38,7 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
     if len(rows) == 1:
         _print_story(console, rows[0])
     else:
-        console.print(_table(rows, console.width >= ROOM_FOR_REASONS, times))
+        console.print(_table(rows, console.width, times))
         _print_findings(console, rows)
     for row in rows:
         if not row.as_recorded and row.finding.verdict is not Verdict.UNCHECKED:
@@ -87,17 +89,23 @@ def _coloured(verdict: Verdict) -> Text:
     return Text(verdict.value, STYLES[verdict])
 
 
-def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
-    """Ids, verdicts and kinds keep their width; places are cut to what is left, reasons fold."""
-    table = _empty_table("claim", "verdict", "established by")
-    table.add_column("where", ratio=1)
+def _table(rows: Sequence[Row], width: int, times: bool) -> Table:
+    """Ids, verdicts and kinds keep their width; places are cut to what is left, or left out; reasons fold."""
+    titles = "claim", "verdict", "established by"
+    table = _empty_table(*titles)
+    lines = [titles, *((one.claim.id, one.finding.verdict.value, kind(one)) for one in rows)]
+    places = width - sum(max(map(len, column)) + 2 for column in zip(*lines, strict=True)) >= ROOM_FOR_PLACES
+    if places:
+        table.add_column("where", ratio=1)
+    reasons = width >= ROOM_FOR_REASONS
     if reasons:
         table.add_column("reason", ratio=3)
     if times:
         table.add_column("seconds", justify="right", no_wrap=True)
     for row in rows:
-        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row)), _cut(row.claim.where)]
-        cells += [Text(plain(first_sentence(row.finding.reason)))] if reasons else []
+        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row))]
+        cells += [_cut(row.claim.where)] if places else []
+        cells += [Text(plain(in_short(row)))] if reasons else []
         cells += [Text(f"{row.seconds:.1f}")] if times else []
         table.add_row(*cells)
     return table
@@ -108,7 +116,7 @@ def _print_findings(console: Console, rows: Sequence[Row]) -> None:
     console.print()
     for row in rows:
         if row.finding.verdict is not Verdict.HOLDS or is_new_theorem(row):
-            reason = plain(first_sentence(row.finding.reason))
+            reason = plain(in_short(row))
             console.print(Text.assemble((row.claim.id, "bold"), " ", _coloured(row.finding.verdict)))
             console.print(Padding(Text(reason), (0, 0, 0, 2)))
     console.print()

@@ -49,7 +49,7 @@ def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
         return
     with high.context():
         assert [(one.before, one.after) for one in found.events] == [(one.before, one.after) for one in high.events]
-        for one, two in zip(found._points(), high._points(), strict=True):
+        for one, two in zip(found._points, high._points, strict=True):
             assert one[0].overlaps(two[0])
             assert all(x.overlaps(y) for p, q in zip(one[1], two[1], strict=True) for x, y in zip(p, q, strict=True))
 

@@ -90,7 +90,7 @@ def test_what_a_bound_says_holds_at_more_digits(scene):
     with high.context():
         for one, two in zip(low.events, high.events, strict=True):
             assert all(x.overlaps(y) for x, y in zip(one.direction, two.direction, strict=True))
-        for one, two in zip(low._points(), high._points(), strict=True):
+        for one, two in zip(low._points, high._points, strict=True):
             assert one[0].overlaps(two[0])
             assert all(x.overlaps(y) for p, q in zip(one[1], two[1], strict=True) for x, y in zip(p, q, strict=True))
             size = max(float(abs(x)) for p in two[1] for x in p) + 1e-9

@@ -4,13 +4,14 @@ import csv
 import io
 import json
 import pickle
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
 from numerics import load_scene, solve
 from numerics.__main__ import main
-from numerics.errors import InvalidFile
+from numerics.errors import InvalidFile, InvalidScene
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene.file import parse_scene
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -116,6 +117,30 @@ def test_arrays_and_data_frame_have_the_numbers_of_the_run(turning, tmp_path, ca
 def test_what_only_a_line_has_is_refused_in_a_sentence(flags, capsys):
     assert main(["solve", "plane-circle-merges", *flags.split()]) == 2
     assert "knows a line only" in capsys.readouterr().err
+
+
+def test_a_run_that_was_cut_off_is_drawn_to_its_end():
+    run = solve(load_scene("plane-slip-turns"), max_events=1)
+    assert len(run.plot().lines) == 2 * len(run.modes)
+    end = float(run.end_time.mid())
+    assert abs(run.sol(end) - run.y[:, -1]).max() < 1e-6
+    with pytest.raises(ValueError, match="is outside of the run"):
+        run.sol(end + 1e-5)
+
+
+def test_states_have_the_shape_of_the_times(turning):
+    times = [[0, 0.25, "1/3"], [0.5, 0.75, 1]]
+    found = turning.sol(times)
+    assert found.shape == (12, 2, 3)
+    assert all((found[:, i, j] == turning.sol(times[i][j])).all() for i in range(2) for j in range(3))
+    assert turning.sol([]).shape == (12, 0)
+
+
+def test_a_scene_that_no_file_holds_is_compared_and_pickled_all_the_same():
+    run = solve(PlaneScene(ROUND.pair, 2, v1=[Fraction(6, 100) + Fraction(1, 7**1500), "0.01"]))
+    assert pickle.loads(pickle.dumps(run)) == run
+    with pytest.raises(InvalidScene, match="at most 1000 are read"):
+        run.save("run.npz")
 
 
 def test_it_is_drawn_and_filmed(turning, tmp_path):

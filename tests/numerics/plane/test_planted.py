@@ -134,6 +134,27 @@ def test_what_slips_moves_body_2_while_an_event_is_late():
         assert near.x2[0].rad() < 1e-5
 
 
+def test_when_a_stick_ends_is_off_as_much_as_the_worst_start_makes_it_and_no_more():
+    """w = M2 (M1+M2)^-1 B^-2 Lam: q1 by -w and v by -(M1+M2)^-1 A1 w move |B^-1 Lam|^2 most."""
+    a1, a2 = [[30, 10], [10, 20]], [[200, 60], [60, 120]]
+    pair, rising = PlanePair([1, 2], ["0.5", 1], a2, ["0.5", "0.05"], a1), [Force([Piece(0, ["0.38", 20])])]
+    scene, off = PlaneScene(pair, "0.05", x1=["-0.006", "0.0028"], force=rising), 1e-9
+    said_of = said(scene, off)[0][0]
+    w = [float(load.mid()) / 3 / float(b) ** 2 for load, b in zip(said_of.load, pair.b, strict=True)]
+    damped = [sum(a * x for a, x in zip(row, w, strict=True)) for row in a1]
+    slow = [x / m for x, m in zip(damped, (1.5, 3), strict=True)]
+    size = sum(a * x * y for row, x in zip(a2, w, strict=True) for a, y in zip(row, w, strict=True))
+    part = off / math.sqrt(size + sum(x * y for x, y in zip(slow, damped, strict=True)))
+
+    def shift(side):
+        v = [Fraction(-side * part * x) for x in slow]
+        x1 = [x - Fraction(side * part * y) for x, y in zip(scene.x1, w, strict=True)]
+        (event,), *_ = said(changed(scene, x1=x1, v1=v, v2=v))
+        return float(abs(event.t.mid() - said_of.t.mid()) / said_of.t.rad())
+
+    assert 0.9 < shift(1) < 1 < shift(1.2)
+
+
 @pytest.mark.parametrize(("error", "off"), [("0.01", None), ("0.004", 0.004)])
 def test_a_root_counts_where_the_function_surely_falls_below_0(error, off):
     """1 - 1.005 x comes to -0.005: what it gives to 0.01 may stay positive."""

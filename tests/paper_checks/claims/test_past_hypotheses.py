@@ -1,20 +1,44 @@
 """What a theorem leaves out fails: a counterexample for each hypothesis that a sentence once lacked."""
 
+import inspect
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from numerics import Force, Friction, Mode, Pair, Piece, PlanePair, PlaneScene, Scene, Sine, State, load_scene, solve
+from numerics import (
+    Force,
+    Friction,
+    Mode,
+    Pair,
+    Piece,
+    PlanePair,
+    PlaneScene,
+    Scene,
+    Sine,
+    State,
+    load_scene,
+    solve,
+    thresholds,
+)
 from paper_checks import explore
-from paper_checks.claims import claim_named, onset, tolerance
+from paper_checks.claims import claim_named, entrainment, onset, tolerance
 from paper_checks.proofs.cited import CITED
+from paper_checks.report.content import under_a_force
+
+NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
 
 
 def sentence(row, clause):
     claim = claim_named(row)
     return next(one.text for one in (*claim.clauses, *claim.correction) if one.id == clause)
+
+
+def reason(row):
+    """Return the words of a row's module with its line breaks taken away: the case itself would take seconds."""
+    return " ".join(inspect.getsource(claim_named(row).case).split())
 
 
 def page(name):
@@ -101,6 +125,17 @@ def test_below_resonance_body_2_may_be_carried_away():
     assert "body 2 may be carried away" in sentence("forced-resonance-bound", "bounded")
 
 
+def test_a_motion_that_never_stops_may_do_with_less_than_two_turns_need():
+    """At a fifth of U** = 5.18 N: six turns a period, friction's third harmonic being at the frequency of body 1."""
+    scene = replace(entrainment.LIGHT, until=40)
+    late = [event.after for event in solve(scene).events if event.t > 40 - 2 * math.pi / 10]
+    assert late in (3 * [Mode.SLIP_MINUS, Mode.SLIP_PLUS], 3 * [Mode.SLIP_PLUS, Mode.SLIP_MINUS])
+    assert thresholds(scene.pair, 10).non_stop > 5
+    assert "A motion that turns more often may do with less" in sentence("entrainment-threshold", "more-turns")
+    stops = solve(replace(scene, force=Force.sine("0.02", 10))).events
+    assert any(event.after == Mode.STICK for event in stops if event.t > 40 - 2 * math.pi / 10)
+
+
 def test_no_level_of_the_energy_decides_under_a_friction_that_varies_in_time():
     """Omega = 1, L = b; b is 2 N near each half turn of the stuck pair, else 1 N: of one energy, one start sticks."""
     half_turns = [str(round(n * math.pi + side, 6)) for n in range(12) for side in (1.1, math.pi - 1.1)]
@@ -185,6 +220,27 @@ def test_a_slip_on_a_surface_may_end_at_the_rate_0():
     assert "if $|\\Lambda|<b$" in sentence("stuck-ellipses", "lands")
 
 
+def test_a_slip_on_a_surface_that_is_not_straight_may_end_against_the_load():
+    """All constants 1: followed back from s = 0 at x1 = (0.8, 0), v = (0, 1), where it meets the load head-on."""
+
+    def rates(state):
+        first, second = state[2:4], state[4:6]
+        friction = (first - second) / np.linalg.norm(first - second)
+        return np.concatenate([first, -state[:2] - friction, friction])
+
+    step = 1e-3
+    state = np.array([0.8, -step, 1.4 * step, 1, -1.4 * step, 1])  # s = 2 (|Lambda| + 1) times the time left, along x
+    for _ in range(700):  # Runge and Kutta, back in time
+        k1 = rates(state)
+        k2 = rates(state - step / 2 * k1)
+        k3 = rates(state - step / 2 * k2)
+        k4 = rates(state - step * k3)
+        state = state - step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    x, y = state[2:4] - state[4:6]
+    assert math.atan2(y, x) < -0.19  # so it turns by 11 degrees until it ends along +x, the load being (-0.4, 0)
+    assert "But for exceptions, exactly straight slips among them" in page("surface.html")
+
+
 def landing(share, excess):
     """Return y = w/q at the first re-entry of a pair with r = share that left a ray with y = excess; by bisection."""
     q, gap, push = 1 - share, 0.0, math.sqrt(excess)
@@ -207,9 +263,7 @@ def test_at_the_critical_share_more_than_one_energy_merges_in_the_end():
     merging = ((angle - math.sin(angle)) / (1 - math.cos(angle))) ** 2
     assert landing(share, merging) == pytest.approx(0, abs=1e-12)
     assert landing(share, 25) < merging < landing(share, 36)
-    assert "at $r^*$ it does from some energies" in (
-        Path(__file__).parents[3] / "notebooks" / "past_the_paper.py"
-    ).read_text(encoding="utf-8")
+    assert "at $r^*$ it does from some energies" in NOTEBOOKS.joinpath("past_the_paper.py").read_text(encoding="utf-8")
 
 
 def late_rest(share, count):
@@ -235,3 +289,49 @@ def test_the_lower_bound_of_the_rest_needs_its_factor():
     fallen = late_rest(0.01, 8000) - late_rest(0.02, 4000)
     assert fallen == pytest.approx(math.pi * integral * (100 - 50), rel=0.05)
     assert "The lower one does" in " ".join(claim_named("rate-with-error").open)
+
+
+def test_a_body_1_that_is_but_a_little_lighter_never_merges_by_one_slip():
+    """For q = m1/M from 0.4422 to 1/2 no slip from a ray ends below E_cr: (h/c)^2 >= r^* > 1 - q."""
+    angle = np.linspace(1e-2, 2 * math.pi - 1e-2, 10_000)
+    rise, depth = (angle - np.sin(angle)) / (1 - np.cos(angle)), 2 - angle / np.tan(angle / 2)
+    assert np.min((rise / depth) ** 2) == pytest.approx(0.557839, abs=1e-6)
+    assert "m_1/m_2<0.7926" in NOTEBOOKS.joinpath("one_over_t_law.py").read_text(encoding="utf-8")
+
+
+def test_body_2_follows_at_the_limit_of_friction_while_the_pair_slips():
+    """x_ref = t^2/2 asks for b/m2 = 1: under 10 N body 1 runs ahead all the second, and body 2 follows exactly."""
+    run = solve(Scene(Pair(m1=1, m2=1, a2=1, b=1), State(), until=1, force=Force.step(0, 10)))
+    assert run.modes == (Mode.SLIP_PLUS,)
+    assert run.sol([0.5, 1])[2:].astype(float) == pytest.approx(np.array([[0.125, 0.5], [0.5, 1]]))
+    assert "A pair that sticks does it" in "".join(Path(under_a_force.__file__).read_text().split('"\n        "'))
+
+
+def test_without_a_damper_a_free_oscillation_may_die_beside_a_reference():
+    """The stuck response to U_* = 1.75 N: at each of its peaks whatever is added breaks the pair, and is worn down."""
+    force = Force([Piece(0, (), (Sine("1.75", 2),))])
+    stuck, other = (
+        solve(Scene(Pair(m1=1, m2=1, a2=1, b=1), State(x1=start, v1="-0.5", v2="-0.5"), until=300, force=force))
+        for start in (0, "0.3")
+    )
+    assert stuck.modes == (Mode.STICK,)
+    apart = np.linalg.norm((other.sol([0, 100, 300]) - stuck.sol([0, 100, 300])).astype(float)[[0, 1, 3]], axis=0)
+    assert apart[1] < apart[0] / 2
+    assert apart[2] < apart[0] / 4
+    assert "without a damper a free oscillation may stay" in reason("damping-for-tracking")
+
+
+@pytest.mark.parametrize(
+    ("row", "needed"),
+    [
+        ("forced-no-zeno", "without end in a bounded time"),  # u = 0 is analytic, and Fig. 5 (a) has no last event
+        ("merging-bands", "For three mass ratios"),  # m1 > 0.7927 m2 merges from no energy on S0 above E_cr
+        ("merging-set", "If body 2 is heavy enough"),  # the same
+        ("uniform-rate", "over all trajectories that never merge"),  # what the kernel's theorem is about
+        ("rate-one-over-t", "over all with one $E(0)$ that never merge"),
+        ("varying-interface", "without jumps, with bounded slopes, a start still has one motion"),  # b_s > b_k
+        ("varying-interface", "without a force friction that stays above"),  # non-stop motions slip for ever
+    ],
+)
+def test_a_reason_keeps_what_it_once_left_out(row, needed):
+    assert needed in reason(row)

@@ -78,6 +78,8 @@ def test_the_second_tab_is_reached_and_used_by_the_keyboard(found):
     assert said["Ellipse: creeps"].startswith("Not merged yet")
     assert "constant speed 4 L" in said["Goes round: slips"]
     assert found["dragged"] == ["0.5", "0.25", True]
+    assert found["scrolled"] == [False, "0.5", "0.25"]  # a finger away from every handle scrolls the page
+    assert found["taken"] == [True, "0.5", "0.35"]
     assert found["pushed"] == pytest.approx([0.55, 0.25])
     assert found["turned-force"] == pytest.approx(5)
     assert [*map(float, found["thrown"])] == pytest.approx([0.5, 0.25, 1, -1], abs=0.05)

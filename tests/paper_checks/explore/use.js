@@ -76,14 +76,27 @@ const typed = (name) => document.querySelector(`#explore-above [data-name="${nam
 found.above = all("[data-above]").map((button) => { button.click(); return [button.textContent, by("above-regime").textContent]; });
 all("[data-above]")[0].click();
 const canvas = by("above-picture"), place = inertialPair.placeAbove;
-const at = (kind, [offsetX, offsetY]) => {
-  const event = new PointerEvent(kind, { pointerId: 1, bubbles: true });
+const at = (kind, [offsetX, offsetY], pointerType = "mouse") => {
+  const event = new PointerEvent(kind, { pointerId: 1, bubbles: true, pointerType });
   Object.defineProperties(event, { offsetX: { value: offsetX }, offsetY: { value: offsetY } });
   canvas.dispatchEvent(event);
 };
 canvas.setPointerCapture = () => {};
 canvas.hasPointerCapture = () => true;
 at("pointerdown", place([1.01, 0]));
+at("pointermove", place([0.5, 0.25]));
+at("pointerup", place([0.5, 0.25]));
+const finger = (point) => {
+  at("pointerdown", place(point), "touch");
+  const touch = new Event("touchstart", { bubbles: true, cancelable: true });
+  canvas.dispatchEvent(touch);
+  at("pointermove", place([point[0], point[1] + 0.1]), "touch");
+  at("pointerup", place(point), "touch");
+  return [touch.defaultPrevented, typed("x"), typed("y")];
+};
+found.scrolled = finger([-0.5, -0.5]);
+found.taken = finger([0.5, 0.25]);
+at("pointerdown", place([0.5, 0.35]));
 at("pointermove", place([0.5, 0.25]));
 at("pointerup", place([0.5, 0.25]));
 found.dragged = [typed("x"), typed("y"), all("#explore-above [aria-pressed=true]").length === 0];

@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.output import files, finished
+from paper_checks.report.output import command_line, files, finished
 from paper_checks.report.output.finished import Finished, name_of
-from paper_checks.reporting import command_line
 from paper_checks.running.graph import proofs
 
 

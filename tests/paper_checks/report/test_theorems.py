@@ -13,8 +13,9 @@ from paper_checks.evidence.clause import Clause, Formula
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.report.content import opening
+from paper_checks.report.content.blocks import Paragraph
 from paper_checks.report.content.document import document
-from paper_checks.report.content.story import displayed
+from paper_checks.report.content.story import displayed, story
 from paper_checks.report.formats import html, latex
 from paper_checks.report.formats import json as json_report
 from paper_checks.report.formats.terminal import print_rows
@@ -30,9 +31,9 @@ def theorem():
     return Row(claim, Finding(Verdict.HOLDS, "The limit is one. It is.", (PROVED,)))
 
 
-def printed(rows):
+def printed(rows, width=80):
     stream = io.StringIO()
-    print_rows(Console(file=stream, width=80, highlight=False), rows)
+    print_rows(Console(file=stream, width=width, highlight=False), rows)
     return stream.getvalue()
 
 
@@ -51,6 +52,18 @@ def test_a_long_formula_of_a_theorem_has_its_own_line():
     long, short = "x+" * 40 + "y", "x"
     shown = displayed(Clause("one", "Then «far», and «near».", {"far": formula(long), "near": formula(short)}))
     assert shown == f"Then $${long}=1,$$ and $x=1$."
+
+
+def test_a_correction_has_a_paragraph_for_each_clause_that_ends_a_sentence(theorem):
+    parts = Clause("a", "One, «far»;", {"far": formula("x+" * 40)}), Clause("b", "two."), Clause("c", "Three.")
+    claim = Claim("wrong", "III", "(1)", "All.", Verdict.HOLDS_CORRECTED, correction=parts)
+    steps = theorem.finding.evidence[0].as_counterexample(), theorem.finding.evidence[0].as_correction()
+    found = Finding(Verdict.HOLDS_CORRECTED, "No.", steps, claim.corrected, "None.")
+    told = [(one.label, one.text) for one in story(Row(claim, found), {}) if isinstance(one, Paragraph)]
+    assert told[-2:] == [("What is true", f"One, $${'x+' * 40}=1;$$ two."), ("", "Three.")]
+    found = replace(found, corrected="Some.")
+    told = [(one.label, one.text) for one in story(Row(claim, found), {}) if isinstance(one, Paragraph)]
+    assert told[-1] == ("What is true", "Some.")
 
 
 def formula(left):
@@ -94,6 +107,12 @@ def test_the_source_of_the_appendix_says_whose_they_are(rows, theorem):
 def test_the_terminal_tells_them_too(rows, theorem):
     assert "The limit is one." in printed([*rows, theorem])
     assert "Theorem, past the paper: x=1 for all q." in printed([theorem])
+
+
+def test_the_terminal_says_what_is_true_and_leaves_out_places_where_dots_would_stand(theorem):
+    read = replace(theorem, finding=replace(theorem.finding, reason="Read as: for ever. It is. So."))
+    assert "\n  It is." in printed([read, theorem])
+    assert ("where" in printed([read, theorem]), "where" in printed([read, theorem], 39)) == (True, False)
 
 
 def test_the_terminal_says_why_the_kernel_was_not_run_and_what_to_do(theorem):

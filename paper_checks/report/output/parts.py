@@ -11,11 +11,10 @@ from dataclasses import dataclass
 from numerics.trade.recorded import Trade
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.drawing.style import Figures
-from paper_checks.report.content import under_a_force
+from paper_checks.report.content import speed, under_a_force
 from paper_checks.report.content.blocks import Section
 from paper_checks.report.output.pictures import Undrawn, drawn
 from paper_checks.running import processes
-from paper_checks.speed import section
 
 LONGEST = ("merging-map", "euler-convergence", "work-precision")
 """Figures that take longest, the longest first: it stands at the end, as processes begin at both ends."""
@@ -43,12 +42,12 @@ Made = Section | bytes | Undrawn
 
 def chapters(trade: Trade) -> dict[str, Callable[[], Section]]:
     """Return how the chapters after the rows are made, by anchor, in their order."""
-    return {under_a_force.ID: under_a_force.section, section.ID: lambda: section.section(trade)}
+    return {under_a_force.ID: under_a_force.section, speed.ID: lambda: speed.section(trade)}
 
 
 def figures(trade: Trade) -> Figures:
     """Return how every figure is drawn, by name."""
-    return {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
+    return {**FIGURES, **under_a_force.figures(), **speed.figures(trade)}
 
 
 def made(parts: Sequence[Part], trade: Trade, jobs: int = 1) -> Iterator[tuple[Part, Made]]:

@@ -110,12 +110,14 @@ def _made(
     """Yield the files of each form that is wanted; why a figure was not drawn is added to the complaints."""
     from numerics.tasks import available_cores
     from paper_checks.claims import CLAIMS
+    from paper_checks.report.content import speed
     from paper_checks.report.content.document import document
     from paper_checks.report.formats import progress
-    from paper_checks.report.output import files  # with it comes matplotlib
+    from paper_checks.report.output import (
+        files,  # with it comes matplotlib
+        parts,
+    )
     from paper_checks.report.output.pictures import drawn, shown
-    from paper_checks.reporting import parts
-    from paper_checks.speed import section
 
     report = None if len(rows) == len(CLAIMS) else document(rows)
     figures, chapters = parts.figures(trade), () if report else tuple(map(parts.Chapter, parts.chapters(trade)))
@@ -127,7 +129,7 @@ def _made(
         for part, made in parts.made([*chapters, *drawings], trade, jobs):
             told(part.name)
             found[part] = made
-    report = report or document(rows, [found[one] for one in chapters], section.answers(trade))
+    report = report or document(rows, [found[one] for one in chapters], speed.answers(trade))
     for form in wanted:
         kind = files.FIGURES_OF[form]
         pictures = {

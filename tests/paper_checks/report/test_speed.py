@@ -9,23 +9,23 @@ from planted_trades import run, trade_of
 from numerics import load_scene
 from numerics.trade.euler import EulerFigure, EulerOutcome
 from numerics.trade.recorded import recorded
+from paper_checks.report.content import speed
 from paper_checks.report.content.blocks import Points, Section, Table
 from paper_checks.report.formats.html_blocks import HtmlWriter
 from paper_checks.report.formats.latex_blocks import LatexWriter
-from paper_checks.speed import section
 
 EULER = EulerFigure(7, (EulerOutcome(1e-2, False, -1.0, 0), EulerOutcome(1e-3, True, 2.5, 1040)))
 
 
 @pytest.fixture(autouse=True)
 def planted_euler(monkeypatch):
-    monkeypatch.setattr(section, "euler_figures", lambda: {"9": EULER})
-    monkeypatch.setattr(section, "stick_energy", lambda step: (2.0, 2.1))
+    monkeypatch.setattr(speed, "euler_figures", lambda: {"9": EULER})
+    monkeypatch.setattr(speed, "stick_energy", lambda step: (2.0, 2.1))
 
 
 def told(*runs, **more):
     """The list at the start of the chapter."""
-    return next(one for one in section.section(trade_of(*runs, **more)).blocks if isinstance(one, Points)).items
+    return next(one for one in speed.section(trade_of(*runs, **more)).blocks if isinstance(one, Points)).items
 
 
 def text_of(some: Section) -> str:
@@ -55,7 +55,7 @@ class TestWhoIsFaster:
 
     def test_each_setting_has_its_line(self):
         ours = replace_setting(run("solve", "velocities", 2e-3, 14.0), 12.0)
-        lines = [*section.lines(trade_of(ours, run("heyoka long double", "velocities", 1e-3, 18.0)))]
+        lines = [*speed.lines(trade_of(ours, run("heyoka long double", "velocities", 1e-3, 18.0)))]
         assert lines == [
             ("`solve(scene)`, without a force", "1", "1", "1", "none"),
             ("`digits=12`, without a force", "1", "0.5", "0.5", "velocities"),
@@ -83,7 +83,7 @@ def test_wrong_events_are_counted_and_ours_are_named():
 
 
 def test_the_machine_what_was_left_out_and_forward_euler_are_told():
-    text = text_of(section.section(trade_of(left_out={"heyoka": "heyoka (extra)"})))
+    text = text_of(speed.section(trade_of(left_out={"heyoka": "heyoka (extra)"})))
     assert (
         "Measured once: Abacus, 2 cores, load 0.1, Python 3.11, numpy 2. Left out: heyoka (needs heyoka (extra))."
         in text
@@ -96,22 +96,22 @@ def test_the_machine_what_was_left_out_and_forward_euler_are_told():
 
 
 def test_the_shipped_record_is_told_in_every_form():
-    whole = section.section(recorded())
+    whole = speed.section(recorded())
     tables = [one for one in whole.blocks if isinstance(one, Table)]
     assert all({len(row) for row in one.rows} == {len(one.head)} for one in tables)
     assert HtmlWriter({}, {}).section(whole).count("<table") == len(tables) == 2
     assert LatexWriter({}).section(whole).count(r"\begin{longtable}") == 2
     assert not re.search(r"\bnan\b|\bNone\b|\binf\b", text_of(whole))
-    assert set(whole.pictures) == set(section.figures(recorded()))
-    assert all("heyoka" in one or "ours wins on all" in one or "ours is" in one for one in section.answers(recorded()))
+    assert set(whole.pictures) == set(speed.figures(recorded()))
+    assert all("heyoka" in one or "ours wins on all" in one or "ours is" in one for one in speed.answers(recorded()))
 
 
 def test_every_figure_has_its_scene():
-    assert all(load_scene(name).until > 0 for name in section.EULER_SCENES.values())
+    assert all(load_scene(name).until > 0 for name in speed.EULER_SCENES.values())
 
 
 def test_hostile_texts_are_escaped():
     hostile = trade_of(left_out={"<b>&": "%_<"})
-    page = HtmlWriter({}, {}).section(Section("x", "x", tuple(section.provenance(hostile))))
+    page = HtmlWriter({}, {}).section(Section("x", "x", tuple(speed.provenance(hostile))))
     assert "<b>" not in page
-    assert r"\%\_\textless{}" in LatexWriter({}).section(Section("x", "x", tuple(section.provenance(hostile))))
+    assert r"\%\_\textless{}" in LatexWriter({}).section(Section("x", "x", tuple(speed.provenance(hostile))))

@@ -4,8 +4,8 @@ import pytest
 from dying_process import dies_of_two_bodies
 
 from numerics.trade.recorded import recorded
+from paper_checks.report.output import parts
 from paper_checks.report.output.pictures import Undrawn
-from paper_checks.reporting import parts
 
 DRAWINGS = [parts.Drawing(*one) for one in (("two-bodies", "svg"), ("force-needed", "pdf"), ("start-at-6mm", "svg"))]
 

@@ -1,0 +1,117 @@
+"""What solved scenes on a line and on a surface answer in the same words: how it ended, files, tables, equality."""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.protocol import Arithmetic
+from numerics.trajectory import export, saved
+from numerics.trajectory.status import Status
+
+Kept = tuple[dict[str, Any], dict[str, NDArray[Any]]]
+"""What a run wrote: for the header of a file, and as arrays."""
+_AT_ASKED_TIMES = {"_asked_times", "_asked_states", "_points", "energy", "energy_excess"}
+"""What depends on t_eval, and is made when it is looked at."""
+
+
+class Answer:
+    """A solved scene; two are equal if every number is."""
+
+    FORMAT: ClassVar[str]
+    """How the header of a file begins."""
+    ARITHMETICS: ClassVar[tuple[str, ...]]
+    """Those that solve such a scene."""
+    COLUMNS: ClassVar[tuple[str, ...]]
+    """What an archive of plain arrays has of numbers at `t`."""
+    EVENT_COLUMNS: ClassVar[tuple[str, ...]] = ()
+    """What an event has besides its time, its modes and its state."""
+    scene: Any
+    status: Status
+    arithmetic: Arithmetic
+    digits: int | None = None
+    """Right digits that were asked for and reached."""
+    tried: str = ""
+    """What did not answer."""
+    t_eval: Any = None
+
+    def but(self, **changed: Any) -> Self:
+        """Return the same trajectory with other `digits`, `tried` or `t_eval`."""
+        new = object.__new__(type(self))
+        new.__dict__ = {name: value for name, value in vars(self).items() if name not in _AT_ASKED_TIMES} | changed
+        new.look_up_times()
+        return new
+
+    def look_up_times(self) -> None:
+        """Raise ValueError for times in t_eval that are outside the run."""
+
+    def kept(self) -> Kept:
+        """Return what the run wrote."""
+        raise NotImplementedError
+
+    @classmethod
+    def restored(cls, scene: Any, kept: Kept) -> Self:
+        """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
+        raise NotImplementedError
+
+    def context(self) -> AbstractContextManager[object]:
+        """Return the context of the arithmetic."""
+        return self.arithmetic.context()
+
+    def floats(self, numbers: Any) -> NDArray[np.float64]:
+        """Return numbers of the arithmetic in binary64, in their shape."""
+        given = np.asarray(numbers)
+        convert = np.vectorize(self.arithmetic.to_float, otypes=[float])
+        return np.asarray(convert(given) if given.dtype == object else given)
+
+    @property
+    def success(self) -> bool:
+        """Return whether the horizon was reached, by events that are certain."""
+        return self.status.success
+
+    @property
+    def message(self) -> str:
+        """Return the sentence that says how the solve ended."""
+        return self.status.sentence
+
+    def to_csv(self, truth: Any = None) -> str:
+        """Return events and final state as CSV text, with units.
+
+        Numbers have the digits that are right. Those of mpmath do not know them: `truth`, the same scene solved in
+        balls, does. Raises ValueError without it, SequenceDiffers if the events are not the true ones.
+        """
+        return export.as_csv(export.as_record(self, truth))
+
+    def to_dataframe(self) -> Any:
+        """Return t, mode, the state and energies at `t` as a pandas DataFrame, in binary64. Raises MissingTool."""
+        return export.dataframe(self)
+
+    def save(self, file: str | Path) -> None:
+        """Write this trajectory to a file, exactly: no pickle, no digit lost. Raises OSError, InvalidScene."""
+        saved.save(self, file)
+
+    @classmethod
+    def load(cls, file: str | Path) -> Self:
+        """Return the trajectory that `save` wrote to a file. Raises OSError, InvalidFile (what is no such file)."""
+        found: Self = saved.load(file, cls)
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
+        header, arrays = saved.run_of(self)
+        return saved.unpickled, (type(self), self.scene, saved.header_text(header), arrays)
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether another trajectory answers the same scene with the same numbers."""
+        if not isinstance(other, type(self)) or self.scene != other.scene:
+            return False
+        (one, rows), (two, others) = saved.run_of(self), saved.run_of(other)
+        # as texts: a bound of an open run may be no number, which equals nothing
+        same = saved.header_text(one) == saved.header_text(two)
+        return same and [a.tobytes() for a in rows.values()] == [a.tobytes() for a in others.values()]
+
+    __hash__ = None  # type: ignore[assignment]

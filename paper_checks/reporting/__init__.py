@@ -1,1 +1,0 @@
-"""The command `report`, and what takes long in it: chapters and figures, made in processes as rows are."""
