@@ -9,12 +9,11 @@ from sympy import (
     Symbol,
     diag,
     diff,
-    factor,
     sqrt,
 )
 
 from theory.filippov import STATE, derivative_along, half_width, load_threshold, sliding_field
-from theory.fraction import in_lowest_terms
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.model import free_system, slip
 from theory.symbols import (
@@ -79,7 +78,7 @@ def level_semi_axis() -> Expr:
 @cache
 def critical_energy() -> Expr:
     """E_cr, J: the level whose semi-axis is the half width of S0."""
-    return factor(root(level_semi_axis() ** 2 - half_width() ** 2, E0))
+    return factored(root(level_semi_axis() ** 2 - half_width() ** 2, E0))
 
 
 @cache
@@ -110,7 +109,7 @@ def arc_speed_terms() -> tuple[Expr, Expr]:
     """
     square = Symbol("v^2", real=True)
     level = root(on_surface().subs(v1, sqrt(square)) - E0, square)
-    return edge_speed_squared(), factor(level - edge_speed_squared())
+    return edge_speed_squared(), factored(level - edge_speed_squared())
 
 
 @cache
@@ -122,7 +121,7 @@ def captive_energy() -> Expr:
     """
     speed_axis = sqrt(2 * E0 / diff(on_surface(), v1, 2))
     amplitude = (a2 * level_semi_axis()) ** 2 + (a1 * speed_axis) ** 2
-    return factor(root(amplitude - load_threshold() ** 2, E0))
+    return factored(root(amplitude - load_threshold() ** 2, E0))
 
 
 def other(quantity: Expr) -> Expr:
@@ -146,7 +145,7 @@ def contraction_terms() -> tuple[Expr, Expr]:
     """
     rate = contraction_rate()
     friction = rate.subs(a1, 0)
-    return factor(rate.expand() - friction.expand()), factor(friction)
+    return factored(rate.expand() - friction.expand()), factored(friction)
 
 
 @cache

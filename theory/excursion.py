@@ -118,7 +118,7 @@ def guard_factors() -> tuple[Expr, Expr]:
 @cache
 def h_slope() -> Expr:
     """h'(theta) = (2(1 - cos theta) - theta sin theta)/(1 - cos theta)^2 in combined form."""
-    return factor(on_circle(diff(h(), theta)))
+    return factored(on_circle(diff(h(), theta)))
 
 
 @cache

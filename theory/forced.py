@@ -12,7 +12,6 @@ from sympy import (
     Rational,
     Symbol,
     diff,
-    factor,
     factorial,
     sin,
     sqrt,
@@ -21,7 +20,7 @@ from sympy import (
 
 from theory.energy import energy, inner_product, other, sigma
 from theory.filippov import STATE, derivative_along
-from theory.fraction import in_lowest_terms
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, free_system, slip, stick
 from theory.symbols import a1, a2, b, m1, m2, put, t, total_mass, u, v1, v2, x1, x1_other
@@ -37,14 +36,14 @@ gap, gap_rate = symbols("y \\dot{y}", real=True)
 @cache
 def load() -> Expr:
     """Lambda, N: the friction force on body 2 that sticking needs."""
-    return factor(m2 * stick().acceleration1)
+    return factored(m2 * stick().acceleration1)
 
 
 @cache
 def coupling() -> Expr:
     """kappa, 1/kg: in slip of sign s the relative velocity has the rate kappa (Lambda - s b)."""
     found = slip(1)
-    return factor((found.acceleration1 - found.acceleration2) / (load() - b))
+    return factored((found.acceleration1 - found.acceleration2) / (load() - b))
 
 
 def relative_rate(sign: int) -> Expr:
@@ -182,7 +181,7 @@ def undamped_difference() -> tuple[Expr, Expr]:
 def breaking_damping() -> Expr:
     """The damping, N s/m, at which the stuck pair needs all of the friction at x1 = 0 and v1 > 0."""
     needed = load().subs({u: 0, x1: 0})
-    return factor(root(needed + b, a1))
+    return factored(root(needed + b, a1))
 
 
 @cache

@@ -11,7 +11,6 @@ from sympy import (
     diff,
     exp,
     expand,
-    factor,
     integrate,
     sin,
     sqrt,
@@ -21,7 +20,7 @@ from sympy import (
 from theory.energy import metric, slip_rate
 from theory.filippov import STATE, guard
 from theory.forced_response import decline, natural, swing
-from theory.fraction import in_lowest_terms
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.model import slip, stick
 from theory.scaling import stick_frequency
@@ -98,7 +97,7 @@ def middle() -> Expr:
 @cache
 def spread() -> Expr:
     """How far the place of body 2 at T can be from the middle, m."""
-    return factor((farthest() - nearest()) / 2)
+    return factored((farthest() - nearest()) / 2)
 
 
 @cache
@@ -138,7 +137,7 @@ def stuck_amplitudes() -> tuple[Expr, Expr, Expr]:
 def late_peak() -> Expr:
     """a2^2 D - a1^2 b/m2, (N/s)^2 kg: at least zero where the force of the second half has its highest point inside."""
     before = root(diff(transfer_force(False), t), t)
-    return factor(((least_time() / 2) ** 2 - before**2) * a2**2 * strongest()).expand()
+    return factored(((least_time() / 2) ** 2 - before**2) * a2**2 * strongest()).expand()
 
 
 @cache
@@ -201,7 +200,7 @@ def ring_ratio() -> Expr:
     """The square of the largest |w| in N <= 1, 1/kg: where m1 v1 + m2 v2 = 0."""
     speed = Symbol("v", positive=True)
     opposite = -m1 * speed / m2
-    return factor((speed - opposite) ** 2 / (m1 * speed**2 + m2 * opposite**2))
+    return factored((speed - opposite) ** 2 / (m1 * speed**2 + m2 * opposite**2))
 
 
 def ring_radius() -> Expr:

@@ -7,9 +7,10 @@ dimensionless, and hold for 0 < phi < pi.
 
 from functools import cache
 
-from sympy import Expr, Symbol, cos, diff, expand, factor, sin, sqrt
+from sympy import Expr, Symbol, cos, diff, expand, sin, sqrt
 
 from theory.excursion import angle, half_tangent_form
+from theory.fraction import factored
 from theory.linear import root
 from theory.symbols import h_value, theta
 
@@ -96,7 +97,7 @@ def critical_share() -> Expr:
 @cache
 def critical_mass_ratio() -> Expr:
     """m1/m2 = (1 - r*)/r* at the threshold: -cos(2 phi*), the slip angle's own cosine."""
-    return factor(root(share * (1 + h_value) - 1, h_value).subs(share, critical_share()))
+    return factored(root(share * (1 + h_value) - 1, h_value).subs(share, critical_share()))
 
 
 @cache

@@ -43,8 +43,9 @@ _SUBNORMAL, _TINY = 1e-290, 2.0**-1060
 @compilable
 def put(x: Number, row: Any, column: int) -> None:
     """Write a number to the columns of its halves."""
-    row[column] = as_float(x)
-    row[column + 1] = as_float(x - as_float(x))
+    high = as_float(x)
+    row[column] = high
+    row[column + 1] = as_float(x - high)
 
 
 @compilable

@@ -85,7 +85,7 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
             if _sign(relative, "sign of the relative velocity", n) == 0:
                 steps = contact = n
                 break
-            if all(_sign(abs(one) - width, "in the strip?", n) <= 0 for one in (before, x1)):
+            if _in_strip(before, width, n) and _in_strip(x1, width, n):
                 chatter += 1
                 adhesion = adhesion or n
         v2 = v1 - relative
@@ -131,6 +131,12 @@ class _ManySteps:
 def _sign(value: arb, question: str, step: int) -> int:
     """Return a sign that is proved; the question's whole text is made only where it is not."""
     return 1 if value > ZERO else -1 if value < ZERO else proved_sign(value, f"{question} at Euler step {step}")
+
+
+def _in_strip(x1: arb, width: arb, step: int) -> bool:
+    """Return whether |x1| <= L, proved."""
+    size = abs(x1)
+    return size <= width or _sign(size - width, "in the strip?", step) <= 0
 
 
 @cache

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from paper_checks.evidence.claim import Claim
 from paper_checks.proofs.library import build
-from paper_checks.running import early, plain, runner, workers
+from paper_checks.running import early, plain, runner
 from paper_checks.running.kept import Kept
 from paper_checks.running.runner import Context
 
@@ -83,6 +83,8 @@ def _decided(claims: Sequence[Claim], context: Context, jobs: int, progress: Pro
             progress.begun(claim)
             yield runner.run([claim], context)[0]
         return
+    from paper_checks.running import workers
+
     early.begin()
     build(progress.compiled, jobs)  # once, before the processes ask for it
     named = {claim.id: claim for claim in claims}
