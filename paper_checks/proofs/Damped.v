@@ -87,9 +87,7 @@ Qed.
 
 (** the speed is the place's derivative *)
 Lemma derive_swing t : is_derive damped_swing t (damped_swing' t).
-Proof.
-  pose proof od_pos. unfold damped_swing, damped_swing'. auto_derive; auto. unfold Q. field; lra.
-Qed.
+Proof. pose proof od_pos. unfold damped_swing, damped_swing'. auto_derive; auto. unfold Q. field; lra. Qed.
 (** and it obeys the law of motion under the push 1 *)
 Lemma derive_swing' t : is_derive damped_swing' t ((1 - a1 * damped_swing' t - a2 * damped_swing t) / m1).
 Proof.

@@ -31,9 +31,7 @@ Qed.
 
 (** at D = c it is the level after an excursion from a ray *)
 Lemma parabola_ray p : 0 < p < PI -> parabola p (depth p) = hh p ^ 2 - r * depth p ^ 2.
-Proof.
-  intros Hp. pose proof (half_depth p Hp) as I. unfold parabola, r. rewrite <- I. ring.
-Qed.
+Proof. intros Hp. pose proof (half_depth p Hp) as I. unfold parabola, r. rewrite <- I. ring. Qed.
 
 (** where k^2 + 2 q >= 1 it rises from there on *)
 Lemma parabola_rises p D : 0 < p < PI -> 1 <= ct p ^ 2 + 2 * q -> depth p <= D ->

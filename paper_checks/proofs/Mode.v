@@ -20,8 +20,8 @@ Let w t := v1 t - v2 t.
 Definition load t := m2 * (u t - a2 * x t - a1 * v1 t) / (m1 + m2).
 
 (** it is continuous where the force is: among the times Q near t0 *)
-Lemma load_near (Q : R -> Prop) e : 0 < e -> (forall e, 0 < e -> exists d, 0 < d /\ forall q, Q q -> Rabs (q - t0)
-  < d -> Rabs (u q - u t0) <= e) ->
+Lemma load_near (Q : R -> Prop) e : 0 < e ->
+  (forall e, 0 < e -> exists d, 0 < d /\ forall q, Q q -> Rabs (q - t0) < d -> Rabs (u q - u t0) <= e) ->
   exists d, 0 < d /\ forall q, 0 <= q -> Q q -> Rabs (q - t0) < d -> Rabs (load q - load t0) <= e.
 Proof.
   intros He Cq. assert (Mp : 0 < M) by positive. set (k := 1 + a2 + a1). assert (Kp : 0 < k) by (unfold k; lra).
@@ -178,7 +178,7 @@ Proof.
 Qed.
 
 (** *** The motion with that acceleration is one under the impulse Ut of a force, with the load at the edge.
-The two are as far apart as the forces: by the integral of what the force asks beyond b. *)
+    The two are as far apart as the forces: by the integral of what the force asks beyond b. *)
 Let xt k t := x t0 + v1 t0 * (t - t0) + k * (b / m2) * (t - t0) ^ 2 / 2.
 Let vt k t := v1 t0 + k * (b / m2) * (t - t0).
 Let Ut k t := m1 * vt k t + b * (k * t) + a1 * xt k t
@@ -216,8 +216,8 @@ Lemma given_back g k T : g = 1 \/ g = -1 -> k = 1 \/ k = -1 -> t0 <= T <= t0 + d
 Proof.
   intros Hg Hk HT H1 Sg. assert (Start : asked g k t0 = 0) by (unfold asked; ring).
   assert (Up : forall r t, t0 <= r <= t -> t <= T -> asked g k r <= asked g k t).
-  { intros r t Hr Ht. apply Ropp_le_cancel. apply (rderiv_mono (fun t => - asked g k t)
-      r t (fun t => - (g * beyond k t)));
+  { intros r t Hr Ht. apply Ropp_le_cancel.
+    apply (rderiv_mono (fun t => - asked g k t) r t (fun t => - (g * beyond k t)));
       [apply cont_opp, cont_asked; auto|lra|]. intros q Hq. specialize (Sg q ltac:(lra)).
     split; [apply rderiv_opp, asked_rate; auto; lra|lra]. }
   assert (Lead : forall t, t0 <= t <= T -> Rabs (lead k t) <= asked g k T / m1).

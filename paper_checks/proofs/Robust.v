@@ -93,9 +93,7 @@ Proof. exact (free_decreases _ _ _ _ _ Hm1 Hm2 Ha1 Hk _ _ _ _ _ jumping_moves r 
 
 (** what the energy bounds *)
 Lemma root_bound y c e : 0 < c -> c * y ^ 2 / 2 <= e -> Rabs y <= sqrt (2 * e / c).
-Proof.
-  intros Hc Q. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. undivide c. lra.
-Qed.
+Proof. intros Hc Q. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. undivide c. lra. Qed.
 
 (** the load changes slowly *)
 Lemma load_lip r t : 0 <= r <= t -> Rabs (ld t - ld r) <= C * (t - r).
@@ -129,9 +127,7 @@ Proof.
 Qed.
 
 Let C0 : 0 <= C.
-Proof.
-  pose proof (load_lip 0 1 ltac:(lra)) as L. pose proof (Rabs_pos (ld 1 - ld 0)). lra.
-Qed.
+Proof. pose proof (load_lip 0 1 ltac:(lra)) as L. pose proof (Rabs_pos (ld 1 - ld 0)). lra. Qed.
 Let Dp : 0 < (bs - bk) * sqrt (a2 / m1).
 Proof. apply Rmult_lt_0_compat; [lra|]. positive. Qed.
 Let H0 : 0 < h0. Proof. unfold h0, least_slip. fold C. positive. Qed.

@@ -198,9 +198,7 @@ End Spells.
 (** rational numbers; their sines are not asked for *)
 Definition rational := Arith 0%Q Qplus Qminus Qmult Qdiv Qopp (fun q => q) (fun q => q).
 Lemma in_R_padd l : forall k, map Q2R (padd rational l k) = padd real (map Q2R l) (map Q2R k).
-Proof.
-  induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto.
-Qed.
+Proof. induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto. Qed.
 Lemma in_R_dpoly l : map Q2R (dpoly rational l) = dpoly real (map Q2R l).
 Proof.
   induction l as [|c [|d l] IH]; auto. change (dpoly rational (c :: d :: l)) with
@@ -208,9 +206,7 @@ Proof.
   rewrite RMicromega.Q2R_0. reflexivity.
 Qed.
 Lemma pval_times c l u : pval real (map Q2R (map (Qmult c) l)) u = Q2R c * pval real (map Q2R l) u.
-Proof.
-  induction l as [|d l IH]; cbn [map]; rewrite ?pval_cons, ?IH, ?Q2R_mult; [unfold pval; simpl|]; ring.
-Qed.
+Proof. induction l as [|d l IH]; cbn [map]; rewrite ?pval_cons, ?IH, ?Q2R_mult; [unfold pval; simpl|]; ring. Qed.
 (** coefficients that are all 0 *)
 Definition vanishes := forallb (Qeq_bool 0).
 Lemma vanishes_spec l u : vanishes l = true -> pval real (map Q2R l) u = 0.
@@ -776,13 +772,13 @@ Definition at_time F i := let b := swung p F i in let bs := sung p F i in fun G 
 Definition keeps K st m k' lo at_lo hi (on : bounded -> I.type) := match m with
   | Slip k => begins (how st) k (front K st m k') lo at_lo
   | Stick => let G := grips K (negb k') (path K st m) in touches (how st) &&
-      begins (held (how st) k') k' (front K st m k') lo at_lo && begins (held (how st) (negb k')) (negb k')
-        G hi (on G) end.
+      begins (held (how st) k') k' (front K st m k') lo at_lo &&
+      begins (held (how st) (negb k')) (negb k') G hi (on G) end.
 (** the state at the time t, after the time u, from the values of its waves *)
 Definition moved K st m t u (on : bounded -> I.type) h :=
   let x := on (path K st m) in let v := on (steep p (path K st m)) in match m with
-  | Slip k => let w := drive (boxes p) (numbers K) k (at_v2 st) u in State t x (if touches h then w else v)
-    (behind st w u) w h
+  | Slip k => let w := drive (boxes p) (numbers K) k (at_v2 st) u in
+      State t x (if touches h then w else v) (behind st w u) w h
   | Stick => State t match h with Edge k => edge (boxes p) (numbers K) k t v | _ => x end v
       (I.add p (at_x2 st) (I.sub p x (at_x st))) v h end.
 
@@ -1088,8 +1084,8 @@ Lemma moved_spec m it iu u on hw : 0 <= u -> has it (t + u) -> has iu u -> has (
   x (t + u) = val (pw m) u -> v1 (t + u) = val (slope (pw m)) u ->
   (forall r, 0 <= r <= u -> v2 (t + r) = match m with
     Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end) ->
-  forall B' f', (B' = B /\ f' = f \/ forall s, hw <> Edge s) -> match hw with Off => True | Touch => v1 (t + u)
-    = v2 (t + u) | Edge s => v1 (t + u) = v2 (t + u) /\
+  forall B' f', (B' = B /\ f' = f \/ forall s, hw <> Edge s) -> match hw with Off => True
+    | Touch => v1 (t + u) = v2 (t + u) | Edge s => v1 (t + u) = v2 (t + u) /\
     A2 * x (t + u) + A1 * v1 (t + u) - sval real f' (t + u) = - (sign s * (B' * (M1 + M2) / M2)) end ->
   knows B' f' (moved p K st m it iu on hw) (t + u).
 Proof.
