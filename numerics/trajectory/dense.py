@@ -188,6 +188,8 @@ class Dense:
 def exact_time(t: Any, name: str = "t") -> Fraction:
     """Return a time as an exact rational: text as a decimal, a float as its binary value. Raises ValueError."""
     try:
+        if isinstance(t, bool):
+            raise TypeError
         if hasattr(t, "as_integer_ratio"):
             return Fraction(*t.as_integer_ratio())
         return Fraction(t if isinstance(t, str) else operator.index(t))

@@ -69,8 +69,8 @@ def test_the_bounds_hold(kind, arithmetic):
     hold()
 
 
-def test_the_roundings_of_many_turns_in_one_slip_are_counted():
-    scene = Scene(Pair(1, 1, 1, 1), State(1000, 0, 0, -4000), 3000)
+def test_the_roundings_of_a_late_time_are_counted():
+    scene = Scene(Pair(1, 1, 1, 1), State(1000, 300, 0, -4000), 2987)
     found = by_name(scene)
     assert found.certain
     assert max(excesses(scene, found)) <= 1.0
