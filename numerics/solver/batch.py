@@ -18,6 +18,7 @@ Table = NDArray[np.float64]
 SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
 """The numbers of a scene, a high and a low half each in a row of SI numbers."""
 STATE = ("x1", "v1", "x2", "v2")
+_STATE = [AT[name] for name in STATE]
 _UNIT = ROUNDING["float64"]
 
 
@@ -155,7 +156,7 @@ class Batch:
     @cached_property
     def y(self) -> Table:
         """Return x1, v1, x2, v2 at the end."""
-        return np.stack([self._end(name) for name in STATE])
+        return np.where(self._gone, np.nan, self.ends[:, _STATE].T.reshape(4, *self.shape))
 
     @cached_property
     def y_error(self) -> Table:

@@ -315,8 +315,8 @@ def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tup
 
 
 def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
-    """Return the shape to which arrays and numbers broadcast. Raises ValueError, which names them."""
-    shapes = {name: array.shape for name, array in arrays.items() if not isinstance(array, float)}
+    """Return the shape to which arrays broadcast. Raises ValueError, which names them."""
+    shapes = {name: array.shape for name, array in arrays.items()}
     try:
         return np.broadcast_shapes(*{shape for shape in shapes.values() if shape})
     except ValueError:
@@ -333,8 +333,8 @@ def _is_list(given: Any) -> bool:
 
 def _has_truth_values(values: Any) -> bool:
     """Return whether there are truth values in a list, of which NumPy would make 0 and 1."""
-    if isinstance(values, list | tuple):
-        return any(map(_has_truth_values, values))
+    if isinstance(values, list | tuple):  # mostly of numbers, which their types say at once
+        return not set(map(type, values)) <= {float, int} and any(map(_has_truth_values, values))
     return isinstance(values, bool) or getattr(getattr(values, "dtype", None), "kind", "") == "b"
 
 
@@ -348,6 +348,8 @@ def _numbers(name: str, values: Any) -> Table:
             )
         # NumPy would make real numbers of complex ones, dates and truth values, too
         if given.dtype.kind in "iuf" and not _has_truth_values(values):
+            if given.dtype == np.float64:
+                return given
             with np.errstate(over="ignore"):  # of long floats; refused as inf
                 return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
