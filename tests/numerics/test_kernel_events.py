@@ -64,6 +64,21 @@ def test_errors_are_carried_by_the_flow_of_a_mode(seed, mode):
     np.testing.assert_allclose(R, expected[1], rtol=1e-6)
 
 
+@given(seeds, st.tuples(*[st.sampled_from([0.0, 1.0])] * 3))
+def test_in_stick_an_error_of_one_velocity_may_be_a_column_and_a_rest_of_two(seed, part):
+    random = np.random.default_rng(seed)
+    pair = prepare(a_scene(random), wide=False).pair
+    scale, (x, v, apart) = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), random.normal(size=3)
+    error = scale * [x, v, apart, v]
+    rest, time, E = error * [*part[:2], 0.0, part[2]], random.choice([0.0, 0.1, 1.0]), np.zeros((4, 4))
+    E[:, 0], R = error - rest, np.array([np.linalg.norm(rest), 0.0])
+    flow = np.array([moving(pair, 0, 0.0, (0.0, 0.0), time, one) for one in np.eye(4)]).T
+    carry(E, R, pair, 0, time, (flow[0, 1], flow[1, 1]), 0.0, 0.0)
+    moved = scale * (flow @ (error / scale))
+    assert np.sum(moved[[0, 1, 3]] ** 2) <= width(E, R, moved[0], moved[1], moved[3])
+    assert all(abs(moved[i]) <= box(E, R, i) for i in range(4))
+
+
 def moving(pair, mode, b, u, t, y):
     """The state (x1, v1, x2, v2) after a time in a mode under u + u' t; before it for t < 0."""
     A, mass = np.zeros((6, 6)), pair.m1 if mode else pair.mass
