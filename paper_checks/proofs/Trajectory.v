@@ -764,39 +764,39 @@ Definition behind st w u := I.add p (at_x2 st) (I.mul p (I.mul p (rat p (1 # 2))
 
 (** the wave of body 1 in a mode, and the one that ends it where it comes to 0: the guard, or the grip towards k' *)
 Definition path K st m := match m with Slip k => slides K st k | Stick => sticks K st end.
-Definition front K st m k' := match m with Slip k => guards K st k (path K st m) | Stick => grips K k' (path K st m)
-  end.
+Definition front K st m k' f := match m with Slip k => guards K st k f | Stick => grips K k' f end.
 (** the values of all waves of a phase at a time, from what one of them computes *)
 Definition at_time F i := let b := swung p F i in let bs := sung p F i in fun G => made p G i b bs.
 (** the mode lasts: until lo, where its front has the value at_lo; a stick does not end on the other side until hi *)
-Definition keeps K st m k' lo at_lo hi (on : bounded -> I.type) := match m with
-  | Slip k => begins (how st) k (front K st m k') lo at_lo
-  | Stick => let G := grips K (negb k') (path K st m) in touches (how st) &&
-      begins (held (how st) k') k' (front K st m k') lo at_lo &&
+Definition keeps K st m k' f lo at_lo hi (on : bounded -> I.type) := match m with
+  | Slip k => begins (how st) k (front K st m k' f) lo at_lo
+  | Stick => let G := grips K (negb k') f in touches (how st) &&
+      begins (held (how st) k') k' (front K st m k' f) lo at_lo &&
       begins (held (how st) (negb k')) (negb k') G hi (on G) end.
 (** the state at the time t, after the time u, from the values of its waves *)
-Definition moved K st m t u (on : bounded -> I.type) h :=
-  let x := on (path K st m) in let v := on (steep p (path K st m)) in match m with
+Definition moved K st m f t u (on : bounded -> I.type) h :=
+  let x := on f in match m with
   | Slip k => let w := drive (boxes p) (numbers K) k (at_v2 st) u in
-      State t x (if touches h then w else v) (behind st w u) w h
-  | Stick => State t match h with Edge k => edge (boxes p) (numbers K) k t v | _ => x end v
-      (I.add p (at_x2 st) (I.sub p x (at_x st))) v h end.
+      State t x (if touches h then w else on (steep p f)) (behind st w u) w h
+  | Stick => let v := on (steep p f) in
+      State t match h with Edge k => edge (boxes p) (numbers K) k t v | _ => x end v
+        (I.add p (at_x2 st) (I.sub p x (at_x st))) v h end.
 
 (** the state at the next event, if the table is right about the mode until then *)
 Definition step K final st m least most (k' : bool) : option state :=
-  let u := hull p least most in let d := hull p (least - most) 0 in let F := front K st m k' in
-  let on := at_time F (rat p most) in
+  let u := hull p least most in let d := hull p (least - most) 0 in
+  let f := path K st m in let F := front K st m k' f in let on := at_time F (rat p most) in
   if Qle_bool least most && fits final (I.add p (at_t st) (rat p most)) &&
-    keeps K st m k' least (near F (on F) least most (rat p (least - most))) most on && nonneg (I.neg (on F))
-  then Some (moved K st m (I.add p (at_t st) u) u (fun F => near F (on F) least most d)
+    keeps K st m k' f least (near F (on F) least most (rat p (least - most))) most on && nonneg (I.neg (on F))
+  then Some (moved K st m f (I.add p (at_t st) u) u (fun F => near F (on F) least most d)
     match m with Slip _ => Touch | Stick => Edge k' end) else None.
 
 (** the state at the time [until], in the same mode, and v1 - v2 there; the mode surely lasts for the time [least] *)
 Definition rest K final st m until least : option (state * I.type) :=
-  let u := I.sub p (rat p until) (at_t st) in let F := front K st m true in
+  let u := I.sub p (rat p until) (at_t st) in let f := path K st m in let F := front K st m true f in
   let on := at_time F (rat p least) in let on_u := at_time F u in
-  if pos u && nonneg (I.sub p (rat p least) u) && upto final until && keeps K st m true least (on F) least on
-  then Some (moved K st m (rat p until) u on_u match m with Slip _ => Off | Stick => Touch end,
+  if pos u && nonneg (I.sub p (rat p least) u) && upto final until && keeps K st m true f least (on F) least on
+  then Some (moved K st m f (rat p until) u on_u match m with Slip _ => Off | Stick => Touch end,
     match m with Slip k => signed (boxes p) k (on_u F) | Stick => I.zero end) else None.
 
 (** a stick that lasts for ever, if the force is constant *)
@@ -993,7 +993,7 @@ Proof.
   destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
     [apply has_slide|apply has_stuck]; auto using has_tuned.
 Qed.
-Lemma has_front m k' : has_wave (front p K st m k') (fw m k').
+Lemma has_front m k' : has_wave (front p K st m k' (path p K st m)) (fw m k').
 Proof.
   destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
     [apply (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)]; auto.
@@ -1001,7 +1001,7 @@ Qed.
 
 (** the guard of a slip, once it is accepted *)
 Lemma slip_begins k' k'' hi i : has i (val (fw (Slip k') k'') (Q2R hi)) ->
-  begins p q depth (how st) k' (front p K st (Slip k') k'') hi i = true ->
+  begins p q depth (how st) k' (front p K st (Slip k') k'' (path p K st (Slip k'))) hi i = true ->
   0 < Q2R hi /\ 0 <= val (fw (Slip k') k'') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (fw (Slip k') k'') u).
 Proof.
   intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh).
@@ -1013,7 +1013,7 @@ Proof.
 Qed.
 (** and that of a stick *)
 Lemma stick_begins k' hi i : has i (val (fw Stick k') (Q2R hi)) ->
-  begins p q depth (held (how st) k') k' (front p K st Stick k') hi i = true ->
+  begins p q depth (held (how st) k') k' (front p K st Stick k' (path p K st Stick)) hi i = true ->
   0 < Q2R hi /\ 0 <= val (fw Stick k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (fw Stick k') u).
 Proof.
   intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh).
@@ -1052,22 +1052,22 @@ Proof.
 Qed.
 
 (** what is computed once serves all waves of a phase *)
-Lemma on_time m k' i u (on := at_time p (front p K st m k') i) : has i u ->
-  has (on (front p K st m k')) (val (fw m k') u) /\ has (on (path p K st m)) (val (pw m) u) /\
+Lemma on_time m k' i u (on := at_time p (front p K st m k' (path p K st m)) i) : has i u ->
+  has (on (front p K st m k' (path p K st m))) (val (fw m k') u) /\ has (on (path p K st m)) (val (pw m) u) /\
   has (on (steep p (path p K st m))) (val (slope (pw m)) u) /\
-  (m = Stick -> has (on (front p K st m (negb k'))) (val (fw m (negb k')) u)).
+  (m = Stick -> has (on (front p K st m (negb k') (path p K st m))) (val (fw m (negb k')) u)).
 Proof.
-  intros Hi. assert (S : forall F w, has_wave F w -> side F = side (front p K st m k') -> decay w = decay (fw m k') ->
-    square w = square (fw m k') -> clock w = clock (fw m k') -> angles w = angles (fw m k') -> has (on F) (val w u))
-    by (intros F w; exact (has_shared p _ _ F w u i (has_front m k') Hi)).
+  intros Hi. assert (S : forall F w, has_wave F w -> side F = side (front p K st m k' (path p K st m)) ->
+    decay w = decay (fw m k') -> square w = square (fw m k') -> clock w = clock (fw m k') -> angles w = angles (fw m k') ->
+    has (on F) (val w u)) by (intros F w; exact (has_shared p _ _ F w u i (has_front m k') Hi)).
   pose proof (has_path m) as W. pose proof (has_steep p _ _ W). pose proof (has_front m (negb k')).
   split; [|split; [|split]]; try intros _; apply S; auto using has_front; destruct m; try reflexivity;
     unfold angles; cbn; rewrite ?map_map; reflexivity.
 Qed.
 (** the mode lasts *)
 Lemma keeps_spec m k' lo i hi on : has i (val (fw m k') (Q2R lo)) ->
-  (m = Stick -> has (on (front p K st m (negb k'))) (val (fw m (negb k')) (Q2R hi))) ->
-  keeps p q depth K st m k' lo i hi on = true ->
+  (m = Stick -> has (on (front p K st m (negb k') (path p K st m))) (val (fw m (negb k')) (Q2R hi))) ->
+  keeps p q depth K st m k' (path p K st m) lo i hi on = true ->
   0 < Q2R lo /\ 0 <= val (fw m k') 0 /\ (forall u, 0 < u <= Q2R lo -> 0 < val (fw m k') u) /\
   (m = Stick -> v1 t = v2 t /\ forall u, 0 <= u <= Q2R hi -> 0 <= val (fw m (negb k')) u).
 Proof.
@@ -1087,7 +1087,7 @@ Lemma moved_spec m it iu u on hw : 0 <= u -> has it (t + u) -> has iu u -> has (
   forall B' f', (B' = B /\ f' = f \/ forall s, hw <> Edge s) -> match hw with Off => True
     | Touch => v1 (t + u) = v2 (t + u) | Edge s => v1 (t + u) = v2 (t + u) /\
     A2 * x (t + u) + A1 * v1 (t + u) - sval real f' (t + u) = - (sign s * (B' * (M1 + M2) / M2)) end ->
-  knows B' f' (moved p K st m it iu on hw) (t + u).
+  knows B' f' (moved p K st m (path p K st m) it iu on hw) (t + u).
 Proof.
   intros Hu Hit Hiu Hx Hv Ex E1 E2 B' f' Kb Kh. pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & _). pose proof Hx as Hx'.
   rewrite <- Ex in Hx. rewrite <- E1 in Hv. unfold knows, moved.
@@ -1112,10 +1112,10 @@ Proof.
   apply Qle_bool_iff, Qle_Rle in E0. pose proof (has_rat p most) as Hmost.
   apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
   destruct (on_time m k' _ _ Hmost) as (Hend & Hpath & Hsteep & Hother).
-  set (on := at_time p (front p K st m k') (rat p most)) in *.
-  assert (Hleast : has (near p q (front p K st m k') (on (front p K st m k')) least most (rat p (least - most)))
-    (val (fw m k') (Q2R least))).
-  { apply has_near; auto using has_front; [lra|]. rewrite <- Q2R_minus. apply has_rat. }
+  set (on := at_time p (front p K st m k' (path p K st m)) (rat p most)) in *.
+  set (F := front p K st m k' (path p K st m)) in *.
+  assert (Hleast : has (near p q F (on F) least most (rat p (least - most))) (val (fw m k') (Q2R least))).
+  { apply has_near; [exact (has_front m k')|exact Hend|lra|]. rewrite <- Q2R_minus. apply has_rat. }
   destruct (keeps_spec _ _ _ _ _ _ Hleast Hother Ek) as (Hl & Z & P & St).
   apply nonneg_spec with (r := - val (fw m k') (Q2R most)) in En; [|apply J.neg_correct; auto].
   assert (U : exists u, Q2R least < u <= Q2R most /\ v1 (t + u) = v2 (t + u) /\
@@ -1149,7 +1149,7 @@ Lemma rest_sound m until least st' w : rest p q depth K final st m until least =
   has w (v1 (Q2R until) - v2 (Q2R until)).
 Proof.
   pose proof Kn as (Kt & _). unfold rest. cbv zeta. set (iu := I.sub p (rat p until) (at_t st)).
-  destruct (_ && keeps _ _ _ _ _ _ _ _ _ _ _) eqn:C; [|discriminate]. intros E. injection E as <- <-.
+  destruct (_ && keeps _ _ _ _ _ _ _ _ _ _ _ _) eqn:C; [|discriminate]. intros E. injection E as <- <-.
   rewrite !andb_true_iff in C. destruct C as (((E1 & E2) & Ef) & Ek).
   assert (Hu : has iu (Q2R until - t)) by (unfold iu; has). set (u := Q2R until - t) in *.
   assert (Eu : Q2R until = t + u) by (unfold u; ring). apply pos_spec with (r := u) in E1; auto.
