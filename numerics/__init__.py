@@ -42,7 +42,7 @@ What is raised:
     NotSettled          a long-time motion that was not found
     MissingTool         an optional package that is not installed
 
-`help(numerics.solve)` tells one of them in full.
+`help(numerics.solve)` tells one of them in full. Import them by name: `from numerics import *` brings none.
 """
 
 from __future__ import annotations

@@ -53,7 +53,7 @@ def run_rows(
     terms = most_terms(columns.polynomial.shape[1])
     table, polynomial, sines = columns.table, columns.polynomial, columns.sines
     compiled(follow_rows)(
-        table, polynomial, sines, columns.frictions, literal, max_events, has_ledger, terms, kept, ends
+        table, polynomial, sines, columns.frictions, literal, max_events, has_ledger, terms, REACH, kept, ends
     )
 
 
@@ -135,6 +135,7 @@ def follow_rows(
     max_events: int,
     has_ledger: bool,
     coefficients: int,
+    reach: float,
     kept: Any,
     ends: Any,
 ) -> None:
@@ -178,13 +179,13 @@ def follow_rows(
             start[_X1 + 2 * i] = math.ldexp(table[row, 8 + 2 * i], -length_unit + (time_unit if i % 2 else 0))
         for k in range(5):
             key[k] = pair[k, 0]
-        key[1] = min(longest, steps_of(pair, omegas))
+        key[1] = min(longest, steps_of(pair, omegas, reach))
         is_same = True
         for k in range(key.shape[0]):
             is_same = is_same and key[k] == before[k]
         if not is_same:
             before[:] = key
-            form(tables, 0, pair, terms, omegas, longest, REACH, False)
+            form(tables, 0, pair, terms, omegas, longest, reach, False)
         own, most = constants(pair, literal), kept.shape[1] + count - 1 if kept.shape[1] > 1 else 1
         how, written = follow_in(
             room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, has_ledger, rows[:most], end
@@ -251,9 +252,9 @@ def keep(rows: Any, begin: Any, kept: Any, end: Any) -> None:
 
 
 @compilable
-def steps_of(pair: Any, omegas: Any) -> float:
+def steps_of(pair: Any, omegas: Any, reach: float) -> float:
     """Return the step of stick for as long a horizon as you like: tables change with the horizon only below it."""
     rate = math.sqrt(pair[4, 0] / pair[1, 0]) + pair[3, 0] / pair[1, 0]
     for k in range(omegas.shape[0]):
         rate = max(rate, omegas[k, 0])
-    return REACH / rate
+    return reach / rate

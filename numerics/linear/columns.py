@@ -79,7 +79,6 @@ class Room(NamedTuple):
     g: Any
     """(2, terms) high and low parts of a guard."""
     q: Any
-    other: Any
     inverse: Any
     """(terms,) 1/(k + 1)."""
     twice: Any
@@ -87,7 +86,6 @@ class Room(NamedTuple):
     bernstein: Any
     E: Any
     R: Any
-    flow: Any
     scale: Any
     basis: Any
     column: Any
@@ -106,13 +104,11 @@ def make_room(count: int, terms: int) -> Room:
         np.zeros((2, 2, terms)),
         np.zeros((2, terms)),
         np.zeros(terms),
-        np.zeros(terms),
         1.0 / np.arange(1, terms + 1),
         np.arange(1.0, terms + 1) * np.arange(2.0, terms + 2),
         np.zeros(8),
         np.zeros((4, 4)),
         np.zeros(2),
-        np.zeros((4, 4)),
         np.zeros(4),
         np.zeros((4, 4)),
         np.zeros(4),
@@ -174,7 +170,7 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
             z[0, at], z[1, at] = multiply(wide_sine.high, wide_sine.low, sine[0, 0], sine[0, 1])
             z[0, at + 1], z[1, at + 1] = multiply(wide_cosine.high, wide_cosine.low, sine[0, 0], sine[0, 1])
         else:
-            turns = np.rint(ph / 6.283185307179586)
+            turns = np.rint(ph * 0.15915494309189535)
             rh, rl = multiply(6.283185307179586, 2.4492935982947064e-16, turns, 0.0)
             rh, rl = add(ph, pl, -rh, -rl)
             s, c = math.sin(rh), math.cos(rh)
@@ -198,7 +194,7 @@ def state_columns(room: Room, mode: int, b: Any) -> None:
     room.size[FRICTION] = b[0] if mode != 0 else 0.0
 
 
-@compilable_with(forceinline=False, **FAST)
+@compilable_with(**FAST)
 def product(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) -> None:
     """Form X = W z in float64, of both bodies or of the first one."""
     for i in range(bodies):

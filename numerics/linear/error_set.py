@@ -14,39 +14,48 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.compiled import compilable_with
+from numerics.linear.columns import Constants
 
 SLACK = 1.0 + 1e-9
 """The bounds' own rounding."""
 _CONTRACT: dict[str, Any] = {"fastmath": {"contract"}}
 
 
-@compilable_with(forceinline=False, **_CONTRACT)
-def carry(E: Any, R: Any, flow: Any, scale: Any, apart: float, own: float, own2: float) -> None:
-    """Map the errors by the flow (4, 4) of a mode over a step; the flow is left in the units of the errors.
+@compilable_with(**_CONTRACT)
+def carry(
+    E: Any,
+    R: Any,
+    pair: Constants,
+    mode: int,
+    time: float,
+    motion: tuple[float, float],
+    own: float,
+    own2: float,
+) -> None:
+    """Map the errors by the flow of a mode over a time; own, own2: what the step adds, in N and to x2.
 
-    `scale` are the units of the components; `apart` how far x2 goes for a unit of R0; own, own2: what the step adds, in
-    N and to x2.
+    `motion`: x and v of the body that moves freely, m x'' + a1 x' + a2 x = 0, from x = 0 and v = 1. From x = 1 and
+    v = 0 it has x = v + (a1/m) x and v = -(a2/m) x of these. Body 2 goes on as it is, or in stick as body 1: there both
+    velocities of an error are one, so that E may be projected on these, at right angles in N, where R does not grow.
     """
-    for k in range(4):
-        inverse = 1.0 / scale[k]
-        for i in range(4):
-            flow[i, k] *= scale[i] * inverse
-    p, q, r, s = row_of(flow, 0), row_of(flow, 1), row_of(flow, 2), row_of(flow, 3)
-    for j in range(4):  # all four at once, with the flow in registers
-        a, b, c, d = E[0, j], E[1, j], E[2, j], E[3, j]
-        E[0, j] = p[0] * a + p[1] * b + p[2] * c + p[3] * d
-        E[1, j] = q[0] * a + q[1] * b + q[2] * c + q[3] * d
-        E[2, j] = r[0] * a + r[1] * b + r[2] * c + r[3] * d
-        E[3, j] = s[0] * a + s[1] * b + s[2] * c + s[3] * d
-    R[1] = (R[1] + apart * R[0] + own2) * SLACK
+    m = pair.m1 if mode != 0 else pair.mass
+    across, turn = motion[0] * math.sqrt(pair.a2 / pair.m1), motion[1]
+    back, stay = -pair.m1 / m * across, turn + pair.a1 / m * motion[0]
+    far, share, part = time * math.sqrt(pair.a2 / pair.m2), math.sqrt(pair.m2 / pair.m1), pair.m1 / pair.mass
+    for j in range(4):
+        x, v = E[0, j], E[1, j]
+        if mode == 0:
+            v = part * (v + share * E[3, j])
+        E[0, j] = stay * x + across * v
+        E[1, j] = back * x + turn * v
+        if mode == 0:
+            E[2, j] += E[0, j] - x
+            E[3, j] = share * E[1, j]
+        else:
+            E[2, j] += far * E[3, j]
+    R[1] = (R[1] + (far if mode != 0 else 2.0) * R[0] + own2) * SLACK
     R[0] = (R[0] + own) * SLACK
-
-
-@compilable
-def row_of(flow: Any, i: int) -> tuple[float, float, float, float]:
-    """Return a row."""
-    return flow[i, 0], flow[i, 1], flow[i, 2], flow[i, 3]
 
 
 @compilable_with(**_CONTRACT)
@@ -58,7 +67,7 @@ def box(E: Any, R: Any, i: int) -> float:
     return total * SLACK
 
 
-@compilable_with(forceinline=False, **_CONTRACT)
+@compilable_with(**_CONTRACT)
 def width(E: Any, R: Any, w0: float, w1: float, w3: float) -> float:
     """Return a bound on w0 x1 + w1 v1 + w3 v2 of the errors, in their units."""
     total = R[0] * math.sqrt(w0 * w0 + w1 * w1 + w3 * w3)
@@ -77,23 +86,27 @@ def norm_of(E: Any, R: Any) -> float:
 @compilable_with(forceinline=False, **_CONTRACT)
 def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
     """Take the rest R into E: an orthogonal basis by Gram and Schmidt, longest column first, each as long as needed."""
-    used = 0  # a bit for each column
+    for j in range(4):
+        v[j] = abs(E[0, j]) + abs(E[1, j]) + abs(E[2, j]) + abs(E[3, j])
     for k in range(4):
-        most, pick = -1.0, 0
-        for j in range(4):
-            size = abs(E[0, j]) + abs(E[1, j]) + abs(E[2, j]) + abs(E[3, j])
-            if not (used >> j) & 1 and size > most:
-                most, pick = size, j
-        used |= 1 << pick
+        pick = 0
+        for j in range(1, 4):
+            if v[j] > v[pick]:
+                pick = j
+        size, v[pick] = v[pick], -1.0
         a, b, c, d, length = orthogonal(Q, k, E[0, pick], E[1, pick], E[2, pick], E[3, pick])
-        if length <= 1e-12 * most or length == 0.0:  # a direction that is left
+        if length <= 1e-12 * size or length == 0.0:  # a direction that is left: along the axis with the least in Q
+            least, axis = 2.0, 0
             for n in range(4):
-                v[:] = 0.0
-                v[n] = 1.0
-                a, b, c, d, length = orthogonal(Q, k, v[0], v[1], v[2], v[3])
-                if length > 0.4:
-                    break
-        Q[0, k], Q[1, k], Q[2, k], Q[3, k] = a / length, b / length, c / length, d / length
+                taken = 0.0
+                for i in range(k):
+                    taken += Q[n, i] * Q[n, i]
+                if taken < least:
+                    least, axis = taken, n
+            a, b, c, d = (1.0 if axis == 0 else 0.0), (1.0 if axis == 1 else 0.0), (1.0 if axis == 2 else 0.0), 0.0
+            a, b, c, d, length = orthogonal(Q, k, a, b, c, 1.0 if axis == 3 else d)
+        inverse = 1.0 / length
+        Q[0, k], Q[1, k], Q[2, k], Q[3, k] = a * inverse, b * inverse, c * inverse, d * inverse
     for k in range(4):
         reach = R[0] + abs(Q[2, k]) * R[1]
         for j in range(4):

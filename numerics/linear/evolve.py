@@ -20,47 +20,42 @@ from numerics.linear.columns import (
 from numerics.linear.error_set import carry, take_in
 from numerics.linear.first_root import value_slope
 from numerics.linear.pairs import add, divide, multiply, times
-from numerics.linear.table import FIRST, NODES, PRECISE, UNIT, WEIGHTS, WIDE_UNIT, Tables, parts
+from numerics.linear.table import FIRST, NODES, PRECISE, UNIT, V1, WEIGHTS, WIDE_UNIT, X1, Tables, parts
 
 
 @compilable_with(forceinline=False)
-def evaluate(X: Any, i: int, sh: float, sl: float, h: float, wide: bool) -> tuple[float, float, float, float]:
-    """Return x_i and v_i at s = t/h, pairs.
+def evaluate(X: Any, sh: float, sl: float, h: float, wide: bool) -> tuple[float, float, float, float]:
+    """Return x and v of a body with coefficients X (2, terms) at s = t/h, pairs.
 
     Where `wide`, at sh, and from there by first derivatives: |sl| <= 2^-53 sh, and a term of second order, k^2/2 2^-106
     of that of s^k, is within the 2 k 2^-101 that are counted for this one.
     """
     if not wide:
-        value, slope = value_slope(X[0, i], sh)
+        value, slope = value_slope(X[0], sh)
         return value, 0.0, slope / h, 0.0
-    ah, bh = value_slope(X[0, i, PRECISE:], sh)
+    ah, bh = value_slope(X[0, PRECISE:], sh)
     al = bl = bend = 0.0
-    terms = PRECISE
-    while terms > 0 and X[0, i, terms - 1] == 0.0 and ah == 0.0 == bh:  # body 2 in a slip has a few
-        terms -= 1
-    for k in range(terms - 1, -1, -1):
+    for k in range(min(PRECISE, X.shape[1]) - 1, -1, -1):
         bend = bend * sh + bh
         bh, bl = times(bh, bl, sh)
         bh, bl = add(bh, bl, ah, al)
         ah, al = times(ah, al, sh)
-        ah, al = add(ah, al, X[0, i, k], X[1, i, k])
+        ah, al = add(ah, al, X[0, k], X[1, k])
     ah, al = add(ah, al, sl * bh, 0.0)
     bh, bl = add(bh, bl, 2.0 * sl * bend, 0.0)
     bh, bl = divide(bh, bl, h, 0.0)
     return ah, al, bh, bl
 
 
-@compilable_with(forceinline=False, **FAST)
-def full_step(whole: Any, size: Any, z: Any, count: int, unit: float, y: Any, own: Any, flow: Any) -> None:
-    """Move the state by exp(A h) in float64; form what that adds to its errors, and the flow of these."""
+@compilable_with(**FAST)
+def full_step(whole: Any, size: Any, z: Any, count: int, unit: float, y: Any, own: Any) -> None:
+    """Move the state by exp(A h) in float64; form what that adds to its errors."""
     for i in range(4):
         row, value, most = whole[0, i], 0.0, 0.0
         for j in range(count):
             value += row[j] * z[0, j]
             most += abs(row[j]) * size[j]
         y[i, 0], own[i] = value, (count + 4) * most * unit
-        for j in range(4):
-            flow[i, j] = row[j]
 
 
 @compilable_with(forceinline=False)
@@ -76,52 +71,61 @@ def wide_step(whole: Any, z: Any, count: int, y: Any) -> None:
 @compilable
 def partial_step(
     tables: Tables, at: tuple[int, int], s: tuple[float, float], unit: float, wide: bool, room: Room
-) -> None:
-    """Move the state by a part s of a step; form what that adds to its errors, and the flow of these."""
+) -> tuple[float, float]:
+    """Move the state by a part s of a step; form what that adds to its errors; return how x1 and v1 go with v1."""
     kind, side = at
-    y, own, flow, sums, h = room.y, room.column, room.flow, tables.state_own[kind, side], tables.h[kind, side]
-    rows, degrees, per_h = tables.rows[kind, side, 0], tables.degrees[kind, side], 1.0 / h
+    y, own, sums, h = room.y, room.column, tables.state_own[kind, side], tables.h[kind, side]
     for i in range(2):
-        y[2 * i, 0], y[2 * i, 1], y[2 * i + 1, 0], y[2 * i + 1, 1] = evaluate(room.X, i, s[0], s[1], h, wide)
+        X = room.X[:, i, :4] if i == 1 and side == 0 else room.X[:, i, :]  # body 2 goes on a parabola in a slip
+        y[2 * i, 0], y[2 * i, 1], y[2 * i + 1, 0], y[2 * i + 1, 1] = evaluate(X, s[0], s[1], h, wide)
         own[2 * i] = unit * counted(sums[2 * i], room.size, tables.count[kind], s[0])
-        own[2 * i + 1] = unit * per_h * counted(sums[2 * i + 1], room.size, tables.count[kind], s[0])
-        for j in range(4):
-            value = slope = 0.0
-            if degrees[i, j] > 0:
-                value, slope = value_slope(rows[i, j, : degrees[i, j]], s[0])
-            flow[2 * i, j], flow[2 * i + 1, j] = value, slope * per_h
+        own[2 * i + 1] = unit / h * counted(sums[2 * i + 1], room.size, tables.count[kind], s[0])
+    value, slope = value_slope(tables.rows[kind, side, 0, 0, V1], s[0])
+    return value, slope / h
 
 
 @compilable
 def evolve(
-    tables: Tables, room: Room, at: tuple[int, int], mode: int, s: tuple[float, float], is_wide: bool, wide: bool
+    pair: Constants,
+    tables: Tables,
+    room: Room,
+    at: tuple[int, int],
+    mode: int,
+    s: tuple[float, float],
+    is_wide: bool,
+    wide: bool,
 ) -> tuple[float, float]:
     """Move state, errors and clock by s steps; return the time, and what the step adds to N.
 
     `is_wide`: the coefficients have been formed in pairs, where that is asked for.
     """
     kind, side = at
-    h, count, unit = tables.h[kind, side], tables.count[kind], WIDE_UNIT if wide else UNIT
-    own = room.column
+    h, count, unit, whole = tables.h[kind, side], tables.count[kind], WIDE_UNIT if wide else UNIT, tables.ends[at]
     if s[0] == 1.0 and s[1] == 0.0:
-        full_step(tables.ends[kind, side], room.size, room.z, count, unit, room.y, own, room.flow)
+        full_step(whole, room.size, room.z, count, unit, room.y, room.column)
         if wide:
-            wide_step(tables.ends[kind, side], room.z, count, room.y)
+            wide_step(whole, room.z, count, room.y)
+        reach, turn = whole[0, X1, V1], whole[0, V1, V1]
     else:
         if wide and not is_wide:
             wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
-        partial_step(tables, at, s, unit, wide, room)
+        reach, turn = partial_step(tables, at, s, unit, wide, room)
+    time, low = multiply(s[0], s[1], h, 0.0)
+    return time, end_step(pair, room, mode, (time, low), reach, turn)
+
+
+@compilable
+def end_step(pair: Constants, room: Room, mode: int, time: tuple[float, float], reach: float, turn: float) -> float:
+    """Move clock and errors by a step of the state; return what it adds to N. reach, turn: how x1 and v1 go with v1."""
+    own, scale = room.column, room.scale
     if mode == 0:
         room.y[3, 0], room.y[3, 1] = room.y[1, 0], room.y[1, 1]
         own[3] = own[1]
-    th, tl = multiply(s[0], s[1], h, 0.0)
     for i in range(2):
-        room.clock[i, 0], room.clock[i, 1] = add(room.clock[i, 0], room.clock[i, 1], th, tl)
-    scale = room.scale
+        room.clock[i, 0], room.clock[i, 1] = add(room.clock[i, 0], room.clock[i, 1], time[0], time[1])
     added = own[0] * scale[0] + own[1] * scale[1] + own[3] * scale[3]
-    apart = 2.0 if mode == 0 else th * scale[2] / scale[3]
-    carry(room.E, room.R, room.flow, scale, apart, added, own[2] * scale[2])
-    return th, added
+    carry(room.E, room.R, pair, mode, time[0], (reach, turn), added, own[2] * scale[2])
+    return added
 
 
 @compilable_with(**FAST)
@@ -261,18 +265,11 @@ def long_step(
             damped, size = damped + taken, size + its_size
         # each squaring doubles the relative error of the power
         off = unit + math.ldexp(WIDE_UNIT, level)
-        full_step(powers[level], room.size, room.z, count, off, room.y, room.column, room.flow)
+        full_step(powers[level], room.size, room.z, count, off, room.y, room.column)
         if wide:
             wide_step(powers[level], room.z, count, room.y)
-        room.y[3, 0], room.y[3, 1] = room.y[1, 0], room.y[1, 1]
-        own, scale = room.column, room.scale
-        own[3] = own[1]
-        time = math.ldexp(h, level)
-        for i in range(2):
-            room.clock[i, 0], room.clock[i, 1] = add(room.clock[i, 0], room.clock[i, 1], time, 0.0)
-        added = own[0] * scale[0] + own[1] * scale[1] + own[3] * scale[3]
-        grown += added
-        carry(room.E, room.R, room.flow, scale, 2.0, added, own[2] * scale[2])
+        reach, turn = powers[level, 0, X1, V1], powers[level, 0, V1, V1]
+        grown += end_step(pair, room, 0, (math.ldexp(h, level), 0.0), reach, turn)
         take_in(room.E, room.R, room.basis, room.column)
         force_columns(room, drive, piece, 0.0, wide)
         for i in range(4):

@@ -5,7 +5,7 @@ after s = 0. In Bernstein's basis of degree 7 its minimum over [0, theta] is at 
 absolute sum of all higher terms. If that exceeds the margin (rounding, truncation, and how far the true motion may be
 away), the true guard has no root there. Otherwise the first sign change of the coefficients starts Newton's method; a
 root r counts if q falls there, keeps its sign in a bracket [r - D, r + D] by a bound on q'', and exceeds the margin
-up to r - D: so it is the first one, and the only one in the bracket.
+up to r - D: so it is the first one, and the only one in the bracket. A second guard, top - q, has one expansion with q.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ BERNSTEIN = np.array(
 
 
 @compilable_with(forceinline=False, **_FREE)
-def lower_bound(q: Any, theta: float, c: Any) -> tuple[float, float]:
-    """Return (a lower bound on q over [0, theta], where q may first vanish, or -1); c is room to work in.
+def bounds(q: Any, theta: float, c: Any) -> tuple[float, float]:
+    """Return bounds on q over [0, theta], from below and from above; in c its coefficients in Bernstein's basis.
 
     q has an even number of terms, and DEGREE is 7: its terms by name stay in registers, which takes half of the time.
     """
@@ -44,21 +44,26 @@ def lower_bound(q: Any, theta: float, c: Any) -> tuple[float, float]:
     for k in range(q.shape[0] - 2, DEGREE, -2):
         even = even * two + abs(q[k])
         odd = odd * two + abs(q[k + 1])
-    tail = four * four * (even + theta * odd)
+    tail = four * four * (even + theta * odd) * 1.0000001
     B = BERNSTEIN
     for i in range(DEGREE + 1):
         c[i] = (B[0, i] * q0 + B[1, i] * q1) + (B[2, i] * q2 + B[3, i] * q3)
         c[i] += (B[4, i] * q4 + B[5, i] * q5) + (B[6, i] * q6 + B[7, i] * q7)
-    low = c[0]
+    low = high = c[0]
     for i in range(1, DEGREE + 1):
-        low = min(low, c[i])
-    guess = -1.0
-    if low <= 0.0:
-        for i in range(1, DEGREE + 1):
-            if c[i] <= 0.0:
-                guess = theta * (i - 1 + c[i - 1] / (c[i - 1] - c[i])) / DEGREE
-                break
-    return low - tail * 1.0000001, guess
+        low, high = min(low, c[i]), max(high, c[i])
+    return low - tail, high + tail
+
+
+@compilable
+def crossing(c: Any, theta: float, top: float) -> tuple[float, int]:
+    """Return where the coefficients first leave (0, top), or -1, and by which end: 0 or 1."""
+    for i in range(1, DEGREE + 1):
+        if not 0.0 < c[i] < top:
+            which = 1 if c[i] > 0.0 else 0
+            end = top if which == 1 else 0.0
+            return theta * (i - 1 + (c[i - 1] - end) / (c[i - 1] - c[i])) / DEGREE, which
+    return -1.0, 0
 
 
 @compilable_with(forceinline=False, **_FREE)
@@ -85,14 +90,14 @@ def value_slope(q: Any, s: float) -> tuple[float, float]:
 
 
 @compilable
-def newton(q: Any, guess: float, theta: float) -> float:
-    """Return a root of q next to a guess in (0, theta] at which it falls, or -1."""
+def newton(q: Any, end: float, falls: float, guess: float, theta: float) -> float:
+    """Return where q is `end` next to a guess in (0, theta], at which `falls` q falls (1 or -1), or -1."""
     s = guess
     for _ in range(_NEWTON):
         value, slope = value_slope(q, s)
-        if not slope < 0.0:
+        if not falls * slope < 0.0:
             return -1.0
-        change = value / slope
+        change = (value - end) / slope
         s = s - change
         if not 0.0 < s <= theta:
             return -1.0
@@ -103,42 +108,34 @@ def newton(q: Any, guess: float, theta: float) -> float:
 
 @compilable
 def first_root(
-    q: Any, other: Any, margins: tuple[float, float, float, float], theta: float, c: Any
+    q: Any, order: int, top: float, margins: tuple[float, float, float, float], theta: float, c: Any
 ) -> tuple[int, float, float, int, float, float]:
-    """Return (how, s, D, which, value, slope): the first root of q, or of `other` if it has any terms, in (0, theta].
+    """Return (how, s, D, which, value, slope): the first root in (0, theta] of q or of the other, top - s^order q.
 
-    CLEAR: none up to s. ROOT: at s, alone within D of it; `which` is 0 for q, 1 for the other; value and slope are of
-    that one there. The margin of q up to s is m0 + m1 s + m2/s of `margins` (m0, m1, m2, that of the other).
+    CLEAR: none up to s. ROOT: at s, alone within D of it; `which` is 0 for q, 1 for the other, of which a root is told
+    for order 0 only; value and slope are of that one there. The margin of q up to s is m0 + m1 s + m2/s of `margins`
+    (m0, m1, m2, that of the other). No other guard: top = inf.
     """
     m0, m1, m2, m_other = margins
-    two = other.shape[0] > 0
     at = theta
     for _ in range(_HALVINGS):
-        low, guess = lower_bound(q, at, c)
-        is_clear, which = low > m0 + m1 * at + m2 / at, 0
-        if two:
-            low, second = lower_bound(other, at, c)
-            is_clear = is_clear and low > m_other
-            if second >= 0.0 and (guess < 0.0 or second < guess):
-                guess, which = second, 1
-        if is_clear:
+        low, high = bounds(q, at, c)
+        if low > m0 + m1 * at + m2 / at and top - max(high, 0.0) * at**order > m_other:
             return CLEAR, at, 0.0, 0, 0.0, 0.0
-        if guess >= 0.0:
-            one = other if which == 1 else q
-            s = newton(one, guess, at)
+        guess, which = crossing(c, at, top)
+        if guess >= 0.0 and (order == 0 or which == 0):
+            end, falls = (top, -1.0) if which == 1 else (0.0, 1.0)
+            s = newton(q, end, falls, guess, at)
             if s > 0.0:
-                value, slope = value_slope(one, s)
-                bend = bend_bound(one, at)
+                value, slope = value_slope(q, s)
+                bend = bend_bound(q, at)
                 room = 0.5 * s
                 if bend > 0.0:
                     room = min(room, 0.25 * abs(slope) / bend)
                 before = s - room
-                low, _ = lower_bound(q, before, c)
-                is_first = low > m0 + m1 * before + m2 / before
-                if two:
-                    low, _ = lower_bound(other, before, c)
-                    is_first = is_first and low > m_other
-                if is_first and slope < 0.0:
-                    return ROOT, s, room, which, value, slope
+                low, high = bounds(q, before, c)
+                is_first = low > m0 + m1 * before + m2 / before and top - max(high, 0.0) * before**order > m_other
+                if is_first and falls * slope < 0.0:
+                    return ROOT, s, room, which, falls * (value - end), falls * slope
         at *= 0.5
     return UNDECIDED, at, 0.0, 0, 0.0, 0.0

@@ -229,7 +229,7 @@ def follow_in(
         # evolve
         if has_ledger:
             slid, size, damped, terms = slid_and_damped(pair, tables, room, (kind, side), mode, s[0])
-        time, added = evolve(tables, room, (kind, side), mode, s, is_root, wide)
+        time, added = evolve(pair, tables, room, (kind, side), mode, s, is_root, wide)
         N, since, order = N + added, since + time, 0
         if has_ledger:
             slid_work, damped_work = slid_work + b * slid, damped_work + pair.a1 * damped

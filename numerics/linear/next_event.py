@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
@@ -31,52 +32,47 @@ class Next(NamedTuple):
 @compilable
 def slip_guard(room: Room, mode: int, order: int) -> None:
     """Form the guard h s (v1 - v2) of a slip, less its first coefficients, which are exactly 0."""
-    one, two, g, q, sign = room.X[0, 0], room.X[0, 1], room.g[0], room.q, float(mode)
-    terms = q.shape[0]
-    for k in range(terms - 1):
-        g[k] = (k + 1.0) * sign * (one[k + 1] - two[k + 1])
-    g[terms - 1] = 0.0
-    for k in range(terms - order):
-        q[k] = g[k + order]
+    one, two, g, q, sign = room.X[0, 0, 1:], room.X[0, 1, 1:], room.g[0], room.q, float(mode)
+    for k in range(one.shape[0]):
+        g[k] = (k + 1.0) * sign * (one[k] - two[k])
+    g[one.shape[0]] = 0.0
+    rest = g[order:]
+    for k in range(rest.shape[0]):
+        q[k] = rest[k]
     if order > 0:
         g[:order] = 0.0
-        q[terms - order :] = 0.0
+        q[rest.shape[0] :] = 0.0
 
 
 @compilable
-def wide_slip_guard(room: Room, mode: int, order: int) -> None:
-    """Form the same in pairs."""
-    X, g = room.X, room.g
-    g[1, :] = 0.0
-    for k in range(order, PRECISE):
-        h, low = add(X[0, 0, k + 1], X[1, 0, k + 1], -X[0, 1, k + 1], -X[1, 1, k + 1])
-        g[0, k], g[1, k] = times(h, low, mode * (k + 1.0))
-
-
-@compilable
-def stick_guards(room: Room, edge: tuple[float, float], order: int, side: int) -> None:
-    """Form the guards (b -+ Lambda) h^2/m2 of stick; the one of `side` without its first coefficients, if order > 0."""
-    x2, q, other, sign = room.X[0, 1], room.q, room.other, float(side)
-    terms = q.shape[0]
-    for k in range(terms - 2):
-        other[k] = sign * room.twice[k] * x2[k + 2]
-        q[k] = -other[k]
-    q[terms - 2] = q[terms - 1] = other[terms - 2] = other[terms - 1] = 0.0
-    q[0] += edge[0]
-    other[0] += edge[0]
+def stick_guard(room: Room, edge: float, order: int, side: int) -> None:
+    """Form the guard (b - side Lambda) h^2/m2 of stick, less its first coefficients, which are exactly 0."""
+    x2, q, sign = room.X[0, 1, 2:], room.q, float(side)
+    for k in range(x2.shape[0]):
+        q[k] = -sign * room.twice[k] * x2[k]
+    q[x2.shape[0] :] = 0.0
+    q[0] += edge
     if order > 0:
-        for k in range(terms):
-            q[k] = q[k + order] if k + order < terms else 0.0
+        rest = q[order:]
+        for k in range(rest.shape[0]):
+            q[k] = rest[k]
+        q[rest.shape[0] :] = 0.0
 
 
 @compilable
-def load_guard(room: Room, edge: tuple[float, float], order: int, side: int) -> None:
-    """Form the guard (b - side Lambda) h^2/m2 in pairs."""
+def wide_guard(room: Room, mode: int, order: int, edge: tuple[float, float], side: int) -> None:
+    """Form the guard of a mode in pairs, that of a side in stick; its first coefficients are left 0."""
     X, g = room.X, room.g
-    for k in range(g.shape[1]):
-        g[0, k], g[1, k] = 0.0, 0.0
-        if order <= k < g.shape[1] - 2:
-            g[0, k], g[1, k] = times(X[0, 1, k + 2], X[1, 1, k + 2], -side * (k + 2.0) * (k + 1.0))
+    g[0, :order] = 0.0
+    g[1, :] = 0.0
+    if mode != 0:
+        for k in range(order, PRECISE):
+            h, low = add(X[0, 0, k + 1], X[1, 0, k + 1], -X[0, 1, k + 1], -X[1, 1, k + 1])
+            g[0, k], g[1, k] = times(h, low, mode * (k + 1.0))
+        return
+    for k in range(order, g.shape[1] - 2):
+        g[0, k], g[1, k] = times(X[0, 1, k + 2], X[1, 1, k + 2], -side * room.twice[k])
+    g[0, g.shape[1] - 2 :] = 0.0
     if order == 0:
         g[0, 0], g[1, 0] = add(g[0, 0], g[1, 0], edge[0], edge[1])
 
@@ -122,92 +118,27 @@ def rounding(room: Room, sums: Any, count: int) -> float:
 
 
 @compilable
-def next_in_slip(
-    pair: Constants,
-    tables: Tables,
-    room: Room,
-    at: tuple[int, int],
-    mode: int,
-    order: int,
-    since: float,
-    N: float,
-    theta: float,
-    wide: bool,
-) -> Next:
-    """Return how a slip goes on: its guard is s (v1 - v2), and `order` coefficients of it vanish at its start."""
-    kind, side = at
-    h, count = tables.h[kind, side], tables.count[kind]
-    slip_guard(room, mode, order)
-    off = rounding(room, tables.slip_sums[kind, order], count)
-    m0, m1, m2 = off, 0.0, 0.0
-    if order == 0 and pair.kappa1 * (since + theta * h) < pair.kappa:
-        m0, m1 = off + 2.0 * pair.kappa1 * since * N * h, 2.0 * pair.kappa1 * N * h * h
-    elif order == 0:
-        m0 = off + 2.0 * pair.kappa * N * h
-    elif order == 1:
-        m0 = off + 2.0 * pair.kappa1 * N * h * h
-    else:
-        m2 = 16.0 * pair.kappa1 * N * h * h
-    how, s, alone, _, value, slope = first_root(room.q, room.q[:0], (m0, m1, m2, 0.0), theta, room.bernstein)
-    if how != ROOT:
-        return Next(how, s, 0.0, mode, 0.0, 0.0, 0.0, 0.0)
-    low = 0.0
-    if wide:
-        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
-        wide_slip_guard(room, mode, order)
-        s, low, value = refined(room.g, order, s, alone)
-    # the rounding of the coefficients that were not dropped, at the root
-    own = counted(tables.slip_own[kind, order], room.size, count, s) * (WIDE_UNIT if wide else UNIT)
-    power = s**order
-    steep = abs(slope) * power
-    window = (abs(value) + own) * power / steep * h
-    return Next(how, s, low, mode, alone, steep / (h * h), window, own * power / h)
+def slip_margins(
+    pair: Constants, h: float, order: int, off: float, since: float, N: float, theta: float
+) -> tuple[float, float, float, float]:
+    """Return the margin of the guard of a slip, up to s = theta, for `first_root`."""
+    if order >= 2:
+        return off, 0.0, 16.0 * pair.kappa1 * N * h * h, 0.0
+    if order == 1:
+        return off + 2.0 * pair.kappa1 * N * h * h, 0.0, 0.0, 0.0
+    if pair.kappa1 * (since + theta * h) < pair.kappa:
+        return off + 2.0 * pair.kappa1 * since * N * h, 2.0 * pair.kappa1 * N * h * h, 0.0, 0.0
+    return off + 2.0 * pair.kappa * N * h, 0.0, 0.0, 0.0
 
 
 @compilable
-def next_in_stick(
-    pair: Constants,
-    tables: Tables,
-    room: Room,
-    at: tuple[int, int],
-    b: Any,
-    edge_side: int,
-    order: int,
-    N: float,
-    theta: float,
-    wide: bool,
-) -> Next:
-    """Return how stick goes on: its guards are b -+ Lambda; on an edge `order` coefficients of one of them vanish."""
-    kind, side = at
-    h, count = tables.h[kind, side], tables.count[kind]
-    to_load = h * h / pair.m2
-    edge = multiply(h, 0.0, h, 0.0)
-    edge = divide(edge[0], edge[1], pair.m2, pair.m2_low)
-    edge = multiply(edge[0], edge[1], b[0], b[1])
-    stick_guards(room, edge, order, edge_side)
-    off = rounding(room, tables.load_sums[kind, order], count) + 2.0 * UNIT * edge[0]
-    plain = rounding(room, tables.load_sums[kind, 0], count) + 2.0 * UNIT * edge[0]
-    margin = pair.lam * N * to_load
-    how, s, alone, which, value, slope = first_root(
-        room.q, room.other, (off + margin, 0.0, 0.0, plain + margin), theta, room.bernstein
-    )
-    if how != ROOT:
-        return Next(how, s, 0.0, 0, 0.0, 0.0, 0.0, 0.0)
-    dropped = order if which == 0 else 0
-    exit_side = edge_side if which == 0 else -edge_side
-    low = 0.0
-    if wide:
-        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
-        load_guard(room, edge, dropped, exit_side)
-        s, low, value = refined(room.g, dropped, s, alone)
-    power = s**dropped
-    own = (2.0 * edge[0] if dropped == 0 else 0.0) + counted(
-        tables.load_own[kind, dropped], room.size, count, s
-    ) * power
-    own *= WIDE_UNIT if wide else UNIT
-    steep = abs(slope) * power
-    window = (abs(value) * power + own) / steep * h
-    return Next(how, s, low, exit_side, alone, steep / to_load / h, window, own / to_load)
+def edge_of(pair: Constants, h: float, b: Any, wide: bool) -> tuple[float, float]:
+    """Return b h^2/m2."""
+    if not wide:
+        return h * h / pair.m2 * b[0], 0.0
+    high, low = multiply(h, 0.0, h, 0.0)
+    high, low = divide(high, low, pair.m2, pair.m2_low)
+    return multiply(high, low, b[0], b[1])
 
 
 @compilable
@@ -229,9 +160,34 @@ def next_event(
     `state`: the mode, how many coefficients of its guard vanish at its start, and the side of the edge it begins on.
     """
     mode, order, edge_side = state
-    at = drive.places[piece, 4], 1 if mode == 0 else 0
     if clear_to > 0.0 or (mode == 0 and pair.literal):
         return Next(CLEAR, min(to, clear_to) if clear_to > 0.0 else to, 0.0, 0, 0.0, 0.0, 0.0, 0.0)
+    kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
+    h, count, edge, top = tables.h[kind, side], tables.count[kind], (0.0, 0.0), math.inf
+    unit = h if mode != 0 else h * h / pair.m2  # of the guard
+    sums, owns = (tables.slip_sums, tables.slip_own) if mode != 0 else (tables.load_sums, tables.load_own)
+    off = rounding(room, sums[kind, order], count)
     if mode != 0:
-        return next_in_slip(pair, tables, room, at, mode, order, since, N, to, wide)
-    return next_in_stick(pair, tables, room, at, drive.b[piece], edge_side, order, N, to, wide)
+        slip_guard(room, mode, order)
+        margins = slip_margins(pair, h, order, off, since, N, to)
+    else:
+        edge = edge_of(pair, h, drive.b[piece], wide)
+        stick_guard(room, edge[0], order, edge_side)
+        plain = rounding(room, sums[kind, 0], count) if order > 0 else off
+        top, margin = 2.0 * edge[0], pair.lam * N * unit + 4.0 * UNIT * edge[0]
+        margins = off + margin, 0.0, 0.0, plain + margin + 8.0 * UNIT * edge[0]  # top less the guard is rounded, too
+    how, s, alone, which, value, slope = first_root(room.q, order, top, margins, to, room.bernstein)
+    if how != ROOT:
+        return Next(how, s, 0.0, mode, 0.0, 0.0, 0.0, 0.0)
+    exit_side, low = edge_side if which == 0 else -edge_side, 0.0
+    if wide:
+        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
+        wide_guard(room, mode, order, edge, exit_side)
+        s, low, value = refined(room.g, order, s, alone)
+    power = s**order
+    # the rounding of the coefficients that were not dropped, at the root
+    own = counted(owns[kind, order], room.size, count, s) * power + (6.0 * edge[0] if order == 0 else 0.0)
+    own *= WIDE_UNIT if wide else UNIT
+    steep = abs(slope) * power
+    window = (abs(value) * power + own) / steep * h
+    return Next(how, s, low, exit_side, alone, steep / unit / h, window, own / unit)

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from numerics.arithmetic.compiled import compilable_with
+from numerics.arithmetic.compiled import compilable_with, compiled, compiles_now
 
 CODES = ("mode", "order", "event", "jump", "piece")
 """Floats: the mode that starts (-1, 0, +1: the sign of v1 - v2), how many derivatives of its guard vanish at its start,
@@ -45,17 +45,18 @@ def in_si(rows: Any, mass: int, time: int, length: int) -> None:
         second, metre = math.ldexp(1.0, (time + half) // 2), math.ldexp(1.0, (length + half) // 2)
         speed = math.ldexp(1.0, (length - time + half) // 2)
         energy = math.ldexp(1.0, (mass + 2 * length - 2 * time + half) // 2)
-        for k in range(4):  # local and length
-            rows[:, _LOCAL + k] *= second
-        rows[:, _LATE] *= second
-        for i in range(4):
-            unit = speed if i % 2 == 1 else metre
-            rows[:, _X1 + 2 * i] *= unit
-            rows[:, _X1 + 2 * i + 1] *= unit
-            rows[:, _LATE + 1 + i] *= unit
-        if rows.shape[1] > ROW:
-            for k in range(5):
-                rows[:, _FRICTION + k] *= energy
+        for row in rows:
+            for k in range(4):  # local and length
+                row[_LOCAL + k] *= second
+            row[_LATE] *= second
+            for i in range(4):
+                unit = speed if i % 2 == 1 else metre
+                row[_X1 + 2 * i] *= unit
+                row[_X1 + 2 * i + 1] *= unit
+                row[_LATE + 1 + i] *= unit
+            if row.shape[0] > ROW:
+                for k in range(5):
+                    row[_FRICTION + k] *= energy
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -89,17 +90,27 @@ def tabulate(rows: Any, end: Any, count: int, starts: Any, until: float, reached
     return at, table
 
 
+@compilable_with(makes_arrays=True, forceinline=False)
+def round_off(rows: Any) -> None:
+    """Leave out the low halves of rows (n, ROW), or of an end; what they were is added to the bounds of the errors."""
+    rows[:, _LATE] += np.abs(rows[:, _LOCAL + 1])
+    for k in range(4):
+        rows[:, _LATE + 1 + k] += np.abs(rows[:, _X1 + 1 + 2 * k])
+    rows[:, _LATE + 5] += np.fmax(np.abs(rows[:, _EXCESS + 1]), 0.0)  # 0 for nan: it is formed from the state
+    for k in range(_LOCAL + 1, _EXCESS, 2):
+        rows[:, k] = 0.0
+    rows[:, _EXCESS + 1] *= 0.0
+    if rows.shape[1] > ROW:
+        for k in range(_FRICTION + 1, _LOST, 2):
+            rows[:, _LOST] += np.abs(rows[:, k])
+            rows[:, k] = 0.0
+
+
 def rounded(record: Record) -> Record:
     """Return a record of double-double without low halves; what they were is added to the bounds of the errors."""
-    table, end = np.concatenate([record.rows, record.end[None, :ROW]]), record.end.copy()
-    table[:, _LATE] += abs(table[:, _LOCAL + 1])
-    table[:, _LATE + 1 : _LATE + 5] += abs(table[:, _X1 + 1 : _X1 + 8 : 2])
-    table[:, _LATE + 5] += np.fmax(abs(table[:, _EXCESS + 1]), 0.0)  # 0 for nan: it is formed from the state
-    table[:, _LOCAL + 1 : _EXCESS : 2] = 0.0
-    table[:, _EXCESS + 1] *= 0.0
-    rows, end[:ROW] = table[:-1], table[-1]
-    end[_LOST] += abs(end[_FRICTION + 1]) + abs(end[_FRICTION + 3])
-    end[[_FRICTION + 1, _FRICTION + 3]] = 0.0
+    rows, end = record.rows.copy(), record.end.copy()
+    for table in (rows, end.reshape(1, -1)):
+        (compiled(round_off) if compiles_now() else round_off)(table)
     lost = float(end[_FRICTION]), float(end[_FRICTION + 2]), float(end[_LOST])
     return record._replace(rows=rows, end=end, friction=lost[0], viscous=lost[1], dissipated_error=lost[2])
 

@@ -73,7 +73,10 @@ def first_root(p: arb_poly, error: arb, start: float = 0.0) -> tuple[arb, arb] |
         if value - sum(map(abs, rest), arb(0)) > error:
             continue
         steep, *others = on(slope, a, b)
-        room = -steep - sum(map(abs, others), arb(0))
+        bend = sum(map(abs, others), arb(0))
+        room = -steep - bend
+        if steep > bend and p(arb(a)) > error:
+            continue
         if room > 0:
             if p(arb(b)) > error:
                 continue

@@ -73,7 +73,7 @@ class PlaneTrajectory(Answer):
         """Keep what a run found."""
         self.arithmetic: Working
         self.arithmetic, self.status, self.events, self.modes, self.end_time, self.final_state, self.motion = found
-        self.scene, self.tried, self.t_eval = scene, "", None
+        self.scene = scene
         with self.context():
             self.digits: int = min(MOST if self.is_float else EXACT, self._right_digits())
 

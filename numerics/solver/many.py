@@ -10,7 +10,7 @@ import reprlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -305,7 +305,7 @@ def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tup
         wide[..., index] = array
     if not (wide.size and _allowed(wide, np.array([_least(name) for name in arrays])).all()):
         for name, array in arrays.items():
-            _refuse(name, array)
+            _refuse(name, np.asarray(array))
     flat = wide.reshape(-1, len(arrays))
     table = np.zeros((len(flat), 2 * len(SI)))
     table[:, ::2] = flat[:, : len(SI)]
@@ -314,13 +314,14 @@ def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tup
     return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3), frictions_of(friction)), shape
 
 
-def _common_shape(arrays: dict[str, NDArray[Any]]) -> tuple[int, ...]:
-    """Return the shape to which arrays broadcast. Raises ValueError, which names them."""
+def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
+    """Return the shape to which arrays and numbers broadcast. Raises ValueError, which names them."""
+    shapes = {name: array.shape for name, array in arrays.items() if not isinstance(array, float)}
     try:
-        return np.broadcast_shapes(*[array.shape for array in arrays.values()])
+        return np.broadcast_shapes(*{shape for shape in shapes.values() if shape})
     except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
-        raise ValueError(f"these shapes do not broadcast together: {shapes}; give arrays of one shape") from None
+        given = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        raise ValueError(f"these shapes do not broadcast together: {given}; give arrays of one shape") from None
 
 
 def _is_list(given: Any) -> bool:
@@ -367,6 +368,7 @@ def _refuse(name: str, array: Table) -> None:
         raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")
 
 
+@cache
 def _least(name: str) -> float:
     """Return the least number that a quantity may be."""
     if name in _POSITIVE or name.endswith(".omega"):

@@ -33,9 +33,11 @@ class Answer:
     scene: Any
     status: Status
     arithmetic: Arithmetic
-    digits: int | None
-    tried: str
-    t_eval: Any
+    digits: int | None = None
+    """Right digits that were asked for and reached."""
+    tried: str = ""
+    """What did not answer."""
+    t_eval: Any = None
 
     def but(self, **changed: Any) -> Self:
         """Return the same trajectory with other `digits`, `tried` or `t_eval`."""

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from numerics.scene import Pair
-from numerics.trajectory.spells import Spell, Steady, bounded
+from numerics.trajectory.spells import Spell, Steady, bounded, exactly
 
 Value = Any
 """An interval of mpmath."""
@@ -83,7 +83,7 @@ class ClosedForms:
 
     def number(self, value: Fraction) -> Value:
         """Return an exact number in the context."""
-        return self.on.mpf(value.numerator) / self.on.mpf(value.denominator)
+        return exactly(self.on, value)
 
     def _swing(self, pair: Pair, mass: Fraction) -> Swing:
         decay = pair.a1 / (2 * mass)

@@ -46,16 +46,11 @@ class Dense:
             raise ValueError("t must be a time in seconds or an array of times; its rows differ in length") from None
         if self.in_floats and given.dtype.kind in "fiu":
             given = given.astype(float)
-            end = self.of.end_time
-            wrong = given[~((given >= 0) & (given <= end))]
-            if wrong.size:
-                self._refuse(str(wrong.flat[0]).removesuffix(".0"))
+            for wrong in given[~((given >= 0) & (given <= self.of.end_time))]:
+                self._refuse(str(wrong).removesuffix(".0"))
             return given
-        given = np.asarray(t, dtype=object)
-        found = np.empty(given.shape, dtype=float if self.in_floats else object)
-        for index in np.ndindex(given.shape):
-            found[index] = self.time(given[index])
-        return found
+        each = np.vectorize(self.time, otypes=[float if self.in_floats else object])
+        return np.asarray(each(np.asarray(t, dtype=object)))
 
     def time(self, t: Any) -> Number:
         """Return a time as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
@@ -74,21 +69,19 @@ class Dense:
         end = self.arithmetic.to_float(self.of.end_time)
         raise ValueError(f"t = {t} s is outside the solved time [0, {end:g}] s; solve further")
 
-    def middle(self, x: Number) -> Number:
-        """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""
-        return x.mid() if self.is_ball else x
+    def middles(self, times: NDArray[Any]) -> NDArray[Any]:
+        """Return times themselves, or midpoints of balls: floats would not tell the ends of a short slip apart."""
+        return np.array([one.mid() for one in times], dtype=object) if self.is_ball else times
 
     @cached_property
     def starts(self) -> NDArray[Any]:
         """Return when each row's segment begins, s, as points: those of the events, so that each finds its segments."""
-        starts = self.of.row_times
-        return np.array([self.middle(one) for one in starts], dtype=object) if self.is_ball else starts
+        return self.middles(self.of.row_times)
 
     def rows(self, times: NDArray[Any], side: Side) -> NDArray[np.int64]:
         """Return the row whose segment holds each time; at an event that on the given side."""
         require_side(side)
-        points = np.array([self.middle(one) for one in times], dtype=object) if self.is_ball else times
-        return np.maximum(np.searchsorted(self.starts, points, side=side) - 1, 0)
+        return np.maximum(np.searchsorted(self.starts, self.middles(times), side=side) - 1, 0)
 
     def states(self, t: Any, side: Side) -> Numbers:
         """Return (x1, v1, x2, v2) at the times, shape (4, ...)."""
@@ -178,7 +171,8 @@ class Dense:
         row = rows[0]
         for later in rows[1:]:  # pieces of force begin within
             before = self.of.row_lengths[row]
-            if self.middle(since) <= self.middle(before):
+            here, last = self.middles(np.array([since, before]))
+            if here <= last:
                 break
             row, since = later, since - before
         x1, v1, x2, v2 = self.flow(np.array([row]), np.array([since]))[:, 0].tolist()
@@ -187,15 +181,15 @@ class Dense:
     def mode(self, t: Any, side: Side) -> Any:
         """Return the modes at the times: a Mode, or an object array."""
         given = self.times(t)
-        rows = self.rows(given.ravel(), side)
-        found = np.empty(len(rows), dtype=object)
-        found[:] = [MODES[self.of.row_signs[row]] for row in rows]
-        return found[0] if given.ndim == 0 else found.reshape(given.shape)
+        found = [MODES[sign] for sign in self.of.row_signs[self.rows(given.ravel(), side)]]
+        return np.array(found, dtype=object).reshape(given.shape)[()]
 
 
 def exact_time(t: Any, name: str = "t") -> Fraction:
     """Return a time as an exact rational: text as a decimal, a float as its binary value. Raises ValueError."""
     try:
+        if isinstance(t, bool):
+            raise TypeError
         if hasattr(t, "as_integer_ratio"):
             return Fraction(*t.as_integer_ratio())
         return Fraction(t if isinstance(t, str) else operator.index(t))

@@ -96,16 +96,20 @@ def _weights(scene: Scene) -> tuple[tuple[float, float, float], float]:
     return found
 
 
-def accuracy_of(trajectory: Rows) -> Accuracy:
-    """Return the bounds of a trajectory in SI units; they are binary64, whatever its numbers are."""
-    record, certain, name = trajectory.record, trajectory.certain, trajectory.arithmetic.name
+def judged(trajectory: Rows) -> tuple[Floats, float, float, int]:
+    """Return bounds on the times of its events (s), its last energy (J) and excess, and how many digits are right."""
+    record, name = trajectory.record, trajectory.arithmetic.name
     judge = compiled(errors_of) if compiles_now() else errors_of
     weights, critical = _weights(trajectory.scene)
     starts = starts_of(trajectory.scene)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts, weights, critical, ROUNDING[name])
     digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0
+    return late, energy, excess, digits if trajectory.certain else 0
+
+
+def accuracy_of(trajectory: Rows, found: tuple[Floats, float, float, int]) -> Accuracy:
+    """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
+    record, (late, energy, excess, digits) = trajectory.record, found
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["dissipated_error"]])
-    return Accuracy(
-        late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, certain, digits if certain else 0
-    )
+    return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)

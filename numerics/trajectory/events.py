@@ -20,9 +20,17 @@ from numerics.trajectory.dense import Dense
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Event(ShortRepr):
-    """A change of mode: time t (s), its kind, the modes it joins, and (x1, v1, x2, v2) in SI units.
+    """A change of mode at the time t (s), from `before` to `after`, at y = (x1, v1, x2, v2) in SI units.
 
-    `cause`: "guard", a velocity or a load got there; or "jump", of the force or of b.
+    `kind`: crossing, entry of a stick or exit; `cause`: "guard", a velocity or a load got there; or "jump", of the
+    force or of b; `reduced`: the state in the engine's own units.
+
+    >>> from numerics import load_scene, solve
+    >>> event = solve(load_scene("velocities")).events[20]
+    >>> round(event.t, 6), event.kind.name, event.before.value, event.after.value, event.cause
+    (4.549769, 'ENTRY', 'slip+', 'stick', 'guard')
+    >>> [round(float(one), 5) for one in event.y]
+    [0.00035, 0.00555, -0.0002, 0.00555]
     """
 
     t: Number
@@ -39,6 +47,15 @@ class Segment(ShortRepr):
     """One mode of motion from `start` to `end` (s); u and b may jump in it.
 
     `length` (s) is kept apart: next to a late start the difference of both would round a short slip away.
+
+    >>> from numerics import load_scene, solve
+    >>> run = solve(load_scene("velocities"))
+    >>> stuck, slip = run.segments[21:23]
+    >>> stuck.mode.value, round(stuck.start, 6), float(round(stuck.length, 6)), slip.start == stuck.end
+    ('stick', 4.549769, 0.029769, True)
+    >>> with run.arithmetic.context():
+    ...     [round(float(one), 6) for one in (*slip.state(0.1), slip.losses()[0])]
+    [0.000587, -0.002827, 0.000129, -0.000732, 1.3e-05]
     """
 
     mode: Mode
@@ -66,6 +83,13 @@ class EnergyLedger(ShortRepr):
     `work` is what a force has put in, int u v1 dt. `residual` = initial + work - final - friction - viscous: rounding
     only, and an enclosure of 0 for balls. The integrals start anew from the state at each event, so that an
     event at the wrong place shows.
+
+    >>> from numerics import load_scene, solve
+    >>> told = solve(load_scene("velocities")).ledger
+    >>> [round(float(one), 6) for one in (told.initial, told.final, told.friction, told.viscous, told.work)]
+    [0.01125, 2.9e-05, 0.011221, 0.0, 0.0]
+    >>> abs(told.residual) < 1e-15
+    True
     """
 
     initial: Number

@@ -76,14 +76,14 @@ class Forms:
     def _early(self, wave: Wave, end: Fraction) -> Fraction | None:
         """Return a time until which a wave is positive by its bounds."""
         for _ in range(DEPTH):
-            if wave(self._hull(Fraction(0), end)) > 0:
+            if wave(self.hull(Fraction(0), end)) > 0:
                 return end
             end /= 2
         return None
 
     def _stays(self, waves: tuple[Wave, Wave, Wave], low: Fraction, high: Fraction, depth: int) -> bool:
         """Whether a wave that is positive at both ends is seen to be so between: by bounds, slope, bend or halves."""
-        between, middle = self._hull(low, high), (low + high) / 2
+        between, middle = self.hull(low, high), (low + high) / 2
         self.parts -= 1
         if waves[0](between) > 0:
             return True
@@ -95,7 +95,8 @@ class Forms:
             return False
         return all(self._stays(waves, *part, depth - 1) for part in ((low, middle), (middle, high)))
 
-    def _hull(self, low: Fraction, high: Fraction) -> Value:
+    def hull(self, low: Fraction, high: Fraction) -> Value:
+        """Return the interval from one number to another."""
         return self.boxes.mpf([self.wide.number(low).a, self.wide.number(high).b])
 
 
@@ -138,7 +139,7 @@ class Run:
         self._keeps(mode, k, guard, low)
         if mode is Mode.STICK:
             self._keeps(mode, -k, self.guard(mode, -k), high)
-        between = self.forms.boxes.mpf([wide.number(low).a, wide.number(high).b])
+        between = self.forms.hull(low, high)
         self.at = moved(wide, mode, k, self.at, between, ends=True)
         self.known = Known(touches=True, k=k if mode is Mode.STICK else 0)
         return low, high

@@ -80,10 +80,7 @@ class Rows(Answer):
     @cached_property
     def row_numbers(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
-        local, y = self.columns.numbers("local"), self.row_states
-        if self.arithmetic.name == "float64":
-            return local, y
-        return self.floats(local), self.floats(y)
+        return self.floats(self.columns.numbers("local")), self.floats(self.row_states)
 
     @cached_property
     def row_times(self) -> NDArray[Any]:

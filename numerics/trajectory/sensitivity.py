@@ -56,6 +56,13 @@ class Sensitivity:
     """Partial derivatives in SI units with respect to `wrt`, the last axis; enclosed, if the trajectory is of balls.
 
     Float arrays for float64, otherwise object arrays of the arithmetic's numbers.
+
+    >>> from numerics import load_scene, solve
+    >>> slopes = sensitivities(solve(load_scene("velocities")))
+    >>> slopes.wrt, slopes.t.shape, slopes.y.shape, slopes.final.shape
+    (('x1', 'v1', 'x2', 'v2', 'm1', 'm2', 'a2', 'b', 'a1'), (24, 9), (24, 4, 9), (4, 9))
+    >>> [round(float(one[slopes.wrt.index("b")]), 5) for one in (slopes.t[20], slopes.final[1], slopes.energy)]
+    [-0.08176, -1.82476, 0.00181]
     """
 
     wrt: tuple[str, ...]

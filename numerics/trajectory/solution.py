@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
-from numerics.linear.record import How, Record
-from numerics.scene import Scene
+from numerics.linear.record import How
 from numerics.trajectory.dense import Dense, Side
-from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of
+from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
@@ -24,24 +22,6 @@ from numerics.trajectory.status import Status
 
 class Solution(Rows):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
-
-    def __init__(
-        self,
-        scene: Scene | Callable[[], Scene],
-        arithmetic: Arithmetic,
-        record: Record,
-        *,
-        digits: int | None = None,
-        tried: str = "",
-        t_eval: Any = None,
-    ) -> None:
-        """Keep what a run wrote. `digits`: right digits that were asked for and reached; `tried`: what did not answer.
-
-        Raises ValueError for times in t_eval that are outside the run.
-        """
-        super().__init__(scene, arithmetic, record)
-        self.digits, self.tried, self.t_eval = digits, tried, t_eval
-        self.look_up_times()
 
     def look_up_times(self) -> None:
         """Raise ValueError for times in t_eval that are outside the run."""
@@ -85,13 +65,17 @@ class Solution(Rows):
         return self._accuracy if self.bounded else None
 
     @cached_property
+    def _judged(self) -> tuple[Any, float, float, int]:
+        return judged(self)
+
+    @cached_property
     def _accuracy(self) -> Accuracy:
-        return accuracy_of(self)
+        return accuracy_of(self, self._judged)
 
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
-        return self._accuracy.digits if self.bounded else 0
+        return self._judged[3] if self.bounded else 0
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:

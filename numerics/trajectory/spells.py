@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 from numerics.linear.pieces import particular
@@ -48,10 +49,7 @@ class Steady(NamedTuple):
 
     def __call__(self, on: Any, t: Any) -> Any:
         """Return the value at t, over a context of intervals of mpmath."""
-
-        def number(one: Fraction) -> Any:
-            return on.mpf(one.numerator) / on.mpf(one.denominator)
-
+        number = partial(exactly, on)
         value, after = on.mpf(0), t - number(self.since)
         for coefficient in reversed(self.polynomial):
             value = number(coefficient) + after * value
@@ -69,6 +67,11 @@ class Steady(NamedTuple):
         """Return the multiple."""
         tones = tuple(one.times(factor) for one in self.tones)
         return Steady(self.since, tuple(factor * one for one in self.polynomial), tones)
+
+
+def exactly(on: Any, one: Fraction) -> Any:
+    """Return an exact number in a context of intervals of mpmath."""
+    return on.mpf(one.numerator) / on.mpf(one.denominator)
 
 
 def bounded(function: Callable[[Any], Any], angle: Any) -> Any:

@@ -6,7 +6,11 @@ from enum import IntEnum
 
 
 class Status(IntEnum):
-    """How a solve ended; `sentence` is what the user reads."""
+    """How a solve ended; `sentence` is what the user reads.
+
+    >>> Status.STUCK_FOR_EVER.success, Status.STUCK_FOR_EVER.sentence
+    (True, 'reached the horizon; the pair has stuck for ever')
+    """
 
     REACHED_HORIZON = 0
     STUCK_FOR_EVER = 1

@@ -9,7 +9,8 @@ from paper_checks.errors import LedgerError
 from paper_checks.evidence.claim import Claim
 
 _ORDER = """
-one-active-one-passive ring-of-tolerance target-or-set-point force-as-reference-or-disturbance free-interface
+one-active-one-passive ring-of-tolerance target-or-set-point friction-opposes-displacement
+force-as-reference-or-disturbance free-interface
 sgn-three-valued modes-from-closed-form stiction-bracket interface-force-balance viscous-no-direct-effect
 filippov-equivalence vector-fields energy-rate energy-dissipation-places transversality-outside transversality-strip
 sliding-region critical-energy supercritical-arcs infinitely-many-crossings return-alternatives dichotomy

@@ -11,7 +11,7 @@ from paper_checks.claims.filippov import (
     stick_is_filippov,
     stick_region,
 )
-from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM
+from paper_checks.claims.points import EDGE, EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.signum import agree, none_under_control, under_a_force
 from paper_checks.claims.words import *
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, branches, driven_equation, driving_equation
@@ -233,6 +233,50 @@ def stiction_bracket() -> Case:
             f"At $\\dot z=0$, for $|\\ddot x_1|<,\\,=,\\,>b/m_2$: $${latex(Matrix(list(at_zero.values())).T)}$$",
             equation(r"\ddot{x}_1|_{\dot{z}=0}", stuck.acceleration1),
         ),
+    )
+
+
+@claim(
+    "friction-opposes-displacement",
+    "I",
+    "before the outline",
+    CORRECTED,
+    "The Coulomb-type friction has a constant magnitude, independent of speed, and the sign opposed to the relative displacement.",
+    correction=(
+        clause(
+            "rate",
+            r"""
+            In slip the friction on body 1 has the constant magnitude $b$ and the sign opposed to the rate of the
+            relative displacement $z=x_1-x_2$, whatever the sign of $z$: for $\dot z>0$ and for $\dot z<0$ it is
+            «friction».
+            """,
+            friction=equal(
+                "f_1",
+                Matrix([-b, b]),
+                lambda: Matrix([branch_named(name).force_on_first for name in ("slip+", "slip-")]),
+            ),
+        ),
+    ),
+)
+def friction_opposes_displacement() -> Case:
+    """A slip that takes a displaced body back, in which friction and displacement have one sign."""
+    back = {**EXAMPLE_PAIR, x1: Rational(1, 1000), x2: 0, v1: Rational(-1, 10), v2: 0}
+    return because(
+        r"""
+        The magnitude is as the text says. The sign is that of $-\dot z$, as in (3), (4); with that of $-z$
+        friction would be a spring of constant force, which gives back what it takes.
+        """,
+        counterexample(
+            "$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $x_1=0.001$, $v_1=-0.1$, body 2 at rest at 0: body 1 is displaced by $z=0.001>0$, and friction pushes it by $+0.5$ N.",
+            exhibit(
+                r"with $z>0$ and $\dot z<0$ the friction on body 1 has the sign of $z$",
+                back,
+                (x1 - x2, ">", 0),
+                (v1 - v2, "<", 0),
+                (branch_named("slip-").force_on_first, "=", Rational(1, 2)),
+            ),
+        ),
+        carried("rate"),
     )
 
 

@@ -19,9 +19,8 @@ def ask_z3(text: str, seconds: float) -> tuple[str, str]:
     import z3
 
     context = z3.Context()  # its own, so that no earlier question bears on the answer
-    solver = z3.Tactic(
-        "qfnra-nlsat", ctx=context
-    ).solver()  # the one tactic for these theories, without the others' setup
+    # the one tactic for these theories, without the others' setup
+    solver = z3.Tactic("qfnra-nlsat", ctx=context).solver()
     solver.set("timeout", int(1000 * seconds))
     solver.from_string(text)
     answer = str(solver.check())

@@ -18,8 +18,7 @@ Proof.
   - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto].
   - destruct U as (t1 & Ht1 & W & _ & _ & _ & Ev & Md & U).
     destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & Ws & In1 & Co & U'). exists (t1 :: times).
-    rewrite Ll. split; [constructor; auto|].
-    assert (Le : t1 <= List.last times t1).
+    rewrite Ll. split; [constructor; auto|]. assert (Le : t1 <= List.last times t1).
     { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
     split; [|split; auto].
     + intros r [<-|Hr]; [lra|]. destruct (In1 r Hr); lra.
@@ -68,8 +67,7 @@ Proof.
         replace (1 * / 20) with (5 / 100) by field. exact F.
       + split; [apply integral_cont; auto|]. split; [intros; apply integral_rderiv; auto|lra]. }
   pose proof (trajectory x v1 (integral v2) v2 Mo) as U.
-  change the_events with (firstn 20 the_events ++ skipn 20 the_events) in U.
-  apply slips_first in U.
+  change the_events with (firstn 20 the_events ++ skipn 20 the_events) in U. apply slips_first in U.
   2: { intros m Hm. simpl in Hm. repeat (destruct Hm as [<-|Hm]; [discriminate|]). contradiction. }
   destruct U as (times & Ws & In1 & Co & U). assert (Ln : length times = 20%nat).
   { pose proof (same_length _ _ _ Ws) as E. simpl in E. auto. }

@@ -44,10 +44,8 @@ Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
 Lemma ac_plus f g : ac f -> ac g -> ac (fun t => f t + g t).
 Proof.
   intros F G T HT e He. destruct (F T HT (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (G T HT (e / 2)) as (d2 & H2 & K2);
-    [lra|].
-  smaller d1 d2. intros l C L.
-  specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
+    destruct (G T HT (e / 2)) as (d2 & H2 & K2); [lra|].
+  smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
   cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear. induction l as [|(p, q) l IH]; simpl;
     [lra|].
   replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring.
@@ -57,11 +55,11 @@ Qed.
 Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
 Proof.
   intros F T HT e He. pose proof (Rabs_pos c). destruct (F T HT (e / (Rabs c + 1))) as (d & Hd & K).
-  { apply Rdiv_lt_0_compat; lra. }
+  { positive. }
   exists d; split; auto. intros l C L. specialize (K l C L).
   replace (moves (fun t => c * f t) l) with (Rabs c * moves f l).
   - apply Rmult_le_compat_l with (r := Rabs c) in K; auto. apply Rle_trans with (1 := K).
-    assert (0 < e / (Rabs c + 1)) by (apply Rdiv_lt_0_compat; lra).
+    assert (0 < e / (Rabs c + 1)) by positive.
     replace e with ((Rabs c + 1) * (e / (Rabs c + 1))) at 2 by (field; lra). nra.
   - clear. induction l as [|(p, q) l IH]; simpl; [ring|]. rewrite <- IH. rewrite <- Rmult_minus_distr_l, Rabs_mult.
     ring.
@@ -70,16 +68,14 @@ Qed.
 Lemma ac_lip f : (forall T, 0 <= T -> exists K, 0 <= K /\ forall r t, 0 <= r <= t -> t <= T ->
   Rabs (f t - f r) <= K * (t - r)) -> ac f.
 Proof.
-  intros L T HT e He. destruct (L T HT) as (K & HK & Q). exists (e / (K + 1)); split; [apply Rdiv_lt_0_compat; lra|].
-  intros l C Ln.
+  intros L T HT e He. destruct (L T HT) as (K & HK & Q). exists (e / (K + 1)); split; [positive|]. intros l C Ln.
   assert (Mv : moves f l <= K * lengths l).
   { assert (G : forall l lo, 0 <= lo -> chain l lo T -> moves f l <= K * lengths l).
     { clear l C Ln. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
       pose proof (chain_le _ _ _ C). specialize (IH q ltac:(lra) C). specialize (Q p q ltac:(lra) ltac:(lra)). lra. }
     apply (G l 0); auto; lra. }
-  assert (0 < e / (K + 1)) by (apply Rdiv_lt_0_compat; lra).
-  apply Rle_trans with (K * (e / (K + 1))).
-  - apply Rle_trans with (1 := Mv). apply Rmult_le_compat_l; auto.
+  assert (0 < e / (K + 1)) by positive. apply Rle_trans with (K * (e / (K + 1))).
+  - apply Rle_trans with (1 := Mv). scale.
   - replace e with ((K + 1) * (e / (K + 1))) at 2 by (field; lra). nra.
 Qed.
 (** linear functions *)
@@ -92,7 +88,7 @@ Qed.
 Lemma cont_ac f : ac f -> cont f.
 Proof.
   intros F t Ht e He. destruct (F (t + 1) ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
-  exists (Rmin d 1); split; [apply Rmin_glb_lt; lra|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
+  exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
     pose proof (Rmin_r d 1).
   apply Rabs_def2 in Hd1. destruct (Rle_dec s t).
   - specialize (K [(s, t)]). simpl in K. rewrite Rabs_minus_sym. specialize (K ltac:(lra) ltac:(lra)). lra.
@@ -124,13 +120,10 @@ Proof.
   intros He Df Pf. apply is_derive_Reals in Df. destruct (Df e He) as ((d & Hd) & K). simpl in K. exists d; split; auto.
   assert (Q : forall h, h <> 0 -> Rabs h < d -> Rabs (f (t + h) - f t - f' t * h) <= e * Rabs h).
   { intros h Hh Hh'. specialize (K h Hh Hh'). replace (f (t + h) - f t - f' t * h)
-    with (((f (t + h) - f t) / h - f' t) * h)
-      by (field; auto). rewrite Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|lra]. }
-  intros r c Hr Hc.
-  assert (A : - e * (c - t) <= f c - f t).
+    with (((f (t + h) - f t) / h - f' t) * h) by (field; auto). rewrite Rabs_mult. scale. }
+  intros r c Hr Hc. assert (A : - e * (c - t) <= f c - f t).
   { destruct (Req_dec c t) as [->|]; [lra|]. specialize (Q (c - t) ltac:(lra)). rewrite (Rabs_pos_eq (c - t)) in Q
-    by lra.
-    replace (t + (c - t)) with c in Q by ring. specialize (Q ltac:(lra)). apply Rabs_inv in Q. nra. }
+    by lra. replace (t + (c - t)) with c in Q by ring. specialize (Q ltac:(lra)). apply Rabs_inv in Q. nra. }
   assert (B : - e * (t - r) <= f t - f r).
   { destruct (Req_dec r t) as [->|]; [lra|]. specialize (Q (r - t) ltac:(lra)). rewrite (Rabs_left (r - t)) in Q by lra.
     replace (t + (r - t)) with r in Q by ring. specialize (Q ltac:(lra)). apply Rabs_inv in Q. nra. }
@@ -140,16 +133,14 @@ Qed.
 (** An absolutely continuous function with a derivative >= 0 almost everywhere does not decrease. *)
 Theorem ac_grows : f p <= f q.
 Proof.
-  apply Rnot_lt_le. intros Lt. set (e := (f p - f q) / (2 * (q - p + 1))).
-  assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
+  apply Rnot_lt_le. intros Lt. set (e := (f p - f q) / (2 * (q - p + 1))). assert (He : 0 < e) by positive.
   destruct (F q ltac:(lra) e He) as (d & Hd & K). destruct (HN d Hd) as (a & b & Hab & Cov & Sm).
   set (La := fun n t => sum_f_R0 (fun i => clamp (a i) (b i) t) n).
   assert (LaG : forall n r t, r <= t -> La n r <= La n t).
   { intros n r t Hr. apply sum_Rle. intros i _. apply clamp_grows; auto. }
   assert (LaN : forall n m r t, r <= t -> La n t - La n r <= La (n + m)%nat t - La (n + m)%nat r).
   { intros n m r t Hr. induction m as [|m IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r. unfold La in *.
-    simpl.
-    pose proof (clamp_grows (a (S (n + m))) (b (S (n + m))) r t Hr). lra. }
+    simpl. pose proof (clamp_grows (a (S (n + m))) (b (S (n + m))) r t Hr). lra. }
   assert (LaI : forall n r t, a n < r -> r <= t -> t < b n -> t - r <= La n t - La n r).
   { intros n r t Hr Ht Hb. destruct n as [|n]; unfold La; simpl.
     - rewrite !clamp_inside by lra. lra.
@@ -175,7 +166,7 @@ Proof.
   assert (Near : forall c, p <= c <= q -> exists h, 0 < h /\ forall r t, c - h < r <= c -> c <= t < c + h ->
     - e * (t - r) <= f t - f r \/ exists n, a n < r /\ t < b n).
   { intros c Hc. destruct (Classical_Prop.classic (N c)) as [Nc|Nc].
-    - destruct (Cov c Nc) as (n & Hn). exists (Rmin (c - a n) (b n - c)). split; [apply Rmin_glb_lt; lra|].
+    - destruct (Cov c Nc) as (n & Hn). exists (Rmin (c - a n) (b n - c)). split; [positive|].
       intros r t Hr Ht. right. exists n. pose proof (Rmin_l (c - a n) (b n - c)).
         pose proof (Rmin_r (c - a n) (b n - c)).
       lra.
@@ -211,11 +202,9 @@ Proof.
       + auto_derive; auto; ring. }
   split.
   - cut (1 * f p + - lo * p <= 1 * f q + - lo * q); [lra|]. apply G. intros t Ht Nt. destruct (D t Ht Nt) as (l & Dl
-    & Hl).
-    exists l. split; auto; lra.
+    & Hl). exists l. split; auto; lra.
   - cut (-1 * f p + hi * p <= -1 * f q + hi * q); [lra|]. apply G. intros t Ht Nt.
-    destruct (D t Ht Nt) as (l & Dl & Hl).
-    exists l. split; auto; lra.
+    destruct (D t Ht Nt) as (l & Dl & Hl). exists l. split; auto; lra.
 Qed.
 
 (** a derivative that is continuous almost everywhere is a right derivative everywhere *)
@@ -223,7 +212,7 @@ Corollary ac_rderiv f g t : ac f -> cont g -> 0 <= t ->
   (forall T, 0 <= T -> exists N, null N /\ forall u, 0 <= u <= T -> ~ N u -> is_derive f u (g u)) -> rderiv f t (g t).
 Proof.
   intros F G Ht D e He. destruct (D (t + 1) ltac:(lra)) as (N & HN & Dn). destruct (G t Ht e He) as (d & Hd & K).
-  exists (Rmin d 1); split; [apply Rmin_glb_lt; lra|]. intros h Hh. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
+  exists (Rmin d 1); split; [positive|]. intros h Hh. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
   destruct (ac_slope f N t (t + h) (g t - e) (g t + e)) as (A & B); auto; [lra| |].
   - intros u Hu Nu. exists (g u). split; [apply Dn; auto; lra|]. specialize (K u ltac:(lra)).
     assert (Q : Rabs (u - t) < d) by (rewrite Rabs_pos_eq; lra). specialize (K Q). apply Rabs_def2 in K. lra.
@@ -234,11 +223,11 @@ Qed.
 Lemma null_points (p : nat -> R) : null (fun t => exists n, t = p n).
 Proof.
   intros e He. set (h := fun n : nat => e / 2 * (1 / 2) ^ S n).
-  assert (Hh : forall n, 0 < h n) by (intros n; apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]).
+  assert (Hh : forall n, 0 < h n) by (intros n; apply Rmult_lt_0_compat; [lra|positive]).
   exists (fun n => p n - h n), (fun n => p n + h n). split; [|split].
   - intros n. specialize (Hh n). lra.
   - intros t (n & ->). exists n. specialize (Hh n). lra.
   - intros n. apply Rle_trans with (e * (1 - (1 / 2) ^ S n)).
     + induction n as [|n IH]; [unfold h; simpl; lra|]. rewrite tech5. unfold h at 3 4. simpl pow in *. lra.
-    + assert (0 < (1 / 2) ^ S n) by (apply pow_lt; lra). nra.
+    + assert (0 < (1 / 2) ^ S n) by positive. nra.
 Qed.

@@ -67,7 +67,7 @@ Proof.
   replace (- (2 * PI * ct v * (1 + ct v ^ 2)) - 2) with (2 * PI * (B * (1 + B ^ 2)) - 2) by (unfold B; ring).
   assert (A * (1 + A ^ 2) < B * (1 + B ^ 2)). { assert (A ^ 2 <= B ^ 2) by (apply pow_incr; lra).
     pose proof (pow2_ge_0 A). nra. }
-  assert (2 * PI * (A * (1 + A ^ 2)) < 2 * PI * (B * (1 + B ^ 2))) by (apply Rmult_lt_compat_l; lra). lra.
+  assert (2 * PI * (A * (1 + A ^ 2)) < 2 * PI * (B * (1 + B ^ 2))) by scale. lra.
 Qed.
 (** k = -1/sqrt 3 at 2 pi/3 *)
 Lemma ct_2PI3 : ct (2 * (PI / 3)) = - / sqrt 3.
@@ -98,7 +98,7 @@ Proof.
         destruct (Mvt z p ltac:(lra) ltac:(lra) ltac:(lra)) as (t2 & E2 & T2).
       pose proof (dP_incr t1 t2 ltac:(lra) ltac:(lra) ltac:(lra)). rewrite Z1, Z2 in E1. rewrite Z2 in E2.
       assert (dP t1 = 0). { assert (X : dP t1 * (z - PI / 2) = 0) by lra. apply Rmult_integral in X. lra. }
-      assert (0 < dP t2 * (p - z)) by (apply Rmult_lt_0_compat; lra). lra. }
+      assert (0 < dP t2 * (p - z)) by positive. lra. }
   rewrite Iff. assert (C : / sqrt 3 = - ct z) by (unfold z; rewrite ct_2PI3; ring). rewrite C. split; intros Q.
   - destruct (Req_dec z p) as [<-|]; [lra|]. pose proof (ct_falls z p ltac:(lra) ltac:(lra) ltac:(lra)). lra.
   - destruct (Rle_dec z p) as [|n]; auto. pose proof (ct_falls p z ltac:(lra) ltac:(lra) ltac:(lra)). lra.
@@ -126,7 +126,7 @@ Lemma depth_incr p p' : 0 < p -> p < p' -> p' < PI -> depth p < depth p'.
 Proof.
   intros. destruct (MVT_cor2 depth (fun t => 2 * hh t) p p' ltac:(lra)) as (t & E & Ht).
   { intros t Ht. apply is_derive_Reals, derive_depth; lra. }
-  pose proof (hh_pos t ltac:(lra)). assert (0 < 2 * hh t * (p' - p)) by (apply Rmult_lt_0_compat; lra). lra.
+  pose proof (hh_pos t ltac:(lra)). assert (0 < 2 * hh t * (p' - p)) by positive. lra.
 Qed.
 Section Alternate.
 Variables q pc : R.
@@ -143,18 +143,17 @@ Proof.
   { destruct (Req_dec pc p) as [<-|]; [lra|].
     destruct (MVT_cor2 G (fun t => depth t * (1 + ct t ^ 2) - 2 + ct pc * (2 * hh t)) pc p ltac:(lra)) as (t & E & Ht).
     { intros t Ht. apply is_derive_Reals. pose proof (derive_hh t ltac:(lra)) as A.
-      pose proof (derive_depth t ltac:(lra)) as B.
-      unfold G. auto_derive.
+      pose proof (derive_depth t ltac:(lra)) as B. unfold G. auto_derive.
       - repeat split; [eexists; exact A|eexists; exact B].
       - replace (Derive (fun x => hh x) t) with (depth t * (1 + ct t ^ 2)) by (symmetry; apply is_derive_unique;
         exact A).
         replace (Derive (fun x => depth x) t) with (2 * hh t) by (symmetry; apply is_derive_unique; exact B). ring. }
     rewrite half_depth in E by lra. pose proof (ct_falls pc t ltac:(lra) ltac:(lra) ltac:(lra)).
       pose proof (hh_pos t ltac:(lra)).
-    assert (0 <= hh t * (ct pc - ct t)) by (apply Rmult_le_pos; lra).
-    assert (0 <= (2 * (1 - hh t * ct t) - 2 + ct pc * (2 * hh t)) * (p - pc)) by (apply Rmult_le_pos; lra). lra. }
+    assert (0 <= hh t * (ct pc - ct t)) by positive.
+    assert (0 <= (2 * (1 - hh t * ct t) - 2 + ct pc * (2 * hh t)) * (p - pc)) by positive. lra. }
   rewrite <- G0. apply Rle_trans with (1 := GI). unfold push, G. rewrite ct_mirror by lra.
-  pose proof (two_hh p ltac:(lra)). assert (0 <= d * (ct pc - ct p)) by (apply Rmult_le_pos; lra). lra.
+  pose proof (two_hh p ltac:(lra)). assert (0 <= d * (ct pc - ct p)) by positive. lra.
 Qed.
 (** so the next slip is short *)
 Theorem long_to_short d p p' : 0 <= Pf pc -> 0 <= d -> pc <= p < PI -> 0 < p' < PI ->
@@ -175,20 +174,18 @@ Proof.
   assert (He : 0 <= e) by (unfold e; lra). pose proof (ct_mirror pc ltac:(lra)) as Cm.
   assert (K : - ct pc <= ct p). { rewrite <- Cm. destruct (Req_dec p (PI - pc)) as [->|]; [lra|].
     apply Rlt_le, ct_falls; lra. }
-  set (F := fun p => hh p + 2 * ct p / q).
-  assert (FI : F (PI - pc) <= F p).
+  set (F := fun p => hh p + 2 * ct p / q). assert (FI : F (PI - pc) <= F p).
   { destruct (Req_dec p (PI - pc)) as [->|]; [lra|].
     destruct (MVT_cor2 F (fun t => (depth t - 2 / q) * (1 + ct t ^ 2)) p (PI - pc) ltac:(lra)) as (t & E & Ht).
     { intros t Ht. apply is_derive_Reals, derive_push_next; lra. }
     assert (depth t < 2 / q). { rewrite <- Dc. apply depth_incr; lra. }
-    assert (0 <= (2 / q - depth t) * (1 + ct t ^ 2) * (PI - pc - p)). { pose proof (pow2_ge_0 (ct t)).
-      apply Rmult_le_pos; [apply Rmult_le_pos|]; lra. } lra. }
+    assert (0 <= (2 / q - depth t) * (1 + ct t ^ 2) * (PI - pc - p)) by positive. lra. }
   assert (Fv : F (PI - pc) = hh pc + Pf pc).
   { unfold F. rewrite Cm. pose proof (hh_mirror pc ltac:(lra)). pose proof (two_hh pc ltac:(lra)) as T.
     rewrite Dc in T. unfold Pf.
     replace (2 * - ct pc / q) with (- (ct pc * (2 / q))) by (field; lra). rewrite <- T. lra. }
   rewrite <- Fv. apply Rle_trans with (1 := FI). unfold F.
-    assert (0 <= (ct p + ct pc) * e) by (apply Rmult_le_pos; lra).
+    assert (0 <= (ct p + ct pc) * e) by positive.
   replace (2 * ct p / q) with (ct p * (2 / q)) by (field; lra). lra.
 Qed.
 (** so the next slip is long *)

@@ -5,7 +5,7 @@ From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cyc
 (** (c), the algebra: the level is a quadratic in D; its least value is positive if 1 - 2 h k < q h^2 *)
 Lemma level_pos m1 m2 p d : 0 < m1 -> 0 < m2 -> 1 - 2 * hh p * ct p < m1 / (m1 + m2) * hh p ^ 2 -> 0 < level m1 m2 p d.
 Proof.
-  intros H1 H2 Hc. assert (Q : 0 < m1 / (m1 + m2)) by (apply Rdiv_lt_0_compat; lra). unfold level. cbv zeta.
+  intros H1 H2 Hc. assert (Q : 0 < m1 / (m1 + m2)) by positive. unfold level. cbv zeta.
   set (q := m1 / (m1 + m2)) in *. set (D := depth p + d). set (h := hh p) in *. set (k := ct p) in *. clearbody q D h k.
   assert (W : 0 < k ^ 2 + q) by (pose proof (pow2_ge_0 k); lra). apply Rmult_lt_reg_l with (k ^ 2 + q); auto.
   replace ((k ^ 2 + q) * (h ^ 2 - 2 * (1 - h * k) * D + (k ^ 2 + q) * D ^ 2))
@@ -48,10 +48,9 @@ Proof.
   destruct (cont_IVT F (PI / 2) PI) as (z & Hz & Z).
   - apply cont_of_derive with (fun p => q * (p * sin p) - cos p). intros t. unfold F. auto_derive; auto. ring.
   - lra.
-  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI.
-    assert (0 < (1 - q) * (q * PI)) by (apply Rmult_lt_0_compat; [lra|]; apply Rmult_lt_0_compat; lra). lra.
+  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI. assert (0 < (1 - q) * (q * PI)) by positive. lra.
   - exists z. assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI, cos_PI in Z.
-    assert (0 < q * PI) by (apply Rmult_lt_0_compat; lra). lra. }
+    assert (0 < q * PI) by positive. lra. }
     assert (z <> PI / 2). { intros ->. unfold F in Z. rewrite sin_PI2, cos_PI2 in Z. lra. }
     split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)). unfold F in Z. unfold depth.
     replace (sin z - z * cos z) with (sin z / q); [field; lra|]. apply Rmult_eq_reg_l with q; [|lra].

@@ -50,8 +50,7 @@ Proof.
     destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg 1 ltac:(auto))) as (u & Hu & E).
     destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg (-1) ltac:(auto))) as (q & Hq & E').
     pose proof (Up u ltac:(lra)) as U1. pose proof (Up q ltac:(lra)) as U2. rewrite Z, pow_i in E, E' by lia.
-    apply Rabs_le_between in U1. apply Rabs_le_between in U2.
-    apply Rabs_le. split; nra.
+    apply Rabs_le_between in U1. apply Rabs_le_between in U2. apply Rabs_le. split; nra.
 Qed.
 
 (** so the function is 0 there as far as the series converges *)
@@ -64,9 +63,8 @@ Proof.
   pose proof (below_power C K HC HK B Z n 0%nat h Hh) as L. change (0 + n)%nat with n in L.
   replace (C * K ^ n * (INR (fact n) / INR (fact n)) * h ^ n) with (C * (K * h) ^ n) in L
     by (rewrite Rpow_mult_distr; field; apply INR_fact_neq_0).
-  assert (Pw : (K * h) ^ n <= (/ 2) ^ n) by (apply pow_incr; split; [apply Rmult_le_pos; lra|auto]).
-  assert (C * (K * h) ^ n <= C * (e / C)) by (apply Rmult_le_compat_l; lra).
-  assert (C * (e / C) = e) by (field; lra). lra.
+  assert (Pw : (K * h) ^ n <= (/ 2) ^ n) by (apply pow_incr; split; [positive|auto]).
+  assert (C * (K * h) ^ n <= C * (e / C)) by scale. assert (C * (e / C) = e) by (field; lra). lra.
 Qed.
 
 (** the sign at 0 of the first derivative that is not 0 there is for a while that of all lower ones *)
@@ -77,7 +75,7 @@ Proof.
   { assert (Cp : continuity_pt (fun h => k * P n h) 0).
     { apply derivable_continuous_pt. exists (k * P (S n) 0). apply is_derive_Reals, is_derive_scal, DP. lra. }
     destruct (Cp (k * P n 0) Pn) as (c & Hc & Q). exists (Rmin c d). pose proof (Rmin_l c d). pose proof (Rmin_r c d).
-    split; [split; [apply Rmin_glb_lt; auto|auto]|]. intros h Hh. destruct (Req_dec h 0) as [->|N]; auto.
+    split; [split; [positive|auto]|]. intros h Hh. destruct (Req_dec h 0) as [->|N]; auto.
     specialize (Q h). simpl in Q. unfold R_dist in Q. rewrite Rminus_0_r, (Rabs_pos_eq h) in Q by lra.
     assert (D : Rabs (k * P n h - k * P n 0) < k * P n 0) by (apply Q; split; [split; [exact I|auto]|lra]).
     apply Rabs_def2 in D. lra. }
@@ -87,7 +85,7 @@ Proof.
   - destruct (mean i (fun _ => 0) (fun _ => 0) 0 h ltac:(lra) ltac:(lra)) as (u & Hu & E).
     { intros u _. auto_derive; auto. }
     rewrite (Z i) in E by lia. pose proof (IH (S i) ltac:(lia) ltac:(lia) u ltac:(lra)) as Pu.
-    replace (P i h) with (P (S i) u * h) by lra. rewrite <- Rmult_assoc. apply Rmult_lt_0_compat; lra.
+    replace (P i h) with (P (S i) u * h) by lra. rewrite <- Rmult_assoc. positive.
 Qed.
 
 (** one that never falls stays *)
@@ -110,15 +108,14 @@ Proof.
       as (n & (Pn & Least) & _).
     assert (Z : forall i, (i < n)%nat -> P i 0 = 0).
     { intros i Hi. apply NNPP. intros N. specialize (Least i N). lia. }
-    assert (N1 : (1 <= n)%nat) by (destruct n; [contradiction|lia]).
-    destruct (Rdichotomy _ _ Pn) as [Neg|Pos].
+    assert (N1 : (1 <= n)%nat) by (destruct n; [contradiction|lia]). destruct (Rdichotomy _ _ Pn) as [Neg|Pos].
     + destruct (rising (-1) n (or_intror eq_refl) ltac:(lra) Z) as (c & Hc & Q). exists c. split; auto. right.
       apply never_rises; auto. intros h Hh. specialize (Q 1%nat N1 h Hh). lra.
     + destruct (rising 1 n (or_introl eq_refl) ltac:(lra) Z) as (c & Hc & Q). exists c. split; auto. left.
       intros h Hh. specialize (Q 0%nat ltac:(lia) h Hh). lra.
   - assert (Z : forall i, P i 0 = 0) by (intros i; apply NNPP; intros N; apply No; exists i; auto).
     exists (Rmin d (/ (2 * K))). pose proof (Rmin_l d (/ (2 * K))). pose proof (Rmin_r d (/ (2 * K))).
-    assert (0 < / (2 * K)) by (apply Rinv_0_lt_compat; lra). split; [split; [apply Rmin_glb_lt; auto|auto]|]. right.
+    assert (0 < / (2 * K)) by positive. split; [split; [positive|auto]|]. right.
     assert (F : forall h, 0 <= h < Rmin d (/ (2 * K)) -> P 0%nat h = 0).
     { intros h Hh. apply (flat C K); auto; [lra|]. replace (/ 2) with (K * / (2 * K)) by (field; lra).
       apply Rmult_le_compat_l; lra. }
@@ -146,8 +143,7 @@ Proof.
       replace (e * P 1%nat (t + e * h)) with (e * P 1%nat (t + e * h) + 0) by ring.
       apply (is_derive_plus (fun h => P 0%nat (t + e * h)) (fun _ => - P 0%nat t)); [auto|auto_derive; auto].
     + unfold Q. replace (e ^ S (S i) * P (S (S i)) (t + e * h)) with (e ^ S i * (e * P (S (S i)) (t + e * h))) by
-      (simpl; ring).
-      apply (is_derive_scal (fun h => P (S i) (t + e * h))); auto.
+      (simpl; ring). apply (is_derive_scal (fun h => P (S i) (t + e * h))); auto.
   - intros i h Hh. destruct (DP i _ (In h Hh)) as (_ & B). assert (0 <= C * K ^ i * INR (fact i)).
     { apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow_le; lra]|apply pos_INR]. }
     destruct i as [|i]; unfold Q.
@@ -169,8 +165,7 @@ Qed.
 Lemma analytic_near f g t d : 0 < d -> (forall r, Rabs (r - t) < d -> f r = g r) -> analytic_at f t -> analytic_at g t.
 Proof.
   intros Hd E (P & d' & C & K & Hd' & HC & HK & P0 & DP). exists P, (Rmin d d'), C, K.
-  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [apply Rmin_glb_lt; auto|]. split; auto. split; auto.
-  split.
+  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [positive|]. split; auto. split; auto. split.
   - intros r Hr. rewrite <- E by lra. apply P0. lra.
   - intros i r Hr. apply DP. lra.
 Qed.
@@ -199,7 +194,7 @@ Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP) (Q & d' & C' & K' & Hd' & HC' & HK' & Q0 & DQ).
   pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). pose proof (Rmax_l K K'). pose proof (Rmax_r K K').
   exists (fun i r => P i r + Q i r), (Rmin d d'), (C + C'), (Rmax K K').
-  split; [apply Rmin_glb_lt; auto|]. split; [lra|]. split; [lra|]. split; [intros r Hr; rewrite P0, Q0 by lra; auto|].
+  split; [positive|]. split; [lra|]. split; [lra|]. split; [intros r Hr; rewrite P0, Q0 by lra; auto|].
   intros i r Hr. destruct (DP i r ltac:(lra)) as (D & B), (DQ i r ltac:(lra)) as (D' & B').
   split; [apply (is_derive_plus (P i) (Q i)); auto|]. eapply Rle_trans; [apply Rabs_triang|].
   assert (F : 0 < INR (fact i)) by (apply lt_0_INR, lt_O_fact).
@@ -214,8 +209,7 @@ Qed.
 Lemma analytic_scal c f t : analytic_at f t -> analytic_at (fun r => c * f r) t.
 Proof.
   intros (P & d & C & K & Hd & HC & HK & P0 & DP). pose proof (Rabs_pos c).
-  exists (fun i r => c * P i r), d, ((Rabs c + 1) * C), K. split; auto. split; [apply Rmult_lt_0_compat; lra|].
-  split; auto.
+  exists (fun i r => c * P i r), d, ((Rabs c + 1) * C), K. split; auto. split; [positive|]. split; auto.
   split; [intros r Hr; rewrite P0; auto|]. intros i r Hr. destruct (DP i r Hr) as (D & B).
   split; [apply is_derive_scal; auto|]. rewrite Rabs_mult, !Rmult_assoc. rewrite Rmult_assoc in B.
   apply Rmult_le_compat; auto using Rabs_pos; lra.
@@ -243,15 +237,14 @@ Proof.
   set (K' := Rmax K 1). assert (K <= K') by apply Rmax_l. assert (1 <= K') by apply Rmax_r.
   set (C' := Rabs (f t) + 1 + C). pose proof (Rabs_pos (f t)).
   exists (fun i => match i with O => f | S i => P i end), (Rmin d d'), C', K'.
-  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [apply Rmin_glb_lt; auto|].
+  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [positive|].
   split; [unfold C'; lra|]. split; [lra|]. split; [auto|]. intros i r Hr. destruct i as [|i].
   - split; [rewrite P0 by lra; apply D|]. simpl. rewrite !Rmult_1_r. specialize (Near r ltac:(lra)). unfold C'. lra.
   - destruct (DP i r ltac:(lra)) as (Di & B). split; auto. eapply Rle_trans; [exact B|].
-    assert (Pw : 0 < K ^ i) by (apply pow_lt; auto). assert (0 <= INR (fact i)) by apply pos_INR.
-    assert (INR (fact i) <= INR (fact (S i))) by (apply le_INR, fact_le; lia).
-    assert (K ^ i <= K' ^ S i).
+    assert (Pw : 0 < K ^ i) by positive. assert (0 <= INR (fact i)) by apply pos_INR.
+    assert (INR (fact i) <= INR (fact (S i))) by (apply le_INR, fact_le; lia). assert (K ^ i <= K' ^ S i).
     { apply Rle_trans with (K' ^ i); [apply pow_incr; lra|]. apply Rle_pow; [auto|lia]. }
-    apply Rmult_le_compat; auto; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat; try lra. unfold C'. lra.
+    apply Rmult_le_compat; auto; [positive|]. apply Rmult_le_compat; try lra. unfold C'. lra.
 Qed.
 
 (** powers of the time since a *)
@@ -266,13 +259,11 @@ Qed.
 (** sinusoids *)
 Lemma analytic_sine om phi t : analytic_at (fun r => sin (om * r + phi)) t.
 Proof.
-  pose proof (Rabs_pos om).
-  exists (fun i r => om ^ i * sin (om * r + phi + INR i * (PI / 2))), 1, 1, (Rabs om + 1).
+  pose proof (Rabs_pos om). exists (fun i r => om ^ i * sin (om * r + phi + INR i * (PI / 2))), 1, 1, (Rabs om + 1).
   split; [lra|]. split; [lra|]. split; [lra|]. split; [intros r _; simpl; rewrite Rmult_0_l, Rplus_0_r; ring|].
   intros i r _. split.
   - rewrite S_INR. auto_derive; auto. replace (om * r + phi + (INR i + 1) * (PI / 2)) with (PI / 2 + (om * r + phi +
-    INR i * (PI / 2))) by field.
-    rewrite <- cos_sin. simpl. ring.
+    INR i * (PI / 2))) by field. rewrite <- cos_sin. simpl. ring.
   - rewrite Rmult_1_l, Rabs_mult, <- RPow_abs. pose proof (pow_le (Rabs om) i (Rabs_pos _)).
     pose proof (pow_incr (Rabs om) (Rabs om + 1) i ltac:(lra)).
     assert (1 <= INR (fact i)) by (apply (le_INR 1), lt_O_fact).
@@ -346,7 +337,7 @@ Proof.
     + exists first, first, (t1 - t). repeat split; auto; try lra; intros; apply Early; lra.
     + exists first, g', d. repeat split; auto; intros; [rewrite Late by lra; auto|apply Early; lra].
     + exists f', g', (Rmin d (t - t1)). pose proof (Rmin_l d (t - t1)). pose proof (Rmin_r d (t - t1)).
-      split; [apply Rmin_glb_lt; lra|]. repeat split; auto; intros; rewrite Late by lra; [apply Eg|apply Ef]; lra.
+      split; [positive|]. repeat split; auto; intros; rewrite Late by lra; [apply Eg|apply Ef]; lra.
 Qed.
 
 (** each piece a polynomial plus sinusoids: what scenes have *)

@@ -10,7 +10,7 @@ Lemma rises f f' p q : p <= q -> (forall t, is_derive f t (f' t)) -> (forall t, 
 Proof.
   intros Hp D P. destruct (Req_dec p q) as [->|N]; [lra|].
   destruct (MVT_cor2 f f' p q) as (c & E & Hc); [lra|intros c Hc; apply is_derive_Reals, D|].
-  specialize (P c ltac:(lra)). assert (0 <= f' c * (q - p)) by (apply Rmult_le_pos; lra). lra.
+  specialize (P c ltac:(lra)). assert (0 <= f' c * (q - p)) by positive. lra.
 Qed.
 
 Section Arrival.
@@ -59,7 +59,7 @@ Qed.
 Lemma signs : 0 < tau /\ 0 < be /\ 0 < A.
 Proof.
   pose proof (tau_pos m2 b D Hm2 Hb HD) as T. pose proof (be_pos m2 b Hm2 Hb) as B. fold be in B. fold tau in T, Gt.
-  repeat split; auto. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+  repeat split; auto. apply Rdiv_lt_0_compat; auto. positive.
 Qed.
 (** the response grows *)
 Lemma g_pos t : 0 <= t <= tau -> 0 <= g t.
@@ -72,8 +72,7 @@ Proof.
   - intros t. auto_derive; [exists (- (a2 * g t + a1 * g' t) / m1); apply Dg'|].
     rewrite (is_derive_unique (fun x : R => g' x) _ _ (Dg' t)). field; lra.
   - intros t Ht. pose proof (g_pos t ltac:(lra)). pose proof (Gp t ltac:(fold tau; lra)).
-    apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto].
-    assert (0 <= a2 * g t) by (apply Rmult_le_pos; lra). assert (0 <= a1 * g' t) by (apply Rmult_le_pos; lra). lra.
+    apply Rmult_le_pos; [|positive]. assert (0 <= a2 * g t) by positive. assert (0 <= a1 * g' t) by positive. lra.
 Qed.
 (** so it lies above its chord *)
 Lemma g_chord t : 0 <= t <= tau -> t * g tau <= tau * g t.
@@ -82,7 +81,7 @@ Proof.
   destruct (MVT_cor2 g g' 0 t) as (p & E & Hp); [lra|intros r _; apply is_derive_Reals, Dg|].
   destruct (MVT_cor2 g g' t tau) as (q & E' & Hq); [lra|intros r _; apply is_derive_Reals, Dg|].
   rewrite G0, !Rminus_0_r in E. pose proof (g'_falls p q ltac:(lra) ltac:(lra)) as F.
-  assert (t * (tau - t) * g' q <= t * (tau - t) * g' p) by (apply Rmult_le_compat_l; [apply Rmult_le_pos|]; lra).
+  assert (t * (tau - t) * g' q <= t * (tau - t) * g' p) by scale.
   replace (g tau) with (g t + g' q * (tau - t)) by lra. rewrite E. nra.
 Qed.
 (** a unit displacement springs back *)
@@ -101,8 +100,8 @@ Proof.
   destruct signs as (Tp & Bp & Ap). fold tau in Gt. assert (g tau <= tau / m1).
   { destruct (MVT_cor2 g g' 0 tau) as (p & E & Hp); [lra|intros r _; apply is_derive_Reals, Dg|].
     rewrite G0, !Rminus_0_r in E. pose proof (g'_falls 0 p ltac:(lra) ltac:(lra)) as F. rewrite G0' in F. rewrite E.
-    replace (tau / m1) with (/ m1 * tau) by (field; lra). apply Rmult_le_compat_r; lra. }
-  unfold A. apply Rmult_le_reg_r with (g tau); auto. replace (be * tau / g tau * g tau) with (be * tau) by (field; lra).
+    replace (tau / m1) with (/ m1 * tau) by (field; lra). scale. }
+  unfold A. undivide (g tau).
   replace (be * tau) with (m1 * be * (tau / m1)) by (field; lra). apply Rmult_le_compat_l; [nra|auto].
 Qed.
 (** the speed at the meeting *)
@@ -117,7 +116,7 @@ Lemma halves F U2 u2 X' V' : Fm <= F -> U2 0 = 0 -> (forall r t, 0 <= r <= t -> 
   arrives F (V' tau).
 Proof.
   intros HF U20 LU2 DU2 A2 EX EV. destruct signs as (Tp & Bp & Ap). pose proof A_above as Ab.
-    assert (F0 : 0 < Fm) by (unfold Fm; lra).
+    assert (F0 : 0 < Fm) by positive.
   set (U := fun t => Fm * Rmin t tau + U2 (Rmax (t - tau) 0)).
   assert (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)).
   { intros r t Hr. unfold U. pose proof (LU2 (Rmax (r - tau) 0) (Rmax (t - tau) 0)
@@ -125,11 +124,10 @@ Proof.
     assert (Sp : t - r = (Rmin t tau - Rmin r tau) + (Rmax (t - tau) 0 - Rmax (r - tau) 0))
       by (unfold Rmin, Rmax; repeat destruct Rle_dec; lra).
     assert (Mn : 0 <= Rmin t tau - Rmin r tau) by (unfold Rmin; repeat destruct Rle_dec; lra).
-    assert (0 <= Fm * (Rmin t tau - Rmin r tau)) by (apply Rmult_le_pos; lra).
-    assert (Fm * (Rmin t tau - Rmin r tau) <= F * (Rmin t tau - Rmin r tau)) by (apply Rmult_le_compat_r; lra).
+    assert (0 <= Fm * (Rmin t tau - Rmin r tau)) by positive.
+    assert (Fm * (Rmin t tau - Rmin r tau) <= F * (Rmin t tau - Rmin r tau)) by scale.
     rewrite Sp. apply Rabs_le. lra. }
-  assert (CU : cont U) by (apply (lip_cont U F); [lra|auto]).
-  assert (D1 : forall t, 0 <= t < tau -> rderiv U t Fm).
+  assert (CU : cont U) by (apply (lip_cont U F); [lra|auto]). assert (D1 : forall t, 0 <= t < tau -> rderiv U t Fm).
   { intros t Ht. apply rderiv_near with (fun t => Fm * t + U2 0) (tau - t); [lra| |].
     - intros r Hr. unfold U. rewrite Rmin_left, Rmax_right by lra. auto.
     - apply rderiv_of_derive. auto_derive; auto. ring. }
@@ -142,14 +140,12 @@ Proof.
   { constructor.
     - intros t. apply (is_derive_scal k t A (g t)), derive_k.
     - intros t. replace ((Fm - a2 * (A * k t) - a1 * (A * g t) - b * 1) / m1) with (A * g' t) by (unfold Fm, k; field;
-      lra).
-      apply (is_derive_scal g t A (g' t)), Dg.
+      lra). apply (is_derive_scal g t A (g' t)), Dg.
     - intros t. auto_derive; auto. unfold be. field; lra.
     - intros t Ht. split; [lra|]. split; [auto|]. intros W. exfalso. pose proof (g_chord t ltac:(lra)) as C.
-      fold tau in Gt.
-      assert (be * t <= A * g t); [|lra]. apply Rmult_le_reg_r with (g tau); auto.
+      fold tau in Gt. assert (be * t <= A * g t); [|lra]. apply Rmult_le_reg_r with (g tau); auto.
         replace (A * g t * g tau) with (be * (tau * g t))
-        by (rewrite <- Rmult_assoc, <- A_meet; ring). rewrite Rmult_assoc. apply Rmult_le_compat_l; lra. }
+        by (rewrite <- Rmult_assoc, <- A_meet; ring). rewrite Rmult_assoc. scale. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U (fun _ => Fm) _ _ _ _ tau ltac:(lra) CU D1 A1) as (x & v1 &
     v2 & s & H & E).
   destruct (E 0 ltac:(lra)) as (X0 & V0 & W0). destruct (E tau ltac:(lra)) as (XT & VT & WT).
@@ -162,8 +158,7 @@ Proof.
   split; [rewrite X0; unfold k; rewrite G0, G0'; field; lra|]. split; [rewrite V0, G0; ring|]. split; [rewrite W0;
     ring|].
   split; [apply integral_0|]. destruct (E2 tau ltac:(lra)) as (V2T & W2T). replace (2 * tau) with (tau + tau) by ring.
-  split; [|split; [rewrite W2T; ring|auto]].
-  pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
+  split; [|split; [rewrite W2T; ring|auto]]. pose proof (tau_sq m2 b D Hm2 Hb HD) as T2. fold tau be in T2.
   assert (K1 : integral v2 tau - be * tau ^ 2 / 2 = integral v2 0 - be * 0 ^ 2 / 2).
   { apply (rderiv_0 (fun t => integral v2 t - be * t ^ 2 / 2) 0 tau); [|lra|].
     - apply cont_minus; [apply integral_cont; auto|]. apply cont_of_derive with (fun t => be * t). intros t.
@@ -174,8 +169,7 @@ Proof.
     ^ 2 / 2).
   { apply (rderiv_0 (fun t => integral v2 t + be * (2 * tau - t) ^ 2 / 2) tau (tau + tau)); [|lra|].
     - apply cont_plus; [apply integral_cont; auto|]. apply cont_of_derive with (fun t => - be * (2 * tau - t)).
-      intros t.
-      auto_derive; auto. field.
+      intros t. auto_derive; auto. field.
     - intros t Ht. apply rderiv_eq with (v2 t + - be * (2 * tau - t)).
       + destruct (E2 (t - tau) ltac:(lra)) as (_ & Q). replace (tau + (t - tau)) with t in Q by ring. rewrite Q. ring.
       + apply rderiv_plus; [apply integral_rderiv; auto; lra|apply rderiv_of_derive]. auto_derive; auto. field. }
@@ -185,13 +179,13 @@ Qed.
 (** enough: the force pulls in the second half, and body 1 falls behind *)
 Lemma arrival_attained F : Fm <= F -> exists v, arrives F v.
 Proof.
-  intros HF. destruct signs as (Tp & Bp & Ap). pose proof A_above as Ab. assert (F0 : 0 < Fm) by (unfold Fm; lra).
+  intros HF. destruct signs as (Tp & Bp & Ap). pose proof A_above as Ab. assert (F0 : 0 < Fm) by positive.
     fold tau in Gt.
   set (X' := fun t => A * k tau * c t + m1 * (be * tau) * g t - A * k t).
   set (V' := fun t => A * k tau * (- a2 * g t) + m1 * (be * tau) * g' t - A * g t).
   exists (V' tau). apply (halves F (fun t => - Fm * t) (fun _ => - Fm) X' V'); auto; try ring.
   - intros r t Hr. replace (- Fm * t - - Fm * r) with (- (Fm * (t - r))) by ring.
-    rewrite Rabs_Ropp, Rabs_pos_eq by (apply Rmult_le_pos; lra). apply Rmult_le_compat_r; lra.
+    rewrite Rabs_Ropp, Rabs_pos_eq by positive. scale.
   - intros t Ht. apply rderiv_of_derive. auto_derive; auto. ring.
   - constructor.
     + intros t. unfold X', V'. apply (is_derive_minus (fun t => A * k tau * c t + m1 * (be * tau) * g t) (fun t => A *
@@ -215,13 +209,11 @@ Proof.
       assert (M1 : m1 * g' tau <= 1) by (replace 1 with (m1 * / m1) by (field; lra); apply Rmult_le_compat_l; lra).
       assert (EV : V' t = A * (g tau * c t + m1 * g' tau * g t - 2 * g t)).
       { unfold V'. rewrite <- A_meet. unfold c, k. field. lra. }
-      assert (S1 : g tau * c t <= g tau * 1) by (apply Rmult_le_compat_l; lra).
-      assert (S2 : m1 * g' tau * g t <= 1 * g t) by (apply Rmult_le_compat_r; lra).
-      assert (S3 : A * (g tau * c t + m1 * g' tau * g t - 2 * g t) <= A * (g tau - g t)) by (apply Rmult_le_compat_l;
-        lra).
+      assert (S1 : g tau * c t <= g tau * 1) by scale. assert (S2 : m1 * g' tau * g t <= 1 * g t) by scale.
+      assert (S3 : A * (g tau * c t + m1 * g' tau * g t - 2 * g t) <= A * (g tau - g t)) by scale.
       assert (S4 : A * (g tau - g t) <= be * (tau - t)); [|lra]. apply Rmult_le_reg_r with tau; auto.
       replace (be * (tau - t) * tau) with (A * (g tau * (tau - t))) by (rewrite <- Rmult_assoc, A_meet; ring).
-      rewrite Rmult_assoc. apply Rmult_le_compat_l; lra.
+      rewrite Rmult_assoc. scale.
   - unfold X', c, k. rewrite G0, G0'. field; lra.
   - unfold V'. rewrite G0, G0'. field; lra.
 Qed.
@@ -243,8 +235,7 @@ Theorem rest_to_rest F : b + b / m2 * half_time m2 b D / g (half_time m2 b D) <=
   arrives F 0.
 Proof.
   intros HF Peak. fold tau be A in HF, Peak. fold Fm in HF. destruct signs as (Tp & Bp & Ap). pose proof A_above as Ab.
-  set (xt := A * k tau).
-  assert (Ex : a2 * xt = A * (1 - m1 * g' tau - a1 * g tau)) by (unfold xt, k; field; lra).
+  set (xt := A * k tau). assert (Ex : a2 * xt = A * (1 - m1 * g' tau - a1 * g tau)) by (unfold xt, k; field; lra).
   assert (Xp : 0 <= a2 * xt).
   { rewrite Ex. apply Rmult_le_pos; [lra|]. pose proof (c_below tau ltac:(lra)) as C. unfold c in C. lra. }
   assert (Eb : (m1 + m2) * be = m1 * be + b) by (unfold be; field; lra).
@@ -254,11 +245,10 @@ Proof.
     ^ 2 / 2)).
   assert (DI : forall t, is_derive I t (u2 t)).
   { intros t. unfold I, u2, X', V'. auto_derive; auto. field. }
-  assert (CI : cont I) by exact (cont_of_derive I _ DI).
-  assert (B2 : forall t, 0 <= t <= tau -> - F <= u2 t <= F).
+  assert (CI : cont I) by exact (cont_of_derive I _ DI). assert (B2 : forall t, 0 <= t <= tau -> - F <= u2 t <= F).
   { intros t Ht. assert (Q0 : 0 <= tau * t - t ^ 2 / 2) by nra.
-    assert (Q1 : 0 <= a2 * (be * (tau * t - t ^ 2 / 2))) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]).
-    assert (Q2 : 0 <= a1 * (be * (tau - t))) by (apply Rmult_le_pos; [auto|apply Rmult_le_pos; lra]).
+    assert (Q1 : 0 <= a2 * (be * (tau * t - t ^ 2 / 2))) by positive.
+    assert (Q2 : 0 <= a1 * (be * (tau - t))) by positive.
     specialize (Peak t Ht). unfold u2, X', V'. rewrite Rmult_plus_distr_l, Eb. unfold Fm in HF. rewrite <- Ex,
       Eb in Peak. lra. }
   assert (F0 : 0 <= F) by (unfold Fm in HF; lra).
@@ -266,7 +256,7 @@ Proof.
   - rewrite Rmin_left by lra. unfold I. field.
   - intros r t Hr. assert (Mn : 0 <= Rmin r tau <= Rmin t tau) by (unfold Rmin; repeat destruct Rle_dec; lra).
     assert (Rmin t tau - Rmin r tau <= t - r) by (unfold Rmin; repeat destruct Rle_dec; lra).
-    eapply Rle_trans; [apply (lip_between I u2 F); auto|apply Rmult_le_compat_l; lra].
+    eapply Rle_trans; [apply (lip_between I u2 F); auto|scale].
     intros q Hq. split; [apply rderiv_of_derive, DI|]. apply B2. pose proof (Rmin_r t tau). lra.
   - intros t Ht. apply rderiv_near with I (tau - t); [lra|intros r Hr; rewrite Rmin_left; auto;
     lra|apply rderiv_of_derive, DI].
@@ -299,6 +289,6 @@ Proof.
   - rewrite Rmult_0_r, sin_0. field; lra.
   - rewrite Rmult_0_r, cos_0. field; lra.
   - intros t Ht. assert (0 <= o * t <= th) by (rewrite Et; split; [apply Rmult_le_pos|apply Rmult_le_compat_l]; lra).
-    apply Rmult_le_pos; [apply cos_ge_0; lra|]. apply Rlt_le, Rinv_0_lt_compat; auto.
-  - apply Rdiv_lt_0_compat; [auto|apply Rmult_lt_0_compat; auto].
+    apply Rmult_le_pos; [apply cos_ge_0; lra|]. positive.
+  - positive.
 Qed.

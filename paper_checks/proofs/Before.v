@@ -93,7 +93,7 @@ Lemma lead_bounds t : c <= t <= T -> 0 <= y' t /\ m1 * y' t <= E t.
 Proof.
   intros Ht. assert (Sp : y' t = k * w t + ahead2 m2 b v2 T k t) by exact (lead_split m2 b v1 v2 T Meet k t).
   pose proof (Ahead t Ht). pose proof (proj1 (ahead2_sign m1 m2 a1 a2 b Hm2 Hb U x v1 v2 s T H ltac:(lra) k t Hk
-    ltac:(lra)) ltac:(lra)) as A. assert (0 <= m2 * ahead2 m2 b v2 T k t) by (apply Rmult_le_pos; lra).
+    ltac:(lra)) ltac:(lra)) as A. assert (0 <= m2 * ahead2 m2 b v2 T k t) by positive.
   split; [lra|]. unfold E, gain. fold (w t) M. rewrite Sp. unfold M. nra.
 Qed.
 
@@ -122,10 +122,9 @@ Proof.
   - apply (rderiv_mult g E); [|apply rate_E; lra]. apply rderiv_of_derive. unfold g. auto_derive; auto.
     unfold Rminus. ring.
   - destruct (lead_bounds r ltac:(lra)) as (Y0 & Y1). pose proof (place_behind r ltac:(lra)).
-    pose proof (exp_pos (a1 / m1 * (r - T))).
-    assert (a1 * y' r <= a1 / m1 * E r).
+    pose proof (exp_pos (a1 / m1 * (r - T))). assert (a1 * y' r <= a1 / m1 * E r).
     { replace (a1 * y' r) with (a1 / m1 * (m1 * y' r)) by (field; lra). apply Rmult_le_compat_l; auto.
-      apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+      apply Rmult_le_pos; [auto|positive]. }
     assert (a2 * y r <= 0) by nra.
     replace (a1 / m1 * g r * E r + g r * F r) with (g r * (a1 / m1 * E r + F r)) by ring.
     apply Rmult_le_compat_l; [unfold g; lra|]. unfold F. lra.
@@ -134,8 +133,7 @@ Qed.
 (** the weight is at most 1 before T, and not small *)
 Lemma weight r : r <= T -> g r <= 1 /\ (T - 1 <= r -> exp (- (a1 / m1)) <= g r).
 Proof.
-  intros Hr. assert (A : 0 <= a1 / m1) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
-  split; [rewrite <- exp_0|intros Hr']; apply exp_mono; nra.
+  intros Hr. assert (A : 0 <= a1 / m1) by positive. split; [rewrite <- exp_0|intros Hr']; apply exp_mono; nra.
 Qed.
 
 (** where the force asks at least b - z, the weighted momentum is at most z times the time left: it ends at 0 *)
@@ -145,8 +143,7 @@ Proof.
     Meet k : E T = 0) in Q; lra].
   apply (dini_slope (fun r => -1 * (g r * E r))); [|lra|].
   - apply cont_scal, cont_mult; [|exact (cont_gain m1 m2 a1 a2 b Hm2 U x v1 v2 s T H k)].
-    apply cont_of_derive with (fun r => a1 / m1 * g r).
-    intros r. unfold g. auto_derive; auto. unfold Rminus. ring.
+    apply cont_of_derive with (fun r => a1 / m1 * g r). intros r. unfold g. auto_derive; auto. unfold Rminus. ring.
   - intros r Hr. destruct (weighted_rate r ltac:(lra)) as (D & Ge). destruct (weight r ltac:(lra)) as (G1 & _).
     specialize (Low r ltac:(lra)). pose proof (exp_pos (a1 / m1 * (r - T))). fold (g r) in *.
     eapply rderiv_dini; [|apply rderiv_scal, D]. nra.
@@ -163,8 +160,7 @@ Proof.
     assert (0 <= E t) by nra. assert (E t <= 0) by nra. split; nra. }
   assert (F0 : F r = 0).
   { apply (rderiv_unique E r); [apply rate_E; lra|]. apply (rderiv_near (fun _ => 0) E r 0 (T - r));
-    [lra| |apply rderiv_const].
-    intros t Ht. symmetry. apply E0. lra. }
+    [lra| |apply rderiv_const]. intros t Ht. symmetry. apply E0. lra. }
   pose proof (place_behind r ltac:(lra)). specialize (Pos r Hr). unfold F in F0. destruct (E0 r ltac:(lra)) as (_ & Y0).
   rewrite Y0 in F0. nra.
 Qed.
@@ -176,32 +172,28 @@ Lemma load_within d : c <= d < T -> (forall r t, d < r <= t -> t < T -> p r <= p
   exists d', d <= d' < T /\ forall t, d' < t < T -> k * load t <= b.
 Proof.
   intros Hd Up Neg. set (h := exp (- (a1 / m1))). assert (Hh : 0 < h) by apply exp_pos.
-  assert (Near : 0 < h * m1 / a2) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  assert (Near : 0 < h * m1 / a2) by positive.
   set (d' := Rmax d (T - Rmin 1 (h * m1 / a2))). assert (d <= d') by apply Rmax_l.
   assert (T - Rmin 1 (h * m1 / a2) <= d') by apply Rmax_r. pose proof (Rmin_l 1 (h * m1 / a2)).
-  pose proof (Rmin_r 1 (h * m1 / a2)). assert (0 < Rmin 1 (h * m1 / a2)) by (apply Rmin_glb_lt; lra).
+  pose proof (Rmin_r 1 (h * m1 / a2)). assert (0 < Rmin 1 (h * m1 / a2)) by positive.
   exists d'. split; [split; [auto|apply Rmax_lub_lt; lra]|]. intros t Ht.
   set (z := - p t). assert (Hz : 0 <= z) by (specialize (Neg t ltac:(lra)); unfold z; lra).
-  set (B := z * (T - t) / (h * m1)).
-  assert (Lead : forall q, t <= q < T -> y' q <= B).
+  set (B := z * (T - t) / (h * m1)). assert (Lead : forall q, t <= q < T -> y' q <= B).
   { intros q Hq. destruct (lead_bounds q ltac:(lra)) as (Y0 & Y1). destruct (weight q ltac:(lra)) as (_ & G).
     specialize (G ltac:(lra)). fold h in G.
     pose proof (momentum_up_to z q ltac:(lra) Hz ltac:(intros r Hr; specialize (Up t r ltac:(lra) ltac:(lra));
       unfold z; lra)) as Mo.
-    assert (0 <= E q) by nra. apply Rmult_le_reg_l with (h * m1); [apply Rmult_lt_0_compat; auto|].
-    replace (h * m1 * B) with (z * (T - t)) by (unfold B; field; lra).
-    assert (h * (m1 * y' q) <= h * E q) by (apply Rmult_le_compat_l; lra).
-    assert (h * E q <= g q * E q) by (apply Rmult_le_compat_r; lra).
-    assert (z * (T - q) <= z * (T - t)) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (0 <= E q) by nra. apply Rmult_le_reg_l with (h * m1); [positive|].
+    replace (h * m1 * B) with (z * (T - t)) by (unfold B; field; lra). assert (h * (m1 * y' q) <= h * E q) by scale.
+    assert (h * E q <= g q * E q) by scale. assert (z * (T - q) <= z * (T - t)) by scale. lra. }
   pose proof (place_not_far t B ltac:(lra) Lead) as Far. destruct (lead_bounds t ltac:(lra)) as (Y0 & _).
   assert (Small : a2 * (B * (T - t)) <= z).
   { replace (a2 * (B * (T - t))) with (z * ((T - t) * ((T - t) / (h * m1 / a2)))) by (unfold B; field; lra).
     rewrite <- (Rmult_1_r z) at 2. apply Rmult_le_compat_l; auto. rewrite <- (Rmult_1_r 1).
-    apply Rmult_le_compat; [lra|apply Rdiv_le_0_compat; lra|lra|]. apply Rmult_le_reg_r with (h * m1 / a2); auto.
+    apply Rmult_le_compat; [lra|positive|lra|]. apply Rmult_le_reg_r with (h * m1 / a2); auto.
     unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l; lra. }
   assert (Fn : F t <= 0).
-  { assert (0 <= a1 * y' t) by (apply Rmult_le_pos; auto). assert (a2 * - (B * (T - t)) <= a2 * y t) by (apply
-    Rmult_le_compat_l; lra).
+  { assert (0 <= a1 * y' t) by positive. assert (a2 * - (B * (T - t)) <= a2 * y t) by scale.
     unfold F. unfold z in Small. lra. }
   pose proof (excess_of_load m1 m2 a1 a2 b Hm1 Hm2 u x v1 T k t : F t = M / m2 * (k * load t - b)) as X.
   assert (0 < M / m2) by (apply Rdiv_lt_0_compat; unfold M; lra). nra.
@@ -216,8 +208,7 @@ Proof.
   intros r Hr Pos. exfalso. assert (P : 0 < M / m2) by (apply Rdiv_lt_0_compat; unfold M; lra).
   pose proof (gain_rises m1 m2 a1 a2 b Hm2 U u x v1 v2 s T H k (M / m2 * g) r T ltac:(lra)) as Q.
   rewrite gain_0 in Q by auto. destruct (lead_bounds k r Hk ltac:(lra) Pos r ltac:(lra)) as (Y0 & Y1).
-  apply (Rmult_le_compat_l m1) in Y0; [rewrite Rmult_0_r in Y0|lra].
-  assert (0 < M / m2 * g * (T - r)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
+  apply (Rmult_le_compat_l m1) in Y0; [rewrite Rmult_0_r in Y0|lra]. assert (0 < M / m2 * g * (T - r)) by positive.
   assert (M / m2 * g * (T - r) <= 0 - gain m1 m2 b v1 v2 T k r); [|lra]. apply Q. intros q Hq. split; [apply DU; lra|].
   rewrite (excess_of_load m1 m2 a1 a2 b Hm1 Hm2 u x v1 T k q). apply Rmult_le_compat_l; [apply Rlt_le, P|].
   specialize (Ld q ltac:(lra)). unfold load in Ld. lra.
@@ -229,15 +220,16 @@ Lemma mode_before f d0 : 0 < d0 -> analytic_at f T -> (forall r, 0 <= r -> T - d
 Proof.
   intros Hd0 A Eq. set (ld := Mode.load m1 m2 a1 a2 f x v1).
   (* the load just before T is near its limit *)
-  assert (Near : forall e, 0 < e -> exists c, 0 <= c < T /\ T - d0 <= c /\ forall q, c < q < T -> Rabs (load q - ld T) <= e).
+  assert (Near : forall e, 0 < e -> exists c, 0 <= c < T /\ T - d0 <= c /\ forall q, c < q < T -> Rabs (load q - ld T)
+    <= e).
   { intros e He. destruct (load_near m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 U f x v1 v2 s T H ltac:(lra) (fun _ => True) e He)
       as (d & Hd & K).
     { intros e' He'. destruct (analytic_continuous f T A e' He') as (d & Hd & K). exists d. split; auto. intros q _ Dq.
       apply Rlt_le, K, Dq. }
     pose proof (Rmax_l 0 (T - Rmin d d0)). pose proof (Rmax_r 0 (T - Rmin d d0)). pose proof (Rmin_l d d0).
-    pose proof (Rmin_r d d0). assert (0 < Rmin d d0) by (apply Rmin_glb_lt; auto). exists (Rmax 0 (T - Rmin d d0)).
-    split; [split; [auto|apply Rmax_lub_lt; lra]|]. split; [lra|]. intros q Hq. unfold load, Mode.load. rewrite Eq by lra.
-    apply K; [lra|auto|]. rewrite Rabs_left; lra. }
+    pose proof (Rmin_r d d0). assert (0 < Rmin d d0) by positive. exists (Rmax 0 (T - Rmin d d0)).
+    split; [split; [auto|apply Rmax_lub_lt; lra]|]. split; [lra|]. intros q Hq. unfold load, Mode.load.
+    rewrite Eq by lra. apply K; [lra|auto|]. rewrite Rabs_left; lra. }
   assert (Edge : forall k, k = 1 \/ k = -1 -> k * ld T = b -> exists d, 0 < d /\ one_mode v1 v2 (T - d) T).
   { intros k Hk Tie. destruct (Near b Hb) as (c & Hc & Hcd & Ld).
     assert (Low : forall q, c < q < T -> - k * load q <= b).
@@ -247,8 +239,7 @@ Proof.
       by (intros t Ht; unfold beyond; rewrite Eq by lra; auto).
     assert (Z : beyond m1 m2 a1 a2 b f x v1 T k T = 0).
     { replace (beyond m1 m2 a1 a2 b f x v1 T k T) with (M / m2 * (k * ld T - b)) by (unfold beyond, ld, Mode.load, M;
-      field; lra).
-      rewrite Tie. ring. }
+      field; lra). rewrite Tie. ring. }
     destruct (analytic_one_way _ T (-1) (or_intror eq_refl) (analytic_beyond m1 m2 a1 a2 b f x v1 T k Hm2 A)) as (d1
       & Hd1 & Way).
     set (d := Rmax r (T - d1)). assert (r <= d) by apply Rmax_l. assert (T - d1 <= d) by apply Rmax_r.
@@ -270,7 +261,7 @@ Proof.
     apply Rabs_inv in Ld. destruct Hk; subst k; lra. }
   destruct (Rle_dec b (ld T)) as [Hi|]; [apply (Beyond 1); [auto|lra]|].
   destruct (Rle_dec (ld T) (- b)) as [Lo|]; [apply (Beyond (-1)); [auto|lra]|].
-  destruct (Near (Rmin (b - ld T) (b + ld T))) as (c & Hc & _ & Ld); [apply Rmin_glb_lt; lra|].
+  destruct (Near (Rmin (b - ld T) (b + ld T))) as (c & Hc & _ & Ld); [positive|].
   pose proof (Rmin_l (b - ld T) (b + ld T)). pose proof (Rmin_r (b - ld T) (b + ld T)).
   apply (before_within c Hc). intros q Hq. specialize (Ld q Hq). apply Rabs_inv in Ld. lra.
 Qed.

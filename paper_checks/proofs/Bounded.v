@@ -21,19 +21,16 @@ Let g := G + b.
 Lemma W_dini t : 0 <= t -> dini_le W t (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t *
   v1 t) + g * (Rabs (v1 t) + c * Rabs (x t))).
 Proof.
-  intros Ht e He.
-  pose proof (f_x _ _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) as V.
+  intros Ht e He. pose proof (f_x _ _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) as V.
     unfold rderiv in X, V.
   match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
-  set (k := fun h => (U (t + h) - U t) - b * (s (t + h) - s t)).
-  assert (Bk : forall h, 0 < h -> Rabs (k h) <= g * h).
+  set (k := fun h => (U (t + h) - U t) - b * (s (t + h) - s t)). assert (Bk : forall h, 0 < h -> Rabs (k h) <= g * h).
   { intros h Hh. pose proof (LU t (t + h) ltac:(lra)) as L1.
     pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t (t + h) ltac:(lra)) as L2.
     replace (t + h - t) with h in * by ring. apply Rabs_inv in L1. apply Rabs_inv in L2. unfold k, g.
       apply Rabs_le. split; nra. }
   assert (Kb : big k). { exists g, 1. repeat split; try lra; [unfold g; lra|]. intros h Hh. apply Bk; lra. }
-  set (dX := fun h => ex h + v1 t * h).
-  set (dV := fun h => / m1 * (ev h + (- (a2 * x t + a1 * v1 t)) * h + k h)).
+  set (dX := fun h => ex h + v1 t * h). set (dV := fun h => / m1 * (ev h + (- (a2 * x t + a1 * v1 t)) * h + k h)).
   assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
   assert (BV : big dV). { apply big_scal, big_plus; auto.
     apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
@@ -48,8 +45,7 @@ Proof.
   assert (ID : W (t + h) - W t = rest h + (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t
     * v1 t)) * h + (v1 t + c * x t) * k h).
   { unfold W. rewrite EX, EV. unfold rest. unfold dX at 1 2 3 4, dV at 1 2 3 4. unfold dX, dV. field. lra. }
-  rewrite ID.
-  assert (Q : (v1 t + c * x t) * k h <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
+  rewrite ID. assert (Q : (v1 t + c * x t) * k h <= (Rabs (v1 t) + c * Rabs (x t)) * (g * h)).
   { eapply Rle_trans; [apply Rle_abs|]. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; auto.
     eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq c) by lra. lra. }
   lra.
@@ -59,8 +55,7 @@ Qed.
 Lemma W_below t : (a2 * x t ^ 2 + m1 * v1 t ^ 2) / 4 <= W t <= 3 / 4 * (a2 * x t ^ 2 + m1 * v1 t ^ 2).
 Proof.
   assert (Cr : forall k, k = 1 \/ k = -1 -> k * (c * m1 * (x t * v1 t)) <= m1 / 4 * v1 t ^ 2 + a2 / 4 * x t ^ 2).
-  { intros k Hk. assert (c * (c * m1) * x t ^ 2 <= a2 / 4 * x t ^ 2) by (apply Rmult_le_compat_r;
-    [apply pow2_ge_0|auto]).
+  { intros k Hk. assert (c * (c * m1) * x t ^ 2 <= a2 / 4 * x t ^ 2) by scale.
     pose proof (pow2_ge_0 (v1 t / 2 - k * c * x t)) as S. apply (Rmult_le_compat_l m1) in S; [|lra].
       destruct Hk; subst k; lra. }
   pose proof (Cr 1 ltac:(auto)). pose proof (Cr (-1) ltac:(auto)). unfold W. lra.
@@ -82,10 +77,8 @@ Proof.
   apply (Rmult_le_compat_l c) in S2; [|lra].
   assert (S3 : - (c * a1 * (x t * v1 t)) <= c * (a2 / 2) * x t ^ 2 + a1 / 4 * v1 t ^ 2).
   { pose proof (pow2_ge_0 (v1 t / 2 + c * x t)) as S. apply (Rmult_le_compat_l a1) in S; [|lra].
-    assert (c * (c * a1) * x t ^ 2 <= c * (a2 / 2) * x t ^ 2) by (apply Rmult_le_compat_r;
-      [apply pow2_ge_0|apply Rmult_le_compat_l; lra]). lra. }
-  assert (S4 : c * m1 * v1 t ^ 2 <= a1 / 4 * v1 t ^ 2) by (apply Rmult_le_compat_r; [apply pow2_ge_0|auto]).
-  assert (0 <= a1 * v1 t ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
+    assert (c * (c * a1) * x t ^ 2 <= c * (a2 / 2) * x t ^ 2) by (apply Rmult_le_compat_r; [positive|scale]). lra. }
+  assert (S4 : c * m1 * v1 t ^ 2 <= a1 / 4 * v1 t ^ 2) by scale. assert (0 <= a1 * v1 t ^ 2) by positive.
     apply (Rmult_le_compat_l (c / 3)) in Wu; [|lra]. lra.
 Qed.
 
@@ -96,11 +89,10 @@ Proof.
   - pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H). unfold W.
     repeat apply cont_plus; apply cont_scal, cont_mult; auto.
   - intros t Ht Hw e He. destruct (W_dini t Ht e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh).
-    eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. apply Rplus_le_compat_r.
+    specialize (K h Hh). eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. apply Rplus_le_compat_r.
       eapply Rle_trans; [apply W_rate|]. fold R0.
     pose proof (Rmax_r (W 0) (3 * R0 / c)). assert (R0 <= c / 3 * W t); [|lra].
-    replace R0 with (c / 3 * (3 * R0 / c)) by (field; lra). apply Rmult_le_compat_l; lra.
+    replace R0 with (c / 3 * (3 * R0 / c)) by (field; lra). scale.
 Qed.
 End One.
 
@@ -109,10 +101,8 @@ Theorem bounded U x v1 v2 s G : forced U x v1 v2 s -> 0 <= G -> (forall r t, 0 <
   Rabs (U t - U r) <= G * (t - r)) ->
   exists B, forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B.
 Proof.
-  intros H HG LU.
-  set (c := Rmin (Rmin 1 (a1 / (4 * m1))) (Rmin (a2 / (2 * a1)) (a2 / (4 * m1)))).
-  assert (Hc : 0 < c) by (repeat apply Rmin_glb_lt; try apply Rdiv_lt_0_compat; lra).
-  assert (L1 : c <= 1) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_l]).
+  intros H HG LU. set (c := Rmin (Rmin 1 (a1 / (4 * m1))) (Rmin (a2 / (2 * a1)) (a2 / (4 * m1)))).
+  assert (Hc : 0 < c) by positive. assert (L1 : c <= 1) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_l]).
   assert (L2 : c <= a1 / (4 * m1)) by (eapply Rle_trans; [apply Rmin_l|apply Rmin_r]).
   assert (L3 : c <= a2 / (2 * a1)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_l]).
   assert (L4 : c <= a2 / (4 * m1)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_r]).
@@ -124,22 +114,21 @@ Proof.
     apply Rle_trans with (1 * (c * m1)); [apply Rmult_le_compat_r; nra|]. rewrite Rmult_1_l.
       apply Rmult_le_compat_r; lra. }
   destruct (W_bounded U x v1 v2 s G H HG LU c Hc c1 c2 c3) as (C & HC).
-  assert (Ia : 0 < / a2) by (apply Rinv_0_lt_compat; auto). assert (Im : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
+  assert (Ia : 0 < / a2) by positive. assert (Im : 0 < / m1) by positive.
   assert (E : forall t, 0 <= t -> 0 <= a2 * x t ^ 2 /\ 0 <= m1 * v1 t ^ 2 /\ a2 * x t ^ 2 + m1 * v1 t ^ 2 <= 4 * C).
   { intros t Ht. pose proof (W_below x v1 c c3 t) as (Q & _). specialize (HC t Ht). cbv beta in Q, HC.
     pose proof (pow2_ge_0 (x t)). pose proof (pow2_ge_0 (v1 t)). repeat split; [nra|nra|lra]. }
   assert (C0 : 0 <= C) by (destruct (E 0 ltac:(lra)); lra).
   set (B := 4 * C * (/ a2 + / m1) + 1). assert (HB : 1 <= B) by (unfold B; nra).
   assert (Sq : forall m z, 0 < m -> m * z ^ 2 <= 4 * C -> / m <= / a2 + / m1 -> Rabs z <= B).
-  { intros m z Hm Q I. assert (0 < / m) by (apply Rinv_0_lt_compat; auto). apply Rabs_le, sq_le_abs; [lra|].
+  { intros m z Hm Q I. assert (0 < / m) by positive. apply Rabs_le, sq_le_abs; [lra|].
     assert (z ^ 2 <= B); [|nra]. replace (z ^ 2) with (/ m * (m * z ^ 2)) by (field; lra).
-    apply Rle_trans with (/ m * (4 * C)); [apply Rmult_le_compat_l; lra|]. unfold B. nra. }
+    apply Rle_trans with (/ m * (4 * C)); [scale|]. unfold B. nra. }
   assert (Bv : forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B).
   { intros t Ht. destruct (E t Ht) as (E1 & E2 & E3). split; [apply (Sq a2)|apply (Sq m1)]; auto; lra. }
   set (V := Rabs (v2 0) + B + 1). pose proof (Rabs_pos (v2 0)).
     pose proof (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H) as Cv.
-  assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-  assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
+  assert (Hk : 0 < b / m2) by positive. assert (Rv : forall t k, 0 <= t -> rderiv s t k -> rderiv v2 t (b / m2 * k))
     by (intros; eapply (forced_v2_rate m1 m2 a1 a2 b); eauto).
   assert (Up : forall t, 0 <= t -> v2 t <= V).
   { apply barrier; auto; [unfold V; pose proof (Rle_abs (v2 0)); lra|]. intros t Ht Hv.
@@ -148,8 +137,7 @@ Proof.
       lra]. lra. }
   assert (Lo : forall t, 0 <= t -> -1 * v2 t <= V).
   { apply (barrier (fun t => -1 * v2 t)); auto using cont_scal; [unfold V; pose proof (Rle_abs (- v2 0)) as Q;
-    rewrite Rabs_Ropp in Q; lra|].
-    intros t Ht Hv. destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q.
+    rewrite Rabs_Ropp in Q; lra|]. intros t Ht Hv. destruct (Bv t Ht) as (_ & Q). apply Rabs_inv in Q.
     eapply rderiv_dini; [|apply rderiv_scal, (Rv t 1); auto; apply (f_pos _ _ _ _ _ _ _ _ _ _ H); auto;
       unfold V in Hv; lra]. lra. }
   exists V. intros t Ht. destruct (Bv t Ht). repeat split; try (unfold V; lra). specialize (Up t Ht).
@@ -186,7 +174,7 @@ Proof.
   assert (D0 : D t <= 0).
   { apply le_epsilon. intros e He. rewrite Rplus_0_l.
     destruct (approach _ _ _ _ _ _ _ _ _ G H H' HG LU e He) as (T & HT & Q).
-    destruct (nfloor_ex (T / P)) as (n & _ & Hn). { apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+    destruct (nfloor_ex (T / P)) as (n & _ & Hn). { positive. }
     rewrite <- (PD (S n)). apply Q. rewrite S_INR. apply Rmult_lt_compat_r with (r := P) in Hn; auto.
     replace (T / P * P) with T in Hn by (field; lra). lra. }
   unfold D in D0. apply (energy_zero m1 m2 a2 Hm1 Hm2 Ha2) in D0. lra.

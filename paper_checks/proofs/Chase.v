@@ -7,8 +7,7 @@ From InertialPair Require Import Dini Pair Stick.
 Lemma lub_real (A : R -> Prop) m M : A m -> (forall y, A y -> y <= M) ->
   (forall y, A y -> y <= real (Lub_Rbar A)) /\ (forall B, (forall y, A y -> y <= B) -> real (Lub_Rbar A) <= B).
 Proof.
-  intros Am AM. pose proof (Lub_Rbar_correct A) as (U & L).
-  assert (F : is_finite (Lub_Rbar A)).
+  intros Am AM. pose proof (Lub_Rbar_correct A) as (U & L). assert (F : is_finite (Lub_Rbar A)).
   { assert (Rbar_le (Lub_Rbar A) M). { apply L. intros y Hy. apply AM; auto. }
     pose proof (U m Am). destruct (Lub_Rbar A); simpl in *; try contradiction; reflexivity. }
   rewrite <- F in U, L. split.
@@ -18,7 +17,7 @@ Qed.
 
 (** a bound times a factor *)
 Lemma abs_scal c y B : 0 <= c -> Rabs y <= B -> Rabs (c * y) <= c * B.
-Proof. intros Hc HB. rewrite Rabs_mult, (Rabs_pos_eq c) by auto. apply Rmult_le_compat_l; auto. Qed.
+Proof. intros Hc HB. rewrite Rabs_mult, (Rabs_pos_eq c) by auto. scale. Qed.
 
 (** ** The chaser: s(0) = 0, s' in Sgn (c - s) *)
 Section Chase.
@@ -179,10 +178,9 @@ Lemma integral_near f g D l t : cont f -> cont g -> 0 < l -> 0 <= t ->
   (forall u, 0 <= u <= t -> Rabs (f u - g u) <= D * exp (l * u)) ->
     Rabs (integral f t - integral g t) <= D / l * exp (l * t).
 Proof.
-  intros Cf Cg Hl Ht B.
-  assert (HD : 0 <= D). { pose proof (B 0 ltac:(lra)) as Q. rewrite Rmult_0_r, exp_0 in Q.
+  intros Cf Cg Hl Ht B. assert (HD : 0 <= D). { pose proof (B 0 ltac:(lra)) as Q. rewrite Rmult_0_r, exp_0 in Q.
     pose proof (Rabs_pos (f 0 - g 0)). lra. }
-  assert (Dl : 0 <= D / l) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
+  assert (Dl : 0 <= D / l) by positive.
   assert (RE : forall u, is_derive (fun u => D / l * exp (l * u)) u (D * exp (l * u))). { intros u.
     auto_derive; auto. field; lra. }
   assert (Q : forall k, k = 1 \/ k = -1 -> k * (integral f t - integral g t) - D / l * exp (l * t) <= 0).
@@ -202,7 +200,7 @@ Qed.
 Lemma small q e : 0 < q -> 0 < e -> exists n, q * (/ 2) ^ n < e.
 Proof.
   intros Hq He. destruct (pow_lt_1_zero (/ 2)) with (y := e / q) as (n & N).
-  { rewrite Rabs_pos_eq; lra. } { apply Rdiv_lt_0_compat; auto. }
+  { rewrite Rabs_pos_eq; lra. } { positive. }
   exists n. specialize (N n (le_n n)). rewrite Rabs_pos_eq in N by (apply pow_le; lra).
   apply Rmult_lt_compat_l with (r := q) in N; auto. replace (q * (e / q)) with e in N by (field; lra). auto.
 Qed.

@@ -52,8 +52,7 @@ Proof.
   intros H1 H2 Ha Hb H Ht Hv. pose proof (L_pos m1 m2 a2 b H1 H2 Ha Hb) as L0.
   destruct (first_contact m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t Ht ltac:(lra)) as (t1 & T1 & Z & Sg).
   assert (Neg : forall u, t <= u < t1 -> v1 u < v2 u). { intros u Hu. specialize (Sg u Hu). nra. }
-  exists t1. split; [auto|]. split; [auto|]. split; [lra|].
-  assert (X : x t1 <= L m1 m2 a2 b).
+  exists t1. split; [auto|]. split; [auto|]. split; [lra|]. assert (X : x t1 <= L m1 m2 a2 b).
   { apply (ends_left m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t t1); auto; try lra. intros u Hu. specialize (Neg u Hu). lra. }
   destruct (Rle_dec (- L m1 m2 a2 b) (x t1)) as [|N]; [left; auto|right]. apply Rnot_le_lt in N. split; [auto|].
   destruct (slips_beyond m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t1 ltac:(lra) ltac:(lra) ltac:(lra)) as (T & HT & K).
@@ -81,18 +80,16 @@ Proof.
   intros H1 H2 A1 Ha Hb H e He. destruct (Req_dec a1 0) as [->|N].
   - destruct (convergence m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H) as (x0 & v0 & _ & _ & _ & C). cbv beta in C.
     set (mu := Rmin m1 m2). assert (Mu : 0 < mu /\ mu <= m1 /\ mu <= m2).
-    { unfold mu. repeat split; [apply Rmin_glb_lt; auto|apply Rmin_l|apply Rmin_r]. }
+    { unfold mu. repeat split; [positive|apply Rmin_l|apply Rmin_r]. }
     destruct (C (mu * e ^ 2 / 4)) as (T & HT & K).
-      { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [lra|apply pow_lt; auto]|lra]. }
+      { positive. }
     exists T. split; [auto|]. intros t Hu. specialize (K t Hu). unfold energy in K.
     set (p := v1 t - V m1 m2 a2 x0 v0 t) in *. set (q := v2 t - V m1 m2 a2 x0 v0 t) in *.
     replace (v1 t - v2 t) with (p - q) by (unfold p, q; ring).
     pose proof (pow2_ge_0 p). pose proof (pow2_ge_0 q). pose proof (pow2_ge_0 (p + q)).
-    assert (0 <= a2 * (x t - X m1 m2 a2 x0 v0 t) ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
-    assert (mu * p ^ 2 <= m1 * p ^ 2) by (apply Rmult_le_compat_r; lra).
-      assert (mu * q ^ 2 <= m2 * q ^ 2) by (apply Rmult_le_compat_r; lra).
-    assert (Q : 2 * (p ^ 2 + q ^ 2) <= e ^ 2) by (apply Rmult_le_reg_l with mu; lra).
-    apply Rabs_le. split; nra.
+    assert (0 <= a2 * (x t - X m1 m2 a2 x0 v0 t) ^ 2) by positive. assert (mu * p ^ 2 <= m1 * p ^ 2) by scale.
+      assert (mu * q ^ 2 <= m2 * q ^ 2) by scale.
+    assert (Q : 2 * (p ^ 2 + q ^ 2) <= e ^ 2) by (apply Rmult_le_reg_l with mu; lra). apply Rabs_le. split; nra.
   - destruct (rest m1 m2 a1 a2 b H1 H2 ltac:(lra) Ha Hb (energy m1 m2 a2 (x 0) (v1 0) (v2 0)) 1 (energy_pos m1 m2
     a2 H1 H2 Ha _ _ _) Rlt_0_1) as (T & HT & K).
     exists T. split; [auto|]. intros t Hu. destruct (K x v1 v2 s H (Rle_refl _) t Hu) as (_ & ->).
@@ -109,8 +106,8 @@ Proof.
   intros H1 H2 Ha Hb H Up C k Hk. pose proof (sharp_law m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H Up) as Law.
   pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0. set (l := Ecr m1 m2 a2 b * rate m1 m2 a2) in *.
   assert (L0 : 0 < l). { apply Rmult_lt_0_compat; auto. unfold rate. pose proof PI_RGT_0.
-    apply Rmult_lt_0_compat; [|apply sqrt_lt_R0, Rdiv_lt_0_compat; lra].
-      apply Rmult_lt_0_compat; [lra|apply Rdiv_lt_0_compat; auto]. }
+    apply Rmult_lt_0_compat; [|positive].
+      apply Rmult_lt_0_compat; [lra|positive]. }
   apply is_lim_spec in Law. destruct (Law (mkposreal (l / 2) ltac:(lra))) as (M & HM). simpl in HM.
   exists (Rmax (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))). intros t Ht.
   pose proof (Rmax_l (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))).
@@ -118,20 +115,18 @@ Proof.
   pose proof (Rmax_l 1 (M + 1)). pose proof (Rmax_r 1 (M + 1)). assert (T1 : 1 <= t) by lra.
   specialize (HM t ltac:(lra)). apply Rabs_def2 in HM.
     set (D := energy m1 m2 a2 (x t) (v1 t) (v2 t) - Ecr m1 m2 a2 b) in *.
-  assert (KK : 0 < k ^ 2) by (apply pow_lt; auto).
-  assert (Ex : k ^ 2 * t ^ 2 / 4 <= exp (k * t)).
+  assert (KK : 0 < k ^ 2) by positive. assert (Ex : k ^ 2 * t ^ 2 / 4 <= exp (k * t)).
   { replace (k * t) with (k * t / 2 + k * t / 2) by field. rewrite exp_plus.
-    assert (Kt : 0 < k * t) by (apply Rmult_lt_0_compat; lra). pose proof (exp_ineq1 (k * t / 2) ltac:(lra)).
+    assert (Kt : 0 < k * t) by positive. pose proof (exp_ineq1 (k * t / 2) ltac:(lra)).
     replace (k ^ 2 * t ^ 2 / 4) with (k * t / 2 * (k * t / 2)) by field. apply Rmult_le_compat; lra. }
   assert (X0 : 0 < exp (k * t)) by apply exp_pos. rewrite exp_Ropp.
   apply Rmult_le_reg_r with (exp (k * t)); auto. rewrite Rmult_assoc, Rinv_l by lra. rewrite Rmult_1_r.
   assert (Q : 8 * Rabs C <= t * (k ^ 2 * l)).
-  { apply Rmult_le_reg_r with (/ (k ^ 2 * l)); [apply Rinv_0_lt_compat, Rmult_lt_0_compat; auto|].
+  { apply Rmult_le_reg_r with (/ (k ^ 2 * l)); [positive|].
     replace (t * (k ^ 2 * l) * / (k ^ 2 * l)) with t by (field; split; lra). unfold Rdiv in *. lra. }
   assert (Dp : l / 2 <= t * D) by lra. pose proof (Rle_abs C).
-  assert (D1 : 0 < D). { apply Rmult_lt_reg_l with t; lra. }
-  apply Rle_trans with (D * (k ^ 2 * t ^ 2 / 4)); [|apply Rmult_le_compat_l; lra].
+  assert (D1 : 0 < D). { apply Rmult_lt_reg_l with t; lra. } apply Rle_trans with (D * (k ^ 2 * t ^ 2 / 4)); [|scale].
   replace (D * (k ^ 2 * t ^ 2 / 4)) with (t * D * (k ^ 2 * t / 4)) by field.
   apply Rle_trans with (l / 2 * (k ^ 2 * t / 4)); [lra|]. apply Rmult_le_compat_r; [|auto].
-  apply Rmult_le_pos; [apply Rmult_le_pos|]; lra.
+  apply Rmult_le_pos; [positive|]; lra.
 Qed.

@@ -12,17 +12,15 @@ Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 (** b |z(t) - z(r)| <= E(r) - E(t) *)
 Theorem displacement_paid r t : 0 <= r <= t -> b * Rabs (z t - z r) <= E r - E t.
 Proof.
-  intros Hr.
-  assert (Q : forall k, k = 1 \/ k = -1 -> k * b * z t + E t <= k * b * z r + E r).
+  intros Hr. assert (Q : forall k, k = 1 \/ k = -1 -> k * b * z t + E t <= k * b * z r + E r).
   { intros k Hk. apply (rderiv_mono (fun u => k * b * z u + E u) r t
       (fun u => k * b * (v1 u - v2 u) + (- b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2))); auto.
     - apply cont_plus; [apply cont_scal; auto|]. exact (moves_cE m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
     - intros u Hu. split.
       + apply rderiv_plus; [apply rderiv_scal, Dz; lra|]. apply (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H); lra.
-      + pose proof (pow2_ge_0 (v1 u)). assert (0 <= a1 * v1 u ^ 2) by (apply Rmult_le_pos; auto).
+      + pose proof (pow2_ge_0 (v1 u)). assert (0 <= a1 * v1 u ^ 2) by positive.
         unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
-  pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)).
-  unfold Rabs; destruct Rcase_abs; lra.
+  pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). unfold Rabs; destruct Rcase_abs; lra.
 Qed.
 
 (** the path is bounded by the energy that is left, so x1 - x2 has a limit *)

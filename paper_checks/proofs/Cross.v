@@ -67,13 +67,13 @@ Theorem reentry k t0 d p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
   (0 < y -> Ecr < E t1 /\ exists k' t2, (k' = 1 \/ k' = -1) /\ t1 <= t2 < t1 + PI / om /\
      on_ray m1 m2 a2 b k' (sqrt y) x v1 v2 t2 /\ forall t, t1 <= t <= t2 -> v1 t = v2 t).
 Proof.
-  intros Hk Ht Hd Hp HG HD t1 y. assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+  intros Hk Ht Hd Hp HG HD t1 y. assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & En).
   fold o1 t1 in Sg, A, B, C, En. fold M in A. fold q L in A. fold M in En. fold q Ecr y in En.
   assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra). pose proof (depth_pos p Hp) as Dp.
     set (D := depth p + d) in *.
   assert (QD : 0 < q * D <= 2). { split; [apply Rmult_lt_0_compat; unfold D; lra|].
-    replace 2 with (q * (2 / q)) by (field; lra). apply Rmult_le_compat_l; lra. }
+    replace 2 with (q * (2 / q)) by (field; lra). scale. }
   assert (Hx : - L <= x t1 <= L). { assert (- L <= k * x t1 <= L) by (rewrite A; split; nra).
     destruct Hk; subst k; lra. }
   change (E t1 = Ecr * (1 + q * y)) in En. assert (T1 : 0 <= t1) by (unfold t1; lra).
@@ -83,7 +83,7 @@ Proof.
   - intros Y. split. { destruct (Rlt_dec Ecr (E t1)) as [|n]; auto. exfalso. apply Rnot_lt_le in n.
     apply Iff in n. lra. }
     destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t1 (sqrt y)) as (k' & t2 & A1 & A2 & A3 & A4); auto.
-    + apply sqrt_lt_R0; auto.
+    + positive.
     + change (E t1 = Ecr * (1 + q * sqrt y ^ 2)). rewrite En. do 2 f_equal.
       replace (sqrt y ^ 2) with (sqrt y * sqrt y) by ring. rewrite sqrt_sqrt by lra. auto.
     + exists k', t2. repeat (split; [auto; fail|]). intros t Hu. apply A4; auto.
@@ -99,7 +99,7 @@ Theorem merges_at_first_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < P
   (sticks t1 <-> hh p ^ 2 <= r * depth p ^ 2) /\ (hh p ^ 2 <= r * depth p ^ 2 -> depth p <= 2 / q).
 Proof.
   intros Hk Ht Hp HR t1. apply ray_gap in HR. rewrite <- push_0 in HR.
-    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+    assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 0 p Hk H Ht (Rle_refl 0) Hp HR) as (_ & Sg & A & B &
     C & En).
   fold o1 t1 in Sg, A, B, C, En. rewrite Rplus_0_r in A, B, C. rewrite level_0 in En by auto. fold M in A, En.
@@ -112,8 +112,7 @@ Proof.
   (* E <= E_cr on S forces the place into [-L, L] *)
   intros Q. apply Iff in Q. unfold E in Q. rewrite <- Ev in Q.
     apply (on_surface_inside m1 m2 a2 b Hm1 Hm2 Ha2 Hb) in Q. fold L in Q.
-  assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N.
-  apply Rmult_le_reg_l with q; auto. replace (q * (2 / q)) with 2 by (field; lra). nra.
+  assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N. undivide q. nra.
 Qed.
 
 (** From S0 above E_cr: stuck up to a ray at t1, then one slip up to t2, and the same equivalence. *)
@@ -123,11 +122,10 @@ Theorem first_slip t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L -> 0 < p 
     v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
     (sticks t2 <-> hh p ^ 2 <= r * depth p ^ 2).
 Proof.
-  intros Ht Ev Hx Hp En.
-  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En)
+  intros Ht Ev Hx Hp En. destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En)
     as (k & t1 & Hk & T1 & HR & St).
   destruct (merges_at_first_landing k t1 p Hk ltac:(lra) Hp HR) as (Sg & Ev2 & _ & _ & Iff & _).
-  assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+  assert (T0 : 0 < 2 * p / o1) by positive.
   exists t1, (t1 + 2 * p / o1). split; [lra|]. split; [lra|]. split; [intros; apply St; auto|]. split; [|auto].
   intros t Hu Q. specialize (Sg t Hu). rewrite Q in Sg. lra.
 Qed.
@@ -147,7 +145,7 @@ Proof.
   fold M in A, C, F. fold q o1 in A, B, C, F. fold t1 in B, C, F. rewrite Rplus_0_r in A, C, F. fold d in A, C, F.
   rewrite (push_0 p) in C, F. fold u in C, F.
   assert (P : k * x t1 = - L * (1 + q * d)). { destruct C as (C & _). fold M in C. fold q L in C. lra. }
-  assert (0 < L * (q * d)) by (apply Rmult_lt_0_compat; [exact L0|apply Rmult_lt_0_compat; [exact q0|exact A]]).
+  assert (0 < L * (q * d)) by positive.
   repeat (split; [auto; fail|]). split; [rewrite P; lra|]. split; [exact C|exact F].
 Qed.
 End Cross.

@@ -49,7 +49,7 @@ Proof.
   { replace (M / 2 * (v ^ 2 - ray u ^ 2)) with (energy m1 m2 a2 L v v - (a2 * L ^ 2 / 2 + M / 2 * ray u ^ 2)) by
     (unfold energy, M; field).
     rewrite E. unfold ray. rewrite L_o1. rewrite o1_sq. unfold q, M. field. repeat split; lra. }
-  assert (0 < M) by (unfold M; lra). apply Rmult_integral in Z. lra.
+  assert (0 < M) by positive. apply Rmult_integral in Z. lra.
 Qed.
 (** and the other way round *)
 Lemma ray_level u : energy m1 m2 a2 L (ray u) (ray u) = Ecr * (1 + q * u ^ 2).
@@ -68,8 +68,7 @@ Lemma stick_arc al rho : 1 <= rho -> 0 <= al -> rho * cos al <= 1 ->
     * Cx al rho t)).
 Proof.
   intros Hr Ha Hc. pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O. fold om in O. pose proof Mom as Mo.
-  assert (M0 : 0 < M) by (unfold M; lra). pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
-  constructor.
+  assert (M0 : 0 < M) by positive. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0. constructor.
   - intros t. unfold Cx, Cv. auto_derive; auto. ring.
   - intros t. unfold Cx, Cv. auto_derive; auto. rewrite Mo. unfold M. field. lra.
   - intros t. unfold Cx, Cv. auto_derive; auto. field. lra.
@@ -77,17 +76,16 @@ Proof.
     assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
       apply Rinv_le_contravar; lra. }
     assert (Th : al <= al + om * t <= acos (- / rho)).
-    { split; [assert (0 <= om * t) by (apply Rmult_le_pos; lra); lra|].
+    { split; [assert (0 <= om * t) by positive; lra|].
       apply Rplus_le_reg_l with (- al). replace (- al + (al + om * t)) with (om * t) by ring.
       replace (- al + acos (- / rho)) with (om * ((acos (- / rho) - al) / om)) by (field; lra).
         apply Rmult_le_compat_l; lra. }
-    pose proof (acos_bound (- / rho)) as Ab.
-    assert (C1 : cos (al + om * t) <= cos al). { apply cos_decr_1; lra. }
+    pose proof (acos_bound (- / rho)) as Ab. assert (C1 : cos (al + om * t) <= cos al). { apply cos_decr_1; lra. }
     assert (C2 : - / rho <= cos (al + om * t)). { rewrite <- (cos_acos (- / rho)) at 1 by lra. apply cos_decr_1; lra. }
     assert (K : m2 / b * (om * om) * L = 1). { unfold L, Stick.L. rewrite Mo at 1. unfold M. field. repeat split; lra. }
     assert (K2 : -1 <= rho * cos (al + om * t) <= 1).
     { split; [|apply Rle_trans with (rho * cos al); auto; apply Rmult_le_compat_l; lra].
-      replace (-1) with (rho * - / rho) by (field; lra). apply Rmult_le_compat_l; lra. }
+      replace (-1) with (rho * - / rho) by (field; lra). scale. }
     replace (m2 / b * (- (om * om) * Cx al rho t)) with (- (m2 / b * (om * om) * L * (rho * cos (al + om * t))))
       by (unfold Cx; ring).
     rewrite K. lra.
@@ -97,11 +95,11 @@ Qed.
 Definition amp y := sqrt (1 + q * y).
 (** its square *)
 Lemma amp_sq y : 0 <= y -> amp y * amp y = 1 + q * y.
-Proof. intros. pose proof q_pos. apply sqrt_sqrt. assert (0 <= q * y) by (apply Rmult_le_pos; lra). lra. Qed.
+Proof. intros. pose proof q_pos. apply sqrt_sqrt. assert (0 <= q * y) by positive. lra. Qed.
 (** it is at least 1 *)
 Lemma amp_ge y : 0 <= y -> 1 <= amp y.
 Proof. intros. pose proof q_pos. unfold amp. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt.
-  assert (0 <= q * y) by (apply Rmult_le_pos; lra). lra. Qed.
+  assert (0 <= q * y) by positive. lra. Qed.
 
 (** the data of the stick from (L z, v), v < 0, at the level y = u^2: it starts there and ends on the ray x = -L with
     speed ray u *)
@@ -113,10 +111,10 @@ Lemma stick_ends z v u : 0 < u -> -1 <= z <= 1 -> v < 0 -> energy m1 m2 a2 (L * 
 Proof.
   intros Hu Hz Hv En rho al T.
   pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O. fold om in O. pose proof Mom as Mo. pose proof q_pos as Q0.
-  assert (M0 : 0 < M) by (unfold M; lra). pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
-  assert (U2 : 0 < u ^ 2) by (apply pow_lt; auto).
+  assert (M0 : 0 < M) by positive. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
+  assert (U2 : 0 < u ^ 2) by positive.
   assert (R1 : 1 <= rho) by (apply amp_ge; lra). assert (R2 : rho * rho = 1 + q * u ^ 2) by (apply amp_sq; lra).
-  assert (R3 : 1 < rho). { assert (0 < q * u ^ 2) by (apply Rmult_lt_0_compat; auto).
+  assert (R3 : 1 < rho). { assert (0 < q * u ^ 2) by positive.
     destruct (Req_dec rho 1) as [E|]; [|lra]. rewrite E in R2. lra. }
   assert (Ir : 0 < / rho < 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
     apply Rinv_lt_contravar; lra. }
@@ -128,12 +126,11 @@ Proof.
   assert (Al0 : 0 < al). { destruct (Req_dec al 0) as [E|]; [|lra]. rewrite E, cos_0 in Ca. lra. }
   assert (AlP : al < PI). { destruct (Req_dec al PI) as [E|]; [|lra]. rewrite E, cos_PI in Ca. lra. }
   assert (HT : 0 <= T < PI / om).
-  { unfold T. split; [apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]|].
-    apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; auto|]. lra. }
+  { unfold T. split; [positive|]. apply Rmult_lt_compat_r; [positive|]. lra. }
   assert (Rc : rho * cos al = z) by (rewrite Ca; field; lra).
   assert (Ang : al + om * T = acos (- / rho)) by (unfold T; field; lra).
   assert (Sp : forall g, 0 <= g -> 0 <= L * rho * om * g).
-  { intros g Hg. apply Rmult_le_pos; auto. apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; lra. }
+  { intros g Hg. apply Rmult_le_pos; auto. apply Rmult_le_pos; [|lra]. positive. }
   repeat (split; [auto; fail|]). split; [|split; [|split]].
   - unfold Cx. rewrite Rmult_0_r, Rplus_0_r, Rmult_assoc, Rc. auto.
   - unfold Cv. rewrite Rmult_0_r, Rplus_0_r. pose proof (sin2_cos2 al) as SC. unfold Rsqr in SC.
@@ -179,15 +176,14 @@ Proof.
   split; [auto|]. split.
   - destruct (F T ltac:(lra)) as (G0 & G1 & G2). unfold on_ray. rewrite G0, G1, G2, XT, VT. repeat split; ring.
   - intros t Hu'. destruct (F t Hu') as (G0 & G1 & G2). split; [rewrite G1, G2; auto|]. rewrite G0. unfold Cx.
-    pose proof (acos_bound (- / rho)) as Ag.
-    assert (Th : al <= al + om * t <= acos (- / rho)).
-    { split; [assert (0 <= om * t) by (apply Rmult_le_pos; lra); lra|]. rewrite <- Ang.
+    pose proof (acos_bound (- / rho)) as Ag. assert (Th : al <= al + om * t <= acos (- / rho)).
+    { split; [assert (0 <= om * t) by positive; lra|]. rewrite <- Ang.
       apply Rplus_le_compat_l, Rmult_le_compat_l; lra. }
     assert (C1 : cos (al + om * t) <= cos al) by (apply cos_decr_1; lra).
     assert (C2 : - / rho <= cos (al + om * t)) by (rewrite <- Cg; apply cos_decr_1; lra).
     assert (K2 : -1 <= rho * cos (al + om * t) <= 1).
     { split; [|apply Rle_trans with (rho * cos al); [apply Rmult_le_compat_l|]; lra].
-      replace (-1) with (rho * - / rho) by (field; lra). apply Rmult_le_compat_l; lra. }
+      replace (-1) with (rho * - / rho) by (field; lra). scale. }
     rewrite Rmult_assoc. split; nra.
 Qed.
 End Cycle.

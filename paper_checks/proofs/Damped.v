@@ -82,14 +82,12 @@ Proof.
   set (z := fade m1 a1 * (PI / om)) in *. pose proof (exp_pos (- z)). unfold sinh, cosh in *.
     pose proof (exp_ineq1 z ltac:(lra)).
   assert (exp z * exp (- z) = 1) by (rewrite <- exp_plus, Rplus_opp_r, exp_0; auto).
-  assert (1 < (exp z + exp (- z)) / 2); [|lra]. assert (0 < (exp z - 1) ^ 2) by (apply pow_lt; lra). nra.
+  assert (1 < (exp z + exp (- z)) / 2); [|lra]. assert (0 < (exp z - 1) ^ 2) by positive. nra.
 Qed.
 
 (** the speed is the place's derivative *)
 Lemma derive_swing t : is_derive damped_swing t (damped_swing' t).
-Proof.
-  pose proof od_pos. unfold damped_swing, damped_swing'. auto_derive; auto. unfold Q. field; lra.
-Qed.
+Proof. pose proof od_pos. unfold damped_swing, damped_swing'. auto_derive; auto. unfold Q. field; lra. Qed.
 (** and it obeys the law of motion under the push 1 *)
 Lemma derive_swing' t : is_derive damped_swing' t ((1 - a1 * damped_swing' t - a2 * damped_swing t) / m1).
 Proof.
@@ -126,8 +124,7 @@ Proof.
   pose proof (cosh_sinh (la * T)) as CH. pose proof (sin2_cos2 (od * T)) as SC. unfold Rsqr in SC.
   assert (K : (cosh (la * T) - sinh (la * T)) * (P * cos (od * T) + Q * sin (od * T)) = 1 + a2 * h).
   { unfold Q, P. rewrite E1, E2. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
-    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *.
-    apply Rmult_eq_reg_r with weight; [|lra].
+    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *. apply Rmult_eq_reg_r with weight; [|lra].
     transitivity ((ch - sh) * ((ch + sh) * (c + la / od * n) + (n * n + c * c))).
     - rewrite W1. field. rewrite <- W1. lra.
     - rewrite SC. transitivity ((ch * ch - sh * sh) * (c + la / od * n) + ch - sh); [ring|]. rewrite CH.
@@ -135,8 +132,7 @@ Proof.
   assert (K' : (cosh (la * T) - sinh (la * T)) * (a2 * h' * cos (od * T) + (la * Q + od * P) * sin (od * T)) = - (a2 *
     h')).
   { unfold Q, P. rewrite E1, E2. set (c := cos (od * T)) in *. set (n := sin (od * T)) in *.
-    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *.
-    apply Rmult_eq_reg_r with weight; [|lra].
+    set (ch := cosh (la * T)) in *. set (sh := sinh (la * T)) in *. apply Rmult_eq_reg_r with weight; [|lra].
     transitivity ((od * od + la * la) / od * n * ((ch - sh) * (ch + sh))).
     - rewrite W1. field. rewrite <- W1. lra.
     - replace ((ch - sh) * (ch + sh)) with (ch * ch - sh * sh) by ring. rewrite CH. field. lra. }
@@ -151,11 +147,9 @@ Proof.
   pose proof od_pos as O. pose proof weight_pos as W. pose proof la_pos as L. pose proof T_pos as HT.
   replace (a2 * h + a1 * h') with (- ((sinh (la * T) + la / od * sin (od * T)) / weight))
     by (rewrite <- la_m; unfold h, h', turn_place, turn_speed; fold la od T; field; lra).
-  assert (0 <= (sinh (la * T) + la / od * sin (od * T)) / weight); [|lra]. apply Rmult_le_pos; [|apply Rlt_le,
-    Rinv_0_lt_compat; auto].
+  assert (0 <= (sinh (la * T) + la / od * sin (od * T)) / weight); [|lra]. apply Rmult_le_pos; [|positive].
   pose proof (sinh_above (la * T) ltac:(nra)) as S. pose proof (sine_below (od * T) ltac:(nra)) as (B & _).
-  assert (la / od * - (od * T) < la / od * sin (od * T)) by (apply Rmult_lt_compat_l; [apply Rdiv_lt_0_compat;
-    auto|auto]).
+  assert (la / od * - (od * T) < la / od * sin (od * T)) by scale.
   replace (la / od * - (od * T)) with (- (la * T)) in H by (field; lra). lra.
 Qed.
 
@@ -170,10 +164,9 @@ Proof.
   set (A := PI / (2 * m2 * om) - h'). set (B := ((m1 + m2) / m2 - a2 * h - a1 * h') / (m1 * om)).
   replace ((b / om * (h' - PI / (2 * m2 * om))) ^ 2 + (b * ((m1 + m2) / m2 - a2 * h - a1 * h') / (m1 * om ^ 2)) ^ 2)
     with ((b / om) ^ 2 * (A ^ 2 + B ^ 2)) by (unfold A, B; field; lra).
-  pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). assert (0 < b / om) by (apply Rdiv_lt_0_compat; auto).
+  pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). assert (0 < b / om) by positive.
   pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). pose proof (pow2_ge_0 (a1 * om)). pose proof (pow2_ge_0 (b / om)).
-  rewrite sqrt_mult by (try apply Rmult_le_pos; lra). rewrite sqrt_mult by lra.
-  rewrite sqrt_pow2 by lra. field; lra.
+  rewrite sqrt_mult by (try apply Rmult_le_pos; lra). rewrite sqrt_mult by lra. rewrite sqrt_pow2 by lra. field; lra.
 Qed.
 
 (** exactly from U** on, where the relative velocity is positive at U** *)
@@ -186,10 +179,9 @@ Proof.
     derive_swing'); auto.
   - fold T. rewrite E, swing_0. auto.
   - fold T. rewrite E', swing'_0. auto.
-  - unfold Z1. assert (0 < (a1 * om) ^ 2) by (apply pow_lt; nra). pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
-  - rewrite swing_0, swing'_0. unfold leave. apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat; [auto|apply pow_lt;
-    auto]].
-    apply Rmult_lt_0_compat; auto. pose proof turn_load. assert (0 < (m1 + m2) / m2) by (apply Rdiv_lt_0_compat; lra).
+  - unfold Z1. assert (0 < (a1 * om) ^ 2) by positive. pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
+  - rewrite swing_0, swing'_0. unfold leave. apply Rdiv_lt_0_compat; [|positive].
+    apply Rmult_lt_0_compat; auto. pose proof turn_load. assert (0 < (m1 + m2) / m2) by positive.
       lra.
   - rewrite swing_0, swing'_0. auto.
 Qed.

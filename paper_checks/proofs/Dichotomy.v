@@ -26,9 +26,8 @@ Theorem convergence : exists x0 v0, energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /
   (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> distance x0 v0 t <= e).
 Proof.
   pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as om_pos. pose proof (omega_sq m1 m2 a2 Hm1 Hm2 Ha2) as om_sq.
-  fold om in om_pos, om_sq. fold M in om_sq.
-  assert (M_pos : 0 < M) by (unfold M; lra).
-  assert (kap_pos : 0 < kap). { unfold kap; apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
+  fold om in om_pos, om_sq. fold M in om_sq. assert (M_pos : 0 < M) by positive.
+  assert (kap_pos : 0 < kap). { unfold kap; apply Rdiv_lt_0_compat; auto. positive. }
   assert (Ma : a2 = M * (om * om)) by (rewrite om_sq; field; lra).
   destruct (E_limit m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as (l & Hl0 & Hl & Hlim).
   pose proof (limit_not_above m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H l Hl Hlim) as HL.
@@ -36,8 +35,7 @@ Proof.
     change (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> E t <= l + e) in Hlim.
   destruct (paid_limit E A kap l (Rlt_le _ _ kap_pos) Hl (A_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H)) as (a & HA).
   destruct (paid_limit E B kap l (Rlt_le _ _ kap_pos) Hl (B_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H)) as (c & HB).
-  exists a, (om * c).
-  assert (En : energy m1 m2 a2 a (om * c) (om * c) = a2 / 2 * (a ^ 2 + c ^ 2)).
+  exists a, (om * c). assert (En : energy m1 m2 a2 a (om * c) (om * c) = a2 / 2 * (a ^ 2 + c ^ 2)).
   { unfold energy. rewrite Ma. unfold M. field. }
   assert (Con : forall T, 0 <= T -> exists t, T <= t /\
     w t = 0) by (exact (contact' m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H)).
@@ -45,24 +43,21 @@ Proof.
     a2 Hm1 Hm2 Ha2 x v1 v2)).
   assert (El : a2 / 2 * (a ^ 2 + c ^ 2) = l).
   { set (d := a2 / 2 * (a ^ 2 + c ^ 2) - l). destruct (Req_dec d 0) as [|Nd]; [unfold d in *; lra|exfalso].
-    set (C := 1 + a2 * kap * (Rabs a + Rabs c + 1 + kap)).
-    pose proof (Rabs_pos a). pose proof (Rabs_pos c).
-    assert (HC : 0 < C). { unfold C. assert (0 < a2 * kap) by (apply Rmult_lt_0_compat; auto). nra. }
+    set (C := 1 + a2 * kap * (Rabs a + Rabs c + 1 + kap)). pose proof (Rabs_pos a). pose proof (Rabs_pos c).
+    assert (HC : 0 < C). { unfold C. assert (0 < a2 * kap) by positive. nra. }
     assert (Dp : 0 < Rabs d) by (apply Rabs_pos_lt; auto).
-    set (e := Rmin 1 (Rabs d / (2 * C))). assert (He : 0 < e). { apply Rmin_glb_lt; [lra|].
-      apply Rdiv_lt_0_compat; lra. }
+    set (e := Rmin 1 (Rabs d / (2 * C))). assert (He : 0 < e) by positive.
     assert (He1 : e <= 1) by apply Rmin_l. assert (He2 : e <= Rabs d / (2 * C)) by apply Rmin_r.
     assert (He3 : C * e <= Rabs d / 2). { replace (Rabs d / 2) with (C * (Rabs d / (2 * C))) by (field; lra).
       apply Rmult_le_compat_l; lra. }
     destruct (Hlim e He) as (T & HT & KT). destruct (Con T HT) as (t & Ht & Wt).
     pose proof (EAB t) as Q. rewrite Wt in Q. pose proof (HA t ltac:(lra)) as QA. pose proof (HB t ltac:(lra)) as QB.
-    pose proof (KT t Ht). pose proof (Hl t ltac:(lra)).
-    assert (ke : kap * (E t - l) <= kap * e) by (apply Rmult_le_compat_l; lra).
+    pose proof (KT t Ht). pose proof (Hl t ltac:(lra)). assert (ke : kap * (E t - l) <= kap * e) by scale.
     assert (Sq : forall F g, Rabs (F - g) <= kap * e -> Rabs (F ^ 2 - g ^ 2) <= kap * e * (2 * Rabs g + kap)).
     { intros F g HF. replace (F ^ 2 - g ^ 2) with ((F - g) * (2 * g + (F - g))) by ring. rewrite Rabs_mult.
       apply Rmult_le_compat; auto using Rabs_pos. eapply Rle_trans; [apply Rabs_triang|].
         rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
-      assert (kap * e <= kap * 1) by (apply Rmult_le_compat_l; lra). lra. }
+      assert (kap * e <= kap * 1) by scale. lra. }
     assert (SA := Sq (A t) a ltac:(lra)). assert (SB := Sq (B t) c ltac:(lra)). apply Rabs_inv in SA.
       apply Rabs_inv in SB.
     assert (Rabs d <= C * e); [|lra].
@@ -72,18 +67,15 @@ Proof.
       replace (a2 * kap * (Rabs a + Rabs c + kap) * e) with (a2 / 2 * (kap * e * (2 * Rabs a + kap) + kap * e * (2
         * Rabs c + kap))) by field.
       apply Rmult_le_compat_l; [lra|]. apply Rabs_le; lra. }
-    apply Rabs_inv in Up. assert (0 < a2 * kap * e) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; auto).
-    rewrite Dd. apply Rabs_le. unfold C. lra. }
+    apply Rabs_inv in Up. assert (0 < a2 * kap * e) by positive. rewrite Dd. apply Rabs_le. unfold C. lra. }
   assert (Cl : energy m1 m2 a2 a (om * c) (om * c) = l) by lra. rewrite Cl.
-  split; [auto|]. split; [auto|]. split; [auto|].
-  intros e He.
-  set (C := a2 * kap ^ 2). assert (HC : 0 < C) by (apply Rmult_lt_0_compat; auto; apply pow_lt; auto).
-  set (e1 := Rmin 1 (e / C)). assert (He1 : 0 < e1). { apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; auto. }
+  split; [auto|]. split; [auto|]. split; [auto|]. intros e He.
+  set (C := a2 * kap ^ 2). assert (HC : 0 < C) by positive.
+  set (e1 := Rmin 1 (e / C)). assert (He1 : 0 < e1) by positive.
   assert (e1 <= 1) by apply Rmin_l. assert (e1 <= e / C) by apply Rmin_r.
-  assert (C * e1 <= e). { apply Rle_trans with (C * (e / C)); [apply Rmult_le_compat_l; lra|right; field; lra]. }
+  assert (C * e1 <= e). { apply Rle_trans with (C * (e / C)); [scale|right; field; lra]. }
   destruct (Hlim e1 He1) as (T & HT & KT). destruct (Con T HT) as (tc & Htc & Wc).
-  exists tc; split; [lra|]. intros t Ht.
-  assert (St : distance a (om * c) t <= distance a (om * c) tc).
+  exists tc; split; [lra|]. intros t Ht. assert (St : distance a (om * c) t <= distance a (om * c) tc).
   { apply (ellipse_stable m1 m2 a2 b Hm1 Hm2 Ha2 Hb a (om * c) x v1 v2 s tc t); auto; lra. }
   apply Rle_trans with (1 := St).
   pose proof (x_AB m1 m2 a2 x v1 v2 tc) as XT. pose proof (P_AB m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 tc) as PT.
@@ -108,9 +100,9 @@ Proof.
     apply Rmult_le_compat_l; lra. }
     pose proof (Rabs_pos z). assert (Rabs z ^ 2 <= (kap * e1) ^ 2) by (apply pow_incr; lra).
     assert ((kap * e1) ^ 2 <= kap ^ 2 * e1). { rewrite Rpow_mult_distr.
-      apply Rmult_le_compat_l; [apply pow2_ge_0|]. nra. } lra. }
+      apply Rmult_le_compat_l; [positive|]. nra. } lra. }
   pose proof (Sq _ QA). pose proof (Sq _ QB).
-  apply Rle_trans with (a2 / 2 * (kap ^ 2 * e1 + kap ^ 2 * e1)). { apply Rmult_le_compat_l; lra. }
+  apply Rle_trans with (a2 / 2 * (kap ^ 2 * e1 + kap ^ 2 * e1)). { scale. }
   replace (a2 / 2 * (kap ^ 2 * e1 + kap ^ 2 * e1)) with (C * e1) by (unfold C; field). auto.
 Qed.
 

@@ -11,6 +11,22 @@ Proof. intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rab
 Ltac smaller a b :=
   exists (Rmin a b); pose proof (Rmin_l a b); pose proof (Rmin_r a b); split; [apply Rmin_glb_lt; auto; lra|].
 
+(** signs of what is made of positive numbers, part by part *)
+Ltac positive := first [assumption | lra | (match goal with
+  | |- 0 < _ * _ => apply Rmult_lt_0_compat | |- 0 < _ / _ => apply Rdiv_lt_0_compat
+  | |- 0 < _ + _ => apply Rplus_lt_0_compat | |- 0 < / _ => apply Rinv_0_lt_compat | |- 0 < _ ^ _ => apply pow_lt
+  | |- 0 < sqrt _ => apply sqrt_lt_R0 | |- 0 < Rmin _ _ => apply Rmin_glb_lt
+  | |- 0 <= _ ^ 2 => apply pow2_ge_0 | |- 0 <= sqrt _ => apply sqrt_pos | |- 0 <= Rabs _ => apply Rabs_pos
+  | |- 0 <= _ * _ => apply Rmult_le_pos | |- 0 <= _ / _ => apply Rdiv_le_0_compat
+  | |- 0 <= _ + _ => apply Rplus_le_le_0_compat | |- 0 <= / _ => apply Rlt_le
+  | |- 0 < ?x => is_var x; unfold x | |- 0 <= ?x => is_var x; unfold x end; positive)].
+(** a product is compared by one of its factors *)
+Ltac scale := first [apply Rmult_le_compat_l | apply Rmult_le_compat_r | apply Rmult_lt_compat_l
+  | apply Rmult_lt_compat_r]; first [positive | auto].
+(** and a quotient by c without its denominator *)
+Ltac undivide c := first [refine (proj2 (Rle_div_l _ _ c _) _) | refine (proj1 (Rle_div_r _ _ c _) _)
+  | refine (proj2 (Rlt_div_l _ _ c _) _) | refine (proj1 (Rlt_div_r _ _ c _) _)]; [apply Rlt_gt; positive|].
+
 (** from squares to absolute values *)
 Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
 Proof. intros; split; nra. Qed.
@@ -56,8 +72,7 @@ Proof.
   exists d; split; auto. intros h Hh. rewrite Rabs_mult. specialize (K h Hh).
   assert (0 <= e / (Rabs c + 1)) by (apply Rlt_le, Rdiv_lt_0_compat; lra).
   apply Rle_trans with (Rabs c * (e / (Rabs c + 1) * h)). { apply Rmult_le_compat_l; auto. }
-  replace (e * h) with ((Rabs c + 1) * (e / (Rabs c + 1) * h)) by (field; lra).
-  apply Rmult_le_compat_r; nra.
+  replace (e * h) with ((Rabs c + 1) * (e / (Rabs c + 1) * h)) by (field; lra). apply Rmult_le_compat_r; nra.
 Qed.
 
 (** differences of o(h) *)
@@ -103,17 +118,14 @@ Proof. intros F G. apply big_ext with (fun h => f h + (-1) * g h); [intros; ring
 (** a product of two O(h) is o(h) *)
 Lemma big_mult f g : big f -> big g -> little (fun h => f h * g h).
 Proof.
-  intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2) e He.
-  exists (Rmin (Rmin d1 d2) (e / (C1 * C2))); split.
+  intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2) e He. exists (Rmin (Rmin d1 d2) (e / (C1 * C2))); split.
   { repeat apply Rmin_glb_lt; auto. apply Rdiv_lt_0_compat; nra. }
-  intros h (Hh & Hm).
-  assert (h < d1 /\ h < d2 /\ h < e / (C1 * C2)) as (? & ? & He2).
+  intros h (Hh & Hm). assert (h < d1 /\ h < d2 /\ h < e / (C1 * C2)) as (? & ? & He2).
   { repeat split; eapply Rlt_le_trans; [exact Hm| |exact Hm| |exact Hm|];
     [ eapply Rle_trans; [apply Rmin_l|apply Rmin_l] | eapply Rle_trans; [apply Rmin_l|apply Rmin_r] | apply Rmin_r ]. }
   rewrite Rabs_mult. assert (Rabs (f h) <= C1*h) by (apply K1; lra). assert (Rabs (g h) <= C2*h) by (apply K2; lra).
   pose proof (Rabs_pos (f h)). pose proof (Rabs_pos (g h)).
-  apply Rle_trans with (C1 * h * (C2 * h)). { apply Rmult_le_compat; auto. }
-  assert (0 < C1 * C2) by nra.
+  apply Rle_trans with (C1 * h * (C2 * h)). { apply Rmult_le_compat; auto. } assert (0 < C1 * C2) by nra.
   assert (C1 * C2 * h < e). { apply Rmult_lt_reg_r with (/ (C1 * C2)). { apply Rinv_0_lt_compat; auto. }
     replace (C1 * C2 * h * / (C1 * C2)) with h by (field; split; lra). exact He2. }
   nra.
@@ -202,8 +214,7 @@ Lemma cont_mult f g : cont f -> cont g -> cont (fun u => f u * g u).
 Proof.
   intros F G t Ht e He. pose proof (Rabs_pos (f t)). pose proof (Rabs_pos (g t)).
   set (k := Rabs (f t) + Rabs (g t) + 1). set (e1 := Rmin 1 (e / (2 * k))).
-  assert (0 < e / (2 * k)) by (apply Rdiv_lt_0_compat; unfold k; lra).
-  assert (0 < e1) by (apply Rmin_glb_lt; lra).
+  assert (0 < e / (2 * k)) by (apply Rdiv_lt_0_compat; unfold k; lra). assert (0 < e1) by (apply Rmin_glb_lt; lra).
   destruct (F t Ht e1) as (d1 & ? & K1); auto. destruct (G t Ht e1) as (d2 & ? & K2); auto.
   smaller d1 d2. intros s Hs Hd.
   assert (A : Rabs (f s - f t) < e1) by (apply K1; lra). assert (B : Rabs (g s - g t) < e1) by (apply K2; lra).
@@ -215,8 +226,7 @@ Proof.
   pose proof (Rabs_pos (f s - f t)). pose proof (Rabs_pos (g s - g t)).
   assert (Rabs (f s - f t) * Rabs (g s - g t) <= e1 * 1) by (apply Rmult_le_compat; lra).
   assert (Rabs (f s - f t) * Rabs (g t) <= e1 * Rabs (g t)) by (apply Rmult_le_compat_r; lra).
-  assert (Rabs (f t) * Rabs (g s - g t) <= Rabs (f t) * e1) by (apply Rmult_le_compat_l; lra).
-  unfold k in *. lra.
+  assert (Rabs (f t) * Rabs (g s - g t) <= Rabs (f t) * e1) by (apply Rmult_le_compat_l; lra). unfold k in *. lra.
 Qed.
 
 (** of a multiple *)
@@ -252,8 +262,7 @@ Qed.
 (** a Lipschitz function is continuous *)
 Lemma lip_cont f K : 0 <= K -> (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= K * (t - r)) -> cont f.
 Proof.
-  intros HK L t Ht e He. exists (e / (K + 1)); split. { apply Rdiv_lt_0_compat; lra. }
-  intros s Hs Hd.
+  intros HK L t Ht e He. exists (e / (K + 1)); split. { apply Rdiv_lt_0_compat; lra. } intros s Hs Hd.
   assert (Rabs (f s - f t) <= K * Rabs (s - t)).
   { destruct (Rle_dec s t).
     - rewrite (Rabs_minus_sym (f s)), (Rabs_minus_sym s). rewrite (Rabs_pos_eq (t - s)) by lra. apply L; lra.
@@ -327,8 +336,7 @@ Lemma barrier_until f k s t : cont f -> 0 <= s <= t -> f s <= k -> (forall u, s 
   f t <= k.
 Proof.
   intros C Hst Fs D. apply le_epsilon. intros q Hq. set (e := q / (t - s + 1)).
-  assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
-  assert (Cl : cont (fun u => f u - e * (u - s))).
+  assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra). assert (Cl : cont (fun u => f u - e * (u - s))).
   { apply cont_minus; auto. apply (lip_cont _ e); [lra|]. intros r u Hr.
     replace (e * (u - s) - e * (r - s)) with (e * (u - r)) by ring. rewrite Rabs_pos_eq; nra. }
   apply Rle_trans with (k + e * (t - s)).
@@ -356,9 +364,7 @@ Proof. intros C Hst D. apply (barrier_until f (f s) s t); auto; lra. Qed.
 Corollary dini_slope f k s t : cont f -> 0 <= s <= t -> (forall r, s <= r < t -> dini_le f r k) ->
   f t - f s <= k * (t - s).
 Proof.
-  intros C Hst D.
-  assert (f t - k * t <= f s - k * s); [|lra].
-  apply (dini_mono (fun u => f u - k * u)); auto.
+  intros C Hst D. assert (f t - k * t <= f s - k * s); [|lra]. apply (dini_mono (fun u => f u - k * u)); auto.
   { apply cont_minus; auto. apply (lip_cont (fun u => k * u) (Rabs k)); [apply Rabs_pos|].
     intros r u Hr. replace (k * u - k * r) with (k * (u - r)) by ring. rewrite Rabs_mult, (Rabs_pos_eq (u - r)); lra. }
   intros r Hr e He. destruct (D r Hr e He) as (d & ? & K). exists d; split; auto. intros h Hh.
@@ -423,8 +429,7 @@ Lemma paid_limit (E F : R -> R) k l : 0 <= k -> (forall t, 0 <= t -> l <= E t) -
   (forall r t, 0 <= r <= t -> Rabs (F t - F r) <= k * (E r - E t)) ->
   exists a, forall t, 0 <= t -> Rabs (F t - a) <= k * (E t - l).
 Proof.
-  intros Hk Hl HF.
-  assert (Nest : forall t r, 0 <= t -> 0 <= r -> F t - k * (E t - l) <= F r + k * (E r - l)).
+  intros Hk Hl HF. assert (Nest : forall t r, 0 <= t -> 0 <= r -> F t - k * (E t - l) <= F r + k * (E r - l)).
   { intros t r Ht Hr. assert (0 <= k * (E t - l)) by (specialize (Hl t Ht); apply Rmult_le_pos; lra).
     assert (0 <= k * (E r - l)) by (specialize (Hl r Hr); apply Rmult_le_pos; lra).
     destruct (Rle_dec r t); [pose proof (HF r t ltac:(lra)) as Q|pose proof (HF t r ltac:(lra)) as Q];

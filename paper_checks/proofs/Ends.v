@@ -36,7 +36,7 @@ Lemma rest_along t : is_lim_seq t p_infty -> (forall n, v1 (t n) = v2 (t n)) ->
   is_lim_seq (fun n => Rabs (x (t n))) L ->
   is_lim_seq (fun n => v1 (t n)) 0.
 Proof.
-  intros T C X. apply from_squares. set (M := m1 + m2). assert (M0 : 0 < M) by (unfold M; lra).
+  intros T C X. apply from_squares. set (M := m1 + m2). assert (M0 : 0 < M) by positive.
   apply is_lim_seq_ext with (fun n => 2 / M * E (t n) - a2 / M * (Rabs (x (t n)) * Rabs (x (t n)))).
   { intros n. replace (Rabs (x (t n)) * Rabs (x (t n))) with (x (t n) ^ 2) by (unfold Rabs; destruct Rcase_abs; ring).
     unfold E, energy. rewrite <- (C n). unfold M. field. lra. }
@@ -68,7 +68,7 @@ Proof.
     pose proof (O1 n). pose proof (O2 n).
     destruct (sticks_inside m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H (tau n) ltac:(lra) Ev Hx) as (T & HT & K);
       [intros Q; contradiction|intros Q; contradiction|].
-    set (d := Rmin T (te (S n) - tau n)). assert (Hd : 0 < d) by (apply Rmin_glb_lt; lra).
+    set (d := Rmin T (te (S n) - tau n)). assert (Hd : 0 < d) by positive.
     pose proof (Rmin_l T (te (S n) - tau n)). pose proof (Rmin_r T (te (S n) - tau n)). fold d in H2, H3.
     apply (Off n (tau n + d / 2)); [lra|]. apply K. lra. }
   assert (Df : is_lim_seq (fun n => x (te (S n)) - x (tau n)) 0).

@@ -47,8 +47,7 @@ Qed.
 (** so the place is bounded by it *)
 Lemma rX_bound t : Rabs (rX t) <= F / sqrt Z.
 Proof.
-  pose proof (sqrt_lt_R0 Z HZ). assert (Rp : 0 <= F / sqrt Z) by (apply Rmult_le_pos; [auto|apply Rlt_le,
-    Rinv_0_lt_compat; auto]).
+  pose proof (sqrt_lt_R0 Z HZ). assert (Rp : 0 <= F / sqrt Z) by positive.
   apply Rabs_le, sq_le_abs; auto. rewrite <- amplitude. unfold rX. pose proof (sin2_cos2 (om * t)) as SC.
     unfold Rsqr in SC.
   set (c := cos (om * t)) in *. set (n := sin (om * t)) in *. pose proof (pow2_ge_0 (cA * c - cB * n)).
@@ -59,10 +58,10 @@ Qed.
 Lemma Fstar_load : F <= Fstar <-> om ^ 2 * (F / sqrt Z) <= b / m2.
 Proof.
   pose proof (sqrt_lt_R0 Z HZ). assert (0 < om ^ 2) by nra.
-    assert (Q : 0 < om ^ 2 / sqrt Z) by (apply Rdiv_lt_0_compat; auto).
+    assert (Q : 0 < om ^ 2 / sqrt Z) by positive.
   replace (om ^ 2 * (F / sqrt Z)) with (om ^ 2 / sqrt Z * F) by (field; lra).
   replace (b / m2) with (om ^ 2 / sqrt Z * Fstar) by (unfold Fstar; field; lra).
-  split; intros K; [apply Rmult_le_compat_l; lra|apply Rmult_le_reg_l with (1 := Q); auto].
+  split; intros K; [scale|apply Rmult_le_reg_l with (1 := Q); auto].
 Qed.
 
 (** the impulse of a force up to F is F-Lipschitz *)
@@ -78,8 +77,7 @@ Qed.
 Lemma response f : 0 < f -> om ^ 2 * (F / sqrt Z) <= f / m2 ->
   forced m1 m2 a1 a2 f drive rX rV rV (fun t => m2 / f * rV t).
 Proof.
-  intros Hf Q. assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV).
-  apply stuck_forced; auto.
+  intros Hf Q. assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV). apply stuck_forced; auto.
   - eapply cont_of_derive; intros; apply derive_drive.
   - eapply cont_of_derive; intros; apply derive_rX.
   - intros; apply rderiv_of_derive, derive_rX.
@@ -97,18 +95,17 @@ Proof. intros HS. apply response; [auto|apply Fstar_load, HS]. Qed.
 Lemma gentle_needs : (forall r t, 0 <= r <= t -> Rabs (rV t - rV r) <= b / m2 * (t - r)) -> F <= Fstar.
 Proof.
   intros L. destruct (Req_dec F 0) as [Z0|NZ].
-  { rewrite Z0. unfold Fstar. pose proof (sqrt_lt_R0 Z HZ).
-    apply Rmult_le_pos; [apply Rmult_le_pos; [apply Rlt_le, Rdiv_lt_0_compat; auto|lra]|].
+  { rewrite Z0. unfold Fstar. pose proof (sqrt_lt_R0 Z HZ). apply Rmult_le_pos; [positive|].
     apply Rlt_le, Rinv_0_lt_compat; nra. }
   apply Fstar_load. set (R := F / sqrt Z).
-    assert (HR : 0 < R) by (apply Rdiv_lt_0_compat; [lra|apply sqrt_lt_R0; auto]).
+    assert (HR : 0 < R) by positive.
   destruct (polar cB cA R om 0 HR Hom) as (t & Ht & C & S). { rewrite Rplus_comm. apply amplitude. }
   assert (X : rX t = R). { unfold rX. rewrite <- C, <- S. pose proof (sin2_cos2 (om * t)) as Q. unfold Rsqr in Q.
     replace (R * sin (om * t) * sin (om * t) + R * cos (om * t) * cos (om * t)) with (R * (sin (om * t) * sin (om
       * t) + cos (om * t) * cos (om * t))) by ring.
     rewrite Q; ring. }
   pose proof (lip_rderiv rV _ t _ L Ht (rderiv_of_derive _ _ _ (derive_rV t))) as B. rewrite X in B.
-  rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by (apply Rmult_lt_0_compat; nra); lra). lra.
+  rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by positive; lra). lra.
 Qed.
 
 (** a stuck solution needs the friction it asks for, at the peak as well *)
@@ -129,24 +126,23 @@ Proof. unfold rV. replace (om * (t + INR n * (2 * PI / om))) with (om * t + 2 * 
 Theorem stuck_for_ever x v1 v2 s : 0 < a1 -> forced m1 m2 a1 a2 b drive x v1 v2 s -> (forall t, 0 <= t ->
   v1 t = v2 t) -> F <= Fstar.
 Proof.
-  intros Ha H St. set (K := om ^ 2 * (F / sqrt Z)). assert (HK : 0 <= K).
-  { apply Rmult_le_pos; [nra|]. apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat, sqrt_lt_R0; auto]. }
+  intros Ha H St. set (K := om ^ 2 * (F / sqrt Z)). assert (HK : 0 <= K) by positive.
   set (f := b + m2 * K). assert (Hf : 0 < f) by (unfold f; nra).
-  assert (Ef : f / m2 = b / m2 + K) by (unfold f; field; lra). assert (0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  assert (Ef : f / m2 = b / m2 + K) by (unfold f; field; lra). assert (0 < b / m2) by positive.
   assert (Lv : forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= b / m2 * (t - r)).
   { intros r t Hr. rewrite (St t), (St r) by lra. apply (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr). }
   assert (H' : forced m1 m2 a1 a2 f drive x v1 v1 (fun t => m2 / f * v1 t)).
   { apply stuck_forced; auto; try apply H.
     - intros t Ht. exact (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t H St Ht).
-    - intros r t Hr. eapply Rle_trans; [apply Lv; auto|]. apply Rmult_le_compat_r; lra. }
+    - intros r t Hr. eapply Rle_trans; [apply Lv; auto|]. scale. }
   apply gentle_needs. intros r t Hr. apply le_epsilon. intros d Hd.
   destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra)) HF drive_lip
-    (m1 * (d / 2) ^ 2 / 2)) as (T & HT & Q); [assert (0 < (d / 2) ^ 2) by (apply pow_lt; lra); nra|].
+    (m1 * (d / 2) ^ 2 / 2)) as (T & HT & Q); [assert (0 < (d / 2) ^ 2) by positive; nra|].
   assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2).
   { intros u Hu. specialize (Q u Hu). unfold energy in Q. apply Rabs_le, sq_le_abs; [lra|].
     pose proof (Rmult_le_pos a2 _ (Rlt_le _ _ Ha2) (pow2_ge_0 (x u - rX u))).
     pose proof (Rmult_le_pos m2 _ (Rlt_le _ _ Hm2) (pow2_ge_0 (v1 u - rV u))). apply Rmult_le_reg_l with m1; lra. }
-  assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by (apply Rdiv_lt_0_compat; lra).
+  assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by positive.
   destruct (nat_above T (2 * PI / om) Pp) as (n & Hn).
   rewrite <- (rV_period n t), <- (rV_period n r). set (p := INR n * (2 * PI / om)) in *.
   pose proof (Near (t + p) ltac:(lra)) as N1. pose proof (Near (r + p) ltac:(lra)) as N2.
@@ -193,11 +189,10 @@ Lemma peak y : -1 <= y <= 1 -> Rabs (y + / 6 * (3 * y - 4 * y ^ 3)) <= sqrt 3 / 
 Proof.
   intros Hy. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
     assert (P : 1 <= sqrt 3) by (rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
-  set (q := sqrt 3) in *.
-  assert (A : forall z, -1 <= z <= 1 -> z + / 6 * (3 * z - 4 * z ^ 3) <= q / 2).
+  set (q := sqrt 3) in *. assert (A : forall z, -1 <= z <= 1 -> z + / 6 * (3 * z - 4 * z ^ 3) <= q / 2).
   { intros z Hz. assert (E : q / 2 - (z + / 6 * (3 * z - 4 * z ^ 3)) = 2 / 3 * ((z - q / 2) ^ 2 * (z + q))).
     { transitivity (2 / 3 * (z ^ 3 - 3 / 4 * (q * q) * z + (q * q) * q / 4)); [rewrite S; field|field]. }
-    pose proof (pow2_ge_0 (z - q / 2)). assert (0 <= (z - q / 2) ^ 2 * (z + q)) by (apply Rmult_le_pos; lra). lra. }
+    pose proof (pow2_ge_0 (z - q / 2)). assert (0 <= (z - q / 2) ^ 2 * (z + q)) by positive. lra. }
   pose proof (A y Hy). pose proof (A (- y) ltac:(lra)) as B. replace ((- y) ^ 3) with (- y ^ 3) in B by ring.
     apply Rabs_le. lra.
 Qed.
@@ -207,35 +202,31 @@ Theorem third_harmonic : exists F U x v s, Fstar m1 m2 0 a2 b om < F /\ F = 2 / 
   (forall t, 0 <= t -> rderiv U t (F * sin (om * t))) /\ forced m1 m2 0 a2 b U x v v s /\
   forall t, x (t + 2 * PI / om) = x t /\ v (t + 2 * PI / om) = v t.
 Proof.
-  assert (S3 : 0 < sqrt 3) by (apply sqrt_lt_R0; lra). assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
-  assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto). assert (O2 : 0 < om ^ 2) by nra.
-    assert (Mp : 0 < M) by (unfold M; lra).
+  assert (S3 : 0 < sqrt 3) by positive. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
+  assert (Hk : 0 < b / m2) by positive. assert (O2 : 0 < om ^ 2) by nra.
+    assert (Mp : 0 < M) by positive.
   assert (FS : Fstar m1 m2 0 a2 b om = 8 * M * (b / m2)).
   { unfold Fstar, Z. replace ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (0 * om) ^ 2) with ((8 * M * om ^ 2) ^ 2) by (unfold
-    a2, M; ring).
-    rewrite sqrt_pow2 by nra. field. lra. }
+    a2, M; ring). rewrite sqrt_pow2 by nra. field. lra. }
   assert (D1 : forall t, is_derive tX t (tV t)). { intros t. unfold tX, tV. auto_derive; auto. field. }
   assert (D2 : forall t, is_derive tV t (tA t)). { intros t. unfold tV, tA. auto_derive; auto. field. }
   assert (B : forall t, Rabs (tA t) <= b / m2).
   { intros t. unfold tA, c. pose proof (peak (sin (om * t)) ltac:(pose proof (SIN_bound (om * t)); lra)) as P.
-    rewrite <- sin_3 in P.
-    set (q := sin (om * t) + / 6 * sin (3 * (om * t))) in *.
+    rewrite <- sin_3 in P. set (q := sin (om * t) + / 6 * sin (3 * (om * t))) in *.
     replace (- om ^ 2 * (2 / sqrt 3 * (b / m2) / om ^ 2 * q)) with (- (2 / sqrt 3 * (b / m2) * q)) by (field;
       lra). rewrite Rabs_Ropp.
     replace (b / m2) with (2 / sqrt 3 * (b / m2) * (sqrt 3 / 2)) at 2 by (field; lra). apply abs_scal; auto.
-    apply Rlt_le, Rmult_lt_0_compat; auto. apply Rdiv_lt_0_compat; lra. }
+    apply Rlt_le, Rmult_lt_0_compat; auto. positive. }
   destruct (trackable_smooth m1 m2 0 a2 b Hm2 Hb 0 tX tV tA D1 D2 B) as (U & HU & RU).
   assert (T0 : tX 0 = 0). { unfold tX. rewrite !Rmult_0_r, sin_0. ring. }
   exists (2 / sqrt 3 * Fstar m1 m2 0 a2 b om), U, (fun t => 0 + tX t - tX 0), tV, (fun t => m2 / b * tV t).
-  assert (S2 : sqrt 3 < 2). { rewrite <- (sqrt_pow2 2) by lra. apply sqrt_lt_1_alt. lra. }
-  split.
+  assert (S2 : sqrt 3 < 2). { rewrite <- (sqrt_pow2 2) by lra. apply sqrt_lt_1_alt. lra. } split.
   { rewrite FS. apply Rmult_lt_reg_l with (sqrt 3); auto.
     replace (sqrt 3 * (2 / sqrt 3 * (8 * M * (b / m2)))) with (2 * (8 * M * (b / m2))) by (field; lra).
-    apply Rmult_lt_compat_r; auto. apply Rmult_lt_0_compat; auto; lra. }
+    apply Rmult_lt_compat_r; auto. positive. }
   split; [auto|]. split; [|split; [exact HU|]].
   - intros t Ht. eapply rderiv_eq; [|apply (RU t Ht)]. rewrite T0, FS. unfold tA, tX, a2, c, M. field. lra.
-  - intros t.
-    assert (E1 : om * (t + 2 * PI / om) = om * t + 2 * INR 1 * PI) by (simpl; field; lra).
+  - intros t. assert (E1 : om * (t + 2 * PI / om) = om * t + 2 * INR 1 * PI) by (simpl; field; lra).
     assert (E3 : 3 * (om * (t + 2 * PI / om)) = 3 * (om * t) + 2 * INR 3 * PI) by (simpl; field; lra).
     unfold tX, tV. rewrite E3, E1, !sin_period, !cos_period. auto.
 Qed.

@@ -16,9 +16,7 @@ Lemma crossed_out t p : crossed m1 m2 a2 b pc x v1 v2 t p -> ~ (- L m1 m2 a2 b <
 Proof.
   intros (k & d & Hk & Hd & _ & _ & (Ex & _)) N. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0.
     pose proof (q_pos m1 m2 Hm1 Hm2) as Q0.
-  assert (0 < L m1 m2 a2 b * (m1 / (m1 + m2) * d)) by (apply Rmult_lt_0_compat; [exact L0|apply Rmult_lt_0_compat;
-    [exact Q0|auto]]).
-  destruct Hk; subst k; lra.
+  assert (0 < L m1 m2 a2 b * (m1 / (m1 + m2) * d)) by positive. destruct Hk; subst k; lra.
 Qed.
 (** after a crossing the first re-entry is above E_cr *)
 Lemma after_crossing t0 t : first_reentry (L m1 m2 a2 b) x v1 v2 t0 t -> 0 <= t0 -> forall p,
@@ -30,10 +28,9 @@ Proof.
       cbv zeta in *.
   all: assert (T : t1 = t0 + 2 * p / o1 m1 a2).
   1,3: apply (contact_unique v1 v2 t0); auto; split; [|auto]; destruct Cr as (_ & _ & _ & _ & Hp & _);
-    pose proof (o1_pos m1 a2 Hm1 Ha2); assert (0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; lra); lra.
+    pose proof (o1_pos m1 a2 Hm1 Ha2); assert (0 < 2 * p / o1 m1 a2) by positive; lra.
   - rewrite <- T in *. destruct C1 as (T1 & _).
-    destruct Or as [(p' & Cr' & _)|(_ & _ & HE & _)]; [exfalso; exact (crossed_out t1 p' Cr' I1)|].
-    split; [lra|auto].
+    destruct Or as [(p' & Cr' & _)|(_ & _ & HE & _)]; [exfalso; exact (crossed_out t1 p' Cr' I1)|]. split; [lra|auto].
   - rewrite <- T in *. destruct C1 as (T1 & _). destruct Or as [(p' & Cr' & _)|(_ & I1 & _)]; [|contradiction].
     apply (IH ltac:(lra) p' Cr').
 Qed.
@@ -46,14 +43,13 @@ Theorem first_reentry_iff k t0 t p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI ->
 Proof.
   intros Hk Ht Hp HR F. destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hp
     HR) as (Sg & Ev & Ex & En & Iff & Dp).
-  pose proof (o1_pos m1 a2 Hm1 Ha2). assert (T0 : 0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; lra).
+  pose proof (o1_pos m1 a2 Hm1 Ha2). assert (T0 : 0 < 2 * p / o1 m1 a2) by positive.
   assert (C : contact_after v1 v2 t0 (t0 + 2 * p / o1 m1 a2)).
   { split; [lra|]. split; [|auto]. intros t' Hu E. specialize (Sg t' Hu). rewrite E in Sg. lra. }
   inversion F as [t0' t1 C1 I1|t0' t1 t' C1 O1 F1]; subst.
   - rewrite (contact_unique _ _ _ _ _ C1 C). exact Iff.
   - pose proof (contact_unique _ _ _ _ _ C1 C) as T. subst t1. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0.
-    pose proof (q_pos m1 m2 Hm1 Hm2) as Q0.
-    assert (Lg : pc < p).
+    pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. assert (Lg : pc < p).
     { apply (crosses_long (m1 / (m1 + m2)) p pc); auto; [lra|]. apply Rnot_le_lt. intros N. apply O1.
       assert (0 < m1 / (m1 + m2) * depth p <= 2).
       { pose proof (depth_pos p Hp). split; [apply Rmult_lt_0_compat; auto|].

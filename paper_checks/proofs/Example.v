@@ -15,7 +15,7 @@ Proof.
     K); try lra.
   exists T. split; auto. intros t Ht. specialize (K t ltac:(lra)).
   destruct (Rlt_dec (v1 t) (v2 t)) as [|N]; auto. exfalso. apply Rnot_lt_le in N.
-  assert (x 0 * (v2 t - v1 t) <= 0); [|lra]. assert (0 <= x 0 * (v1 t - v2 t)) by (apply Rmult_le_pos; lra). lra.
+  assert (x 0 * (v2 t - v1 t) <= 0); [|lra]. assert (0 <= x 0 * (v1 t - v2 t)) by positive. lra.
 Qed.
 
 (** In particular from 6 mm: the pair does not stick at all times, nor at any time right after the start. *)
@@ -27,10 +27,9 @@ Proof. intros H X V1 V2. apply (slips_from_rest x v1 v2 s H V1 V2). lra. Qed.
 Theorem rest_inside m1 m2 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> solution m1 m2 0 a2 b x v1 v2 s ->
   v1 0 = 0 -> v2 0 = 0 -> - L m1 m2 a2 b <= x 0 <= L m1 m2 a2 b -> forall t, 0 <= t -> v1 t = v2 t.
 Proof.
-  intros H1 H2 Ha Hb H V1 V2 X t Ht.
-  assert (E : energy m1 m2 a2 (x 0) (v1 0) (v2 0) <= Ecr m1 m2 a2 b).
+  intros H1 H2 Ha Hb H V1 V2 X t Ht. assert (E : energy m1 m2 a2 (x 0) (v1 0) (v2 0) <= Ecr m1 m2 a2 b).
   { rewrite Ecr_L by auto. unfold energy. rewrite V1, V2. assert (x 0 ^ 2 <= L m1 m2 a2 b ^ 2) by nra.
-    assert (a2 * x 0 ^ 2 <= a2 * L m1 m2 a2 b ^ 2) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (a2 * x 0 ^ 2 <= a2 * L m1 m2 a2 b ^ 2) by scale. lra. }
   apply (sticks_iff m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H 0) with (u := t) in E; try lra. rewrite Rplus_0_l in E. exact E.
 Qed.
 (** In the case study: anywhere up to 5 mm. *)

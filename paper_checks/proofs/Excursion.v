@@ -56,7 +56,7 @@ Proof.
   pose proof (g_nonneg (u / 2) ltac:(lra)). pose proof (sin_pos (u / 2) ltac:(lra)).
   replace (2 - 2 * (1 - 2 * sin (u / 2) * sin (u / 2)) - 2 * (u / 2) * (2 * sin (u / 2) * cos (u / 2)))
     with (4 * (sin (u / 2) * (sin (u / 2) - u / 2 * cos (u / 2)))) by ring.
-  apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; auto.
+  apply Rmult_le_pos; [lra|]. positive.
 Qed.
 
 (** *** h increases on (0, 2 pi) *)
@@ -74,7 +74,7 @@ Proof.
   - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). unfold h. auto_derive; [lra|].
     replace (2 - 2 * cos t - t * sin t) with ((1 - cos t) * (1 - cos t) - (t - sin t) * sin t) by (circle t; nsatz).
     field. lra.
-  - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). apply Rdiv_lt_0_compat; [|apply pow_lt; auto].
+  - intros t T0 T1; simpl in T0, T1. pose proof (one_cos t (conj T0 T1)). apply Rdiv_lt_0_compat; [|positive].
     replace t with (2 * (t / 2)) by field. rewrite cos_2a_sin, sin_2a.
     pose proof (g_pos (t / 2) ltac:(lra)). pose proof (sin_gt_0 (t / 2) ltac:(lra) ltac:(lra)).
     replace (2 - 2 * (1 - 2 * sin (t / 2) * sin (t / 2)) - 2 * (t / 2) * (2 * sin (t / 2) * cos (t / 2)))

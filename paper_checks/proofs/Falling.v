@@ -18,22 +18,19 @@ Proof.
   intros Hf. set (M := m1 + m2).
   set (p := fun l => m1 * m2 * l ^ 3 + (a1 * m2 + f' * M) * l ^ 2 + (a2 * m2 + f' * a1) * l + f' * a2).
   assert (Mp : 0 < m1 * m2) by nra. assert (P0 : p 0 < 0) by (unfold p; nra).
-  set (K := 1 + (- f' * M - f' * a1 - f' * a2) / (m1 * m2)).
-  assert (HM : 0 < M) by (unfold M; lra).
+  set (K := 1 + (- f' * M - f' * a1 - f' * a2) / (m1 * m2)). assert (HM : 0 < M) by positive.
   assert (K1 : 1 < K). { unfold K. assert (0 < (- f' * M - f' * a1 - f' * a2) / (m1 * m2)); [|lra]. apply
     Rdiv_lt_0_compat; nra. }
   assert (PK : 0 < p K).
   { assert (E : m1 * m2 * K = m1 * m2 + (- f' * M - f' * a1 - f' * a2)) by (unfold K; field; lra).
-    assert (K2 : 1 <= K ^ 2) by nra. assert (KK : K <= K ^ 2) by nra. assert (0 <= a1 * m2 * K ^ 2) by (apply
-      Rmult_le_pos; nra).
-    assert (0 <= a2 * m2 * K) by (apply Rmult_le_pos; nra).
+    assert (K2 : 1 <= K ^ 2) by nra. assert (KK : K <= K ^ 2) by nra. assert (0 <= a1 * m2 * K ^ 2) by positive.
+    assert (0 <= a2 * m2 * K) by positive.
     assert (f' * a1 * K ^ 2 <= f' * a1 * K) by (assert (f' * a1 <= 0) by nra; nra).
     assert (f' * a2 * K ^ 2 <= f' * a2) by (assert (f' * a2 <= 0) by nra; nra).
     replace (p K) with (m1 * m2 * K * K ^ 2 + (a1 * m2 + f' * M) * K ^ 2 + (a2 * m2 + f' * a1) * K + f' * a2) by (unfold
       p; ring).
     rewrite E. assert (0 < m1 * m2 * K ^ 2) by nra. lra. }
-  assert (Cp : continuity p) by (unfold p; reg).
-  destruct (IVT p 0 K Cp ltac:(lra) P0 PK) as (l & Hl & Z).
+  assert (Cp : continuity p) by (unfold p; reg). destruct (IVT p 0 K Cp ltac:(lra) P0 PK) as (l & Hl & Z).
   assert (L0 : 0 < l) by (destruct (Req_dec l 0) as [->|]; lra).
   exists l, (m2 * l + f'), (l * (m2 * l + f')), (f' * l). split; [auto|]. split; [nra|]. intros t.
   split; [|split]; auto_derive; auto; try ring.
@@ -66,11 +63,10 @@ Proof.
   set (c := m2 * a2 / (m1 + m2)). assert (Cp : 0 < c) by (unfold c; apply Rdiv_lt_0_compat; nra).
   assert (Load : forall x v, Rabs (stick_load m1 m2 0 a2 x v) = c * Rabs x).
   { intros x v. unfold stick_load. replace (- (m2 * (a2 * x + 0 * v)) / (m1 + m2)) with (- (c * x)) by (unfold c; field;
-    lra).
-    rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
+    lra). rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
   rewrite Load in Hl.
   destruct (Forced.cont_abs _ CX 0 (Rle_refl 0) (Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0) / c)) as (D & HD & Near).
-  { apply Rdiv_lt_0_compat; [apply Rmin_glb_lt; lra|auto]. }
+  { positive. }
   assert (Between : forall t, 0 <= t < D -> bk < c * Rabs (X x0 v0 t) < bs).
   { intros t Ht. specialize (Near t ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite X00 in Near.
     apply Rmult_lt_compat_l with (r := c) in Near; auto. set (e := Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0)) in *.
@@ -80,8 +76,7 @@ Proof.
   exists D. split; auto. intros T HT.
   destruct (existence m1 m2 0 a2 bk (X x0 v0 T) (V x0 v0 T) (V x0 v0 T) Hm1 Hm2 (Rle_refl 0) Ha2 Hk) as (y & w1 & w2 & r
     & H & Y0 & W1 & W2).
-  set (f := fun t => m2 / bk * V x0 v0 t).
-  assert (Rf : forall t, rderiv f t (- (c / bk) * X x0 v0 t)).
+  set (f := fun t => m2 / bk * V x0 v0 t). assert (Rf : forall t, rderiv f t (- (c / bk) * X x0 v0 t)).
   { intros t. apply rderiv_eq with (m2 / bk * (- (om * om) * X x0 v0 t)); [rewrite O2; unfold c; field; lra|].
     apply rderiv_scal, rderiv_of_derive, derive_V; auto. }
   set (jx := join T (X x0 v0) y). set (jv := join T (V x0 v0) w1). set (jw := join T (V x0 v0) w2).
@@ -94,7 +89,7 @@ Proof.
   - apply two_frictions_moves; auto. apply joined; auto; [lra|constructor; auto|].
     + intros p q Hp Hq. apply (lip_between f (fun t => - (c / bk) * X x0 v0 t)); [apply cont_scal, CV|auto|].
       intros u Hu. split; [apply Rf|]. pose proof (Between u ltac:(lra)) as (_ & Bu). apply Rabs_le_between.
-      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (c / bk)) by (apply Rlt_le, Rdiv_lt_0_compat; auto).
+      rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (c / bk)) by positive.
       apply Rmult_le_reg_l with bk; auto. replace (bk * (bs / bk)) with bs by (field; lra).
       replace (bk * (c / bk * Rabs (X x0 v0 u))) with (c * Rabs (X x0 v0 u)) by (field; lra). lra.
     + intros t _ k _ W. lra.
@@ -105,8 +100,8 @@ Proof.
       apply rderiv_plus; apply rderiv_scal; [apply rderiv_of_derive, derive_V; auto|apply Rf].
     + intros t _. unfold f. field; lra.
     + apply solution_moves in H. destruct H as [L P Cy Cw Dy Dw W]. constructor; auto. intros p q Hp.
-      eapply Rle_trans; [apply L; auto|]. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_reg_l with bk; auto.
-      replace (bk * (bs / bk)) with bs by (field; lra). specialize (Between 0 ltac:(lra)). lra.
+      eapply Rle_trans; [apply L; auto|]. apply Rmult_le_compat_r; [lra|]. undivide bk.
+      specialize (Between 0 ltac:(lra)). lra.
   - intros t Ht. destruct (Before t ltac:(lra)) as (_ & -> & ->). auto.
   - destruct (slips_beyond m1 m2 a2 bk Hm1 Hm2 Ha2 Hk y w1 w2 r H 0 (Rle_refl 0)) as (d & Hd & Sl); [rewrite W1, W2;
     auto| |].

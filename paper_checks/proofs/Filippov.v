@@ -20,7 +20,7 @@ Definition filippov (x v1 v2 : R -> R) := ac x /\ ac v1 /\ ac v2 /\
 Theorem filippov_solution x v1 v2 : filippov x v1 v2 -> solution m1 m2 a1 a2 b x v1 v2 (fun t => m2 / b * v2 t).
 Proof.
   intros (Ax & A1 & A2 & In). pose proof (cont_ac _ Ax) as Cx. pose proof (cont_ac _ A1) as C1.
-  pose proof (cont_ac _ A2) as C2. assert (Hk : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
+  pose proof (cont_ac _ A2) as C2. assert (Hk : 0 < m2 / b) by positive.
   assert (As : ac (fun t => m2 / b * v2 t)) by (apply ac_scal; auto).
   assert (Ds : forall t, included x v1 v2 t -> exists g, is_derive (fun t => m2 / b * v2 t) t g /\ -1 <= g <= 1 /\
     (v2 t < v1 t -> g = 1) /\ (v1 t < v2 t -> g = -1)).
@@ -65,12 +65,11 @@ Lemma derive_of_rderiv f g t : cont f -> cont g -> (forall u, 0 <= u -> rderiv f
   is_derive f t (g t).
 Proof.
   intros F G D Ht. apply is_derive_Reals. intros e He. destruct (G t ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
-  assert (Hd' : 0 < Rmin d t) by (apply Rmin_glb_lt; auto). exists (mkposreal _ Hd'). simpl. intros h Nh Hh.
+  assert (Hd' : 0 < Rmin d t) by positive. exists (mkposreal _ Hd'). simpl. intros h Nh Hh.
   pose proof (Rmin_l d t). pose proof (Rmin_r d t).
   assert (S : forall p q, t - Rmin d t < p <= q -> q < t + Rmin d t ->
     (g t - e / 2) * (q - p) <= f q - f p <= (g t + e / 2) * (q - p)).
-  { intros p q Hp Hq.
-    assert (B : forall u, p <= u < q -> g t - e / 2 <= g u <= g t + e / 2).
+  { intros p q Hp Hq. assert (B : forall u, p <= u < q -> g t - e / 2 <= g u <= g t + e / 2).
     { intros u Hu. specialize (K u ltac:(lra)). assert (Q : Rabs (u - t) < d) by (apply Rabs_def1; lra).
       specialize (K Q). apply Rabs_def2 in K. lra. }
     apply (between f g); auto; [lra|]. intros u Hu. split; [apply D; lra|auto]. }
@@ -78,8 +77,7 @@ Proof.
     with ((f (t + h) - f t - g t * h) / h) by (field; auto).
   apply Rabs_def2 in Hh. unfold Rdiv at 1. rewrite Rabs_mult, Rbasic_fun.Rabs_inv. apply Rmult_le_reg_r with (Rabs h);
     [apply Rabs_pos_lt; auto|].
-  rewrite Rmult_assoc, Rinv_l, Rmult_1_r by (apply Rabs_no_R0; auto). apply Rabs_le.
-  destruct (Rlt_dec 0 h).
+  rewrite Rmult_assoc, Rinv_l, Rmult_1_r by (apply Rabs_no_R0; auto). apply Rabs_le. destruct (Rlt_dec 0 h).
   - rewrite Rabs_pos_eq by lra. destruct (S t (t + h) ltac:(lra) ltac:(lra)). lra.
   - assert (h < 0) by (destruct (Req_dec h 0); [contradiction|lra]). rewrite Rabs_left by lra.
     destruct (S (t + h) t ltac:(lra) ltac:(lra)). lra.
@@ -109,15 +107,13 @@ Proof.
   intros H. pose proof (s_cx _ _ _ _ _ _ _ _ _ H) as Cx. pose proof (s_cv _ _ _ _ _ _ _ _ _ H) as C1.
   pose proof (moves_cs m1 m2 a1 a2 b _ _ _ _ _ _ H) as Cs.
   set (P := fun u => m1 * v1 u + b * s u). set (g := fun u => - (a2 * x u + a1 * v1 u)).
-  assert (CP : cont P) by (apply cont_plus; apply cont_scal; auto).
-  assert (Cg : cont g).
+  assert (CP : cont P) by (apply cont_plus; apply cont_scal; auto). assert (Cg : cont g).
   { apply cont_ext with (fun u => -1 * (a2 * x u + a1 * v1 u)); [intros; unfold g; ring|].
     apply cont_scal, cont_plus; apply cont_scal; auto. }
   assert (DP : forall u, 0 <= u -> rderiv P u (g u)) by exact (s_v1 _ _ _ _ _ _ _ _ _ H).
   assert (As : ac s). { apply ac_lip. intros T HT. exists 1. split; [lra|]. intros r t Hr _. rewrite Rmult_1_l.
     apply (s_lip _ _ _ _ _ _ _ _ _ H); auto. }
-  set (c := m2 * v2 0 - b * s 0).
-  assert (V2 : forall u, 0 <= u -> v2 u = (c + b * s u) / m2).
+  set (c := m2 * v2 0 - b * s 0). assert (V2 : forall u, 0 <= u -> v2 u = (c + b * s u) / m2).
   { intros u Hu. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H u Hu). unfold c. apply Rmult_eq_reg_l with m2; [|lra].
     replace (m2 * ((m2 * v2 0 - b * s 0 + b * s u) / m2)) with (m2 * v2 0 - b * s 0 + b * s u) by (field; lra). lra. }
   assert (AcE : forall f f', (forall u, 0 <= u -> f u = f' u) -> ac f -> ac f').
@@ -150,15 +146,13 @@ Proof.
       apply (G n); auto. destruct (Req_dec t (p n)) as [E|]; [exfalso; apply Nt; exists n; auto|]. lra. }
     assert (Pos : 0 <= p i) by (rewrite <- P0; apply (times_within n p); [apply Step|lia]).
     destruct (Step i Hi) as (_ & Mode). set (d := Rmin (t - p i) (p (S i) - t)).
-    assert (Hd : 0 < d) by (apply Rmin_glb_lt; lra). assert (d <= t - p i) by apply Rmin_l.
-    assert (d <= p (S i) - t) by apply Rmin_r.
+    assert (Hd : 0 < d) by positive. assert (d <= t - p i) by apply Rmin_l. assert (d <= p (S i) - t) by apply Rmin_r.
     assert (Dx : is_derive x t (v1 t)) by (apply derive_of_rderiv; auto; [exact (s_x _ _ _ _ _ _ _ _ _ H)|lra]).
     assert (Dp : is_derive P t (g t)) by (apply derive_of_rderiv; auto; lra).
     assert (Slip : forall k, k = 1 \/ k = -1 -> (forall u, p i < u < p (S i) -> 0 < k * (v1 u - v2 u)) ->
       included x v1 v2 t).
     { intros k Hk W. exists k. specialize (W t Hpi) as Wt. split; [lra|]. split; [destruct Hk; subst k; lra|].
-      split; [destruct Hk; subst k; lra|]. split; auto.
-      assert (Ds : is_derive s t k).
+      split; [destruct Hk; subst k; lra|]. split; auto. assert (Ds : is_derive s t k).
       { set (r := t - d / 2). apply (derive_near (fun u => s r + k * (u - r)) s t (d / 2)); [lra| |].
         - intros u Hu. pose proof (moves_impulse m1 m2 a1 a2 b _ _ x v1 v2 s H r u k) as SI. rewrite <- SI; auto; [ring| |];
             unfold r; [lra|]. intros q Hq. apply W. lra.
@@ -170,18 +164,16 @@ Proof.
         apply (is_derive_scal (fun u => P u + - b * s u)). apply (is_derive_plus P (fun u => - b * s u)); auto.
         apply (is_derive_scal s t (- b) _ Ds).
       - apply (derive_near (fun u => b / m2 * s u + c / m2) v2 t d); auto; [intros u Hu; rewrite V2 by lra; field;
-        lra|].
-        replace (b * k / m2) with (plus (b / m2 * k) 0) by (unfold plus; simpl; field; lra).
+        lra|]. replace (b * k / m2) with (plus (b / m2 * k) 0) by (unfold plus; simpl; field; lra).
         apply (is_derive_plus (fun u => b / m2 * s u) (fun _ => c / m2)); [apply (is_derive_scal s t (b / m2) _ Ds)|].
         apply @is_derive_const. }
     destruct Mode as [St|[Fo|Ba]].
-    + set (M := m1 + m2). assert (HM : 0 < M) by (unfold M; lra). set (k := m2 / (b * M) * g t).
+    + set (M := m1 + m2). assert (HM : 0 < M) by positive. set (k := m2 / (b * M) * g t).
       assert (Ev : forall u, t - d < u < t + d -> / M * (P u + c) = v1 u /\ / M * (P u + c) = v2 u).
       { intros u Hu. specialize (St u ltac:(lra)). pose proof (V2 u ltac:(lra)) as Vu. unfold P.
         assert (Eq : m1 * v1 u + b * s u + c = M * v1 u).
         { unfold M. rewrite St at 2. rewrite <- St at 1. replace (b * s u) with (m2 * v2 u - c) by (rewrite Vu;
-          field; lra).
-          rewrite St. ring. }
+          field; lra). rewrite St. ring. }
         rewrite Eq. split; [field; lra|]. rewrite <- St. field; lra. }
       assert (Dv : is_derive (fun u => / M * (P u + c)) t (/ M * g t)).
       { apply (is_derive_scal (fun u => P u + c)). replace (g t) with (plus (g t) 0) by (unfold plus; simpl; ring).

@@ -47,7 +47,7 @@ Proof.
     rewrite <- (sqrt_sqrt (y t)) at 2 by (specialize (P t); lra).
   replace (sqrt (y u) * sqrt (y u) - sqrt (y t) * sqrt (y t)) with ((sqrt (y u) + sqrt (y t)) * (sqrt (y u) - sqrt
     (y t))) by ring.
-  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
+  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. scale.
 Qed.
 
 (** if D' <= j sqrt (2 D), then sqrt (2 D) grows at most by the integral J of j *)
@@ -161,13 +161,13 @@ Proof.
   - exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H').
   - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
   - intros u Hu. destruct (HU u Hu) as (DU & DJ). pose proof (Rabs_pos (du u)).
-    split; [apply Rmult_le_pos; lra|split; [apply rderiv_scal; auto|]]. intros e He.
+    split; [positive|split; [apply rderiv_scal; auto|]]. intros e He.
     destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU e He) as (d & Hd & K).
     exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
     pose proof (pow2_ge_0 (v1 u - v1' u)). pose proof (Rle_abs (du u * (v1 u - v1' u))) as P. rewrite Rabs_mult in P.
     assert (Rabs (du u) * Rabs (v1 u - v1' u) <= / sqrt m1 * Rabs (du u) * N u); [|unfold N in *; nra].
     replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1' u))) by (field; lra).
-    apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|apply velocity_within].
+    apply Rmult_le_compat_l; [positive|apply velocity_within].
 Qed.
 End Two.
 
@@ -221,8 +221,7 @@ Qed.
 (** where the acceleration of body 2 is less than b/m2 in size the pair sticks *)
 Theorem must_stick U x v1 v2 s t l : forced U x v1 v2 s -> 0 <= t -> rderiv v2 t l -> Rabs l < b / m2 -> v1 t = v2 t.
 Proof.
-  intros H Ht F B. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-  assert (V : forall k, rderiv s t k -> l = b / m2 * k)
+  intros H Ht F B. assert (Hk : 0 < b / m2) by positive. assert (V : forall k, rderiv s t k -> l = b / m2 * k)
     by (intros k S; exact (rderiv_unique v2 t _ _ F (forced_v2_rate _ _ _ _ _ t k H Ht S))).
   destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]]; auto; exfalso.
   - rewrite (V _ (f_neg _ _ _ _ _ H t Ht Lt)) in B. rewrite Rabs_left in B; lra.
@@ -236,9 +235,8 @@ Lemma stuck_forced U x v : cont U -> cont x -> (forall t, 0 <= t -> rderiv x t (
 Proof.
   intros CU Cx Dx Dv L. constructor; auto; try (intros; lra).
   - intros p q Hp. replace (m2 / b * v q - m2 / b * v p) with (m2 / b * (v q - v p)) by ring.
-    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra).
-    apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
-  - apply (lip_cont v (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
+    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra). apply abs_scal; [positive|]; auto.
+  - apply (lip_cont v (b / m2)); [positive|]; auto.
   - intros t Ht. apply rderiv_ext with (2 := Dv t Ht). intros; unfold M; field; lra.
   - intros t Ht. field; lra.
 Qed.
@@ -250,7 +248,7 @@ Theorem trackable x0 r r' : cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
   forced (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t)
     (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t).
 Proof.
-  intros C R L. assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto).
+  intros C R L. assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [positive|]; auto).
   assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
   apply stuck_forced; auto.
   - repeat apply cont_plus; apply cont_scal; auto using integral_cont.
@@ -268,7 +266,7 @@ Corollary trackable_iff v : (exists U x v1 s, forced U x v1 v s) <->
 Proof.
   split.
   - intros (U & x & v1 & s & H) p q Hp. exact (only_gentle _ _ _ _ _ p q H Hp).
-  - intros L. assert (Cv : cont v) by (apply (lip_cont v (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto).
+  - intros L. assert (Cv : cont v) by (apply (lip_cont v (b / m2)); [positive|]; auto).
     eexists _, _, v, _. apply (trackable 0 (integral v) v); auto using integral_cont, integral_rderiv.
 Qed.
 
@@ -277,8 +275,7 @@ Lemma tracking_force x0 r r' t l : cont r -> rderiv r t (r' t) -> rderiv r' t l 
   rderiv (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t) t (M * l + a1 * r' t + a2 *
     (x0 + r t - r 0)).
 Proof.
-  intros C R R' Ht.
-  assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
+  intros C R R' Ht. assert (Cx : cont (fun t => x0 + r t - r 0)) by auto using cont_minus, cont_plus, cont_const.
   repeat apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
 Qed.
 
@@ -337,8 +334,7 @@ Qed.
 Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
-  intros H C R HT. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
-  pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
+  intros H C R HT. assert (Hk : 0 < b / m2) by positive. pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
   pose proof (travel x2 v2 _ T Hk HT C R L) as A.
   assert (B : -1 * x2 T - -1 * x2 0 <= (-1 * v2 0 + -1 * v2 T) * T / 2 + b / m2 / 4 * (T ^ 2 - ((-1 * v2 T - -1 *
     v2 0) / (b / m2)) ^ 2)).
@@ -361,7 +357,7 @@ Proof.
   rewrite <- (sqrt_pow2 (T / 2)) by lra. apply sqrt_le_1_alt.
   replace ((T / 2) ^ 2) with (m2 / b * (b / m2 * (T / 2) ^ 2)) by (field; lra).
   replace (m2 * Rabs (x2 T - x2 0) / b) with (m2 / b * Rabs (x2 T - x2 0)) by (field; lra).
-  apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
+  apply Rmult_le_compat_l; [positive|]; auto.
 Qed.
 
 (** the bang-bang motion with its kinks at 0, tau, 2 tau: y |y| / 2 has the derivative |y|, and |y| the right
@@ -410,7 +406,7 @@ Qed.
 (** the velocity changes as fast as friction allows and no faster *)
 Lemma bang_lip tau p q : 0 <= tau -> 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p).
 Proof.
-  intros Ht Hp. unfold bang. rewrite <- Rmult_minus_distr_l. apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat; auto|].
+  intros Ht Hp. unfold bang. rewrite <- Rmult_minus_distr_l. apply abs_scal; [positive|].
   apply Rabs_le. unfold Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
@@ -421,9 +417,8 @@ Theorem least_time_attained x0 D : 0 < D -> exists U x v1 v2 s x2, forced U x v1
   forall t, 0 <= t -> v1 t = v2 t /\
     rderiv U t (M * push (sqrt (m2 * D / b)) t + a1 * bang (sqrt (m2 * D / b)) t + a2 * (x0 + x2 t)).
 Proof.
-  intros HD. assert (Hq : 0 < m2 * D / b) by (apply Rdiv_lt_0_compat; nra). set (tau := sqrt (m2 * D / b)).
-  assert (Ht : 0 < tau) by (apply sqrt_lt_R0; auto).
-  assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
+  intros HD. assert (Hq : 0 < m2 * D / b) by positive. set (tau := sqrt (m2 * D / b)).
+  assert (Ht : 0 < tau) by positive. assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
   assert (C : cont (run tau)).
   { assert (CA : forall c, cont (fun t => (t - c) * Rabs (t - c) / 2)).
     { intros c. assert (Cl : cont (fun t => t - c)). { apply (lip_cont _ 1); [lra|]. intros r t Hr.

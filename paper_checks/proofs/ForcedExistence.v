@@ -8,8 +8,7 @@ From InertialPair Require Import Dini Pair Stick Chase Forced.
 (** a continuous function is bounded up to each time *)
 Lemma cont_bounded f t : cont f -> 0 <= t -> exists B, forall u, 0 <= u <= t -> Rabs (f u) <= B.
 Proof.
-  intros C Ht. set (g := fun u => Rabs (f (Rmax 0 u))).
-  assert (CG : forall u, 0 <= u <= t -> continuity_pt g u).
+  intros C Ht. set (g := fun u => Rabs (f (Rmax 0 u))). assert (CG : forall u, 0 <= u <= t -> continuity_pt g u).
   { intros u _. apply continuity_pt_filterlim. apply (max_continuous (fun u => Rabs (f u))). apply cont_abs; auto. }
   destruct (continuity_ab_maj g 0 t Ht CG) as (m & Hm & _). exists (g m). intros u Hu. specialize (Hm u Hu).
   unfold g in Hm at 1. rewrite Rmax_right in Hm by lra. auto.
@@ -19,8 +18,7 @@ Qed.
 Lemma halving (a : nat -> R) c : (forall n, Rabs (a (S n) - a n) <= c * (/ 2) ^ n) ->
   forall n, Rabs (real (Lim_seq a) - a n) <= 2 * c * (/ 2) ^ n.
 Proof.
-  intros St n. set (r := fun n => 2 * c * (/ 2) ^ n).
-  assert (R0 : is_lim_seq r 0).
+  intros St n. set (r := fun n => 2 * c * (/ 2) ^ n). assert (R0 : is_lim_seq r 0).
   { replace (Finite 0) with (Rbar_mult (2 * c) 0) by (simpl; f_equal; ring).
     apply is_lim_seq_scal_l, is_lim_seq_geom. rewrite Rabs_pos_eq; lra. }
   assert (Half : forall j, r (S j) = r j / 2 /\ - (r j / 2) <= a (S j) - a j <= r j / 2).
@@ -44,7 +42,7 @@ Variable U : R -> R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (CU : cont U).
 
 Let k := b / m1 + b / m2.
-Let kp : 0 < k. Proof. unfold k. apply Rplus_lt_0_compat; apply Rdiv_lt_0_compat; auto. Qed.
+Let kp : 0 < k. Proof. unfold k. positive. Qed.
 
 (** x by v1 *)
 Definition place v t := x0 + integral v t.
@@ -86,8 +84,8 @@ Let K := (a2 + a1) / m1 * (1 + b / (m1 * k)).
 Let lam := 1 + 2 * K.
 Let Kp : 0 < K.
 Proof.
-  unfold K. apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; lra|].
-  assert (0 < b / (m1 * k)); [|lra]. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+  unfold K. apply Rmult_lt_0_compat; [positive|].
+  assert (0 < b / (m1 * k)); [|lra]. apply Rdiv_lt_0_compat; auto. positive.
 Qed.
 
 (** one step of Picard halves the distance *)
@@ -96,9 +94,8 @@ Lemma next_near v v' D T : cont v -> cont v' -> 0 <= D ->
   forall t, 0 <= t <= T -> Rabs (next v t - next v' t) <= D / 2 * exp (lam * t).
 Proof.
   intros C C' HD B t (Ht & HtT). assert (Hl : 1 <= lam) by (unfold lam; lra).
-    assert (m1p : 0 < / m1) by (apply Rinv_0_lt_compat; auto).
-  assert (mk : 0 < / (m1 * k)) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; auto).
-  set (e := D / lam). assert (He : 0 <= e) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; lra]).
+    assert (m1p : 0 < / m1) by positive.
+  assert (mk : 0 < / (m1 * k)) by positive. set (e := D / lam). assert (He : 0 <= e) by positive.
   assert (el : e / lam <= e). { apply Rmult_le_reg_r with lam; [lra|].
     unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r; nra. }
   assert (I1 : forall u, 0 <= u <= T -> Rabs (integral v u - integral v' u) <= e * exp (lam * u)).
@@ -117,12 +114,11 @@ Proof.
     rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|]. unfold G.
     pose proof (abs_scal a2 _ _ ltac:(lra) (I2 u Hu)). pose proof (abs_scal a1 _ _ Ha1 (I1 u Hu)). lra. }
   assert (Gm : forall u, 0 <= u <= t -> G u <= G t).
-  { intros u Hu. unfold G. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|].
-    destruct (Req_dec u t) as [->|]; [lra|]. apply Rlt_le, exp_increasing. apply Rmult_lt_compat_l; lra. }
+  { intros u Hu. unfold G. apply Rmult_le_compat_l; [positive|].
+    destruct (Req_dec u t) as [->|]; [lra|]. apply Rlt_le, exp_increasing. scale. }
   assert (A : forall u, 0 <= u <= t -> - (/ (m1 * k) * G t) <= aim v u - aim v' u <= / (m1 * k) * G t).
   { intros u Hu. apply Rabs_inv. replace (aim v u - aim v' u) with (/ (m1 * k) * (force v u - force v' u)) by
-    (unfold aim; field; lra).
-    apply abs_scal; [lra|]. eapply Rle_trans; [apply F; lra|apply Gm; auto]. }
+    (unfold aim; field; lra). apply abs_scal; [lra|]. eapply Rle_trans; [apply F; lra|apply Gm; auto]. }
   assert (G0 : 0 <= / (m1 * k) * G t) by (specialize (A t ltac:(lra)); lra).
   assert (S : Rabs (impulse v t - impulse v' t) <= / (m1 * k) * G t).
   { pose proof (chase_near (aim v) (aim v') _ t Ht G0) as N. pose proof (chase_near (aim v') (aim v) _ t Ht G0) as N'.
@@ -243,8 +239,7 @@ Proof.
   exists x, v1, v2, s. split; [auto|]. intros x' v1' v2' s' H' X' V' W' t Ht.
   destruct (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 H' H ltac:(lra) ltac:(lra)
     ltac:(lra) ltac:(lra) t Ht) as (X1 & V1 & W1).
-  repeat split; auto.
-  pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) Ht) as Q.
+  repeat split; auto. pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) Ht) as Q.
   pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H' 0 t ltac:(lra) Ht) as Q'.
   rewrite W in Q. rewrite W1, W' in Q'. apply Rmult_eq_reg_l with (b / m2); [lra|].
     apply Rgt_not_eq, Rdiv_lt_0_compat; auto.

@@ -24,14 +24,14 @@ Proof. unfold ct. rewrite sin_shift, cos_shift. apply tan_atan. Qed.
 Lemma push_incr d p q : 0 <= d -> 0 < p -> p < q -> q < PI -> push d p < push d q.
 Proof.
   intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq).
-  unfold push. assert (d * ct q <= d * ct p) by (apply Rmult_le_compat_l; lra). lra.
+  unfold push. assert (d * ct q <= d * ct p) by scale. lra.
 Qed.
 (** what is below u at one angle is u at another *)
 Lemma push_ex d u p0 : 0 < p0 < PI -> push d p0 < u -> {p | 0 < p < PI /\ push d p = u}.
 Proof.
   intros Hp P. set (F := fun p => p - sin p * cos p - d * (sin p * cos p) - u * sin p ^ 2). pose proof PI_RGT_0.
   assert (E : forall p, 0 < p < PI -> 0 < sin p ^ 2 /\ F p = sin p ^ 2 * (push d p - u)).
-  { intros p Hq. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; [apply pow_lt; auto|].
+  { intros p Hq. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). split; [positive|].
     unfold F, push, hh, ct. field. lra. }
   destruct (IVT F p0 PI) as (z & Hz & Z); [unfold F; reg|lra|destruct (E p0 Hp) as (Q & ->); nra| |].
   { unfold F. rewrite sin_PI. lra. }
@@ -44,7 +44,7 @@ Proof.
   intros Hd. assert (Ex : exists p, 0 < p < PI /\ push d p = u).
   { (* as the cotangent goes to infinity *)
     set (c := (PI / 2 + Rabs u + 1) / d). pose proof PI_RGT_0. pose proof (Rabs_pos u). pose proof (Rle_abs (- u)) as Au.
-    rewrite Rabs_Ropp in Au. assert (Hc : 0 < c) by (apply Rdiv_lt_0_compat; lra).
+    rewrite Rabs_Ropp in Au. assert (Hc : 0 < c) by positive.
     assert (Ec : d * c = PI / 2 + Rabs u + 1) by (unfold c; field; lra). pose proof (atan_bound c).
     assert (0 < atan c) by (rewrite <- atan_0; apply atan_increasing; auto). set (p0 := PI / 2 - atan c).
     destruct (push_ex d u p0) as (p & P); [unfold p0; lra| |exists p; auto].
@@ -113,16 +113,13 @@ Qed.
 (** v1 < v2 until the half angle p *)
 Lemma gap_sign d p t : 0 <= d -> 0 < p < PI -> 0 < t < 2 * p / o1 -> G1 d (push d p) t < G2 (push d p) t.
 Proof.
-  intros Hd Hp Ht. assert (O : 0 < o1) by (apply o1_pos; auto).
-  assert (Th : 0 < o1 * t < 2 * p).
+  intros Hd Hp Ht. assert (O : 0 < o1) by (apply o1_pos; auto). assert (Th : 0 < o1 * t < 2 * p).
   { split; [apply Rmult_lt_0_compat; lra|]. replace (2 * p) with (o1 * (2 * p / o1)) by (field; lra).
     apply Rmult_lt_compat_l; lra. }
   pose proof (guard d (push d p) t ltac:(lra)) as G.
   pose proof (push_incr d (o1 * t / 2) p Hd ltac:(lra) ltac:(lra) ltac:(lra)) as I.
   pose proof (pow_lt _ 2 (sin_gt_0 (o1 * t / 2) ltac:(lra) ltac:(lra))) as S.
-  assert (0 < b / (m2 * o1) * (2 * sin (o1 * t / 2) ^ 2)).
-  { apply Rmult_lt_0_compat; [|lra]. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
-  nra.
+  assert (0 < b / (m2 * o1) * (2 * sin (o1 * t / 2) ^ 2)) by positive. nra.
 Qed.
 (** the slip obeys the law until then *)
 Lemma gap_arc d p : 0 <= d -> 0 < p < PI ->
@@ -188,7 +185,7 @@ Theorem gap_slip k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x
   energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) = Ecr * (1 + q * level p d).
 Proof.
   intros Hk H Ht Hd Hp HG t1 D. assert (O : 0 < o1) by (apply o1_pos; auto).
-    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+    assert (T0 : 0 < 2 * p / o1) by positive.
   assert (F : forall u, 0 <= u <= 2 * p / o1 -> k * x (t0 + u) = Gx d (push d p) u /\
     k * v1 (t0 + u) = G1 d (push d p) u /\ k * v2 (t0 + u) = G2 (push d p) u).
   { assert (C : forall y w1 w2 z, solution m1 m2 0 a2 b y w1 w2 z -> at_gap 1 d (push d p) y w1 w2 t0 ->
@@ -206,11 +203,9 @@ Proof.
         rewrite <- A, <- B, <- E. repeat split; ring. }
   destruct (gap_end d p Hp) as (Lx & L1 & L2). fold D in Lx, L1, L2.
     destruct (F (2 * p / o1) ltac:(lra)) as (A & B & C). fold t1 in A, B, C.
-  rewrite Lx in A. rewrite L1 in B. rewrite L2 in C.
-  split; [exact F|]. split.
+  rewrite Lx in A. rewrite L1 in B. rewrite L2 in C. split; [exact F|]. split.
   { intros t Hu. destruct (F (t - t0) ltac:(unfold t1 in Hu; lra)) as (_ & A' & B').
-    replace (t0 + (t - t0)) with t in A', B' by ring.
-    rewrite A', B'. apply gap_sign; auto. unfold t1 in Hu; lra. }
+    replace (t0 + (t - t0)) with t in A', B' by ring. rewrite A', B'. apply gap_sign; auto. unfold t1 in Hu; lra. }
   repeat (split; [auto; fail|]). rewrite <- (gap_energy p d). fold D. rewrite <- A. rewrite <- B at 1. rewrite <- C.
   unfold energy. destruct Hk; subst k; field.
 Qed.
@@ -239,11 +234,10 @@ Theorem crossing k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x
     (forall t, t1 < t < t1 + 2 * p' / o1 -> k * v2 t < k * v1 t) /\ v1 (t1 + 2 * p' / o1) = v2 (t1 + 2 * p' / o1).
 Proof.
   intros Hk H Ht Hd Hp HG HD t1 d' u'. assert (O : 0 < o1) by (apply o1_pos; auto).
-    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+    assert (T0 : 0 < 2 * p / o1) by positive.
   destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & _). fold t1 in Sg, A, B, C.
   assert (D0 : 0 < d') by (unfold d'; lra). assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
-  assert (Q0 : 0 < q) by (apply q_pos; auto).
-  assert (G : at_gap (- k) d' u' x v1 v2 t1).
+  assert (Q0 : 0 < q) by (apply q_pos; auto). assert (G : at_gap (- k) d' u' x v1 v2 t1).
   { rewrite <- U in B, C. unfold at_gap. split; [|split; lra].
     replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'. field. lra. }
   assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).

@@ -80,7 +80,7 @@ Proof.
   exists (mean x (fun t => - x (T + t))), (mean v1 (fun t => - v1 (T + t))), (mean v2 (fun t => - v2 (T + t))),
     (mean s (fun t => - s (T + t))). split; [|split].
   - apply forced_mean; auto. intros t Ht. destruct (nfloor_ex (t / (2 * T))) as (n & Hn).
-    { apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; lra]. }
+    { positive. }
     assert (Q : t / (2 * T) * (2 * T) = t) by (field; lra).
     set (u := t - INR n * (2 * T)). assert (Hu : 0 <= u < 2 * T).
     { destruct Hn as (Lo & Hi). apply Rmult_le_compat_r with (r := 2 * T) in Lo; [|lra].

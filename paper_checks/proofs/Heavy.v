@@ -40,9 +40,8 @@ Lemma round t0 : above t0 -> exists k te p t, (k = 1 \/ k = -1) /\ t0 <= te /\ 0
   (forall t', t0 <= t' <= te -> v1 t' = v2 t' /\ - L <= x t' <= L) /\ on_ray m1 m2 a2 b k (hh p) x v1 v2 te /\
   first_reentry L x v1 v2 te t /\ te + 2 * p / o1 <= t.
 Proof.
-  intros (Ht & Ev & Hx & HE). assert (EQ : 0 < Ecr * q) by (apply Rmult_lt_0_compat; auto).
-  assert (U : 0 < (E t0 - Ecr) / (Ecr * q)) by (apply Rdiv_lt_0_compat; lra).
-  destruct (half_ex _ (sqrt_lt_R0 _ U)) as (p & Hp & Hu).
+  intros (Ht & Ev & Hx & HE). assert (EQ : 0 < Ecr * q) by positive.
+  assert (U : 0 < (E t0 - Ecr) / (Ecr * q)) by positive. destruct (half_ex _ (sqrt_lt_R0 _ U)) as (p & Hp & Hu).
   assert (En : E t0 = Ecr * (1 + q * hh p ^ 2)).
   { rewrite Hu. replace (sqrt ((E t0 - Ecr) / (Ecr * q)) ^ 2)
       with (sqrt ((E t0 - Ecr) / (Ecr * q)) * sqrt ((E t0 - Ecr) / (Ecr * q))) by ring.
@@ -54,7 +53,7 @@ Proof.
   exists k, te, p, t. split; [exact Hk|]. split; [lra|]. split; [exact Hp|]. split; [exact En|].
     split; [exact St|]. split; [exact HR|]. split; [exact F|].
   destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k te p Hk ltac:(lra) Hp HR) as (Sg & Ec & _).
-  assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra). apply (contact_first L x v1 v2 te); auto.
+  assert (T0 : 0 < 2 * p / o1) by positive. apply (contact_first L x v1 v2 te); auto.
   split; [fold o1; lra|]. split; [|exact Ec]. intros t' Hu' Q. specialize (Sg t' Hu'). rewrite Q in Sg. lra.
 Qed.
 
@@ -69,18 +68,15 @@ Proof.
   induction 1 as [t0 t1 C I|t0 t1 t C O F IH]; intros k d u Hk Ht Hd HG.
   all: assert (Ang : exists p, 0 < p < PI /\ push d p = u)
     by (destruct Hd as [D|(-> & U)]; [destruct (push_root d u D) as (p & P & _)|destruct (half_ex u U) as (p & P1
-      & P2)];
-        [exists p; auto|exists p; rewrite push_0; auto]).
-  all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra;
-    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+      & P2)]; [exists p; auto|exists p; rewrite push_0; auto]).
+  all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra; assert (T0 : 0 < 2 * p / o1) by positive.
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & V & En);
     fold o1 in Sg, A, B, V, En.
   all: assert (T : t1 = t0 + 2 * p / o1) by (apply (contact_unique v1 v2 t0); auto; split; [lra|split;
     [intros t' Hu Q; specialize (Sg t' Hu); rewrite Q in Sg; lra|destruct Hk; subst k; lra]]).
   all: rewrite <- T in *; destruct C as (T1 & _ & Ev).
   all: assert (HE : Ecr < E t1) by (unfold E; rewrite En; fold q Ecr; pose proof (high p d Hp D0);
-    assert (0 < Ecr * (q * level m1 m2 p d)) by (apply Rmult_lt_0_compat; [exact E0|apply Rmult_lt_0_compat;
-      auto]); lra).
+    assert (0 < Ecr * (q * level m1 m2 p d)) by positive; lra).
   - repeat split; auto; lra.
   - destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 t1 Ev O) as (k' & d' & u' & Hk' & Hd' & HG').
     apply (IH k' d' u'); auto. lra.
@@ -97,10 +93,10 @@ Proof.
     exists t. destruct (half_spec (2 / 3) ltac:(lra)) as (P3 & H3). set (p3 := half (2 / 3)) in *.
     assert (P : p3 <= p).
     { apply hh_le; auto. rewrite H3. pose proof (hh_pos p Hp). rewrite En in Bg.
-      assert (EQ : 0 < Ecr * q) by (apply Rmult_lt_0_compat; auto).
+      assert (EQ : 0 < Ecr * q) by positive.
       assert (Ecr * q * (4 / 9) < Ecr * q * hh p ^ 2) by lra. apply Rmult_lt_reg_l in H1; auto. nra. }
     assert (tau <= 2 * p / o1). { unfold tau, Rdiv.
-      apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
+      apply Rmult_le_compat_r; [positive|lra]. }
     split; [lra|]. apply (reentry_above te t F k 0 (hh p)); auto; [lra|right; split; [auto|apply hh_pos; auto]|].
     apply ray_gap. exact HR.
 Qed.
@@ -108,8 +104,7 @@ Qed.
 (** Nothing that has touched S above E_cr comes down to E_cr. *)
 Theorem never_down t0 : 0 <= t0 -> v1 t0 = v2 t0 -> Ecr < E t0 -> forall t, t0 <= t -> Ecr < E t.
 Proof.
-  intros Ht Ev HE T HT.
-  assert (St : exists t1, t0 <= t1 /\ above t1).
+  intros Ht Ev HE T HT. assert (St : exists t1, t0 <= t1 /\ above t1).
   { destruct (Rle_dec (x t0) L) as [I1|N1]; [destruct (Rle_dec (- L) (x t0)) as [I2|N2]|].
     1: exists t0; repeat split; auto; lra.
     all: destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 t0 Ev ltac:(fold L; lra)) as (k & d & u & Hk & Hd & HG);

@@ -14,7 +14,7 @@ Lemma log_dini y q k t : 0 < q -> 0 <= t -> (forall u, q <= y u) -> cont y -> (f
 Proof.
   intros Hq Ht P C D. assert (Ln : forall u v, 0 < u -> 0 < v -> ln u - ln v <= (u - v) / v).
   { intros u v Hu Hv. rewrite <- ln_div by auto. pose proof (exp_ineq1_le (ln (u / v))) as I.
-    rewrite exp_ln in I by (apply Rdiv_lt_0_compat; auto). replace ((u - v) / v) with (u / v - 1) by (field; lra). lra.
+    rewrite exp_ln in I by positive. replace ((u - v) / v) with (u / v - 1) by (field; lra). lra.
       }
   assert (Py : forall u, 0 < y u) by (intros u; specialize (P u); lra).
   assert (Q : ln (y t) - ln (y 0) <= k * (t - 0)).
@@ -22,14 +22,11 @@ Proof.
     - intros u Hu e He. destruct (C u Hu (q * e)) as (d & Hd & K); [nra|]. exists d; split; auto. intros v Hv Hd'.
       specialize (K v Hv Hd'). apply Rabs_def2 in K.
       assert (B : forall p r, q <= p -> q <= r -> p - r < q * e -> ln p - ln r < e).
-      { intros p r Hp Hr L. eapply Rle_lt_trans; [apply Ln; lra|]. apply Rmult_lt_reg_r with r; [lra|].
-        replace ((p - r) / r * r) with (p - r) by (field; lra). nra. }
+      { intros p r Hp Hr L. eapply Rle_lt_trans; [apply Ln; lra|]. undivide r. nra. }
       apply Rabs_def1; [apply B; auto; lra|]. cut (ln (y u) - ln (y v) < e); [lra|]. apply B; auto; lra.
     - intros u Hu e He. destruct (D u ltac:(lra) (e * y u)) as (d & Hd & K); [specialize (Py u); nra|]. exists d; split;
-      auto.
-      intros h Hh. specialize (K h Hh). eapply Rle_trans; [apply Ln; auto|]. specialize (Py u).
-      apply Rmult_le_reg_r with (y u); auto. replace ((y (u + h) - y u) / y u * y u) with (y (u + h) - y u) by (field;
-        lra). lra. }
+      auto. intros h Hh. specialize (K h Hh). eapply Rle_trans; [apply Ln; auto|]. specialize (Py u).
+      undivide (y u). lra. }
   rewrite <- (exp_ln (y t)), <- (exp_ln (y 0)) at 1 by auto. rewrite <- exp_plus. apply Rnot_lt_le. intros N.
   apply exp_lt_inv in N. lra.
 Qed.
@@ -44,8 +41,7 @@ Lemma paid_converges z : (forall r t, 0 <= r <= t -> c * Rabs (z t - z r) <= E r
   (forall t, 0 <= t -> c * Rabs (z t - zl) <= E t) /\
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
 Proof.
-  intros Pay. destruct (dec_limit E Em Ep) as (l & L0 & Lo & Lim).
-  assert (Ic : 0 < / c) by (apply Rinv_0_lt_compat; auto).
+  intros Pay. destruct (dec_limit E Em Ep) as (l & L0 & Lo & Lim). assert (Ic : 0 < / c) by positive.
   assert (Back : forall u v, u <= / c * v <-> c * u <= v).
   { intros u v. split; intros Q; [apply Rmult_le_reg_l with (/ c)|apply Rmult_le_reg_l with c]; auto;
     rewrite <- Rmult_assoc; [rewrite Rinv_l|rewrite Rinv_r]; lra. }
@@ -63,23 +59,19 @@ Lemma paid_vanishes f J K : cont J -> (forall t, 0 <= t -> 0 <= f t /\ rderiv J 
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> f t <= e.
 Proof.
   intros CJ HJ HK Lf Pay e He. destruct (dec_limit E Em Ep) as (l & _ & Lo & Lim).
-  assert (Hd : 0 < e / (2 * K)) by (apply
-    Rdiv_lt_0_compat; lra).
-  destruct (Lim (c * (e / 2 * (e / (2 * K))) / 2)) as (T & HT & Near).
-  { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [auto|apply Rmult_lt_0_compat; lra]|lra]. }
+  assert (Hd : 0 < e / (2 * K)) by positive. destruct (Lim (c * (e / 2 * (e / (2 * K))) / 2)) as (T & HT & Near).
+  { positive. }
   exists T; split; auto. intros t Ht. apply Rnot_lt_le. intros N. set (d := e / (2 * K)) in *.
   assert (Q : - J (t + d) - - J t <= - (e / 2) * (t + d - t)).
   { apply (dini_slope (fun u => - J u)); [|lra|].
     { apply cont_ext with (fun u => -1 * J u); [intros; ring|apply cont_scal; auto]. }
     intros u Hu. apply rderiv_dini with (-1 * f u).
-    - pose proof (Lf t u ltac:(lra)) as L. apply Rabs_inv in L. assert (K * (u - t) <= K * d) by (apply
-      Rmult_le_compat_l; lra).
+    - pose proof (Lf t u ltac:(lra)) as L. apply Rabs_inv in L. assert (K * (u - t) <= K * d) by scale.
       assert (K * d = e / 2) by (unfold d; field; lra). lra.
     - apply rderiv_ext with (fun u => -1 * J u); [intros; ring|]. apply rderiv_scal, HJ. lra. }
   pose proof (Pay t (t + d) ltac:(lra)) as P. pose proof (Near t Ht). pose proof (Lo (t + d) ltac:(lra)).
-  assert (e / 2 * d <= J (t + d) - J t) by lra. assert (c * (e / 2 * d) <= c * (J (t + d) - J t)) by (apply
-    Rmult_le_compat_l; lra).
-  assert (0 < c * (e / 2 * d)) by (apply Rmult_lt_0_compat; [auto|apply Rmult_lt_0_compat; lra]). lra.
+  assert (e / 2 * d <= J (t + d) - J t) by lra. assert (c * (e / 2 * d) <= c * (J (t + d) - J t)) by scale.
+  assert (0 < c * (e / 2 * d)) by positive. lra.
 Qed.
 End Paid.
 
@@ -146,8 +138,7 @@ Proof.
     rewrite (ip_sym _ In z y) in P. lra. }
   pose proof (ip_pos _ In y). pose proof (ip_pos _ In z). unfold norm. rewrite <- sqrt_mult by auto.
   destruct (Rle_dec (ip y z) 0). { eapply Rle_trans; [eassumption|apply sqrt_pos]. }
-  rewrite <- (sqrt_Rsqr (ip y z)) by lra. apply sqrt_le_1_alt. unfold Rsqr.
-  destruct (Req_dec (ip z z) 0) as [Z|N].
+  rewrite <- (sqrt_Rsqr (ip y z)) by lra. apply sqrt_le_1_alt. unfold Rsqr. destruct (Req_dec (ip z z) 0) as [Z|N].
   - specialize (Q (- (ip y y + 1) / (2 * ip y z))). rewrite Z in Q.
     replace (ip y y + 2 * (- (ip y y + 1) / (2 * ip y z)) * ip y z + (- (ip y y + 1) / (2 * ip y z)) ^ 2 * 0) with (-1)
       in Q by (field; lra). lra.
@@ -189,13 +180,13 @@ Proof.
   { intros h w. unfold dy, er. lin. ring. }
   assert (B : big (fun h => norm (dy h))).
   { destruct (D 1 Rlt_0_1) as (d & Hd & Q). pose proof (norm_pos l). exists (1 + norm l + K), (Rmin d dP).
-    split; [lra|]. split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d dP). pose proof (Rmin_r d dP).
+    split; [lra|]. split; [positive|]. intros h Hh. pose proof (Rmin_l d dP). pose proof (Rmin_r d dP).
     rewrite Rabs_pos_eq by apply norm_pos. apply norm_by; [nra|]. intros w.
     rewrite Ey. pose proof (norm_pos w) as Pw. pose proof (cauchy (er h) w) as C1. pose proof (cauchy l w) as C2.
     pose proof (cauchy_abs (minus (P (t + h)) (P t)) w) as C3. apply Rabs_inv in C3.
     assert (norm (er h) * norm w <= h * norm w) by (apply Rmult_le_compat_r; [auto|specialize (Q h ltac:(lra)); unfold
       er in *; lra]).
-    assert (h * ip l w <= h * (norm l * norm w)) by (apply Rmult_le_compat_l; lra).
+    assert (h * ip l w <= h * (norm l * norm w)) by scale.
     assert (norm (minus (P (t + h)) (P t)) * norm w <= K * h * norm w).
     { apply Rmult_le_compat_r; auto. specialize (LP h ltac:(lra)). rewrite Rabs_pos_eq in LP by apply norm_pos. auto. }
     lra. }
@@ -210,19 +201,16 @@ Proof.
   eapply little_ext; [|exact (little_plus _ _ E1 (little_scal (/ 2) _ (big_mult _ _ B B)))]. intros h. cbv beta.
   rewrite norm_sq. assert (Q : ip (y (t + h)) (y (t + h)) = ip (y t) (y t) + 2 * ip (dy h) (y t) + ip (dy h) (dy h)).
   { unfold dy. rewrite !ip_minus. rewrite (ip_sym _ In (y (t + h)) (minus _ _)), (ip_sym _ In (y t) (minus _ _)),
-    !ip_minus.
-    rewrite (ip_sym _ In (y (t + h)) (y t)). ring. }
+    !ip_minus. rewrite (ip_sym _ In (y (t + h)) (y t)). ring. }
   rewrite Q, (Ey h (y t)). field.
 Qed.
 
 (** the energy is continuous *)
 Lemma cont_energy y : vcont y -> cont (fun t => ip (y t) (y t) / 2).
 Proof.
-  intros C.
-  assert (N : cont (fun t => norm (y t))).
+  intros C. assert (N : cont (fun t => norm (y t))).
   { intros t Ht e He. destruct (C t Ht e He) as (d & Hd & K). exists d; split; auto. intros u Hu Hd'. specialize (K u Hu
-    Hd').
-    assert (T : forall a b, norm a <= norm (minus a b) + norm b).
+    Hd'). assert (T : forall a b, norm a <= norm (minus a b) + norm b).
     { intros a b. pose proof (norm_pos (minus a b)). pose proof (norm_pos b). apply norm_by; [lra|]. intros w.
       pose proof (cauchy (minus a b) w) as C1. pose proof (cauchy b w). rewrite ip_minus in C1. lra. }
     pose proof (T (y u) (y t)). pose proof (T (y t) (y u)). pose proof (norm_swap (y t) (y u)). apply Rabs_def1; lra. }
@@ -233,8 +221,7 @@ Lemma vcont_minus y z : vcont y -> vcont z -> vcont (fun t => minus (y t) (z t))
 Proof.
   intros C D t Ht e He. destruct (C t Ht (e / 2)) as (d1 & H1 & K1); [lra|]. destruct (D t Ht (e / 2)) as (d2 & H2 &
     K2); [lra|].
-  smaller d1 d2. intros u Hu Hd.
-  specialize (K1 u Hu ltac:(lra)). specialize (K2 u Hu ltac:(lra)).
+  smaller d1 d2. intros u Hu Hd. specialize (K1 u Hu ltac:(lra)). specialize (K2 u Hu ltac:(lra)).
   eapply Rle_lt_trans with (norm (minus (y u) (y t)) + norm (minus (z u) (z t))); [|lra].
   pose proof (norm_pos (minus (y u) (y t))). pose proof (norm_pos (minus (z u) (z t))). apply norm_by; [lra|]. intros w.
   pose proof (cauchy (minus (y u) (y t)) w) as C1. pose proof (cauchy_abs (minus (z u) (z t)) w) as C2. apply Rabs_inv
@@ -261,8 +248,7 @@ Lemma drags_monotone t : 0 <= t -> forall e, 0 < e -> exists d, 0 < d /\ forall 
   - e * h <= ip (minus (minus (P (t + h)) (P' (t + h))) (minus (P t) (P' t))) (minus (y t) (y' t)).
 Proof.
   intros Ht e He. destruct (proj2 H t Ht (y' t) (e / 2)) as (d1 & H1 & K1); [lra|].
-  destruct (proj2 H' t Ht (y t) (e / 2)) as (d2 & H2 & K2); [lra|].
-  smaller d1 d2. intros h Hh.
+  destruct (proj2 H' t Ht (y t) (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
   specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
   rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P t) _), !ip_minus in K1.
   rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P' t) _), !ip_minus in K2.
@@ -277,8 +263,7 @@ Proof.
   destruct (energy_increment (fun r => minus (y r) (y' r)) (fun r => minus (P r) (P' r)) t (plus (minus (A (y t)) (A (y'
     t))) d)) with (eps := e / 2) as (d1 & H1 & K1); try lra.
   - intros q Hq. destruct (Ra t Ht (q / 3)) as (c1 & Hc1 & Q1); [lra|]. destruct (Ra' t Ht (q / 3)) as (c2 & Hc2 & Q2);
-    [lra|].
-    destruct (HG (q / 3)) as (c3 & Hc3 & Q3); [lra|]. exists (Rmin c1 (Rmin c2 c3)).
+    [lra|]. destruct (HG (q / 3)) as (c3 & Hc3 & Q3); [lra|]. exists (Rmin c1 (Rmin c2 c3)).
     split; [repeat apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l c1 (Rmin c2 c3)). pose proof (Rmin_r c1
       (Rmin c2 c3)).
     pose proof (Rmin_l c2 c3). pose proof (Rmin_r c2 c3).
@@ -300,8 +285,7 @@ Proof.
     pose proof (cauchy (minus (P (t + h)) (P t)) w) as C1. pose proof (cauchy_abs (minus (P' (t + h)) (P' t)) w) as C2.
     apply Rabs_inv in C2. rewrite !ip_minus in *. lra.
   - destruct (drags_monotone t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
-    specialize (K1 h ltac:(lra)). specialize (K2 h
-      ltac:(lra)).
+    specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
     cbv beta in K1. apply Rabs_inv in K1. fold (D (t + h)) (D t) in K1. lra.
 Qed.
 
@@ -334,8 +318,7 @@ Proof.
   pose proof (defects_add A phi G P y G P' y' Mo H H' (fun _ => scal 0 (y 0)) (fun _ => 0) r t) as Q.
   rewrite Rminus_0_r, Rplus_0_r in Q. apply Q; auto using cont_const.
   - intros u Hu e He. exists 1; split; [lra|]. intros h Hh. replace (norm _) with 0; [nra|]. symmetry. apply
-    Rle_antisym; [|apply norm_pos].
-    apply norm_by; [lra|]. intros w. lin. lra.
+    Rle_antisym; [|apply norm_pos]. apply norm_by; [lra|]. intros w. lin. lra.
   - intros u Hu. rewrite Zn. apply rderiv_const.
 Qed.
 
@@ -353,19 +336,19 @@ Proof.
   assert (Dd : forall u, 0 <= u -> dini_le D u (2 * c * D u)).
   { intros u Hu e He. assert (Z : vderiv (fun r => minus (G r) (G r)) u (scal 0 (y 0))).
     { intros q Hq. exists 1; split; [lra|]. intros h Hh. apply norm_by; [nra|]. intros w. lin. pose proof (norm_pos w).
-      assert (0 <= q * h * norm w) by (apply Rmult_le_pos; nra). lra. }
+      assert (0 <= q * h * norm w) by positive. lra. }
     destruct (distance_dini A phi G P y G P' y' H H' u _ Hu Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
     specialize (K h Hh). rewrite (ip_plus _ In), (ip_scal _ In) in K. specialize (Ac (y u) (y' u)). fold (D u) (D (u +
       h)) in K.
     assert (ip (minus (y u) (y' u)) (minus (y u) (y' u)) = 2 * D u) by (unfold D; field). nra. }
   assert (Q : D t <= exp (2 * c * t) * D 0).
   { apply le_epsilon. intros e He. pose proof (exp_pos (2 * c * t)) as Ep. set (q := e / exp (2 * c * t)).
-    assert (Hq : 0 < q) by (apply Rdiv_lt_0_compat; auto). pose proof (log_dini (fun u => D u + q) q (2 * c) t Hq) as L.
+    assert (Hq : 0 < q) by positive. pose proof (log_dini (fun u => D u + q) q (2 * c) t Hq) as L.
     cbv beta in L. replace (exp (2 * c * t) * D 0 + e) with (exp (2 * c * t) * (D 0 + q)) by (unfold q; field; lra).
     apply Rle_trans with (D t + q); [lra|]. apply L; auto; [intros u; specialize (Dp u); lra|apply cont_plus; auto using
       cont_const|].
     intros u Hu p Hp. destruct (Dd u Hu p Hp) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    assert (0 <= c * q * h) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). lra. }
+    assert (0 <= c * q * h) by positive. lra. }
   unfold norm. replace (exp (c * t)) with (sqrt (exp (2 * c * t))).
   2: { replace (2 * c * t) with (c * t + c * t) by ring. rewrite exp_plus. apply sqrt_square, Rlt_le, exp_pos. }
   rewrite <- sqrt_mult by (try apply (ip_pos _ In); apply Rlt_le, exp_pos). apply sqrt_le_1_alt. unfold D in Q. lra.
@@ -384,12 +367,10 @@ Proof.
   intros Ht e He. pose proof (d_rate _ _ _ _ H) as Ra.
   destruct (energy_increment y P t (A (y t))) with (eps := e / 2) as (d1 & H1 & K1); try lra.
   - intros q Hq. destruct (Ra t Ht q Hq) as (d & Hd & Q). exists d; split; auto. intros h Hh. eapply Rle_trans; [|apply
-    (Q h Hh)].
-    apply norm_by; [apply norm_pos|]. intros w. eapply Rle_trans; [|apply cauchy]. apply Req_le. lin. ring.
+    (Q h Hh)]. apply norm_by; [apply norm_pos|]. intros w. eapply Rle_trans; [|apply cauchy]. apply Req_le. lin. ring.
   - apply (driven_big _ _ _ _ t H Ht).
   - destruct (Br t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)).
-    specialize (K2 h
-      ltac:(lra)).
+    specialize (K2 h ltac:(lra)).
     cbv beta in K1. apply Rabs_inv in K1. pose proof (Di (y t)). fold (E (t + h)) (E t) in K1. nra.
 Qed.
 
@@ -401,8 +382,7 @@ Proof.
   apply (dini_mono (fun u => E u + beta * J u)); auto.
   - apply cont_plus; [apply cont_energy, (d_cont _ _ _ _ H)|apply cont_scal; auto].
   - intros u Hu e He. destruct (braked_dini u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (rderiv_scal beta _ _ _ (HJ u ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|].
-    smaller d1 d2. intros h Hh.
+    destruct (rderiv_scal beta _ _ _ (HJ u ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
     specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. nra.
 Qed.
 
@@ -418,11 +398,10 @@ Theorem brakes_synchronise J : cont J -> (forall t, 0 <= t -> rderiv J t (f t)) 
   (forall K, 0 < K -> (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= K * (t - r)) ->
     forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> f t <= e).
 Proof.
-  intros CJ HJ. pose proof (path_paid J CJ HJ) as Pay.
-  assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
+  intros CJ HJ. pose proof (path_paid J CJ HJ) as Pay. assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
   { intros r t Hr. apply dini_mono; auto; [apply cont_energy, (d_cont _ _ _ _ H)|]. intros u Hu e He.
     destruct (braked_dini u ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    specialize (Hf u ltac:(lra)). assert (0 <= beta * f u) by (apply Rmult_le_pos; lra). nra. }
+    specialize (Hf u ltac:(lra)). assert (0 <= beta * f u) by positive. nra. }
   split; [|split].
   - intros t Ht. pose proof (Pay 0 t ltac:(lra)). specialize (Ep t Ht). lra.
   - intros z Hz. apply (paid_converges E beta Ep Em Hb). intros r t Hr. eapply Rle_trans; [|apply Pay; auto].

@@ -25,12 +25,11 @@ Proof.
   assert (C : cos ps <= cos (189 / 100)) by (apply Rlt_le, cos_decreasing_1; lra).
     assert (C0 : cos (189 / 100) <= - 31 / 100) by (interval with (i_prec 60)).
   rewrite cos_2a_cos in Hr. assert (R1 : m1 / m2 <= 81 / 100) by nra.
-  assert (R2 : m1 <= 81 / 100 * m2). { apply Rmult_le_reg_r with (/ m2); [apply Rinv_0_lt_compat; auto|].
+  assert (R2 : m1 <= 81 / 100 * m2). { apply Rmult_le_reg_r with (/ m2); [positive|].
     replace (81 / 100 * m2 * / m2) with (81 / 100) by (field; lra). exact R1. }
   assert (Q : 446 / 100 <= depth pc).
   { rewrite Dc. replace (2 / (m1 / (m1 + m2))) with (2 + 2 * (m2 / m1)) by (field; lra).
-    assert (100 / 81 <= m2 / m1). { apply Rmult_le_reg_r with m1; auto.
-      replace (m2 / m1 * m1) with m2 by (field; lra). lra. } lra. }
+    assert (100 / 81 <= m2 / m1). { undivide m1. lra. } lra. }
   assert (D3 : depth (2 * (PI / 3)) < 446 / 100).
   { unfold depth. rewrite cos_2PI3, sin_2PI3. interval with (i_prec 60). }
   assert (G : 2 * (PI / 3) < pc). { destruct (Rlt_dec (2 * (PI / 3)) pc) as [|n]; auto. exfalso.

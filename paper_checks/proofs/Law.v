@@ -8,8 +8,7 @@ Proof.
   apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) PI); auto.
   - intros t; auto_derive; auto. field.
   - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
-    rewrite cos_2a_sin.
-    pose proof (sin_pos (t / 2) ltac:(lra)). nra.
+    rewrite cos_2a_sin. pose proof (sin_pos (t / 2) ltac:(lra)). nra.
   - rewrite sin_0. field.
 Qed.
 
@@ -37,10 +36,8 @@ Proof.
   intros HE. assert (W : E / Ecr - 1 <= 4 / 9 * q).
   { apply Rmult_le_reg_l with Ecr; auto. replace (Ecr * (E / Ecr - 1)) with (E - Ecr) by (field; lra). lra. }
   pose proof PI2_1. pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. split.
-  { assert (1 <= (PI / 2) ^ 2) by nra. assert (q * 1 <= q * (PI / 2) ^ 2) by (apply Rmult_le_compat_l; lra). lra. }
-  apply Rle_lt_trans with (1 := W). apply Rmult_lt_reg_r with (9 * r); [lra|].
-    replace (4 * q / (9 * r) * (9 * r)) with (4 * q) by (field; lra).
-  replace (4 / 9 * q * (9 * r)) with (4 * (q * r)) by field. nra.
+  { assert (1 <= (PI / 2) ^ 2) by nra. assert (q * 1 <= q * (PI / 2) ^ 2) by scale. lra. }
+  apply Rle_lt_trans with (1 := W). undivide (9 * r). replace (4 / 9 * q * (9 * r)) with (4 * (q * r)) by field. nra.
 Qed.
 
 (** the half slip angle of a small level *)
@@ -49,8 +46,7 @@ Proof.
   intros HE (Sm1 & Sm2). set (w := E / Ecr - 1) in *.
   assert (W : 0 < w). { unfold w. apply Rmult_lt_reg_l with Ecr; auto.
     replace (Ecr * (E / Ecr - 1)) with (E - Ecr) by (field; lra). lra. }
-  assert (Wq : 0 < w / q) by (apply Rdiv_lt_0_compat; auto).
-  set (u := sqrt (w / q)). assert (U : 0 < u) by (apply sqrt_lt_R0; auto).
+  assert (Wq : 0 < w / q) by positive. set (u := sqrt (w / q)). assert (U : 0 < u) by positive.
   assert (U2 : u ^ 2 = w / q). { unfold u. rewrite <- Rsqr_pow2, Rsqr_sqrt; lra. }
   destruct (half_spec u U) as (Hp & Hh). exists (half u).
   split; [|rewrite Hh, U2; unfold w; field; split; lra]. apply ok_small; auto.
@@ -58,7 +54,7 @@ Proof.
     assert (u ^ 2 <= (PI / 2) ^ 2). { rewrite U2. apply Rmult_le_reg_l with q; auto.
       replace (q * (w / q)) with w by (field; lra). auto. }
     pose proof PI_RGT_0. nra.
-  - fold M r. rewrite Hh, U2. apply Rmult_lt_compat_r with (r := 9 / 4 * r / q) in Sm2; [|apply Rdiv_lt_0_compat; lra].
+  - fold M r. rewrite Hh, U2. apply Rmult_lt_compat_r with (r := 9 / 4 * r / q) in Sm2; [|positive].
     replace (4 * q / (9 * r) * (9 / 4 * r / q)) with 1 in Sm2 by (field; split; lra).
       replace (w * (9 / 4 * r / q)) with (9 / 4 * r * (w / q)) in Sm2 by (field; lra). auto.
 Qed.
@@ -146,42 +142,34 @@ Proof.
   destruct (start x v1 v2 s t0 H Ht Ev Hx HE Sm) as (k & t1 & p & Hk & T1 & Hp & HR & EP).
   pose proof (ok_pi m1 m2 p Hp) as Pp. pose proof (hh_pos p Pp) as H0.
   assert (W0 : w0 = q * hh p ^ 2). { rewrite EW in EP. apply Rmult_eq_reg_l in EP; lra. }
-  assert (Y0 : hh p ^ 2 = w0 / q) by (rewrite W0; field; lra).
-  assert (De : 6 * sqrt q * hh p = 6 * sqrt w0).
+  assert (Y0 : hh p ^ 2 = w0 / q) by (rewrite W0; field; lra). assert (De : 6 * sqrt q * hh p = 6 * sqrt w0).
   { rewrite W0, sqrt_mult_alt by lra. rewrite <- Rsqr_pow2, sqrt_Rsqr by lra. ring. }
   pose proof (sqrt_pos w0) as S0.
   (* the constant of the lower bound *)
-  set (sg := 1 - 3 / 8 * w0 / q).
-  assert (Wq : w0 / q <= 4 / 9). { apply Rmult_le_reg_r with q; auto.
-    replace (w0 / q * q) with w0 by (field; lra). lra. }
+  set (sg := 1 - 3 / 8 * w0 / q). assert (Wq : w0 / q <= 4 / 9). { undivide q. lra. }
   assert (Sg : 0 <= sg <= sin p / p).
   { assert (Es : sg = 1 - 3 / 8 * hh p ^ 2) by (rewrite Y0; unfold sg; field; lra). split; [rewrite Es, Y0; lra|].
     pose proof (sin_above p ltac:(lra)) as Sa. pose proof (hh_below p Pp) as Hbl.
-    assert (p ^ 2 <= (3 / 2 * hh p) ^ 2) by (apply pow_incr; lra).
-    apply Rmult_le_reg_r with p; [lra|]. replace (sin p / p * p) with (sin p) by (field; lra).
+    assert (p ^ 2 <= (3 / 2 * hh p) ^ 2) by (apply pow_incr; lra). undivide p.
     apply Rle_trans with (p - p ^ 3 / 6); auto. rewrite Es.
-      replace (p - p ^ 3 / 6) with ((1 - p ^ 2 / 6) * p) by field. apply Rmult_le_compat_r; lra. }
+      replace (p - p ^ 3 / 6) with ((1 - p ^ 2 / 6) * p) by field. scale. }
   assert (Sg12 : sg ^ 12 <= (sin p / p) ^ 12) by (apply pow_incr; auto).
-  assert (K0 : 0 < K) by (unfold K; apply Rmult_lt_0_compat; [lra|apply Rdiv_lt_0_compat; auto]).
+  assert (K0 : 0 < K) by (unfold K; apply Rmult_lt_0_compat; [lra|positive]).
   assert (Kq : 9 / 4 * r = q * K) by (unfold K, q, r, M; field; lra).
-  assert (KY : q * K * (w0 / q) = K * w0) by (field; lra).
-  assert (KW : K * w0 < 1).
+  assert (KY : q * K * (w0 / q) = K * w0) by (field; lra). assert (KW : K * w0 < 1).
   { pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. rewrite <- KY, <- Kq.
-    assert (r * (w0 / q) <= r * (4 / 9)) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (r * (w0 / q) <= r * (4 / 9)) by scale. lra. }
   assert (Sg0 : 0 <= K * sg ^ 12) by (apply Rmult_le_pos; [lra|apply pow_le; lra]).
-  assert (KK : 0 < K / (1 - K * w0)) by (apply Rdiv_lt_0_compat; lra).
-  assert (OT : 0 <= om * (t - t0)) by (apply Rmult_le_pos; lra).
+  assert (KK : 0 < K / (1 - K * w0)) by positive. assert (OT : 0 <= om * (t - t0)) by positive.
   assert (OP : om * (PI / om) = PI) by (field; lra).
   pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t ltac:(lra)) as N.
     cbv beta in N. fold en Ecr in N.
   assert (EWt : en (x t) (v1 t) (v2 t) = Ecr * (1 + w t)) by (unfold w; field; lra). rewrite EWt in N.
-  assert (Wt : 0 < w t) by (apply Rmult_lt_reg_l with Ecr; lra).
-  assert (Wd : w t <= w0).
+  assert (Wt : 0 < w t) by (apply Rmult_lt_reg_l with Ecr; lra). assert (Wd : w t <= w0).
   { apply Rmult_le_reg_l with Ecr; auto.
     pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t0 t ltac:(lra)) as F. cbv beta in F. fold en in F.
     rewrite EW, EWt in F. lra. }
-  assert (Id : / w0 <= / w t) by (apply Rinv_le_contravar; auto).
-  set (n0 := om * (t - t0) / (PI + 6 * sqrt w0) - 2).
+  assert (Id : / w0 <= / w t) by (apply Rinv_le_contravar; auto). set (n0 := om * (t - t0) / (PI + 6 * sqrt w0) - 2).
   assert (N0 : n0 * (PI + 6 * sqrt w0) = om * (t - t0) - 2 * (PI + 6 * sqrt w0)) by (unfold n0; field; lra).
   assert (ToT : om * (t1 - t0) <= PI) by (rewrite <- OP; apply Rmult_le_compat_l; lra).
   assert (Neg : n0 <= 0 -> K * sg ^ 12 * n0 <= 0) by (intros; rewrite <- (Rmult_0_r (K * sg ^ 12));
@@ -204,26 +192,24 @@ Proof.
           sqrt w0) by (field; lra). lra. }
       set (n1 := om * (t - t1) / (PI + 6 * sqrt w0) - 1) in *.
       replace (q * (K * sg ^ 12 * n0)) with (q * K * (sg ^ 12 * n0)) by ring. rewrite (Rmult_assoc (q * K)).
-      apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat; auto. apply pow_le; lra.
+      apply Rmult_le_compat_l; [positive|]. apply Rmult_le_compat; auto. apply pow_le; lra.
     + intros Hd. specialize (Up Hd ltac:(rewrite KY; auto)). apply Rmult_le_reg_l with q; auto.
       apply Rle_trans with (1 := Up). rewrite (Rmult_plus_distr_l q (/ w0)). apply Rplus_le_compat_l.
       replace (q * K * (w0 / q)) with (K * w0) by (field; lra).
       replace (q * K / (1 - K * w0)) with (q * (K / (1 - K * w0))) by (field; lra). rewrite Rmult_assoc.
       apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [lra|]. apply Rplus_le_compat_r.
-      apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra|]. apply Rmult_le_compat_l; lra.
+      apply Rmult_le_compat_r; [positive|]. scale.
   - (* on the first ellipse *)
-    assert (Tt : om * (t - t0) <= om * (t1 - t0)) by (apply Rmult_le_compat_l; lra).
+    assert (Tt : om * (t - t0) <= om * (t1 - t0)) by scale.
     assert (Nn : n0 <= 0) by (apply Rmult_le_reg_r with (PI + 6 * sqrt w0); [lra|]; rewrite N0, Rmult_0_l; lra).
-    split; [specialize (Neg Nn); lra|]. intros Hd.
-    assert (W1 : w0 <= w t).
+    split; [specialize (Neg Nn); lra|]. intros Hd. assert (W1 : w0 <= w t).
     { apply Rmult_le_reg_l with Ecr; auto.
       pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t t1 ltac:(lra)) as F. cbv beta in F. fold en in F.
       pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 k (hh p) x v1 v2 t1 Hk HR) as RE. fold en M q Ecr in RE.
         fold q in RE. rewrite RE, EWt, <- W0 in F. lra. }
     assert (/ w t <= / w0) by (apply Rinv_le_contravar; lra).
-    assert (0 <= om * (t - t0) / (PI - 6 * sqrt w0)).
-      { apply Rmult_le_pos; [apply Rmult_le_pos; lra|apply Rlt_le, Rinv_0_lt_compat; lra]. }
-    assert (0 <= K / (1 - K * w0) * (om * (t - t0) / (PI - 6 * sqrt w0) + 1)) by (apply Rmult_le_pos; lra). lra.
+    assert (0 <= om * (t - t0) / (PI - 6 * sqrt w0)) by positive.
+    assert (0 <= K / (1 - K * w0) * (om * (t - t0) / (PI - 6 * sqrt w0) + 1)) by positive. lra.
 Qed.
 
 (** *** Every solution that never merges comes back to S0 slightly above E_cr *)

@@ -7,15 +7,14 @@ From InertialPair Require Import Dini Pair Stick.
 Lemma nat_above y d : 0 < d -> exists k : nat, y < INR k * d.
 Proof.
   intros Hd. destruct (nfloor_ex (Rmax 0 (y / d)) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
-  pose proof (Rmax_r 0 (y / d)). replace y with (y / d * d) by (field; lra). apply Rmult_lt_compat_r; lra.
+  pose proof (Rmax_r 0 (y / d)). replace y with (y / d * d) by (field; lra). scale.
 Qed.
 
 (** polar coordinates, at a time as late as one likes *)
 Lemma polar A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
   exists t, t0 <= t /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
 Proof.
-  intros HR Hom E.
-  assert (Hq : -1 <= A / R <= 1).
+  intros HR Hom E. assert (Hq : -1 <= A / R <= 1).
   { assert (- R <= A <= R) by (pose proof (pow2_ge_0 B); split; nra).
     split; apply Rmult_le_reg_r with R; auto; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
   assert (S2 : (R * sin (acos (A / R))) ^ 2 = B ^ 2).
@@ -33,9 +32,7 @@ Proof.
   pose proof PI_RGT_0. destruct (nat_above (om * t0 - phi) (2 * PI)) as (k & Hk); [lra|].
   exists ((phi + 2 * INR k * PI) / om).
   replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by (field; lra).
-  rewrite cos_period, sin_period. repeat split; auto.
-  apply Rmult_le_reg_l with om; auto. replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by
-    (field; lra). lra.
+  rewrite cos_period, sin_period. repeat split; auto. undivide om. lra.
 Qed.
 
 (** and within one turn *)
@@ -43,9 +40,9 @@ Lemma polar_soon A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
   exists t, t0 <= t <= t0 + 2 * PI / om /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
 Proof.
   intros HR Hom E. destruct (polar A B R om t0 HR Hom E) as (t & Ht & C & S). pose proof PI_RGT_0 as P.
-  assert (P1 : 0 < 2 * PI / om) by (apply Rdiv_lt_0_compat; lra).
+  assert (P1 : 0 < 2 * PI / om) by positive.
     destruct (nfloor_ex ((t - t0) / (2 * PI / om))) as (n & N1 & N2).
-  { apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+  { positive. }
   apply Rmult_le_compat_r with (r := 2 * PI / om) in N1; [|lra].
     apply Rmult_lt_compat_r with (r := 2 * PI / om) in N2; auto.
   replace ((t - t0) / (2 * PI / om) * (2 * PI / om)) with (t - t0) in * by (field; lra).
@@ -60,8 +57,7 @@ Proof.
   intros Hz. replace z with (2 * (z / 2)) at 2 by field. rewrite cos_2a_sin.
   destruct (Req_dec z 0) as [->|N]. { replace (0 / 2) with 0 by field. rewrite sin_0. lra. }
   assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra).
-  assert (0 <= sin (z / 2)). { pose proof PI2_1. unfold Rdiv in *. apply sin_ge_0; lra. }
-  nra.
+  assert (0 <= sin (z / 2)). { pose proof PI2_1. unfold Rdiv in *. apply sin_ge_0; lra. } nra.
 Qed.
 
 Section Limit.
@@ -82,7 +78,7 @@ Let kap := m2 / (M * b).
 Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
 Let om_sq : om * om = a2 / M := omega_sq m1 m2 a2 Hm1 Hm2 Ha2.
 Let M_pos : 0 < M. Proof. unfold M; lra. Qed.
-Let kap_pos : 0 < kap. Proof. unfold kap; apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. Qed.
+Let kap_pos : 0 < kap. Proof. unfold kap; apply Rdiv_lt_0_compat; auto. positive. Qed.
 Let Ha1 : 0 <= 0 := Rle_refl 0.
 
 (** the momentum feels the spring alone *)
@@ -135,11 +131,11 @@ Lemma paid phi r t : 0 <= r <= t -> Rabs (turned phi t - turned phi r) <= kap * 
 Proof.
   intros Hr. pose proof cont_En. set (c := fun u => cos (om * u + phi)).
   assert (Z : forall k u, k = 1 \/ k = -1 -> k * (m2 / M * w u * c u) + kap * (- b * Rabs (w u)) <= 0).
-  { intros k u Hk. assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; lra).
+  { intros k u Hk. assert (0 < m2 / M) by positive.
     replace (kap * (- b * Rabs (w u))) with (- (m2 / M * Rabs (w u))) by (unfold kap; field; lra).
     assert (k * (w u * c u) <= Rabs (w u)).
     { pose proof (COS_bound (om * u + phi) : -1 <= c u <= 1). unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
-    assert (m2 / M * (k * (w u * c u)) <= m2 / M * Rabs (w u)) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (m2 / M * (k * (w u * c u)) <= m2 / M * Rabs (w u)) by scale. lra. }
   assert (Q : forall k, k = 1 \/ k = -1 -> k * turned phi t + kap * E t <= k * turned phi r + kap * E r).
   { intros k Hk. apply (rderiv_mono (fun u => k * turned phi u + kap * E u) r t (fun u => k * (m2 / M * w u * c u) + kap *
     (- b * Rabs (w u)))); auto.
@@ -190,15 +186,14 @@ Lemma w_falls r t g : 0 <= r <= t -> (forall u, r <= u < t -> L m1 m2 a2 b + g <
   w t - w r <= - (a2 / m1 * g) * (t - r).
 Proof.
   intros Hr Hx. pose proof (proj1 (solution_moves _ _ _ _ _ _ _ _ _) H) as Mo. set (k := b * ((m1 + m2) / (m1 * m2))).
-  assert (Kp : 0 < k) by (apply Rmult_lt_0_compat; [|apply Rdiv_lt_0_compat; [lra|apply Rmult_lt_0_compat]]; auto).
-  assert (Q : (w t + k * s t) - (w r + k * s r) <= - (k + a2 / m1 * g) * (t - r)).
+  assert (Kp : 0 < k) by positive. assert (Q : (w t + k * s t) - (w r + k * s r) <= - (k + a2 / m1 * g) * (t - r)).
   { apply (dini_slope (fun u => w u + k * s u)); [|lra|].
     { apply cont_plus; [apply cont_w|apply cont_scal, (moves_cs _ _ _ _ _ _ _ _ _ _ _ H)]. }
     intros u Hu.
     eapply rderiv_dini; [|exact (moves_slip _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo u 0 ltac:(lra) (rderiv_const 0 u))].
     replace (k + a2 / m1 * g) with (a2 / m1 * (L m1 m2 a2 b + g)) by (unfold k, L; field; lra).
     replace ((0 - a2 * x u - 0 * v1 u) / m1) with (- (a2 / m1 * x u)) by (field; lra).
-    apply Ropp_le_contravar, Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; auto|auto]. }
+    apply Ropp_le_contravar, Rmult_le_compat_l; [positive|auto]. }
   pose proof (s_lip _ _ _ _ _ _ _ _ _ H r t Hr) as Ls. apply Rabs_inv in Ls. nra.
 Qed.
 
@@ -281,18 +276,17 @@ Qed.
 Lemma toll_pos l : Ecr m1 m2 a2 b < l -> 0 < toll l.
 Proof.
   intros Hl. pose proof (room_pos l Hl) as G. pose proof (outing_pos l Hl) as O. pose proof kap_pos as K.
-  assert (0 < a2 / m1) by (apply Rdiv_lt_0_compat; auto). assert (0 < outing l ^ 2) by (apply pow_lt; auto).
+  assert (0 < a2 / m1) by positive. assert (0 < outing l ^ 2) by positive.
   apply Rmin_glb_lt; [|apply Rdiv_lt_0_compat; [auto|fold M; fold kap; lra]].
   assert (0 < b * (a2 / m1 * room l) * outing l ^ 2); [|lra]. apply Rmult_lt_0_compat; auto.
-  apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+  apply Rmult_lt_0_compat; auto. positive.
 Qed.
 
 (** and the time is not negative *)
 Lemma spell_pos e l : Ecr m1 m2 a2 b < l -> 0 <= spell e l.
 Proof.
   intros Hl. pose proof (outing_pos l Hl) as O. pose proof PI_RGT_0. pose proof (sqrt_pos (2 * e * m2)).
-  assert (0 < 2 * PI / omega m1 m2 a2) by (apply Rdiv_lt_0_compat; [lra|exact om_pos]).
-  assert (0 <= 2 * sqrt (2 * e * m2) / b) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]).
+  assert (0 < 2 * PI / omega m1 m2 a2) by positive. assert (0 <= 2 * sqrt (2 * e * m2) / b) by positive.
     unfold spell. lra.
 Qed.
 
@@ -307,29 +301,26 @@ Proof.
   set (e0 := b * (a2 / m1 * room l) * tau ^ 2 / 8).
   assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= room l / (2 * kap)) by apply Rmin_r.
   set (g := room l) in *. set (R0 := sqrt (2 * l / a2)). set (LL := L m1 m2 a2 b) in *.
-  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field).
-  assert (R0sq : R0 * R0 = 2 * l / a2).
+  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field). assert (R0sq : R0 * R0 = 2 * l / a2).
   { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. fold LL in EL.
     nra. }
   set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity.
   assert (Hz1 : z <= 1) by apply Rmin_l. assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r.
-  assert (Hz : 0 < z) by (replace z with (om * tau) by (rewrite Ez; field; lra); apply Rmult_lt_0_compat; auto).
+  assert (Hz : 0 < z) by positive.
   assert (Hz3 : R0 * z <= 2 * g). { replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra).
     apply Rmult_le_compat_l; lra. }
   assert (Hd3 : kap * d <= g / 2). { replace (g / 2) with (kap * (g / (2 * kap))) by (field; lra).
     apply Rmult_le_compat_l; lra. }
   destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
   change (energy m1 m2 a2 (x T) (v1 T) (v2 T)) with (E T) in Htc.
-  assert (Wc : w tc = 0) by (unfold w; lra). pose proof PI_RGT_0 as P0.
-  assert (P1 : 0 < 2 * PI / om) by (apply Rdiv_lt_0_compat; [lra|exact om_pos]).
+  assert (Wc : w tc = 0) by (unfold w; lra). pose proof PI_RGT_0 as P0. assert (P1 : 0 < 2 * PI / om) by positive.
   assert (TW : tc + 2 * PI / om + tau <= T + W).
   { unfold W, spell. fold tau om. assert (2 * sqrt (2 * E T * m2) / b <= 2 * sqrt (2 * e * m2) / b); [|lra].
-    apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|]. apply Rmult_le_compat_l; [lra|].
+    apply Rmult_le_compat_r; [positive|]. apply Rmult_le_compat_l; [lra|].
       apply sqrt_le_1_alt. nra. }
   assert (High : forall u, T <= u <= T + W -> l <= E u /\ E T - d < E u <= E T).
   { intros u Hu. pose proof (E_mono u (T + W) ltac:(lra)). pose proof (E_mono T u ltac:(lra)). lra. }
-  pose proof (E_AB tc) as EAB. rewrite Wc in EAB.
-  set (R := sqrt (A tc ^ 2 + B tc ^ 2)).
+  pose proof (E_AB tc) as EAB. rewrite Wc in EAB. set (R := sqrt (A tc ^ 2 + B tc ^ 2)).
   assert (Rsq : R * R = A tc ^ 2 + B tc ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 (A tc)).
     pose proof (pow2_ge_0 (B tc)). lra. }
   assert (HR : R0 <= R).
@@ -345,14 +336,13 @@ Proof.
       - rewrite <- Cs, <- Ss, cos_minus. ring.
       - unfold turned, A, B. rewrite cos_plus, sin_plus, cos_neg, sin_neg. ring. }
     destruct (High tc ltac:(lra)) as (_ & K1). destruct (High u ltac:(lra)) as (_ & K2).
-    assert (KK : kap * (E tc - E u) <= g / 2). { apply Rle_trans with (kap * d); auto. apply Rmult_le_compat_l; lra. }
+    assert (KK : kap * (E tc - E u) <= g / 2). { apply Rle_trans with (kap * d); auto. scale. }
     assert (Zu : 0 <= om * (u - ts) <= z).
     { split; [apply Rmult_le_pos; lra|]. replace z with (om * tau) by (rewrite Ez; field; lra).
       apply Rmult_le_compat_l; lra. }
     pose proof (cos_below (om * (u - ts)) ltac:(lra)) as CB.
-    set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *.
-    assert (zu ^ 2 <= z).
-    { replace (zu ^ 2) with (zu * zu) by ring. apply Rle_trans with (zu * 1); [apply Rmult_le_compat_l; lra|lra]. }
+    set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *. assert (zu ^ 2 <= z).
+    { replace (zu ^ 2) with (zu * zu) by ring. apply Rle_trans with (zu * 1); [scale|lra]. }
     assert (Q : R0 - g <= R * q). { assert (1 - z / 2 <= q) by lra. assert (0 < 1 - z / 2) by lra.
       assert (R0 * (1 - z / 2) <= R * q) by (apply Rmult_le_compat; lra). lra. }
     apply Rabs_inv in Qu. unfold g in *. lra. }
@@ -379,8 +369,7 @@ Theorem dichotomy_energy : (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b) \/
     E t <= Ecr m1 m2 a2 b + e).
 Proof.
   destruct E_limit as (l & Hl0 & Hl & Hlim). pose proof (limit_not_above l Hl Hlim) as HL.
-  destruct (Classical_Prop.classic (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b)) as [|N]; [left; auto|right].
-  split.
+  destruct (Classical_Prop.classic (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b)) as [|N]; [left; auto|right]. split.
   - intros t Ht. destruct (Rlt_dec (Ecr m1 m2 a2 b) (E t)); auto. exfalso; apply N; exists t; split; auto; lra.
   - intros e He. destruct (Hlim e He) as (T & HT & K). exists T; split; auto. intros t Hu. specialize (K t Hu). lra.
 Qed.

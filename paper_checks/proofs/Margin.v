@@ -16,17 +16,15 @@ Proof.
     pose proof (cos_gt_0 p ltac:(lra) ltac:(lra)) as C.
   assert (Kp : 0 < ct p) by (apply Rdiv_lt_0_compat; auto). pose proof (hh_pos p ltac:(lra)) as Hh.
   destruct (Rle_dec p (7 / 10)) as [n|n].
-  - pose proof (hh_below p ltac:(lra)) as B. pose proof (sin_below p ltac:(lra)) as Sb.
-    assert (Cb : 3 / 4 <= cos p).
+  - pose proof (hh_below p ltac:(lra)) as B. pose proof (sin_below p ltac:(lra)) as Sb. assert (Cb : 3 / 4 <= cos p).
     { replace p with (2 * (p / 2)) by field. rewrite cos_2a_sin. pose proof (sin_below (p / 2) ltac:(lra)).
       pose proof (sin_pos (p / 2) ltac:(lra)). nra. }
     assert (Kb : 3 / 4 <= p * ct p).
     { unfold ct. apply Rmult_le_reg_r with (sin p); auto.
       replace (p * (cos p / sin p) * sin p) with (p * cos p) by (field; lra). nra. }
-    assert (1 <= 2 * hh p * ct p). { assert (2 / 3 * p * ct p <= hh p * ct p) by (apply Rmult_le_compat_r; lra). lra. }
-    assert (0 < (PI - p) * ct p) by (apply Rmult_lt_0_compat; lra). pose proof (pow_lt _ 2 Hh). nra.
+    assert (1 <= 2 * hh p * ct p). { assert (2 / 3 * p * ct p <= hh p * ct p) by scale. lra. }
+    assert (0 < (PI - p) * ct p) by positive. pose proof (pow_lt _ 2 Hh). nra.
   - pose proof (margin_mid p) as M. assert (E : hh p = (p - sin p * cos p) / (sin p * sin p)) by (unfold hh;
-    field; lra).
-    rewrite <- E in M. fold (ct p) in M. assert (PI / 2 <= 16 / 10) by (interval with (i_prec 60)).
+    field; lra). rewrite <- E in M. fold (ct p) in M. assert (PI / 2 <= 16 / 10) by (interval with (i_prec 60)).
       specialize (M ltac:(lra)). lra.
 Qed.

@@ -20,7 +20,7 @@ Proof.
   split.
   - intros Up. destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) P HR)
       as (_ & _ & _ & E1 & _).
-    pose proof (o1_pos m1 a2 Hm1 Ha2). assert (0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; lra).
+    pose proof (o1_pos m1 a2 Hm1 Ha2). assert (0 < 2 * p / o1 m1 a2) by positive.
     specialize (Up (t1 + 2 * p / o1 m1 a2) ltac:(lra)). rewrite E1 in Up. pose proof (q_pos m1 m2 Hm1 Hm2).
       pose proof (Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb).
     destruct (Rlt_dec (m2 / (m1 + m2) * depth p ^ 2) (hh p ^ 2)) as [|N]; auto. exfalso.

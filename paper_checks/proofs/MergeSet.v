@@ -10,7 +10,7 @@ Proof.
     assert (hh (PI / 2) <= hh p). { destruct (Req_dec (PI / 2) p) as [->|]; [lra|]. apply Rlt_le, hh_incr; lra. }
       rewrite hh_half_pi in *. lra.
   - pose proof (depth_upper p Hp) as D. pose proof (depth_pos p Hp). rewrite E in D. unfold ratio. rewrite E.
-    apply Rmult_le_reg_r with (depth p); auto. replace (2 / 3 / depth p * depth p) with (2 / 3) by (field; lra). lra.
+    undivide (depth p). lra.
 Qed.
 (** for long slips *)
 Lemma ratio_long p : PI - / 20 <= p < PI -> 1 <= ratio p.
@@ -18,11 +18,8 @@ Proof.
   intros Hp. pose proof PI2_3_2 as P3. pose proof PI_4 as P4. assert (P : 0 < p < PI) by lra. rewrite ratio_AB by auto.
   pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p P) as G.
   assert (S2 : sin p <= / 20). { rewrite <- sin_PI_x. pose proof (sin_below (PI - p) ltac:(lra)). lra. }
-  pose proof (COS_bound p) as C. assert (D : 0 < 2 * sin p * (sin p - p * cos p)) by (apply Rmult_lt_0_compat; lra).
-  apply Rmult_le_reg_r with (2 * sin p * (sin p - p * cos p)); auto.
-  replace ((p - sin p * cos p) / (2 * sin p * (sin p - p * cos p)) * (2 * sin p * (sin p - p * cos p))) with (p -
-    sin p * cos p) by (field; lra).
-  assert (sin p - p * cos p <= / 20 + 4) by nra.
+  pose proof (COS_bound p) as C. assert (D : 0 < 2 * sin p * (sin p - p * cos p)) by positive.
+  undivide (2 * sin p * (sin p - p * cos p)). assert (sin p - p * cos p <= / 20 + 4) by nra.
   assert (2 * sin p * (sin p - p * cos p) <= 2 * / 20 * (/ 20 + 4)). { apply Rmult_le_compat; lra. }
   assert (sin p * cos p <= / 20) by nra. lra.
 Qed.
@@ -38,25 +35,20 @@ Proof.
     apply (ratio_step p q); [lra|lra|lra|]. intros; apply Le; lra. }
   assert (Rises : forall p q, ps <= p -> p < q -> q < PI -> ratio p < ratio q). { intros p q H0 H1 H2.
     apply (ratio_step p q); [lra|lra|lra|]. intros; apply Ri; lra. }
-  set (G := fun p => (p - sin p * cos p) - g * (2 * sin p * (sin p - p * cos p))).
-  assert (CG : cont G).
+  set (G := fun p => (p - sin p * cos p) - g * (2 * sin p * (sin p - p * cos p))). assert (CG : cont G).
   { apply cont_of_derive with (fun p => 2 * sin p * sin p + (1 - (sin p * sin p + cos p * cos p)) - g * (2 * cos p
     * (sin p - p * cos p) + 2 * sin p * (p * sin p))).
     intros t. unfold G. auto_derive; auto. ring. }
   assert (SG : forall p, 0 < p < PI -> G p = (2 * sin p * (sin p - p * cos p)) * (ratio p - g) /\
     0 < 2 * sin p * (sin p - p * cos p)).
   { intros p Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as Gp.
-    split; [|apply Rmult_lt_0_compat; lra].
-    rewrite ratio_AB by auto. unfold G. field. lra. }
+    split; [|positive]. rewrite ratio_AB by auto. unfold G. field. lra. }
   assert (Zero : forall p, 0 < p < PI -> G p = 0 -> ratio p = g).
   { intros p Hp Z. destruct (SG p Hp) as (E & Ps). rewrite E in Z. apply Rmult_integral in Z. lra. }
   assert (Gs : G ps <= 0). { destruct (SG ps Hps) as (E & Ps). rewrite E. nra. }
-  destruct ratio_short as (pa & Ha & Ra). pose proof PI_RGT_0.
-  assert (Pa : pa < ps).
-  { destruct (Rlt_dec pa ps); auto. exfalso.
-    pose proof (ratio_falls ps pa ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
-  set (pb := Rmax (PI - / 20) ((ps + PI) / 2)).
-  assert (Pb : PI - / 20 <= pb < PI /\ ps < pb).
+  destruct ratio_short as (pa & Ha & Ra). pose proof PI_RGT_0. assert (Pa : pa < ps).
+  { destruct (Rlt_dec pa ps); auto. exfalso. pose proof (ratio_falls ps pa ltac:(lra) ltac:(lra) ltac:(lra)). lra. }
+  set (pb := Rmax (PI - / 20) ((ps + PI) / 2)). assert (Pb : PI - / 20 <= pb < PI /\ ps < pb).
   { unfold pb. pose proof (Rmax_l (PI - / 20) ((ps + PI) / 2)). pose proof (Rmax_r (PI - / 20) ((ps + PI) / 2)).
     split; [|lra]. split; [auto|]. apply Rmax_lub_lt; lra. }
   pose proof (ratio_long pb ltac:(lra)) as Rb. pose proof PI2_3_2.
@@ -64,8 +56,7 @@ Proof.
   assert (Gb : 0 < G pb). { destruct (SG pb ltac:(lra)) as (E & Ps). rewrite E. apply Rmult_lt_0_compat; lra. }
   destruct (cont_IVT G pa ps CG) as (pl & Hl & Zl); [lra|nra|].
     destruct (cont_IVT G ps pb CG) as (pu & Hu & Zu); [lra|nra|].
-  apply Zero in Zl; [|lra]. apply Zero in Zu; [|lra].
-  exists pl, pu. repeat (split; [lra|]). intros p Hp. split.
+  apply Zero in Zl; [|lra]. apply Zero in Zu; [|lra]. exists pl, pu. repeat (split; [lra|]). intros p Hp. split.
   - intros R. split.
     + destruct (Rle_dec pl p); auto. exfalso. pose proof (Falls p pl ltac:(lra) ltac:(lra) ltac:(lra)). lra.
     + destruct (Rle_dec p pu); auto. exfalso. pose proof (Rises pu p ltac:(lra) ltac:(lra) ltac:(lra)). lra.
@@ -80,7 +71,7 @@ Lemma ratio_share p m1 m2 : 0 < p < PI -> K p = 0 -> 0 < m1 -> 0 < m2 ->
   m2 / (m1 + m2) - ratio p ^ 2 = (- cos (2 * p) - m1 / m2) * (m2 / (m1 + m2) * ratio p ^ 2).
 Proof.
   intros Hp Z H1 H2. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. rewrite (ratio_root p Hp Z), cos_2a_sin.
-  split; [|field; lra]. apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; lra|apply Rinv_0_lt_compat; nra].
+  split; [|field; lra]. apply Rmult_lt_0_compat; [positive|apply Rinv_0_lt_compat; nra].
 Qed.
 
 (** the set of half angles that merge at the first landing, r = m2/(m1+m2): empty, or [pl, pu] around phi* *)
@@ -92,13 +83,11 @@ Theorem merging_angles : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 <
      forall p, 0 < p < PI -> (hh p ^ 2 <= r * depth p ^ 2 <-> pl <= p <= pu)).
 Proof.
   destruct threshold as (ps & Hps & Z & Un & Up & Lo & Iff). exists ps. split; [auto|]. split; [auto|].
-  intros m1 m2 H1 H2 r. assert (R0 : 0 < r) by (apply Rdiv_lt_0_compat; lra).
-  assert (R1 : r < 1). { unfold r. apply Rmult_lt_reg_r with (m1 + m2); [lra|].
-    replace (m2 / (m1 + m2) * (m1 + m2)) with m2 by (field; lra). lra. }
+  intros m1 m2 H1 H2 r. assert (R0 : 0 < r) by positive. assert (R1 : r < 1). { unfold r. undivide (m1 + m2). lra. }
   split.
   { intros Hr p Hp. apply Iff in Hr; auto. pose proof (Up r R0 Hr p Hp). lra. }
   intros Hr. destruct root as (p0 & Hp0 & Z0 & Le & Ri). rewrite (Un p0 ltac:(lra) Z0) in Le, Ri.
-  assert (S0 : 0 < sqrt r) by (apply sqrt_lt_R0; auto). assert (SS : sqrt r * sqrt r = r) by (apply sqrt_sqrt; lra).
+  assert (S0 : 0 < sqrt r) by positive. assert (SS : sqrt r * sqrt r = r) by (apply sqrt_sqrt; lra).
   assert (S1 : sqrt r < 1). { rewrite <- sqrt_1. apply sqrt_lt_1; lra. }
   assert (Eq : forall p, 0 < p < PI -> (hh p ^ 2 <= r * depth p ^ 2 <-> ratio p <= sqrt r) /\ hh p = ratio p * depth p).
   { intros p Hp. pose proof (hh_pos p Hp) as A. pose proof (depth_pos p Hp) as B.

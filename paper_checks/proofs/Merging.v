@@ -65,7 +65,7 @@ Theorem merging_set : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1
 Proof.
   destruct merging_angles as (ps & Hps & Z & Main). exists ps. split; [auto|]. split; [auto|]. intros m1 m2 H1 H2 root.
   destruct (Main m1 m2 H1 H2) as (None & Some). set (r := m2 / (m1 + m2)) in *.
-  assert (R0 : 0 < r) by (apply Rdiv_lt_0_compat; lra). split.
+  assert (R0 : 0 < r) by positive. split.
   { intros Hr p (Hp & E). apply (None Hr p Hp). rewrite E, Rpow_mult_distr, pow2_sqrt by lra. lra. }
   intros Hr. destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & A5 & A6 & A7 & A8). clear None Some. exists pl, pu.
   assert (Rl : ratio pl = sqrt r) by (apply ratio_of; auto; lra).
@@ -96,10 +96,8 @@ Proof.
     as (k & te & p & t & Hk & Te & Hp & En & St & HR & F & Tt).
   destruct (merges_at_first_landing m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H k te p Hk ltac:(lra) Hp HR)
     as (Sg & Ev1 & Ex & _ & Iff & Dp).
-  assert (T0 : 0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]).
-  assert (Q : 0 < q < 1).
-  { split; [auto|]. unfold q. apply Rmult_lt_reg_r with (m1 + m2); [lra|].
-    replace (m1 / (m1 + m2) * (m1 + m2)) with m1 by (field; lra). lra. }
+  assert (T0 : 0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]). assert (Q : 0 < q < 1).
+  { split; [auto|]. unfold q. undivide (m1 + m2). lra. }
   destruct (pc_ex q Q) as (pc & Hpc & Dc). pose proof (kappa_large m1 m2 ps pc H1 H2 Hps Z Hr Hpc Dc) as HK.
   pose proof (first_reentry_iff m1 m2 a2 b H1 H2 Ha Hb pc Hpc Dc (Rlt_le _ _ HK) x v1 v2 s H k te t p Hk ltac:(lra) Hp
     HR F) as Iff'.
@@ -117,7 +115,6 @@ Proof.
       apply Rmult_le_compat_l; [lra|auto]. }
     assert (- L m1 m2 a2 b <= k * x (te + 2 * p / o1 m1 a2) <= L m1 m2 a2 b).
     { rewrite Ex. change (m1 / (m1 + m2)) with q. set (z := q * depth p) in *.
-      assert (0 <= L m1 m2 a2 b * z) by (apply Rmult_le_pos; lra).
-      assert (L m1 m2 a2 b * z <= L m1 m2 a2 b * 2) by (apply Rmult_le_compat_l; lra). lra. }
+      assert (0 <= L m1 m2 a2 b * z) by positive. assert (L m1 m2 a2 b * z <= L m1 m2 a2 b * 2) by scale. lra. }
     destruct Hk; subst k; lra.
 Qed.

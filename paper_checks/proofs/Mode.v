@@ -20,13 +20,12 @@ Let w t := v1 t - v2 t.
 Definition load t := m2 * (u t - a2 * x t - a1 * v1 t) / (m1 + m2).
 
 (** it is continuous where the force is: among the times Q near t0 *)
-Lemma load_near (Q : R -> Prop) e : 0 < e -> (forall e, 0 < e -> exists d, 0 < d /\ forall q, Q q -> Rabs (q - t0) < d ->
-    Rabs (u q - u t0) <= e) ->
+Lemma load_near (Q : R -> Prop) e : 0 < e ->
+  (forall e, 0 < e -> exists d, 0 < d /\ forall q, Q q -> Rabs (q - t0) < d -> Rabs (u q - u t0) <= e) ->
   exists d, 0 < d /\ forall q, 0 <= q -> Q q -> Rabs (q - t0) < d -> Rabs (load q - load t0) <= e.
 Proof.
-  intros He Cq. assert (Mp : 0 < M) by (unfold M; lra). set (k := 1 + a2 + a1). assert (Kp : 0 < k) by (unfold k; lra).
-  set (e' := M / m2 * e / k). assert (He' : 0 < e').
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rdiv_lt_0_compat; auto. }
+  intros He Cq. assert (Mp : 0 < M) by positive. set (k := 1 + a2 + a1). assert (Kp : 0 < k) by (unfold k; lra).
+  set (e' := M / m2 * e / k). assert (He' : 0 < e') by positive.
   destruct (Cq e' He') as (d1 & D1 & K1). destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t0 Ht0 e' He') as (d2 & D2 & K2).
   destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t0 Ht0 e' He') as (d3 & D3 & K3).
   exists (Rmin d1 (Rmin d2 d3)). pose proof (Rmin_l d1 (Rmin d2 d3)). pose proof (Rmin_r d1 (Rmin d2 d3)).
@@ -35,7 +34,7 @@ Proof.
   replace (load q - load t0) with (m2 / M * ((u q - u t0) - a2 * (x q - x t0) - a1 * (v1 q - v1 t0)))
     by (unfold load, M; field; lra).
   replace e with (m2 / M * (k * e')) by (unfold e'; field; unfold k in *; lra).
-  apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat; auto|]. apply Rabs_inv in K1. apply Rabs_def2 in K2.
+  apply abs_scal; [positive|]. apply Rabs_inv in K1. apply Rabs_def2 in K2.
   apply Rabs_def2 in K3. unfold k. apply Rabs_le. split; nra.
 Qed.
 Lemma load_after e : 0 < e -> exists d, 0 < d /\ forall q, t0 <= q < t0 + d -> Rabs (load q - load t0) <= e.
@@ -48,7 +47,7 @@ Qed.
 
 (** kappa is positive *)
 Lemma kappa_pos : 0 < kap.
-Proof. unfold kap, M. apply Rdiv_lt_0_compat; [lra|apply Rmult_lt_0_compat; auto]. Qed.
+Proof. unfold kap, M. positive. Qed.
 
 (** within b, friction brings the relative velocity back *)
 Lemma held t k : t0 <= t < t0 + d0 -> k = 1 \/ k = -1 -> k * load t <= b -> 0 < k * w t ->
@@ -115,7 +114,7 @@ Proof. unfold gain, w, ahead2. rewrite Meet. ring. Qed.
 (** body 2 was ahead and falls behind, as friction gives it at most the acceleration b/m2 *)
 Lemma ahead2_sign k t : k = 1 \/ k = -1 -> 0 <= t -> (t <= t0 -> 0 <= ahead2 k t) /\ (t0 <= t -> ahead2 k t <= 0).
 Proof.
-  intros Hk Ht. assert (P : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  intros Hk Ht. assert (P : 0 < b / m2) by positive.
   replace (ahead2 k t) with (b / m2 * (k * (s t - s t0) - (t - t0))).
   2: { unfold ahead2. rewrite (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t0 t Ht0 Ht). ring. }
   pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L. split; intros Hl.
@@ -144,8 +143,9 @@ Proof.
   intros Hk G. set (g := (k * load t0 - b) / 2). destruct (load_after g) as (d & Hd & K); [unfold g; lra|].
   assert (Gp : 0 < M / m2 * g) by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; unfold M|unfold g]; lra).
   smaller d d0. intros t Ht. apply gain_ahead; [auto|lra|]. pose proof (gain_rises k (M / m2 * g) t0 t ltac:(lra)) as Q.
-  rewrite gain_0 in Q. assert (0 < M / m2 * g * (t - t0)) by (apply Rmult_lt_0_compat; lra).
-  eapply Rlt_le_trans; [eassumption|]. rewrite <- (Rminus_0_r (gain k t)). apply Q. intros r Hr. split; [apply DU; lra|].
+  rewrite gain_0 in Q. assert (0 < M / m2 * g * (t - t0)) by positive.
+  eapply Rlt_le_trans; [eassumption|]. rewrite <- (Rminus_0_r (gain k t)). apply Q. intros r Hr.
+  split; [apply DU; lra|].
   rewrite excess_of_load. apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; unfold M; lra|].
   specialize (K r ltac:(lra)). apply Rabs_inv in K. unfold g in *. destruct Hk; subst k; lra.
 Qed.
@@ -163,7 +163,7 @@ Lemma not_ahead k : k = 1 \/ k = -1 -> k * load t0 < b -> exists d, 0 < d <= d0 
 Proof.
   intros Hk G. destruct (load_after (b - k * load t0)) as (d & Hd & K); [lra|].
   set (c := Rmin d d0). assert (c <= d) by apply Rmin_l. assert (c <= d0) by apply Rmin_r.
-  assert (Cp : 0 < c) by (apply Rmin_glb_lt; auto). exists c. split; [lra|]. intros t Ht.
+  assert (Cp : 0 < c) by positive. exists c. split; [lra|]. intros t Ht.
   apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|]. intros r Hr. specialize (K r ltac:(lra)).
   apply Rabs_inv in K. destruct Hk; subst k; lra.
 Qed.
@@ -173,13 +173,12 @@ Theorem sticks_at : Rabs (load t0) < b -> exists d, 0 < d /\ forall t, t0 <= t <
 Proof.
   intros G. pose proof (Rle_abs (load t0)). pose proof (Rle_abs (- load t0)) as A. rewrite Rabs_Ropp in A.
   destruct (not_ahead 1 (or_introl eq_refl) ltac:(lra)) as (d & Hd & K).
-  destruct (not_ahead (-1) (or_intror eq_refl) ltac:(lra)) as (d' & Hd' & K').
-  smaller d d'. intros t Ht.
+  destruct (not_ahead (-1) (or_intror eq_refl) ltac:(lra)) as (d' & Hd' & K'). smaller d d'. intros t Ht.
   specialize (K t ltac:(lra)). specialize (K' t ltac:(lra)). lra.
 Qed.
 
-(** *** The motion with that acceleration is one under the impulse Ut of a force, with the load at the edge. The two are as
-    far apart as the forces: by the integral of what the force asks beyond b. *)
+(** *** The motion with that acceleration is one under the impulse Ut of a force, with the load at the edge.
+    The two are as far apart as the forces: by the integral of what the force asks beyond b. *)
 Let xt k t := x t0 + v1 t0 * (t - t0) + k * (b / m2) * (t - t0) ^ 2 / 2.
 Let vt k t := v1 t0 + k * (b / m2) * (t - t0).
 Let Ut k t := m1 * vt k t + b * (k * t) + a1 * xt k t
@@ -217,11 +216,13 @@ Lemma given_back g k T : g = 1 \/ g = -1 -> k = 1 \/ k = -1 -> t0 <= T <= t0 + d
 Proof.
   intros Hg Hk HT H1 Sg. assert (Start : asked g k t0 = 0) by (unfold asked; ring).
   assert (Up : forall r t, t0 <= r <= t -> t <= T -> asked g k r <= asked g k t).
-  { intros r t Hr Ht. apply Ropp_le_cancel. apply (rderiv_mono (fun t => - asked g k t) r t (fun t => - (g * beyond k t)));
+  { intros r t Hr Ht. apply Ropp_le_cancel.
+    apply (rderiv_mono (fun t => - asked g k t) r t (fun t => - (g * beyond k t)));
       [apply cont_opp, cont_asked; auto|lra|]. intros q Hq. specialize (Sg q ltac:(lra)).
     split; [apply rderiv_opp, asked_rate; auto; lra|lra]. }
   assert (Lead : forall t, t0 <= t <= T -> Rabs (lead k t) <= asked g k T / m1).
-  { intros t Ht. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (velocity_within m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 (xt k) (vt k) (vt k) t) as R.
+  { intros t Ht. pose proof (sqrt_lt_R0 _ Hm1) as Sm.
+    pose proof (velocity_within m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 (xt k) (vt k) (vt k) t) as R.
     pose proof (input_to_state m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ _ H (at_edge k Hk)
       (fun t => k * beyond k t) (asked g k) t0 t (cont_asked g k Hk) ltac:(lra)) as Q. cbv beta in Q.
     replace (energy m1 m2 a2 (x t0 - xt k t0) (v1 t0 - vt k t0) (v2 t0 - vt k t0)) with 0 in Q
@@ -232,8 +233,8 @@ Proof.
       [apply Rabs_R1|rewrite Rabs_left; lra]). rewrite <- Rabs_mult. f_equal. destruct Hk; subst k; ring. }
     apply Rmult_le_reg_l with (sqrt m1); auto. eapply Rle_trans; [exact R|]. eapply Rle_trans; [apply Q|].
     - intros r Hr. specialize (Sg r ltac:(lra)). split.
-      + eapply rderiv_eq; [|apply rderiv_minus; [apply DU; lra|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive; auto;
-          reflexivity]]. unfold beyond. destruct Hk; subst k; field; lra.
+      + eapply rderiv_eq; [|apply rderiv_minus; [apply DU; lra|apply rderiv_of_derive; unfold Ut, xt, vt; auto_derive;
+          auto; reflexivity]]. unfold beyond. destruct Hk; subst k; field; lra.
       + apply rderiv_eq with (g * beyond k r); [|apply asked_rate; auto; lra]. symmetry.
         destruct Hk, Hg; subst k g; try rewrite Rabs_pos_eq by lra; try rewrite Rabs_left1 by lra; lra.
     - rewrite <- (sqrt_sqrt m1) at 3 by lra. apply Rmult_le_reg_r with (sqrt m1); auto. field_simplify; [|lra|lra].
@@ -258,10 +259,10 @@ Qed.
 Theorem slips_at_edge k : k = 1 \/ k = -1 -> k * load t0 = b -> (forall t, t0 < t < t0 + d0 -> 0 < beyond k t) ->
   exists d, 0 < d /\ forall t, t0 < t < t0 + d -> 0 < k * (v1 t - v2 t).
 Proof.
-  intros Hk Tie Pp. set (c := (a1 + a2) / m1). assert (C0 : 0 < c) by (apply Rdiv_lt_0_compat; lra).
-  assert (Hc : 0 < / (2 * c + 1)) by (apply Rinv_0_lt_compat; lra). smaller d0 (/ (2 * c + 1)). intros T HT.
+  intros Hk Tie Pp. set (c := (a1 + a2) / m1). assert (C0 : 0 < c) by positive.
+  assert (Hc : 0 < / (2 * c + 1)) by positive. smaller d0 (/ (2 * c + 1)). intros T HT.
   assert (Short : (2 * c + 1) * (T - t0) < 1).
-  { apply Rlt_le_trans with ((2 * c + 1) * / (2 * c + 1)); [apply Rmult_lt_compat_l; lra|right; field; lra]. }
+  { apply Rlt_le_trans with ((2 * c + 1) * / (2 * c + 1)); [scale|right; field; lra]. }
   assert (Sg : forall t, t0 <= t < T -> 0 <= 1 * beyond k t).
   { intros t Ht. destruct (Req_dec t t0) as [->|N]; [rewrite beyond_0; auto; lra|specialize (Pp t ltac:(lra)); lra]. }
   destruct (given_back 1 k T (or_introl eq_refl) Hk ltac:(lra) ltac:(nra) Sg) as (Up & Back). fold c in Back.
@@ -269,7 +270,7 @@ Proof.
   { set (r := (t0 + T) / 2). assert (Hr : t0 < r < T) by (unfold r; lra). pose proof (Pp r ltac:(lra)) as P.
     destruct (asked_rate 1 k r Hk ltac:(lra) (beyond k r / 2)) as (d & Hd & K); [lra|].
     set (h := Rmin (d / 2) (T - r)). pose proof (Rmin_l (d / 2) (T - r)). pose proof (Rmin_r (d / 2) (T - r)).
-    assert (0 < h) by (apply Rmin_glb_lt; lra). fold h in H2, H3. specialize (K h ltac:(lra)). apply Rabs_inv in K.
+    assert (0 < h) by positive. fold h in H2, H3. specialize (K h ltac:(lra)). apply Rabs_inv in K.
     fold J in K. pose proof (Up r ltac:(lra)). pose proof (Up (r + h) ltac:(lra)). nra. }
   assert (G : - (c * J T) * (T - t0) <= gain k T - J T - (gain k t0 - J t0) <= c * J T * (T - t0)).
   { apply (between (fun t => gain k t - J t) (fun t => excess k t - 1 * beyond k t)); [|lra|].
@@ -287,12 +288,13 @@ Theorem sticks_at_edge k : k = 1 \/ k = -1 -> k * load t0 = b ->
 Proof.
   intros Hk Tie Mono. assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).
   destruct (not_ahead (- k) Hk' ltac:(lra)) as (d1 & Hd1 & NA). set (c := (a1 + a2) / m1).
-  assert (C0 : 0 < c) by (apply Rdiv_lt_0_compat; lra). assert (Hc : 0 < / (c + 1)) by (apply Rinv_0_lt_compat; lra).
+  assert (C0 : 0 < c) by positive. assert (Hc : 0 < / (c + 1)) by positive.
   smaller d1 (/ (c + 1)). set (d := Rmin d1 (/ (c + 1))) in *. intros t Ht. specialize (NA t ltac:(lra)).
   pose proof (beyond_0 k Tie) as B0.
-  assert (k * (v1 t - v2 t) <= 0); [|destruct Hk; subst k; lra]. apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|].
+  assert (k * (v1 t - v2 t) <= 0); [|destruct Hk; subst k; lra].
+  apply (stays_behind k t0 t); [auto|lra|lra|unfold w; rewrite Meet; lra|].
   intros T HT. assert (Short : (c + 1) * (T - t0) < 1).
-  { apply Rlt_le_trans with ((c + 1) * / (c + 1)); [apply Rmult_lt_compat_l; lra|right; field; lra]. }
+  { apply Rlt_le_trans with ((c + 1) * / (c + 1)); [scale|right; field; lra]. }
   assert (Sg : forall r, t0 <= r < T -> 0 <= -1 * beyond k r /\ beyond k T <= beyond k r).
   { intros r Hr. pose proof (Mono t0 r ltac:(lra) ltac:(lra)). split; [lra|apply Mono; lra]. }
   destruct (given_back (-1) k T (or_intror eq_refl) Hk ltac:(lra) ltac:(nra)) as (_ & Back);
@@ -320,7 +322,7 @@ Proof.
     destruct (MVT_cor2 (fun t => g * P i t) (fun t => g * P (S i) t) t0 t) as (c & Ec & Hc); [lra| |].
     { intros c _. apply is_derive_Reals, is_derive_scal, DP. }
     pose proof (IH (S i) ltac:(lia) ltac:(lia) c ltac:(lra)) as Pc.
-    assert (0 < g * P (S i) c * (t - t0)) by (apply Rmult_lt_0_compat; lra). lra.
+    assert (0 < g * P (S i) c * (t - t0)) by positive. lra.
 Qed.
 (** it keeps that sign for a while *)
 Lemma sign_stays g : g = 1 \/ g = -1 -> 0 < g * P n t0 -> exists d, 0 < d <= d0 /\ forall t, t0 <= t < t0 + d ->
@@ -330,7 +332,7 @@ Proof.
   { apply cont_of_derive with (fun t => g * P (S n) t). intros t. apply is_derive_scal, DP. }
   destruct (C t0 Ht0 (g * P n t0) Pn) as (d & Hd & K). exists (Rmin d d0). pose proof (Rmin_l d d0).
     pose proof (Rmin_r d d0).
-  split; [split; [apply Rmin_glb_lt; auto|auto]|]. intros t Ht. specialize (K t ltac:(lra)).
+  split; [split; [positive|auto]|]. intros t Ht. specialize (K t ltac:(lra)).
   rewrite Rabs_pos_eq in K by lra. specialize (K ltac:(lra)). apply Rabs_def2 in K. lra.
 Qed.
 End Mode.
@@ -366,5 +368,5 @@ Proof.
     + destruct (Req_dec r t) as [->|N]; [lra|]. destruct (MVT_cor2 (P 0%nat) (P 1%nat) r t) as (c & Ec & Hc); [lra| |].
       { intros c _. apply is_derive_Reals, DP. }
       pose proof (all_below t0 P (S m) DP Flat (-1) d (or_intror eq_refl) Sg 1%nat ltac:(lia) c ltac:(lra)) as Pc.
-      assert (0 < -1 * P 1%nat c * (t - r)) by (apply Rmult_lt_0_compat; lra). lra.
+      assert (0 < -1 * P 1%nat c * (t - r)) by positive. lra.
 Qed.

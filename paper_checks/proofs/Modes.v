@@ -64,8 +64,7 @@ Proof.
   { intros r t Hr Ht. apply Rnot_le_lt. intros N. destruct (cont_IVT _ r t C ltac:(lra) N) as (c & Hc & Z).
     apply (Nz c); lra. }
   destruct (Rlt_dec p q) as [Lt|N]; [|left; intros t Ht; lra]. set (m := (p + q) / 2).
-  assert (Hm : p < m < q) by (unfold m; lra).
-  assert (All : forall t, p < t < q -> 0 < (v1 m - v2 m) * (v1 t - v2 t)).
+  assert (Hm : p < m < q) by (unfold m; lra). assert (All : forall t, p < t < q -> 0 < (v1 m - v2 m) * (v1 t - v2 t)).
   { intros t Ht. destruct (Rle_dec m t); [apply Same; lra|]. rewrite Rmult_comm. apply Same; lra. }
   destruct (Rdichotomy _ _ (Nz m Hm)); [right; right|right; left]; intros t Ht; specialize (All t Ht); nra.
 Qed.

@@ -41,7 +41,7 @@ Proof.
   intros C Hp P. split.
   - apply Rnot_lt_le. intros N. destruct (C p ltac:(lra) (- f p)) as (d & Hd & K); [lra|].
     set (h := Rmin (d / 2) ((q - p) / 2)). assert (h <= d / 2) by apply Rmin_l. assert (h <= (q - p) / 2) by apply Rmin_r.
-    assert (0 < h) by (apply Rmin_glb_lt; lra). specialize (P (p + h) ltac:(lra)).
+    assert (0 < h) by positive. specialize (P (p + h) ltac:(lra)).
     specialize (K (p + h) ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. lra.
   - assert (-1 * f q <= 0); [|lra]. apply (cont_le (fun t => -1 * f t) 0 ((p + q) / 2) q); [apply cont_scal, C|lra|].
     intros t Ht. specialize (P t ltac:(lra)). lra.
@@ -56,8 +56,7 @@ Lemma slip_clock m1 m2 a1 a2 b U x v1 v2 s p q : forced m1 m2 a1 a2 b U x v1 v2 
   (forall t, p < t < q -> v2 t < v1 t) -> forall t, p <= t <= q -> s t = s p + (t - p).
 Proof.
   intros H Hp P t Ht. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
-  pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs.
-  destruct (Req_dec t p) as [->|N]; [ring|]. apply Rle_antisym.
+  pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs. destruct (Req_dec t p) as [->|N]; [ring|]. apply Rle_antisym.
   - pose proof (L p t ltac:(lra)) as B. apply Rabs_inv in B. lra.
   - apply le_epsilon. intros e He. set (r := Rmin (p + e / 2) t). assert (p < r) by (apply Rmin_glb_lt; lra).
     assert (r <= p + e / 2) by apply Rmin_l. assert (r <= t) by apply Rmin_r.
@@ -75,16 +74,15 @@ Proof.
   assert (Ds : rderiv s p 1).
   { apply rderiv_near with (fun r => s p + (r - p)) (q - p); [lra|intros; symmetry; apply Clock; lra|].
     apply rderiv_of_derive. auto_derive; auto; ring. }
-  set (l := u - a2 * x p - a1 * v1 p - (m1 + m2) * (b / m2)).
-  assert (Rw : rderiv (fun t => m1 * (v1 t - v2 t)) p l).
+  set (l := u - a2 * x p - a1 * v1 p - (m1 + m2) * (b / m2)). assert (Rw : rderiv (fun t => m1 * (v1 t - v2 t)) p l).
   { eapply rderiv_eq; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H p u 1 ltac:(lra) DU Ds)].
     unfold l. field; lra. }
   apply Rnot_lt_le. intros N. assert (Nl : l < 0) by (unfold l; lra).
   destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (h := Rmin (d / 2) ((q - p) / 2)).
     assert (h <= d / 2) by apply Rmin_l.
-  assert (h <= (q - p) / 2) by apply Rmin_r. assert (0 < h) by (apply Rmin_glb_lt; lra).
+  assert (h <= (q - p) / 2) by apply Rmin_r. assert (0 < h) by positive.
   specialize (Q h ltac:(lra)). apply Rabs_inv in Q. rewrite Meet in Q. specialize (Slip (p + h) ltac:(lra)).
-  assert (0 < m1 * (v1 (p + h) - v2 (p + h))) by (apply Rmult_lt_0_compat; lra). assert (l * h < 0) by nra. lra.
+  assert (0 < m1 * (v1 (p + h) - v2 (p + h))) by positive. assert (l * h < 0) by nra. lra.
 Qed.
 
 (** An oscillator without damping under a constant push f, whose state changes sign over T: tested with the cosine and
@@ -94,8 +92,8 @@ Lemma sign_change m a f y y' T : 0 < m -> 0 < a -> 0 < T -> cont y -> cont y' ->
   y T = - y 0 -> y' T = - y' 0 -> let o := sqrt (a / m) in
   - m * y' 0 * cos (o * (T / 2)) = f / o * sin (o * (T / 2)) /\ y 0 * cos (o * (T / 2)) = 0.
 Proof.
-  intros Hm Ha HT C C' D D' E E' o. assert (Ho : 0 < o) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
-  assert (O2 : m * (o * o) = a). { unfold o. rewrite sqrt_sqrt by (apply Rlt_le, Rdiv_lt_0_compat; auto). field; lra. }
+  intros Hm Ha HT C C' D D' E E' o. assert (Ho : 0 < o) by positive.
+  assert (O2 : m * (o * o) = a). { unfold o. rewrite sqrt_sqrt by positive. field; lra. }
   assert (Z1 : - (o * (T / 2)) = o * (0 - T / 2)) by field. assert (Z2 : o * (T / 2) = o * (T - T / 2)) by field.
   set (co := fun t => cos (o * (t - T / 2))). set (si := fun t => sin (o * (t - T / 2))).
   assert (Dco : forall t, is_derive co t (- o * si t)) by (intros t; unfold co, si; auto_derive; auto; unfold Rminus;
@@ -114,8 +112,7 @@ Proof.
     - intros t Ht. eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_plus|]].
       4: apply rderiv_scal, rderiv_of_derive, Dsi.
       2: apply (rderiv_mult (fun t => m * y' t)); [apply D'; auto|apply rderiv_of_derive, Dco].
-      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dsi].
-      rewrite <- O2. field; lra. }
+      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dsi]. rewrite <- O2. field; lra. }
   assert (K2 : m * y' T * si T - m * o * (y T * co T) + f / o * co T = m * y' 0 * si 0 - m * o * (y 0 * co 0) + f / o
     * co 0).
   { apply (rderiv_0 (fun t => m * y' t * si t - m * o * (y t * co t) + f / o * co t) 0 T); [|lra|].
@@ -123,8 +120,7 @@ Proof.
     - intros t Ht. eapply rderiv_eq; [|apply rderiv_plus; [apply rderiv_minus|]].
       4: apply rderiv_scal, rderiv_of_derive, Dco.
       2: apply (rderiv_mult (fun t => m * y' t)); [apply D'; auto|apply rderiv_of_derive, Dsi].
-      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dco].
-      rewrite <- O2. field; lra. }
+      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dco]. rewrite <- O2. field; lra. }
   rewrite P0, Q0, E, E' in *. split.
   - replace (- m * y' 0 * co T) with (/ 2 * (m * - y' 0 * co T - m * y' 0 * co T)) by field. lra.
   - apply Rmult_eq_reg_l with (2 * (m * o)); [|apply Rgt_not_eq; nra]. lra.
@@ -176,8 +172,7 @@ Proof.
   assert (Q : Bs ^ 2 <= F ^ 2 / Z1 - A ^ 2).
   { apply Rmult_le_reg_l with Z1; auto. replace (Z1 * (F ^ 2 / Z1 - A ^ 2)) with (F ^ 2 - Z1 * A ^ 2) by (field; lra).
     lra. }
-  set (B := sqrt (F ^ 2 / Z1 - A ^ 2)).
-  assert (B2 : B * B = F ^ 2 / Z1 - A ^ 2) by (apply sqrt_sqrt; nra).
+  set (B := sqrt (F ^ 2 / Z1 - A ^ 2)). assert (B2 : B * B = F ^ 2 / Z1 - A ^ 2) by (apply sqrt_sqrt; nra).
   assert (BBs : Bs <= B). { rewrite <- (sqrt_pow2 Bs) by lra. apply sqrt_le_1_alt; auto. }
   set (S := (a2 - m1 * om ^ 2) * A + a1 * om * B). set (C := - (a2 - m1 * om ^ 2) * B + a1 * om * A).
   assert (SC : S ^ 2 + C ^ 2 = F ^ 2).
@@ -187,12 +182,11 @@ Proof.
   { intros t. rewrite sin_plus, <- ES, <- EC. ring. }
   set (X := fun t => A * sin (om * t) - B * cos (om * t) - b * k t).
   set (V1 := fun t => om * (A * cos (om * t) + B * sin (om * t)) - b * k' t).
-  set (V2 := fun t => b / m2 * (t - T / 2)).
-  assert (OT : om * T = PI) by (unfold T; field; lra).
+  set (V2 := fun t => b / m2 * (t - T / 2)). assert (OT : om * T = PI) by (unfold T; field; lra).
   assert (Ahead : forall t, 0 < t < T -> V2 t < V1 t).
   { intros t Ht. pose proof (Side t Ht) as Sl. unfold slipping in Sl. fold A Bs in Sl.
     assert (0 < sin (om * t)) by (apply sin_gt_0; [nra|rewrite <- OT; apply Rmult_lt_compat_l; lra]).
-    assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
+    assert (Bs * sin (om * t) <= B * sin (om * t)) by scale.
     unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
   assert (Arc : forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1)).
   { constructor.
@@ -231,8 +225,7 @@ Proof.
     { exact (cont_of_derive k _ Dk). } { exact (cont_of_derive k' _ Dk'). }
     { intros t Ht. apply rderiv_of_derive, Dk. }
     { intros t Ht. eapply rderiv_eq; [|apply rderiv_scal, rderiv_of_derive, Dk']. rewrite Z0. field; lra. }
-    set (o := sqrt (a2 / m1)) in *. assert (Ho : 0 < o) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
-    assert (Nc : cos (o * (T / 2)) <> 0).
+    set (o := sqrt (a2 / m1)) in *. assert (Ho : 0 < o) by positive. assert (Nc : cos (o * (T / 2)) <> 0).
     { intros Z. rewrite Z in Ak. pose proof (sin2_cos2 (o * (T / 2))) as SC. rewrite Z in SC. unfold Rsqr in SC.
       assert (sin (o * (T / 2)) = 0) as Zs; [|rewrite Zs in SC; lra].
       apply Rmult_eq_reg_l with (1 / o); [lra|]. apply Rgt_not_eq, Rdiv_lt_0_compat; lra. }
@@ -245,10 +238,8 @@ Proof.
         first [apply D|apply (D' t)]; auto]. cbv beta; field; lra. }
     assert (Le : forall r t, 0 <= r <= t -> t <= T -> e t <= e r).
     { intros r t Hr Ht. apply (rderiv_mono e r t (fun t => - a1 * (z' t) ^ 2)); auto. intros q Hq. split; [apply De;
-      lra|].
-      pose proof (pow2_ge_0 (z' q)). nra. }
-    assert (Te : e T = e 0) by (unfold e; rewrite E, E'; ring).
-    assert (Z : forall t, 0 <= t < T -> z' t = 0).
+      lra|]. pose proof (pow2_ge_0 (z' q)). nra. }
+    assert (Te : e T = e 0) by (unfold e; rewrite E, E'; ring). assert (Z : forall t, 0 <= t < T -> z' t = 0).
     { intros t Ht. assert (K : rderiv e t 0).
       { apply rderiv_near with (fun _ => e 0) (T - t); [lra| |apply rderiv_const]. intros q Hq.
         pose proof (Le 0 q ltac:(lra) ltac:(lra)). pose proof (Le q T ltac:(lra) ltac:(lra)). lra. }
@@ -268,8 +259,7 @@ Proof.
     apply rderiv_of_derive. auto_derive; auto; ring. }
   pose proof (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
   pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx.
-  destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0.
-  assert (Meet : v1 0 = v2 0).
+  destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0. assert (Meet : v1 0 = v2 0).
   { destruct (ends_nonneg (fun t => v1 t - v2 t) 0 T) as (A & B); [apply cont_minus; auto|lra|intros t Ht;
     specialize (Pos t Ht); lra|]. lra. }
   assert (V20 : v2 0 = - (b / m2 * (T / 2))).
@@ -312,8 +302,7 @@ Proof.
   { pose proof (exit_load _ _ _ _ _ _ _ _ _ _ 0 T _ Hm1 Hm2 H ltac:(lra) Pos Meet (rderiv_wave F om phi 0 Hom)) as Q.
     rewrite Rmult_0_r, Rplus_0_l in Q. exact Q. }
   assert (HB : leave (k 0) (k' 0) <= - B).
-  { unfold leave. assert (O2 : 0 < m1 * om ^ 2) by (apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]).
-    apply Rmult_le_reg_l with (m1 * om ^ 2); auto.
+  { unfold leave. assert (O2 : 0 < m1 * om ^ 2) by positive. apply Rmult_le_reg_l with (m1 * om ^ 2); auto.
     replace (m1 * om ^ 2 * (b * ((m1 + m2) / m2 - a2 * k 0 - a1 * k' 0) / (m1 * om ^ 2)))
       with (b + m1 * (b / m2) - b * (a2 * k 0) - b * (a1 * k' 0)) by (field; lra).
     assert (Ex : a2 * x 0 = a2 * B - b * (a2 * k 0)) by (replace (x 0) with (B - b * k 0) by lra; ring).

@@ -4,12 +4,11 @@ From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cyc
 (** each h > 0 is that of an angle *)
 Lemma half_ex u : 0 < u -> {p | 0 < p < PI /\ hh p = u}.
 Proof.
-  intros Hu. set (p0 := Rmin 1 (u / 4)). pose proof PI2_1.
-  assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= u / 4).
-  { unfold p0. repeat split; [apply Rmin_glb_lt; lra|apply Rmin_l|apply Rmin_r]. }
+  intros Hu. set (p0 := Rmin 1 (u / 4)). pose proof PI2_1. assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= u / 4).
+  { unfold p0. repeat split; [positive|apply Rmin_l|apply Rmin_r]. }
   destruct (push_ex 0 u p0) as (p & P); [lra| |exists p; rewrite <- push_0; auto]. rewrite push_0.
   pose proof (sin_half p0 ltac:(lra)) as S. pose proof (A_above p0 ltac:(lra)) as A.
-  assert (0 < p0 ^ 2) by (apply pow_lt; lra). assert (p0 ^ 2 / 4 <= sin p0 ^ 2) by nra.
+  assert (0 < p0 ^ 2) by positive. assert (p0 ^ 2 / 4 <= sin p0 ^ 2) by nra.
   apply Rmult_lt_reg_r with (sin p0 ^ 2); [lra|]. replace (hh p0 * sin p0 ^ 2) with (p0 - sin p0 * cos p0);
     [nra|unfold hh; field; lra].
 Qed.
@@ -30,8 +29,7 @@ Proof. intros Hp Hq I. destruct (Rle_dec p q); auto.
 Lemma depth_two p : 0 < p <= PI / 2 -> depth p <= 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (cos_ge_0 p ltac:(lra) ltac:(lra)) as C.
-  unfold depth. apply Rmult_le_reg_r with (sin p); auto.
-    replace (2 * (sin p - p * cos p) / sin p * sin p) with (2 * (sin p - p * cos p)) by (field; lra). nra.
+  unfold depth. undivide (sin p). nra.
 Qed.
 (** it comes back inwards: h < theta *)
 Lemma back p : 0 < p <= PI / 2 -> hh p < 2 * p.
@@ -39,16 +37,14 @@ Proof.
   intros Hp. destruct (Req_dec p (PI / 2)) as [->|N]. { rewrite hh_half_pi. lra. }
   pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos (2 * p) ltac:(lra)) as G.
     rewrite cos_2a_sin, sin_2a in G.
-  unfold hh. apply Rmult_lt_reg_r with (sin p ^ 2); [apply pow_lt; auto|].
-  replace ((p - sin p * cos p) / sin p ^ 2 * sin p ^ 2) with (p - sin p * cos p) by (field; lra). nra.
+  unfold hh. undivide (sin p ^ 2). nra.
 Qed.
 
 (** h/c decreases up to pi/2, because K > 0 there *)
 Lemma ratio_falls p q : 0 < p -> p <= q -> q <= PI / 2 -> ratio q <= ratio p.
 Proof.
   intros H0 Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|]. pose proof PI2_3_2 as P3.
-  destruct root as (ps & Hps & Z & Le & Ri).
-  assert (Ps : PI / 2 < ps).
+  destruct root as (ps & Hps & Z & Le & Ri). assert (Ps : PI / 2 < ps).
   { assert (0 < K (PI / 2)). { unfold K. rewrite sin_PI2, cos_PI2. pose proof (sqrt_sqrt 2 ltac:(lra)).
     pose proof (sqrt_pos 2). assert (sqrt 2 < 3 / 2) by nra. lra. }
     destruct (Rlt_dec (PI / 2) ps) as [|G]; auto. exfalso.
@@ -66,16 +62,14 @@ Proof.
     assert (Ep : hh p = ratio p * depth p) by (unfold ratio; field; lra).
   assert (R0 : 0 < ratio q) by (apply Rdiv_lt_0_compat; auto).
     assert (R2 : ratio q ^ 2 <= ratio p ^ 2) by (apply pow_incr; lra).
-  rewrite Eq, Rpow_mult_distr in I. apply Rmult_lt_reg_r in I; [|apply pow_lt; auto].
-  rewrite Ep, Rpow_mult_distr. apply Rmult_lt_compat_r; [apply pow_lt; auto|lra].
+  rewrite Eq, Rpow_mult_distr in I. apply Rmult_lt_reg_r in I; [|positive]. rewrite Ep, Rpow_mult_distr. scale.
 Qed.
 
 (** acos is at most sqrt (8 (1 - z)) *)
 Lemma acos_small z : -1 <= z <= 1 -> acos z ^ 2 <= 8 * (1 - z).
 Proof.
   intros Hz. pose proof (acos_bound z) as B. pose proof (cos_acos z Hz) as C. set (a := acos z) in *.
-  destruct (Req_dec a 0) as [->|N]. { lra. }
-  replace a with (2 * (a / 2)) in C by field. rewrite cos_2a_sin in C.
+  destruct (Req_dec a 0) as [->|N]. { lra. } replace a with (2 * (a / 2)) in C by field. rewrite cos_2a_sin in C.
     pose proof (sin_half (a / 2) ltac:(lra)) as S. nra.
 Qed.
 
@@ -111,9 +105,9 @@ Proof.
   intros Hp Hs. split; auto. assert (P : 0 < p < PI) by (pose proof PI_RGT_0; lra).
   pose proof (depth_pos p P) as D0. pose proof (depth_upper p P) as D1. pose proof (pow_lt _ 2 (hh_pos p P)) as H2.
   assert (D2 : depth p ^ 2 <= (3 / 2 * hh p ^ 2) ^ 2) by (apply pow_incr; lra).
-  apply Rle_lt_trans with (r * (3 / 2 * hh p ^ 2) ^ 2); [apply Rmult_le_compat_l; lra|].
+  apply Rle_lt_trans with (r * (3 / 2 * hh p ^ 2) ^ 2); [scale|].
   replace (r * (3 / 2 * hh p ^ 2) ^ 2) with (9 / 4 * r * hh p ^ 2 * hh p ^ 2) by field.
-    rewrite <- (Rmult_1_l (hh p ^ 2)) at 3. apply Rmult_lt_compat_r; auto.
+    rewrite <- (Rmult_1_l (hh p ^ 2)) at 3. scale.
 Qed.
 (** the next excursion is one of them too, and its level is that of the return map *)
 Lemma next_ok p : ok p -> ok (next p) /\ hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2.
@@ -138,8 +132,7 @@ Proof.
   intros H Ht Hok HR. pose proof (ok_pi p Hok) as Hp. destruct (next_ok p Hok) as (Hn & E).
     pose proof (hh_pos _ (ok_pi _ Hn)) as H1.
   destruct (slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 p H Ht Hp HR) as (Sl & Lx & L1 & L2).
-  fold o1 in Sl, Lx, L1, L2. set (t1 := t0 + 2 * p / o1) in *.
-  assert (T1 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+  fold o1 in Sl, Lx, L1, L2. set (t1 := t0 + 2 * p / o1) in *. assert (T1 : 0 < 2 * p / o1) by positive.
   destruct Hok as (Hok & _). pose proof (depth_two p Hok). pose proof (depth_pos p Hp). pose proof (back p Hok).
   assert (S := stick m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 (1 - q * depth p) (hh (next p)) H ltac:(unfold t1;
     lra) H1 Lx).
@@ -186,7 +179,7 @@ Qed.
 (** the cycle time is pi / omega up to 6 sqrt q hh p / omega *)
 Lemma om_o1 : om / o1 = sqrt q.
 Proof.
-  unfold om, o1, omega, Cycle.o1. rewrite <- sqrt_div_alt by (apply Rdiv_lt_0_compat; auto). f_equal. unfold q, M.
+  unfold om, o1, omega, Cycle.o1. rewrite <- sqrt_div_alt by positive. f_equal. unfold q, M.
     field. lra.
 Qed.
 (** slip, and both arc cosines, are at most multiples of the push *)
@@ -197,41 +190,37 @@ Proof.
   pose proof (hh_pos p Hp) as H0. pose proof (depth_pos p Hp) as D0. pose proof (depth_upper p Hp) as D1.
     pose proof (hh_below p Hp) as Hb'.
   destruct Hok as (Hok & _). pose proof (depth_two p Hok) as D2.
-  set (y1 := hh (next p) ^ 2) in *. assert (Y1 : 0 < y1) by (apply pow_lt; auto).
+  set (y1 := hh (next p) ^ 2) in *. assert (Y1 : 0 < y1) by positive.
   assert (Y2 : y1 <= hh p ^ 2). { pose proof (pow_lt _ 2 D0). nra. }
   assert (R1 : 1 <= amp y1) by (apply amp_ge; auto; lra).
     assert (R2 : amp y1 * amp y1 = 1 + q * y1) by (apply amp_sq; auto; lra).
-  unfold cyc. fold y1. set (rho := amp y1) in *.
-  assert (R3 : rho - 1 <= q * y1 / 2) by nra.
+  unfold cyc. fold y1. set (rho := amp y1) in *. assert (R3 : rho - 1 <= q * y1 / 2) by nra.
   assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
     apply Rinv_le_contravar; lra. }
   assert (I1 : rho * / rho = 1) by (apply Rinv_r; lra).
   rewrite acos_opp. set (A := acos (/ rho)). set (B := acos ((1 - q * depth p) / rho)).
   pose proof (acos_bound (/ rho)) as A0. fold A in A0. pose proof (acos_bound ((1 - q * depth p) / rho)) as B0.
     fold B in B0.
-  pose proof (sqrt_pos q) as Q0. pose proof (sqrt_sqrt q ltac:(lra)) as Q1.
-  assert (A1 : A <= 2 * sqrt q * hh p).
+  pose proof (sqrt_pos q) as Q0. pose proof (sqrt_sqrt q ltac:(lra)) as Q1. assert (A1 : A <= 2 * sqrt q * hh p).
   { pose proof (acos_small (/ rho) ltac:(lra)) as S. fold A in S.
     assert (1 - / rho <= q * y1 / 2). { replace (1 - / rho) with ((rho - 1) * / rho) by (rewrite
       Rmult_minus_distr_r, I1; ring). nra. }
-    assert (q * y1 <= q * hh p ^ 2) by (apply Rmult_le_compat_l; lra).
-    assert (A ^ 2 <= (2 * sqrt q * hh p) ^ 2).
+    assert (q * y1 <= q * hh p ^ 2) by scale. assert (A ^ 2 <= (2 * sqrt q * hh p) ^ 2).
       { replace ((2 * sqrt q * hh p) ^ 2) with (4 * (sqrt q * sqrt q) * hh p ^ 2) by ring. rewrite Q1. lra. }
-    assert (0 <= sqrt q * hh p) by (apply Rmult_le_pos; lra). nra. }
+    assert (0 <= sqrt q * hh p) by positive. nra. }
   assert (B1 : B <= 4 * sqrt q * hh p).
   { assert (Qd : 0 < q * depth p <= 2). { split; [apply Rmult_lt_0_compat; auto|]. nra. }
     pose proof (acos_small ((1 - q * depth p) / rho) ltac:(unfold Rdiv; split; nra)) as S. fold B in S.
     assert (1 - (1 - q * depth p) / rho <= q * y1 / 2 + q * depth p).
     { replace (1 - (1 - q * depth p) / rho) with ((rho - 1 + q * depth p) * / rho) by (field; lra).
-      apply Rle_trans with ((rho - 1 + q * depth p) * 1); [apply Rmult_le_compat_l; lra|lra]. }
-    assert (q * y1 <= q * hh p ^ 2) by (apply Rmult_le_compat_l; lra).
-    assert (q * depth p <= q * (3 / 2 * hh p ^ 2)) by (apply Rmult_le_compat_l; lra).
+      apply Rle_trans with ((rho - 1 + q * depth p) * 1); [scale|lra]. }
+    assert (q * y1 <= q * hh p ^ 2) by scale. assert (q * depth p <= q * (3 / 2 * hh p ^ 2)) by scale.
     assert (B ^ 2 <= (4 * sqrt q * hh p) ^ 2).
       { replace ((4 * sqrt q * hh p) ^ 2) with (16 * (sqrt q * sqrt q) * hh p ^ 2) by ring. rewrite Q1. lra. }
-    assert (0 <= sqrt q * hh p) by (apply Rmult_le_pos; lra). nra. }
+    assert (0 <= sqrt q * hh p) by positive. nra. }
   replace (om * (2 * p / o1 + (PI - A - B) / om) - PI) with (2 * p * (om / o1) - A - B) by (field; lra). rewrite om_o1.
   assert (0 <= 2 * p * sqrt q <= 3 * sqrt q * hh p). { split; [apply Rmult_le_pos; lra|]. nra. }
-  apply Rabs_le. assert (0 <= sqrt q * hh p) by (apply Rmult_le_pos; lra). lra.
+  apply Rabs_le. assert (0 <= sqrt q * hh p) by positive. lra.
 Qed.
 
 (** *** The exits of the solution *)
@@ -244,7 +233,7 @@ Proof. intros Hp. induction n; simpl; auto. apply next_ok; auto. Qed.
 (** a cycle is longer than its slip *)
 Lemma cyc_long p : ok p -> 0 < 2 * p / o1 < cyc p.
 Proof.
-  intros Hp. pose proof (ok_pi _ Hp). split; [apply Rdiv_lt_0_compat; lra|].
+  intros Hp. pose proof (ok_pi _ Hp). split; [positive|].
   destruct (next_ok p Hp) as (Hn & E). pose proof (hh_pos _ (ok_pi _ Hn)) as Hq.
   destruct Hp as (Hp & _). pose proof (depth_two p Hp). pose proof (depth_pos p ltac:(lra)).
   assert (R1 : 1 <= amp (hh (next p) ^ 2)) by (apply amp_ge; auto; apply pow2_ge_0). unfold cyc.

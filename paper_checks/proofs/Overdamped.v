@@ -24,7 +24,7 @@ Let square : sqrt (a1 ^ 2 - 4 * m1 * a2) * sqrt (a1 ^ 2 - 4 * m1 * a2) = a1 ^ 2 
 Lemma rates : fast < slow < 0 /\ m1 * slow ^ 2 + a1 * slow + a2 = 0 /\ m1 * fast ^ 2 + a1 * fast + a2 = 0.
 Proof.
   set (w := sqrt (a1 ^ 2 - 4 * m1 * a2)) in *. assert (w < a1) by nra. unfold slow, fast. fold w.
-  assert (I : 0 < / (2 * m1)) by (apply Rinv_0_lt_compat; lra). unfold Rdiv. split; [split; nra|].
+  assert (I : 0 < / (2 * m1)) by positive. unfold Rdiv. split; [split; nra|].
   split; apply Rmult_eq_reg_l with (4 * m1); try lra; field_simplify; try lra;
     replace (w ^ 2) with (a1 ^ 2 - 4 * m1 * a2) by (rewrite <- square; ring); field.
 Qed.
@@ -51,11 +51,9 @@ Qed.
 (** after the turn body 1 is driven on *)
 Lemma creep_leaves : 0 < leave m1 m2 a1 a2 b om (creep 0) (creep' 0).
 Proof.
-  destruct rates as (Or & E1 & E2). unfold leave. apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat; [auto|apply pow_lt;
-    auto]].
+  destruct rates as (Or & E1 & E2). unfold leave. apply Rdiv_lt_0_compat; [|positive].
   apply Rmult_lt_0_compat; auto. unfold creep, creep'. rewrite !Rmult_0_r, exp_0, !Rmult_1_r.
-  set (c := part slow fast). set (d := part fast slow).
-  assert (Q : 0 < c * slow ^ 2 + d * fast ^ 2).
+  set (c := part slow fast). set (d := part fast slow). assert (Q : 0 < c * slow ^ 2 + d * fast ^ 2).
   { unfold c, d, part. fold T. pose proof (exp_pos (slow * T)) as P1. pose proof (exp_pos (fast * T)) as P2.
     assert (Le : exp (fast * T) < exp (slow * T)).
     { apply exp_increasing. apply Rmult_lt_compat_r; [|lra]. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. }
@@ -68,8 +66,7 @@ Proof.
     apply Rdiv_lt_0_compat; [nra|]. repeat apply Rmult_lt_0_compat; lra. }
   replace ((m1 + m2) / m2 - a2 * (1 / a2 + c + d) - a1 * (c * slow + d * fast)) with
     (m1 / m2 - c * (a1 * slow + a2) - d * (a1 * fast + a2)) by (field; lra).
-  assert (0 < m1 / m2) by (apply Rdiv_lt_0_compat; auto). assert (0 < m1 * (c * slow ^ 2 + d * fast ^ 2)) by (apply
-    Rmult_lt_0_compat; auto).
+  assert (0 < m1 / m2) by positive. assert (0 < m1 * (c * slow ^ 2 + d * fast ^ 2)) by positive.
   replace (a1 * slow + a2) with (- (m1 * slow ^ 2)) by lra. replace (a1 * fast + a2) with (- (m1 * fast ^ 2)) by lra.
     lra.
 Qed.
@@ -82,7 +79,7 @@ Proof.
   intros HF Side. destruct creep_T as (E & E'). unfold T in E, E'.
   apply (nonstop_iff m1 m2 a1 a2 b om Hm1 Hm2 (Rlt_le _ _ Ha1) Ha2 Hb Hom creep creep' derive_creep derive_creep');
     auto.
-  - unfold Z1. assert (0 < (a1 * om) ^ 2) by (apply pow_lt; nra). pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
+  - unfold Z1. assert (0 < (a1 * om) ^ 2) by positive. pose proof (pow2_ge_0 (a2 - m1 * om ^ 2)). lra.
   - exact creep_leaves.
 Qed.
 End Overdamped.

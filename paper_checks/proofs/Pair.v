@@ -26,10 +26,9 @@ Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
   forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
   - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
 Proof.
-  intros H H' e He. set (q := w - w'). pose proof (Rabs_pos q).
-  assert (He1 : 0 < e / (Rabs q + 1)) by (apply Rdiv_lt_0_compat; lra).
+  intros H H' e He. set (q := w - w'). pose proof (Rabs_pos q). assert (He1 : 0 < e / (Rabs q + 1)) by positive.
   assert (Q : e / (Rabs q + 1) * Rabs q <= e).
-  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). apply Rmult_le_compat_l; lra. }
+  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). scale. }
   destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
   - destruct (friction_order s' s w' w t H' H ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K).
     exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto.
@@ -75,14 +74,12 @@ Lemma energy_increment x v1 v2 s t l : rderiv x t (v1 t) -> rderiv (fun r => m1 
   little (fun h => energy (x (t + h)) (v1 (t + h)) (v2 (t + h)) - energy (x t) (v1 t) (v2 t)
     - (l + a2 * x t) * v1 t * h + b * ((s (t + h) - s t) * (v1 t - v2 t))).
 Proof.
-  intros X V W S. unfold rderiv in X, V.
-  set (ex := fun h => x (t + h) - x t - v1 t * h) in *.
+  intros X V W S. unfold rderiv in X, V. set (ex := fun h => x (t + h) - x t - v1 t * h) in *.
   set (ev := fun h => m1 * v1 (t + h) + b * s (t + h) - (m1 * v1 t + b * s t) - l * h) in *.
   set (ds := fun h => s (t + h) - s t) in *.
   set (dx := fun h => ex h + v1 t * h). set (dv := fun h => / m1 * (ev h + l * h - b * ds h)).
   set (dw := fun h => b / m2 * ds h).
-  assert (BX : big dx) by (apply big_plus; [apply little_big; auto|apply big_scal, big_id]).
-  assert (BV : big dv).
+  assert (BX : big dx) by (apply big_plus; [apply little_big; auto|apply big_scal, big_id]). assert (BV : big dv).
   { apply big_scal, big_minus; [|apply big_scal; auto]. apply big_plus; [apply little_big;
     auto|apply big_scal, big_id]. }
   assert (BW : big dw) by (apply big_scal; auto).
@@ -214,8 +211,7 @@ Qed.
 (** the work of the force, of the damper and of friction *)
 Lemma moves_energy_rate t u : 0 <= t -> rderiv U t u -> rderiv E t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
 Proof.
-  intros Ht HU.
-  assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
+  intros Ht HU. assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
   { eapply little_ext; [|exact (little_plus _ _ (q_v1 _ _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
   eapply little_ext; [|exact (little_minus _ _ (energy_increment x v1 v2 s t _ (q_x _ _ _ _ _ _ H t Ht) V
     (fun h Hh => moves_v2 t (t + h) Ht ltac:(lra)) (moves_big t Ht))
@@ -257,8 +253,7 @@ Lemma free_dwell r t : 0 <= r <= t ->
   (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
   t - r <= 2 * sqrt (2 * (E r) * m2) / b.
 Proof.
-  intros Hr O.
-  assert (T : s t - s r = 1 * (t - r) \/ s t - s r = -1 * (t - r)).
+  intros Hr O. assert (T : s t - s r = 1 * (t - r) \/ s t - s r = -1 * (t - r)).
   { destruct O as [O|O]; [left|right]; apply (moves_impulse _ _ _ _ _ _ H); auto; intros u Hu; specialize (O u Hu);
       lra. }
   pose proof (free_decreases r t Hr) as De.
@@ -270,9 +265,7 @@ Proof.
   pose proof (B r ltac:(lra) ltac:(lra)) as B1. pose proof (B t ltac:(lra) De) as B2.
   apply Rabs_inv in B1. apply Rabs_inv in B2.
   pose proof (q_v2 _ _ _ _ _ _ H r ltac:(lra)) as W1. pose proof (q_v2 _ _ _ _ _ _ H t ltac:(lra)) as W2.
-  assert (Z : b * (s t - s r) = m2 * v2 t - m2 * v2 r) by lra.
-  apply Rmult_le_reg_l with b; auto. replace (b * (2 * sqrt (2 * E r * m2) / b)) with (2 * sqrt (2 * E r * m2)) by
-    (field; lra). destruct T as [T|T]; rewrite T in Z; lra.
+  assert (Z : b * (s t - s r) = m2 * v2 t - m2 * v2 r) by lra. undivide b. destruct T as [T|T]; rewrite T in Z; lra.
 Qed.
 End Free.
 
@@ -334,8 +327,7 @@ Qed.
 Lemma moves_D_dini t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
   dini_le D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2).
 Proof.
-  intros Ht HU e He.
-  assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t
+  intros Ht HU e He. assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t
     (du - (a2 * (x t - x' t) + a1 * (v1 t - v1' t)))).
   { eapply little_ext; [|exact (little_plus _ _ (little_minus _ _ (q_v1 _ _ _ _ _ _ H t Ht) (q_v1 _ _ _ _ _ _ H' t Ht))
     HU)]. intros h; simpl; ring. }
@@ -350,7 +342,7 @@ Proof.
     { intros V1 y w1 w2 z [L P _ _ _ _ _]. split; [|auto]. intros h Hh. apply Rabs_inv.
       replace h with (1 * (t + h - t)) at 2 by ring. apply L. lra. }
     destruct (friction_monotone s s' _ _ t (Pu _ _ _ _ _ H) (Pu _ _ _ _ _ H') (e / (2 * b))) as (d2 & Hd2 & K2);
-      [apply Rdiv_lt_0_compat; lra|].
+      [positive|].
     smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). cbv beta in K1.
     apply Rabs_inv in K1. apply Rmult_le_compat_l with (r := b) in K2; [|lra].
     replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra).
@@ -362,13 +354,11 @@ Qed.
 (** *** Contraction in the energy norm: under one force the distance never grows *)
 Lemma moves_contraction r t : (forall u, U u = U' u) -> 0 <= r <= t -> D t <= D r.
 Proof.
-  intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu e He.
-  assert (Z : rderiv (fun r => U r - U' r) u 0).
+  intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu e He. assert (Z : rderiv (fun r => U r - U' r) u 0).
   { apply rderiv_ext with (fun _ => 0); [intros q _; rewrite E; ring|apply rderiv_const]. }
   destruct (moves_D_dini u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-  specialize (K h Hh).
-  pose proof (pow2_ge_0 (v1 u - v1' u)). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra].
-  apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra].
+  specialize (K h Hh). pose proof (pow2_ge_0 (v1 u - v1' u)). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra].
+  apply Rmult_le_pos; [positive|lra].
 Qed.
 End Two.
 

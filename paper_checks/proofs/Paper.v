@@ -50,8 +50,7 @@ Proof.
   assert (TS : forall n, tm (S n) = tm n + cyc m1 m2 a2 (ph n)) by reflexivity.
   exists (fun n => tm n + sl n), (fun n => tm (S n)).
   split; [intros n; pose proof (T0 n); pose proof (Sp n); destruct (Cy n); rewrite TS; lra|].
-  split; [intros n; pose proof (Sp (S n)); lra|].
-  split.
+  split; [intros n; pose proof (Sp (S n)); lra|]. split.
   { apply is_lim_seq_le_p_loc with tm; [exists O; intros n _; pose proof (Sp n); lra|].
     exact (tm_inf m1 m2 a2 Hm1 Hm2 Ha2 t0 p Hp). }
   split; [|split; [|split]].
@@ -79,51 +78,42 @@ Proof.
   fold en Ecr q om in Lo, Up. change (en (x 0) (v1 0) (v2 0) / Ecr - 1) with w0 in Lo, Up.
     change (en (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up.
   fold K in Lo, Up. rewrite Rminus_0_r in Lo, Up.
-  assert (K0 : 0 < K) by (unfold K; apply Rmult_lt_0_compat; [lra|apply Rdiv_lt_0_compat; auto]).
+  assert (K0 : 0 < K) by (unfold K; apply Rmult_lt_0_compat; [lra|positive]).
   assert (q1 : q < 1). { pose proof (qr_one m1 m2 Hm1 Hm2) as QR. pose proof (r_pos m1 m2 Hm1 Hm2). fold q in QR. lra. }
   assert (KW : 2 * (K * w0) < 1).
-  { apply Rle_lt_trans with (2 * (K * (2 / 9 * q))); [apply Rmult_le_compat_l; [lra|apply Rmult_le_compat_l; lra]|].
+  { apply Rle_lt_trans with (2 * (K * (2 / 9 * q))); [apply Rmult_le_compat_l; [lra|scale]|].
     pose proof (qr_one m1 m2 Hm1 Hm2) as QR.
       replace (2 * (K * (2 / 9 * q))) with (m2 / (m1 + m2)) by (unfold K, q; field; lra). fold q in QR. lra. }
   assert (S1 : 0 <= 6 * sqrt w0 < PI).
   { pose proof (sqrt_pos w0). split; [lra|]. assert (sqrt w0 <= sqrt (1 / 4)) by (apply sqrt_le_1_alt; lra).
     replace (1 / 4) with (1 / 2 * (1 / 2)) in * by field. rewrite sqrt_square in * by lra. pose proof PI2_3_2. lra. }
-  specialize (Up ltac:(lra)).
-  set (sg := 1 - 3 / 8 * w0 / q) in *.
-  assert (Sg : 0 < sg <= 1).
+  specialize (Up ltac:(lra)). set (sg := 1 - 3 / 8 * w0 / q) in *. assert (Sg : 0 < sg <= 1).
   { assert (W1 : 0 < w0 / q <= 2 / 9). { split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_le_reg_r with q; auto.
     replace (w0 / q * q) with w0 by (field; lra). lra. }
     unfold sg. replace (3 / 8 * w0 / q) with (3 / 8 * (w0 / q)) by (field; lra). lra. }
   assert (Sg12 : 0 < sg ^ 12 <= 1). { split; [apply pow_lt; lra|]. rewrite <- (pow1 12). apply pow_incr; lra. }
-  assert (Kp : 0 < K / (1 - K * w0)) by (apply Rdiv_lt_0_compat; lra).
-  assert (Iw : 0 < / w0) by (apply Rinv_0_lt_compat; lra).
-  assert (OT : 0 < om * t) by (apply Rmult_lt_0_compat; lra).
-  set (D := PI + 6 * sqrt w0) in *. set (D' := PI - 6 * sqrt w0) in *. assert (HD : 0 < D) by (unfold D; lra).
-    assert (HD' : 0 < D') by (unfold D'; lra).
+  assert (Kp : 0 < K / (1 - K * w0)) by positive. assert (Iw : 0 < / w0) by positive.
+  assert (OT : 0 < om * t) by positive.
+  set (D := PI + 6 * sqrt w0) in *. set (D' := PI - 6 * sqrt w0) in *. assert (HD : 0 < D) by positive.
+    assert (HD' : 0 < D') by positive.
   (* 2 K sg^12 <= 1/w0: the first cycle is paid by the start *)
   assert (St : 2 * (K * sg ^ 12) <= / w0).
   { apply Rmult_le_reg_r with w0; [lra|]. rewrite Rinv_l by lra.
-    assert (K * w0 * sg ^ 12 <= K * w0 * 1) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|lra]). lra. }
-  assert (Lo' : K * sg ^ 12 * (om * t / D) <= / w t) by lra.
-  assert (Kd : 0 < K * sg ^ 12 * (om * t / D)).
-    { apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; lra|apply Rdiv_lt_0_compat; lra]. }
+    assert (K * w0 * sg ^ 12 <= K * w0 * 1) by scale. lra. }
+  assert (Lo' : K * sg ^ 12 * (om * t / D) <= / w t) by lra. assert (Kd : 0 < K * sg ^ 12 * (om * t / D)) by positive.
   assert (Wp : 0 < w t). { destruct (Rlt_dec 0 (w t)) as [|N]; auto. exfalso.
     destruct (Req_dec (w t) 0) as [Z|Z]; [rewrite Z in Lo'; rewrite Rinv_0 in Lo'; lra|].
     assert (/ w t < 0) by (apply Rinv_lt_0_compat; lra). lra. }
-  assert (II : / / w t = w t) by (apply Rinv_involutive; lra).
-  split.
-  - set (A := / w0 + K / (1 - K * w0)). set (B := K / (1 - K * w0) * om / D').
-    assert (A0 : 0 < A) by (unfold A; lra).
+  assert (II : / / w t = w t) by (apply Rinv_involutive; lra). split.
+  - set (A := / w0 + K / (1 - K * w0)). set (B := K / (1 - K * w0) * om / D'). assert (A0 : 0 < A) by positive.
       assert (B0 : 0 < B) by (unfold B; apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
-    assert (AT : 0 < A / T) by (apply Rdiv_lt_0_compat; lra).
-    assert (Up' : / w t <= (A / T + B) * t).
+    assert (AT : 0 < A / T) by positive. assert (Up' : / w t <= (A / T + B) * t).
     { apply Rle_trans with (1 := Up). replace (/ w0 + K / (1 - K * w0) * (om * t / D' + 1)) with (A + B * t) by
       (unfold A, B; field; lra).
-      assert (A <= A / T * t); [|lra]. replace A with (A / T * T) at 1 by (field; lra). apply Rmult_le_compat_l; lra. }
+      assert (A <= A / T * t); [|lra]. replace A with (A / T * T) at 1 by (field; lra). scale. }
     rewrite <- II. unfold Rdiv at 1. rewrite <- Rinv_mult_distr by lra. apply Rinv_le_contravar; auto.
       apply Rinv_0_lt_compat; auto.
   - rewrite <- II. replace (D / (K * sg ^ 12 * om) / t) with (/ (K * sg ^ 12 * (om * t / D))) by (field;
-    repeat split; lra).
-    apply Rinv_le_contravar; auto.
+    repeat split; lra). apply Rinv_le_contravar; auto.
 Qed.
 End Paper.

@@ -101,22 +101,19 @@ Proof.
   { intros n. apply HB; auto. }
   destruct (forced_existence m1 m2 a1 a2 b p q r U Hm1 Hm2 ltac:(lra) Ha2 Hb CU) as (y & w1 & w2 & z & H' & Y0 &
     W10 & W20).
-  exists y, w1, w2, z. split; auto.
-  assert (Fix : energy (y P - p) (w1 P - q) (w2 P - r) <= 0).
+  exists y, w1, w2, z. split; auto. assert (Fix : energy (y P - p) (w1 P - q) (w2 P - r) <= 0).
   { apply le_epsilon. intros e He. rewrite Rplus_0_l.
     destruct (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ G (forced_period _ _ _ _ H) H HG LU (e /
       9)) as (T & HT & Near); [lra|].
     set (d := Rmin 1 (e / 9 / (a2 + m1 + m2))).
-      assert (Hd : 0 < d) by (apply Rmin_glb_lt; [lra|]; apply Rdiv_lt_0_compat; lra).
-    destruct (nfloor_ex (T / P)) as (N & _ & HN). { apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]. }
-    destruct (Cl d (S N) Hd) as (n & Hn & C1 & C2 & C3).
+      assert (Hd : 0 < d) by positive.
+    destruct (nfloor_ex (T / P)) as (N & _ & HN). { positive. } destruct (Cl d (S N) Hd) as (n & Hn & C1 & C2 & C3).
     assert (HnT : T <= INR n * P).
     { apply le_INR in Hn. rewrite S_INR in Hn. apply Rmult_lt_compat_r with (r := P) in HN; auto.
       replace (T / P * P) with T in HN by (field; lra). nra. }
     assert (E1 : energy (x (INR n * P) - p) (v1 (INR n * P) - q) (v2 (INR n * P) - r) <= e / 9).
     { assert (Sq : forall k, Rabs k < d -> k ^ 2 <= d). { intros k Hk. assert (d <= 1) by apply Rmin_l.
-      apply Rabs_def2 in Hk. nra. }
-      assert (Dm : d * (a2 + m1 + m2) <= e / 9).
+      apply Rabs_def2 in Hk. nra. } assert (Dm : d * (a2 + m1 + m2) <= e / 9).
       { replace (e / 9) with (e / 9 / (a2 + m1 + m2) * (a2 + m1 + m2)) by (field; lra).
         apply Rmult_le_compat_r; [lra|apply Rmin_r]. }
       pose proof (Rmult_le_compat_l a2 _ _ ltac:(lra) (Sq _ C1)).

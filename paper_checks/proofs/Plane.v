@@ -69,14 +69,12 @@ Theorem stuck_energies L : 0 <= L ->
   (A = B /\ C = 0 -> ((forall th, norm ip (ellipse th) <= L) <-> A + B <= 2 * L ^ 2)).
 Proof.
   intros HL. pose proof (ip_pos _ In q) as PA. pose proof (ip_pos _ In p) as PB. fold A in PA. fold B in PB.
-  pose proof (cauchy_abs ip In q p) as CS. fold C in CS.
-  assert (C2 : C ^ 2 <= A * B).
+  pose proof (cauchy_abs ip In q p) as CS. fold C in CS. assert (C2 : C ^ 2 <= A * B).
   { rewrite <- (pow2_abs C). unfold A, B. rewrite <- (norm_sq ip In q), <- (norm_sq ip In p). pose proof (Rabs_pos C).
     replace (norm ip q * norm ip q * (norm ip p * norm ip p)) with ((norm ip q * norm ip p) ^ 2) by ring. apply
       pow_incr; auto. }
   rewrite (stuck_iff L HL). unfold semi_major_square. fold A B C R0. split; [|split; [|split]].
-  - intros E. assert (R0 <= A + B); [|lra].
-    apply Rnot_lt_le. intros N. nra.
+  - intros E. assert (R0 <= A + B); [|lra]. apply Rnot_lt_le. intros N. nra.
   - intros E. lra.
   - intros E. assert (R0 = A + B); [|split; lra]. apply Rsqr_inj; [auto|lra|]. unfold Rsqr. rewrite R0_sq, E. ring.
   - intros (E & Z). assert (R0 = 0); [|split; lra]. apply Rsqr_inj; [auto|lra|]. unfold Rsqr. rewrite R0_sq, E, Z. ring.
@@ -92,8 +90,7 @@ Theorem landing_rate k b (x y p q : R -> R) l l' t : 0 < x t ^ 2 + y t ^ 2 ->
     (- k * (b ^ 2 - (p t ^ 2 + q t ^ 2)) + (l * x t + l' * y t)).
 Proof.
   intros Hp X Y P Q. pose proof (sqrt_lt_R0 _ Hp) as Sp. pose proof (sqrt_sqrt _ (Rlt_le _ _ Hp)) as Sq.
-  set (r := sqrt (x t ^ 2 + y t ^ 2)) in *.
-  evar_last.
+  set (r := sqrt (x t ^ 2 + y t ^ 2)) in *. evar_last.
   { apply (is_derive_plus (fun t => b * sqrt (x t ^ 2 + y t ^ 2)) (fun t => p t * x t + q t * y t)).
     - apply is_derive_scal, (is_derive_comp sqrt (fun t => x t ^ 2 + y t ^ 2)); [apply is_derive_Reals,
       derivable_pt_lim_sqrt, Hp|].

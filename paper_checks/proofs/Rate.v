@@ -25,8 +25,7 @@ Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply si
 Lemma hh_below p : 0 < p < PI -> 2 / 3 * p <= hh p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (cusa (2 * p) ltac:(lra)) as C.
-  rewrite sin_2a, cos_2a_sin in C. unfold hh. apply Rmult_le_reg_r with (sin p ^ 2); [apply pow_lt; auto|].
-  replace ((p - sin p * cos p) / sin p ^ 2 * sin p ^ 2) with (p - sin p * cos p) by (field; lra). nra.
+  rewrite sin_2a, cos_2a_sin in C. unfold hh. undivide (sin p ^ 2). nra.
 Qed.
 
 (** an upper bound of the depth *)
@@ -44,27 +43,23 @@ Qed.
 Theorem depth_lower p : 0 < p < PI -> 3 / 2 * (sin p / p) ^ 6 * hh p ^ 2 <= depth p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
-  pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap.
-  assert (D : 2 / 3 * sin p ^ 2 <= depth p).
-  { unfold depth. apply Rmult_le_reg_r with (sin p); auto.
-    replace (2 * (sin p - p * cos p) / sin p * sin p) with (2 * (sin p - p * cos p)) by (field; lra).
-    replace (2 / 3 * sin p ^ 2 * sin p) with (2 / 3 * sin p ^ 3) by ring. lra. }
+  pose proof (A_above p ltac:(lra)) as A. pose proof (A_pos p Hp) as Ap. assert (D : 2 / 3 * sin p ^ 2 <= depth p).
+  { unfold depth. undivide (sin p). replace (2 / 3 * sin p ^ 2 * sin p) with (2 / 3 * sin p ^ 3) by ring. lra. }
   apply Rle_trans with (2 := D).
   assert (P2 : (p - sin p * cos p) ^ 2 <= (2 / 3 * p ^ 3) ^ 2) by (apply pow_incr; lra).
   unfold hh. replace (3 / 2 * (sin p / p) ^ 6 * ((p - sin p * cos p) / sin p ^ 2) ^ 2) with
     (3 / 2 * (sin p ^ 2 / p ^ 6) * (p - sin p * cos p) ^ 2) by (field; lra).
   replace (2 / 3 * sin p ^ 2) with (3 / 2 * (sin p ^ 2 / p ^ 6) * (2 / 3 * p ^ 3) ^ 2) by (field; lra).
-  apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rdiv_lt_0_compat; apply pow_lt; lra.
+  apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [lra|]. positive.
 Qed.
 
 (** sin p/p decreases strictly *)
 Lemma sinc_strict p q : 0 < p -> p < q -> q < PI -> sin q / q < sin p / p.
 Proof.
-  intros Hp Hpq Hq.
-  assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
+  intros Hp Hpq Hq. assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
   apply (incr_function (fun u => - (sin u / u)) 0 PI (fun u => (sin u - u * cos u) / u ^ 2)); try (simpl; lra).
   - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
-  - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|apply pow_lt; auto].
+  - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|positive].
 Qed.
 (** sin p/p decreases *)
 Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
@@ -81,7 +76,7 @@ Proof.
   intros Hp. pose proof (sinc_decr p (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite sin_PI2 in Q.
     pose proof PI_4.
   assert (1 / 2 <= 1 / (PI / 2)).
-  { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
+  { undivide (PI / 2). lra. }
   assert (sin p / p * p = sin p) by (field; lra). nra.
 Qed.
 
@@ -108,10 +103,10 @@ Lemma loss_lower n : kappa * si n ^ 12 * y n ^ 2 <= y n - y (S n).
 Proof.
   rewrite step. pose proof (depth_lower _ (Hphi n)) as D. fold (y n) (si n) in D. pose proof (y_pos n).
   pose proof (pow_lt _ 6 (sinc_pos _ (Hphi n))) as S6. fold (si n) in S6.
-  assert (0 < 3 / 2 * si n ^ 6 * y n) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < 3 / 2 * si n ^ 6 * y n) by positive.
   assert (Q : (3 / 2 * si n ^ 6 * y n) ^ 2 <= depth (phi n) ^ 2) by (apply pow_incr; lra).
   replace (kappa * si n ^ 12 * y n ^ 2) with (r * (3 / 2 * si n ^ 6 * y n) ^ 2) by (unfold kappa; field).
-  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by (apply Rmult_le_compat_l; lra). lra.
+  assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by scale. lra.
 Qed.
 (** the level falls *)
 Theorem y_falls n : y (S n) < y n.
@@ -138,7 +133,7 @@ Proof.
   unfold d. replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
   pose proof (pow_lt _ 12 (sinc_pos _ (Hphi n))) as Sp. fold (si n) in Sp.
     assert (0 < kappa * si n ^ 12) by (apply Rmult_lt_0_compat; [unfold kappa; lra|auto]).
-  apply Rmult_le_reg_r with (y n * y (S n)). { apply Rmult_lt_0_compat; auto. }
+  apply Rmult_le_reg_r with (y n * y (S n)). { positive. }
   replace ((y n - y (S n)) / (y n * y (S n)) * (y n * y (S n))) with (y n - y (S n)) by (field; lra).
   apply Rle_trans with (2 := Q). rewrite Rmult_assoc, Rmult_assoc. apply Rmult_le_compat_l; [unfold kappa; lra|].
     apply Rmult_le_compat_l; [lra|]. nra.
@@ -148,20 +143,19 @@ Lemma d_upper n : kappa * y n < 1 -> d n <= kappa / (1 - kappa * y n).
 Proof.
   intros K. pose proof (y_pos n) as Y. pose proof (y_pos (S n)) as Y'. pose proof (loss_upper n) as Q.
   unfold d. replace (/ y (S n) - / y n) with ((y n - y (S n)) / (y n * y (S n))) by (field; lra).
-  assert (P1 : 0 < y n * (1 - kappa * y n)) by (apply Rmult_lt_0_compat; lra).
+  assert (P1 : 0 < y n * (1 - kappa * y n)) by positive.
   assert (P2 : y n * (1 - kappa * y n) <= y (S n)) by nra. assert (0 < kappa) by (unfold kappa; lra).
   apply Rle_trans with (kappa * y n ^ 2 / (y n * y (S n))).
-  { apply Rmult_le_compat_r; auto. apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto. }
+  { apply Rmult_le_compat_r; auto. positive. }
   replace (kappa * y n ^ 2 / (y n * y (S n))) with (kappa * y n * / y (S n)) by (field; lra).
   replace (kappa / (1 - kappa * y n)) with (kappa * y n * / (y n * (1 - kappa * y n))) by (field; lra).
-  apply Rmult_le_compat_l. { apply Rmult_le_pos; lra. } apply Rinv_le_contravar; auto.
+  apply Rmult_le_compat_l. { positive. } apply Rinv_le_contravar; auto.
 Qed.
 
 (** the explicit bound *)
 Theorem y_bound n : / y 0%nat + INR n * (kappa * si 0%nat ^ 12) <= / y n.
 Proof.
-  induction n. { simpl INR. lra. }
-  rewrite S_INR. pose proof (d_lower n) as D. unfold d in D.
+  induction n. { simpl INR. lra. } rewrite S_INR. pose proof (d_lower n) as D. unfold d in D.
   assert (si 0%nat ^ 12 <= si n ^ 12). { apply pow_incr. split; [apply Rlt_le, sinc_pos; auto|apply si_0]. }
   assert (kappa * si 0%nat ^ 12 <= kappa * si n ^ 12) by (apply Rmult_le_compat_l; [unfold kappa; lra|auto]). lra.
 Qed.
@@ -186,8 +180,7 @@ Lemma phi_to_zero : is_lim_seq phi 0.
 Proof.
   apply is_lim_seq_le_le with (fun _ => 0) (fun n => 3 / 2 * sqrt (y n)).
   - intros n. pose proof (Hphi n). split; [lra|]. unfold y.
-    rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos; auto).
-    pose proof (hh_below _ (Hphi n)). lra.
+    rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos; auto). pose proof (hh_below _ (Hphi n)). lra.
   - apply is_lim_seq_const.
   - replace (Finite 0) with (Rbar_mult (3 / 2) (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
     apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply y_to_zero]. apply continuity_pt_sqrt; lra.
@@ -208,8 +201,7 @@ Proof.
   { replace (Finite kappa) with (Rbar_mult kappa 1) by (simpl; f_equal; ring). apply is_lim_seq_scal_l, Pl. }
   assert (Up : is_lim_seq (fun n => kappa / (1 - kappa * y n)) kappa).
   { replace (Finite kappa) with (Finite (kappa / (1 - kappa * 0))) by (f_equal; field; lra).
-    apply is_lim_seq_div'; [apply is_lim_seq_const| |lra].
-    apply is_lim_seq_minus'; [apply is_lim_seq_const|].
+    apply is_lim_seq_div'; [apply is_lim_seq_const| |lra]. apply is_lim_seq_minus'; [apply is_lim_seq_const|].
       apply is_lim_seq_mult'; [apply is_lim_seq_const|apply y_to_zero]. }
   assert (Ev : eventually (fun n => kappa * y n < 1)).
   { assert (Z : is_lim_seq (fun n => kappa * y n) (kappa * 0)) by (apply is_lim_seq_mult';

@@ -10,8 +10,7 @@ Proof.
   intros Hq Hpc Dc Hp. pose proof PI_RGT_0. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
     pose proof (cos_gt_0 p ltac:(lra) ltac:(lra)) as C.
   assert (Kp : 0 < ct p) by (apply Rdiv_lt_0_compat; auto). pose proof (margin p ltac:(lra)) as M.
-  assert (W : 0 < (PI - p) * ct p) by (apply Rmult_lt_0_compat; lra).
-  assert (De : depth (PI - p) = 2 * (1 + (PI - p) * ct p)).
+  assert (W : 0 < (PI - p) * ct p) by positive. assert (De : depth (PI - p) = 2 * (1 + (PI - p) * ct p)).
   { pose proof (two_hh (PI - p) ltac:(lra)) as T. pose proof (two_hh p ltac:(lra)) as T2. rewrite ct_mirror in T by lra.
     pose proof (hh_mirror p ltac:(lra)) as Hm. pose proof (half_depth p ltac:(lra)) as Hd.
     apply Rmult_eq_reg_l with (ct p); [|lra].
@@ -23,7 +22,7 @@ Proof.
   assert (Le : depth pc <= depth (PI - p)). { destruct (Req_dec pc (PI - p)) as [<-|]; [lra|].
     apply Rlt_le, depth_incr; lra. }
   rewrite Dc, De in Le. assert (Q1 : 1 <= q * (1 + (PI - p) * ct p)).
-  { apply Rmult_le_reg_l with (2 / q); [apply Rdiv_lt_0_compat; lra|].
+  { apply Rmult_le_reg_l with (2 / q); [positive|].
     replace (2 / q * (q * (1 + (PI - p) * ct p))) with (2 * (1 + (PI - p) * ct p)) by (field; lra). lra. }
   pose proof (pow_lt _ 2 (hh_pos p ltac:(lra))) as H2. set (w := 1 + (PI - p) * ct p) in *.
   apply Rmult_lt_reg_r with w; [unfold w; lra|]. apply Rlt_le_trans with (1 := M).
@@ -83,6 +82,6 @@ Proof.
       & _ & _ & Up).
     assert (Y : 0 < level m1 m2 p d) by (apply level_pos; auto; apply (short_margin q pc); auto; lra).
     destruct (Up Y) as (HE & k' & t2 & Hk' & T2 & HR & _). fold t1 in HE, Hx, T2. repeat (split; [auto; fail|]).
-    exists k', (sqrt (level m1 m2 p d)), t2. split; [auto|]. split; [apply sqrt_lt_R0; auto|]. split; [lra|auto].
+    exists k', (sqrt (level m1 m2 p d)), t2. split; [auto|]. split; [positive|]. split; [lra|auto].
 Qed.
 End Reentry.

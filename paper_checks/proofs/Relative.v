@@ -7,15 +7,14 @@ Theorem ring_factor m1 m2 a2 : 0 < m1 -> 0 < m2 -> 0 < a2 ->
   (forall x v1 v2, (v1 - v2) ^ 2 <= (m1 + m2) / (m1 * m2) * (2 * energy m1 m2 a2 x v1 v2)) /\
   forall c, (forall x v1 v2, (v1 - v2) ^ 2 <= c * (2 * energy m1 m2 a2 x v1 v2)) -> (m1 + m2) / (m1 * m2) <= c.
 Proof.
-  intros Hm1 Hm2 Ha2. assert (Mp : 0 < m1 * m2) by (apply Rmult_lt_0_compat; auto). split.
+  intros Hm1 Hm2 Ha2. assert (Mp : 0 < m1 * m2) by positive. split.
   - intros x v1 v2. replace ((m1 + m2) / (m1 * m2) * (2 * energy m1 m2 a2 x v1 v2)) with
       ((v1 - v2) ^ 2 + ((m1 * v1 + m2 * v2) ^ 2 + (m1 + m2) * a2 * x ^ 2) / (m1 * m2)) by (unfold energy; field; lra).
     assert (0 <= ((m1 * v1 + m2 * v2) ^ 2 + (m1 + m2) * a2 * x ^ 2) / (m1 * m2)); [|lra].
-    apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto]. pose proof (pow2_ge_0 (m1 * v1 + m2 * v2)).
-    assert (0 <= (m1 + m2) * a2 * x ^ 2); [|lra]. apply Rmult_le_pos; [apply Rmult_le_pos; lra|apply pow2_ge_0].
+    apply Rmult_le_pos; [|positive]. pose proof (pow2_ge_0 (m1 * v1 + m2 * v2)).
+    assert (0 <= (m1 + m2) * a2 * x ^ 2); [|lra]. positive.
   - (* both bodies with opposite momenta *)
-    intros c H. specialize (H 0 m2 (- m1)). apply Rmult_le_reg_r with (m1 * m2 * (m1 + m2));
-      [apply Rmult_lt_0_compat; lra|].
+    intros c H. specialize (H 0 m2 (- m1)). apply Rmult_le_reg_r with (m1 * m2 * (m1 + m2)); [positive|].
     replace ((m1 + m2) / (m1 * m2) * (m1 * m2 * (m1 + m2))) with ((m2 - - m1) ^ 2) by (field; lra).
     replace (c * (m1 * m2 * (m1 + m2))) with (c * (2 * energy m1 m2 a2 0 m2 (- m1))) by (unfold energy; field). exact H.
 Qed.

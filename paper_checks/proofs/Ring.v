@@ -23,8 +23,7 @@ Lemma relative x p q e : energy m1 m2 a2 x p q <= e -> Rabs (p - q) <= sqrt (2 *
 Proof.
   intros E. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr.
   pose proof (proj1 (ring_factor m1 m2 a2 Hm1 Hm2 Ha2) x p q) as Q.
-  assert (Hk : 0 < (m1 + m2) / (m1 * m2)) by (apply Rdiv_lt_0_compat; nra).
-  apply (Rmult_le_compat_l ((m1 + m2) / (m1 * m2))) in E; lra.
+  assert (Hk : 0 < (m1 + m2) / (m1 * m2)) by positive. apply (Rmult_le_compat_l ((m1 + m2) / (m1 * m2))) in E; lra.
 Qed.
 
 (** with damping, under a bounded force: every tube around a motion is entered by every other one at one time and for

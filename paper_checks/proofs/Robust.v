@@ -31,7 +31,7 @@ Lemma two_frictions_moves x v1 v2 s :
 Proof.
   assert (Q : forall p y, bk * p <= bs * y <-> p <= bs / bk * y).
   { intros p y. replace (bs * y) with (bk * (bs / bk * y)) by (field; lra).
-    split; [apply Rmult_le_reg_l; auto|apply Rmult_le_compat_l; lra]. }
+    split; [apply Rmult_le_reg_l; auto|scale]. }
   split; [intros [L P N CX CV X V W]|intros [L P CX CV X V W]]; constructor; auto using opposes_both;
     try (intros; apply Q; auto; fail).
   - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + bk * s r); [intros; ring|auto].
@@ -93,10 +93,7 @@ Proof. exact (free_decreases _ _ _ _ _ Hm1 Hm2 Ha1 Hk _ _ _ _ _ jumping_moves r 
 
 (** what the energy bounds *)
 Lemma root_bound y c e : 0 < c -> c * y ^ 2 / 2 <= e -> Rabs y <= sqrt (2 * e / c).
-Proof.
-  intros Hc Q. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. apply Rmult_le_reg_l with c; auto.
-  replace (c * (2 * e / c)) with (2 * e) by (field; lra). lra.
-Qed.
+Proof. intros Hc Q. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. undivide c. lra. Qed.
 
 (** the load changes slowly *)
 Lemma load_lip r t : 0 <= r <= t -> Rabs (ld t - ld r) <= C * (t - r).
@@ -124,18 +121,16 @@ Proof.
     field; split; lra).
   unfold ld, stick_load. replace (- (m2 * (a2 * x t + a1 * v1 t)) / (m1 + m2) - - (m2 * (a2 * x r + a1 * v1 r)) / (m1 +
     m2)) with (m2 / M * (- (a2 * (x t - x r) + a1 * (v1 t - v1 r)))) by (unfold M; field; lra).
-  assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; auto). rewrite Rabs_mult, Rabs_pos_eq by lra.
+  assert (0 < m2 / M) by positive. rewrite Rabs_mult, Rabs_pos_eq by lra.
   apply Rmult_le_compat_l; [lra|]. rewrite Rabs_Ropp. apply Rabs_inv in Lx. apply Rabs_inv in Lv. apply Rabs_le. split;
     nra.
 Qed.
 
 Let C0 : 0 <= C.
-Proof.
-  pose proof (load_lip 0 1 ltac:(lra)) as L. pose proof (Rabs_pos (ld 1 - ld 0)). lra.
-Qed.
+Proof. pose proof (load_lip 0 1 ltac:(lra)) as L. pose proof (Rabs_pos (ld 1 - ld 0)). lra. Qed.
 Let Dp : 0 < (bs - bk) * sqrt (a2 / m1).
-Proof. apply Rmult_lt_0_compat; [lra|]. apply sqrt_lt_R0, Rdiv_lt_0_compat; auto. Qed.
-Let H0 : 0 < h0. Proof. unfold h0, least_slip. fold C. apply Rdiv_lt_0_compat; lra. Qed.
+Proof. apply Rmult_lt_0_compat; [lra|]. positive. Qed.
+Let H0 : 0 < h0. Proof. unfold h0, least_slip. fold C. positive. Qed.
 Let Ch : C * h0 <= (bs - bk) / 2.
 Proof.
   unfold h0, least_slip. fold C. set (D := (bs - bk) * sqrt (a2 / m1)) in *. apply Rmult_le_reg_r with (2 * C + D);
@@ -152,7 +147,7 @@ Hypotheses (Hc : 0 <= c) (Meet : v1 c = v2 c) (Hk' : k = 1 \/ k = -1) (Edge : bs
 Lemma load_above t : c <= t <= c + h0 -> (bs + bk) / 2 <= k * ld t.
 Proof.
   intros Ht. pose proof (load_lip c t ltac:(lra)) as L. apply Rabs_inv in L.
-  assert (C * (t - c) <= C * h0) by (apply Rmult_le_compat_l; lra). destruct Hk'; subst k; lra.
+  assert (C * (t - c) <= C * h0) by scale. destruct Hk'; subst k; lra.
 Qed.
 
 (** it does not slip the other way *)
@@ -163,8 +158,7 @@ Proof.
   - apply cont_ext with (fun u => (- k) * w u); [intros; ring|]. apply cont_scal, Cw.
   - unfold w. rewrite Meet. lra.
   - intros u Hu Wu. pose proof (load_above u ltac:(lra)) as La. apply rderiv_dini with (kap * (- k * ld u - bk));
-    [nra|].
-    apply rderiv_ext with (fun r => - k * w r); [intros; ring|].
+    [nra|]. apply rderiv_ext with (fun r => - k * w r); [intros; ring|].
     apply slip_rate; [lra|destruct Hk'; subst k; lra|lra].
 Qed.
 
@@ -173,7 +167,7 @@ Lemma gains p t : c <= p <= t -> t <= c + h0 -> 0 < k * w p -> kap * ((bs - bk) 
 Proof.
   intros Hp Ht Wp. assert (Ck : cont (fun u => k * w u)) by (apply cont_scal, Cw).
   assert (Rate : forall u, p <= u <= t -> kap * ((bs - bk) / 2) <= kap * (k * ld u - bk)).
-  { intros u Hu. pose proof (load_above u ltac:(lra)). apply Rmult_le_compat_l; lra. }
+  { intros u Hu. pose proof (load_above u ltac:(lra)). scale. }
   assert (Up : forall u, p <= u <= t -> k * w p <= k * w u).
   { intros u Hu. destruct (Rle_dec (k * w p) (k * w u)) as [|N]; auto. exfalso.
     destruct (last_nonneg (fun y => k * w y - k * w p) p u) as (l & Hl & Wl & Ab); try lra.
@@ -182,7 +176,7 @@ Proof.
     set (g := kap * (k * ld l - bk)). assert (G : 0 < g) by (specialize (Rate l ltac:(lra)); unfold g; nra).
     destruct (slip_rate l k ltac:(lra) Hk' ltac:(lra) (g / 2)) as (d & Hd & K); [lra|]. fold g in K.
     set (h := Rmin (d / 2) (u - l)). assert (h <= d / 2) by apply Rmin_l. assert (h <= u - l) by apply Rmin_r.
-    assert (0 < h) by (apply Rmin_glb_lt; lra). specialize (K h ltac:(lra)). apply Rabs_inv in K.
+    assert (0 < h) by positive. specialize (K h ltac:(lra)). apply Rabs_inv in K.
     specialize (Ab (l + h) ltac:(lra)). nra. }
   assert (Q : - (k * w t) - - (k * w p) <= - (kap * ((bs - bk) / 2)) * (t - p)); [|lra].
   apply (dini_slope (fun u => - (k * w u))); [|lra|].
@@ -231,14 +225,11 @@ Definition one_slip p q := 0 <= p < q /\ v1 p = v2 p /\ v1 q = v2 q /\ forall u,
 (** lasts, and costs *)
 Theorem slip_costs p q : one_slip p q -> p + h0 < q /\ E q <= E p - e0.
 Proof.
-  intros (Hp & Mp' & Mq & Sl).
-  destruct (leaves p ltac:(lra) Mp') as (k & Hk' & Edge).
-  { intros d Hd. exists (p + Rmin (d / 2) ((q - p) / 2)). assert (0 < Rmin (d / 2) ((q - p) / 2)) by (apply Rmin_glb_lt;
-    lra).
+  intros (Hp & Mp' & Mq & Sl). destruct (leaves p ltac:(lra) Mp') as (k & Hk' & Edge).
+  { intros d Hd. exists (p + Rmin (d / 2) ((q - p) / 2)). assert (0 < Rmin (d / 2) ((q - p) / 2)) by positive.
     pose proof (Rmin_l (d / 2) ((q - p) / 2)). pose proof (Rmin_r (d / 2) ((q - p) / 2)). split; [lra|apply Sl; lra]. }
-  set (u := p + Rmin (h0 / 2) ((q - p) / 2)). assert (0 < Rmin (h0 / 2) ((q - p) / 2)) by (apply Rmin_glb_lt; lra).
-  pose proof (Rmin_l (h0 / 2) ((q - p) / 2)). pose proof (Rmin_r (h0 / 2) ((q - p) / 2)).
-  assert (Wu : 0 < k * w u).
+  set (u := p + Rmin (h0 / 2) ((q - p) / 2)). assert (0 < Rmin (h0 / 2) ((q - p) / 2)) by positive.
+  pose proof (Rmin_l (h0 / 2) ((q - p) / 2)). pose proof (Rmin_r (h0 / 2) ((q - p) / 2)). assert (Wu : 0 < k * w u).
   { pose proof (not_back p k ltac:(lra) Mp' Hk' Edge u ltac:(unfold u; lra)). specialize (Sl u ltac:(unfold u; lra)).
     assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
   assert (Long : p + h0 < q).
@@ -252,9 +243,8 @@ Qed.
 
 Let e0_pos : 0 < e0.
 Proof.
-  change (0 < bk * kap * (bs - bk) * h0 ^ 2 / 16). assert (0 < h0 ^ 2) by (apply pow_lt; auto).
-  assert (0 < bk * kap * (bs - bk)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; auto|lra]).
-  apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; auto|lra].
+  change (0 < bk * kap * (bs - bk) * h0 ^ 2 / 16). assert (0 < h0 ^ 2) by positive.
+  assert (0 < bk * kap * (bs - bk)) by positive. apply Rdiv_lt_0_compat; [positive|lra].
 Qed.
 
 (** so there are at most E(0) / e0 of them *)
@@ -295,8 +285,7 @@ Proof.
       apply Classical_Prop.NNPP. intros Wu. apply Nu. exists u. split; auto. unfold w in Wu. lra. }
     destruct (leaves l ltac:(lra) ltac:(unfold w in Wl; lra) Out) as (k & Hk' & Edge).
     destruct (Out (h0 / 2)) as (u & Hu & Nu); [lra|]. apply No. exists (l + h0). split; [lra|].
-    pose proof (jumping_decreases c l ltac:(lra)).
-    assert (Wu : 0 < k * w u).
+    pose proof (jumping_decreases c l ltac:(lra)). assert (Wu : 0 < k * w u).
     { pose proof (not_back l k ltac:(lra) ltac:(unfold w in Wl; lra) Hk' Edge u ltac:(lra)).
       assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
     pose proof (loses l k ltac:(lra) Hk' Edge u ltac:(lra) Wu). lra.

@@ -35,12 +35,10 @@ Proof.
   intros HU Hf Hr Ba. assert (O2 : 0 < om ^ 2) by nra.
   (* u in the frame of the friction: U e^(-i ph) = X + i Z *)
   set (X := f + (a2 - m1 * om ^ 2) * (- f / (m2 * om ^ 2)) + a1 * om * (rho / om)).
-  set (Z := - (a2 - m1 * om ^ 2) * (rho / om) + a1 * om * (- f / (m2 * om ^ 2))).
-  assert (Q : X ^ 2 + Z ^ 2 = U ^ 2).
+  set (Z := - (a2 - m1 * om ^ 2) * (rho / om) + a1 * om * (- f / (m2 * om ^ 2))). assert (Q : X ^ 2 + Z ^ 2 = U ^ 2).
   { unfold balance, stiffness in Ba. apply Rmult_eq_reg_l with ((m2 * om ^ 2) ^ 2); [|apply pow_nonzero; nra].
     replace ((m2 * om ^ 2) ^ 2 * U ^ 2) with ((m2 * om ^ 2 * U) ^ 2) by ring. rewrite Ba. unfold X, Z. field. lra. }
-  destruct (polar X (- Z) U 1 0 HU Rlt_0_1) as (p & _ & Cp & Sp). { rewrite <- Q. ring. }
-  rewrite Rmult_1_l in Cp, Sp.
+  destruct (polar X (- Z) U 1 0 HU Rlt_0_1) as (p & _ & Cp & Sp). { rewrite <- Q. ring. } rewrite Rmult_1_l in Cp, Sp.
   exists (fun t => rho / om * sin (om * t + p) - f / (m2 * om ^ 2) * cos (om * t + p)),
     (fun t => - (rho / om) * cos (om * t + p) - f / (m2 * om ^ 2) * sin (om * t + p)),
     (fun t => rho * cos (om * t + p) + f / (m2 * om) * sin (om * t + p)),
@@ -77,46 +75,41 @@ Proof.
   assert (Qp : 0 <= q) by apply sqrt_pos.
   assert (Us : m2 * om ^ 2 * Ustar_plane = b * q) by (unfold Ustar_plane; fold q; field; lra).
   set (B := 2 * a1 * m2 ^ 2 * om ^ 4 * b). set (A := m2 ^ 2 * om ^ 2 * stiffness m1).
-  assert (M2 : 0 < m2 ^ 2) by (apply pow_lt; auto).
+  assert (M2 : 0 < m2 ^ 2) by positive.
   assert (HB : 0 <= B) by (unfold B; apply Rmult_le_pos; [|lra]; apply Rmult_le_pos; [|lra]; apply Rmult_le_pos; lra).
   assert (HA : 0 < A) by (unfold A; apply Rmult_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
   assert (Ba : forall r, balance U b r <-> (m2 * om ^ 2 * U) ^ 2 = (b * q) ^ 2 + B * r + A * r ^ 2).
   { intros r. unfold balance, A, B. rewrite <- Qq. split; intros E; rewrite E; ring. }
   assert (Lt : Ustar_plane < U <-> (b * q) ^ 2 < (m2 * om ^ 2 * U) ^ 2).
-  { rewrite <- Us. assert (0 <= Ustar_plane) by (unfold Ustar_plane; fold q; apply Rmult_le_pos; [apply Rmult_le_pos;
-    lra|apply Rlt_le, Rinv_0_lt_compat; auto]).
+  { rewrite <- Us. assert (0 <= Ustar_plane) by (unfold Ustar_plane; fold q; apply Rmult_le_pos; [positive|positive]).
     split; intros L.
-    - assert (m2 * om ^ 2 * Ustar_plane < m2 * om ^ 2 * U) by (apply Rmult_lt_compat_l; auto).
-      assert (0 <= m2 * om ^ 2 * Ustar_plane) by (apply Rmult_le_pos; lra). nra.
-    - apply Rnot_le_lt. intros N. assert (m2 * om ^ 2 * U <= m2 * om ^ 2 * Ustar_plane) by (apply Rmult_le_compat_l;
-      lra).
-      assert (0 < m2 * om ^ 2 * U) by (apply Rmult_lt_0_compat; auto). nra. }
+    - assert (m2 * om ^ 2 * Ustar_plane < m2 * om ^ 2 * U) by scale.
+      assert (0 <= m2 * om ^ 2 * Ustar_plane) by positive. nra.
+    - apply Rnot_le_lt. intros N. assert (m2 * om ^ 2 * U <= m2 * om ^ 2 * Ustar_plane) by scale.
+      assert (0 < m2 * om ^ 2 * U) by positive. nra. }
   split; [|split].
   - intros Le. assert (Up : 0 < Ustar_plane) by lra. exists (b * U / Ustar_plane). split; [split|split].
-    + apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; auto.
-    + apply Rmult_le_reg_r with Ustar_plane; auto. replace (b * U / Ustar_plane * Ustar_plane) with (b * U) by (field;
-      lra). apply Rmult_le_compat_l; lra.
+    + positive.
+    + undivide Ustar_plane. scale.
     + field. lra.
     + unfold balance. rewrite <- Qq. apply Rmult_eq_reg_r with (Ustar_plane ^ 2); [|apply pow_nonzero; lra].
       replace ((m2 * om ^ 2 * U) ^ 2 * Ustar_plane ^ 2) with (U ^ 2 * (m2 * om ^ 2 * Ustar_plane) ^ 2) by ring. rewrite
         Us. field. lra.
   - rewrite Lt. split.
-    + intros (r & Hr & Er). apply Ba in Er. rewrite Er.
-      assert (0 < A * r ^ 2) by (apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]).
-      assert (0 <= B * r) by (apply Rmult_le_pos; lra). lra.
+    + intros (r & Hr & Er). apply Ba in Er. rewrite Er. assert (0 < A * r ^ 2) by positive.
+      assert (0 <= B * r) by positive. lra.
     + intros L. set (c := (m2 * om ^ 2 * U) ^ 2 - (b * q) ^ 2). assert (Hc : 0 < c) by (unfold c; lra).
-      set (w := sqrt (B ^ 2 + 4 * A * c)). assert (Ac : 0 < A * c) by (apply Rmult_lt_0_compat; auto).
+      set (w := sqrt (B ^ 2 + 4 * A * c)). assert (Ac : 0 < A * c) by positive.
       assert (Ew : w * w = B ^ 2 + 4 * A * c) by (apply sqrt_sqrt; pose proof (pow2_ge_0 B); lra).
       assert (Wp : 0 <= w) by apply sqrt_pos. assert (Wb : B < w) by (apply Rnot_le_lt; intros N; nra).
-      exists ((w - B) / (2 * A)). split; [apply Rdiv_lt_0_compat; lra|]. apply Ba.
+      exists ((w - B) / (2 * A)). split; [positive|]. apply Ba.
       apply Rminus_diag_uniq_sym. apply Rmult_eq_reg_l with (4 * A); [|lra].
       replace (4 * A * ((b * q) ^ 2 + B * ((w - B) / (2 * A)) + A * ((w - B) / (2 * A)) ^ 2 - (m2 * om ^ 2 * U) ^ 2))
-        with
-        (w * w - B ^ 2 - 4 * A * c) by (unfold c; field; lra). rewrite Ew. ring.
+        with (w * w - B ^ 2 - 4 * A * c) by (unfold c; field; lra). rewrite Ew. ring.
   - intros r r' Hr Hr' E E'. apply Ba in E. apply Ba in E'. apply Rminus_diag_uniq.
     assert (Z : (r - r') * (B + A * (r + r')) = 0) by lra. apply Rmult_integral in Z. destruct Z as [Z|Z]; auto.
-    assert (0 <= A * (r + r')) by (apply Rmult_le_pos; lra). destruct (Req_dec (r + r') 0); [lra|].
-    assert (0 < A * (r + r')) by (apply Rmult_lt_0_compat; lra). lra.
+    assert (0 <= A * (r + r')) by positive. destruct (Req_dec (r + r') 0); [lra|].
+    assert (0 < A * (r + r')) by positive. lra.
 Qed.
 
 (** *** A friction of the speed (S5): the characteristic function at 0 has the sign of dU/drho *)

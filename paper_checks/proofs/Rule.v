@@ -62,22 +62,20 @@ Proof.
   destruct (derivatives p t0 (analytic_beyond m1 m2 a1 a2 b g x v1 t0 k Hm2 A)) as (P & d1 & C & K & Hd1 & HC & HK &
     P0 & Pd & DP).
   assert (In : forall h, 0 <= h < d1 -> Rabs (t0 + h - t0) < d1) by (intros h Hh; rewrite Rabs_pos_eq; lra).
-  assert (K2 : 0 < / (2 * K)) by (apply Rinv_0_lt_compat; lra).
+  assert (K2 : 0 < / (2 * K)) by positive.
   set (d := Rmin (Rmin d0 d1) (/ (2 * K))). pose proof (Rmin_l (Rmin d0 d1) (/ (2 * K))).
   pose proof (Rmin_r (Rmin d0 d1) (/ (2 * K))).
-  pose proof (Rmin_l d0 d1). pose proof (Rmin_r d0 d1). fold d in H0, H1.
-  assert (Hd : 0 < d) by (repeat apply Rmin_glb_lt; auto).
+  pose proof (Rmin_l d0 d1). pose proof (Rmin_r d0 d1). fold d in H0, H1. assert (Hd : 0 < d) by positive.
   (* so the force asks just b for a while *)
   assert (Zero : forall t, t0 <= t < t0 + d -> p t = 0).
   { intros t Ht. rewrite <- P0 by (replace t with (t0 + (t - t0)) by ring; apply In; lra).
     replace t with (t0 + (t - t0)) by ring. apply (flat (fun i h => P i (t0 + h)) d1) with (C := C) (K := K); auto;
       try lra.
     - intros i h Hh. destruct (DP i _ (In h Hh)) as (D & _). replace (P (S i) (t0 + h)) with (scal 1 (P (S i) (t0 +
-      h))) by apply Rmult_1_l.
-      apply (is_derive_comp (P i) (fun h => t0 + h)); auto. auto_derive; auto.
+      h))) by apply Rmult_1_l. apply (is_derive_comp (P i) (fun h => t0 + h)); auto. auto_derive; auto.
     - intros i h Hh. apply DP, In; auto.
     - intros i. rewrite Rplus_0_r, Pd. apply Flat.
-    - replace (/ 2) with (K * / (2 * K)) by (field; lra). apply Rmult_le_compat_l; lra. }
+    - replace (/ 2) with (K * / (2 * K)) by (field; lra). scale. }
   (* and the motion with the acceleration k b/m2 obeys the law *)
   set (X := fun h => x t0 + v1 t0 * h + k * (b / m2) * h ^ 2 / 2). set (V := fun h => v1 t0 + k * (b / m2) * h).
   assert (KK : k * k = 1) by (destruct Hk; subst k; ring).
@@ -122,11 +120,10 @@ Theorem damper_breaks m1 m2 a1 a2 b x v1 v2 s t0 : 0 < m1 -> 0 < m2 -> 0 < a2 ->
   solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= t0 -> x t0 = 0 -> v1 t0 = v2 t0 -> 0 < v1 t0 ->
   b * (m1 + m2) / (m2 * v1 t0) < a1 -> exists d, 0 < d /\ forall t, t0 < t < t0 + d -> v1 t < v2 t.
 Proof.
-  intros Hm1 Hm2 Ha2 Hb H Ht0 X0 Meet Vp Strong.
-  assert (Push : b * (m1 + m2) < a1 * (m2 * v1 t0)).
-  { apply Rmult_lt_reg_r with (/ (m2 * v1 t0)); [apply Rinv_0_lt_compat, Rmult_lt_0_compat; auto|].
+  intros Hm1 Hm2 Ha2 Hb H Ht0 X0 Meet Vp Strong. assert (Push : b * (m1 + m2) < a1 * (m2 * v1 t0)).
+  { apply Rmult_lt_reg_r with (/ (m2 * v1 t0)); [positive|].
     replace (a1 * (m2 * v1 t0) * / (m2 * v1 t0)) with a1 by (field; lra). exact Strong. }
-  assert (Ap : 0 < b * (m1 + m2) / (m2 * v1 t0)) by (apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra).
+  assert (Ap : 0 < b * (m1 + m2) / (m2 * v1 t0)) by positive.
   destruct (slips_at m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s t0 1
     (proj2 (free_case m1 m2 a1 a2 b x v1 v2 s) H) Ht0 Rlt_0_1 (fun t _ => rderiv_const 0 t)) with (k := -1)
     as (d & Hd & Slip); auto.

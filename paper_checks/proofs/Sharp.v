@@ -4,9 +4,9 @@ From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit
 (** the inverse of a root *)
 Lemma root_inv M a : 0 < M -> 0 < a -> / sqrt (a / M) = sqrt (M / a).
 Proof.
-  intros HM Ha. assert (P : 0 < sqrt (a / M)) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
+  intros HM Ha. assert (P : 0 < sqrt (a / M)) by positive.
   apply Rmult_eq_reg_r with (sqrt (a / M)); [|lra]. rewrite Rinv_l by lra.
-    rewrite <- sqrt_mult_alt by (apply Rlt_le, Rdiv_lt_0_compat; auto).
+    rewrite <- sqrt_mult_alt by positive.
   replace (M / a * (a / M)) with 1 by (field; lra). rewrite sqrt_1; auto.
 Qed.
 
@@ -138,14 +138,13 @@ Theorem never_merges t : 0 <= t -> Ecr < E t.
 Proof.
   intros Hu. destruct (tm_above t) as (n & Hn). pose proof (E_falls t (tm n) ltac:(lra)) as F. rewrite exit_level in F.
   pose proof Ecr_pos. pose proof (y_plus n).
-    assert (0 < Ecr * (q * y n)) by (apply Rmult_lt_0_compat; [auto|apply Rmult_lt_0_compat; auto]). lra.
+    assert (0 < Ecr * (q * y n)) by positive. lra.
 Qed.
 
 (** every time is in one cycle *)
 Lemma bracket N j t : tm N <= t -> t < tm (N + j) -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
 Proof.
-  induction j; intros HN Hj. { rewrite Nat.add_0_r in Hj. lra. }
-  destruct (Rle_dec (tm (N + j)) t) as [G|G].
+  induction j; intros HN Hj. { rewrite Nat.add_0_r in Hj. lra. } destruct (Rle_dec (tm (N + j)) t) as [G|G].
   - exists (N + j)%nat. split; [lia|]. rewrite Nat.add_succ_r in Hj. lra.
   - apply IHj; lra.
 Qed.
@@ -161,9 +160,7 @@ Qed.
 (** *** The sharp law in the time *)
 Theorem sharp_from_ray : is_lim (fun t => t * (E t - Ecr)) p_infty (Ecr * rate).
 Proof.
-  pose proof Ecr_pos as E0.
-  set (K := PI / om * (4 / (9 * r))).
-  assert (G : is_lim_seq (fun n => tm n * y n) K).
+  pose proof Ecr_pos as E0. set (K := PI / om * (4 / (9 * r))). assert (G : is_lim_seq (fun n => tm n * y n) K).
   { apply is_lim_seq_ext_loc with (fun n => tm n / INR n * (INR n * y n)).
     { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
     apply is_lim_seq_mult'; [apply time_rate|apply level_rate]. }
@@ -178,10 +175,8 @@ Proof.
     apply is_lim_seq_mult'; [apply cy_limit|apply (is_lim_seq_incr_1 y); apply level_to_zero]. }
   assert (EK : Ecr * rate = Ecr * q * K).
   { unfold rate, K. rewrite <- root_inv by lra. fold M. change (sqrt (a2 / M)) with om. unfold q, r.
-    assert (0 < M) by (unfold M; lra).
-    assert (om <> 0) by lra. field. repeat split; lra. }
-  rewrite EK. apply is_lim_spec. intros eps. simpl.
-  assert (C0 : 0 < Ecr * q) by (apply Rmult_lt_0_compat; auto).
+    assert (0 < M) by positive. assert (om <> 0) by lra. field. repeat split; lra. }
+  rewrite EK. apply is_lim_spec. intros eps. simpl. assert (C0 : 0 < Ecr * q) by positive.
   assert (He : 0 < eps / (Ecr * q)) by (apply Rdiv_lt_0_compat; [apply cond_pos|auto]).
   apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo.
   destruct (Up (mkposreal _ He)) as (N1 & K1). destruct (Lo (mkposreal _ He)) as (N2 & K2). simpl in K1, K2.
@@ -190,19 +185,17 @@ Proof.
     pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1.
   pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
     rewrite exit_level in F1, F2.
-  apply Rabs_def2 in K1. apply Rabs_def2 in K2.
-  assert (B1 : t * (E t - Ecr) <= Ecr * q * (tm (S n) * y n)).
-  { apply Rle_trans with (t * (Ecr * q * y n)); [apply Rmult_le_compat_l; lra|].
+  apply Rabs_def2 in K1. apply Rabs_def2 in K2. assert (B1 : t * (E t - Ecr) <= Ecr * q * (tm (S n) * y n)).
+  { apply Rle_trans with (t * (Ecr * q * y n)); [scale|].
     replace (Ecr * q * (tm (S n) * y n)) with (tm (S n) * (Ecr * q * y n)) by ring. apply Rmult_le_compat_r; auto.
       apply Rlt_le, Rmult_lt_0_compat; auto. }
   assert (B2 : Ecr * q * (tm n * y (S n)) <= t * (E t - Ecr)).
-  { apply Rle_trans with (t * (Ecr * q * y (S n))); [|apply Rmult_le_compat_l; lra].
+  { apply Rle_trans with (t * (Ecr * q * y (S n))); [|scale].
     replace (Ecr * q * (tm n * y (S n))) with (tm n * (Ecr * q * y (S n))) by ring. apply Rmult_le_compat_r; auto.
       apply Rlt_le, Rmult_lt_0_compat; auto. }
-  assert (EE : Ecr * q * (eps / (Ecr * q)) = eps) by (field; lra).
-  apply Rabs_def1.
-  - assert (Ecr * q * (tm (S n) * y n - K) < Ecr * q * (eps / (Ecr * q))) by (apply Rmult_lt_compat_l; lra). lra.
-  - assert (Ecr * q * (- (eps / (Ecr * q))) < Ecr * q * (tm n * y (S n) - K)) by (apply Rmult_lt_compat_l; lra). lra.
+  assert (EE : Ecr * q * (eps / (Ecr * q)) = eps) by (field; lra). apply Rabs_def1.
+  - assert (Ecr * q * (tm (S n) * y n - K) < Ecr * q * (eps / (Ecr * q))) by scale. lra.
+  - assert (Ecr * q * (- (eps / (Ecr * q))) < Ecr * q * (tm n * y (S n) - K)) by scale. lra.
 Qed.
 (** *** Explicit bounds in the time, from the exit at t0 *)
 Let del := 6 * sqrt q * hh p.
@@ -216,24 +209,21 @@ Proof.
   pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q. fold M in Q. fold q om in Q.
   assert (Hh : hh (ph n) <= hh p).
   { pose proof (y_below n) as Y. unfold y in Y. simpl ph in Y. pose proof (hh_pos _ (ph_pi n)).
-    pose proof (hh_pos _ (ph_pi 0)) as P0.
-    change (ph 0) with p in *. nra. }
+    pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra. }
   pose proof (sqrt_pos q). assert (6 * sqrt q * hh (ph n) <= del) by (unfold del; apply Rmult_le_compat_l; lra).
     unfold cy. lra.
 Qed.
 (** so are the exit times *)
 Lemma tm_bounds n : INR n * (PI - del) <= om * (tm n - t0) <= INR n * (PI + del).
 Proof.
-  induction n. { change (tm 0) with t0. simpl INR. lra. }
-  rewrite S_INR, tm_S. pose proof (cy_bounds n). lra.
+  induction n. { change (tm 0) with t0. simpl INR. lra. } rewrite S_INR, tm_S. pose proof (cy_bounds n). lra.
 Qed.
 (** the levels fall no faster than this *)
 Lemma y_lower n : kap * y 0 < 1 -> / y n <= / y 0 + INR n * (kap / (1 - kap * y 0)).
 Proof.
-  intros Sm. assert (K0 : 0 < kap) by (unfold kap; lra).
-  induction n. { simpl INR. lra. }
+  intros Sm. assert (K0 : 0 < kap) by (unfold kap; lra). induction n. { simpl INR. lra. }
   pose proof (y_below n) as Yb. pose proof (y_plus n) as Yp.
-    assert (Yk : kap * y n <= kap * y 0) by (apply Rmult_le_compat_l; lra).
+    assert (Yk : kap * y n <= kap * y 0) by scale.
   assert (D : / y (S n) - / y n <= kap / (1 - kap * y n)).
   { apply (Rate.d_upper r r_pos ph ph_pi y_step n). change (kap * y n < 1). lra. }
   assert (kap / (1 - kap * y n) <= kap / (1 - kap * y 0)). { apply Rmult_le_compat_l; [lra|].
@@ -266,17 +256,13 @@ Proof.
   - pose proof (Rate.y_bound r r_pos ph ph_pi y_step n) as Yb.
     change (/ y 0 + INR n * (kap * (sin p / p) ^ 12) <= / y n) in Yb.
     assert (N : om * (t - t0) / (PI + del) - 1 <= INR n).
-    { assert (om * (t - t0) / (PI + del) <= INR n + 1); [|lra]. apply Rmult_le_reg_r with (PI + del); [lra|].
-      replace (om * (t - t0) / (PI + del) * (PI + del)) with (om * (t - t0)) by (field; lra).
-      assert (om * (t - t0) <= om * (tm (S n) - t0)) by (apply Rmult_le_compat_l; lra). lra. }
+    { assert (om * (t - t0) / (PI + del) <= INR n + 1); [|lra]. undivide (PI + del).
+      assert (om * (t - t0) <= om * (tm (S n) - t0)) by scale. lra. }
     assert (0 <= kap * (sin p / p) ^ 12). { apply Rmult_le_pos; [unfold kap; lra|]. apply pow_le; lra. }
-    assert (kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= kap * (sin p / p) ^ 12 * INR n) by (apply
-      Rmult_le_compat_l; auto). lra.
+    assert (kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= kap * (sin p / p) ^ 12 * INR n) by scale. lra.
   - intros Hd Sm. pose proof (y_lower (S n) Sm) as Yb. rewrite S_INR in Yb.
     assert (N : INR n <= om * (t - t0) / (PI - del)).
-    { apply Rmult_le_reg_r with (PI - del); [lra|].
-      replace (om * (t - t0) / (PI - del) * (PI - del)) with (om * (t - t0)) by (field; lra).
-      assert (om * (tm n - t0) <= om * (t - t0)) by (apply Rmult_le_compat_l; lra). lra. }
+    { undivide (PI - del). assert (om * (tm n - t0) <= om * (t - t0)) by scale. lra. }
     assert (0 <= kap / (1 - kap * y 0)). { apply Rmult_le_pos; [unfold kap; lra|].
       apply Rlt_le, Rinv_0_lt_compat; lra. }
     assert (kap / (1 - kap * y 0) * (INR n + 1) <= kap / (1 - kap * y 0) * (om * (t - t0) / (PI - del) + 1)) by

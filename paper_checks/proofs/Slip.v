@@ -21,8 +21,7 @@ Proof.
   intros H [AX AV AW Law] Ht E0 E1 E2 u Hu. apply free_case in H.
   assert (A : forced_arc m1 m2 0 a2 b T (fun _ => 0) X V1 V2 g).
   { constructor; auto. intros t. replace ((0 - a2 * X t - 0 * V1 t - b * g t) / m1) with (- (a2 * X t + b * g t) /
-    m1) by (field; lra).
-    apply AV. }
+    m1) by (field; lra). apply AV. }
   apply (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s X V1 V2 g T t0);
     auto; [lra|].
   intros t _. apply rderiv_const.

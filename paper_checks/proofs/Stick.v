@@ -10,7 +10,7 @@ Proof.
   exists d; split; [apply cond_pos|]. intros h Hh.
   assert (Q : Rabs ((f (t + h) - f t) / h - l) < e). { apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
   replace (f (t + h) - f t - l * h) with (((f (t + h) - f t) / h - l) * h) by (field; lra).
-  rewrite Rabs_mult, (Rabs_pos_eq h) by lra. apply Rmult_le_compat_r; lra.
+  rewrite Rabs_mult, (Rabs_pos_eq h) by lra. scale.
 Qed.
 
 (** continuity of the library is continuity here *)
@@ -121,8 +121,7 @@ Proof.
   assert (CV : cont (V x0 v0)) by (eapply cont_of_derive; intros; apply derive_V).
   assert (Sl : forall t, -1 <= m2 / b * (- (omega * omega) * X x0 v0 t) <= 1).
   { intros t. rewrite omega_sq. assert (In := on_surface_inside (X x0 v0 t) (V x0 v0 t)).
-    rewrite ellipse_energy in In. specialize (In HE). unfold L in In.
-    set (k := m2 / b * (a2 / (m1 + m2))).
+    rewrite ellipse_energy in In. specialize (In HE). unfold L in In. set (k := m2 / b * (a2 / (m1 + m2))).
       assert (0 < k) by (unfold k; apply Rmult_lt_0_compat; apply Rdiv_lt_0_compat; lra).
     assert (k * (b * (m1 + m2) / (a2 * m2)) = 1) by (unfold k; field; lra).
     replace (m2 / b * (- (a2 / (m1 + m2)) * X x0 v0 t)) with (- (k * X x0 v0 t)) by (unfold k; ring). nra. }
@@ -161,8 +160,7 @@ Theorem merging x v1 v2 s T : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= T ->
   forall u, 0 <= u -> x (t0 + u) = X (x t0) (v1 t0) u /\ v1 (t0 + u) = V (x t0) (v1 t0) u /\
     v2 (t0 + u) = V (x t0) (v1 t0) u.
 Proof.
-  intros H HT HE.
-  destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s T H HT) as (t0 & Ht & Ev).
+  intros H HT HE. destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s T H HT) as (t0 & Ht & Ev).
   assert (ED : energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) <= energy m1 m2 a2 (x T) (v1 T) (v2 T)).
   { apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H); lra. }
   exists t0; split; [auto|]. split; [rewrite <- Ev in ED; lra|]. apply (capture x v1 v2 s t0); auto; lra.

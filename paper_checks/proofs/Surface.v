@@ -42,21 +42,19 @@ Proof. intros Ht Hv. apply rate_by_impulse; auto. apply (s_neg _ _ _ _ _ _ _ _ _
 Theorem transversal_beyond y k : (k = 1 \/ k = -1) -> (L < y -> normal_rate k y < 0) /\ (y < - L ->
   0 < normal_rate k y).
 Proof.
-  intros Hk. assert (P : 0 < / (m1 * m2)) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; auto).
+  intros Hk. assert (P : 0 < / (m1 * m2)) by positive.
   assert (Lm : L * (a2 * m2) = b * (m1 + m2)) by (unfold L, Stick.L; field; lra).
-  assert (A0 : 0 < a2 * m2) by (apply Rmult_lt_0_compat; auto). unfold normal_rate, Rdiv. split; intros Hy.
-  - assert (L * (a2 * m2) < y * (a2 * m2)) by (apply Rmult_lt_compat_r; auto).
+  assert (A0 : 0 < a2 * m2) by positive. unfold normal_rate, Rdiv. split; intros Hy.
+  - assert (L * (a2 * m2) < y * (a2 * m2)) by scale.
     assert (0 < (a2 * m2 * y + k * b * (m1 + m2)) * / (m1 * m2)) by (apply Rmult_lt_0_compat; auto; destruct Hk;
       subst k; nra). lra.
-  - assert (y * (a2 * m2) < - L * (a2 * m2)) by (apply Rmult_lt_compat_r; auto).
-    apply Rmult_lt_0_compat; auto. destruct Hk; subst k; nra.
+  - assert (y * (a2 * m2) < - L * (a2 * m2)) by scale. apply Rmult_lt_0_compat; auto. destruct Hk; subst k; nra.
 Qed.
 (** ... and exactly inside S0 both fields point back to S, on its edges one of them along it *)
 Theorem transversal_inside y : (- L < y < L <-> normal_rate 1 y < 0 < normal_rate (-1) y) /\
   (- L <= y <= L <-> normal_rate 1 y <= 0 <= normal_rate (-1) y).
 Proof.
-  assert (P : 0 < m1 * m2) by (apply Rmult_lt_0_compat; auto).
-  assert (A : 0 < a2 * m2) by (apply Rmult_lt_0_compat; auto).
+  assert (P : 0 < m1 * m2) by positive. assert (A : 0 < a2 * m2) by positive.
   assert (E1 : normal_rate 1 y * (m1 * m2) = (- L - y) * (a2 * m2)) by (unfold normal_rate, L, Stick.L; field; lra).
   assert (E2 : normal_rate (-1) y * (m1 * m2) = (L - y) * (a2 * m2)) by (unfold normal_rate, L, Stick.L; field; lra).
   split; split; intros (B & C); split; nra.
@@ -68,10 +66,8 @@ Theorem slips_beyond t : 0 <= t -> v1 t = v2 t -> ~ (- L <= x t <= L) ->
 Proof.
   intros Ht Ev N. destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 t Ev N) as (k & d & u & Hk & Hd & HG).
   destruct (gap_slips m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t d u Hk H Ht Hd HG) as (p & Hp & _ & Sg & _).
-  exists (2 * p / o1 m1 a2). pose proof (o1_pos m1 a2 Hm1 Ha2). split; [apply Rdiv_lt_0_compat; lra|].
-  intros w Hw. specialize (Sg w Hw). destruct HG as (X & _). fold q L in X.
-  assert (0 < L * (1 + q * d)) by (apply Rmult_lt_0_compat; [exact L0|];
-    assert (0 < q * d) by (apply Rmult_lt_0_compat; auto); lra).
+  exists (2 * p / o1 m1 a2). pose proof (o1_pos m1 a2 Hm1 Ha2). split; [positive|].
+  intros w Hw. specialize (Sg w Hw). destruct HG as (X & _). fold q L in X. assert (0 < L * (1 + q * d)) by positive.
   destruct Hk; subst k; nra.
 Qed.
 
@@ -80,13 +76,11 @@ Theorem slips_on_ray t k : k = 1 \/ k = -1 -> 0 <= t -> v1 t = v2 t -> k * x t =
   exists T, 0 < T /\ forall u, t < u < t + T -> k * v1 u < k * v2 u.
 Proof.
   intros Hk Ht Ev Hx Hv. pose proof (o1_pos m1 a2 Hm1 Ha2) as O.
-  set (u := k * v1 t * (m2 * o1 m1 a2) / b). assert (Hu : 0 < u).
-  { apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
-  destruct (half_ex u Hu) as (p & Hp & Ep).
-  assert (HR : on_ray m1 m2 a2 b k (hh p) x v1 v2 t).
+  set (u := k * v1 t * (m2 * o1 m1 a2) / b). assert (Hu : 0 < u) by positive.
+  destruct (half_ex u Hu) as (p & Hp & Ep). assert (HR : on_ray m1 m2 a2 b k (hh p) x v1 v2 t).
   { unfold on_ray, ray. rewrite Ep, <- Ev. fold L. unfold u. repeat split; auto; field; repeat split; lra. }
   destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t p Hk Ht Hp HR) as (Sg & _).
-  exists (2 * p / o1 m1 a2). split; [apply Rdiv_lt_0_compat; lra|exact Sg].
+  exists (2 * p / o1 m1 a2). split; [positive|exact Sg].
 Qed.
 
 (** Inside S0, or on an edge and not moving outwards, it sticks for a while. *)
@@ -98,10 +92,9 @@ Proof.
   { exists 1. split; [lra|]. intros u Hu.
     apply (sticks_iff m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t Ht Ev) with (u := u - t) in Lo; [|lra].
     replace (t + (u - t)) with u in Lo by ring. exact Lo. }
-  apply Rnot_le_lt in Hi. assert (EQ : 0 < Ecr * q) by (apply Rmult_lt_0_compat; auto).
-  assert (U : 0 < (E t - Ecr) / (Ecr * q)) by (apply Rdiv_lt_0_compat; lra). set (u := sqrt ((E t - Ecr) / (Ecr * q))).
-  assert (Hu : 0 < u) by (apply sqrt_lt_R0; auto).
-  assert (En : E t = Ecr * (1 + q * u ^ 2)).
+  apply Rnot_le_lt in Hi. assert (EQ : 0 < Ecr * q) by positive.
+  assert (U : 0 < (E t - Ecr) / (Ecr * q)) by positive. set (u := sqrt ((E t - Ecr) / (Ecr * q))).
+  assert (Hu : 0 < u) by positive. assert (En : E t = Ecr * (1 + q * u ^ 2)).
   { unfold u. replace (sqrt ((E t - Ecr) / (Ecr * q)) ^ 2)
       with (sqrt ((E t - Ecr) / (Ecr * q)) * sqrt ((E t - Ecr) / (Ecr * q))) by ring.
     rewrite sqrt_sqrt by lra. field. lra. }

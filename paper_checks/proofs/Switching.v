@@ -26,8 +26,7 @@ Proof.
     { induction m as [|m IH].
       - unfold g. simpl. unfold mix; simpl. ring.
       - replace (S (2 * S m)) with (S (S (S (2 * m)))) by lia. rewrite (tech5 g (S (S (2 * m)))),
-        (tech5 g (S (2 * m))), IH.
-        rewrite !tech5. unfold g.
+        (tech5 g (S (2 * m))), IH. rewrite !tech5. unfold g.
         replace (S (S (2 * m))) with (2 * S m)%nat by lia. rewrite !Even, !Odd. ring. }
     assert (Grow : forall m k, sum_f_R0 g m <= sum_f_R0 g (m + k)).
     { intros m. induction k as [|k IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r, tech5.
@@ -54,16 +53,14 @@ Proof.
   assert (Some : forall n, exists r, A n r) by (intros n; exists (low n); left; auto).
   set (p := fun n => proj1_sig (completeness (A n) (Bound n) (Some n))).
   assert (In : forall t, E t -> exists n, t = p n).
-  { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & Only).
-    destruct (nfloor_ex (1 / d)) as (i & Hi); [apply Rlt_le, Rdiv_lt_0_compat; lra|].
-    pose proof (pos_INR i) as Pi. destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [apply Rmult_le_pos; lra|].
-    set (n := to_nat (i, k)). exists n.
-    assert (Ln : low n * (INR i + 1) = INR k).
+  { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & Only). destruct (nfloor_ex (1 / d)) as (i & Hi); [positive|].
+    pose proof (pos_INR i) as Pi. destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [positive|].
+    set (n := to_nat (i, k)). exists n. assert (Ln : low n * (INR i + 1) = INR k).
     { unfold low, n. rewrite cancel_of_to. simpl. field. lra. }
     assert (Hn : high n * (INR i + 1) = INR k + 1).
     { unfold high, n. rewrite cancel_of_to. simpl. field. lra. }
     assert (Wd : 1 < d * (INR i + 1)).
-    { assert (Q : d * (1 / d) = 1) by (field; lra). rewrite <- Q at 1. apply Rmult_lt_compat_l; lra. }
+    { assert (Q : d * (1 / d) = 1) by (field; lra). rewrite <- Q at 1. scale. }
     assert (In : low n <= t < high n) by (split; nra).
     symmetry. unfold p. destruct completeness as (c & Ub & Lub). simpl. apply Rle_antisym.
     + apply Lub. intros r [->|(Er & Hr)]; [lra|]. rewrite (Only r); auto; [lra|]. nra.
@@ -125,7 +122,7 @@ Proof.
   exists (fun t => N t \/ turns v1 v2 t). split;
     [apply null_or; [auto|apply (null_simple_zeros (fun u => v1 u - v2 u))]|].
   intros t Ht No. destruct (Sw t Ht) as (a & a' & Dx & D1 & D2 & E3 & E4); [auto|].
-  assert (Hbm : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  assert (Hbm : 0 < b / m2) by positive.
   destruct (sgn_cases (v1 t - v2 t)) as [(W & S)|[(W & S)|(W & S)]]; rewrite S in E3, E4.
   - rewrite Rabs_R1 in E3, E4. exists 1. repeat (split; [lra|]). split; [auto|split].
     + replace ((- a2 * x t - a1 * v1 t - b * 1) / m1) with a by (apply Rmult_eq_reg_l with m1;
@@ -137,12 +134,11 @@ Proof.
     + replace (b * -1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
   - rewrite Rabs_R0 in E3, E4. assert (Eq : a = a').
     { apply (same_rates v1 v2 t); [intros Tu; apply No; auto|lra|lra|auto|auto]. }
-    subst a'.
-    assert (Small : Rabs a < b / m2).
+    subst a'. assert (Small : Rabs a < b / m2).
     { destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; [exfalso|lra|exfalso];
         rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra. }
     apply Rabs_def2 in Small. assert (Bk : -1 <= m2 / b * a <= 1).
-    { assert (0 < m2 / b) by (apply Rdiv_lt_0_compat; auto). assert (m2 / b * (b / m2) = 1) by (field; lra). nra. }
+    { assert (0 < m2 / b) by positive. assert (m2 / b * (b / m2) = 1) by (field; lra). nra. }
     exists (m2 / b * a). split; [lra|]. split; [lra|]. split; [lra|]. split; [auto|split].
     + replace ((- a2 * x t - a1 * v1 t - b * (m2 / b * a)) / m1) with a; auto.
       apply Rmult_eq_reg_l with m1; [field_simplify; lra|lra].
@@ -155,8 +151,8 @@ Lemma filippov_switching x v1 v2 : filippov m1 m2 a1 a2 b x v1 v2 -> switching x
 Proof.
   intros (Ax & A1 & A2 & In). split; [auto|split; [auto|split; [auto|]]]. intros T HT.
     destruct (In T HT) as (N & HN & Sw).
-  assert (Hbm : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto). set (M := m1 + m2).
-    assert (HM : 0 < M) by (unfold M; lra).
+  assert (Hbm : 0 < b / m2) by positive. set (M := m1 + m2).
+    assert (HM : 0 < M) by positive.
   set (simple := fun f t => 0 <= t /\ f t = 0 /\ exists l, l <> 0 /\ is_derive f t l).
   set (load := fun k u => a2 * x u + a1 * v1 u + k * (b * M / m2)).
     set (speed := fun k u => v1 u + k * (a1 * b / (a2 * m2))).
@@ -180,8 +176,7 @@ Proof.
     { intros k Hk ->. assert (Ea : a = k * (b / m2)) by (rewrite Eq; field; lra).
       assert (Zl : load k t = 0) by (unfold load; rewrite Ea in E3; unfold M in *; lra).
       assert (Dl : is_derive (load k) t (a2 * v1 t + a1 * a)).
-      { unfold load. auto_derive; [repeat split; eexists; eauto|].
-        rewrite Ux, U1. ring. }
+      { unfold load. auto_derive; [repeat split; eexists; eauto|]. rewrite Ux, U1. ring. }
       assert (Ds : is_derive (speed k) t a).
       { unfold speed. auto_derive; [eexists; eauto|]. rewrite U1. ring. }
       apply No. right; right. destruct (Req_dec (a2 * v1 t + a1 * a) 0) as [Z|Nz].

@@ -38,8 +38,7 @@ Proof.
     in Q, Q'.
     change (dot (K (plus q p)) o + dot (M (plus v w)) u = dot (K q) o + dot (M v) u + (dot (K p) o + dot (M w) u)). lra.
   - intros c (q, v) (p, w). pose proof (ip_scal _ Ks c q p) as Q. pose proof (ip_scal _ Ms c v w) as Q'. cbv beta in Q,
-    Q'.
-    change (dot (K (scal c q)) p + dot (M (scal c v)) w = c * (dot (K q) p + dot (M v) w)). lra.
+    Q'. change (dot (K (scal c q)) p + dot (M (scal c v)) w = c * (dot (K q) p + dot (M v) w)). lra.
   - intros y. pose proof (ip_pos _ Ks (fst y)). pose proof (ip_pos _ Ms (snd y)). lra.
 Qed.
 
@@ -63,7 +62,7 @@ Lemma flow_rate c : 0 <= c -> dampers c ->
 Proof.
   intros Hc Da (q, v) (p, w). pose proof (Da v w) as T. pose proof (ip_pos _ (k_form S) (minus q p)) as Kp. cbv beta in
     Kp.
-  assert (Kc : 0 <= c * dot (K (minus q p)) (minus q p)) by (apply Rmult_le_pos; auto).
+  assert (Kc : 0 <= c * dot (K (minus q p)) (minus q p)) by positive.
   rewrite (ip_minus _ state_inner). unfold state_ip, flow; simpl.
   rewrite !(m_inverse S), !(ip_opp _ (dot_inner S)), !(ip_plus _ (dot_inner S)). rewrite (ip_minus _ (dot_inner S)) in
     T.
@@ -71,8 +70,7 @@ Proof.
   set (dv := minus v w) in *. set (dq := minus q p).
   assert (Q : dot (K v) dq - dot (K w) dq = dot (K q) dv - dot (K p) dv).
   { pose proof (ip_minus _ (k_form S) v w dq) as Q1. pose proof (ip_minus _ (k_form S) q p dv) as Q2. cbv beta in Q1,
-    Q2.
-    fold dv in Q1. fold dq in Q2. rewrite <- Q1, <- Q2. apply (ip_sym _ (k_form S)). }
+    Q2. fold dv in Q1. fold dq in Q2. rewrite <- Q1, <- Q2. apply (ip_sym _ (k_form S)). }
   change (plus q (opp p)) with dq. change (plus v (opp w)) with dv. fold dq in Kc. lra.
 Qed.
 Lemma flow_monotone : dampers 0 -> monotone state_ip flow.
@@ -141,8 +139,7 @@ Proof.
     rewrite !(ip_minus _ state_inner). unfold impulse. ring.
   - intros t Ht. apply norm_pos.
   - intros t Ht e He. destruct (Br t Ht e He) as (d & Hd & Q). exists d; split; auto. intros h Hh. rewrite
-    friction_work.
-    apply Q; auto.
+    friction_work. apply Q; auto.
 Qed.
 End Systems.
 
@@ -183,8 +180,7 @@ Proof.
   assert (Sq : forall u, Rabs u <= e -> u * u <= e * e) by (intros u Hu; apply Rabs_inv in Hu; nra).
   apply Sq in F. apply Sq in G. apply Sq in K. assert (0 <= e * e) by nra.
   apply Rle_trans with ((a2 + m1 + m2) * (e * e)); [nra|]. replace ((a2 + m1 + m2 + 1) * e * ((a2 + m1 + m2 + 1) * e *
-    1)) with
-    ((a2 + m1 + m2 + 1) * (a2 + m1 + m2 + 1) * (e * e)) by ring. apply Rmult_le_compat_r; nra.
+    1)) with ((a2 + m1 + m2 + 1) * (a2 + m1 + m2 + 1) * (e * e)) by ring. apply Rmult_le_compat_r; nra.
 Qed.
 
 Theorem pair_is_an_inclusion U x v1 v2 s : forced m1 m2 a1 a2 b U x v1 v2 s ->
@@ -193,15 +189,13 @@ Theorem pair_is_an_inclusion U x v1 v2 s : forced m1 m2 a1 a2 b U x v1 v2 s ->
 Proof.
   intros H. assert (N : 0 < a2 + m1 + m2 + 1) by lra. split; [constructor|].
   - exists ((a2 + m1 + m2 + 1) * (b / m1 + b / m2)). intros r t Hr. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as
-    L.
-    assert (B1 : 0 < b / m1) by (apply Rdiv_lt_0_compat; auto). assert (B2 : 0 < b / m2) by (apply Rdiv_lt_0_compat;
-      auto).
+    L. assert (B1 : 0 < b / m1) by positive. assert (B2 : 0 < b / m2) by positive.
     rewrite Rmult_assoc, pair_minus. apply pair_norm; [nra|rewrite Rminus_diag_eq, Rabs_R0 by auto; nra| |].
     + replace (b / m1 * s t - b / m1 * s r) with (b / m1 * (s t - s r)) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra.
       nra.
     + replace (- (b / m2 * s t) - - (b / m2 * s r)) with (- (b / m2 * (s t - s r))) by ring.
       rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq by lra. nra.
-  - intros t Ht e He. assert (He' : 0 < e / (2 * (a2 + m1 + m2 + 1))) by (apply Rdiv_lt_0_compat; lra).
+  - intros t Ht e He. assert (He' : 0 < e / (2 * (a2 + m1 + m2 + 1))) by positive.
     destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1). destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t Ht _ He')
       as (d2 & H2 & K2).
     destruct (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t Ht _ He') as (d3 & H3 & K3).
@@ -212,11 +206,10 @@ Proof.
       (field; lra); lra].
     rewrite pair_minus. apply pair_norm; [lra|apply Rlt_le, K1; [auto|lra]|apply Rlt_le, K2; [auto|lra]|apply Rlt_le,
       K3; [auto|lra]].
-  - intros t Ht e He. assert (He' : 0 < e / (a2 + m1 + m2 + 1)) by (apply Rdiv_lt_0_compat; lra).
+  - intros t Ht e He. assert (He' : 0 < e / (a2 + m1 + m2 + 1)) by positive.
     destruct (f_x _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1).
     destruct (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht (e / (a2 + m1 + m2 + 1) * m1)) as (d2 & H2 & K2); [nra|].
-    smaller d1 d2. intros h Hh.
-    specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
+    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
     replace (e * h) with ((a2 + m1 + m2 + 1) * (e / (a2 + m1 + m2 + 1) * h)) by (field; lra).
     assert (0 <= e / (a2 + m1 + m2 + 1) * h) by nra.
     unfold pair_flow; simpl fst; simpl snd. rewrite !pair_plus, !pair_minus, pair_scal, pair_minus. apply pair_norm;
@@ -229,7 +222,7 @@ Proof.
       match goal with |- Rabs ?c <= _ => replace c with 0 by lra end. rewrite Rabs_R0. auto.
   - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
     destruct (friction_power s (v1 t - v2 t) t (fun k => q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k) (e / b)) as
-      (d & Hd & K); [apply Rdiv_lt_0_compat; auto|]. exists d; split; auto.
+      (d & Hd & K); [positive|]. exists d; split; auto.
     intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
     destruct z as ((z1, z2), z3).
     rewrite !pair_minus. unfold pair_ip, pair_friction; simpl. set (ds := s (t + h) - s t) in *.
@@ -239,7 +232,6 @@ Proof.
     { pose proof (Rle_abs (ds * (z2 - z3))) as Q. rewrite Rabs_mult in Q. assert (Rabs ds <= h) by (apply Rabs_le; lra).
       pose proof (Rabs_pos (z2 - z3)). nra. }
     apply Rmult_le_compat_l with (r := b) in Q; [|lra]. assert (K' : b * (- (e / b * h)) <= b * (ds * (v1 t - v2 t) -
-      Rabs (v1 t - v2 t) * h))
-      by (apply Rmult_le_compat_l; lra). replace (b * (- (e / b * h))) with (- (e * h)) in K' by (field; lra). lra.
+      Rabs (v1 t - v2 t) * h)) by scale. replace (b * (- (e / b * h))) with (- (e * h)) in K' by (field; lra). lra.
 Qed.
 End OnePair.

@@ -59,32 +59,29 @@ Proof.
   destruct Hok as (Hp2 & _). pose proof (back p Hp2) as P2. pose proof (back_identity p Hp) as Bk.
   fold q r in En, Q0, R0, QR. fold om in O0. unfold cyc. fold q. set (u' := hh (next m1 m2 p)) in *. fold om.
   set (u := hh p) in *. set (c := depth p) in *. set (rho := amp m1 m2 (u' ^ 2)).
-  assert (S2 : u ^ 2 <= 4 / 9) by nra. assert (Y2 : 0 < u' ^ 2) by (apply pow_lt; auto).
+  assert (S2 : u ^ 2 <= 4 / 9) by nra. assert (Y2 : 0 < u' ^ 2) by positive.
   assert (R1 : 1 <= rho) by (apply amp_ge; auto; lra).
     assert (R2 : rho * rho = 1 + q * u' ^ 2) by (apply amp_sq; auto; lra).
   assert (I : rho * / rho = 1) by (apply Rinv_r; lra).
   assert (I1 : 0 < / rho <= 1) by (split; [apply Rinv_0_lt_compat; lra|rewrite <- Rinv_1; apply Rinv_le_contravar;
     lra]).
-  assert (C2 : 0 < c ^ 2) by (apply pow_lt; auto). assert (U' : u' <= u) by nra.
-  assert (R3 : 1 - / rho <= q * u ^ 2 / 2).
+  assert (C2 : 0 < c ^ 2) by positive. assert (U' : u' <= u) by nra. assert (R3 : 1 - / rho <= q * u ^ 2 / 2).
   { assert (rho - 1 <= q * u' ^ 2 / 2) by nra.
     assert (q * u' ^ 2 <= q * u ^ 2) by (apply Rmult_le_compat_l; [lra|apply pow_incr; lra]).
     replace (1 - / rho) with ((rho - 1) * / rho) by (rewrite Rmult_minus_distr_r, I; ring).
-    apply Rle_trans with ((rho - 1) * 1); [apply Rmult_le_compat_l; lra|lra]. }
-  assert (Sq : 0 < sqrt q) by (apply sqrt_lt_R0; auto). assert (SS : sqrt q * sqrt q = q) by (apply sqrt_sqrt; lra).
+    apply Rle_trans with ((rho - 1) * 1); [scale|lra]. }
+  assert (Sq : 0 < sqrt q) by positive. assert (SS : sqrt q * sqrt q = q) by (apply sqrt_sqrt; lra).
   assert (Qc : 0 < q * c <= 1). { split; [apply Rmult_lt_0_compat; auto|]. nra. }
-  assert (ZB : 0 <= (1 - q * c) / rho <= 1) by (unfold Rdiv; split; [apply Rmult_le_pos|]; nra).
+  assert (ZB : 0 <= (1 - q * c) / rho <= 1) by (unfold Rdiv; split; [positive|]; nra).
   rewrite acos_opp. destruct (acos_first (/ rho) ltac:(lra)) as (A1 & A2). destruct (acos_first _ ZB) as (B1 & B2).
-  set (A := acos (/ rho)) in *. set (B := acos ((1 - q * c) / rho)) in *.
-  assert (SA : sin A = sqrt q * u' / rho).
-  { rewrite A2. rewrite <- (sqrt_pow2 (sqrt q * u' / rho)) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). f_equal.
+  set (A := acos (/ rho)) in *. set (B := acos ((1 - q * c) / rho)) in *. assert (SA : sin A = sqrt q * u' / rho).
+  { rewrite A2. rewrite <- (sqrt_pow2 (sqrt q * u' / rho)) by positive. f_equal.
     replace ((sqrt q * u' / rho) ^ 2) with ((rho * rho - 1) * / rho * / rho) by (rewrite R2; unfold Rdiv;
       replace q with (sqrt q * sqrt q) at 1 by auto; ring).
     replace ((rho * rho - 1) * / rho * / rho) with (rho * / rho * (rho * / rho) - / rho ^ 2) by (field; lra).
     rewrite I. rewrite pow_inv. ring. }
   assert (SB : sin B = sqrt q * (2 * p - u) / rho).
-  { rewrite B2. rewrite <- (sqrt_pow2 (sqrt q * (2 * p - u) / rho)) by (apply Rmult_le_pos; [apply Rmult_le_pos|];
-    lra). f_equal.
+  { rewrite B2. rewrite <- (sqrt_pow2 (sqrt q * (2 * p - u) / rho)) by positive. f_equal.
     replace ((sqrt q * (2 * p - u) / rho) ^ 2) with (sqrt q * sqrt q * (2 * p - u) ^ 2 * / rho * / rho) by (unfold
       Rdiv; ring).
     rewrite SS, Bk. replace (q * (u ^ 2 + 2 * c - c ^ 2)) with (rho * rho - (1 - q * c) ^ 2) by (rewrite R2, En;
@@ -97,16 +94,14 @@ Proof.
   assert (Y1 : 0 <= sqrt q * u' <= sqrt q * u) by (split; [apply Rmult_le_pos|apply Rmult_le_compat_l]; lra).
   assert (Y3 : 0 <= sqrt q * (2 * p - u) <= sqrt q * (2 * u)) by (split;
     [apply Rmult_le_pos|apply Rmult_le_compat_l]; lra).
-  specialize (NA Y1 SA). specialize (NB Y3 SB).
-  assert (Du : u - u' <= r * (9 / 4) * u ^ 3).
+  specialize (NA Y1 SA). specialize (NB Y3 SB). assert (Du : u - u' <= r * (9 / 4) * u ^ 3).
   { apply Rmult_le_reg_r with u; auto. assert ((u - u') * u <= u ^ 2 - u' ^ 2) by nra.
     assert (c ^ 2 <= (3 / 2 * u ^ 2) ^ 2) by (apply pow_incr; lra).
-    assert (r * c ^ 2 <= r * (3 / 2 * u ^ 2) ^ 2) by (apply Rmult_le_compat_l; lra).
+    assert (r * c ^ 2 <= r * (3 / 2 * u ^ 2) ^ 2) by scale.
     replace (r * (9 / 4) * u ^ 3 * u) with (r * (3 / 2 * u ^ 2) ^ 2) by field. lra. }
-  set (w := sqrt q * u ^ 3). assert (W : 0 < w) by (apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]).
-  assert (Du' : sqrt q * u - sqrt q * u' <= 9 / 4 * r * w).
+  set (w := sqrt q * u ^ 3). assert (W : 0 < w) by positive. assert (Du' : sqrt q * u - sqrt q * u' <= 9 / 4 * r * w).
   { unfold w. replace (9 / 4 * r * (sqrt q * u ^ 3)) with (sqrt q * (r * (9 / 4) * u ^ 3)) by ring.
-    rewrite <- Rmult_minus_distr_l. apply Rmult_le_compat_l; lra. }
+    rewrite <- Rmult_minus_distr_l. scale. }
   replace ((2 * (sqrt q * u)) ^ 3 / 6) with (4 / 3 * q * w) in NA by (unfold w;
     replace q with (sqrt q * sqrt q) at 1 by auto; field).
   replace ((2 * (sqrt q * (2 * u))) ^ 3 / 6) with (32 / 3 * q * w) in NB by (unfold w;

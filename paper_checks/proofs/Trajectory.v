@@ -198,9 +198,7 @@ End Spells.
 (** rational numbers; their sines are not asked for *)
 Definition rational := Arith 0%Q Qplus Qminus Qmult Qdiv Qopp (fun q => q) (fun q => q).
 Lemma in_R_padd l : forall k, map Q2R (padd rational l k) = padd real (map Q2R l) (map Q2R k).
-Proof.
-  induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto.
-Qed.
+Proof. induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto. Qed.
 Lemma in_R_dpoly l : map Q2R (dpoly rational l) = dpoly real (map Q2R l).
 Proof.
   induction l as [|c [|d l] IH]; auto. change (dpoly rational (c :: d :: l)) with
@@ -208,9 +206,7 @@ Proof.
   rewrite RMicromega.Q2R_0. reflexivity.
 Qed.
 Lemma pval_times c l u : pval real (map Q2R (map (Qmult c) l)) u = Q2R c * pval real (map Q2R l) u.
-Proof.
-  induction l as [|d l IH]; cbn [map]; rewrite ?pval_cons, ?IH, ?Q2R_mult; [unfold pval; simpl|]; ring.
-Qed.
+Proof. induction l as [|d l IH]; cbn [map]; rewrite ?pval_cons, ?IH, ?Q2R_mult; [unfold pval; simpl|]; ring. Qed.
 (** coefficients that are all 0 *)
 Definition vanishes := forallb (Qeq_bool 0).
 Lemma vanishes_spec l u : vanishes l = true -> pval real (map Q2R l) u = 0.
@@ -285,8 +281,8 @@ Qed.
 (** each part of what is small is small *)
 Lemma energy_part m c e r : 0 < m -> m * c ^ 2 / 2 <= e -> e <= r ^ 2 -> 0 <= r -> Rabs c <= r * sqrt (2 / m).
 Proof.
-  intros Hm E F Hr. apply Rsqr_incr_0; [|apply Rabs_pos|apply Rmult_le_pos; [auto|apply sqrt_pos]].
-  rewrite <- Rsqr_abs, Rsqr_mult, Rsqr_sqrt by (apply Rlt_le, Rdiv_lt_0_compat; lra). unfold Rsqr.
+  intros Hm E F Hr. apply Rsqr_incr_0; [|apply Rabs_pos|positive].
+  rewrite <- Rsqr_abs, Rsqr_mult, Rsqr_sqrt by positive. unfold Rsqr.
   apply Rmult_le_reg_l with (m / 2); [lra|]. replace (m / 2 * (r * r * (2 / m))) with (r ^ 2) by (field; lra). nra.
 Qed.
 
@@ -631,8 +627,7 @@ Proof.
     has (made q (steep q (steep q F)) i (swung q F i) (sung q F i)) (val (slope (slope f)) u)).
   { intros. apply (has_shared q F f); auto. rewrite !angles_slope. auto. }
   induction n as [|n IH]; intros a b; cbn [stays]; cbv zeta; intros St Hab Pa Pb u Hu; revert St.
-  all: destruct (pos (made q F _ _ _)) eqn:E0;
-    [intros _; apply (pos_spec _ _ E0), has_value, has_hull; auto|].
+  all: destruct (pos (made q F _ _ _)) eqn:E0; [intros _; apply (pos_spec _ _ E0), has_value, has_hull; auto|].
   all: destruct (nonneg (made q (steep q F) _ _ _)) eqn:E1;
     [intros _; apply (rising_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply (nonneg_spec _ _ E1), S', has_hull; auto|].
   all: destruct (nonneg (I.neg (made q (steep q F) _ _ _))) eqn:E2;
@@ -643,8 +638,7 @@ Proof.
       apply (nonneg_spec _ _ E3), J.neg_correct, S'', has_hull; auto|].
   all: destruct (if nonneg (made q (steep q (steep q F)) _ _ _) then _ else false) eqn:E6;
     [intros _; destruct (nonneg (made q (steep q (steep q F)) _ _ _)) eqn:E7; [|discriminate];
-      apply (convex_positive f (Q2R a) (Q2R b)); auto;
-      [apply (nonneg_spec _ _ E6), has_value; auto; apply has_rat|
+      apply (convex_positive f (Q2R a) (Q2R b)); auto; [apply (nonneg_spec _ _ E6), has_value; auto; apply has_rat|
         intros r Hr; apply (nonneg_spec _ _ E7), S'', has_hull; auto]|].
   - discriminate.
   - destruct (pos (value q F (rat q (mid a b)))) eqn:E4; [|discriminate].
@@ -768,65 +762,42 @@ Definition upto final until := match final with Some q => Qle_bool until q | Non
 (** where body 2 is after the time u, the velocity being w then *)
 Definition behind st w u := I.add p (at_x2 st) (I.mul p (I.mul p (rat p (1 # 2)) (I.add p (at_v2 st) w)) u).
 
+(** the wave of body 1 in a mode, and the one that ends it where it comes to 0: the guard, or the grip towards k' *)
+Definition path K st m := match m with Slip k => slides K st k | Stick => sticks K st end.
+Definition front K st m k' := match m with Slip k => guards K st k (path K st m) | Stick => grips K k' (path K st m)
+  end.
+(** the values of all waves of a phase at a time, from what one of them computes *)
+Definition at_time F i := let b := swung p F i in let bs := sung p F i in fun G => made p G i b bs.
+(** the mode lasts: until lo, where its front has the value at_lo; a stick does not end on the other side until hi *)
+Definition keeps K st m k' lo at_lo hi (on : bounded -> I.type) := match m with
+  | Slip k => begins (how st) k (front K st m k') lo at_lo
+  | Stick => let G := grips K (negb k') (path K st m) in touches (how st) &&
+      begins (held (how st) k') k' (front K st m k') lo at_lo &&
+      begins (held (how st) (negb k')) (negb k') G hi (on G) end.
+(** the state at the time t, after the time u, from the values of its waves *)
+Definition moved K st m t u (on : bounded -> I.type) h :=
+  let x := on (path K st m) in let v := on (steep p (path K st m)) in match m with
+  | Slip k => let w := drive (boxes p) (numbers K) k (at_v2 st) u in
+      State t x (if touches h then w else v) (behind st w u) w h
+  | Stick => State t match h with Edge k => edge (boxes p) (numbers K) k t v | _ => x end v
+      (I.add p (at_x2 st) (I.sub p x (at_x st))) v h end.
+
 (** the state at the next event, if the table is right about the mode until then *)
 Definition step K final st m least most (k' : bool) : option state :=
-  let u := hull p least most in
-  let d := hull p (least - most) 0 in
-  if Qle_bool least most && fits final (I.add p (at_t st) (rat p most)) then match m with
-  | Slip k =>
-      let f := slides K st k in
-      let F := guards K st k f in
-      let b := swung p F (rat p most) in
-      let bs := sung p F (rat p most) in
-      let end_ := made p F (rat p most) b bs in
-      if begins (how st) k F least (near F end_ least most (rat p (least - most))) && nonneg (I.neg end_) then
-        let v := drive (boxes p) (numbers K) k (at_v2 st) u in
-        Some (State (I.add p (at_t st) u) (near f (made p f (rat p most) b bs) least most d) v (behind st v u) v Touch)
-      else None
-  | Stick =>
-      let f := sticks K st in
-      let F := grips K k' f in
-      let G := grips K (negb k') f in
-      let b := swung p F (rat p most) in
-      let bs := sung p F (rat p most) in
-      let end_ := made p F (rat p most) b bs in
-      if touches (how st) && begins (held (how st) k') k' F least (near F end_ least most (rat p (least - most))) &&
-        begins (held (how st) (negb k')) (negb k') G most (made p G (rat p most) b bs) && nonneg (I.neg end_) then
-        let f' := steep p f in
-        let v := near f' (made p f' (rat p most) b bs) least most d in
-        let x := near f (made p f (rat p most) b bs) least most d in
-        let t := I.add p (at_t st) u in
-        Some (State t (edge (boxes p) (numbers K) k' t v) v (I.add p (at_x2 st) (I.sub p x (at_x st))) v (Edge k'))
-      else None
-  end else None.
+  let u := hull p least most in let d := hull p (least - most) 0 in let F := front K st m k' in
+  let on := at_time F (rat p most) in
+  if Qle_bool least most && fits final (I.add p (at_t st) (rat p most)) &&
+    keeps K st m k' least (near F (on F) least most (rat p (least - most))) most on && nonneg (I.neg (on F))
+  then Some (moved K st m (I.add p (at_t st) u) u (fun F => near F (on F) least most d)
+    match m with Slip _ => Touch | Stick => Edge k' end) else None.
 
 (** the state at the time [until], in the same mode, and v1 - v2 there; the mode surely lasts for the time [least] *)
 Definition rest K final st m until least : option (state * I.type) :=
-  let u := I.sub p (rat p until) (at_t st) in
-  if pos u && nonneg (I.sub p (rat p least) u) && upto final until then match m with
-  | Slip k =>
-      let f := slides K st k in
-      let F := guards K st k f in
-      let w := drive (boxes p) (numbers K) k (at_v2 st) u in
-      let b := swung p F u in
-      let bs := sung p F u in
-      if begins (how st) k F least (value p F (rat p least)) then
-        Some (State (rat p until) (made p f u b bs) (made p (steep p f) u b bs) (behind st w u) w Off,
-          signed (boxes p) k (made p F u b bs)) else None
-  | Stick =>
-      let f := sticks K st in
-      let F := grips K true f in
-      let G := grips K false f in
-      let b := swung p F (rat p least) in
-      let bs := sung p F (rat p least) in
-      let b' := swung p F u in
-      let bs' := sung p F u in
-      let x := made p f u b' bs' in
-      let v := made p (steep p f) u b' bs' in
-      if touches (how st) && begins (held (how st) true) true F least (made p F (rat p least) b bs) &&
-        begins (held (how st) false) false G least (made p G (rat p least) b bs) then
-        Some (State (rat p until) x v (I.add p (at_x2 st) (I.sub p x (at_x st))) v Touch, I.zero) else None
-  end else None.
+  let u := I.sub p (rat p until) (at_t st) in let F := front K st m true in
+  let on := at_time F (rat p least) in let on_u := at_time F u in
+  if pos u && nonneg (I.sub p (rat p least) u) && upto final until && keeps K st m true least (on F) least on
+  then Some (moved K st m (rat p until) u on_u match m with Slip _ => Off | Stick => Touch end,
+    match m with Slip k => signed (boxes p) k (on_u F) | Stick => I.zero end) else None.
 
 (** a stick that lasts for ever, if the force is constant *)
 Definition captive K st := touches (how st) && nonneg (spare (boxes p) (numbers K) (at_t st) (at_x st) (at_v1 st)).
@@ -1014,37 +985,39 @@ Qed.
 Section State.
 Variables (st : state) (t : R).
 Hypotheses (Kn : knows B f st t) (Ht : first <= t).
-Let g k' := guard real k k' t (x t) (v1 t) (v2 t).
-Let h k' := grip real k k' t (x t) (v1 t).
+Let pw m := match m with Slip s => slide real k s t (x t) (v1 t) | Stick => stuck real k t (x t) (v1 t) end.
+Let fw m k' := match m with Slip s => guard real k s t (x t) (v1 t) (v2 t) | Stick => grip real k k' t (x t) (v1 t) end.
 
-Lemma has_guards k' : has_wave (guards p K st k' (slides p K st k')) (g k').
-Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply (has_guard p (numbers K) k has_tuned); auto|auto]. Qed.
-Lemma has_slides k' : has_wave (slides p K st k') (slide real k k' t (x t) (v1 t)).
-Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply has_slide; auto using has_tuned|auto]. Qed.
-Lemma has_sticks : has_wave (sticks p K st) (stuck real k t (x t) (v1 t)).
-Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply has_stuck; auto using has_tuned|auto]. Qed.
-Lemma has_grips k' : has_wave (grips p K k' (sticks p K st)) (h k').
-Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply (has_grip p (numbers K) k has_tuned); auto|auto]. Qed.
+Lemma has_path m : has_wave (path p K st m) (pw m).
+Proof.
+  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
+    [apply has_slide|apply has_stuck]; auto using has_tuned.
+Qed.
+Lemma has_front m k' : has_wave (front p K st m k') (fw m k').
+Proof.
+  destruct Kn as (? & ? & ? & ? & ? & _). destruct m; [apply has_alone|apply has_joint]; auto;
+    [apply (has_guard p (numbers K) k has_tuned)|apply (has_grip p (numbers K) k has_tuned)]; auto.
+Qed.
 
 (** the guard of a slip, once it is accepted *)
-Lemma slip_begins k' hi i : has i (val (g k') (Q2R hi)) ->
-  begins p q depth (how st) k' (guards p K st k' (slides p K st k')) hi i = true ->
-  0 < Q2R hi /\ 0 <= val (g k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (g k') u).
+Lemma slip_begins k' k'' hi i : has i (val (fw (Slip k') k'') (Q2R hi)) ->
+  begins p q depth (how st) k' (front p K st (Slip k') k'') hi i = true ->
+  0 < Q2R hi /\ 0 <= val (fw (Slip k') k'') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (fw (Slip k') k'') u).
 Proof.
-  intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_guards k') as W.
-  apply (begins_spec p q depth (how st) k' _ _ _ _ W Hi E).
-  - intros Eh. rewrite Eh in Kh. unfold g. rewrite <- Kh. apply guard_touch; auto.
-  - intros Eh. rewrite Eh in Kh. destruct Kh as (Ev & Ex). unfold g. rewrite <- Ev. split.
+  intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh).
+  apply (begins_spec p q depth (how st) k' _ _ _ _ (has_front (Slip k') k'') Hi E); unfold fw.
+  - intros Eh. rewrite Eh in Kh. rewrite <- Kh. apply guard_touch; auto.
+  - intros Eh. rewrite Eh in Kh. destruct Kh as (Ev & Ex). rewrite <- Ev. split.
     + apply guard_touch; auto.
     + apply guard_edge; auto.
 Qed.
 (** and that of a stick *)
-Lemma stick_begins k' hi i : has i (val (h k') (Q2R hi)) ->
-  begins p q depth (held (how st) k') k' (grips p K k' (sticks p K st)) hi i = true ->
-  0 < Q2R hi /\ 0 <= val (h k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (h k') u).
+Lemma stick_begins k' hi i : has i (val (fw Stick k') (Q2R hi)) ->
+  begins p q depth (held (how st) k') k' (front p K st Stick k') hi i = true ->
+  0 < Q2R hi /\ 0 <= val (fw Stick k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (fw Stick k') u).
 Proof.
-  intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_grips k') as W.
-  apply (begins_spec p q depth (held (how st) k') k' _ _ _ _ W Hi E); unfold held;
+  intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh).
+  apply (begins_spec p q depth (held (how st) k') k' _ _ _ _ (has_front Stick k') Hi E); unfold held;
     destruct (how st) as [| |k'']; try discriminate; destruct (eqb k'' k') eqn:Ek; try discriminate.
   apply eqb_prop in Ek. subst k''. intros _. apply grip_edge; auto. apply Kh.
 Qed.
@@ -1054,8 +1027,7 @@ Proof. destruct Kn as (_ & _ & _ & _ & _ & Kh). destruct (how st); try discrimin
 (** the spell lasts *)
 Lemma fits_spec i r : fits p final i = true -> has i r -> match final with Some q => r <= Q2R q | None => True end.
 Proof.
-  unfold fits. destruct final as [e|]; auto. intros E Hi.
-  apply nonneg_spec with (r := Q2R e - r) in E; [lra|has].
+  unfold fits. destruct final as [e|]; auto. intros E Hi. apply nonneg_spec with (r := Q2R e - r) in E; [lra|has].
 Qed.
 (** body 2 in a slip *)
 Lemma slip_behind k' u w i : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = drive real k k' (v2 t) r) ->
@@ -1080,78 +1052,95 @@ Proof.
 Qed.
 
 (** what is computed once serves all waves of a phase *)
-Lemma slide_made k' i u F w : has i u -> has_wave F w -> side F = side1 K -> decay w = slow1 k -> square w = stiff1 k ->
-  clock w = t -> angles w = angles (g k') ->
-  has (made p F i (swung p (guards p K st k' (slides p K st k')) i) (sung p (guards p K st k' (slides p K st k')) i)) (val w u).
-Proof. exact (has_shared p _ _ F w u i (has_guards k')). Qed.
-(** of a stick *)
-Lemma stick_made k' i u F w : has i u -> has_wave F w -> side F = sideM K -> decay w = slowM k -> square w = stiffM k ->
-  clock w = t -> angles w = angles (h k') ->
-  has (made p F i (swung p (grips p K k' (sticks p K st)) i) (sung p (grips p K k' (sticks p K st)) i)) (val w u).
-Proof. exact (has_shared p _ _ F w u i (has_grips k')). Qed.
-Ltac made := try reflexivity; unfold angles; cbn; rewrite ?map_map; reflexivity.
+Lemma on_time m k' i u (on := at_time p (front p K st m k') i) : has i u ->
+  has (on (front p K st m k')) (val (fw m k') u) /\ has (on (path p K st m)) (val (pw m) u) /\
+  has (on (steep p (path p K st m))) (val (slope (pw m)) u) /\
+  (m = Stick -> has (on (front p K st m (negb k'))) (val (fw m (negb k')) u)).
+Proof.
+  intros Hi. assert (S : forall F w, has_wave F w -> side F = side (front p K st m k') -> decay w = decay (fw m k') ->
+    square w = square (fw m k') -> clock w = clock (fw m k') -> angles w = angles (fw m k') -> has (on F) (val w u))
+    by (intros F w; exact (has_shared p _ _ F w u i (has_front m k') Hi)).
+  pose proof (has_path m) as W. pose proof (has_steep p _ _ W). pose proof (has_front m (negb k')).
+  split; [|split; [|split]]; try intros _; apply S; auto using has_front; destruct m; try reflexivity;
+    unfold angles; cbn; rewrite ?map_map; reflexivity.
+Qed.
+(** the mode lasts *)
+Lemma keeps_spec m k' lo i hi on : has i (val (fw m k') (Q2R lo)) ->
+  (m = Stick -> has (on (front p K st m (negb k'))) (val (fw m (negb k')) (Q2R hi))) ->
+  keeps p q depth K st m k' lo i hi on = true ->
+  0 < Q2R lo /\ 0 <= val (fw m k') 0 /\ (forall u, 0 < u <= Q2R lo -> 0 < val (fw m k') u) /\
+  (m = Stick -> v1 t = v2 t /\ forall u, 0 <= u <= Q2R hi -> 0 <= val (fw m (negb k')) u).
+Proof.
+  intros Hi Ho E. destruct m as [s|].
+  - destruct (slip_begins s k' lo i Hi E) as (A & Z & P). repeat (split; [assumption|]). discriminate.
+  - unfold keeps in E. rewrite !andb_true_iff in E. destruct E as ((To & E1) & E2).
+    destruct (stick_begins k' lo i Hi E1) as (A & Z & P).
+    destruct (stick_begins (negb k') hi _ (Ho eq_refl) E2) as (_ & Z' & P'). repeat (split; [assumption|]). intros _.
+    split; [apply knows_touch, To|]. intros u Hu. destruct (Req_dec u 0) as [->|]; auto. apply Rlt_le, P'; lra.
+Qed.
+(** the state that it comes to *)
+Lemma moved_spec m it iu u on hw : 0 <= u -> has it (t + u) -> has iu u -> has (on (path p K st m)) (val (pw m) u) ->
+  has (on (steep p (path p K st m))) (val (slope (pw m)) u) ->
+  x (t + u) = val (pw m) u -> v1 (t + u) = val (slope (pw m)) u ->
+  (forall r, 0 <= r <= u -> v2 (t + r) = match m with
+    Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end) ->
+  forall B' f', (B' = B /\ f' = f \/ forall s, hw <> Edge s) -> match hw with Off => True
+    | Touch => v1 (t + u) = v2 (t + u) | Edge s => v1 (t + u) = v2 (t + u) /\
+    A2 * x (t + u) + A1 * v1 (t + u) - sval real f' (t + u) = - (sign s * (B' * (M1 + M2) / M2)) end ->
+  knows B' f' (moved p K st m it iu on hw) (t + u).
+Proof.
+  intros Hu Hit Hiu Hx Hv Ex E1 E2 B' f' Kb Kh. pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & _). pose proof Hx as Hx'.
+  rewrite <- Ex in Hx. rewrite <- E1 in Hv. unfold knows, moved.
+  destruct m as [s|]; cbn [at_t at_x at_v1 at_x2 at_v2 how]; (split; [exact Hit|]).
+  - assert (Hw : has (drive (boxes p) (numbers K) s (at_v2 st) iu) (v2 (t + u))).
+    { rewrite E2 by lra. apply has_drive; auto using has_tuned. }
+    split; [exact Hx|]. split; [|split; [apply (slip_behind s)|]; auto].
+    destruct hw; cbn [touches]; [exact Hv|rewrite Kh|rewrite (proj1 Kh)]; exact Hw.
+  - split; [|split; [exact Hv|split; [apply stick_behind; auto|split; [rewrite E2, <- E1 by lra; exact Hv|exact Kh]]]].
+    destruct hw as [| |s]; auto. destruct Kb as [(-> & ->)|N]; [|destruct (N s); auto].
+    replace (x (t + u)) with (edge real k s (t + u) (v1 (t + u))); [apply (has_edge p (numbers K) k has_tuned); auto|].
+    assert (E : A2 * x (t + u) = sval real f (t + u) - sign s * (B * (M1 + M2) / M2) - A1 * v1 (t + u)) by lra.
+    apply Rmult_eq_reg_l with A2; [|lra]. rewrite E. unfold edge; simpl. rewrite signed_real. field; lra.
+Qed.
 
 (** one event *)
 Lemma step_sound m least most k' st' : step p q depth K final st m least most k' = Some st' ->
   exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ knows B f st' t'.
 Proof.
-  pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & Kh). unfold step.
-  destruct (Qle_bool least most) eqn:E0; [|discriminate]. apply Qle_bool_iff, Qle_Rle in E0.
-  destruct (fits _ _ _) eqn:Ef; [|discriminate]. cbn [andb]. pose proof (has_rat p most) as Hmost.
+  pose proof Kn as (Kt & _). unfold step. cbv zeta. destruct (_ && nonneg _) eqn:C; [|discriminate]. intros E.
+  injection E as <-. rewrite !andb_true_iff in C. destruct C as (((E0 & Ef) & Ek) & En).
+  apply Qle_bool_iff, Qle_Rle in E0. pose proof (has_rat p most) as Hmost.
   apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
-  assert (Hless : has (rat p (least - most)) (Q2R least - Q2R most)) by (rewrite <- Q2R_minus; apply has_rat).
-  assert (Hd : forall u, Q2R least <= u <= Q2R most -> has (hull p (least - most) 0) (u - Q2R most)).
-  { intros u Hu. apply has_hull. rewrite Q2R_minus, RMicromega.Q2R_0. lra. }
-  destruct m as [s|]; cbv zeta.
-  - pose proof (slide_made s _ _ _ _ Hmost (has_guards s) eq_refl eq_refl eq_refl eq_refl eq_refl) as Hend.
-    pose proof (has_near p q _ _ _ least most _ (Q2R least) (has_guards s) Hend ltac:(lra) Hless) as Hleast.
-    destruct (begins _ _ _ _ _ _ _ _) eqn:E1; [|discriminate]. destruct (nonneg _) eqn:E2; [|discriminate]. cbn [andb].
-    intros E. injection E as <-. destruct (slip_begins _ _ _ Hleast E1) as (Hl & Z & P).
-    apply nonneg_spec with (r := - val (g s) (Q2R most)) in E2; [|apply J.neg_correct; auto].
-    destruct (slip_until M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s (Q2R least) (Q2R most))
-      as (u & Hu & Q & Ev & Ex & V); [lra|lra|exact Z|exact P|change (val (g s) (Q2R most) <= 0); lra|].
-    assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
-    assert (Hv : has (drive (boxes p) (numbers K) s (at_v2 st) (hull p least most)) (v2 (t + u))).
-    { rewrite V by lra. apply has_drive; auto using has_tuned. }
-    exists (t + u). split; [lra|]. split; [auto|]. split.
-    + intros r Hr. specialize (Q (r - t) ltac:(lra)). replace (t + (r - t)) with r in Q by ring.
-      destruct s; simpl in *; lra.
-    + unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. split; [has|]. split.
-      { rewrite Ex. apply has_near; [apply has_slides| |lra|apply Hd; lra]. apply slide_made; auto; [apply has_slides|made]. }
-      rewrite Ev. split; [auto|]. split; [|auto]. apply (slip_behind s); auto; lra.
-  - pose proof (stick_made k' _ _ _ _ Hmost (has_grips k') eq_refl eq_refl eq_refl eq_refl eq_refl) as Hend.
-    pose proof (has_near p q _ _ _ least most _ (Q2R least) (has_grips k') Hend ltac:(lra) Hless) as Hleast.
-    assert (Hother : has (made p (grips p K (negb k') (sticks p K st)) (rat p most)
-      (swung p (grips p K k' (sticks p K st)) (rat p most)) (sung p (grips p K k' (sticks p K st)) (rat p most)))
-      (val (h (negb k')) (Q2R most))).
-    { apply stick_made; auto; [apply has_grips|made]. }
-    destruct (touches (how st)) eqn:Et; [|discriminate].
-    destruct (begins _ _ _ _ _ _ _ _) eqn:E1; [|discriminate].
-    destruct (begins _ _ _ _ (negb k') _ _ _) eqn:E2; [|discriminate].
-    destruct (nonneg _) eqn:E3; [|discriminate]. cbn [andb]. intros E. injection E as <-.
-    pose proof (knows_touch Et) as Ev0.
-    destruct (stick_begins _ _ _ Hleast E1) as (Hl & Z & P). destruct (stick_begins _ _ _ Hother E2) as (Hm & Z' & P').
-    apply nonneg_spec with (r := - val (h k') (Q2R most)) in E3; [|apply J.neg_correct; auto].
-    destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht k' (Q2R least) (Q2R most))
-      as (u & Hu & Ev & Ee & Ex & V);
-      [lra|lra|auto|exact Z|exact P| |change (val (h k') (Q2R most) <= 0); lra|].
-    { intros r Hr. change (0 <= val (h (negb k')) r). destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P'; lra. }
-    assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
-    assert (Hsl : has (near p q (steep p (sticks p K st)) (made p (steep p (sticks p K st)) (rat p most)
-      (swung p (grips p K k' (sticks p K st)) (rat p most)) (sung p (grips p K k' (sticks p K st)) (rat p most)))
-      least most (hull p (least - most) 0)) (v1 (t + u))).
-    { rewrite V by lra. apply has_near; [apply has_steep, has_sticks| |lra|apply Hd; lra].
-      apply stick_made; auto; [apply has_steep, has_sticks|made]. }
-    exists (t + u). split; [lra|]. split; [apply Ev; lra|]. split.
-    + intros r Hr. specialize (Ev (r - t) ltac:(lra)). replace (t + (r - t)) with r in Ev by ring. auto.
-    + unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite <- (Ev u) by lra. split; [has|]. split.
-      { replace (x (t + u)) with (edge real k k' (t + u) (v1 (t + u))).
-        - apply (has_edge p (numbers K) k has_tuned); auto. has.
-        - assert (E : A2 * x (t + u) = sval real f (t + u) - sign k' * (B * (M1 + M2) / M2) - A1 * v1 (t + u)) by lra.
-          apply Rmult_eq_reg_l with A2; [|lra]. rewrite E. unfold edge; simpl. rewrite signed_real. field; lra. }
-      split; [auto|]. split; [|auto]. apply stick_behind; auto; try lra.
-      * intros r Hr. rewrite <- Ev by lra. apply V. lra.
-      * apply has_near; [apply has_sticks| |lra|apply Hd; lra]. apply stick_made; auto; [apply has_sticks|made].
+  destruct (on_time m k' _ _ Hmost) as (Hend & Hpath & Hsteep & Hother).
+  set (on := at_time p (front p K st m k') (rat p most)) in *.
+  assert (Hleast : has (near p q (front p K st m k') (on (front p K st m k')) least most (rat p (least - most)))
+    (val (fw m k') (Q2R least))).
+  { apply has_near; auto using has_front; [lra|]. rewrite <- Q2R_minus. apply has_rat. }
+  destruct (keeps_spec _ _ _ _ _ _ Hleast Hother Ek) as (Hl & Z & P & St).
+  apply nonneg_spec with (r := - val (fw m k') (Q2R most)) in En; [|apply J.neg_correct; auto].
+  assert (U : exists u, Q2R least < u <= Q2R most /\ v1 (t + u) = v2 (t + u) /\
+    (forall r, 0 < r < u -> in_mode m (v1 (t + r)) (v2 (t + r))) /\ x (t + u) = val (pw m) u /\
+    v1 (t + u) = val (slope (pw m)) u /\ (forall r, 0 <= r <= u -> v2 (t + r) = match m with
+      Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end) /\ (m = Stick ->
+    A2 * x (t + u) + A1 * v1 (t + u) - sval real f (t + u) = - (sign k' * (B * (M1 + M2) / M2)))).
+  { destruct m as [s|].
+    - destruct (slip_until M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s (Q2R least) (Q2R most))
+        as (u & Hu & Q & Ev & Ex & E1 & V); [lra|lra|exact Z|exact P|apply Ropp_le_cancel; rewrite Ropp_0; exact En|].
+      exists u. repeat (split; [assumption|]). split; [intros r Hr; specialize (Q r Hr); destruct s; simpl in *; lra|].
+      repeat (split; [assumption|]). discriminate.
+    - destruct (St eq_refl) as (Ev0 & O).
+      destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht k' (Q2R least)
+        (Q2R most)) as (u & Hu & Ev & Ee & Ex & V);
+        [lra|lra|auto|exact Z|exact P|exact O|apply Ropp_le_cancel; rewrite Ropp_0; exact En|].
+      exists u. split; [auto|]. split; [apply Ev; lra|]. split; [intros r Hr; apply Ev; lra|]. split; [exact Ex|].
+      split; [apply V; lra|]. split; [intros r Hr; rewrite <- Ev by auto; apply V, Hr|auto]. }
+  destruct U as (u & Hu & Ev & Q & Ex & E1 & E2 & Ee). exists (t + u). split; [lra|]. split; [auto|]. split.
+  - intros r Hr. specialize (Q (r - t) ltac:(lra)). replace (t + (r - t)) with r in Q by ring. auto.
+  - assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
+    assert (Hd : has (hull p (least - most) 0) (u - Q2R most)).
+    { apply has_hull. rewrite Q2R_minus, RMicromega.Q2R_0. lra. }
+    apply moved_spec; auto; [lra|has|apply has_near; auto using has_path; lra| |destruct m; auto].
+    apply has_near; auto using has_path, has_steep. lra.
 Qed.
 (** a rest *)
 Lemma rest_sound m until least st' w : rest p q depth K final st m until least = Some (st', w) ->
@@ -1159,60 +1148,41 @@ Lemma rest_sound m until least st' w : rest p q depth K final st m until least =
   (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', knows B' f' st' (Q2R until)) /\
   has w (v1 (Q2R until) - v2 (Q2R until)).
 Proof.
-  pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & Kh). unfold rest. set (iu := I.sub p (rat p until) (at_t st)).
+  pose proof Kn as (Kt & _). unfold rest. cbv zeta. set (iu := I.sub p (rat p until) (at_t st)).
+  destruct (_ && keeps _ _ _ _ _ _ _ _ _ _ _) eqn:C; [|discriminate]. intros E. injection E as <- <-.
+  rewrite !andb_true_iff in C. destruct C as (((E1 & E2) & Ef) & Ek).
   assert (Hu : has iu (Q2R until - t)) by (unfold iu; has). set (u := Q2R until - t) in *.
-  assert (Eu : Q2R until = t + u) by (unfold u; ring).
-  destruct (pos iu) eqn:E1; [|discriminate]. apply pos_spec with (r := u) in E1; auto.
-  destruct (nonneg _) eqn:E2; [|discriminate]. apply nonneg_spec with (r := Q2R least - u) in E2; [|has].
-  destruct (upto final until) eqn:Ef; [|discriminate]. cbn [andb].
+  assert (Eu : Q2R until = t + u) by (unfold u; ring). apply pos_spec with (r := u) in E1; auto.
+  apply nonneg_spec with (r := Q2R least - u) in E2; [|has].
   assert (Fin : match final with Some q => Q2R until <= Q2R q | None => True end).
   { unfold upto in Ef. destruct final; auto. apply Qle_Rle, Qle_bool_iff, Ef. }
-  specialize (H _ Fin). assert (Hc : has (rat p until) (t + u)).
-  { rewrite <- Eu. has. } rewrite Eu in H |- *. destruct m as [s|].
-  - destruct (begins _ _ _ _ _ _ _ _) eqn:E3; [|discriminate]. intros E. injection E as <- <-.
-    destruct (slip_begins _ _ _ (has_value p _ _ _ _ (has_guards s) (has_rat p least)) E3) as (Hl & Z & P).
-    assert (Nn : forall r, 0 <= r < u -> 0 <= val (g s) r).
-    { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P; lra. }
-    assert (F := slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra) Nn).
-    assert (G : forall r, 0 <= r <= u -> sign s * (v1 (t + r) - v2 (t + r)) = val (g s) r).
-    { intros r Hr. destruct (F r Hr) as (_ & -> & ->). unfold g, k. rewrite val_guard by auto. auto. }
-    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. rewrite Eu in Fin. split; [auto|]. split; [|split].
-    + intros r Hr. specialize (P (r - t) ltac:(lra)). rewrite <- G in P by lra. replace (t + (r - t)) with r in P by ring.
-      destruct s; simpl in *; lra.
-    + assert (Hw : has (drive (boxes p) (numbers K) s (at_v2 st) iu) (v2 (t + u))).
-      { rewrite F2. apply has_drive; auto using has_tuned. }
-      intros B' f'. unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. split; [auto|]. split; [|split; [|split; [|auto]]].
-      * rewrite Fx. apply slide_made; auto; [apply has_slides|made].
-      * rewrite F1. apply slide_made; auto; [apply has_steep, has_slides|made].
-      * apply (slip_behind s); auto; [lra|]. intros r Hr. apply F; auto.
-    + replace (v1 (t + u) - v2 (t + u)) with (signed real s (val (g s) u)).
-      * apply has_signed, slide_made; auto. apply has_guards.
-      * rewrite signed_real, <- G by lra. destruct s; simpl; ring.
-  - destruct (touches (how st)) eqn:Et; [|discriminate]. pose proof (knows_touch Et) as Ev0.
-    pose proof (has_rat p least) as Hleast.
-    assert (Hf : forall i r, has i r -> has (made p (grips p K false (sticks p K st)) i
-      (swung p (grips p K true (sticks p K st)) i) (sung p (grips p K true (sticks p K st)) i)) (val (h false) r)).
-    { intros. apply stick_made; auto; [apply has_grips|made]. }
-    destruct (begins _ _ _ _ true _ _ _) eqn:E3; [|discriminate].
-    destruct (begins _ _ _ _ false _ _ _) eqn:E4; [|discriminate]. intros E. injection E as <- <-.
-    destruct (stick_begins _ _ _ (has_value p _ _ _ _ (has_grips true) Hleast) E3) as (Hl & Z & P).
-    destruct (stick_begins _ _ _ (Hf _ _ Hleast) E4) as (_ & Z' & P').
-    assert (Both : forall r, 0 <= r < u -> 0 <= val (h true) r /\ 0 <= val (h false) r).
-    { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. split; apply Rlt_le; [apply P|apply P']; lra. }
-    assert (F := stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht u ltac:(lra) ltac:(lra) Ev0 Both).
-    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. rewrite Eu in Fin. split; [auto|]. split; [|split].
-    + intros r Hr. destruct (F (r - t) ltac:(lra)) as (_ & G1 & G2). replace (t + (r - t)) with r in * by ring.
-      simpl. congruence.
-    + assert (Hx : has (made p (sticks p K st) iu (swung p (grips p K true (sticks p K st)) iu)
-        (sung p (grips p K true (sticks p K st)) iu)) (x (t + u))).
-      { rewrite Fx. apply stick_made; auto; [apply has_sticks|made]. }
-      assert (Hv : has (made p (steep p (sticks p K st)) iu (swung p (grips p K true (sticks p K st)) iu)
-        (sung p (grips p K true (sticks p K st)) iu)) (v1 (t + u))).
-      { rewrite F1. apply stick_made; auto; [apply has_steep, has_sticks|made]. }
-      intros B' f'. unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite F1 in Hv. rewrite F1, F2.
-      split; [auto|]. split; [auto|]. split; [auto|]. split; [|auto].
-      apply stick_behind; auto; [lra| |exact (eq_ind _ (has _) Hx _ Fx)]. intros r Hr. apply F; auto.
-    + rewrite F1, F2, Rminus_diag_eq by auto. apply J.zero_correct.
+  specialize (H _ Fin). assert (Hc : has (rat p until) (t + u)) by (rewrite <- Eu; has). rewrite Eu in H, Fin |- *.
+  destruct (on_time m true _ _ (has_rat p least)) as (Hleast & _ & _ & Hother).
+  destruct (on_time m true _ _ Hu) as (Hend & Hpath & Hsteep & _).
+  destruct (keeps_spec _ _ _ _ _ _ Hleast Hother Ek) as (Hl & Z & P & St).
+  assert (Nn : forall r, 0 <= r < u -> 0 <= val (fw m true) r).
+  { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P; lra. }
+  assert (U : forall r, 0 <= r <= u -> x (t + r) = val (pw m) r /\ v1 (t + r) = val (slope (pw m)) r /\
+    v2 (t + r) = match m with Slip s => drive real k s (v2 t) r | Stick => val (slope (pw m)) r end).
+  { destruct m as [s|].
+    - exact (slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra)
+        Nn).
+    - destruct (St eq_refl) as (Ev & O). apply (stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y))
+        _ _ HyM x v1 v2 _ _ H t Ht u ltac:(lra) ltac:(lra) Ev). intros r Hr. split; [apply Nn, Hr|apply O; lra]. }
+  assert (Slope : forall s r, m = Slip s -> 0 <= r <= u -> v1 (t + r) - v2 (t + r) = sign s * val (fw m true) r).
+  { intros s r -> Hr. destruct (U r Hr) as (_ & -> & ->). unfold fw, pw, k. rewrite val_guard by auto.
+    destruct s; simpl; ring. }
+  assert (In : forall r, 0 < r <= u -> in_mode m (v1 (t + r)) (v2 (t + r))).
+  { intros r Hr. destruct m as [s|].
+    - specialize (Slope s r eq_refl ltac:(lra)). specialize (P r ltac:(lra)). destruct s; simpl in *; lra.
+    - destruct (U r ltac:(lra)) as (_ & -> & ->). reflexivity. }
+  destruct (U u ltac:(lra)) as (Ex & F1 & _). split; [lra|]. split; [auto|]. split; [|split].
+  - intros r Hr. specialize (In (r - t) ltac:(lra)). replace (t + (r - t)) with r in In by ring. auto.
+  - intros B' f'. apply moved_spec; auto; [lra|intros r Hr; apply U, Hr|right; destruct m; discriminate|].
+    destruct m; [exact I|apply (In u); lra].
+  - destruct m as [s|].
+    + rewrite (Slope s) by (auto; lra). rewrite <- signed_real. apply has_signed, Hend.
+    + rewrite (In u ltac:(lra)), Rminus_diag_eq by auto. apply J.zero_correct.
 Qed.
 
 (** a stick for ever *)
@@ -1422,8 +1392,7 @@ Proof.
         as (Eb & Rb & Cl').
       apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto. apply (Go _ (Some b) events G); [|right; exists b; auto].
       apply (closest_spec now y _); auto.
-  - destruct events as [|]; [|discriminate].
-    destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+  - destruct events as [|]; [|discriminate]. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
     destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E)
       as (Ht' & _ & Q & Kn' & Kw).
     unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).

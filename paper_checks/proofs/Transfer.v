@@ -6,8 +6,7 @@ From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Ar
 Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
 Proof.
   intros F G e He. destruct (F (e / 2)) as (d & Hd & K); [lra|]. destruct (G (e / 2)) as (d' & Hd' & K'); [lra|].
-  smaller d d'. intros h Hh.
-  specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'. lra.
+  smaller d d'. intros h Hh. specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'. lra.
 Qed.
 
 (** of an equal value *)
@@ -23,7 +22,7 @@ Proof.
     Li.
   destruct (Li e He) as (d' & Hd' & K). smaller d d'. intros h Hh. specialize (K h ltac:(lra)). apply Rabs_inv in K.
   pose proof (L t (t + h) ltac:(lra)) as B. apply Rabs_inv in B. pose proof (P (t + h) ltac:(lra)) as Ph.
-  assert ((U (t + h) - U t) * G (t + h) <= F * (t + h - t) * G (t + h)) by (apply Rmult_le_compat_r; lra). lra.
+  assert ((U (t + h) - U t) * G (t + h) <= F * (t + h - t) * G (t + h)) by scale. lra.
 Qed.
 
 Section Transfer.
@@ -35,14 +34,13 @@ Let tau := half_time.
 Let be := b / m2.
 
 (** body 2's largest acceleration is positive *)
-Lemma be_pos : 0 < be. Proof. apply Rdiv_lt_0_compat; auto. Qed.
+Lemma be_pos : 0 < be. Proof. positive. Qed.
 (** so is half of the least time *)
-Lemma tau_pos : 0 < tau. Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. Qed.
+Lemma tau_pos : 0 < tau. Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; auto. positive. Qed.
 (** D is run through at the acceleration beta and back *)
 Lemma tau_sq : be * (tau * tau) = D.
 Proof.
-  unfold tau, half_time. rewrite sqrt_sqrt. { unfold be. field; lra. }
-  apply Rlt_le, Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+  unfold tau, half_time. rewrite sqrt_sqrt. { unfold be. field; lra. } apply Rlt_le, Rdiv_lt_0_compat; auto. positive.
 Qed.
 
 (** *** Stuck *)
@@ -74,8 +72,7 @@ Proof.
   assert (Sq : sqrt (be * D) = be * tau).
   { rewrite <- T2. replace (be * (be * (tau * tau))) with ((be * tau) ^ 2) by ring. apply sqrt_pow2. nra. }
   rewrite Sq. assert (HD2 : a2 * D / 2 = a2 * (be * tau ^ 2 / 2)) by (rewrite <- T2; field).
-  assert (M0 : 0 < (m1 + m2) * be) by (apply Rmult_lt_0_compat; lra).
-  split.
+  assert (M0 : 0 < (m1 + m2) * be) by positive. split.
   - intros H. split; [|split].
     + rewrite HD2. set (f := fun t => (m1 + m2) * be + a1 * (be * t) + a2 * (be * t ^ 2 / 2)). change (f tau <= F).
       apply (cont_le f F 0 tau); [|lra|].
@@ -85,35 +82,32 @@ Proof.
     + intros Little. assert (HDF : a2 * D <= F).
       { specialize (H (2 * tau) ltac:(lra)). rewrite force_last in H by lra. apply Rabs_inv in H. lra. }
       destruct (Req_dec a1 0) as [Z|N]. { rewrite Z. replace (0 ^ 2 * be / (2 * a2)) with 0 by (field; lra). lra. }
-      assert (R0 : 0 < a1 / a2) by (apply Rdiv_lt_0_compat; lra).
-      assert (R1 : a1 / a2 <= tau).
-      { apply Rmult_le_reg_l with a2; auto. replace (a2 * (a1 / a2)) with a1 by (field; lra).
+      assert (R0 : 0 < a1 / a2) by positive. assert (R1 : a1 / a2 <= tau).
+      { undivide a2.
         apply Rnot_lt_le. intros B. assert (0 < a2 * tau) by nra. assert ((a2 * tau) ^ 2 < a1 ^ 2) by nra.
           rewrite <- T2 in Little.
-        assert ((a2 * tau) ^ 2 * be < a1 ^ 2 * be) by (apply Rmult_lt_compat_r; auto). lra. }
+        assert ((a2 * tau) ^ 2 * be < a1 ^ 2 * be) by scale. lra. }
       specialize (H (2 * tau - a1 / a2) ltac:(lra)). rewrite force_then in H by lra. apply Rabs_inv in H.
       replace (2 * tau - (2 * tau - a1 / a2)) with (a1 / a2) in H by ring.
       replace (a2 * D + a1 ^ 2 * be / (2 * a2) - (m1 + m2) * be)
         with (- ((m1 + m2) * be) + a1 * (be * (a1 / a2)) + a2 * (D - be * (a1 / a2) ^ 2 / 2)) by (field; lra). lra.
   - intros (F1 & F2 & F3) t Ht. rewrite HD2 in F1.
     destruct (Rlt_dec t tau) as [l|l]; [|destruct (Rlt_dec t (2 * tau)) as [l'|l']].
-    + rewrite force_first by lra. assert (0 <= a1 * (be * t)) by (apply Rmult_le_pos; nra).
-      assert (0 <= a2 * (be * t ^ 2 / 2)) by (apply Rmult_le_pos; nra).
+    + rewrite force_first by lra. assert (0 <= a1 * (be * t)) by positive.
+      assert (0 <= a2 * (be * t ^ 2 / 2)) by positive.
       assert (a1 * (be * t) <= a1 * (be * tau)) by (apply Rmult_le_compat_l; nra).
       assert (be * t ^ 2 <= be * tau ^ 2) by (apply Rmult_le_compat_l; [lra|apply pow_incr; lra]).
-      assert (a2 * (be * t ^ 2 / 2) <= a2 * (be * tau ^ 2 / 2)) by (apply Rmult_le_compat_l; lra).
-      apply Rabs_le. lra.
+      assert (a2 * (be * t ^ 2 / 2) <= a2 * (be * tau ^ 2 / 2)) by scale. apply Rabs_le. lra.
     + rewrite force_then by lra. set (r := 2 * tau - t). assert (Hr : 0 < r <= tau) by (unfold r; lra).
-      assert (A1 : 0 <= a1 * (be * r)) by (apply Rmult_le_pos; nra).
+      assert (A1 : 0 <= a1 * (be * r)) by positive.
       assert (r ^ 2 <= tau * tau) by nra. assert (A2 : 0 <= a2 * (D - be * r ^ 2 / 2)).
       { apply Rmult_le_pos; [lra|]. rewrite <- T2. nra. }
-      assert (P1 : 0 <= a1 * (be * tau)) by (apply Rmult_le_pos; nra).
-      assert (P2 : 0 <= a2 * (be * tau ^ 2 / 2)) by (apply Rmult_le_pos; nra).
+      assert (P1 : 0 <= a1 * (be * tau)) by positive. assert (P2 : 0 <= a2 * (be * tau ^ 2 / 2)) by positive.
       apply Rabs_le. split; [lra|]. destruct (Rle_dec (a1 ^ 2 * be) (a2 ^ 2 * D)) as [Little|Much].
       * specialize (F3 Little). eapply Rle_trans; [|exact F3].
         replace (- ((m1 + m2) * be) + a1 * (be * r) + a2 * (D - be * r ^ 2 / 2))
           with (a2 * D + a1 ^ 2 * be / (2 * a2) - (m1 + m2) * be - be / (2 * a2) * (a1 - a2 * r) ^ 2) by (field; lra).
-        assert (0 <= be / (2 * a2) * (a1 - a2 * r) ^ 2); [|lra]. apply Rmult_le_pos; [|apply pow2_ge_0].
+        assert (0 <= be / (2 * a2) * (a1 - a2 * r) ^ 2); [|lra]. apply Rmult_le_pos; [|positive].
         apply Rlt_le, Rdiv_lt_0_compat; lra.
       * assert (a2 * tau < a1).
         { apply Rnot_le_lt. intros B. apply Much. rewrite <- T2.
@@ -122,7 +116,7 @@ Proof.
         eapply Rle_trans; [|exact F1].
         assert (0 <= be * (tau - r) * (a1 - a2 * (tau + r) / 2)). { apply Rmult_le_pos; nra. }
         replace (a2 * (D - be * r ^ 2 / 2)) with (a2 * D - a2 * be * r ^ 2 / 2) by field. rewrite <- T2. nra.
-    + rewrite force_last by lra. assert (0 < a2 * D) by (apply Rmult_lt_0_compat; auto). apply Rabs_le. lra.
+    + rewrite force_last by lra. assert (0 < a2 * D) by positive. apply Rabs_le. lra.
 Qed.
 
 (** *** With slip *)
@@ -145,8 +139,7 @@ Proof.
   assert (Hq : q <= t) by (apply Rmult_le_reg_l with be; lra).
   assert (K : 0 <= be * ((q - t) * (tau - (t + q) / 2))) by (rewrite <- T2 in ED; nra).
   assert (K' : 0 <= (q - t) * (tau - (t + q) / 2)) by (apply Rmult_le_reg_l with be; lra).
-  f_equal. destruct (Req_dec q t) as [|N]; auto. exfalso. assert (0 < (t - q) * (tau - (t + q) / 2)) by (apply
-    Rmult_lt_0_compat; lra). lra.
+  f_equal. destruct (Req_dec q t) as [|N]; auto. exfalso. assert (0 < (t - q) * (tau - (t + q) / 2)) by positive. lra.
 Qed.
 
 (** In the first half body 1 must gain the velocity beta tau against the friction b. Tested with the speed g' of body
@@ -160,25 +153,20 @@ Theorem arrival_needs (g g' : R -> R) U x v1 v2 s x2 F : (forall t, is_derive g 
   x2 (2 * tau) - x2 0 = D -> v2 (2 * tau) = 0 -> b + be * tau / g tau <= F.
 Proof.
   intros Dg Dg' G0 G0' Gp Gt LU H X0 V0 W0 C R ED ZT. pose proof tau_pos as Tp. pose proof be_pos as Bp.
-  pose proof (fastest _ _ _ _ _ _ H C R W0 ZT ED) as Full.
-  assert (Es : forall t, 0 <= t <= tau -> s t = s 0 + t).
+  pose proof (fastest _ _ _ _ _ _ H C R W0 ZT ED) as Full. assert (Es : forall t, 0 <= t <= tau -> s t = s 0 + t).
   { intros t Ht. pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) ltac:(lra)) as Q. rewrite Full,
-    W0 in Q by lra.
-    fold be in Q. apply Rmult_eq_reg_l with be; lra. }
+    W0 in Q by lra. fold be in Q. apply Rmult_eq_reg_l with be; lra. }
   assert (Ahead : be * tau <= v1 tau).
   { rewrite <- (Full tau) by lra. cut (v2 tau - v1 tau <= 0); [lra|].
     apply (cont_le (fun t => v2 t - v1 t) 0 0 tau); [|lra|].
     { apply cont_minus; [exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H)]. }
-    intros t Ht. apply Rnot_lt_le. intros N.
-    assert (S1 : rderiv s t 1).
+    intros t Ht. apply Rnot_lt_le. intros N. assert (S1 : rderiv s t 1).
     { apply rderiv_near with (fun u => s 0 + u) (tau - t); [lra|intros; symmetry; apply Es; lra|].
       apply rderiv_of_derive. auto_derive; auto. }
     pose proof (rderiv_unique _ _ _ _ S1 (f_neg _ _ _ _ _ _ _ _ _ _ H t ltac:(lra) ltac:(lra))). lra. }
-  set (G := fun t => g' (tau - t)). set (K := fun t => g (tau - t)).
-  assert (DK : forall t, is_derive K t (- G t)).
+  set (G := fun t => g' (tau - t)). set (K := fun t => g (tau - t)). assert (DK : forall t, is_derive K t (- G t)).
   { intros t. unfold K, G. replace (- g' (tau - t)) with (scal (-1) (g' (tau - t))) by (unfold scal; simpl;
-    unfold mult; simpl; ring).
-    apply (is_derive_comp g (fun t => tau - t)); auto. auto_derive; auto; ring. }
+    unfold mult; simpl; ring). apply (is_derive_comp g (fun t => tau - t)); auto. auto_derive; auto; ring. }
   assert (DG : forall t, is_derive G t ((a2 * K t + a1 * G t) / m1)).
   { intros t. unfold K, G. replace ((a2 * g (tau - t) + a1 * g' (tau - t)) / m1)
       with (scal (-1) (- (a2 * g (tau - t) + a1 * g' (tau - t)) / m1)) by (unfold scal; simpl; unfold mult; simpl;
@@ -190,8 +178,7 @@ Proof.
   assert (Cid : cont (fun t => t)) by (apply cont_of_derive with (fun _ => 1); intros; auto_derive; auto).
   assert (Cf : cont f).
   { pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
-    pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H).
-    pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H). unfold f, Pm.
+    pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H). pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H). unfold f, Pm.
       repeat first [apply cont_minus|apply cont_plus|apply cont_mult]; auto using cont_const, cont_scal. }
   assert (Le : f tau <= f 0).
   { apply dini_mono; auto; [lra|]. intros t Ht.
@@ -208,10 +195,8 @@ Proof.
       (rderiv_of_derive _ _ _ (DG t))) as Du.
     pose proof (dini_plus _ _ _ _ _ Du Dr) as Q. unfold f. eapply dini_eq; [|exact Q].
     unfold Pm. rewrite (Es t) by lra. field; lra. }
-  assert (F0 : f 0 = 0) by (unfold f, Pm; rewrite X0, V0; ring).
-  assert (FT : f tau = v1 tau - (F - b) * g tau).
+  assert (F0 : f 0 = 0) by (unfold f, Pm; rewrite X0, V0; ring). assert (FT : f tau = v1 tau - (F - b) * g tau).
   { unfold f, Pm, G, K. rewrite (Es tau) by lra. rewrite Rminus_diag_eq, Rminus_0_r, G0, G0' by auto. field; lra. }
-  assert (be * tau <= (F - b) * g tau) by lra. cut (be * tau / g tau <= F - b); [lra|].
-  apply Rmult_le_reg_r with (g tau); auto. replace (be * tau / g tau * g tau) with (be * tau) by (field; lra). auto.
+  assert (be * tau <= (F - b) * g tau) by lra. cut (be * tau / g tau <= F - b); [lra|]. undivide (g tau). auto.
 Qed.
 End Transfer.

@@ -31,21 +31,18 @@ Proof.
   pose proof PI_RGT_0 as P0. pose proof PI2_1 as P1. assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1.
     apply sqrt_lt_1; lra. }
   destruct (cont_IVT k (1 / 2) PI cont_k) as (p1 & Hp & Z); [lra| |].
-  { assert (k PI < 0) by (unfold k; rewrite sin_PI; nra).
-    assert (0 < k (1 / 2)); [|nra]. unfold k.
+  { assert (k PI < 0) by (unfold k; rewrite sin_PI; nra). assert (0 < k (1 / 2)); [|nra]. unfold k.
       pose proof (sinc_strict (1 / 2) (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q.
     rewrite sin_PI2 in Q. pose proof PI_4. assert (1 / 2 <= 1 / (PI / 2)).
-    { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
-    assert (sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
-    assert (sqrt 2 < 3 / 2) by nra.
+    { undivide (PI / 2). lra. }
+    assert (sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra). assert (sqrt 2 < 3 / 2) by nra.
     (* sin(1/2) > 3/8 : from sin u >= u - u^3/6 *)
     assert (3 / 8 < sin (1 / 2)).
     { cut (0 <= sin (1 / 2) - (1 / 2 - (1 / 2) ^ 3 / 6)); [lra|].
       apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) 1); [|  | |lra].
       - intros t; auto_derive; auto. field.
       - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
-        rewrite cos_2a_sin.
-        pose proof (sin_pos (t / 2) ltac:(lra)). nra.
+        rewrite cos_2a_sin. pose proof (sin_pos (t / 2) ltac:(lra)). nra.
       - rewrite sin_0. field. }
     lra. }
   assert (p1 < PI). { destruct (Req_dec p1 PI) as [->|]; [|lra]. unfold k in Z. rewrite sin_PI in Z. nra. }
@@ -64,17 +61,15 @@ Theorem root : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q < p -> 0 < K 
 Proof.
   destruct turn as (p1 & H1 & Up & Down). assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1. apply sqrt_lt_1; lra. }
   assert (K0 : K 0 = 0) by (unfold K; rewrite sin_0; ring).
-  assert (KP : K PI < 0). { unfold K. rewrite sin_PI, cos_PI. nra. }
-  assert (A : forall q, 0 < q <= p1 -> 0 < K q).
+  assert (KP : K PI < 0). { unfold K. rewrite sin_PI, cos_PI. nra. } assert (A : forall q, 0 < q <= p1 -> 0 < K q).
   { intros q Hq. destruct (mvt_K 0 q ltac:(lra)) as (t & Ht & E). rewrite K0 in E.
     pose proof (Up t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
-    assert (0 < sin t * k t) by (apply Rmult_lt_0_compat; auto). nra. }
+    assert (0 < sin t * k t) by positive. nra. }
   assert (B : forall u v, p1 <= u -> u < v -> v <= PI -> K v < K u).
   { intros u v Hu Huv Hv. destruct (mvt_K u v Huv) as (t & Ht & E).
     pose proof (Down t ltac:(lra)). pose proof (sin_gt_0 t ltac:(lra) ltac:(lra)).
       assert (sin t * k t < 0) by nra. nra. }
-  pose proof (A p1 ltac:(lra)) as K1.
-  destruct (cont_IVT K p1 PI cont_K) as (p & Hp & Z); [lra|nra|].
+  pose proof (A p1 ltac:(lra)) as K1. destruct (cont_IVT K p1 PI cont_K) as (p & Hp & Z); [lra|nra|].
   assert (p1 < p < PI). { destruct (Req_dec p p1); [subst p; lra|]. destruct (Req_dec p PI); [subst p; lra|]. lra. }
   exists p. repeat split; auto; try lra.
   - intros q Hq. destruct (Rle_dec q p1); [apply A; lra|]. rewrite <- Z. apply B; lra.
@@ -96,8 +91,7 @@ Lemma derive_ratio p : 0 < p < PI ->
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G.
   auto_derive. { repeat split; auto. assert (0 < 2 * sin p * (sin p - p * cos p)) by nra. lra. }
-  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  set (s := sin p) in *. set (c := cos p) in *. clearbody s c.
+  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. set (s := sin p) in *. set (c := cos p) in *. clearbody s c.
   assert (Main : 2 * s ^ 3 * (s - p * c) - (p - s * c) * (c * (s - p * c) + p * s ^ 2) = 2 * (s - p * c) ^ 2 - (p
     - s * c) ^ 2).
   { rewrite ?pow2e, ?pow3e. nsatz. }
@@ -116,8 +110,7 @@ Proof.
   destruct (MVT_cor2 f df p q Hpq) as (t & E & Ht). { intros t Ht. apply is_derive_Reals, derive_ratio; lra. }
   assert (Den : 0 < / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)).
   { apply Rinv_0_lt_compat. pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))).
-    pose proof (pow_lt _ 2 (g_pos t ltac:(lra))).
-    apply Rmult_lt_0_compat; [|auto]. lra. }
+    pose proof (pow_lt _ 2 (g_pos t ltac:(lra))). apply Rmult_lt_0_compat; [|auto]. lra. }
   assert (Sq : 2 * (sin t - t * cos t) ^ 2 - (t - sin t * cos t) ^ 2 = - K t * (t - sin t * cos t + sqrt 2 * (sin
     t - t * cos t))).
   { unfold K. pose proof (sqrt_sqrt 2 ltac:(lra)) as Q.
@@ -129,11 +122,10 @@ Proof.
     * cos t) ^ 2))).
   { unfold df, Rdiv. rewrite Sq. ring. }
   assert (PP := Rmult_lt_0_compat _ _ Pos Den). rewrite Ed in E.
-    set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in
-    *.
+    set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in *.
   split; intros S; specialize (S t Ht).
-  - assert (0 < K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; auto|lra]). lra.
-  - assert (0 < - K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [lra|auto]|lra]). lra.
+  - assert (0 < K t * w * (q - p)) by positive. lra.
+  - assert (0 < - K t * w * (q - p)) by positive. lra.
 Qed.
 
 (** so it is least at the zero of K *)
@@ -164,8 +156,7 @@ Theorem threshold : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q <= PI ->
 Proof.
   destruct root as (p & Hp' & Z & Le & Ri).
   pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp') as G.
-  pose proof (ratio_root p Hp' Z) as R2.
-  assert (Rel : forall q, 0 < q < PI -> hh q ^ 2 = ratio q ^ 2 * depth q ^ 2).
+  pose proof (ratio_root p Hp' Z) as R2. assert (Rel : forall q, 0 < q < PI -> hh q ^ 2 = ratio q ^ 2 * depth q ^ 2).
   { intros q Hq. pose proof (depth_pos q Hq). unfold ratio. field. lra. }
   exists p. split; [auto|]. split; [auto|]. split.
   { intros q Hq Zq. destruct (Rtotal_order q p) as [Lt|[|Gt]]; auto;
@@ -175,7 +166,7 @@ Proof.
     assert (0 < ratio p). { unfold ratio. apply Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto. }
     assert (ratio p ^ 2 <= ratio q ^ 2) by (apply pow_incr; lra). pose proof (pow_lt _ 2 (depth_pos q Hq)). nra.
   - intros r Hr. rewrite Rel by auto. rewrite R2. pose proof (pow2_ge_0 (depth p)). nra.
-  - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by (apply pow_lt; auto). rewrite cos_2a_sin.
+  - intros m1 m2 H1 H2. assert (S2 : 0 < sin p ^ 2) by positive. rewrite cos_2a_sin.
     assert (E1 : m2 / (m1 + m2) * (2 * sin p ^ 2) * (m1 + m2) = 2 * m2 * sin p ^ 2) by (field; lra).
     assert (E2 : m1 / m2 * m2 = m1) by (field; lra).
       assert (E3 : / (2 * sin p ^ 2) * (2 * sin p ^ 2) = 1) by (field; lra).

@@ -37,7 +37,7 @@ Theorem two_stop_exists X V Y W : slips X V -> sticks Y W ->
     forall t, ts <= t <= PI / om -> x t = Y t /\ v1 t = W t.
 Proof.
   intros (DX & DV) (DY & DW) EY EW Meet ET ET' Slip Load. pose proof Hts as Ht0.
-  change (PI / om) with T in Ht0, ET, ET', Load |- *. assert (Mp : 0 < M) by (unfold M; lra).
+  change (PI / om) with T in Ht0, ET, ET', Load |- *. assert (Mp : 0 < M) by positive.
   assert (A1 : forced_arc m1 m2 a1 a2 b ts u X V (fun t => V 0 + b / m2 * t) (fun _ => 1)).
   { constructor; auto.
     - intros t. eapply is_derive_ext_loc; [apply filter_forall; reflexivity|]. rewrite Rmult_1_r. apply DV.
@@ -86,16 +86,14 @@ Theorem two_stop_needs x v1 v2 s : two_stop x v1 v2 s ->
   forall t, ts <= t < PI / om -> Rabs (m2 * (F * sin (om * t + phi) - a2 * x t - a1 * v1 t) / (m1 + m2)) <= b.
 Proof.
   intros (H & Slip & St & Anti). pose proof Hts as Ht0.
-  change (PI / om) with T in Ht0, St, Anti |- *. assert (Mp : 0 < M) by (unfold M; lra).
+  change (PI / om) with T in Ht0, St, Anti |- *. assert (Mp : 0 < M) by positive.
   destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0.
   pose proof (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
-  pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx.
-  assert (Meet : v1 0 = v2 0) by (pose proof (St T ltac:(lra)); lra).
+  pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx. assert (Meet : v1 0 = v2 0) by (pose proof (St T ltac:(lra)); lra).
   pose proof (slip_clock _ _ _ _ _ _ _ _ _ _ 0 ts H ltac:(lra) Slip) as Clock.
   assert (V2 : forall t, 0 <= t <= ts -> v2 t = v2 0 + b / m2 * t).
   { intros t Ht. pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) ltac:(lra)) as Q.
-    rewrite (Clock t) in Q by lra.
-    lra. }
+    rewrite (Clock t) in Q by lra. lra. }
   assert (Load : forall t, ts <= t < T -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b).
   { intros t Ht. apply (Rule.stuck_load m1 m2 a1 a2 b Hm1 Hm2 Hb (wave F om phi) u x v1 v2 s H t (T - t)); try lra.
     - apply rderiv_wave; auto.
@@ -111,13 +109,12 @@ Proof.
         - intros t Ht. pose proof (Load t Ht) as B. apply Rabs_inv in B. lra. }
       assert (ut : u T = - (F * sin phi)).
       { unfold u, T. replace (om * (PI / om) + phi) with (phi + PI) by (field; lra). rewrite neg_sin. ring. }
-      rewrite ut, X0, V0 in Q0. apply Rmult_le_reg_l with (m2 / M); [apply Rdiv_lt_0_compat; auto|].
+      rewrite ut, X0, V0 in Q0. apply Rmult_le_reg_l with (m2 / M); [positive|].
       replace (m2 / M * ((m1 + m2) * (b / m2))) with b by (unfold M; field; unfold M in Mp; lra).
       replace (m2 * (- (F * sin phi) - a2 * - x 0 - a1 * - v1 0) / M) with (- (m2 / M * (F * sin phi - a1 * v1 0 - a2
         * x 0))) in Q0 by (field; lra). lra.
     + pose proof (exit_load _ _ _ _ _ _ _ _ _ _ 0 ts _ Hm1 Hm2 H ltac:(lra) Slip Meet (rderiv_wave F om phi 0 Hom)) as
-      Q.
-      rewrite Rmult_0_r, Rplus_0_l in Q. lra.
+      Q. rewrite Rmult_0_r, Rplus_0_l in Q. lra.
   - pose proof (V2 ts ltac:(lra)). pose proof (St ts ltac:(lra)). lra.
 Qed.
 End TwoStop.

@@ -7,7 +7,7 @@ Lemma grows f f' p q : p < q -> (forall t, p <= t <= q -> is_derive f t (f' t)) 
   0 < f' t) -> f p < f q.
 Proof.
   intros Hp D P. destruct (MVT_cor2 f f' p q Hp) as (c & E & Hc). { intros c Hc. apply is_derive_Reals, D; auto. }
-  specialize (P c Hc). assert (0 < f' c * (q - p)) by (apply Rmult_lt_0_compat; lra). lra.
+  specialize (P c Hc). assert (0 < f' c * (q - p)) by positive. lra.
 Qed.
 
 (** the chord of the sine lies below it *)
@@ -34,15 +34,14 @@ Proof.
     y)))); [lra| |].
   - intros t _. auto_derive; auto. ring.
   - intros t Ht. assert (0 < sin t) by (apply sin_gt_0; lra). assert (0 < sin (r * t)) by (apply sin_gt_0; nra).
-    assert (0 < 1 - r ^ 2) by nra. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+    assert (0 < 1 - r ^ 2) by nra. apply Rmult_lt_0_compat; auto. positive.
 Qed.
 
 (** so sin (r y) / sin y grows up to pi/2 *)
 Lemma sine_share r y : 0 < r < 1 -> 0 <= y <= PI / 2 -> sin (r * y) <= sin (r * (PI / 2)) * sin y.
 Proof.
   intros Hr Hy. destruct (Req_dec y 0) as [->|N0]; [rewrite Rmult_0_r, sin_0; lra|].
-  destruct (Req_dec y (PI / 2)) as [->|N1]; [rewrite sin_PI2; lra|].
-  assert (Sy : 0 < sin y) by (apply sin_gt_0; lra).
+  destruct (Req_dec y (PI / 2)) as [->|N1]; [rewrite sin_PI2; lra|]. assert (Sy : 0 < sin y) by (apply sin_gt_0; lra).
   assert (sin (r * y) / sin y < sin (r * (PI / 2)) / sin (PI / 2)).
   { apply (grows (fun t => sin (r * t) / sin t) (fun t => (r * sin t * cos (r * t) - sin (r * t) * cos t) / (sin t) ^
     2)); [lra| |].
@@ -67,12 +66,11 @@ Proof.
         (replace (2 * (t / 2)) with t by field; ring).
       rewrite cos_2a, sin_2a. set (c := cos (t / 2)). set (n := sin (t / 2)).
       pose proof (sin2_cos2 (t / 2)) as Q. unfold Rsqr in Q. fold c n in Q.
-      assert (Hc : 0 < c) by (apply cos_gt_0; lra).
-      assert (Hs : 0 < c + n).
+      assert (Hc : 0 < c) by (apply cos_gt_0; lra). assert (Hs : 0 < c + n).
       { unfold c, n. replace (cos (t / 2)) with (sin (PI / 2 + t / 2)) by (rewrite <- cos_sin; auto).
         replace (sin (PI / 2 + t / 2)) with (cos (t / 2)) by (rewrite <- cos_sin; auto).
         assert (0 < sin (t / 2 + PI / 4)) as A by (apply sin_gt_0; lra). rewrite sin_plus, sin_PI4, cos_PI4 in A.
-        assert (0 < 1 / sqrt 2) by (apply Rdiv_lt_0_compat; [lra|apply sqrt_lt_R0; lra]). nra. }
+        assert (0 < 1 / sqrt 2) by positive. nra. }
       assert (Hn : n <= 0). { unfold n. replace (t / 2) with (- (- t / 2)) by field. rewrite sin_neg.
         pose proof (sin_ge_0 (- t / 2) ltac:(lra) ltac:(lra)). lra. }
       replace (PI / 2 * (c * c - n * n) - 1 - 2 * n * c) with ((c + n) * (PI / 2 * (c - n) - (c + n))) by
@@ -85,28 +83,23 @@ Lemma share_1 r y : 0 < r < 1 -> - (PI / 2) < y < PI / 2 ->
   0 < r * cos (r * (PI / 2)) * cos y + sin (r * (PI / 2)) * sin y - sin (r * y).
 Proof.
   intros Hr Hy. assert (Cy : 0 < cos y) by (apply cos_gt_0; lra). pose proof PI2_1 as P1.
-  assert (Cr : 0 < cos (r * (PI / 2))) by (apply cos_gt_0; nra).
-  destruct (Rle_dec 0 y) as [P|N].
-  - pose proof (sine_share r y Hr ltac:(lra)). assert (0 < r * cos (r * (PI / 2)) * cos y) by (repeat apply
-    Rmult_lt_0_compat; lra).
-    lra.
+  assert (Cr : 0 < cos (r * (PI / 2))) by (apply cos_gt_0; nra). destruct (Rle_dec 0 y) as [P|N].
+  - pose proof (sine_share r y Hr ltac:(lra)). assert (0 < r * cos (r * (PI / 2)) * cos y) by positive. lra.
   - set (z := PI / 2 + y). assert (Hz : 0 < z <= PI / 2) by (unfold z; lra). replace y with (z - PI / 2) by (unfold z;
     ring).
     replace (r * (z - PI / 2)) with (r * z - r * (PI / 2)) by ring. rewrite (cos_minus z), (sin_minus z), sin_minus,
       cos_PI2, sin_PI2.
     set (c := cos (r * (PI / 2))) in *. set (q := sin (r * (PI / 2))).
     pose proof (tangent r z Hr Hz) as Tg. assert (Cz : 0 < cos (r * z)) by (apply cos_gt_0; nra).
-    assert (Cmp : cos z <= cos (r * z)) by (apply cos_decr_1; nra).
-    assert (Tn : sin (r * z) * c <= q * cos (r * z)).
+    assert (Cmp : cos z <= cos (r * z)) by (apply cos_decr_1; nra). assert (Tn : sin (r * z) * c <= q * cos (r * z)).
     { cut (0 <= sin (r * (PI / 2) - r * z)); [rewrite sin_minus; fold c q; lra|]. apply sin_ge_0; nra. }
     apply Rmult_lt_reg_l with (cos (r * z)); auto.
     replace (cos (r * z) * (r * c * (cos z * 0 + sin z * 1) + q * (sin z * 0 - cos z * 1) - (sin (r * z) * c - cos (r
       * z) * q)))
       with (c * (r * sin z * cos (r * z) - sin (r * z) * cos z) + (cos (r * z) - cos z) * (q * cos (r * z) - sin (r *
         z) * c)) by ring.
-    rewrite Rmult_0_r. assert (0 < c * (r * sin z * cos (r * z) - sin (r * z) * cos z)) by (apply Rmult_lt_0_compat;
-      lra).
-    assert (0 <= (cos (r * z) - cos z) * (q * cos (r * z) - sin (r * z) * c)) by (apply Rmult_le_pos; lra). lra.
+    rewrite Rmult_0_r. assert (0 < c * (r * sin z * cos (r * z) - sin (r * z) * cos z)) by positive.
+    assert (0 <= (cos (r * z) - cos z) * (q * cos (r * z) - sin (r * z) * c)) by positive. lra.
 Qed.
 
 Section Undamped.
@@ -130,10 +123,10 @@ Definition Fslip_undamped := b / om ^ 2 * Rabs (a2 / m1 - om ^ 2) *
   sqrt ((om / sqrt (a2 / m1) * tan (PI * sqrt (a2 / m1) / (2 * om)) + PI * m1 / (2 * m2)) ^ 2 + ((m1 + m2) / m2) ^ 2).
 
 (** body 1's own frequency is positive *)
-Lemma own_pos : 0 < o1. Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; auto. Qed.
+Lemma own_pos : 0 < o1. Proof. positive. Qed.
 (** its square *)
 Lemma own_sq : m1 * (o1 * o1) = a2.
-Proof. unfold o1. rewrite sqrt_sqrt by (apply Rlt_le, Rdiv_lt_0_compat; auto). field; lra. Qed.
+Proof. unfold o1. rewrite sqrt_sqrt by positive. field; lra. Qed.
 
 (** the speed is the place's derivative *)
 Lemma derive_k t : is_derive k t (k' t).
@@ -182,9 +175,9 @@ Proof.
     lra.
   - unfold Z1. assert (0 < (a2 - m1 * om ^ 2) ^ 2); [|nra]. assert (a2 - m1 * om ^ 2 <> 0) as N by lra.
     pose proof (Rsqr_pos_lt _ N) as Q. unfold Rsqr in Q. lra.
-  - unfold leave. apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]].
+  - unfold leave. apply Rdiv_lt_0_compat; [|positive].
     replace (b * ((m1 + m2) / m2 - a2 * k 0 - 0 * k' 0)) with (b * ((m1 + m2) / m2)) by (rewrite k_0; ring).
-    apply Rmult_lt_0_compat; [auto|apply Rdiv_lt_0_compat; lra].
+    apply Rmult_lt_0_compat; [auto|positive].
   - rewrite k_0. auto.
 Qed.
 End Undamped.
@@ -194,18 +187,16 @@ Theorem above_resonance m1 m2 a2 b om F : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
   (exists phi x v1 v2 s, nonstop m1 m2 0 a2 b om F phi x v1 v2 s) <-> Fslip_undamped m1 m2 a2 b om <= F.
 Proof.
   intros Hm1 Hm2 Ha2 Hb Hom HF Ab. set (o1 := sqrt (a2 / m1)). set (r := o1 / om). pose proof PI_RGT_0 as P0.
-  assert (Ho : 0 < o1) by (apply own_pos; auto).
-  assert (Hr : 0 < r < 1).
-  { split; [apply Rdiv_lt_0_compat; auto|]. pose proof (own_sq m1 a2 Hm1 Ha2) as Q. fold o1 in Q.
+  assert (Ho : 0 < o1) by (apply own_pos; auto). assert (Hr : 0 < r < 1).
+  { split; [positive|]. pose proof (own_sq m1 a2 Hm1 Ha2) as Q. fold o1 in Q.
     assert (o1 < om). { apply Rnot_le_lt. intros N. assert (m1 * (om * om) <= m1 * (o1 * o1)) by (apply
       Rmult_le_compat_l; nra). nra. }
     apply Rmult_lt_reg_r with om; auto. unfold r. replace (o1 / om * om) with o1 by (field; lra). lra. }
   assert (Al : PI * o1 / (2 * om) = r * (PI / 2)) by (unfold r; field; lra).
   assert (Cr : 0 < cos (r * (PI / 2))) by (apply cos_gt_0; nra).
-  apply undamped_iff; auto; fold o1; rewrite ?Al; try lra.
-  intros t Ht. set (y := om * t - PI / 2).
+  apply undamped_iff; auto; fold o1; rewrite ?Al; try lra. intros t Ht. set (y := om * t - PI / 2).
   assert (Hy : - (PI / 2) < y < PI / 2).
-  { unfold y. split; [nra|]. assert (om * t < om * (PI / om)) by (apply Rmult_lt_compat_l; lra).
+  { unfold y. split; [nra|]. assert (om * t < om * (PI / om)) by scale.
     replace (om * (PI / om)) with PI in H by (field; lra). lra. }
   assert (K0 : / (m1 * o1) * (sin (o1 * (0 - PI / (2 * om))) / cos (r * (PI / 2))) = - (tan (r * (PI / 2)) / (m1 *
     o1))).

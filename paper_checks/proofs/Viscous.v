@@ -14,15 +14,13 @@ Definition captive (e : R) := 2 * e * (a2 + a1 ^ 2 / M) <= (b * M / m2) ^ 2.
 Lemma captive_load x v1 v2 : captive (energy m1 m2 a2 x v1 v2) ->
   - (b * M / m2) <= a2 * x + a1 * ((m1 * v1 + m2 * v2) / M) <= b * M / m2.
 Proof.
-  intros C. apply sq_le_abs. { apply Rlt_le, Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
+  intros C. apply sq_le_abs. { apply Rlt_le, Rdiv_lt_0_compat; auto. positive. }
   eapply Rle_trans; [|exact C]. apply Rminus_le_0.
   replace (_ - _) with (a2 / M * (a1 * x - (m1 * v1 + m2 * v2)) ^ 2 + (a2 + a1 ^ 2 / M) * (m1 * m2 / M) * (v1 -
     v2) ^ 2).
-  2: { unfold energy, M in *. field. lra. }
-  assert (0 <= a1 ^ 2 / M). { apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; auto]. }
-  assert (0 < a2 / M) by (apply Rdiv_lt_0_compat; auto).
-  assert (0 < m1 * m2 / M) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
-  apply Rplus_le_le_0_compat; apply Rmult_le_pos; try apply pow2_ge_0; try lra. apply Rmult_le_pos; lra.
+  2: { unfold energy, M in *. field. lra. } assert (0 <= a1 ^ 2 / M) by positive. assert (0 < a2 / M) by positive.
+  assert (0 < m1 * m2 / M) by positive.
+  apply Rplus_le_le_0_compat; apply Rmult_le_pos; try apply pow2_ge_0; try lra. positive.
 Qed.
 
 Section One.
@@ -37,8 +35,7 @@ Let Mo := proj1 (solution_moves _ _ _ _ _ _ _ _ _) H.
 Lemma slip_rate k t : 0 <= t -> (k = 1 \/ k = -1) -> 0 < k * w t ->
   rderiv w t (- (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)).
 Proof.
-  intros Ht Hk Hw.
-  eapply rderiv_eq; [|exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 k Ht (rderiv_const 0 t)
+  intros Ht Hk Hw. eapply rderiv_eq; [|exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 k Ht (rderiv_const 0 t)
     (q_slip _ _ _ _ _ _ _ _ _ _ _ Mo t Ht k Hk Hw))].
   field; lra.
 Qed.
@@ -50,11 +47,10 @@ Proof.
   assert (Sl : forall k, (k = 1 \/ k = -1) -> 0 < k * w t -> dini_le (fun u => w u * w u) t 0).
   { intros k Hk Hw. pose proof (slip_rate k t Ht Hk Hw) as R.
     set (w' := - (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)) in *.
-    apply rderiv_dini with (w' * w t + w t * w'); [|apply rderiv_mult; exact R].
-    cut (w t * w' <= 0); [lra|].
+    apply rderiv_dini with (w' * w t + w t * w'); [|apply rderiv_mult; exact R]. cut (w t * w' <= 0); [lra|].
     assert (W : m1 * w' = - (a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) - k * (b * M / m2) - a1 * m2 / M * w t).
     { unfold w', w, M. field. unfold M in Mp. lra. }
-    assert (0 <= a1 * m2 / M). { apply Rmult_le_pos; [nra|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+    assert (0 <= a1 * m2 / M) by positive.
     assert (m1 * (w t * w') <= 0); [|nra]. replace (m1 * (w t * w')) with (w t * (m1 * w')) by ring. rewrite W.
     assert (0 <= a1 * m2 / M * (w t * w t)) by (apply Rmult_le_pos; [auto|nra]).
     set (l := a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) in *. set (c := b * M / m2) in *.
@@ -73,7 +69,7 @@ Proof. exact (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
 Let steep : 0 < a2 + a1 ^ 2 / M.
 Proof. assert (0 <= a1 ^ 2 / M); [|lra].
-  apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; auto]. Qed.
+  apply Rmult_le_pos; [positive|positive]. Qed.
 (** a lower level is captive too *)
 Lemma captive_less e e' : e' <= e -> captive e -> captive e'.
 Proof. unfold captive. intros. nra. Qed.
@@ -81,8 +77,7 @@ Proof. unfold captive. intros. nra. Qed.
 (** contact at or below the captive level is for ever *)
 Theorem captive_sticks t0 : 0 <= t0 -> v1 t0 = v2 t0 -> captive (E t0) -> forall t, t0 <= t -> v1 t = v2 t.
 Proof.
-  intros Ht W C t Hu.
-  assert (CW : cont w). { apply cont_minus;
+  intros Ht W C t Hu. assert (CW : cont w). { apply cont_minus;
     [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. }
   assert (Q : w t * w t <= w t0 * w t0).
   { apply (dini_mono (fun u => w u * w u)); [apply cont_mult; auto|lra|]. intros r Hr. apply gap_rate; [lra|].
@@ -122,22 +117,21 @@ Let energy := energy m1 m2 a2.
 (** a small enough factor *)
 Lemma small_enough p q : 0 <= p -> 0 < q -> exists e, 0 < e /\ forall c, 0 <= c <= e -> c * p <= q.
 Proof.
-  intros Hp Hq. exists (q / (p + 1)); split; [apply Rdiv_lt_0_compat; lra|]. intros c Hc.
+  intros Hp Hq. exists (q / (p + 1)); split; [positive|]. intros c Hc.
   apply Rle_trans with (q / (p + 1) * (p + 1)); [apply Rmult_le_compat; lra|right; field; lra].
 Qed.
 
 (** |x P| <= (1/a2 + M) E *)
 Lemma cross_bound x v1 v2 : Rabs (x * (m1 * v1 + m2 * v2)) <= (/ a2 + M) * energy x v1 v2.
 Proof.
-  assert (Ha : 0 < / a2) by (apply Rinv_0_lt_compat; auto).
+  assert (Ha : 0 < / a2) by positive.
   assert (A : x ^ 2 + (m1 * v1 + m2 * v2) ^ 2 <= 2 * ((/ a2 + M) * energy x v1 v2)).
   { apply Rminus_le_0.
     replace (_ - _) with (/ a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2) + M * (a2 * x ^ 2) + m1 * m2 * (v1 - v2) ^ 2) by
       (unfold energy, Pair.energy, M; field; lra).
     pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). pose proof (pow2_ge_0 (v1 - v2)).
-    assert (0 <= m1 * m2 * (v1 - v2) ^ 2) by (apply Rmult_le_pos; [nra|auto]).
-    assert (0 <= / a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2)) by (apply Rmult_le_pos; nra).
-    assert (0 <= M * (a2 * x ^ 2)) by (apply Rmult_le_pos; nra). lra. }
+    assert (0 <= m1 * m2 * (v1 - v2) ^ 2) by positive. assert (0 <= / a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2)) by positive.
+    assert (0 <= M * (a2 * x ^ 2)) by positive. lra. }
   pose proof (pow2_ge_0 (x + (m1 * v1 + m2 * v2))). pose proof (pow2_ge_0 (x - (m1 * v1 + m2 * v2))).
     apply Rabs_le. nra.
 Qed.
@@ -148,13 +142,11 @@ Lemma rate_bound E0 : 0 <= E0 -> exists c k, 0 < c /\ 0 < k /\ c * (/ a2 + M) <=
   (- b * Rabs (v1 - v2) - a1 * v1 ^ 2) + c * (v1 * (m1 * v1 + m2 * v2) + x * - (a2 * x + a1 * v1))
   <= - k * (energy x v1 v2 + c * (x * (m1 * v1 + m2 * v2))).
 Proof.
-  intros HE. assert (Ha : 0 < / a2) by (apply Rinv_0_lt_compat; auto).
+  intros HE. assert (Ha : 0 < / a2) by positive.
   (* the bound U of |v1| and |v2| *)
-  set (U := 1 + 2 * E0 / m1 + 2 * E0 / m2).
-  assert (HU1 : 0 <= 2 * E0 / m1) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]).
-  assert (HU2 : 0 <= 2 * E0 / m2) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]).
-  assert (HU : 1 <= U) by (unfold U; lra).
-  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)). { apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; lra]. }
+  set (U := 1 + 2 * E0 / m1 + 2 * E0 / m2). assert (HU1 : 0 <= 2 * E0 / m1) by positive.
+  assert (HU2 : 0 <= 2 * E0 / m2) by positive. assert (HU : 1 <= U) by (unfold U; lra).
+  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)) by positive.
   destruct (small_enough (/ a2 + M) (1 / 2)) as (c1 & Hc1 & K1); [lra|lra|].
   destruct (small_enough (m2 * U) (b / 2)) as (c2 & Hc2 & K2); [nra|lra|].
   destruct (small_enough (M + a1 ^ 2 / (2 * a2)) (a1 / 2)) as (c3 & Hc3 & K3); [lra|lra|].
@@ -174,13 +166,9 @@ Proof.
   pose proof (pow2_ge_0 x) as X2. pose proof (pow2_ge_0 v1) as V2. pose proof (pow2_ge_0 v2) as W2.
   assert (En : energy x v1 v2 = a2 * x ^ 2 / 2 + m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2) by reflexivity.
   assert (U1 : - U <= v1 <= U).
-  { assert (v1 ^ 2 <= 2 * E0 / m1). { apply Rmult_le_reg_l with m1; auto.
-    replace (m1 * (2 * E0 / m1)) with (2 * E0) by (field; lra). nra. }
-    apply sq_le_abs; [lra|]. unfold U in *. nra. }
+  { assert (v1 ^ 2 <= 2 * E0 / m1). { undivide m1. nra. } apply sq_le_abs; [lra|]. unfold U in *. nra. }
   assert (U2 : - U <= v2 <= U).
-  { assert (v2 ^ 2 <= 2 * E0 / m2). { apply Rmult_le_reg_l with m2; auto.
-    replace (m2 * (2 * E0 / m2)) with (2 * E0) by (field; lra). nra. }
-    apply sq_le_abs; [lra|]. unfold U in *. nra. }
+  { assert (v2 ^ 2 <= 2 * E0 / m2). { undivide m2. nra. } apply sq_le_abs; [lra|]. unfold U in *. nra. }
   set (r := Rabs (v1 - v2)). assert (R0 : 0 <= r) by apply Rabs_pos.
   assert (Rr : r * r = (v1 - v2) ^ 2) by (unfold r, Rabs; destruct Rcase_abs; ring).
   assert (R2 : r <= 2 * U) by (unfold r, Rabs; destruct Rcase_abs; lra).
@@ -192,28 +180,27 @@ Proof.
     { apply Rle_trans with (Rabs v1 * r).
       - unfold r. rewrite <- Rabs_mult, <- Rabs_Ropp. apply Rle_abs.
       - apply Rmult_le_compat_r; [auto|apply Rabs_le; lra]. }
-    assert (m2 * - (v1 * (v1 - v2)) <= m2 * (U * r)) by (apply Rmult_le_compat_l; lra). unfold M. lra. }
+    assert (m2 * - (v1 * (v1 - v2)) <= m2 * (U * r)) by scale. unfold M. lra. }
   assert (A3 : x * - (a2 * x + a1 * v1) <= - (a2 * x ^ 2 / 2) + a1 ^ 2 / (2 * a2) * v1 ^ 2).
   { apply Rminus_le_0. replace (_ - _) with (/ (2 * a2) * (a2 * x + a1 * v1) ^ 2) by (field; lra).
-    apply Rmult_le_pos; [apply Rlt_le, Rinv_0_lt_compat; lra|apply pow2_ge_0]. }
+    apply Rmult_le_pos; [positive|positive]. }
   assert (A4 : c * (v1 * (m1 * v1 + m2 * v2) + x * - (a2 * x + a1 * v1)) <= a1 / 2 * v1 ^ 2 + b / 2 * r - c * (a2
     * x ^ 2 / 2)).
   { apply Rle_trans with (c * (M * v1 ^ 2 + m2 * U * r + (- (a2 * x ^ 2 / 2) + a1 ^ 2 / (2 * a2) * v1 ^ 2)));
-    [apply Rmult_le_compat_l; lra|].
-    assert (c * (M + a1 ^ 2 / (2 * a2)) * v1 ^ 2 <= a1 / 2 * v1 ^ 2) by (apply Rmult_le_compat_r; auto).
-    assert (c * (m2 * U) * r <= b / 2 * r) by (apply Rmult_le_compat_r; auto). lra. }
+    [scale|]. assert (c * (M + a1 ^ 2 / (2 * a2)) * v1 ^ 2 <= a1 / 2 * v1 ^ 2) by scale.
+    assert (c * (m2 * U) * r <= b / 2 * r) by scale. lra. }
   pose proof (cross_bound x v1 v2) as CB. apply Rabs_inv in CB. set (e := energy x v1 v2) in *.
   assert (Ep : 0 <= e) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2)).
   assert (A5 : c * (x * (m1 * v1 + m2 * v2)) <= e / 2).
-  { apply Rle_trans with (c * ((/ a2 + M) * e)); [apply Rmult_le_compat_l; lra|]. rewrite <- Rmult_assoc.
-    apply Rle_trans with (1 / 2 * e); [apply Rmult_le_compat_r; lra|lra]. }
-  assert (A6 : k * (e + c * (x * (m1 * v1 + m2 * v2))) <= k * (3 / 2 * e)) by (apply Rmult_le_compat_l; lra).
+  { apply Rle_trans with (c * ((/ a2 + M) * e)); [scale|]. rewrite <- Rmult_assoc.
+    apply Rle_trans with (1 / 2 * e); [scale|lra]. }
+  assert (A6 : k * (e + c * (x * (m1 * v1 + m2 * v2))) <= k * (3 / 2 * e)) by scale.
   assert (A7 : k * (3 / 2) * (a2 * x ^ 2 / 2) <= c * (a2 * x ^ 2 / 2)). { apply Rmult_le_compat_r; auto.
-    apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow2_ge_0]|lra]. }
-  assert (A8 : k * (3 / 2 * (m1 + 2 * m2)) * v1 ^ 2 <= a1 * v1 ^ 2) by (apply Rmult_le_compat_r; auto).
-  assert (A9 : k * (6 * m2 * U) * r <= b * r) by (apply Rmult_le_compat_r; auto).
+    apply Rmult_le_pos; [positive|lra]. }
+  assert (A8 : k * (3 / 2 * (m1 + 2 * m2)) * v1 ^ 2 <= a1 * v1 ^ 2) by scale.
+  assert (A9 : k * (6 * m2 * U) * r <= b * r) by scale.
   assert (A10 : k * (3 / 2) * (m2 * v2 ^ 2 / 2) <= k * (3 / 2) * (m2 * (2 * v1 ^ 2 + 4 * U * r) / 2)).
-  { apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; lra. }
+  { apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. scale. }
   rewrite En in A6 |- *. lra.
 Qed.
 
@@ -225,8 +212,7 @@ Proof.
   intros HE. destruct (rate_bound E0 HE) as (c & k & Hc & Hk & Small & Rate).
   exists k; split; auto. intros x v1 v2 s H B t Ht.
   set (E := fun t => energy (x t) (v1 t) (v2 t)). set (P := fun t => m1 * v1 t + m2 * v2 t).
-  set (L := fun t => E t + c * (x t * P t)).
-  assert (Em : forall u, 0 <= u -> E u <= E0).
+  set (L := fun t => E t + c * (x t * P t)). assert (Em : forall u, 0 <= u -> E u <= E0).
   { intros u Hu. eapply Rle_trans; [|exact B].
     apply (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H); lra. }
   assert (PR : forall u, 0 <= u -> rderiv P u (- (a2 * x u + a1 * v1 u))).
@@ -248,38 +234,33 @@ Proof.
         * apply rderiv_scal, rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply PR]; lra.
       + pose proof (Rate (x u) (v1 u) (v2 u) (Em u ltac:(lra))) as R. pose proof (exp_pos (k * u)).
         fold (P u) (E u) in R. change (L' u <= - k * L u) in R.
-        assert (exp (k * u) * L' u <= exp (k * u) * (- k * L u)) by (apply Rmult_le_compat_l; lra). lra. }
-  rewrite Rmult_0_r, exp_0 in Q.
-  assert (LB : forall u, E u / 2 <= L u <= 3 / 2 * E u).
+        assert (exp (k * u) * L' u <= exp (k * u) * (- k * L u)) by scale. lra. }
+  rewrite Rmult_0_r, exp_0 in Q. assert (LB : forall u, E u / 2 <= L u <= 3 / 2 * E u).
   { intros u. pose proof (cross_bound (x u) (v1 u) (v2 u)) as CB. apply Rabs_inv in CB. fold (P u) (E u) in CB.
     assert (Ep : 0 <= E u) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)).
     assert (D : c * ((/ a2 + M) * E u) <= E u / 2). { rewrite <- Rmult_assoc.
-      apply Rle_trans with (1 / 2 * E u); [apply Rmult_le_compat_r; lra|lra]. }
+      apply Rle_trans with (1 / 2 * E u); [scale|lra]. }
     unfold L. split; nra. }
   pose proof (LB t). pose proof (LB 0). pose proof (exp_pos (k * t)).
   replace (- k * t) with (- (k * t)) by ring. rewrite exp_Ropp. change (E t <= 3 * E 0 * / exp (k * t)).
   apply Rmult_le_reg_l with (exp (k * t)); auto.
     replace (exp (k * t) * (3 * E 0 * / exp (k * t))) with (3 * E 0) by (field; lra).
-  assert (exp (k * t) * (E t / 2) <= exp (k * t) * L t) by (apply Rmult_le_compat_l; lra). lra.
+  assert (exp (k * t) * (E t / 2) <= exp (k * t) * L t) by scale. lra.
 Qed.
 
 (** one time after which every pair that started in {E <= E0} is stuck and has at most the energy e *)
 Theorem rest E0 e : 0 <= E0 -> 0 < e -> exists T, 0 <= T /\ forall x v1 v2 s, solution m1 m2 a1 a2 b x v1 v2 s ->
   energy (x 0) (v1 0) (v2 0) <= E0 -> forall t, T <= t -> energy (x t) (v1 t) (v2 t) <= e /\ v1 t = v2 t.
 Proof.
-  intros HE He. destruct (decay E0 HE) as (k & Hk & D).
-  assert (Sp : 0 <= a1 ^ 2 / M). { apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; auto]. }
-  assert (Tp : 0 < b * M / m2) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  intros HE He. destruct (decay E0 HE) as (k & Hk & D). assert (Sp : 0 <= a1 ^ 2 / M) by positive.
+  assert (Tp : 0 < b * M / m2) by positive.
   destruct (small_enough (2 * (a2 + a1 ^ 2 / M)) ((b * M / m2) ^ 2)) as (l & Hl & Cl); [lra|nra|].
-  set (d := Rmin e l). assert (Hd : 0 < d) by (apply Rmin_glb_lt; auto).
+  set (d := Rmin e l). assert (Hd : 0 < d) by positive.
   assert (de : d <= e) by apply Rmin_l. assert (dl : d <= l) by apply Rmin_r.
   set (T0 := 3 * E0 / d / k). assert (HT0 : 0 <= T0).
-  { unfold T0. repeat (apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto]). lra. }
-  set (T := T0 + 2 * sqrt (2 * d * m2) / b).
-  assert (HS : 0 <= 2 * sqrt (2 * d * m2) / b).
-  { apply Rmult_le_pos; [pose proof (sqrt_pos (2 * d * m2)); lra|apply Rlt_le, Rinv_0_lt_compat; auto]. }
-  exists T; split; [unfold T; lra|]. intros x v1 v2 s H B t Ht.
-  assert (HE0 : energy (x T0) (v1 T0) (v2 T0) <= d).
+  { unfold T0. repeat (apply Rmult_le_pos; [|positive]). lra. }
+  set (T := T0 + 2 * sqrt (2 * d * m2) / b). assert (HS : 0 <= 2 * sqrt (2 * d * m2) / b) by positive.
+  exists T; split; [unfold T; lra|]. intros x v1 v2 s H B t Ht. assert (HE0 : energy (x T0) (v1 T0) (v2 T0) <= d).
   { eapply Rle_trans; [apply (D x v1 v2 s H B T0 HT0)|]. replace (- k * T0) with (- (k * T0)) by ring. rewrite exp_Ropp.
     pose proof (exp_pos (k * T0)). apply Rmult_le_reg_r with (exp (k * T0)); auto.
       rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
@@ -290,9 +271,9 @@ Proof.
     specialize (Cl (energy (x T0) (v1 T0) (v2 T0)) ltac:(lra)). unfold captive. fold M. lra. }
   destruct (captive_merges m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb x v1 v2 s H T0 HT0 Cap) as (t0 & Ht0 & W).
   assert (Sq : sqrt (2 * energy (x T0) (v1 T0) (v2 T0) * m2) <= sqrt (2 * d * m2)).
-  { apply sqrt_le_1_alt, Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; lra. }
+  { apply sqrt_le_1_alt, Rmult_le_compat_r; [lra|]. scale. }
   assert (Sb : 2 * sqrt (2 * energy (x T0) (v1 T0) (v2 T0) * m2) / b <= 2 * sqrt (2 * d * m2) / b).
-  { apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
+  { scale. }
   fold energy in Ht0. unfold T in Ht. split; [|apply W; lra].
   assert (Q := energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H T0 t ltac:(lra)). fold energy in Q. lra.
 Qed.

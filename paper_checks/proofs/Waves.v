@@ -16,7 +16,7 @@ Definition sine d u :=
 
 (** the frequency *)
 Lemma frequency_sq d : d <> 0 -> 0 < sqrt (Rabs d) /\ sqrt (Rabs d) * sqrt (Rabs d) = Rabs d.
-Proof. intros N. pose proof (Rabs_pos_lt d N). split; [apply sqrt_lt_R0; auto|apply sqrt_sqrt; lra]. Qed.
+Proof. intros N. pose proof (Rabs_pos_lt d N). split; [positive|apply sqrt_sqrt; lra]. Qed.
 (** the derivative of the cosine *)
 Lemma derive_cosine d u : is_derive (cosine d) u (- (d * sine d u)).
 Proof.
@@ -328,7 +328,7 @@ Qed.
 Lemma stuck_law t x v u : M * val (slope (slope (stuck real K t x v))) u =
   sval real push (t + u) - a2 * val (stuck real K t x v) u - a1 * val (slope (stuck real K t x v)) u.
 Proof.
-  assert (HM : 0 < M) by (unfold M; lra). change (stuck real K t x v) with (swings M 0 yM t x v).
+  assert (HM : 0 < M) by positive. change (stuck real K t x v) with (swings M 0 yM t x v).
   rewrite (swing_law M) by auto. ring.
 Qed.
 (** the starts *)
@@ -370,7 +370,7 @@ Qed.
 Lemma grip_edge k t x v : a2 * x + a1 * v - sval real push t = - (sign k * (b * M / m2)) ->
   val (grip real K k t x v) 0 = 0.
 Proof.
-  intros E. assert (HM : 0 < M) by (unfold M; lra). pose proof (stuck_law t x v 0) as L.
+  intros E. assert (HM : 0 < M) by positive. pose proof (stuck_law t x v 0) as L.
   destruct (stuck_start t x v) as (E0 & E1). rewrite val_grip. rewrite E0, E1, Rplus_0_r in L.
   set (acc := val (slope (slope (stuck real K t x v))) 0) in *. assert (acc = sign k * (b / m2)) as ->.
   - apply Rmult_eq_reg_l with M; [|lra]. rewrite L. replace (sval real push t - a2 * x - a1 * v)
@@ -382,7 +382,7 @@ Qed.
 Lemma grip_held k t x v u : (forall r, sval real push r = sval real push t) -> 0 <= spare real K t x v -> 0 <= u ->
   0 <= val (grip real K k t x v) u.
 Proof.
-  intros C S Hu. assert (HM : 0 < M) by (unfold M; lra). set (c := sval real push t) in *.
+  intros C S Hu. assert (HM : 0 < M) by positive. set (c := sval real push t) in *.
   set (X := stuck real K t x v). set (Y := fun r => a2 * val X r - c).
   set (E := fun r => Y r * Y r / a2 + M * (val (slope X) r * val (slope X) r)).
   assert (A : forall r, val (slope (slope X)) r = - (Y r + a1 * val (slope X) r) / M).
@@ -400,18 +400,16 @@ Proof.
   destruct (stuck_start t x v) as (X0 & V0). unfold E, Y in D. unfold X in D. rewrite X0, V0 in D.
   unfold spare, K, real_kit in S; cbn [add sub mul div real ka1 ka2 kM kb k2 force] in S. fold c M in S. fold X in D.
   rewrite val_grip, A. fold (Y u) in D. set (y := Y u) in *. set (w := val (slope X) u) in *. set (l := b * M / m2) in *.
-  assert (Hl : 0 < l) by (apply Rdiv_lt_0_compat; nra).
-  assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
+  assert (Hl : 0 < l) by positive. assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
   { assert (0 <= (a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)).
     { apply Rmult_le_pos; [exact (Rle_0_sqr _)|apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto]. }
-    assert (0 <= a1 * a1 / M) by (apply Rmult_le_pos; [nra|apply Rlt_le, Rinv_0_lt_compat; auto]).
-    apply Rle_trans with ((y * y / a2 + M * (w * w)) * (a2 + a1 * a1 / M)).
+    assert (0 <= a1 * a1 / M) by positive. apply Rle_trans with ((y * y / a2 + M * (w * w)) * (a2 + a1 * a1 / M)).
     - apply Rminus_le_0. replace (_ - _) with ((a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)); [auto|].
       field; lra.
     - eapply Rle_trans; [apply Rmult_le_compat_r; [lra|exact D]|]. lra. }
   assert (- l <= y + a1 * w <= l) as B by (split; nra).
   replace (b / m2 - sign k * (- (y + a1 * w) / M)) with ((l + sign k * (y + a1 * w)) / M) by (unfold l; field; lra).
-  apply Rmult_le_pos; [destruct k; simpl; lra|apply Rlt_le, Rinv_0_lt_compat; auto].
+  apply Rmult_le_pos; [destruct k; simpl; lra|positive].
 Qed.
 (** a place whose velocity is that of an arc *)
 Lemma same_way y v X V t0 T : cont y -> 0 <= t0 -> 0 <= T -> (forall t, 0 <= t -> rderiv y t (v t)) ->
@@ -467,8 +465,7 @@ Theorem stick_phase T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 ->
   forall u, 0 <= u <= T -> x (t0 + u) = val stuck u /\ v1 (t0 + u) = val (slope stuck) u /\
   v2 (t0 + u) = val (slope stuck) u.
 Proof.
-  intros HT HF Ev G. assert (HM : 0 < M) by (unfold M; lra).
-  pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
+  intros HT HF Ev G. assert (HM : 0 < M) by positive. pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
   apply (H t0 T (val stuck) (val (slope stuck)) (val (slope stuck)) (fun t => m2 / b * val (slope (slope stuck)) t)); auto.
   - constructor.
     + intros t. apply derive_val.
@@ -479,7 +476,7 @@ Proof.
         by (field; lra). apply derive_val.
     + intros t Ht. specialize (G t Ht). unfold grip in G. rewrite !val_grip in G. fold stuck in G. simpl in G.
       split; [|split; intros; lra].
-      assert (0 < m2 / b) by (apply Rdiv_lt_0_compat; auto). assert (E : m2 / b * (b / m2) = 1) by (field; lra). nra.
+      assert (0 < m2 / b) by positive. assert (E : m2 / b * (b / m2) = 1) by (field; lra). nra.
   - symmetry. apply stuck_start.
   - symmetry. apply stuck_start.
   - rewrite <- Ev. symmetry. apply stuck_start.
@@ -490,7 +487,8 @@ Qed.
 Theorem slip_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> 0 <= val (guard k) 0 ->
   (forall u, 0 < u <= lo -> 0 < val (guard k) u) -> val (guard k) hi <= 0 -> exists u, lo < u <= hi /\
   (forall r, 0 < r < u -> 0 < sign k * (v1 (t0 + r) - v2 (t0 + r))) /\ v1 (t0 + u) = v2 (t0 + u) /\
-  x (t0 + u) = val (slide k) u /\ forall r, 0 <= r <= u -> v2 (t0 + r) = drive real K k (v2 t0) r.
+  x (t0 + u) = val (slide k) u /\ v1 (t0 + u) = val (slope (slide k)) u /\
+  forall r, 0 <= r <= u -> v2 (t0 + r) = drive real K k (v2 t0) r.
 Proof.
   intros Hl HF Z P N. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
   assert (Nn : forall r, 0 <= r < u -> 0 <= val (guard k) r).
@@ -501,7 +499,7 @@ Proof.
   split; [|split].
   - intros r Hr. rewrite D by lra. apply Q; lra.
   - pose proof (D u ltac:(lra)) as Du. rewrite E in Du. destruct k; simpl in Du; lra.
-  - split; [apply F; lra|]. intros r Hr. apply F; auto.
+  - repeat (split; [apply F; lra|]). intros r Hr. apply F; auto.
 Qed.
 
 (** The stick to the edge towards k: friction has something left on both sides until lo, on the other one until hi, and
@@ -512,8 +510,7 @@ Theorem stick_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> v1 t0 = v2 t0 
   a2 * x (t0 + u) + a1 * v1 (t0 + u) - sval real push (t0 + u) = - (sign k * (b * M / m2)) /\
   x (t0 + u) = val stuck u /\ forall r, 0 <= r <= u -> v1 (t0 + r) = val (slope stuck) r.
 Proof.
-  intros Hl HF Ev Z P O N. assert (HM : 0 < M) by (unfold M; lra).
-  destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
+  intros Hl HF Ev Z P O N. assert (HM : 0 < M) by positive. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
   assert (Nn : forall r, 0 <= r < u -> 0 <= val (grip k) r).
   { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, Q; lra. }
   assert (Both : forall r, 0 <= r < u -> 0 <= val (grip true) r /\ 0 <= val (grip false) r).
@@ -522,8 +519,7 @@ Proof.
   destruct (F u ltac:(lra)) as (Fx & F1 & _). split; [|split; [|split; [auto|]]].
   - intros r Hr. destruct (F r Hr) as (_ & -> & ->). auto.
   - rewrite Fx, F1. unfold grip in E. rewrite val_grip in E. fold stuck in E.
-    pose proof (stuck_law t0 (x t0) (v1 t0) u) as L. fold stuck in L.
-    set (acc := val (slope (slope stuck)) u) in *.
+    pose proof (stuck_law t0 (x t0) (v1 t0) u) as L. fold stuck in L. set (acc := val (slope (slope stuck)) u) in *.
     replace (sign k * (b * M / m2)) with (M * (sign k * (b / m2))) by (field; lra).
     replace (sign k * (b / m2)) with (sign k * (sign k * acc)) by (f_equal; lra). destruct k; simpl; lra.
   - intros r Hr. apply F; auto.

@@ -38,22 +38,21 @@ Proof.
     destruct (analytic_one_way _ t0 1 (or_introl eq_refl) (analytic_beyond m1 m2 a1 a2 b g x v1 t0 k Hm2 A)) as (d1 &
       Hd1 & Way).
     set (d := Rmin d0 d1). assert (d <= d0) by apply Rmin_l. assert (d <= d1) by apply Rmin_r.
-    assert (Hd : 0 < d) by (apply Rmin_glb_lt; auto). destruct Way as [Up|Down].
+    assert (Hd : 0 < d) by positive. destruct Way as [Up|Down].
     - destruct (slips_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht Hd ltac:(intros; apply DU;
       lra) Meet k Hk Tie) as (d' & Hd' & Slip); [|exists d'; eauto using one_sided].
       intros t Hr. rewrite Same by lra. specialize (Up (t - t0) ltac:(lra)). rewrite Z in Up.
       replace (t0 + 1 * (t - t0)) with t in Up by ring. exact Up.
     - destruct (sticks_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht Hd ltac:(intros; apply DU;
-      lra) Cu Meet k Hk Tie) as (d' & Hd' & Stick);
-        [|exists d'; split; [auto|left; intros; apply Stick; lra]].
+      lra) Cu Meet k Hk Tie) as (d' & Hd' & Stick); [|exists d'; split; [auto|left; intros; apply Stick; lra]].
       intros r t Hr Ht'. rewrite !Same by lra. specialize (Down (r - t0) (t - t0) ltac:(lra) ltac:(lra)).
       replace (t0 + 1 * (t - t0)) with t in Down by ring. replace (t0 + 1 * (r - t0)) with r in Down by ring.
       exact Down. }
   assert (Beyond : forall k, k = 1 \/ k = -1 -> b <= k * load t0 -> exists d, 0 < d /\ one_mode v1 v2 t0 (t0 + d)).
   { intros k Hk Le. destruct (Req_dec (k * load t0) b) as [Tie|N].
     - exact (Edge k Hk Tie).
-    - destruct (slips_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d0 H Ht Hd0 ltac:(intros; apply DU; lra) Cu Meet
-        k Hk) as (d & Hd & Slip); [unfold load in *; lra|exists d; eauto using one_sided]. }
+    - destruct (slips_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d0 H Ht Hd0 ltac:(intros; apply DU; lra)
+        Cu Meet k Hk) as (d & Hd & Slip); [unfold load in *; lra|exists d; eauto using one_sided]. }
   destruct (Rle_dec b (load t0)) as [Up|]; [apply (Beyond 1); [auto|lra]|].
   destruct (Rle_dec (load t0) (- b)) as [Lo|]; [apply (Beyond (-1)); [auto|lra]|].
   destruct (sticks_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 U u x v1 v2 s t0 d0 H Ht Hd0 ltac:(intros; apply DU; lra) Cu Meet)

@@ -69,6 +69,13 @@ def test_the_bounds_hold(kind, arithmetic):
     hold()
 
 
+def test_the_roundings_of_a_late_time_are_counted():
+    scene = Scene(Pair(1, 1, 1, 1), State(1000, 300, 0, -4000), 2987)
+    found = by_name(scene)
+    assert found.certain
+    assert max(excesses(scene, found)) <= 1.0
+
+
 def test_a_light_and_overdamped_driver_meets_at_once():
     assert solve(LIGHT_DRIVER).modes == solve(LIGHT_DRIVER, digits=20, arithmetic="ball").modes
 

@@ -25,7 +25,7 @@ def evolved(prepared, mode, s, start, R=0.0, wide=True):
     state_columns(room, mode, prepared.drive.b[0])
     kind = int(prepared.drive.places[0, 4])
     product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], 2, room.X)
-    evolve(tables, room, (kind, side), mode, (s, 0.0), False, wide)
+    evolve(prepared.pair, tables, room, (kind, side), mode, (s, 0.0), False, wide)
     return room.y.sum(1) * room.scale, room
 
 

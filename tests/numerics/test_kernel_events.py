@@ -38,11 +38,6 @@ def test_bounds_hold_for_the_members_of_a_set_and_are_reached(seed, columns, par
         assert np.linalg.norm(one[[0, 1, 3]]) <= norm_of(E, R)
     nearest = E @ np.sign(w @ E) + w / np.linalg.norm(w) * R[0]
     assert w @ nearest > (1 - 1e-6) * width(E, R, w[0], w[1], w[3])
-    before, scale, apart = (E.copy(), R.copy()), np.exp(random.normal(size=4)), 3.0
-    flow = random.normal(size=(4, 4))
-    carry(E, R, (flow / scale[:, None]) * scale, scale, apart, 0.1, 0.2)
-    np.testing.assert_allclose(E, flow @ before[0])
-    np.testing.assert_allclose(R, [before[1][0] + 0.1, before[1][1] + apart * before[1][0] + 0.2], rtol=1e-6)
     whole, members = norm_of(E, R), [*directions(random, E, R)]
     take_in(E, R, np.zeros((4, 4)), np.zeros(4))
     assert not R.any()
@@ -51,6 +46,22 @@ def test_bounds_hold_for_the_members_of_a_set_and_are_reached(seed, columns, par
     thin = np.outer(members[0], [0.0, 1.0, 0.0, 0.0])
     take_in(thin, R, np.zeros((4, 4)), np.zeros(4))
     np.testing.assert_allclose(thin @ thin.T, np.outer(members[0], members[0]), atol=1e-9)
+
+
+@given(seeds, st.sampled_from([-1, 0, 1]))
+def test_errors_are_carried_by_the_flow_of_a_mode(seed, mode):
+    random = np.random.default_rng(seed)
+    pair = prepare(a_scene(random), wide=False).pair
+    scale = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2])
+    E, R, time = random.normal(size=(4, 4)), random.uniform(0, 1, 2), random.uniform(0, 2)
+    if mode == 0:  # both bodies have one velocity
+        E[3] = E[1] * scale[3] / scale[1]
+    flow = np.array([moving(pair, mode, 0.0, (0.0, 0.0), time, one) for one in np.eye(4)]).T
+    far = abs(flow[2, 3]) * scale[2] / scale[3] if mode else 2.0
+    expected = (flow * scale[:, None] / scale) @ E, [R[0] + 0.1, R[1] + far * R[0] + 0.2]
+    carry(E, R, pair, mode, time, (flow[0, 1], flow[1, 1]), 0.1, 0.2)
+    np.testing.assert_allclose(E, expected[0], rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(R, expected[1], rtol=1e-6)
 
 
 def moving(pair, mode, b, u, t, y):

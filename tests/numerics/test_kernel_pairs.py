@@ -32,7 +32,7 @@ def test_a_value_in_pairs_is_off_by_what_is_counted_also_where_late_terms_are_la
         rows[1, 0, 0, :PRECISE] = rows[0, 0, 0, :PRECISE] * random.uniform(-0.5, 0.5, PRECISE) * 2.0**-53
         s = random.uniform(0.1, 1)
         low = s * random.uniform(-1, 1) * 2.0**-54
-        x, x_low, v, v_low = evaluate(rows.transpose(0, 2, 1, 3)[:, 0], 0, s, low, H, True)
+        x, x_low, v, v_low = evaluate(rows[:, 0, 0], s, low, H, True)
         terms = [Fraction(a) + Fraction(b) for a, b in rows[:, 0, 0].T]
         value, slope = exact(terms, Fraction(s) + Fraction(low))
         off = [abs(Fraction(x) + Fraction(x_low) - value), abs((Fraction(v) + Fraction(v_low)) * Fraction(H) - slope)]

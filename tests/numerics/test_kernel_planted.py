@@ -14,7 +14,7 @@ from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, sol
 from numerics.arithmetic.compiled import can_compile
 from numerics.linear.first_root import CLEAR, ROOT
 from numerics.linear.modes import UNDECIDED
-from numerics.linear.next_event import Next, next_in_slip
+from numerics.linear.next_event import Next, next_event
 from numerics.linear.prepare import prepare
 from numerics.linear.record import AT
 from numerics.linear.resolve import lateness, resolve
@@ -230,12 +230,12 @@ def test_a_jump_of_the_force_to_just_below_b_is_in_doubt_if_the_errors_reach_b(b
 def test_a_slip_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(order, since, low, high):
     """N takes kappa N at most of w, and kappa1 N of its slope."""
     scene = Scene(Pair("0.9", "0.1", 1, "0.1", "0.3"), State(1, 1, 0, 0), 9)
-    pair, _, tables, *_ = prepare(scene, wide=False)
+    pair, drive, tables, *_ = prepare(scene, wide=False)
     room, h, N = room_for(tables), float(tables.h[0, 0]), 1e-3
     unit = N * h * (pair.kappa if order == 0 and since > 9 else pair.kappa1 * h)
     for factor, is_clear in ((low, False), (high, True)):
         room.X[0, 0, order + 1] = factor * unit / (order + 1)
-        found = next_in_slip(pair, tables, room, (0, 0), 1, order, since * h, N, 1.0, False)
+        found = next_event(pair, drive, tables, room, 0, (1, order, 1), since * h, N, 1.0, 0.0, False)
         assert (found.how == CLEAR and found.high == 1.0) == is_clear
 
 

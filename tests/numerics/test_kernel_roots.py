@@ -10,11 +10,12 @@ from numerics.linear.first_root import (
     CLEAR,
     ROOT,
     UNDECIDED,
+    bounds,
+    crossing,
     first_root,
-    lower_bound,
 )
 
-TERMS, ROOM, NONE = 24, np.zeros(8), np.zeros(0)
+TERMS, ROOM, NONE = 24, np.zeros(8), np.inf
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -36,29 +37,39 @@ def tail(random):
 
 
 @given(seeds, reaches)
-def test_a_lower_bound_holds_and_is_sharp_where_the_least_coefficient_is_the_last_or_first(seed, theta):
+def test_bounds_hold_and_are_sharp_where_the_least_and_largest_coefficients_are_the_ends(seed, theta):
     random = np.random.default_rng(seed)
     c = random.uniform(0.5, 2, 8)
     c[0], c[7] = random.permutation([random.uniform(0, 0.5), 2]) if seed % 2 else (2, random.uniform(-1, 0.5))
     high = tail(random)
     q = np.concatenate([np.linalg.solve(BERNSTEIN.T, c) / theta ** np.arange(8), high])
-    least = c.min() - abs(high) @ theta ** np.arange(8, TERMS)
-    low, guess = lower_bound(q, theta, ROOM)
-    assert value(q, grid(0, theta)).min() >= low - 1e-9
-    assert abs(low - least) < 1e-6
+    tails = abs(high) @ theta ** np.arange(8, TERMS)
+    low, most = bounds(q, theta, ROOM)
+    values = value(q, grid(0, theta))
+    assert low - 1e-9 <= values.min() <= values.max() <= most + 1e-9
+    assert abs(low - (c.min() - tails)) < 1e-6
+    assert abs(most - (c.max() + tails)) < 1e-6
+    guess, which = crossing(ROOM, theta, NONE)
     assert (guess >= 0) == (c.min() <= 0)
+    assert which == 0
+    guess, which = crossing(ROOM, theta, 1.1 * c[0])
+    assert (guess >= 0) == (c.min() <= 0 or c.max() >= 1.1 * c[0])
+    assert which == 0 or c.max() >= 1.1 * c[0]
 
 
-def holds(q, other, margins, theta):
+def holds(q, order, top, margins, theta):
     """Whether what is found is true of dense values; return how."""
     m0, m1, m2, m_other = margins
-    how, s, room, which, *_ = first_root(q, other, margins, theta, ROOM)
+    how, s, room, which, *_ = first_root(q, order, top, margins, theta, ROOM)
+    other = np.concatenate([[top], np.zeros(order + TERMS - 1)])
+    other[order : order + TERMS] -= q
     assert 0 < s <= theta
     end = s - room if how == ROOT else s
     if how != UNDECIDED:
         assert value(q, grid(0, end)).min() > m0 + m1 * end + m2 / end - 1e-15
-        assert not len(other) or value(other, grid(0, end)).min() > m_other - 1e-15
+        assert top == NONE or value(other, grid(0, end)).min() > m_other - 1e-15
     if how == ROOT:
+        assert not (which and order)
         one = other if which else q
         slopes = value(np.polynomial.polynomial.polyder(one), grid(s - room, s + room / 16))
         assert room > 0
@@ -73,21 +84,20 @@ def test_what_is_clear_exceeds_its_margin_and_a_root_is_the_first_and_alone(one,
     theta, q, scale = one
     small = st.sampled_from([0.0, 0.0, 1e-12, 1e-7, 1e-3]).map(lambda x: x * scale)
     margins = tuple(data.draw(small) for _ in range(4))
-    other = data.draw(st.sampled_from([NONE, NONE, data.draw(polynomials_of_roots(TERMS))[1] * scale]))
-    holds(q, other, margins, theta)
+    top = data.draw(st.sampled_from([NONE, 1.1, 2.0, 5.0]).map(lambda x: x * max(abs(q[0]), 1e-3 * scale)))
+    holds(q, data.draw(st.sampled_from([0, 0, 1, 2])), top, margins, theta)
 
 
 @given(st.floats(0.02, 0.98), st.sampled_from([-0.4, 0.0, 0.3]), st.sampled_from([0.0, 1e-9]), reaches, st.booleans())
 def test_a_single_root_is_found_in_either_guard_and_a_double_one_never(part, slope, margin, theta, swap):
     r = part * theta
-    single, plain = padded(np.array([1, slope - 1 / r, -slope / r])), padded(np.array([2.0]))
-    double = padded(np.array([1, -2 / r, 1 / r**2]))
-    first, second = (plain, single) if swap else (single, plain)
-    how, s, room, which, *_ = first_root(first, second, (margin, 0, 0, margin), theta, ROOM)
+    single, double = padded(np.array([1, slope - 1 / r, -slope / r])), padded(np.array([1, -2 / r, 1 / r**2]))
+    one = padded(np.array([5.0])) - single if swap else single  # of the other guard, 5 less it
+    how, s, room, which, *_ = first_root(one, 0, 5.0, (margin, 0, 0, margin), theta, ROOM)
     assert (how, which) == (ROOT, int(swap))
     assert abs(s - r) < 1e-9
     assert room > 0.05 * r
-    how, s, *_ = first_root(double, NONE, (margin, 0, 0, 0), theta, ROOM)
+    how, s, *_ = first_root(double, 0, NONE, (margin, 0, 0, 0), theta, ROOM)
     assert how == UNDECIDED or (how == CLEAR and s < r)
 
 
@@ -98,6 +108,6 @@ def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
     weights = np.array([1, theta, 1 / theta, 1])
     for factor, is_clear in ((0.999, True), (1.001, False)):
         margins = np.where(np.arange(4) == part, factor * value_at_end / weights, 0)
-        guards = (padded(np.array([2.0])), q) if part == 3 else (q, NONE)
+        guards = (padded(np.array([5.0])) - q, 0, 5.0) if part == 3 else (q, 0, NONE)
         how, s, *_ = first_root(*guards, margins, theta, ROOM)
         assert (how == CLEAR and s == theta) == is_clear

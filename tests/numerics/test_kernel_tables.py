@@ -9,7 +9,7 @@ from kernel_runs import STATE, a_scene, room_for
 from numerics import Force, Pair, Piece, Scene, State
 from numerics.linear.columns import force_columns, product, state_columns
 from numerics.linear.engine import run_pairs
-from numerics.linear.next_event import slip_guard, stick_guards
+from numerics.linear.next_event import slip_guard, stick_guard
 from numerics.linear.prepare import prepare
 from numerics.linear.table import ORDERS, UNIT, fill
 
@@ -45,7 +45,7 @@ def guard_of(room, rows, degrees, count, mode, order):
     if mode:
         slip_guard(room, mode, order)
     else:
-        stick_guards(room, (0.0, 0.0), order, 1)
+        stick_guard(room, 0.0, order, 1)
     return room.q.copy()
 
 

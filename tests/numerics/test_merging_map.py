@@ -15,7 +15,7 @@ from numerics import Pair
 from numerics.arithmetic.ball import Ball
 from numerics.free import merging as merging_cell
 from numerics.free import merging_map
-from numerics.free.contact import contact_next_to_binary64
+from numerics.free.contact import contact_next_to_binary64, ray_contact
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
 from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
@@ -173,11 +173,27 @@ widths = st.sampled_from([0, 1e-3, 0.02, 0.1, 0.3])
 
 
 @given(hundredths, hundredths, widths, widths)
-def test_every_slip_angle_of_a_ball_is_enclosed_or_none_is(gap, push, wider, faster):
+def test_every_slip_of_a_ball_is_enclosed_or_none_is(gap, push, wider, faster):
     with Ball(16).context():
         found = contact_next_to_binary64(*(arb(low).union(arb(low + by)) for low, by in ((gap, wider), (push, faster))))
         for d, u in product(*([low, low + by / 3, low + by] for low, by in ((gap, wider), (push, faster)))):
-            assert found is None or holds(found[0], slip_angle(d, u))
+            theta = slip_angle(d, u)
+            assert found is None or all(map(holds, found, (theta, depth(theta), 1 - mpmath.cos(theta))))
+
+
+@given(st.integers(1, 89), st.sampled_from([0, 1e-3, 0.1]), hundredths, widths)
+def test_the_excess_after_a_slip_from_a_ray_is_enclosed_in_a_cell_and_in_a_ball(share, more, excess, wider):
+    share /= 100
+    ends = [(share, share + more), (excess, excess + wider)]
+    with Ball(16).context():
+        run = merging_cell._CellRun(*(tuple(map(Fraction, pair)) for pair in ends))
+        end = run._slip(run._on_ray(run.w * run.one_over_q))
+        r, w = arb(share), arb(excess).union(arb(excess + wider))
+        ball = ray_contact(w, arb(0), 1 - r, r, (1 - r).sqrt())[2]
+        for r, w in product(*([low, (low + high) / 2, high] for low, high in ends)):
+            deep = depth(slip_angle(0, mpmath.sqrt(w / (1 - r))))
+            assert end is None or holds(end.excess.value, w / (1 - r) - r * deep**2)
+            assert r != share or holds(ball, w - r * (1 - r) * deep**2)
 
 
 # planted faults

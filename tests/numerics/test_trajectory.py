@@ -48,7 +48,9 @@ def test_the_columns_of_y_are_sol_at_t(arithmetic):
             assert arithmetic != "ball" or one.overlaps(two)
 
 
-@pytest.mark.parametrize("bad", [-1, 4, float("nan"), float("inf"), "x", None, [[4]], -1e-300, "1e400", 3.0000001])
+@pytest.mark.parametrize(
+    "bad", [-1, 4, float("nan"), float("inf"), "x", None, True, [[4]], -1e-300, "1e400", 3.0000001]
+)
 def test_times_outside_are_refused_as_they_were_given(bad):
     value = re.escape(str(np.ravel(np.array(bad, object))[0]))
     for arithmetic in ARITHMETICS:

@@ -1,5 +1,7 @@
 """A box: axes that nothing couples are pairs of the paper, digit for digit; all of it has the events of one path."""
 
+from fractions import Fraction
+
 import pytest
 from hypothesis import example, given, settings
 from strategies import plane_scenes
@@ -114,3 +116,13 @@ def test_a_load_where_a_force_may_just_have_changed_is_that_before_and_that_behi
     assert (first.before, first.after, first.cause) == ("--", "0-", "guard")
     assert first.load[1].contains(-1.5)
     assert first.load[1].contains(2.5)
+
+
+@pytest.mark.parametrize("off", ["1e-9", "1e-22"])
+def test_coupled_axes_that_leave_the_edge_however_shortly_after_one_another_leave_one_by_one(off):
+    """The load of axis 0 is off * 150 N inside and rises at 11.25 N/s, that of axis 1 off * 225 N and at 7.5 N/s."""
+    pair, near, v = PlanePair(1, 1, [[200, 50], [50, 200]], "0.5", shape="box"), Fraction(off), ["0.1", "0.05"]
+    x1 = [Fraction("0.004") - near, Fraction("0.004") - 2 * near]
+    found = solve(PlaneScene(pair, "0.1", x1=x1, v1=v, v2=v))
+    assert found.modes == ("00", "-0", "--")
+    assert [float(one.t.mid()) / float(near) for one in found.events] == pytest.approx([40 / 3, 30], rel=1e-6)

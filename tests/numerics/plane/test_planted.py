@@ -162,6 +162,11 @@ def test_a_root_counts_where_the_function_surely_falls_below_0(error, off):
     assert found is False if off is None else found[1] >= off / 1.005
 
 
+@pytest.mark.parametrize(("error", "found"), [("0.9e-30", None), ("1.1e-30", False)])
+def test_what_rises_from_a_little_more_than_its_error_has_no_root(error, found):
+    assert first_root(arb_poly([arb("1e-30"), arb("1e-16"), 1]), arb(error)) is found
+
+
 def test_where_a_root_is_counts_what_it_is_rounded_by():
     x, off = first_root(arb_poly([1, -3]), arb(0))
     assert (x + arb(0, off)).contains(arb(1) / 3)

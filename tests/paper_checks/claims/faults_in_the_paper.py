@@ -58,6 +58,7 @@ FAULTS = {
         "model.EDGE": lambda _: START_AT_6MM,
         "model.adhesion_factor": doubled,
     },
+    "friction-opposes-displacement": {"model.EXAMPLE_PAIR": lambda pair: {**pair, b: 1}},
     "interface-force-balance": {
         "model.START_AT_6MM": lambda _: INSIDE,
         "model.EDGE": lambda _: START_AT_6MM,
