@@ -6,7 +6,7 @@ from fractions import Fraction
 import sympy as sp
 from sympy import Rational, Symbol
 
-from numerics.scene import Law, Pair, Scene, State
+from numerics.scene import Pair, Scene, State
 from theory.symbols import a1, a2, b, m1, m2, u, v1, v2, x1, x2
 
 Values = Mapping[Symbol, Rational | int]
@@ -27,7 +27,7 @@ INSIDE = at_rest("0.004")
 EDGE = at_rest("0.005")
 
 
-def scene_at(point: Values, until: str, law: Law = Law.FILIPPOV) -> Scene:
+def scene_at(point: Values, until: str) -> Scene:
     """Return the scene that starts at a point, with the horizon `until` (s); x1, v1, x2, v2 default to 0.
 
     Raises KeyError where the point has no value for a parameter, ValueError where it has a control.
@@ -40,7 +40,7 @@ def scene_at(point: Values, until: str, law: Law = Law.FILIPPOV) -> Scene:
         return Fraction(str(found))
 
     pair = Pair(m1=value(m1), m2=value(m2), a1=value(a1), a2=value(a2), b=value(b))
-    return Scene(pair, State(value(x1, 0), value(v1, 0), value(x2, 0), value(v2, 0)), Fraction(until), law)
+    return Scene(pair, State(value(x1, 0), value(v1, 0), value(x2, 0), value(v2, 0)), Fraction(until))
 
 
 PULL = sp.Symbol(r"\ddot{x}_1", real=True)

@@ -22,6 +22,7 @@ from paper_checks.evidence.evidence import Evidence, EvidenceKind
 Side: TypeAlias = "sp.Basic | int | Sequence[Any]"
 """An expression, or a list or matrix of sides."""
 _MANY = sp.MatrixBase | list | tuple
+POINTS = 5
 DIGITS = 45
 """Digits after the point to which a difference that is not rational at a point is enclosed."""
 
@@ -32,14 +33,12 @@ def identity(
     right: Side = 0,
     *,
     seed: int = 0,
-    points: int = 5,
-    assumptions: tuple[str, ...] = (),
 ) -> Evidence:
     """Check that two sympy expressions, or lists or matrices entry by entry, are equal for all their symbols' values.
 
     One expression on the right stands beside each entry on the left.
 
-    Passed is True where every entry of the difference simplifies to 0 and vanishes at `points` seeded random
+    Passed is True where every entry of the difference simplifies to 0 and vanishes at `POINTS` seeded random
     rational points that meet the symbols' assumptions; False where it is not zero at one of them (the value
     names it); None where the simplifier does not reach zero, or no point could be evaluated.
     """
@@ -50,21 +49,21 @@ def identity(
     tried, inexact, unseen = 0, 0, 0
     for difference in differences:
         before = tried
-        for point, value in _samples(difference, randomness, points):
+        for point, value in _samples(difference, randomness):
             tried += 1
             inexact += not isinstance(value, fmpq)
             if not _vanishes(value):
                 where = ", ".join(f"{symbol} = {point[symbol]}" for symbol in sorted(point, key=str))
                 text = f"difference {_shown(value)} at {where or 'no symbols'}"
-                return _evidence(statement, False, tried, text, assumptions)
+                return _evidence(statement, False, tried, text)
         unseen += tried == before
     if unseen:
-        return _evidence(statement, None, tried, f"{unseen} of the differences could be evaluated nowhere", assumptions)
+        return _evidence(statement, None, tried, f"{unseen} of the differences could be evaluated nowhere")
     zero = all(simplifies_to_zero(difference) for difference in differences)
     text = f"difference simplifies to 0; zero at {tried} rational points" if zero else "the simplifier does not reach 0"
     if zero and inexact:
         text += f" (to {DIGITS} digits at {inexact} of them)"
-    return _evidence(statement, True if zero else None, tried, text, assumptions)
+    return _evidence(statement, True if zero else None, tried, text)
 
 
 def simplifies_to_zero(expression: sp.Expr) -> bool:
@@ -90,8 +89,8 @@ def _with_simple_roots(expression: sp.Expr) -> sp.Expr:
     return expression.replace(lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer, rooted)
 
 
-def _evidence(statement: str, passed: bool | None, cases: int, value: str, assumptions: tuple[str, ...]) -> Evidence:
-    return Evidence(EvidenceKind.EXACT, "sympy", statement, passed, cases, value, assumptions)
+def _evidence(statement: str, passed: bool | None, cases: int, value: str) -> Evidence:
+    return Evidence(EvidenceKind.EXACT, "sympy", statement, passed, cases, value)
 
 
 def _entries(side: Side) -> list[sp.Expr]:
@@ -100,10 +99,8 @@ def _entries(side: Side) -> list[sp.Expr]:
     return [sp.sympify(side)]
 
 
-def _samples(
-    expression: sp.Expr, randomness: random.Random, points: int
-) -> Iterable[tuple[dict[sp.Symbol, sp.Rational], Value]]:
-    """Yield up to `points` rational points, with the expression's finite values there: exact, or in balls.
+def _samples(expression: sp.Expr, randomness: random.Random) -> Iterable[tuple[dict[sp.Symbol, sp.Rational], Value]]:
+    """Yield up to `POINTS` rational points, with the expression's finite values there: exact, or in balls.
 
     A function that is only named is stood in for by a known one: what differs for one function is no identity.
     """
@@ -111,14 +108,14 @@ def _samples(
         expression = expression.replace(lambda part: isinstance(part, AppliedUndef), _stand_in)
     symbols = sorted(expression.free_symbols, key=str)
     found = 0
-    for _ in range(10 * points):
+    for _ in range(10 * POINTS):
         point = {symbol: _rational(symbol, randomness) for symbol in symbols}
         value = _value(expression, tuple(point.items()))
         if value is None:
             continue  # a pole of the expression
         yield point, value
         found += 1
-        if found == points:
+        if found == POINTS:
             return
 
 

@@ -69,9 +69,9 @@ def solved(name: str, until: Fraction | None = None) -> Trajectory:
 
 
 @cache
-def euler(name: str, until: Fraction | None = None, step: float = STEP) -> EulerRun:
+def euler(name: str, until: Fraction | None = None) -> EulerRun:
     """Return forward Euler of a shipped scene, binary64."""
-    return forward_euler(_scene(name, until), step)
+    return forward_euler(_scene(name, until), STEP)
 
 
 def _scene(name: str, until: Fraction | None) -> Scene:
@@ -130,10 +130,10 @@ def marker_style(kind: EventKind, size: float = 5.5) -> dict[str, Any]:
     }
 
 
-def shade_sliding_region(axes: Any, trajectory: Trajectory, label: str = "$S_0$: $|x_1|\\leq L$") -> None:
+def shade_sliding_region(axes: Any, trajectory: Trajectory) -> None:
     """Shade |x1| <= L, in mm."""
     half = MM * float(trajectory.scene.pair.half_width)
-    axes.axvspan(-half, half, color=SLIDING, zorder=0, linewidth=0, label=label)
+    axes.axvspan(-half, half, color=SLIDING, zorder=0, linewidth=0, label="$S_0$: $|x_1|\\leq L$")
 
 
 def thinned(run: EulerRun, rows: Sequence[int], every: int = 10) -> list[NDArray[np.float64]]:

@@ -91,11 +91,11 @@ def tolerance_ring() -> Figure:
     return draw_ring(ring_entry(load_scene("velocities"), "0.001", rate=20))
 
 
-def harmonics(shares: tuple[Fraction, ...] = SHARES) -> Iterator[Orbit]:
+def harmonics() -> Iterator[Orbit]:
     """Yield the periodic motions as a second harmonic is added, each proved, the one before it being the guess."""
     drive, found = steady_drive(DRIVEN), response(DRIVEN).orbit
     assert found is not None
-    for share in shares:
+    for share in SHARES:
         first = drive.piece.sines[0]
         sines = [first, Sine(share * first.amplitude, 2 * first.omega, 1)]
         changed = Drive(drive.pair, Piece(0, (), sines))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -29,15 +28,14 @@ class _Printer(LatexPrinter):
         return str(super()._print_Function(expr, exp))
 
 
-def latex(expression: sp.Basic | int, names: Mapping[sp.Symbol, str] | None = None) -> str:
-    r"""Return LaTeX of an expression; `names` are other letters for some of its symbols.
+def latex(expression: sp.Basic | int) -> str:
+    r"""Return LaTeX of an expression.
 
     >>> x, theta = sp.symbols("x theta")
     >>> latex(-x * sp.cos(theta) + sp.sin(theta))
     '\\sin {\\theta} - x \\cos {\\theta}'
     """
-    settings = {"symbol_names": dict(names or {}), "fold_short_frac": False}
-    return str(_Printer(settings).doprint(sp.sympify(expression)))
+    return str(_Printer({"fold_short_frac": False}).doprint(sp.sympify(expression)))
 
 
 def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
