@@ -111,3 +111,8 @@ def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
         guards = (padded(np.array([5.0])) - q, 0, 5.0) if part == 3 else (q, 0, NONE)
         how, s, *_ = first_root(*guards, margins, theta, ROOM)
         assert (how == CLEAR and s == theta) == is_clear
+        if part < 3:  # a root is looked for from half of its time on
+            root = value_at_end * theta
+            margins = np.where(np.arange(4) == part, factor / 2 / np.array([1, root / 2, 2 / root, 1]), 0)
+            how, *_ = first_root(padded(np.array([1, -1 / root])), 0, NONE, margins, theta, ROOM)
+            assert (how == ROOT) == is_clear

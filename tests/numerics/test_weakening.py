@@ -150,7 +150,8 @@ def test_derivatives_are_those_of_neighbours():
     found = sensitivities(run)
     assert len(run.events) > 2
     with Ball(60).context():
-        for name in ("x1", "m2", "b", "friction[0].b", "weakening.speed[0].w", "weakening.place[1].c"):
+        table = ("weakening.speed[0].w", "weakening.last_slope", "weakening.place[1].c")
+        for name in ("x1", "m2", "b", "friction[0].b", *table):
             index = found.wrt.index(name)
             near = {k: solve(moved(scene, {name: k * step}), arithmetic="ball", digits=40) for k in CENTRAL}
             for numbers, of in ((found.final, "final_state"), (found.t, "event_times")):
