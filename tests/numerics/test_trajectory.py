@@ -149,3 +149,8 @@ def test_progress_is_told():
     assert numbers == sorted(set(numbers))
     assert told
     assert np.all(np.diff([part for _, part in told]) > 0)
+
+
+def test_the_end_of_a_run_that_is_cut_off_is_as_uncertain_as_its_last_event():
+    run = solve(load_scene("velocities"), arithmetic="float64", max_events=3)
+    assert run.end_bounds()[0] >= run.accuracy.t[-1] > 0
