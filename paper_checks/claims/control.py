@@ -1,5 +1,7 @@
 """What a force can make body 2 do: follow a reference, go from rest to rest in the least time."""
 
+import sympy as sp
+
 from paper_checks.claims import signum, transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
@@ -18,7 +20,8 @@ FIRST_ANGLE, SECOND_ANGLE, PACE = symbols("alpha_1 alpha_2 Omega", positive=True
 
 
 def _arcs() -> dict[Basic, Basic]:
-    return {FIRST_ANGLE: control.switching()[0], SECOND_ANGLE: control.switching()[1], PACE: stick_frequency()}
+    first, second = map(sp.acos, control.switching_cosines())
+    return {FIRST_ANGLE: first, SECOND_ANGLE: second, PACE: stick_frequency()}
 
 
 def _off_centre() -> Expr:

@@ -118,7 +118,7 @@ FAULTS = {
         "signum.spurious_branch": failing,
     },
     "minimum-transfer-time": {
-        "theory.forced_control.switching": entry(0, lambda one: one / 2),
+        "theory.forced_control.switching_cosines": entry(0, lambda one: one / 2),
         "theory.forced_control.pressed": doubled,
         "signum.prove": confused(">", ">=", 0),
         "transfers.prove": confused(">=", "<=", 0),
