@@ -15,3 +15,5 @@ ARITHMETICS: list[dict[str, Any]] = [
 ]
 SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 2\n"
 """The text of the first, for two seconds."""
+HOW = [*ARITHMETICS, {"digits": 12}, {"max_events": 3}]
+"""Ways to solve a scene, as arguments of `solve`."""

@@ -1,14 +1,10 @@
-"""What a user meets: one place to import from, short texts, equality, pickles, tables, kinds of numbers."""
+"""What a user meets: one place to import from, short texts, tables, kinds of numbers."""
 
-import copy
 import doctest
 import inspect
-import json
-import pickle
 import pydoc
 import re
 import sys
-from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -17,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
+from three_scenes import HOW, PAPER
 
 import numerics
 from numerics import (
@@ -26,7 +22,6 @@ from numerics import (
     Scene,
     Solver,
     State,
-    Trajectory,
     fastest_transfer,
     load_scene,
     response,
@@ -37,15 +32,8 @@ from numerics import (
     solve_scenes,
     thresholds,
 )
-from numerics.errors import InvalidFile, MissingTool, NumericsError
+from numerics.errors import MissingTool, NumericsError
 from numerics.scene.file import parse_scene
-
-HOW = [*ARITHMETICS, {"digits": 12}, {"max_events": 3}]
-
-
-def runs(scene=PAPER):
-    return [solve(scene, **how) for how in HOW if scene.pair.a1 == 0 or how.get("arithmetic") != "double-double"]
-
 
 # one place
 
@@ -153,82 +141,6 @@ def test_only_digits_that_something_bounds_are_called_right():
     assert "right digits" in repr(solve(PAPER))
     assert "right digits" in repr(solve(PAPER, digits=20))
     assert "right digits" not in repr(solve(PAPER, arithmetic="mpmath"))
-
-
-# equality and pickles
-
-
-# files
-
-
-@pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces")])
-def test_what_was_pickled_or_saved_comes_back_to_the_last_bit_and_is_equal(scene, tmp_path):
-    times = [0, Decimal("0.25"), "1/3", 0.5, 2]
-    answers = [*runs(scene), solve(scene, t_eval=times), solve(scene, digits=20, t_eval=times)]
-    answers.append(solve(replace(PAPER, until=solve(PAPER).events[2].t), arithmetic="float64"))
-    assert not answers[-1].certain
-    for one in [*answers, Solver(PAPER.pair)((0.0, 0.15, 0.0, 0.0), until=3)]:
-        one.save(tmp_path / "run.npz")
-        for back in (Trajectory.load(tmp_path / "run.npz"), pickle.loads(pickle.dumps(one)), copy.deepcopy(one)):
-            assert back == one
-            assert (repr(back), back.scene, back.modes) == (repr(one), one.scene, one.modes)
-            with one.arithmetic.context():
-                texts = ([one.arithmetic.text(a, 60) for a in run.y.flat] for run in (back, one))
-                assert next(texts) == next(texts)
-            assert [str(a) for a in back.sol("0.1")] == [str(a) for a in one.sol("0.1")]
-    assert solve(scene) == solve(scene)
-    assert [path.name for path in tmp_path.iterdir()] == ["run.npz"]
-
-
-def spoilt(path, **changes):
-    """Change entries of the header of a saved trajectory, or its arrays by functions."""
-    with np.load(path) as archive:
-        arrays = {name: archive[name] for name in archive}
-    header = json.loads(arrays["header"].tobytes())
-    for name, change in changes.items():
-        (arrays if name in arrays else header)[name] = change(arrays[name]) if name in arrays else change
-    arrays["header"] = np.frombuffer(json.dumps(header).encode(), dtype=np.uint8)
-    np.savez(path, **arrays)
-
-
-@pytest.mark.parametrize(
-    "changes",
-    [
-        {"format": "another"},
-        {"arithmetic": ["decimal", 3]},
-        {"arithmetic": ["ball", 20]},
-        {"digits": "x"},
-        {"how": 17},
-        {"rest": []},
-        {"rest": [10**9, True, 0, 0, 0]},
-        {"scene": "[pair]"},
-        {"t_eval": [99]},
-        {"rows": lambda rows: rows[:0]},
-        {"rows": lambda rows: rows[:, :3]},
-        {"rows": lambda rows: rows * np.nan},
-        {"end": lambda end: end[:3]},
-    ],
-)
-def test_a_file_that_holds_no_trajectory_is_refused_in_a_sentence(tmp_path, changes):
-    path = tmp_path / "run.npz"
-    solve(PAPER).save(path)
-    spoilt(path)
-    assert Trajectory.load(path).success
-    spoilt(path, **changes)
-    with pytest.raises(InvalidFile, match="holds no saved trajectory") as refused:
-        Trajectory.load(path)
-    assert "\n" not in str(refused.value)
-
-
-def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
-    (tmp_path / "text").write_text("hello")
-    with pytest.raises(InvalidFile, match="no NumPy archive"):
-        Trajectory.load(tmp_path / "text")
-    with pytest.raises(FileNotFoundError):
-        Trajectory.load(tmp_path / "absent")
-    np.savez(tmp_path / "other.npz", header=np.array([{}], dtype=object))  # a pickle
-    with pytest.raises(InvalidFile):
-        Trajectory.load(tmp_path / "other.npz")
 
 
 # what is wrong is said in one sentence
