@@ -35,7 +35,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 _WAITING: list[tuple[Any, Any, Any, dict[str, Any]]] = []
 """Functions that numba has not heard of yet, what stands for them among floats and among pairs, and numba's options."""
 _OPTIONS: dict[Any, dict[str, Any]] = {}
-_ROOMS = ("arithmetic", "linear", "free")
+_ROOMS = ("arithmetic", "linear", "free", "plane")
 """Where compilable functions are."""
 _STATES = 8
 """Of how many states of the sources compiled code is kept, beside those of the last day."""

@@ -17,6 +17,9 @@ from numerics.plane.series import Point
 from numerics.plane.system import Drive, System
 from numerics.plane.vector import Vector
 
+Swing = list[tuple[arb_poly, arb_poly]]
+"""Sine and cosine of each phase."""
+
 
 class Curve(NamedTuple):
     """A piece of the path: the time in the piece of force, q1, v2, s, z by axes, on [0, 1]; `impulse` is f dt/dx."""
@@ -33,7 +36,7 @@ class Curve(NamedTuple):
     def of(cls, at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
         """Return a piece of the path from a point, with z = q1 - q2 along it."""
         rate = t.derivative()
-        z = Vector(midpoints((x * rate).integral() + z) for x, z in zip(s, at.z, strict=True))
+        z = Vector((x * rate).integral() + z for x, z in zip(s, at.z, strict=True))
         return cls(at.piece, t, q1, v2, s, z, impulse)
 
 
@@ -49,7 +52,8 @@ class Defect(NamedTuple):
 def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     """Return the defect of a curve; friction_off: bounds on int |impulse - f dt|, f in dh(s), by axes."""
     drive, rate = system.pieces[curve.piece], curve.t.derivative()
-    u, u_off = force_along(drive, curve.t, max(system.degree, curve.q1[0].length()) + 2)
+    swing = swing_along(drive, curve.t, max(system.degree, curve.q1[0].length()) + 2)
+    u, u_off = force_along(drive, curve.t, swing)
     v1 = curve.v2 + curve.s
 
     def whole(off: Vector) -> Vector:
@@ -63,19 +67,24 @@ def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     return Defect(system.norm(*parts), Vector(chain(*parts)), system.load(u, curve.q1, v1), system.share * u_off)
 
 
-def force_along(drive: Drive, t: arb_poly, degree: int) -> tuple[Vector, Vector]:
+def swing_along(drive: Drive, t: arb_poly, degree: int) -> Swing:
+    """Return Taylor polynomials of sine and cosine of each phase along a path."""
+    if not drive.sines:
+        return []
+    return [(midpoints(s), midpoints(c)) for s, c in drive.swing(arb_series(t.coeffs(), degree))]
+
+
+def force_along(drive: Drive, t: arb_poly, swing: Swing) -> tuple[Vector, Vector]:
     """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
 
-    A cosine and a sine are the Taylor polynomials of the path; their defect bounds their errors.
+    A cosine and a sine are polynomials that may be anything; their defect bounds their errors.
     """
-    swing, errors, rate = [], drive.still(arb(0)), t.derivative()
-    if drive.sines:
-        along = arb_series(list(t.coeffs()), degree)
-        swing = [tuple(midpoints(arb_poly(list(p.coeffs()))) for p in pair) for pair in drive.swing(along)]
+    errors, rate = drive.still(arb(0)), t.derivative()
     for (omega, phase, amplitudes), (s, c) in zip(drive.sines, swing, strict=True):
         sine, cosine = (omega * t[0] + phase).sin_cos()
+        turn = rate * omega
         off = (c[0] - cosine).abs_upper() + (s[0] - sine).abs_upper()
-        off += integral_bound(c.derivative() + rate * s * omega) + integral_bound(s.derivative() - rate * c * omega)
+        off += integral_bound(c.derivative() + turn * s) + integral_bound(s.derivative() - turn * c)
         errors = (errors + abs(amplitudes) * off).each(arb.upper)
     return drive.force(t, swing), errors
 

@@ -270,9 +270,10 @@ def exactly_on_edge(system: System, axes: Iterable[int]) -> bool:
     return bool(sum(strains[i] for i in axes) == 1)
 
 
-def log2(x: arb) -> float:
+def log2(x: Any) -> float:
     """Return the logarithm of the size of a number, -inf for 0."""
-    return -math.inf if x.mid().is_zero() else float(abs(x.mid()).log()) / math.log(2)
+    middle = abs(arb(x).mid())
+    return -math.inf if middle.is_zero() else float(middle.log()) / math.log(2)
 
 
 def two_to(power: float) -> arb:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import flint
 from flint import arb, arb_poly
 
+_ANY, _ONE = arb(0, 1), arb(1)
 _PARTS = 2**-40
 """Below this width nothing is looked for any more."""
 
@@ -21,19 +23,19 @@ def scaled(coefficients: Sequence[arb], by: arb) -> arb_poly:
     return arb_poly(found)
 
 
-def midpoints(p: arb_poly) -> arb_poly:
-    """Return the polynomial with the midpoints of the coefficients."""
+def midpoints(p: Any) -> arb_poly:
+    """Return the polynomial, or what there is of a series, with the midpoints of the coefficients."""
     return arb_poly([one.mid() for one in p.coeffs()])
 
 
 def total(p: arb_poly) -> arb:
-    """Return a bound on |p| on [0, 1]."""
-    return sum(map(abs, p.coeffs()), arb(0))
+    """Return a bound on |p| on [0, 1]: a polynomial with the sizes of the coefficients is among p times [-1, 1]."""
+    return (p * _ANY)(_ONE).upper()
 
 
 def integral_bound(p: arb_poly) -> arb:
-    """Return a bound on the integral of |p| over [0, 1]."""
-    return sum((abs(one) / k for k, one in enumerate(p.coeffs(), start=1)), arb(0))
+    """Return a bound on the integral of |p| over [0, 1], in the same way."""
+    return (p * _ANY).integral()(_ONE).upper()
 
 
 def on(p: arb_poly, a: float, b: float) -> list[arb]:

@@ -18,12 +18,13 @@ from itertools import accumulate, pairwise
 from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import sqrt
+from numerics.plane.candidate import candidates
 from numerics.plane.defect import Curve, Defect, defect, slip_defect
 from numerics.plane.onset import onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import AGAIN, LATE, SHORT, SLIP, STICK, Path, exactly_on_edge, log2, two_to
 from numerics.plane.polynomial import first_root, midpoints, rise, scaled
-from numerics.plane.series import Series, slip_series
+from numerics.plane.series import Series
 from numerics.plane.slip import own_clock
 from numerics.plane.system import System, highest
 from numerics.plane.vector import Vector, wide
@@ -91,25 +92,25 @@ class Run(Path):
             self.steps = -1
             return
         system, at = self.system, self.at
-        drive, series = system.pieces[at.piece], slip_series(system, at, system.degree)
-        t = [at.t, *(one / k for k, one in enumerate(series.size, start=1))]
-        h = self.step(
-            (series.slip, highest(at.s)), (series.q1, self.place), (series.v2, self.speed), ([t], self.period)
-        )
-        while not scaled(series.size, h)(1) > series.size[0] * _FALL:
-            h = (h * 0.75).mid()
-        clock = scaled(t, h)
-        if clock(1) > drive.length:
-            h = h.min(h * rise(clock, drive.length) * AGAIN).mid()
+        drive, slips = system.pieces[at.piece], candidates(system, at)
+        sizes = highest(at.s), self.place, self.speed, self.period
+        h = (self.step(*zip(slips.rows, sizes, strict=True)) * slips.unit).mid()
+        drawn, x = slips.drawn(h), arb(1)
+        rate = drawn.t.derivative()
+        while not rate(x) > rate[0] * _FALL:
+            x = (x * 0.75).mid()
+        if drawn.t(x) > drive.length:
+            x = x.min(rise(drawn.t, drive.length) * AGAIN)
         for halving in range(60):
-            q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
-            found = own_clock(system, at, q1, v2, s, h, self.norm)
+            if x < 1:
+                h = (h * x).mid()
+                drawn = slips.drawn(h)
+            found, x = own_clock(system, at, drawn, h, self.norm), arb(0.5)
             if found.slowest > drive.reach * found.norm:
                 break
             if found.slowest > 0 and halving > 5:
                 self.stop()
                 return
-            h = (h / 2).mid()
         else:
             raise self.undecided("does the slip turn or end")
         clock = found.curve.t

@@ -16,18 +16,15 @@ and never more than by the defect theorem, N(0) + int |e| + other defects.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from flint import arb, arb_poly, arb_series
+from flint import arb, arb_poly
 
+from numerics.plane.candidate import Candidate
 from numerics.plane.defect import Curve, force_along
-from numerics.plane.polynomial import integral_bound, least, midpoints, total
+from numerics.plane.polynomial import integral_bound, least, total
 from numerics.plane.series import Point
 from numerics.plane.system import System
-from numerics.plane.vector import Vector
-
-_MORE = 6
-"""Terms beyond those of s with which the rest follows from it."""
 
 
 class Step(NamedTuple):
@@ -38,37 +35,24 @@ class Step(NamedTuple):
     slowest: arb
 
 
-def own_clock(system: System, at: Point, q1: Vector, v2: Vector, s: Vector, h: arb, norm: arb) -> Step:
-    """Return the step of a slip along s, sigma = h x, from a point where N <= `norm`.
-
-    `q1`, `v2`: about what they are along it; with these the load is found.
-    """
-    drive, top = system.pieces[at.piece], max(x.length() for x in s) + _MORE
-
-    def followed(rates: Vector, start: Vector) -> Vector:
-        return Vector(midpoints(_cut(x, top).integral() + y) for x, y in zip(rates, start, strict=True))
-
-    square = s * s @ drive.b_squared
-    size = _cut(arb_series(square.coeffs(), top).sqrt(), top)
-    t = midpoints((size * h).integral() + at.t)
-    rate, (u, u_off) = t.derivative(), force_along(drive, t, top)
-    gained = system.push(u, q1, v2 + s) * rate - s.each(arb_poly.derivative) * system.m1
-    v2 = followed(gained * (1 / system.mass), at.v2)
-    v1 = v2 + s
-    flow = v1 * rate
-    q1 = followed(flow, at.q1)
+def own_clock(system: System, at: Point, slip: Candidate, h: arb, norm: arb) -> Step:
+    """Return the step of a slip along a candidate, sigma = h x, from a point where N <= `norm`."""
+    drive, (t, q1, v2, s, swing) = system.pieces[at.piece], slip
+    rate, v1, (u, u_off) = t.derivative(), v2 + s, force_along(drive, t, swing)
     curve = Curve.of(at, t, q1, v2, s, s * (drive.b_squared * h))
 
-    smallest, missing = least(size), total(size * size - square)
-    strayed = total(size * h - rate) + h * missing / smallest  # |t' - h h(s)|
-    slowest = (smallest - 2 * strayed / h).lower()  # of h(s) and of t'/h
+    smallest = least(rate)
+    if not smallest > 0:
+        return Step(curve, arb("inf"), arb(0))
+    strayed = total(rate * rate - s * s @ (drive.b_squared * (h * h))) / smallest  # |t' - h h(s)|
+    slowest = ((smallest - strayed) / h).lower()  # of h(s) and of t'/h
     if not slowest > 0:
         return Step(curve, arb("inf"), arb(0))
     momentum = v2 * system.mass + s * system.m1
     pushed = momentum.each(arb_poly.derivative) - system.push(u, q1, v1) * rate
-    pushed = pushed.each(total) + u_off * total(rate)
-    other = system.norm((q1.each(arb_poly.derivative) - flow).each(total), pushed / system.m1, system.still)
-    other += drive.reach * strayed
+    pushed = pushed.each(integral_bound) + u_off * integral_bound(rate)
+    moved = (q1.each(arb_poly.derivative) - v1 * rate).each(integral_bound)
+    other = system.norm(moved, pushed / system.m1, system.still) + drive.reach * strayed
     return Step(curve, _after(system, curve, norm, other, slowest, h), slowest)
 
 
@@ -87,8 +71,3 @@ def _after(system: System, curve: Curve, norm: arb, other: arb, slowest: arb, h:
     loose = 1 + (other / (drive.reach * h) + 2 * drive.reach * linear) / slowest
     by_squares = (norm * norm + across * across * loose / (2 * h)).sqrt() + other + straight
     return linear.min(by_squares).upper()
-
-
-def _cut(p: Any, top: int) -> arb_poly:
-    """Return the first terms, with midpoints."""
-    return arb_poly([x.mid() for x in p.coeffs()[:top]])

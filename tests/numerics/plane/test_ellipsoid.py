@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from flint import arb, arb_poly
+from flint import arb
 from hypothesis import example, given, settings
 from strategies import plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
+from numerics.plane.candidate import InBalls
 from numerics.plane.defect import Curve, defect, slip_defect
 from numerics.plane.polynomial import midpoints, rise, scaled
 from numerics.plane.reduced import reduced
@@ -134,13 +135,13 @@ def test_what_turns_a_slip_adds_up_by_squares_and_what_is_along_it_does_not(turn
     wrong, before = arb("1e-9"), arb("1e-6")
     with system.fine():
         h, end = arb("0.1").mid(), arb(1)
-        series = slip_series(system, at, system.degree)
-        q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
-        right = own_clock(system, at, q1, v2, s, h, arb(0))
-        x, y = (part(arb("0.9")) for part in s)
-        way = Vector([-y, x] if turned else [x, y]) / system.length(s.each(lambda p: p(end)))
-        s = Vector(p + arb_poly([0] * 8 + [(one * wrong).mid()]) for p, one in zip(s, way, strict=True))
-        step, later = (own_clock(system, at, q1, v2, s, h, norm) for norm in (arb(0), before))
+        slips = InBalls(system, at)
+        right = own_clock(system, at, slips.drawn(h), h, arb(0))
+        x, y = (part(arb("0.9")) for part in right.curve.s)
+        way = Vector([-y, x] if turned else [x, y]) / system.length(right.curve.s.each(lambda p: p(end)))
+        for row, one in zip(slips.s, way, strict=True):
+            row[8] += one * wrong / h**8
+        step, later = (own_clock(system, at, slips.drawn(h), h, norm) for norm in (arb(0), before))
         x = rise(right.curve.t, step.curve.t(end))
         true, here = ([p(z) for part in one.curve[2:5] for p in part] for one, z in ((right, x), (step, end)))
         off = [y - x for x, y in zip(true, here, strict=True)]
