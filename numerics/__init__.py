@@ -17,11 +17,11 @@ Solving:
     solve               one scene: its Trajectory, in the cheapest arithmetic that has the digits
     Solver              one pair and many starts, for a loop of your own
     solve_many          arrays in, arrays out, on all cores: a Batch
-    solve_scenes        the same from a list of scenes
+    solve_scenes        the same from a list of scenes, on a line or on a surface
 Answers:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
     PlaneTrajectory     the same of a scene on a surface
-    Batch               the ends of many runs as arrays
+    Batch, PlaneBatch   the ends of many runs as arrays, on a line and on a surface
     Mode                slip+, slip- or stick
     sensitivities       derivatives of a trajectory by every number of its scene
 Control through the interface:
@@ -84,6 +84,7 @@ if TYPE_CHECKING:
     from numerics.solver.batch import Batch as Batch
     from numerics.solver.many import solve_many as solve_many
     from numerics.solver.many import solve_scenes as solve_scenes
+    from numerics.solver.plane_batch import PlaneBatch as PlaneBatch
     from numerics.solver.prepared import Solver as Solver
     from numerics.solver.solve import solve as solve
     from numerics.trajectory.sensitivity import sensitivities as sensitivities
@@ -99,6 +100,7 @@ _NAMES = {
     "solver.prepared": "Solver",
     "solver.many": "solve_many solve_scenes",
     "solver.batch": "Batch",
+    "solver.plane_batch": "PlaneBatch",
     "trajectory.trajectory": "Trajectory",
     "plane.trajectory": "PlaneTrajectory",
     "trajectory.sensitivity": "sensitivities",

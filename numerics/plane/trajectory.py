@@ -137,6 +137,12 @@ class PlaneTrajectory(Answer):
         with self.context():
             return self._shown([self.energy_of(self.final_state)])[0]
 
+    @property
+    def final_energy_error(self) -> float:
+        """Return a bound on its error."""
+        with self.context():
+            return _bound(self.energy_of(self.final_state))
+
     def energy_of(self, y: PlaneState) -> arb:
         """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J. (A ball about 0 has no ** 2: flint answers nan.)"""
         pair, (x, v, w) = self.scene.pair, map(Vector, (y.x1, y.v1, y.v2))

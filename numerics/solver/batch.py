@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cached_property
 from typing import Any
@@ -22,7 +23,44 @@ _STATE = [AT[name] for name in STATE]
 _UNIT = ROUNDING["float64"]
 
 
-class Batch:
+class Ends:
+    """What the ends of many runs are on a line and on a surface."""
+
+    ANSWERS: tuple[str, ...] = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
+    """What can be drawn."""
+    shape: tuple[int, ...]
+    status: Any
+    events: Any
+    inputs: Any
+
+    def __len__(self) -> int:
+        """Return how many scenes there were."""
+        return math.prod(self.shape)
+
+    def __repr__(self) -> str:
+        """Return a short summary."""
+        ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
+        ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
+        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}"
+
+    @property
+    def success(self) -> NDArray[np.bool_]:
+        """Return which runs got to their horizon, by events that are certain."""
+        return np.isin(self.status, (Status.REACHED_HORIZON, Status.STUCK_FOR_EVER))
+
+    def plot(self, answer: str | None = None, along: Any = None, ax: Any = None) -> Any:
+        """Draw one answer over the inputs that vary, one or the first two of them, and return the matplotlib axes.
+
+        `answer`: one of `ANSWERS`, the first of them if left out; x1, v1, x2, v2 are those at the end. `along`: an
+        input by its name, or an array of the shape, such as the amplitudes of a force. Runs that did not succeed are
+        crossed out. Raises ValueError, MissingTool.
+        """
+        from numerics.solver.batch_picture import draw_batch
+
+        return draw_batch(self, self.ANSWERS[0] if answer is None else answer, along, ax)
+
+
+class Batch(Ends):
     """The ends of many runs; every array has the broadcast shape of the inputs, `y` and `y_error` (4, ...) in front.
 
     status         a Status                       events    how many there were
@@ -73,16 +111,6 @@ class Batch:
         """
         self.table, self.ends, self.kept, self.shape, self._form_ledgers = table, ends, kept, shape, form_ledgers
 
-    def __len__(self) -> int:
-        """Return how many scenes there were."""
-        return len(self.ends)
-
-    def __repr__(self) -> str:
-        """Return a short summary."""
-        ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
-        ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
-        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}"
-
     @property
     def inputs(self) -> dict[str, Table]:
         """Return m1, m2, a2, b, x1, v1, x2, v2, until and a1 of the scenes (SI units), each in the shape."""
@@ -90,17 +118,6 @@ class Batch:
 
     def _given(self, name: str) -> Table:
         return self.table[:, 2 * SI.index(name)].reshape(self.shape)
-
-    def plot(self, answer: str = "dissipated", along: Any = None, ax: Any = None) -> Any:
-        """Draw one answer over the inputs that vary, one or the first two of them, and return the matplotlib axes.
-
-        `answer`: dissipated, energy_excess, events, mode, digits, t, or x1, v1, x2, v2 at the end. `along`: an input by
-        its name, or an array of the shape, such as the amplitudes of a force. Runs that did not succeed are crossed
-        out. Raises ValueError, MissingTool.
-        """
-        from numerics.solver.batch_picture import draw_batch
-
-        return draw_batch(self, answer, along, ax)
 
     def _end(self, name: str) -> Table:
         return np.where(self._gone, np.nan, self.ends[:, AT[name]].reshape(self.shape))
@@ -127,11 +144,6 @@ class Batch:
         """Return how each run ended, a Status."""
         open_ones = (self._how == How.DOUBT) | ((self._how < How.EVENT_LIMIT) & ~self.certain)
         return np.where(open_ones, int(Status.SEQUENCE_OPEN), self._how)
-
-    @property
-    def success(self) -> NDArray[np.bool_]:
-        """Return which runs got to their horizon, by events that are certain."""
-        return np.isin(self.status, (Status.REACHED_HORIZON, Status.STUCK_FOR_EVER))
 
     @cached_property
     def events(self) -> NDArray[np.int64]:

@@ -12,15 +12,15 @@ from numerics.trajectory.figures import BLUE, ORANGE, new_axes
 UNITS = {
     "m1": "kg", "m2": "kg", "a1": "N s/m", "a2": "N/m", "b": "N", "until": "s",
     "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s",
-    "t": "s", "dissipated": "J", "energy_excess": "", "events": "", "mode": "sign of v1 - v2", "digits": "",
+    "t": "s", "dissipated": "J", "energy": "J", "energy_excess": "", "events": "", "mode": "sign of v1 - v2",
+    "digits": "",
 }  # fmt: skip
-ANSWERS = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
 
 
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     """Draw into matplotlib axes; see Batch.plot."""
-    if not isinstance(answer, str) or answer not in ANSWERS:
-        raise ValueError(f"answer = {str(answer)[:40]!r} is not one of {', '.join(ANSWERS)}")
+    if not isinstance(answer, str) or answer not in batch.ANSWERS:
+        raise ValueError(f"answer = {str(answer)[:40]!r} is not one of {', '.join(batch.ANSWERS)}")
     axes = _along(batch, along)
     ax = new_axes() if ax is None else ax
     values = batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)

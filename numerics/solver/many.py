@@ -7,12 +7,12 @@ Python only hands out chunks of rows to compiled code, where numba is installed.
 from __future__ import annotations
 
 import reprlib
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
 from functools import cache, partial
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,10 +23,14 @@ from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
+from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch
-from numerics.solver.rows import Chunk, Columns, form_ledgers, frictions_of, room
+from numerics.solver.rows import Chunk, Columns, form_ledgers, frictions_of, of_one_kind, room
 from numerics.tasks import available_cores
 from numerics.trajectory.run import MAX_EVENTS
+
+if TYPE_CHECKING:
+    from numerics.solver.plane_batch import PlaneBatch
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
 _FLOATS = np.finfo(np.float64)
@@ -122,32 +126,47 @@ def solve_many(
     return _solved(columns, scene_of, columns.table, shape, limits)
 
 
-def solve_scenes(
-    scenes: Sequence[Scene],
+@overload
+def solve_scenes(scenes: Sequence[PlaneScene], **options: Any) -> PlaneBatch: ...
+
+
+@overload
+def solve_scenes(scenes: Sequence[Scene], **options: Any) -> Batch: ...
+
+
+def solve_scenes(  # type: ignore[misc]  # the options are those below
+    scenes: Sequence[Scene] | Sequence[PlaneScene],
     *,
     max_events: int = MAX_EVENTS,
     keep_events: int = 0,
     jobs: int | None = None,
     progress: Progress | None = None,
-) -> Batch:
+) -> Batch | PlaneBatch:
     """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),).
 
-    Raises TypeError for what is no list of scenes, ValueError for bad arguments.
+    Scenes on a surface, with one number of axes, run each by itself, in `jobs` processes, which need joblib (default:
+    all cores if it is there), and make a PlaneBatch.
+
+    Raises TypeError for what is no list of scenes of one kind, ValueError for bad arguments, MissingTool.
 
     >>> from numerics import load_scene
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
     [24, 0]
     """
-    scenes = _scenes(scenes)
-    laws = {scene.law for scene in scenes}
-    if any(scene.friction.weakening for scene in scenes):
+    kept = of_one_kind(scenes)
+    if kept and isinstance(kept[0], PlaneScene):
+        from numerics.solver.plane_batch import solve_surfaces
+
+        return solve_surfaces(kept, *_limits(Law.FILIPPOV, max_events, keep_events, jobs, progress)[1:])
+    laws = {scene.law for scene in kept}
+    if any(scene.friction.weakening for scene in kept):
         jobs = 1  # they are solved in balls, whose precision all threads share
     limits = _limits(next(iter(laws), Law.FILIPPOV), max_events, keep_events, jobs, progress)
-    plain = len(laws) <= 1 and not any(scene.is_forced for scene in scenes)
-    table = np.array([_halves(scene, lows=plain) for scene in scenes]).reshape(len(scenes), 2 * len(SI))
-    columns = Columns(table, np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0, 3)), frictions_of(SAME_FRICTION))
+    plain = len(laws) <= 1 and not any(scene.is_forced for scene in kept)
+    table = np.array([_halves(scene, lows=plain) for scene in kept]).reshape(len(kept), 2 * len(SI))
+    columns = Columns(table, np.zeros((len(kept), 0)), np.zeros((len(kept), 0, 3)), frictions_of(SAME_FRICTION))
     return _solved(
-        columns if plain and np.isfinite(table).all() else None, scenes.__getitem__, table, (len(scenes),), limits
+        columns if plain and np.isfinite(table).all() else None, kept.__getitem__, table, (len(kept),), limits
     )
 
 
@@ -159,16 +178,6 @@ def _fits_in_columns(friction: Any) -> bool:
     lengths = [end - start for start, end in pairwise(starts)]
     is_held = all(2.0**-900 < one < 2.0**900 for one in (*lengths, *starts[1:], *(b for _, b in friction.pieces)))
     return is_held and all(end < 2**80 * one for end, one in zip(starts[1:], lengths, strict=True))
-
-
-def _scenes(given: Any) -> Sequence[Scene]:
-    """Return what was given as a list of scenes. Raises TypeError."""
-    kept = list(given) if isinstance(given, Iterable) else [given]
-    if not isinstance(given, Iterable) or not all(isinstance(one, Scene) for one in kept):
-        raise TypeError(
-            "solve_scenes takes a list of Scenes of one line; for one scene there is solve, for arrays solve_many"
-        )
-    return kept
 
 
 def _limits(law: Law, max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> _Limits:

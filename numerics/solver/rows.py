@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,11 +21,25 @@ from numerics.linear.pieces import starts_of
 from numerics.linear.prepare import Known, Prepared, prepare
 from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
 from numerics.scene import Friction, Scene
+from numerics.scene.plane import PlaneScene
 from numerics.trajectory.run import free_scene, run_scene
 
 Table = NDArray[np.float64]
 _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
+
+
+def of_one_kind(given: Any) -> Any:
+    """Return what was given as a list of scenes of one kind. Raises TypeError."""
+    kept = list(given) if isinstance(given, Iterable) else [given]
+    if not isinstance(given, Iterable) or not all(isinstance(one, Scene | PlaneScene) for one in kept):
+        raise TypeError("solve_scenes takes a list of Scenes, or of PlaneScenes; for one scene there is solve")
+    kinds = {f"{one.pair.axes} axes" if isinstance(one, PlaneScene) else "one line" for one in kept}
+    if len(kinds) > 1:
+        raise TypeError(
+            f"these scenes have {' and '.join(sorted(kinds))}; solve those of each kind in a call of its own"
+        )
+    return kept
 
 
 @dataclass

@@ -1,0 +1,124 @@
+"""Many scenes on a surface: every one as by solve(scene, arithmetic="float64"), in processes; arrays out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.errors import InvalidScene, NumericsError, OutOfRange
+from numerics.plane.solve import solve_plane
+from numerics.scene.plane import AXES, PlaneScene
+from numerics.solver.batch import Ends
+from numerics.solver.solve import solve
+from numerics.tasks import available_cores, run_tasks
+from numerics.trajectory.columns import STATE
+from numerics.trajectory.status import Status
+
+_FEW = 8
+"""So many scenes are solved before other processes have started."""
+
+
+class PlaneBatch(Ends):
+    """The ends of many runs on a surface of n axes, arrays by rows; `y` and `y_error` (4, rows, n): x1, v1, x2, v2.
+
+    status         a Status; SEQUENCE_OPEN where 64 bits do not tell what comes next, all else is nan then
+    message        a sentence that says so, (rows,)    events    how many there were
+    mode           "stick", "slip", or a box's word    t         s, the horizon or the last event
+    energy         J                                   digits    right digits of all events and of the end
+    *_error        proved bounds on the errors of these
+    event_t, event_y, event_mode   the first `keep_events` events, (rows, k), (4, rows, k, n), (rows, k); nan, "" beyond
+    event_t_error, event_y_error   bounds on their errors
+
+    >>> from numerics import PlanePair, PlaneScene, solve_scenes
+    >>> pair = PlanePair(1, 1, 200, "0.5")
+    >>> found = solve_scenes([PlaneScene(pair, 1, x1=[x, "0.002"]) for x in ("0.006", "0.012")], keep_events=1, jobs=1)
+    >>> found
+    Batch of 2 scenes, shape (2,): 2 REACHED_HORIZON; 13 events
+    >>> x1, v1, x2, v2 = found.y
+    >>> x1.shape, found.mode.tolist(), found.event_t.round(4).tolist(), bool((found.y_error < 1e-15).all())
+    ((2, 2), ['slip', 'stick'], [[0.1081], [0.1735]], True)
+    >>> found.message[0], found.digits.tolist(), found.inputs["x1 x"].tolist()
+    ('reached the horizon', [15, 15], [0.006, 0.012])
+    """
+
+    ANSWERS = "energy", "events", "digits", "t"
+    """What can be drawn."""
+
+    def __init__(self, scenes: Sequence[PlaneScene], keep_events: int) -> None:
+        """Make room for the answers of scenes with one number of axes."""
+        rows, n = len(scenes), scenes[0].pair.axes
+        self.scenes, self.shape = scenes, (rows,)
+        self.status, self.events, self.digits = np.zeros((3, rows), dtype=np.int64)
+        self.mode, self.message = np.full((2, rows), "", dtype=object)
+        self.t, self.energy, self.energy_error = np.full((3, rows), np.nan)
+        self.y, self.y_error = np.full((2, 4, rows, n), np.nan)
+        self.event_t, self.event_t_error = np.full((2, rows, keep_events), np.nan)
+        self.event_y, self.event_y_error = np.full((2, 4, rows, keep_events, n), np.nan)
+        self.event_mode = np.full((rows, keep_events), "", dtype=object)
+
+    def take(self, row: int, one: PlaneBatch) -> None:
+        """Write the answers of a batch of one scene into a row."""
+        for name, array in vars(self).items():
+            if isinstance(array, np.ndarray):
+                at: Any = (
+                    np.s_[:, row : row + 1] if name.removesuffix("_error") in {"y", "event_y"} else np.s_[row : row + 1]
+                )
+                array[at] = getattr(one, name)
+
+    @property
+    def inputs(self) -> dict[str, NDArray[np.float64]]:
+        """Return "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until, (rows,) each, SI units."""
+        named = {"until": [one.until for one in self.scenes]}
+        for k in range(self.y.shape[-1]):
+            for name in ("m1", "m2", "b"):
+                named[f"{name} {AXES[k]}"] = [getattr(one.pair, name)[k] for one in self.scenes]
+            for name in STATE:
+                named[f"{name} {AXES[k]}"] = [getattr(one, name)[k] for one in self.scenes]
+        return {name: np.array(given, dtype=float) for name, given in named.items()}
+
+
+def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, PlaneBatch]:
+    """Solve the scene of a row."""
+    row, scene = task
+    one = PlaneBatch([scene], keep)
+    try:
+        run = solve_plane(scene, solve, arithmetic="float64", max_events=max_events)
+        y, off = (x.reshape(4, scene.pair.axes, -1) for x in (run.y, run.y_error))
+        if not np.isfinite(off).all():
+            raise OutOfRange(Status.OUT_OF_RANGE.sentence)
+    except NumericsError as error:
+        capped = isinstance(error, InvalidScene)  # of a part of a box, which has no answer of its own
+        ended = Status.EVENT_LIMIT if capped else Status.SEQUENCE_OPEN
+        one.status[:] = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended
+        one.message[:] = str(error)
+        return row, one
+    count = min(keep, len(run.events))
+    kept = slice(1, 1 + count)
+    one.status[:], one.events[:], one.digits[:] = run.status, len(run.events), run.digits
+    one.mode[:], one.message[:], one.t[:] = run.final_mode, run.message, run.t[-1]
+    one.energy[:], one.energy_error[:] = run.final_energy, run.final_energy_error
+    one.y[:, 0], one.y_error[:, 0] = y[..., -1], off[..., -1]
+    one.event_t[0, :count], one.event_t_error[0, :count] = run.t[kept], run.t_error[kept]
+    one.event_y[:, 0, :count], one.event_y_error[:, 0, :count] = (x[..., kept].swapaxes(1, 2) for x in (y, off))
+    one.event_mode[0, :count] = [event.after for event in run.events[:count]]
+    return row, one
+
+
+def solve_surfaces(
+    scenes: Sequence[PlaneScene], max_events: int, keep_events: int, jobs: int | None, progress: Any
+) -> PlaneBatch:
+    """Solve scenes with one number of axes, in turn or in processes (default: on all cores, if joblib is there)."""
+    found = PlaneBatch(scenes, keep_events)
+    if jobs is None:
+        jobs = available_cores() if len(scenes) > _FEW and find_spec("joblib") else 1
+    solved = run_tasks(partial(_solved, keep_events, max_events), [*enumerate(scenes)], jobs=jobs)
+    for done, (row, one) in enumerate(solved, start=1):
+        found.take(row, one)
+        if progress is not None:
+            progress(done, len(scenes))
+    return found

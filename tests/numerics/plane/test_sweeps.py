@@ -1,0 +1,120 @@
+"""Many scenes on a surface: the answers of `solve`, row by row, and a status where it has none."""
+
+import signal
+import subprocess
+import sys
+from importlib.util import find_spec
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import plane_scenes
+
+from numerics import Force, NumericsError, PlanePair, PlaneScene, load_scene, solve, solve_scenes
+from numerics.trajectory.status import Status
+
+PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.4"], 1)
+PUSHED = [PlaneScene(PAIR, "0.5", x1=["0.012", "0.002"], force=[Force.sine(u, 9)]) for u in (1, 2, 3)]
+ON_THE_EDGE = PlaneScene(PlanePair(1, 1, 200, "0.5"), 1, force=[Force.step("0.5", 1)])
+BEYOND_FLOATS = PlaneScene(PlanePair(1, 1, 1, "1e420"), 1, x1=["1e400", 0])
+needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not installed")
+
+
+@settings(max_examples=20)
+@given(st.lists(plane_scenes(), max_size=3))
+def test_each_row_is_what_solve_says_of_its_scene(drawn):
+    scenes = [*drawn, *PUSHED[:1]]
+    scenes = [one for one in scenes if one.pair.axes == scenes[0].pair.axes]
+    found, keep = solve_scenes(scenes, keep_events=2, jobs=1), 2
+    for row, scene in enumerate(scenes):
+        if found.status[row] in {Status.SEQUENCE_OPEN, Status.OUT_OF_RANGE}:
+            with pytest.raises(NumericsError) as refused:
+                solve(scene, arithmetic="float64")
+            assert found.message[row] == str(refused.value)
+            assert np.isnan(found.y[:, row]).all()
+            continue
+        one = solve(scene, arithmetic="float64")
+        kept = min(keep, len(one.events))
+        assert found.status[row] == one.status
+        assert found.events[row] == len(one.events)
+        assert found.mode[row] == one.final_mode
+        assert found.digits[row] == one.digits
+        assert found.t[row] == one.t[-1]
+        assert found.energy[row] == one.final_energy
+        assert found.event_mode[row].tolist() == [event.after for event in one.events[:kept]] + [""] * (keep - kept)
+        assert np.array_equal(found.event_t[row, :kept], one.event_times[:kept])
+        for whole, parts, own in (
+            (found.y, found.event_y, one.y),
+            (found.y_error, found.event_y_error, one.y_error),
+        ):
+            assert np.array_equal(whole[:, row].ravel(), own[:, -1])
+            events = parts[:, row].swapaxes(1, 2).reshape(-1, keep)
+            assert np.array_equal(events[:, :kept], own[:, 1 : 1 + kept])
+            assert np.isnan(events[:, kept:]).all()
+
+
+def test_what_is_not_decided_or_beyond_floats_is_a_status_of_its_row():
+    scenes, heard = [PUSHED[0], ON_THE_EDGE, BEYOND_FLOATS], []
+    found = solve_scenes(scenes, jobs=1, progress=lambda *one: heard.append(one))
+    assert found.status.tolist() == [Status.REACHED_HORIZON, Status.SEQUENCE_OPEN, Status.OUT_OF_RANGE]
+    assert found.success.tolist() == [True, False, False]
+    assert "inside the friction set" in found.message[1]
+    assert np.isnan(found.energy).tolist() == [False, True, True]
+    assert heard == [(1, 3), (2, 3), (3, 3)]
+    assert solve_scenes(PUSHED, jobs=1, max_events=1).status.tolist() == [Status.EVENT_LIMIT] * 3
+
+
+@pytest.mark.parametrize(
+    ("other", "says"),
+    [
+        (load_scene("velocities"), "2 axes and one line; solve those of each kind in a call of its own"),
+        (PlaneScene(PlanePair(1, 1, 1, [1, 1, 1]), 1), "2 axes and 3 axes; solve those of each kind"),
+        (3, "takes a list of Scenes, or of PlaneScenes"),
+    ],
+)
+def test_scenes_of_several_kinds_are_refused_in_a_sentence(other, says):
+    with pytest.raises(TypeError, match=says):
+        solve_scenes([PUSHED[0], other])
+
+
+@needs_joblib
+@pytest.mark.slow
+def test_processes_change_nothing():
+    alone, together = (solve_scenes(PUSHED, jobs=jobs, keep_events=3) for jobs in (1, 2))
+    for name, array in vars(alone).items():
+        if isinstance(array, np.ndarray):
+            assert np.array_equal(array, getattr(together, name), equal_nan=array.dtype == float)
+
+
+@needs_joblib
+@pytest.mark.slow
+def test_a_sweep_is_interrupted():
+    code = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "from numerics import Force, PlanePair, PlaneScene, solve_scenes\n"
+        "pair = PlanePair(1, 1, [200, 120], ['0.5', '0.4'], 1)\n"
+        "scene = PlaneScene(pair, 1000, x1=['0.012', '0.002'], force=[Force.sine(3, 5)])\n"
+        "short = PlaneScene(pair, '0.01', x1=['0.012', '0.002'])\n"
+        "solve_scenes([short, scene, scene], jobs=2, progress=lambda *_: print('begun', flush=True))\n"
+    )
+    process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "begun\n"
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode != 0
+    assert errors.rstrip().endswith("KeyboardInterrupt")
+
+
+def test_a_sweep_is_drawn():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    found = solve_scenes(PUSHED, jobs=1)
+    ax = found.plot("events", along=[1, 2, 3])
+    assert ax.lines[0].get_ydata().tolist() == found.events.tolist()
+    starts = [PlaneScene(PAIR, "0.1", x1=[x, 0]) for x in ("0.012", "0.002")]
+    ax = solve_scenes(starts, jobs=1).plot()
+    assert ax.get_xlabel() == "x1 x"
+    assert ax.get_ylabel() == "energy (J)"
+    with pytest.raises(ValueError, match="not one of energy, events, digits, t"):
+        found.plot("dissipated")
+    pyplot.close("all")
