@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from functools import partial
 from importlib.util import find_spec
 from typing import Any
@@ -21,6 +22,9 @@ from numerics.trajectory.status import Status
 
 _FEW = 8
 """So many scenes are solved before other processes have started."""
+
+
+_LARGEST = 2**1023
 
 
 class PlaneBatch(Ends):
@@ -42,8 +46,8 @@ class PlaneBatch(Ends):
     >>> x1, v1, x2, v2 = found.y
     >>> x1.shape, found.mode.tolist(), found.event_t.round(4).tolist(), bool((found.y_error < 1e-15).all())
     ((2, 2), ['slip', 'stick'], [[0.1081], [0.1735]], True)
-    >>> found.message[0], found.digits.tolist(), found.inputs["x1 x"].tolist()
-    ('reached the horizon', [15, 15], [0.006, 0.012])
+    >>> found.success.tolist(), found.message[0], found.digits.tolist(), found.inputs["x1 x"].tolist(), found.ANSWERS
+    ([True, True], 'reached the horizon', [15, 15], [0.006, 0.012], ('energy', 'events', 'digits', 't'))
     """
 
     ANSWERS = "energy", "events", "digits", "t"
@@ -61,15 +65,6 @@ class PlaneBatch(Ends):
         self.event_y, self.event_y_error = np.full((2, 4, rows, keep_events, n), np.nan)
         self.event_mode = np.full((rows, keep_events), "", dtype=object)
 
-    def take(self, row: int, one: PlaneBatch) -> None:
-        """Write the answers of a batch of one scene into a row."""
-        for name, array in vars(self).items():
-            if isinstance(array, np.ndarray):
-                at: Any = (
-                    np.s_[:, row : row + 1] if name.removesuffix("_error") in {"y", "event_y"} else np.s_[row : row + 1]
-                )
-                array[at] = getattr(one, name)
-
     @property
     def inputs(self) -> dict[str, NDArray[np.float64]]:
         """Return "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until, (rows,) each, SI units."""
@@ -79,7 +74,21 @@ class PlaneBatch(Ends):
                 named[f"{name} {AXES[k]}"] = [getattr(one.pair, name)[k] for one in self.scenes]
             for name in STATE:
                 named[f"{name} {AXES[k]}"] = [getattr(one, name)[k] for one in self.scenes]
-        return {name: np.array(given, dtype=float) for name, given in named.items()}
+        return {name: np.array([_near(x) for x in given]) for name, given in named.items()}
+
+
+def _near(x: Fraction) -> float:
+    """Return the float next to an exact number, nan beyond their range."""
+    return float(x) if abs(x) < _LARGEST else np.nan
+
+
+def _put(whole: PlaneBatch, row: int, one: PlaneBatch) -> None:
+    """Write the answers of a batch of one scene into a row."""
+    for name, array in vars(whole).items():
+        if isinstance(array, np.ndarray):
+            there = (np.s_[:], row) if name.removesuffix("_error") in {"y", "event_y"} else row
+            here = (np.s_[:], 0) if there != row else 0
+            array[there] = getattr(one, name)[here]
 
 
 def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, PlaneBatch]:
@@ -118,7 +127,7 @@ def solve_surfaces(
         jobs = available_cores() if len(scenes) > _FEW and find_spec("joblib") else 1
     solved = run_tasks(partial(_solved, keep_events, max_events), [*enumerate(scenes)], jobs=jobs)
     for done, (row, one) in enumerate(solved, start=1):
-        found.take(row, one)
+        _put(found, row, one)
         if progress is not None:
             progress(done, len(scenes))
     return found

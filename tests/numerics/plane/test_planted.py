@@ -5,20 +5,26 @@ from fractions import Fraction
 
 import pytest
 from flint import arb, arb_poly
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 
-from numerics import Force, Piece
+from numerics import Force, NotSettled, Piece
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.compiled import can_compile
 from numerics.errors import EventUndecided
+from numerics.plane import candidate
 from numerics.plane.coupled import BoxRun
 from numerics.plane.polynomial import first_root
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
+from numerics.plane.series_in_pairs import expand
 from numerics.plane.spread import Spread
 from numerics.plane.states import States
 from numerics.plane.system import System
 from numerics.plane.vector import Vector
 from numerics.scene.plane import PlanePair, PlaneScene
 
+needs_numba = pytest.mark.skipif(not can_compile(), reason="numba is not installed")
 NUMBERS = ([1, 2], ["0.5", 1], [[200, 60], [60, 120]], ["0.5", "0.1"], [["0.3", "0.1"], ["0.1", "0.2"]])
 START = {"x1": ["0.012", "-0.007"], "v1": ["0.1", "0.05"], "force": [Force.sine(1, 9), Force.sine("0.5", 7, 1)]}
 BOX = PlaneScene(PlanePair(*NUMBERS, shape="box"), "0.9", **START)
@@ -223,3 +229,49 @@ def test_with_a_damper_a_slip_from_the_edge_is_not_sure_for_long():
         assert run.leaves(normal, arb(1e-6), 2)
         assert normal @ run.around(arb(1e-4)).drift > 0
         assert not run.leaves(normal, arb(1e-4), 2)
+
+
+@needs_numba
+@pytest.mark.parametrize("planted", ["row", "number"])
+@settings(max_examples=15)
+@given(st.integers(0, 40), st.integers(0, 31), st.integers(-70, 20))
+@example(0, 1, -60)  # s
+@example(5, 3, 10)  # v1: no polynomial has it
+@example(11, 0, -50)  # t, whose beginning is that of the step
+@example(12, 2, -60)  # a sine
+def test_a_wrong_digit_of_a_candidate_is_in_the_bound_or_ends_in_doubt(planted, row, k, power):
+    """Compiled numbers prove nothing: one that is wrong makes bounds larger, or steps shorter, or the end undecided."""
+    right = said(ELLIPSE)
+
+    def wrong(table, *given):
+        expand(table, *given)
+        table[0, min(row, table.shape[1] - 1), k] *= 1 + 2.0**power
+        if planted == "row":
+            table[0, row % table.shape[1]] *= 1 + 2.0**power
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(candidate, "compiled", lambda function: wrong if function is expand else function)
+        try:
+            found = said(ELLIPSE)
+        except (EventUndecided, NotSettled):
+            return
+    assert agree(found, right)
+
+
+@needs_numba
+def test_a_wrong_series_is_seen_in_the_bound():
+    """A number that is off by 2^-30 of itself moves N by far more than 64 bits do."""
+
+    def end(off):
+        run = Run(System(reduced(ELLIPSE), 19), 100, 2000)
+
+        def wrong(table, *given):
+            expand(table, *given)
+            table[0, 2 * run.system.n, 5] *= 1 + off
+
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(candidate, "compiled", lambda function: wrong if function is expand else function)
+            run.follow()
+        return run.norm
+
+    assert end(2.0**-30) > 1e3 * end(0.0)
