@@ -38,11 +38,10 @@ def integral_bound(p: arb_poly) -> arb:
     return (p * _ANY).integral()(_ONE).upper()
 
 
-def on(p: arb_poly, a: float, b: float) -> list[arb]:
-    """Return the coefficients of p on [a, b], of a variable between -1 and 1; a and b have few bits."""
-    if p.length() < 2:
-        return [*p.coeffs(), arb(0)]
-    return list(p(arb_poly([(arb(a) + b) / 2, (arb(b) - a) / 2])).coeffs())
+def on(p: arb_poly, a: float, b: float) -> tuple[arb, arb]:
+    """Return p in the middle of [a, b], and a bound on how far it is from that on [a, b]; a and b have few bits."""
+    q = p(arb_poly([(arb(a) + b) / 2, (arb(b) - a) / 2]))  # of a variable between -1 and 1
+    return q[0], total(q - q[0])
 
 
 def least(p: arb_poly) -> arb:
@@ -50,8 +49,8 @@ def least(p: arb_poly) -> arb:
     found, waiting = arb("inf"), [(0.0, 1.0)]
     while waiting:
         a, b = waiting.pop()
-        first, *rest = on(p, a, b)
-        low = (first - sum(map(abs, rest), arb(0))).lower()
+        first, rest = on(p, a, b)
+        low = (first - rest).lower()
         if 2 * low < first and b - a > 2**-10:
             if not (p(arb(a)) > 0 and p(arb(b)) > 0):
                 return low
@@ -71,11 +70,10 @@ def first_root(p: arb_poly, error: arb, start: float = 0.0) -> tuple[arb, arb] |
     slope, waiting = p.derivative(), [(start, 1.0)]
     while waiting:
         a, b = waiting.pop()
-        value, *rest = on(p, a, b)
-        if value - sum(map(abs, rest), arb(0)) > error:
+        value, rest = on(p, a, b)
+        if value - rest > error:
             continue
-        steep, *others = on(slope, a, b)
-        bend = sum(map(abs, others), arb(0))
+        steep, bend = on(slope, a, b)
         room = -steep - bend
         if steep > bend and p(arb(a)) > error:
             continue
