@@ -70,7 +70,7 @@ class Transfer(ShortRepr):
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
     >>> found.least_amplitude, found.fastest, found.claim().ends["v2"][0]
-    (None, 'no control that keeps the margin is faster: friction is at its limit all the time', 0)
+    (None, 'no control that keeps the margin is faster: friction is at it all the time', 0)
     """
 
     distance: Fraction
@@ -140,6 +140,7 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
     if any((at.x1, at.v1, at.v2)):
         raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
     scene.require_one_b("a transfer")
+    scene.require_filippov("a transfer")
     if scene.is_forced:
         raise InvalidScene("a transfer brings its own force, at one friction; leave [[force]] and [[friction]] out")
 
@@ -154,7 +155,7 @@ def _transfer(
     planned = None
     if force is not None and time is not None:
         signed = force if by > 0 else -force
-        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), law=scene.law, force=signed)
+        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), force=signed)
     found = Transfer(by, margin, road, bound, time, stuck, least, fastest, planned, digits)
     return found, [one for one in (bound, stuck, least, time) if one is not None]
 
@@ -226,8 +227,8 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     go = stuck_force(pair, Piece(0, (0, 0, gain / 2)))
     stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
     force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
-    limit = "no control is faster" if margin == 0 else "no control that keeps the margin is faster"
-    return Road.STUCK, 2 * exact, f"{limit}: friction is at its limit all the time", force
+    faster, there = ("", "its limit") if margin == 0 else (" that keeps the margin", "it")
+    return Road.STUCK, 2 * exact, f"no control{faster} is faster: friction is at {there} all the time", force
 
 
 def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:

@@ -187,6 +187,11 @@ class Scene(ShortRepr):
                 f"{what} is not worked out for friction that depends on the state; leave [weakening] out"
             )
 
+    def require_filippov(self, what: str) -> None:
+        """Raise InvalidScene for sgn(0) = 0 read literally: such a stick lasts, whatever force that takes."""
+        if self.law is not Law.FILIPPOV:
+            raise InvalidScene(f'law = "{self.law.value}" has no such theory; leave the law out for {what}')
+
     @property
     def energy(self) -> Fraction:
         """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 at t = 0, J, exact."""

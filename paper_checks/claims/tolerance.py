@@ -240,7 +240,7 @@ def ring_of_tolerance() -> Case:
 def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
     return because(
-        "A ring that holds the image of the tube is reached no later than the tube, and not left after that. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
+        "Once the tube is entered, a ring that holds its image is entered too, and not left any more. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
         ring_contains(),
     )
 

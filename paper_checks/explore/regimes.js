@@ -45,7 +45,7 @@ function literalRegime({ segments }) {
 function freeRegime(solution) {
   const { scene, pair, segments } = solution, last = segments[segments.length - 1];
   const energy = energyAbout(solution, last.start), from = `From τ = ${shown(last.start.t)} on`;
-  if (last.start.mode === STICK && (holdsForEver(last.motion, 0) || energy <= 1)) {
+  if (last.start.mode === STICK && (holdsForEver(last.motion, 0) || (pair.zeta === 0 && energy <= 1))) {
     const rest = pair.zeta > 0 ? "and come to rest" : `and oscillate as one body with E/E_cr = ${shown(energy)} ≤ 1`;
     return { title: segments.length > 1 ? "Merges" : "Sticks for ever", text: `${from} the bodies stick for ever ${rest}.` };
   }
