@@ -240,7 +240,7 @@ def ring_of_tolerance() -> Case:
 def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
     return because(
-        "Once the tube is entered, a ring that holds its image is entered too, and not left any more. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
+        "A ring that holds the image of the tube is entered no later than the tube, and not left once the tube is entered. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
         ring_contains(),
     )
 
