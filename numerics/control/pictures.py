@@ -146,7 +146,10 @@ def draw_response_map(found: CellMap) -> Figure:
     pair = Pair(**found.title["pair"])
     _lines(axes, pair, np.geomspace(*omega, 600))
     figure.legend(handles=[*handles, *axes.lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
-    axes.set(ylim=amplitude, title=f"What {'the pair' if pair.a1 else 'some motion'} does under a sine: every decided cell is proved")
+    axes.set(
+        ylim=amplitude,
+        title=f"What {'the pair' if pair.a1 else 'some motion'} does under a sine: every decided cell is proved",
+    )
     return figure
 
 

@@ -61,7 +61,7 @@ class Transfer(ShortRepr):
     """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
 
     `margin`: the part of b that it leaves unused while stuck; `road`: how it is made, a Road.
-    `bound` (s) no control beats; `time` (s) this transfer takes; `stuck_amplitude` (N) sticking at the limit needs;
+    `bound` (s) no control beats; `time` (s) this one takes; `stuck_amplitude` (N) sticking at (1 - margin) b needs;
     `least_amplitude` (N) arriving at the bound needs at least, None where g' changes sign; `fastest`: what is proved of
     `time`, a sentence.
 
@@ -177,12 +177,12 @@ def _chosen(
     found = _bang_bang(pair, far, most, margin)
     if found is not None:
         return found
-    return Road.OPEN, None, f"{Road.OPEN.value}; {_what_is_known(most, stuck, least)}", None
+    return Road.OPEN, None, f"{Road.OPEN.value}; {_what_is_known(most, margin, stuck, least)}", None
 
 
-def _what_is_known(most: Fraction, stuck: arb, least: arb | None) -> str:
+def _what_is_known(most: Fraction, margin: Fraction, stuck: arb, least: arb | None) -> str:
     """Return what is proved of the bound where the least time is open."""
-    needs = f"a stuck transfer at the limit needs {stuck.str(6, radius=False)} N"
+    needs = f"a stuck transfer at the {'margin' if margin else 'limit'} needs {stuck.str(6, radius=False)} N"
     if least is None:
         return f"{needs}, and whether slipping meets the bound with less is open, too"
     if not_negative(number(most) - least, _SUFFICES):
