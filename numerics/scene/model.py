@@ -180,6 +180,11 @@ class Scene(ShortRepr):
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
         return bool(pushes or self.friction.pieces or self.friction.weakening)
 
+    @property
+    def changes_later(self) -> bool:
+        """Return whether another piece of force or friction begins at the horizon or after it."""
+        return any(at >= self.until for at in (*self.force.starts, *self.friction.starts))
+
     def require_one_b(self, what: str) -> None:
         """Raise InvalidScene, for what is worked out for Coulomb friction only, if friction depends on the state."""
         if self.friction.weakening:

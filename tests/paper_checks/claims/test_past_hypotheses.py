@@ -24,6 +24,8 @@ from numerics import (
     load_reference,
     load_scene,
     solve,
+    solve_many,
+    solve_scenes,
     thresholds,
     track,
 )
@@ -355,6 +357,20 @@ def test_read_literally_friction_gives_what_a_reference_asks():
         track(rest, reference)
     with pytest.raises(InvalidScene, match="law"):
         fastest_transfer(rest, "0.01")
+
+
+@pytest.mark.parametrize("later", [{"friction": Friction([(10, "0.1")])}, {"force": Force.step(10, 5)}])
+def test_a_stick_is_not_for_ever_where_a_piece_after_the_horizon_breaks_it(later):
+    scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.004"), until=20, **later)
+    run = solve(scene, digits=20)
+    assert run.modes[0] == Mode.STICK
+    assert run.events[0].t == 10
+    for how in ({}, {"digits": 20}, {"arithmetic": "ball"}):
+        assert solve(replace(scene, until=5), **how).message == "reached the horizon"
+    given = {"x1": 0.004, "until": [5, 10], **later}
+    assert solve_many(1, 1, 200, 0.5, **given).status.tolist() == [0, 0]
+    scenes = [replace(scene, until=5), Scene(scene.pair, scene.initial, until=5)]
+    assert solve_scenes(scenes).status.tolist() == [0, 1]
 
 
 @pytest.mark.parametrize(
