@@ -151,7 +151,7 @@ def ring_of_tolerance() -> Case:
     start, moved = {**INSIDE, x2: 0}, {**INSIDE, x2: Rational("0.001")}
     return because(
         """
-        With a damper the ring of Fig. 1 is reached and not left, in the relative velocity and around the one
+        With a damper the ring of Fig. 1 is entered for good, in the relative velocity and around the one
         response. In the relative displacement there is no orbit that attracts: nothing acts on it, so each start
         keeps its own.
         """,
