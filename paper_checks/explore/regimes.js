@@ -73,7 +73,8 @@ function drivenRegime(solution) {
   if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.`, ...known };
   const { stuck, stops } = lastPeriod(solution, period), repeats = repetition(solution, period);
   const again = repeats < 1e-6 ? "The last two periods agree to a millionth." : `Over the last period the state has changed by ${shown(repeats, 2)}: it is still settling.`;
-  if (stuck === 1) return { title: "Entrained", text: `The pair moves as one body throughout the last period. ${again} ${limits}`, ...known };
+  const last = solution.segments[solution.segments.length - 1];
+  if (stuck === 1) return { title: holdsForEver(last.motion, last.duration) ? "Entrained" : "Stuck so far", text: `The pair moves as one body throughout the last period. ${again} ${limits}`, ...known };
   if (stuck === 0) return { title: "Slips all the time", text: `No stick phase in the last period. ${again} ${limits}`, ...known };
   return { title: "Stick and slip", text: `${stops} stick phase${stops === 1 ? "" : "s"} in the last period, ${shown(100 * stuck, 3)} % of the time. ${again} ${limits}`, ...known };
 }
