@@ -13,9 +13,9 @@
 # %% [markdown]
 # # The sliding region and the critical energy
 #
-# From the closed form (3), (4) of the paper to the energy above which no trajectory stays stuck, without a damper and
-# with one. Every formula below is an object of the package `theory`, derived there from the model and set here as it
-# is; the sentence after each says what it means. `one_over_t_law` goes on from here.
+# From the closed form (3), (4) of the paper to the energy up to which every stuck pair stays stuck, without a damper
+# and with one. Every formula below is an object of the package `theory`, derived there from the model and set here as
+# it is; the sentence after each says what it means. `one_over_t_law` goes on from here.
 
 # %%
 # %matplotlib inline

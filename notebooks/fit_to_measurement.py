@@ -115,7 +115,7 @@ print(f"within two deviations: b {within[0]:.0%}, m1 {within[1]:.0%}")
 # %% [markdown]
 # ## What the data cannot tell
 #
-# A pair that sticks all the time says nothing about $b$: below the critical energy the derivative by $b$ is exactly 0,
+# A pair that sticks all the time says nothing about $b$: stuck below the critical energy its derivative by $b$ is 0,
 # and the fit has no answer. Look at `slopes` before you trust an estimate.
 
 # %%

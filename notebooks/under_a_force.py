@@ -15,7 +15,7 @@
 #
 # The paper's most general model has a force $u(t)$ on body 1, and its readers are control engineers. Body 2 feels
 # nothing but friction, at most $b$. This notebook asks what that allows: when a vibration carries body 2 along, which
-# references it can follow, how fast it can be moved, and when the relative motion has settled. Every number below is
+# references it can follow, how fast it can be moved, and when the relative motion has settled. What the tools answer is
 # an enclosure or comes from one, and what is planned is solved again.
 
 # %%
@@ -99,7 +99,7 @@ figure
 # %% [markdown]
 # ## A force with a preferred side carries body 2 along
 #
-# If $u(t+T/2)=-u(t)$ the drift of body 2 is exactly 0. A second harmonic breaks that.
+# With a damper, the drift of body 2 is exactly 0 if $u(t+T/2)=-u(t)$. A second harmonic breaks that.
 
 # %%
 with house_style():

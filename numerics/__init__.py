@@ -27,7 +27,7 @@ Answers:
 Control through the interface:
     response            the motion in the long run under a periodic force
     response_map        which regime a sine brings, over frequency and amplitude
-    thresholds          the amplitudes up to which the pair may stick, from which it may slip for ever
+    thresholds          the amplitudes up to which the pair may stick, which slip with two reversals a period needs
     fastest_transfer    the force that brings body 2 from rest to rest
     track               the force under which body 2 follows a reference
     load_reference      a reference of a TOML file, or a shipped one such as "s-curve"

@@ -217,6 +217,10 @@ class Ball:
         self.digits = digits
         self.bits = math.ceil(digits * BITS_PER_DIGIT) + GUARD_BITS
 
+    def __repr__(self) -> str:
+        """Return the name and the working digits."""
+        return f"<{self.name}, {self.digits} working digits>"
+
     def context(self) -> AbstractContextManager[None]:
         """Return a context that sets flint's process-wide precision, and restores it whatever happens."""
         return precision(self.bits)

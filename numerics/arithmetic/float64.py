@@ -17,6 +17,10 @@ class Float64:
     digits = 15
     to_float = staticmethod(as_float)
 
+    def __repr__(self) -> str:
+        """Return the name and the working digits."""
+        return f"<{self.name}, {self.digits} working digits>"
+
     def context(self) -> AbstractContextManager[object]:
         """Return a context that does nothing: binary64 needs none."""
         return nullcontext()

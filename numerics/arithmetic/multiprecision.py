@@ -113,6 +113,10 @@ class Multiprecision:
         """Fix the working precision in decimal digits."""
         self.digits = digits
 
+    def __repr__(self) -> str:
+        """Return the name and the working digits."""
+        return f"<{self.name}, {self.digits} working digits>"
+
     def context(self) -> AbstractContextManager[object]:
         """Return a context that sets mpmath's process-wide precision and restores it."""
         return mpmath.workdps(self.digits)

@@ -185,7 +185,7 @@ def print_transfer(options: argparse.Namespace) -> int:
     named = {
         "bound": ("no control arrives before", "s"),
         "time": ("this transfer takes", "s"),
-        "stuck_amplitude": ("amplitude that sticking at the limit needs", "N"),
+        "stuck_amplitude": ("amplitude that sticking at the limit needs, or at the margin below it", "N"),
         "least_amplitude": ("least amplitude with which the bound can be met", "N"),
     }
     shown = numbers({name: getattr(found, name) for name in named}, found.digits)
@@ -198,7 +198,7 @@ def print_transfer(options: argparse.Namespace) -> int:
     road = found.road.name.lower().replace("_", "-")
     record = {"road": road, "sentence": found.road.value, "fastest": found.fastest, **shown, "digits": found.digits}
     answer(options, record | _scene_key(found.scene), lines)
-    return _hand_over(found.scene, options, "no transfer is given: between these amplitudes the least time is open")
+    return _hand_over(found.scene, options, "no transfer is given: at this amplitude the least time is open")
 
 
 def _scene_key(scene: Scene | None) -> dict[str, str]:

@@ -4,7 +4,7 @@ From a time at which a trajectory is in a leg of the orbit and within eps of it 
 box of states that have the same events (`one_round`). The derivative of the period map over the box bounds how much a
 period shrinks distances; N never grows in between. If k periods shrink it by theta < 1, then
 
-    int |w - w*| dt <= sqrt(kappa) k T eps/(1 - theta)    from then on, N(y) = sqrt(kappa) |w| at most.
+    int |w - w*| dt <= sqrt(kappa) k T eps/(1 - theta)    from then on, as |w - w*| <= sqrt(kappa) N.
 """
 
 from __future__ import annotations

@@ -143,9 +143,13 @@ def draw_response_map(found: CellMap) -> Figure:
     proved = {one: text if one is Regimes.UNDECIDED else f"proved: {text}" for one, text in LABELS.items()}
     handles = found.draw(axes, COLOURS, proved)
     omega, amplitude = ((float(low), float(high)) for low, high in found.window)
-    _lines(axes, Pair(**found.title["pair"]), np.geomspace(*omega, 600))
+    pair = Pair(**found.title["pair"])
+    _lines(axes, pair, np.geomspace(*omega, 600))
     figure.legend(handles=[*handles, *axes.lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
-    axes.set(ylim=amplitude, title="What a sine does to the pair: every decided cell is proved")
+    axes.set(
+        ylim=amplitude,
+        title=f"What {'the pair' if pair.a1 else 'some motion'} does under a sine: every decided cell is proved",
+    )
     return figure
 
 

@@ -30,7 +30,7 @@ from numerics.control.stuck import (
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
 from numerics.plane.rotating import rotating_force, rotating_response
-from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import Exact, exact_decimal, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
@@ -235,8 +235,7 @@ def _drive_under(scene: Scene, amplitude: Exact | None, omega: Exact | None) -> 
 
 def steady_drive(scene: Scene) -> Drive:
     """Return what acts in the long run. Raises InvalidScene unless that is a constant and sines."""
-    if scene.law is not Law.FILIPPOV:
-        raise InvalidScene(f'law = "{scene.law.value}" has no such theory; leave the law out for a response')
+    scene.require_filippov("a response")
     drive = last_drive(scene)
     if drive is None or not drive.piece.sines:
         raise InvalidScene(

@@ -152,7 +152,7 @@ def _settled(
         if not trajectory.reached:
             break
         until *= 2
-    remedy = "give a larger radius"
+    remedy = f"a later horizon{'' if drive.pair.a1 else ' or a larger radius'} may help"
     if orbit is not None:
         remedy = "no proof was found that it closes in on the periodic motion; a larger radius may not help either"
     elif drive.piece.sines:

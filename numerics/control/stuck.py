@@ -41,11 +41,39 @@ def stuck_state(drive: Drive, t: arb, mass: Fraction | None = None) -> tuple[arb
 
 
 def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, list[arb]]]:
-    """Yield the stuck response at one of some times of a period, that with the least load; none at a resonance."""
+    """Yield the stuck response, and the motion next to the critical orbit, each at the time of a period that loads it
+
+    least of some.
+    """
     times = [rounded(drive.period * k / _PARTS) for k in range(1, _PARTS)]
-    states = [(t, state) for t in times if (state := stuck_state(drive, number(t))) is not None]
-    for t, (x1, v1, _, v2) in sorted(states, key=lambda one: _load(drive, *one))[:1]:
-        yield t, [x1, v1, v2]
+    for state_at in (stuck_state, _creeping_state):
+        states = [(t, state) for t in times if (state := state_at(drive, number(t))) is not None]
+        for t, (x1, v1, _, v2) in sorted(states, key=lambda one: _load(drive, *one))[:1]:
+            yield t, [x1, v1, v2]
+
+
+def _creeping_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
+    """Return (x1, v1, 0, v1) about where the bodies stick at a time (s), if a weak sine near resonance makes them slip.
+
+    The stuck pair swings as x1 = -A cos(p - phi) under U sin p, U sin phi = -(a2 - M omega^2) A. What is left of U cos
+    phi beside damping friction takes, near the critical orbit by A^2 = L^2 (1 + w), w^2 = 4 pi (U cos phi - a1 omega L)
+    m1/(9 b M), L the half-width. Approximate, of the sine next to resonance.
+    """
+    pair, sines = drive.pair, [one for one in drive.piece.sines if one.amplitude]
+    away = [abs((pair.a2 - pair.mass * one.omega**2) / one.amplitude) for one in sines]
+    sine = sines[away.index(min(away))]
+    across = number((pair.mass * sine.omega**2 - pair.a2) * pair.half_width / abs(sine.amplitude))
+    left = 1 - across * across
+    if not left > 0:
+        return None
+    along = left.sqrt() - number(pair.a1 * sine.omega * pair.half_width / abs(sine.amplitude))
+    if not along > 0:
+        return None
+    square = along * arb.pi() * number(4 * abs(sine.amplitude) * pair.m1 / (9 * pair.b * pair.mass))
+    far = number(pair.half_width * (1 if sine.amplitude > 0 else -1)) * (1 + square.sqrt()).sqrt()
+    s, c = (number(sine.omega) * t + number(sine.phase) - across.asin()).sin_cos()
+    v1 = number(sine.omega) * far * s
+    return number(drive.rest) - far * c, v1, arb(0), v1
 
 
 def _load(drive: Drive, t: Fraction, state: Sequence[arb]) -> float:

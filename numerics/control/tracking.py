@@ -131,6 +131,7 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
         raise InvalidScene("a reference must begin at from = 0; give its first piece there")
     Force(reference)  # in order of time
     scene.require_one_b("a tracking")
+    scene.require_filippov("a tracking")
     at = scene.initial
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")

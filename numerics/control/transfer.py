@@ -61,7 +61,7 @@ class Transfer(ShortRepr):
     """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
 
     `margin`: the part of b that it leaves unused while stuck; `road`: how it is made, a Road.
-    `bound` (s) no control beats; `time` (s) this transfer takes; `stuck_amplitude` (N) sticking at the limit needs;
+    `bound` (s) no control beats; `time` (s) this one takes; `stuck_amplitude` (N) sticking at (1 - margin) b needs;
     `least_amplitude` (N) arriving at the bound needs at least, None where g' changes sign; `fastest`: what is proved of
     `time`, a sentence.
 
@@ -70,7 +70,7 @@ class Transfer(ShortRepr):
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
     >>> found.least_amplitude, found.fastest, found.claim().ends["v2"][0]
-    (None, 'no control that keeps the margin is faster: friction is at its limit all the time', 0)
+    (None, 'no control that keeps the margin is faster: friction is at it all the time', 0)
     """
 
     distance: Fraction
@@ -140,6 +140,7 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
     if any((at.x1, at.v1, at.v2)):
         raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
     scene.require_one_b("a transfer")
+    scene.require_filippov("a transfer")
     if scene.is_forced:
         raise InvalidScene("a transfer brings its own force, at one friction; leave [[force]] and [[friction]] out")
 
@@ -154,7 +155,7 @@ def _transfer(
     planned = None
     if force is not None and time is not None:
         signed = force if by > 0 else -force
-        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), law=scene.law, force=signed)
+        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), force=signed)
     found = Transfer(by, margin, road, bound, time, stuck, least, fastest, planned, digits)
     return found, [one for one in (bound, stuck, least, time) if one is not None]
 
@@ -176,12 +177,12 @@ def _chosen(
     found = _bang_bang(pair, far, most, margin)
     if found is not None:
         return found
-    return Road.OPEN, None, f"{Road.OPEN.value}; {_what_is_known(most, stuck, least)}", None
+    return Road.OPEN, None, f"{Road.OPEN.value}; {_what_is_known(most, margin, stuck, least)}", None
 
 
-def _what_is_known(most: Fraction, stuck: arb, least: arb | None) -> str:
+def _what_is_known(most: Fraction, margin: Fraction, stuck: arb, least: arb | None) -> str:
     """Return what is proved of the bound where the least time is open."""
-    needs = f"a stuck transfer at the limit needs {stuck.str(6, radius=False)} N"
+    needs = f"a stuck transfer at the {'margin' if margin else 'limit'} needs {stuck.str(6, radius=False)} N"
     if least is None:
         return f"{needs}, and whether slipping meets the bound with less is open, too"
     if not_negative(number(most) - least, _SUFFICES):
@@ -226,8 +227,8 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     go = stuck_force(pair, Piece(0, (0, 0, gain / 2)))
     stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
     force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
-    limit = "no control is faster" if margin == 0 else "no control that keeps the margin is faster"
-    return Road.STUCK, 2 * exact, f"{limit}: friction is at its limit all the time", force
+    faster, there = ("", "its limit") if margin == 0 else (" that keeps the margin", "it")
+    return Road.STUCK, 2 * exact, f"no control{faster} is faster: friction is at {there} all the time", force
 
 
 def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:

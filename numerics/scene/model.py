@@ -180,12 +180,22 @@ class Scene(ShortRepr):
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
         return bool(pushes or self.friction.pieces or self.friction.weakening)
 
+    @property
+    def changes_later(self) -> bool:
+        """Return whether another piece of force or friction begins at the horizon or after it."""
+        return any(at >= self.until for at in (*self.force.starts, *self.friction.starts))
+
     def require_one_b(self, what: str) -> None:
         """Raise InvalidScene, for what is worked out for Coulomb friction only, if friction depends on the state."""
         if self.friction.weakening:
             raise InvalidScene(
                 f"{what} is not worked out for friction that depends on the state; leave [weakening] out"
             )
+
+    def require_filippov(self, what: str) -> None:
+        """Raise InvalidScene for sgn(0) = 0 read literally: such a stick lasts, whatever force that takes."""
+        if self.law is not Law.FILIPPOV:
+            raise InvalidScene(f'law = "{self.law.value}" has no such theory; leave the law out for {what}')
 
     @property
     def energy(self) -> Fraction:

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
+from numerics.linear.record import AT, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
@@ -123,7 +124,8 @@ def solve_many(
         numbers = [Fraction(float(one)) for one in (*columns.table[row, ::2], *coefficients, *waves.ravel())]
         return _scene(numbers, len(coefficients), limits.law, {}, friction=same)
 
-    return _solved(columns, scene_of, columns.table, shape, limits)
+    later = columns.table[:, 2 * SI.index("until")] <= float(max(same.starts, default=0))
+    return _solved(columns, scene_of, columns.table, shape, limits, later)
 
 
 @overload
@@ -165,9 +167,9 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     plain = len(laws) <= 1 and not any(scene.is_forced for scene in kept)
     table = np.array([_halves(scene, lows=plain) for scene in kept]).reshape(len(kept), 2 * len(SI))
     columns = Columns(table, np.zeros((len(kept), 0)), np.zeros((len(kept), 0, 3)), frictions_of(SAME_FRICTION))
-    return _solved(
-        columns if plain and np.isfinite(table).all() else None, kept.__getitem__, table, (len(kept),), limits
-    )
+    later = np.array([scene.changes_later for scene in kept], bool)
+    held = columns if plain and np.isfinite(table).all() else None
+    return _solved(held, kept.__getitem__, table, (len(kept),), limits, later)
 
 
 def _fits_in_columns(friction: Any) -> bool:
@@ -255,8 +257,9 @@ def _solved(
     table: Table,
     shape: tuple[int, ...],
     limits: _Limits,
+    later: NDArray[np.bool_],
 ) -> Batch:
-    """Solve rows in chunks."""
+    """Solve rows in chunks; `later`: where another piece begins at the horizon or after it, no stick is for ever."""
     ends, kept = room(len(table), limits.keep_events)
     size, done, literal = _chunk(len(table), limits.jobs), 0, limits.law is Law.THREE_VALUED_SGN
     chunks = []
@@ -272,6 +275,7 @@ def _solved(
         done += count
         if limits.progress is not None:
             limits.progress(done, len(table))
+    ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
     form = None if columns is None else partial(_form_ledgers, columns, literal, limits.max_events, limits.jobs)
     return Batch(table, ends, kept, shape, form)
 

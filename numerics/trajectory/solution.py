@@ -36,7 +36,8 @@ class Solution(Rows):
             return Status.EVENT_LIMIT
         if not self.certain:
             return Status.SEQUENCE_OPEN
-        return Status.STUCK_FOR_EVER if self.record.how == How.STUCK else Status.REACHED_HORIZON
+        is_stuck = self.record.how == How.STUCK and not self.scene.changes_later
+        return Status.STUCK_FOR_EVER if is_stuck else Status.REACHED_HORIZON
 
     @property
     def message(self) -> str:

@@ -234,7 +234,7 @@ def damping_for_tracking() -> Case:
     ),
     open=(
         "What the long-run motion is for a friction that varies with the time or depends on the state (who merges, how fast the others settle) is not decided here: $E_{cr}$ and the $1/t$ law are those of a constant $b$.",
-        "For a friction that jumps down where a stick ends (static above kinetic) there is not one motion from a start, stick and slip both are: which of them is meant is not decided here.",
+        "For a friction that jumps down where a stick ends (static above kinetic) a start may have several motions, those that stick and those that slip: which of them is meant is not decided here.",
     ),
 )
 def varying_interface() -> Case:

@@ -114,7 +114,7 @@ def one_quadratic() -> Evidence:
 def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""
     return because(
-        "Under a force that goes round a motion that goes round with it sticks up to one threshold and slips at one speed above it: in axes that turn with the force it rests, and its equations are one quadratic for that speed. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$. With a damper every motion tends to this one: see forced-periodic-response.",
+        "Under a force that goes round a motion that goes round with it sticks up to one threshold and, but where body 1 resonates without a damper, slips at one speed above it: in axes that turn with the force it rests, and its equations are one quadratic for that speed. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$. With a damper every motion tends to this one: see forced-periodic-response.",
         one_quadratic(),
         figure="rotating-force",
     )

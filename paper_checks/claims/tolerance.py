@@ -151,7 +151,7 @@ def ring_of_tolerance() -> Case:
     start, moved = {**INSIDE, x2: 0}, {**INSIDE, x2: Rational("0.001")}
     return because(
         """
-        With a damper the ring of Fig. 1 is reached and not left, in the relative velocity and around the one
+        With a damper the ring of Fig. 1 is entered for good, in the relative velocity and around the one
         response. In the relative displacement there is no orbit that attracts: nothing acts on it, so each start
         keeps its own.
         """,
@@ -240,7 +240,7 @@ def ring_of_tolerance() -> Case:
 def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
     return because(
-        "A ring that holds the image of the tube is reached no later than the tube, and not left after that. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
+        "A ring that holds the image of the tube is entered no later than the tube, and not left once the tube is entered. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
         ring_contains(),
     )
 

@@ -45,7 +45,7 @@ function literalRegime({ segments }) {
 function freeRegime(solution) {
   const { scene, pair, segments } = solution, last = segments[segments.length - 1];
   const energy = energyAbout(solution, last.start), from = `From τ = ${shown(last.start.t)} on`;
-  if (last.start.mode === STICK && (holdsForEver(last.motion, 0) || energy <= 1)) {
+  if (last.start.mode === STICK && (holdsForEver(last.motion, 0) || (pair.zeta === 0 && energy <= 1))) {
     const rest = pair.zeta > 0 ? "and come to rest" : `and oscillate as one body with E/E_cr = ${shown(energy)} ≤ 1`;
     return { title: segments.length > 1 ? "Merges" : "Sticks for ever", text: `${from} the bodies stick for ever ${rest}.` };
   }
@@ -73,7 +73,8 @@ function drivenRegime(solution) {
   if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.`, ...known };
   const { stuck, stops } = lastPeriod(solution, period), repeats = repetition(solution, period);
   const again = repeats < 1e-6 ? "The last two periods agree to a millionth." : `Over the last period the state has changed by ${shown(repeats, 2)}: it is still settling.`;
-  if (stuck === 1) return { title: "Entrained", text: `The pair moves as one body throughout the last period. ${again} ${limits}`, ...known };
+  const last = solution.segments[solution.segments.length - 1];
+  if (stuck === 1) return { title: holdsForEver(last.motion, last.duration) ? "Entrained" : "Stuck so far", text: `The pair moves as one body throughout the last period. ${again} ${limits}`, ...known };
   if (stuck === 0) return { title: "Slips all the time", text: `No stick phase in the last period. ${again} ${limits}`, ...known };
   return { title: "Stick and slip", text: `${stops} stick phase${stops === 1 ? "" : "s"} in the last period, ${shown(100 * stuck, 3)} % of the time. ${again} ${limits}`, ...known };
 }

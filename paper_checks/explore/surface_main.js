@@ -152,7 +152,7 @@ function regimeAbove(solution) {
   if (most <= 1 + TIE) {
     const title = segments.length > 1 ? "Merges" : "Sticks for ever", from = `From \u03c4 = ${shown(last.start.t)} on the bodies stick for ever:`;
     if (round) return { title, text: `${from} the load they need is at most ${shown(most)} b from the end of this run on. ${round}`, ...known };
-    const rest = pair.zeta > 0 ? "they come to rest together." : `their ellipse has the longer half axis ${shown(most)} L, which is at most L, and the energy ${shown(energy)} E_cr (from 1 for a line to 2 for a circle).`;
+    const rest = pair.zeta > 0 ? "they come to rest together." : `their ellipse has the longer half axis ${shown(most)} L, which is at most L, and the energy ${shown(energy)} E_cr (on the edge it is from 1 for a line to 2 for a circle).`;
     return { title, text: `${from} ${rest}`, ...known };
   }
   if (round) return { title: last.mode === "stick" ? "Stick and slip so far" : "Slips", text: round, ...known };

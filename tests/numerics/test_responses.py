@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from control_scenes import DAMPED, FREE, one_period, referred, under
 from flint import arb
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import decimals, sine_scenes
@@ -45,6 +45,21 @@ def test_a_periodic_motion_comes_back_by_the_reference(case):
         size = abs(legs[0].x) + abs(legs[0].v)
         for end, at in zip(run.state()[:2], (period.initial.x1, period.initial.v1), strict=True):
             assert abs(end - Ball.number(at)) < size * arb(10) ** -18
+
+
+@given(decimals(-2, 1), decimals(-2, 1), decimals(-1, 2), decimals(-6, -2), st.sampled_from([0, "1e-5", "-0.5"]))
+@settings(max_examples=5)
+@example(Fraction(1), Fraction(1), Fraction(10), Fraction(1, 20_000_000), 0)
+def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1, m2, omega, share, apart):
+    """U = share b; the sine is at the resonance of the stuck pair, or so far from it that friction holds no more."""
+    off = 1 + Fraction(apart) * share * m2 / (2 * (m1 + m2))
+    pair = Pair(m1, m2, (m1 + m2) * (omega / off) ** 2, 1)
+    found = response(under(pair, share, omega), digits=12)
+    assert found.regime is Regime.STICK_SLIP
+    period, legs = one_period(found.orbit), found.orbit.legs
+    with Ball(40).context():
+        for end, at in zip(referred(period).state()[:2], (period.initial.x1, period.initial.v1), strict=True):
+            assert abs(end - Ball.number(at)) < (abs(legs[0].x) + abs(legs[0].v)) * arb(10) ** -11
 
 
 def test_a_stick_that_would_break_at_the_other_edge_is_no_stick():

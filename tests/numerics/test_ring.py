@@ -141,6 +141,15 @@ def test_a_motion_that_may_never_settle_is_refused():
         ring_entry(scene, "0.001")
 
 
+def test_where_a_run_ends_too_early_a_later_horizon_helps_and_a_larger_ring_does_not(monkeypatch):
+    monkeypatch.setattr(rings, "_FORCED", (1, 2_000))
+    scene = Scene(Pair(10, 1, 1, 1, a1="0.01"), State(v1=20), 1, force=Force.step(0, "0.5"))
+    for radius in ("0.1", 1000):
+        with pytest.raises(NotSettled, match="a later horizon may help"):
+            ring_entry(scene, radius)
+    assert ring_entry(replace(scene, until=Fraction(3000)), "0.1").why == "the pair has stuck for ever"
+
+
 def test_a_motion_that_is_not_proved_to_close_in_on_the_periodic_one_is_refused(monkeypatch):
     monkeypatch.setattr(rings, "periodic_settled", lambda *_: None)
     monkeypatch.setattr(rings, "_FORCED", (1, 2_000))

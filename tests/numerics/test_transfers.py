@@ -100,6 +100,9 @@ def test_a_transfer_under_a_margin_is_the_fastest_of_those_that_keep_it():
     assert found.time < kept.time
     assert found.fastest.startswith("no control is faster")
     assert kept.fastest.startswith("no control that keeps the margin is faster")
+    within, below = (planned("0.001", amplitude="0.999", margin=one).fastest for one in (0, "0.1"))
+    assert "at the limit needs 1.10000 N" in within
+    assert "at the margin needs 1.00000 N" in below
 
 
 @given(pairs(damped=None), decimals(-3, -1, 2), st.integers(1, 19))

@@ -121,8 +121,8 @@ def figures(trade: Trade) -> Figures:
 
 
 def events(trade: Trade) -> Iterator[str]:
-    """Say who has the event sequence right in every run."""
-    judged = [one for one in trade.runs if one.right is not None]
+    """Say who has the event sequence right in every run; a smoothed law has none."""
+    judged = [one for one in trade.runs if one.right is not None and not one.who.endswith("smoothed")]
     wrong = [one for one in judged if not one.right]
     bad = {one.who for one in wrong}
     good = list(dict.fromkeys(one.who for one in judged if one.who not in bad))

@@ -89,7 +89,7 @@ def _guards(rows: Sequence[Row]) -> Iterable[str]:
     )
     yield "Every check is tested with a wrong statement, and has to refuse it."
     yield "The equations (`theory`) and the integrator (`numerics`) do not know each other; their answers are compared."
-    yield "Where a tool is missing a row is unchecked, where a check breaks it is undecided: neither is ever a pass."
+    yield "A row that needs a tool that is missing is unchecked, where a check breaks it is undecided: neither is ever a pass."
 
 
 def _version() -> str:

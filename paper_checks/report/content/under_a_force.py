@@ -89,8 +89,8 @@ def _model() -> Iterator[Block]:
     )
     yield Paragraph(
         "One number decides what the pair does: the load, the friction force that sticking would need. Inside the strip $|\\Lambda|\\leqslant b$ "
-        "the pair can stick; a force moves that strip. On its edge the derivatives of the force decide (`forced-mode-rule`). Events never pile up "
-        "(`forced-no-zeno`), and two motions under one force never move apart (`forced-contraction`)."
+        "the pair can stick; a force moves that strip. On its edge the derivatives of the force decide (`forced-mode-rule`). Under a force that is "
+        "analytic by pieces events never pile up (`forced-no-zeno`), and two motions under one force never move apart (`forced-contraction`)."
         + _formula("forced-mode-rule", "modes", "load")
     )
 
@@ -175,7 +175,7 @@ def _ring() -> Iterator[Block]:
     found = ring_entry(load_scene("velocities"), "0.001", rate=20)
     yield Heading("The ring of Fig. 1", "the-ring")
     yield Paragraph(
-        "Two motions under one force never move apart, so a tube around a motion is entered once, for good, and a ring that holds its image is not left after that "
+        "Two motions under one force never move apart, so a tube around a motion is entered at most once, for good, and a ring that holds its image is not left after that "
         "(`tolerance-ring`). A ring needs its centre at a limit of the motion itself, if it has one: nothing acts on $x_1-x_2$ (`ring-of-tolerance`)."
         + _formula("tolerance-ring", "ring", "within")
     )
@@ -188,7 +188,7 @@ def _drift() -> Iterator[Block]:
     largest = max((abs(one) for one in found.multipliers or ()), key=float, default=arb(0))
     yield Heading("Drift", "drift-of-body-2")
     yield Paragraph(
-        "In a period body 2 moves on by the integral of its velocity. Under a force whose second half period is the first with the other sign, it does not move on at all "
+        "In a period body 2 moves on by the integral of its velocity. With a damper, under a force whose second half period is the first with the other sign, it does not move on at all "
         "(`forced-periodic-response`); any asymmetry may carry it away; how fast and which way depends on the phases of its parts. At the symmetric end of the picture the periodic motion attracts: "
         f"what is beside it shrinks to {rounded(100 * largest, 1)} % in a period."
     )

@@ -11,6 +11,7 @@ import pytest
 from numerics import (
     Force,
     Friction,
+    InvalidScene,
     Mode,
     Pair,
     Piece,
@@ -19,10 +20,16 @@ from numerics import (
     Scene,
     Sine,
     State,
+    fastest_transfer,
+    load_reference,
     load_scene,
     solve,
+    solve_many,
+    solve_scenes,
     thresholds,
+    track,
 )
+from numerics.control.tracking import stuck_force
 from paper_checks import explore
 from paper_checks.claims import claim_named, entrainment, onset, tolerance
 from paper_checks.proofs.cited import CITED
@@ -319,6 +326,51 @@ def test_without_a_damper_a_free_oscillation_may_die_beside_a_reference():
     assert apart[1] < apart[0] / 2
     assert apart[2] < apart[0] / 4
     assert "without a damper a free oscillation may stay" in reason("damping-for-tracking")
+
+
+def test_without_a_damper_a_force_that_favours_no_side_may_carry_body_2_away():
+    """omega_1 = 2 omega: v1 + 0.2 cos 2t and v2 + 0.2 beside a motion that never stops reverse when that does."""
+    quarter = "1.57079632679489661923132169163975144"
+    force = Force([Piece(0, (), (Sine("-4.71238898038468985769396507491925433", 1), Sine(-9, 1, quarter)))])
+    for added, speed in (
+        ("-1.57079632679489661923132169163975144", 0),
+        ("-1.37079632679489661923132169163975144", 0.2),
+    ):
+        run = solve(Scene(Pair(m1=1, m2=1, a2=4, b=1), State(x1=-3, v1=added, v2=added), until=64, force=force))
+        assert set(run.modes) == {Mode.SLIP_PLUS, Mode.SLIP_MINUS}
+        once, later = run.sol([2 * math.pi, 20 * math.pi]).T
+        assert later[2] - once[2] == pytest.approx(18 * math.pi * speed, abs=1e-9)
+    assert "With a damper, under a force whose second half" in "".join(
+        Path(under_a_force.__file__).read_text().split('"\n        "')
+    )
+
+
+def test_read_literally_friction_gives_what_a_reference_asks():
+    """sgn(0) = 0 with a stick that is never left: body 2 follows too-fast, and is 1 cm away after 0.1 s, not 0.28 s."""
+    rest, reference = replace(load_scene("at-rest"), law="three-valued-sgn", until=2), load_reference("too-fast")
+    force = Force([stuck_force(rest.pair, piece) for piece in reference])
+    assert solve(replace(rest, force=force)).sol(2) == pytest.approx([0.1, 0, 0.1, 0], abs=1e-9)
+    go, stop = Piece(0, (0, 0, 2)), Piece("0.05", ("0.005", "0.2", -2))
+    force = Force([*(stuck_force(rest.pair, one) for one in (go, stop)), Piece("0.1", (2,))])
+    assert solve(replace(rest, force=force)).sol(2) == pytest.approx([0.01, 0, 0.01, 0], abs=1e-9)
+    with pytest.raises(InvalidScene, match="law"):
+        track(rest, reference)
+    with pytest.raises(InvalidScene, match="law"):
+        fastest_transfer(rest, "0.01")
+
+
+@pytest.mark.parametrize("later", [{"friction": Friction([(10, "0.1")])}, {"force": Force.step(10, 5)}])
+def test_a_stick_is_not_for_ever_where_a_piece_after_the_horizon_breaks_it(later):
+    scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.004"), until=20, **later)
+    run = solve(scene, digits=20)
+    assert run.modes[0] == Mode.STICK
+    assert run.events[0].t == 10
+    for how in ({}, {"digits": 20}, {"arithmetic": "ball"}):
+        assert solve(replace(scene, until=5), **how).message == "reached the horizon"
+    given = {"x1": 0.004, "until": [5, 10], **later}
+    assert solve_many(1, 1, 200, 0.5, **given).status.tolist() == [0, 0]
+    scenes = [replace(scene, until=5), Scene(scene.pair, scene.initial, until=5)]
+    assert solve_scenes(scenes).status.tolist() == [0, 1]
 
 
 @pytest.mark.parametrize(

@@ -37,6 +37,8 @@ EXPECTED = {
     replace(SINE, amplitude=1.002 * STUCK): "Stick and slip",
     replace(SINE, amplitude=10.0): "Slips all the time",
     replace(SINE, amplitude=1.0, until=17.9): "Driven",  # just shorter than two periods, 17.952
+    Reduced(zeta=0.3, X=-0.452, V1=-0.88, V2=-0.88, until=0.05): "Not settled yet",  # 0.979 E_cr; it slips at 0.0815
+    Reduced(zeta=0.05, amplitude=0.3, omega=1.0, until=20): "Stuck so far",  # at 1.5 U*, where none sticks for ever
 }
 FAULTS = faults("verdicts")
 TIE = {"pair": {"q": 0.5, "r": 0.5, "zeta": 0}, "t": pi / 2, "V": 0}
