@@ -35,9 +35,11 @@ def test_a_sign_that_sympy_leaves_open_is_left_open():
     k, w = sp.Symbol("k", nonnegative=True), sp.Symbol("w", real=True, nonzero=True)
     assert prove("beyond 0", [], k + k**2 > 0).passed is False
     assert prove("a square", [], sp.Gt(w**2, 0, evaluate=False)).passed is True
-    with pytest.raises(ValueError, match="not manifestly positive"):
-        cleared(x / w)
+    for may_be_0_or_negative in (k, w):
+        with pytest.raises(ValueError, match="not manifestly positive"):
+            cleared(x / may_be_0_or_negative)
     assert cleared(x / w**2) == x
+    assert cleared(x / (-m - n)) == -x
 
 
 @pytest.mark.parametrize(
