@@ -61,6 +61,7 @@ FAULTS = {
         "merging_share.large_energy_limit": squared,
     },
     "merging-set": {
+        "critical_ratio.depth": doubled,
         "merging.ray_excess": plus(1),
         "merging.ratio": doubled,
         "merging.half_angle": doubled,

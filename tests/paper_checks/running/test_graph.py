@@ -155,10 +155,10 @@ def test_a_theorem_about_something_else_than_the_theory_proves_nothing(theorems,
 
 
 def test_a_theorem_of_the_kernel_rests_on_those_that_it_uses(theorems):
-    theorems(kernel.PROVED, uses=("rate",))
+    theorems(kernel.PROVED, uses=("rate", "limit"))
     found = kernel.step("sharp-law")
-    assert [kernel.name_of(one) for one in found.rests_on] == ["rate"]
-    assert [kernel.name_of(one) for one in closure([found])] == ["rate", "sharp-law"]
+    assert [kernel.name_of(one) for one in found.rests_on] == ["rate", "limit"]
+    assert [kernel.name_of(one) for one in closure([found])] == ["rate", "limit", "sharp-law"]
 
 
 def test_a_finding_that_is_open_is_not_established():
