@@ -186,6 +186,8 @@ def test_a_clause_whose_formula_does_not_pass_is_not_established(binding):
     assert open_clause.established_by is None
     assert established_by([open_clause, replace(open_clause, bindings=())]) is None
     assert established_by([replace(open_clause, bindings=())]) is EvidenceKind.SMT
+    assert established_by([replace(open_clause, bindings=(BALL,))]) is EvidenceKind.ENCLOSURE
+    assert established_by([replace(open_clause, steps=(), bindings=(BALL,))]) is None
 
 
 def test_a_formula_that_is_not_decided_turns_the_row_too():
@@ -216,3 +218,4 @@ def test_what_is_quoted_beside_its_counterexample_needs_no_step_and_its_correcti
     said, right, more = clause("said", "A."), clause("right", "B,"), clause("more", "C.")
     assert row(claim(said, correction=(right,)), finding, 0.0).established_by is EvidenceKind.ENCLOSURE
     assert row(claim(said, correction=(right, more)), finding, 0.0).finding.verdict is Verdict.UNDECIDED
+    assert row(claim(said), finding, 0.0).finding.verdict is Verdict.UNDECIDED, "B. has no clause, and no step left"
