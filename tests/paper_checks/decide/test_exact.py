@@ -93,10 +93,9 @@ def test_a_ball_without_0_refutes_however_small_it_is():
     assert identity("nearly", sp.sin(x) * (1 + sp.Rational(1, 10**70)), sp.sin(x)).passed is False
 
 
-@pytest.mark.parametrize(("left", "right"), [([x], [x, y]), (sp.Matrix([x, y]), [x])])
-def test_lists_of_two_lengths_are_not_compared(left, right):
+def test_lists_of_two_lengths_are_not_compared():
     with pytest.raises(ValueError, match="zip"):
-        identity("short", left, right)
+        identity("short", [x], [x, y])
 
 
 def test_the_same_seed_gives_the_same_evidence():

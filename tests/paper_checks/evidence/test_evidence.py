@@ -57,7 +57,6 @@ OVERREACHING = {
     "no evidence": (Verdict.HOLDS, "r", (), {}),
     "only samples": (Verdict.HOLDS, "r", (SAMPLE,), {}),
     "a failed step": (Verdict.HOLDS, "r", (EXACT, FAILED), {}),
-    "a silent step": (Verdict.HOLDS, "r", (EXACT, SILENT), {}),
     "holds with a counterexample": (Verdict.HOLDS, "r", (EXACT,), {"counterexample": "c"}),
     "decisive evidence about something else": (Verdict.HOLDS, "r", (CORRECTION,), {}),
     "refuted without counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION), {"corrected": "c"}),
@@ -67,7 +66,6 @@ OVERREACHING = {
     "sampled correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER, SAMPLE.as_correction()), CORRECTED),
     "failed correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER, CORRECTION, FAILED.as_correction()), CORRECTED),
     "a failed step beside both": (Verdict.HOLDS_CORRECTED, "r", (FAILED, COUNTER, CORRECTION), CORRECTED),
-    "failed counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION, FAILED.as_counterexample()), CORRECTED),
     "silent counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION, SILENT.as_counterexample()), CORRECTED),
     "undecided without what is missing": (Verdict.UNDECIDED, "r", (SAMPLE,), {}),
 }
