@@ -193,6 +193,18 @@ def test_the_text_of_the_ties_is_made_again_where_what_it_was_made_from_changes(
     assert tied.text(tmp_path) == "Tie 2"
 
 
+def test_another_library_beside_the_kernel_is_another_kernel(tmp_path):
+    coqc, beside = tmp_path / "coqc", tmp_path / "user-contrib" / "Interval" / "One.vo"
+    beside.parent.mkdir(parents=True)
+    coqc.write_text(f"#!/bin/sh\necho {tmp_path}\n")
+    coqc.chmod(0o700)
+    found = []
+    for text in ("1", "12"):
+        beside.write_text(text)
+        found.append(kernel.identity.__wrapped__(str(tmp_path)))
+    assert found[0] != found[1]
+
+
 def test_no_statement_or_definition_is_pinned_in_part():
     assert "..." not in pins.PINS.read_text("utf-8")  # what the kernel's printer leaves out could change unseen
     with pytest.raises(RuntimeError, match="in part only"):

@@ -161,10 +161,6 @@ def test_a_theorem_of_the_kernel_rests_on_those_that_it_uses(theorems):
     assert [kernel.name_of(one) for one in closure([found])] == ["rate", "limit", "sharp-law"]
 
 
-def test_a_finding_that_is_open_is_not_established():
-    assert of(Finding(Verdict.UNDECIDED, "r", (EXACT,), missing="a proof")).established_by is None
-
-
 def test_what_is_not_settled_at_a_point_does_not_fail_there(monkeypatch):
     monkeypatch.setattr(deciders, "holds_at", lambda *_: lambda _: SILENT)
     assert Formula("E", "=", 1, deciders.fails_at({}), false=True).evidence().passed is None
@@ -191,9 +187,11 @@ def test_a_clause_whose_formula_does_not_pass_is_not_established(binding):
 
 
 def test_a_formula_that_is_not_decided_turns_the_row_too():
+    """One that waits for the kernel, too."""
     silent = Formula("E", "=", sp.Symbol("m2"), lambda _: SILENT)
-    turned = of(conclude(Verdict.HOLDS, "r", EXACT), clause("c", "«e».", e=silent))
-    assert (turned.finding.verdict, turned.finding.missing) == (Verdict.UNDECIDED, SILENT.statement)
+    for finding in (conclude(Verdict.HOLDS, "r", EXACT), Finding(Verdict.UNCHECKED, "r", missing="the proof kernel")):
+        turned = of(finding, clause("c", "«e».", e=silent))
+        assert (turned.finding.verdict, turned.finding.missing) == (Verdict.UNDECIDED, SILENT.statement)
 
 
 def test_a_clause_that_nothing_carries_is_not_settled(theorems):
