@@ -43,7 +43,7 @@ def test_an_identity_passes(left, right):
         (sp.ceiling(m / 2), -sp.ceiling(m / 2)),
         (sp.ceiling(m / 2), sp.floor(m / 2)),
         (sp.ceiling(sp.sqrt(m)), sp.ceiling(2 * sp.sqrt(m))),
-        (sp.exp(x), sp.exp(x) * (1 + sp.Rational(1, 10**30))),
+        (sp.sin(x) * (1 + sp.Rational(1, 10**70)), sp.sin(x)),
         (sp.I * sp.exp(400), sp.I * sp.exp(400 + sp.Rational(1, 10**150))),
         (1, 2),
     ],
@@ -76,10 +76,6 @@ def test_what_neither_normal_form_nor_sympy_decides_is_undecided(left, right):
     evidence = identity("true", left, right)
     assert evidence.passed is None
     assert evidence.value == "the simplifier does not reach 0"
-
-
-def test_a_ball_without_0_refutes_however_small_it_is():
-    assert identity("nearly", sp.sin(x) * (1 + sp.Rational(1, 10**70)), sp.sin(x)).passed is False
 
 
 def test_lists_of_two_lengths_are_not_compared():
