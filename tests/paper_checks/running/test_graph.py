@@ -195,7 +195,7 @@ def test_a_formula_that_is_not_decided_turns_the_row_too():
 
 
 def test_a_clause_that_nothing_carries_is_not_settled(theorems):
-    """Carried by the kernel alone, and the kernel was not run: unchecked; carried by nothing at all: undecided."""
+    """Carried by the kernel alone, and the kernel was not run: unchecked; one of both by nothing at all: undecided."""
     finding = conclude(Verdict.HOLDS, "r", carried("one", EXACT))
     alone = clause("two", "B.", kernel="sharp-law")
     theorems(kernel.NOT_RUN)
@@ -204,7 +204,7 @@ def test_a_clause_that_nothing_carries_is_not_settled(theorems):
     assert "two" in waiting.finding.missing
     assert waiting.open == ("The clause `two` is not established.",)
     assert exit_code([waiting]) == 3
-    bare = of(finding, clause("one", "A,"), clause("two", "B."))
+    bare = of(finding, clause("one", "A,"), alone, clause("three", "C."))
     assert (bare.finding.verdict, exit_code([bare])) == (Verdict.UNDECIDED, 1)
     theorems(kernel.PROVED)
     assert of(finding, clause("one", "A,"), alone).finding.verdict is Verdict.HOLDS
