@@ -78,15 +78,14 @@ def objection_to(finding: Finding) -> str | None:
         return "no reason is given"
     if finding.verdict in (Verdict.UNDECIDED, Verdict.UNCHECKED):
         return None if finding.missing else "it must say what is missing"
+    if failed := next((item for item in finding.evidence if not item.passed), None):
+        return f"its evidence did not pass: {failed.statement}"
     if finding.verdict is Verdict.HOLDS:
         return _objection_to_holds(finding)
     return _objection_to_correction(finding)
 
 
 def _objection_to_holds(finding: Finding) -> str | None:
-    for item in finding.evidence:
-        if not item.passed:
-            return f"its evidence did not pass: {item.statement}"
     if finding.corrected or finding.counterexample:
         return "a claim that holds has no counterexample and needs no correction"
     if not _decided(finding.evidence, Subject.CLAIM):
@@ -99,9 +98,6 @@ def _objection_to_correction(finding: Finding) -> str | None:
         return "a counterexample is missing"
     if not finding.corrected:
         return "the corrected statement is missing"
-    for item in finding.evidence:
-        if item.about is not Subject.CLAIM and not item.passed:
-            return f"its evidence did not pass: {item.statement}"
     for about in (Subject.COUNTEREXAMPLE, Subject.CORRECTION):
         if not _decided(finding.evidence, about):
             return f"no decisive evidence (enclosure or stronger) passed for the {about.value}"

@@ -3,7 +3,8 @@
 `signed.json` has a hash of each pair: of the sentence of a cited theorem and what the kernel prints of it, definitions
 included; of the words of a clause and the statements of the theorems that carry it. Where either is changed alone, or both
 are and nobody has signed again, the theorem does not count as proved, and the clause is not carried:
-`python -m paper_checks sign` shows both sides.
+`python -m paper_checks sign` shows both sides. All that a row says, formulas and what it leaves open included, is signed
+beside that: it turns no row, but a test.
 """
 
 from __future__ import annotations

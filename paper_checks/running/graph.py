@@ -44,10 +44,10 @@ class Proof:
 
     @property
     def established_by(self) -> EvidenceKind | None:
-        """The weakest kind of step that the clause needs; None where it is not established."""
+        """The weakest kind of step that the clause needs, its formulas' among them; None where it is not established."""
         steps = closure(self.needed)
         failed = any(step.passed is not True for step in (*steps, *self.bindings) if not step.supports)
-        return None if failed else weakest(steps)
+        return None if failed or not steps else weakest(steps if self.by_kernel else (*steps, *self.bindings))
 
     @property
     def kernel_status(self) -> str | None:
@@ -109,10 +109,9 @@ def judged(finding: Finding, found: Sequence[Proof]) -> Finding:
     refused = tuple(step for proof in found for step in closure(proof.kernel) if step.passed is False)
     evidence = closure((*bindings, *finding.evidence)) if bindings else finding.evidence
     failed = next((item for item in (*bindings, *refused) if item.passed is not True), None)
-    if finding.verdict not in SETTLED:
-        return replace(finding, evidence=evidence) if bindings else finding
-    if failed is None:
-        return _where_open(replace(finding, evidence=evidence) if bindings else finding, found)
+    if failed is None or finding.verdict is Verdict.UNDECIDED:
+        whole = replace(finding, evidence=evidence) if bindings else finding
+        return _where_open(whole, found) if finding.verdict in SETTLED else whole
     text = f"{failed.statement}: {failed.value}" if failed.kind is EvidenceKind.KERNEL else failed.statement
     reason = f"Not carried by its evidence: it did not pass: {text}"
     return replace(finding, verdict=Verdict.UNDECIDED, evidence=evidence, reason=reason, missing=text)

@@ -100,8 +100,8 @@ def planted(claims: Iterable[Claim]) -> Iterator[Planted]:
 
 
 def _turns(formula: Formula) -> bool:
-    """Say whether the evidence is not a pass; a check that raises makes its row undecided."""
+    """Say whether the evidence is not a pass; a check that raises may say only that the fault broke the program."""
     try:
         return formula.evidence().passed is not True
-    except Exception:  # noqa: BLE001  as in the runner: what raises is no pass
-        return True
+    except Exception:  # noqa: BLE001  whatever it raises, nothing was decided
+        return False

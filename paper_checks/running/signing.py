@@ -1,4 +1,4 @@
-"""Which sentences stand beside which statements of the kernel, in all claims: shown to be read together, and signed."""
+"""What a person has to read and sign: sentences beside statements of the kernel, and all that a row says."""
 
 from __future__ import annotations
 
@@ -14,14 +14,19 @@ from paper_checks.proofs.pins import pinned
 
 
 def pairs(claims: Iterable[Claim]) -> dict[str, signed.Texts]:
-    """Return by key every pair: of the cited theorems that are pinned, and of the clauses that the kernel proves."""
+    """Return by key every pair, of the cited theorems that are pinned and of the clauses that the kernel proves, and every row.
+
+    What a row says has no other witness where words are all there is, or where less is said and still true.
+    """
     pins, found = pinned(), dict[str, signed.Texts]()
     for one, (_, sentence) in CITED.items():
         if pin := pins.theorems.get(one):
             definitions = {name: pins.definitions[name] for name in pin.definitions}
             found[one] = signed.of_theorem(sentence, pin.statement, definitions)
     for claim in claims:
-        for clause in (*claim.clauses, *claim.correction):
+        clauses = (*claim.clauses, *claim.correction)
+        found[f"{claim.id}/"] = (f"{claim.recorded.value}: {claim.where}", *(one.shown for one in clauses), *claim.open)
+        for clause in clauses:
             if clause.kernel:
                 found[key(claim, clause)] = signed.of_clause(clause.text, clause.kernel)
     return found

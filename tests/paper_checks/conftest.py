@@ -36,7 +36,7 @@ BALL = Evidence(
     "0.08127496301884623117390165432890012345678901234567890123456789 +/- 1e-60",
 )
 SAMPLE = Evidence(EvidenceKind.PROPERTY, "hypothesis", "$w$ never increases", True, 500)
-FAILED = Evidence(EvidenceKind.SMT, "z3 and cvc5", "the statement as printed", False, value="x_1 = 1, b = 1/2")
+PRINTED = Evidence(EvidenceKind.EXACT, "sympy", "the statement as printed is false", True, value="x_1 = 1, b = 1/2")
 
 DERIVATION = (
     r"Off $S$ the friction force is $\mp b$, hence with $E=\tfrac{1}{2}(a x_1^2+m_1v_1^2+m_2v_2^2)$: "
@@ -75,7 +75,7 @@ def claim(name, recorded=Verdict.HOLDS, section="III", where="after (8)", statem
 def rows():
     corrected = r"$|\ddot{x}_1|\leqslant b\,m_2^{-1}$ on $S_0$ with $|x_1|\leqslant \frac{b(m_1+m_2)}{a_2m_2}$."
     counter = r"$x_1(0)=0.006$, $b=0.5$: $\ddot{x}_1=-0.6$."
-    both = (FAILED, BALL.as_counterexample(), SMT.as_correction())
+    both = (PRINTED, BALL.as_counterexample(), SMT.as_correction())
     found = [
         Row(
             claim("energy-rate", statement=r"$\dot{E} = -b\,|v_1-v_2|\leqslant 0$ along every trajectory."),

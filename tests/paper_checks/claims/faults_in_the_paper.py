@@ -13,6 +13,7 @@ from theory import forced, plane
 from theory.symbols import a1, a2, acceleration1, b, m1, m2, q, u, v1, v2, x1
 
 from .faults import (
+    changed,
     confused,
     crossing_contact,
     doubled,
@@ -119,7 +120,7 @@ FAULTS = {
         "levels.critical_energy": halved,
         "levels.edge_speed_squared": doubled,
         "levels.edge_contact": (reversed_contact, crossing_contact),
-        "levels.product": negated,
+        "levels.product": (negated, changed(lambda one: 0 * one)),
         "capture.phi": lambda phi: lambda sign: phi(1),
         "levels.prove": confused(">", ">=", 0),
         "levels.signed": mistaken(">", ">=", 0),
@@ -312,6 +313,7 @@ FAULTS = {
     "force-as-reference-or-disturbance": {
         "force.AT_REST": lambda point: {**point, force.x1: 1},
         "force.driving_equation": plus(u),
+        "force.driven_equation": (plus(a1), plus(a2)),
     },
     "driven-body-steered": {
         "theory.forced.energy_rate": plus(b),
@@ -347,5 +349,8 @@ FAULTS = {
     "relative-motion-converges": {"itineraries.h": squared},
     "synchronisation-time": {"itineraries.guard_of_u": doubled},
     "constant-damping-rate": {"velocities.slip": other_sign},
-    "euler-reproduces-figures": {"euler.sliding_field": doubled},
+    "euler-reproduces-figures": {
+        "euler.sliding_field": doubled,
+        "euler.run": part("adhesion", lambda at: at and at + 4),
+    },
 }

@@ -1,7 +1,7 @@
 """Of each theorem past the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
 
 import sympy as sp
-from flint import arb
+from flint import acb, arb
 
 from theory.symbols import a1, b, q, theta, v1
 
@@ -35,10 +35,10 @@ FAULTS = {
         "slips.depth_slope_residual": plus(1),
     },
     "return-map-expansion": {
+        "return_map.quarter_rim": lambda rim: lambda: (acb(4), *rim()),
         "return_map.printed_depth_coefficients": (entry(1, lambda one: -one), entry(2, raised)),
         "return_map.depth_series": entry(6, raised),
         "return_map.lost_coefficients": entry(6, raised),
-        "return_map.RADIUS": lambda radius: radius + 2,
     },
     "sharp-rate-constant": {
         "rate.depth_series": entry(0, raised),
@@ -61,6 +61,7 @@ FAULTS = {
         "merging_share.large_energy_limit": squared,
     },
     "merging-set": {
+        "critical_ratio.depth": doubled,
         "merging.ray_excess": plus(1),
         "merging.ratio": doubled,
         "merging.half_angle": doubled,

@@ -7,7 +7,7 @@ from functools import partial
 import pytest
 import sympy as sp
 
-from numerics import Mode, load_scene, solve
+from numerics import Mode, Pair, Scene, State, load_scene, solve
 from numerics.trajectory.status import Status
 from paper_checks.claims import (
     CLAIMS,
@@ -18,9 +18,11 @@ from paper_checks.claims import (
     stuck,
     tolerance,
     transfers,
+    velocities,
 )
 from paper_checks.claims.points import EDGE
 from paper_checks.decide import samples
+from paper_checks.decide.enclosure import solved
 from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import closure
 from paper_checks.evidence.finding import Verdict
@@ -109,6 +111,13 @@ def test_at_the_edge_the_printed_strict_inequality_fails_too():
     assert onset.exhibit("", EDGE, (sp.Abs(onset.case_study_mode(0)[0]), ">=", b)).passed is True
 
 
+def test_a_peak_that_is_not_proved_is_not_passed_over():
+    """A slip that ends before x1 comes to the centre of its oscillation."""
+    short = Scene(Pair(m1=1, m2=5, a2=200, b="0.5"), State(v1="0.144", v2="0.048"), until=2)
+    with pytest.raises(ValueError, match="not proved to pass the centre"):
+        velocities.positive_peaks(solved(short))
+
+
 # samples, and what is cited or open
 
 
@@ -118,10 +127,8 @@ def test_one_sample_that_neither_merges_nor_creeps_turns_the_dichotomy(plant):
 
 
 def test_the_samples_see_an_excess_that_grows():
-    solved = map(solve, samples.scenes(0, 20))
-    creeping = next(
-        one for one in solved if one.status is not Status.STUCK_FOR_EVER and one.modes.count(Mode.STICK) > 2
-    )
+    runs = map(solve, samples.scenes(0, 20))
+    creeping = next(one for one in runs if one.status is not Status.STUCK_FOR_EVER and one.modes.count(Mode.STICK) > 2)
     assert samples._merged_or_creeping(creeping)
     backwards = creeping.but()
     backwards.__dict__["events"] = creeping.events[::-1]

@@ -77,6 +77,7 @@ def test_bounds_of_the_error_next_to_the_edge():
     assert error_bound(">=", -sp.Rational(2, 5) * (y + root) / r) is False
     assert error_bound("<=", -sp.Rational(9, 20) * (y + root) / r) is False
     assert error_bound("<=", (5 * y**2 + root / 10) / r) is not True
+    assert error_bound("<=", (5 * y - y**2 + root / 10) / r) is not True
     assert error_bound("<=", 5 * y + root / 10) is not True
 
 

@@ -18,6 +18,8 @@ WIDE = arb(1, 0.5)
         (exact(1), "<", exact(1), False),
         (exact(2), ">", exact(1), True),
         (WIDE, "<", exact(1), None),
+        (WIDE, "<", exact("1.2"), None),
+        (exact("1.2"), ">", WIDE, None),
         (WIDE, ">", WIDE, None),
         (arb("nan"), "<", exact(1), None),
         (exact(0), "<", arb("inf"), None),
@@ -46,6 +48,7 @@ def test_an_itinerary_has_to_be_the_proved_one():
     assert itinerary("wrong", trajectory, [Mode.STICK]).passed is False
     assert itinerary("the other way round", trajectory, [Mode.STICK, Mode.SLIP_MINUS]).passed is False
     assert itinerary("nothing", trajectory, []).passed is None
+    assert itinerary("more than there is", trajectory, (*trajectory.modes, Mode.STICK)).passed is False
     assert stuck_for_ever("not yet", trajectory).passed is False
     assert stuck_for_ever("read literally", solved(load_scene("start-at-6mm-literal"))).passed is True
 

@@ -43,7 +43,8 @@ def test_an_identity_passes(left, right):
         (sp.ceiling(m / 2), -sp.ceiling(m / 2)),
         (sp.ceiling(m / 2), sp.floor(m / 2)),
         (sp.ceiling(sp.sqrt(m)), sp.ceiling(2 * sp.sqrt(m))),
-        (sp.exp(x), sp.exp(x) * (1 + sp.Rational(1, 10**30))),
+        (sp.sin(x) * (1 + sp.Rational(1, 10**70)), sp.sin(x)),
+        (sp.I * sp.exp(400), sp.I * sp.exp(400 + sp.Rational(1, 10**150))),
         (1, 2),
     ],
 )
@@ -53,22 +54,11 @@ def test_a_near_miss_fails_and_names_the_point(left, right):
     assert evidence.value.startswith("difference")
 
 
-def test_a_silent_simplifier_is_no_pass(monkeypatch):
-    monkeypatch.setattr(exact, "simplifies_to_zero", lambda expression: False)
-    assert identity("silent", x, x).passed is None
-
-
 def test_one_entry_that_the_simplifier_does_not_settle_leaves_the_matrix_open(monkeypatch):
     one = sp.sin(y) ** 2 + sp.cos(y) ** 2
     assert identity("both", sp.Matrix([x, one]), sp.Matrix([x, 1])).passed is True
     monkeypatch.setattr(exact, "simplifies_to_zero", lambda difference: not difference.has(y))
     assert identity("one", sp.Matrix([x, one]), sp.Matrix([x, 1])).passed is None
-
-
-def test_no_point_is_no_pass():
-    pole = sp.Mul(x, sp.Pow(sp.Add(y, -y, evaluate=False), -1, evaluate=False), evaluate=False)
-    evidence = identity("pole everywhere", pole, pole * 2)
-    assert evidence.passed is None
 
 
 @pytest.mark.parametrize("nowhere", [1 / (sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1), sp.erf(x)], ids=str)
@@ -88,8 +78,9 @@ def test_what_neither_normal_form_nor_sympy_decides_is_undecided(left, right):
     assert evidence.value == "the simplifier does not reach 0"
 
 
-def test_a_ball_without_0_refutes_however_small_it_is():
-    assert identity("nearly", sp.sin(x) * (1 + sp.Rational(1, 10**70)), sp.sin(x)).passed is False
+def test_lists_of_two_lengths_are_not_compared():
+    with pytest.raises(ValueError, match="zip"):
+        identity("short", [x], [x, y])
 
 
 def test_the_same_seed_gives_the_same_evidence():

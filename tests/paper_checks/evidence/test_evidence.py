@@ -47,7 +47,7 @@ def test_an_outcome_is_a_truth_value_or_none():
 def test_a_supported_finding_of_each_verdict_can_be_built():
     assert Finding(Verdict.HOLDS, "r", (EXACT, SAMPLE)).verdict is Verdict.HOLDS
     for verdict in (Verdict.REFUTED, Verdict.HOLDS_CORRECTED):
-        assert Finding(verdict, "r", (FAILED, COUNTER, CORRECTION), **CORRECTED).verdict is verdict
+        assert Finding(verdict, "r", (EXACT, COUNTER, CORRECTION), **CORRECTED).verdict is verdict
     for verdict in (Verdict.UNDECIDED, Verdict.UNCHECKED):
         assert Finding(verdict, "r", (SAMPLE,), missing="a proof").verdict is verdict
 
@@ -57,7 +57,6 @@ OVERREACHING = {
     "no evidence": (Verdict.HOLDS, "r", (), {}),
     "only samples": (Verdict.HOLDS, "r", (SAMPLE,), {}),
     "a failed step": (Verdict.HOLDS, "r", (EXACT, FAILED), {}),
-    "a silent step": (Verdict.HOLDS, "r", (EXACT, SILENT), {}),
     "holds with a counterexample": (Verdict.HOLDS, "r", (EXACT,), {"counterexample": "c"}),
     "decisive evidence about something else": (Verdict.HOLDS, "r", (CORRECTION,), {}),
     "refuted without counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION), {"corrected": "c"}),
@@ -65,13 +64,8 @@ OVERREACHING = {
     "unchecked counterexample": (Verdict.REFUTED, "r", (CORRECTION,), CORRECTED),
     "unchecked correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER,), CORRECTED),
     "sampled correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER, SAMPLE.as_correction()), CORRECTED),
-    "failed correction": (
-        Verdict.HOLDS_CORRECTED,
-        "r",
-        (COUNTER, CORRECTION, FAILED.as_correction()),
-        CORRECTED,
-    ),
-    "failed counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION, FAILED.as_counterexample()), CORRECTED),
+    "failed correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER, CORRECTION, FAILED.as_correction()), CORRECTED),
+    "a failed step beside both": (Verdict.HOLDS_CORRECTED, "r", (FAILED, COUNTER, CORRECTION), CORRECTED),
     "silent counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION, SILENT.as_counterexample()), CORRECTED),
     "undecided without what is missing": (Verdict.UNDECIDED, "r", (SAMPLE,), {}),
 }

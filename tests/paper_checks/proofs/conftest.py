@@ -9,7 +9,7 @@ from paper_checks.proofs import kernel
 MISSING = kernel.why_not(os.environ.get("PATH"))
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")  # before what a session compiles once
 def needs_kernel():
     if MISSING and os.environ.get("INERTIAL_PAIR_KERNEL") == "required":
         pytest.fail(MISSING)

@@ -163,17 +163,6 @@ def test_a_statement_that_is_not_the_pinned_one_turns_that_theorem_alone(planted
 
 
 @pytest.mark.usefixtures("needs_kernel")
-def test_so_does_a_sentence_that_was_not_signed_beside_its_statement(monkeypatch):
-    name, sentence = cited.CITED["sharp-law"]
-    monkeypatch.setitem(cited.CITED, "sharp-law", (name, sentence.replace("never", "ever")))
-    turned = build()
-    assert turned.problems == (
-        "Law.sharp_law and its sentence were not signed together: python -m paper_checks sign sharp-law",
-    )
-    assert [one.id for one in turned.theorems.values() if not one.holds] == ["sharp-law"]
-
-
-@pytest.mark.usefixtures("needs_kernel")
 def test_a_definition_that_is_not_the_pinned_one_turns_all_that_rest_on_it(planted):
     turned = planted("printed", "Sharp.rate", lambda said: said.replace("9", "8"))
     assert "Law.sharp_law rests on Sharp.rate, which is not defined as pinned" in turned.problems
@@ -204,6 +193,18 @@ def test_the_text_of_the_ties_is_made_again_where_what_it_was_made_from_changes(
     assert tied.text(tmp_path) == "Tie 2"
 
 
+def test_another_library_beside_the_kernel_is_another_kernel(tmp_path):
+    coqc, beside = tmp_path / "coqc", tmp_path / "user-contrib" / "Interval" / "One.vo"
+    beside.parent.mkdir(parents=True)
+    coqc.write_text(f"#!/bin/sh\necho {tmp_path}\n")
+    coqc.chmod(0o700)
+    found = []
+    for text in ("1", "12"):
+        beside.write_text(text)
+        found.append(kernel.identity.__wrapped__(str(tmp_path)))
+    assert found[0] != found[1]
+
+
 def test_no_statement_or_definition_is_pinned_in_part():
     assert "..." not in pins.PINS.read_text("utf-8")  # what the kernel's printer leaves out could change unseen
     with pytest.raises(RuntimeError, match="in part only"):
@@ -213,6 +214,24 @@ def test_no_statement_or_definition_is_pinned_in_part():
 def test_what_the_kernel_did_not_check_counts_as_an_axiom():
     told = "Axioms:\nClassical_Prop.classic : forall P : Prop,\n  P \\/ ~ P\nbad is assumed to be guarded.\n"
     assert questions._axioms(told) == ("Classical_Prop.classic", "bad is assumed to be guarded.")
+
+
+def test_what_nobody_read_turns_a_theorem():
+    """A sentence, a definition, and an axiom wherever it stands."""
+    there, fine = pins.pinned(), sorted(questions.CLASSICAL_REALS)
+    pin = there.theorems["capture"]
+    definitions = {name: there.definitions[name] for name in pin.definitions}
+
+    def problem(axioms, one="capture", **more):
+        known = dataclasses.replace(there, theorems={one: pin})
+        return library._problem("Stick.capture", pin, definitions | more, axioms, known, one)
+
+    assert not problem(fine)
+    assert "not signed" in problem(fine, "sharp-law")
+    assert problem(fine, another="fun x => x")
+    for wrong in ("Critical.easy", "Classical_Prop.another", "bad is assumed to be guarded."):
+        assert wrong in problem([wrong, *fine])
+        assert wrong in problem([*fine, wrong])
 
 
 @pytest.fixture

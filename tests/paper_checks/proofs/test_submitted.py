@@ -10,6 +10,7 @@ from scene_files import scenes_in
 from numerics import Force, Pair, Scene, State, load_scene, solve
 from numerics.trajectory import theorem as writer
 from numerics.trajectory.theorem import theorem
+from paper_checks.proofs import submitted
 from paper_checks.proofs.__main__ import main
 from paper_checks.proofs.questions import CLASSICAL_REALS
 from paper_checks.proofs.sources import FOLDER
@@ -199,6 +200,12 @@ def test_a_file_that_proves_less_is_refused(judge, pattern, new, said):
     found = judge(changed(proof(SMALL), pattern, new))
     assert found.holds is False
     assert said in found.reason
+
+
+def test_an_axiom_beyond_the_classical_reals_is_not_accepted(monkeypatch):
+    axioms = (*CLASSICAL_REALS, "ProofIrrelevance.proof_irrelevance")
+    monkeypatch.setattr(submitted.questions, "taken", lambda *_: (axioms, {}))
+    assert "rests on ProofIrrelevance.proof_irrelevance" in submitted._asked(None).reason
 
 
 @pytest.fixture

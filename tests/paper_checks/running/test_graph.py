@@ -155,14 +155,10 @@ def test_a_theorem_about_something_else_than_the_theory_proves_nothing(theorems,
 
 
 def test_a_theorem_of_the_kernel_rests_on_those_that_it_uses(theorems):
-    theorems(kernel.PROVED, uses=("rate",))
+    theorems(kernel.PROVED, uses=("rate", "limit"))
     found = kernel.step("sharp-law")
-    assert [kernel.name_of(one) for one in found.rests_on] == ["rate"]
-    assert [kernel.name_of(one) for one in closure([found])] == ["rate", "sharp-law"]
-
-
-def test_a_finding_that_is_open_is_not_established():
-    assert of(Finding(Verdict.UNDECIDED, "r", (EXACT,), missing="a proof")).established_by is None
+    assert [kernel.name_of(one) for one in found.rests_on] == ["rate", "limit"]
+    assert [kernel.name_of(one) for one in closure([found])] == ["rate", "limit", "sharp-law"]
 
 
 def test_what_is_not_settled_at_a_point_does_not_fail_there(monkeypatch):
@@ -186,16 +182,20 @@ def test_a_clause_whose_formula_does_not_pass_is_not_established(binding):
     assert open_clause.established_by is None
     assert established_by([open_clause, replace(open_clause, bindings=())]) is None
     assert established_by([replace(open_clause, bindings=())]) is EvidenceKind.SMT
+    assert established_by([replace(open_clause, bindings=(BALL,))]) is EvidenceKind.ENCLOSURE
+    assert established_by([replace(open_clause, steps=(), bindings=(BALL,))]) is None
 
 
 def test_a_formula_that_is_not_decided_turns_the_row_too():
+    """One that waits for the kernel, too."""
     silent = Formula("E", "=", sp.Symbol("m2"), lambda _: SILENT)
-    turned = of(conclude(Verdict.HOLDS, "r", EXACT), clause("c", "«e».", e=silent))
-    assert (turned.finding.verdict, turned.finding.missing) == (Verdict.UNDECIDED, SILENT.statement)
+    for finding in (conclude(Verdict.HOLDS, "r", EXACT), Finding(Verdict.UNCHECKED, "r", missing="the proof kernel")):
+        turned = of(finding, clause("c", "«e».", e=silent))
+        assert (turned.finding.verdict, turned.finding.missing) == (Verdict.UNDECIDED, SILENT.statement)
 
 
 def test_a_clause_that_nothing_carries_is_not_settled(theorems):
-    """Carried by the kernel alone, and the kernel was not run: unchecked; carried by nothing at all: undecided."""
+    """Carried by the kernel alone, and the kernel was not run: unchecked; one of both by nothing at all: undecided."""
     finding = conclude(Verdict.HOLDS, "r", carried("one", EXACT))
     alone = clause("two", "B.", kernel="sharp-law")
     theorems(kernel.NOT_RUN)
@@ -204,7 +204,7 @@ def test_a_clause_that_nothing_carries_is_not_settled(theorems):
     assert "two" in waiting.finding.missing
     assert waiting.open == ("The clause `two` is not established.",)
     assert exit_code([waiting]) == 3
-    bare = of(finding, clause("one", "A,"), clause("two", "B."))
+    bare = of(finding, clause("one", "A,"), alone, clause("three", "C."))
     assert (bare.finding.verdict, exit_code([bare])) == (Verdict.UNDECIDED, 1)
     theorems(kernel.PROVED)
     assert of(finding, clause("one", "A,"), alone).finding.verdict is Verdict.HOLDS
@@ -216,3 +216,4 @@ def test_what_is_quoted_beside_its_counterexample_needs_no_step_and_its_correcti
     said, right, more = clause("said", "A."), clause("right", "B,"), clause("more", "C.")
     assert row(claim(said, correction=(right,)), finding, 0.0).established_by is EvidenceKind.ENCLOSURE
     assert row(claim(said, correction=(right, more)), finding, 0.0).finding.verdict is Verdict.UNDECIDED
+    assert row(claim(said), finding, 0.0).finding.verdict is Verdict.UNDECIDED, "B. has no clause, and no step left"

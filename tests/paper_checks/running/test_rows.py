@@ -211,7 +211,8 @@ def test_the_hash_of_files_tells_what_stands_where(tmp_path):
 def test_what_rows_can_depend_on_is_in_the_state():
     seen = {path.relative_to(ROOT).as_posix() for path in kept.sources()}
     assert {"theory/excursion.py", "numerics/scene/shipped/velocities.toml", "paper_checks/proofs/Paper.v"} <= seen
-    declared = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["dependencies"]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    declared = project["dependencies"] + project["optional-dependencies"]["checks"]
     assert {re.split("[>=]", line)[0] for line in declared} - SHOWN_WITH <= set(kept.DEPENDENCIES)
 
 

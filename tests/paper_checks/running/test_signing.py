@@ -97,6 +97,23 @@ def test_a_definition_beneath_is_part_of_what_is_signed():
     assert not signed.is_signed(THEOREM, signed.of_theorem(sentence, said, changed))
 
 
+def test_all_that_a_row_says_is_signed():
+    """@example of found faults: a bound that is weakened with what derives it, words without a theorem."""
+    claim = claim_named("tolerance-ring")
+    ring = next(one for one in claim.said if one.id == "ring")
+    weaker = replace(ring.formulas["within"], right=2 * ring.formulas["within"].right)
+    assert weaker.evidence().passed is True
+    less = replace(ring, formulas=ring.formulas | {"within": weaker})
+    for changed in (
+        {"said": tuple(less if one is ring else one for one in claim.said)},
+        {"said": claim.said[:-1]},
+        {"correction": (Clause("more", "It is so."),)},
+        {"open": ("Nothing.",)},
+        {"recorded": Verdict.REFUTED},
+    ):
+        assert not signed.is_signed("tolerance-ring/", signing.pairs([replace(claim, **changed)])["tolerance-ring/"])
+
+
 def test_both_sides_are_shown_and_only_what_is_named_is_signed(accepting, monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(signed, "FILE", tmp_path / "signed.json")
     accepting(**{THEOREM: weakened()})
