@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with, compiled
 from numerics.arithmetic.pair import two_sum
-from numerics.linear.columns import Constants, Drive, constants, make_room
-from numerics.linear.kernel import follow_in
+from numerics.linear.columns import Constants, Drive, Problem, Room, constants, make_room
+from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_in
 from numerics.linear.pairs import add, multiply
 from numerics.linear.prepare import REACH, Prepared, Units, most_terms
 from numerics.linear.record import AT, END_ROW, ROW, finish, in_si
@@ -50,11 +50,9 @@ def run_rows(
     Rows that are in doubt, or out of range, keep the `how` that they had. Without `has_ledger` an end says nan of what
     friction and viscosity took: that costs a fifth of the time, and not everybody asks. Releases Python's lock.
     """
+    given = columns.table, columns.polynomial, columns.sines, columns.frictions
     terms = most_terms(columns.polynomial.shape[1])
-    table, polynomial, sines = columns.table, columns.polynomial, columns.sines
-    compiled(follow_rows)(
-        table, polynomial, sines, columns.frictions, literal, max_events, has_ledger, terms, REACH, kept, ends
-    )
+    compiled(follow_rows)(given, literal, max_events, has_ledger, terms, REACH, kept, ends)
 
 
 class Drives(NamedTuple):
@@ -96,41 +94,47 @@ def follow_drives(
 ) -> None:
     """Solve the scenes of many drives; of the rows that are kept only events count, and times from the run's start."""
     first, begin, (places, b, length, coefficients, sines) = drives
-    room, spare = make_room(tables.rows.shape[4], tables.rows.shape[5]), np.empty(ROW)
-    end, rows = np.zeros(END_ROW), np.empty((kept.shape[1] + places.shape[0], ROW))
+    room, end = make_room(tables.rows.shape[4], tables.rows.shape[5]), np.zeros(END_ROW)
+    rows = np.empty((kept.shape[1] + places.shape[0], ROW))
     for n in range(starts.shape[0]):
         of = slice(first[n], first[n + 1])
         drive = Drive(places[of], b[of], length[of], coefficients, sines)
-        room_for = kept.shape[1] - 1 + drive.places.shape[0] if kept.shape[1] > 1 else 1
-        how, count = follow_in(
-            room,
-            spare,
-            pair,
-            drive,
-            tables,
-            starts[n],
-            decided[n],
-            -1.0,
-            max_events,
-            False,
-            False,
-            True,
-            rows[:room_for],
-            end,
+        how, count = follow_one(
+            pair, drive, tables, room, starts[n], decided[n], max_events, True, rows, end, kept.shape[1]
         )
-        written = rows[: min(count, room_for)]
-        if how >= 3 or not finish(written, end, units.mass, units.time, units.length):  # out of range, or in doubt
-            continue
-        ends[n] = end
-        keep(written, begin[first[n] : first[n + 1]], kept[n], ends[n])
+        written = rows[:count]
+        if how < OUT_OF_RANGE and finish(written, end, units.mass, units.time, units.length):
+            ends[n] = end
+            keep(written, begin[of], kept[n], ends[n])
+
+
+@compilable
+def follow_one(
+    pair: Constants,
+    drive: Drive,
+    tables: Tables,
+    room: Room,
+    start: Any,
+    is_decided: bool,
+    max_events: int,
+    has_ledger: bool,
+    rows: Any,
+    end: Any,
+    kept: int,
+) -> tuple[int, int]:
+    """Follow one scene; return (how, rows written): as many as are kept, and those of pieces in between.
+
+    Tuples of arrays are made here, where no references are counted, which would cost some percent of a row.
+    """
+    most = kept - 1 + drive.places.shape[0] if kept > 1 else 1
+    problem, log = Problem(pair, drive, tables, False, has_ledger), Log(rows[:most], end, max_events, False)
+    how, count = follow_in(problem, room, start, is_decided, -1.0, log)
+    return how, min(count, most)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
 def follow_rows(
-    table: Any,
-    polynomial: Any,
-    sines: Any,
-    frictions: Any,
+    given: Any,
     literal: bool,
     max_events: int,
     has_ledger: bool,
@@ -140,74 +144,72 @@ def follow_rows(
     ends: Any,
 ) -> None:
     """Solve rows of scenes, each in units that are powers of 2; tables are formed anew only where they change."""
+    table, polynomial, sines, frictions = given
     terms, waves, pieces = polynomial.shape[1], sines.shape[1], frictions.shape[0]
     columns = FIRST + terms + 2 * waves
-    tables, room, spare = make_tables(1, columns, coefficients), make_room(columns, coefficients), np.empty(ROW)
-    pair, omegas = np.zeros((5, 2)), np.zeros((waves, 2))
-    acting = np.zeros((pieces, 6), dtype=np.int64)
-    acting[:, 1], acting[:, 2], acting[:, 3], acting[:, 5] = terms, waves * np.arange(pieces), waves, 1
-    b, length = np.zeros((pieces, 2)), np.zeros((pieces, 2))
-    given, moved = np.zeros((terms, 2)), np.zeros((pieces * waves, 3, 2))
+    tables, room = make_tables(1, columns, coefficients), make_room(columns, coefficients)
+    pair, omegas, whole = np.zeros((5, 2)), np.zeros((waves, 2)), make_drive(terms, waves, pieces)
     start, end, rows = np.zeros(ROW), np.zeros(END_ROW), np.empty((kept.shape[1] + pieces, ROW))
     key, before = np.zeros(5 + waves), np.full(5 + waves, np.nan)
     for row in range(table.shape[0]):
-        m1, m2, a2, own_b, until, a1 = (
-            table[row, 0],
-            table[row, 2],
-            table[row, 4],
-            table[row, 6],
-            table[row, 16],
-            table[row, 18],
-        )
-        mass_unit = math.frexp(m1 + m2)[1]
-        time_unit = (mass_unit - math.frexp(a2)[1]) // 2
-        length_unit = math.frexp(own_b * (m1 + m2) / (a2 * m2))[1]
-        force_unit = mass_unit + length_unit - 2 * time_unit
-        pair[0, 0], pair[2, 0] = math.ldexp(m1, -mass_unit), math.ldexp(m2, -mass_unit)
-        pair[1, 0], pair[1, 1] = two_sum(pair[0, 0], pair[2, 0])
-        pair[3, 0] = math.ldexp(a1, time_unit - mass_unit)
-        pair[4, 0] = math.ldexp(a2, 2 * time_unit - mass_unit)
+        mass, time, length = put_bodies(table[row], pair, start)
+        force, own_b, until = mass + length - 2 * time, table[row, 6], table[row, 16]
         for k in range(terms):
-            given[k, 0] = math.ldexp(polynomial[row, k], k * time_unit - force_unit)
-        count, longest = put_pieces(frictions, own_b, until, sines[row], (time_unit, force_unit), b, length, moved)
+            whole.coefficients[k, 0] = math.ldexp(polynomial[row, k], k * time - force)
+        count, longest = put_pieces(frictions, own_b, until, sines[row], (time, force), whole)
         if count == 0:
             continue
-        for k in range(waves):
-            omegas[k, 0] = key[5 + k] = moved[k, 1, 0]
-        drive = Drive(acting[:count], b[:count], length[:count], given, moved)
-        for i in range(4):
-            start[_X1 + 2 * i] = math.ldexp(table[row, 8 + 2 * i], -length_unit + (time_unit if i % 2 else 0))
-        for k in range(5):
-            key[k] = pair[k, 0]
+        omegas[:, 0] = key[5:] = whole.sines[:waves, 1, 0]
+        key[:5] = pair[:, 0]
         key[1] = min(longest, steps_of(pair, omegas, reach))
-        is_same = True
-        for k in range(key.shape[0]):
-            is_same = is_same and key[k] == before[k]
-        if not is_same:
+        if not np.array_equal(key, before):
             before[:] = key
             form(tables, 0, pair, terms, omegas, longest, reach, False)
-        own, most = constants(pair, literal), kept.shape[1] + count - 1 if kept.shape[1] > 1 else 1
-        how, written = follow_in(
-            room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, has_ledger, rows[:most], end
+        drive = Drive(whole.places[:count], whole.b[:count], whole.length[:count], whole.coefficients, whole.sines)
+        own = constants(pair, literal)
+        how, count = follow_one(
+            own, drive, tables, room, start, False, max_events, has_ledger, rows, end, kept.shape[1]
         )
-        if how >= 3:  # out of range, or in doubt
-            continue
-        in_si(rows[: min(written, most)], mass_unit, time_unit, length_unit)
-        ends[row] = end
-        in_si(ends[row : row + 1], mass_unit, time_unit, length_unit)
-        keep(rows[: min(written, most)], frictions, kept[row], ends[row])
+        if how < OUT_OF_RANGE:
+            in_si(rows[:count], mass, time, length)
+            ends[row] = end
+            in_si(ends[row : row + 1], mass, time, length)
+            keep(rows[:count], frictions, kept[row], ends[row])
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def make_drive(terms: int, waves: int, pieces: int) -> Drive:
+    """Return room for a drive whose pieces have one polynomial, sines of their own, and jumps between them."""
+    places = np.zeros((pieces, 6), dtype=np.int64)
+    places[:, 1], places[:, 2], places[:, 3], places[:, 5] = terms, waves * np.arange(pieces), waves, 1
+    b, length = np.zeros((pieces, 2)), np.zeros((pieces, 2))
+    return Drive(places, b, length, np.zeros((terms, 2)), np.zeros((pieces * waves, 3, 2)))
+
+
+@compilable
+def put_bodies(numbers: Any, pair: Any, start: Any) -> tuple[int, int, int]:
+    """Write a row's pair and start in its units; return the exponents of mass, time and length."""
+    m1, m2, a2, b, a1 = numbers[0], numbers[2], numbers[4], numbers[6], numbers[18]
+    mass = math.frexp(m1 + m2)[1]
+    time, length = (mass - math.frexp(a2)[1]) // 2, math.frexp(b * (m1 + m2) / (a2 * m2))[1]
+    pair[0, 0], pair[2, 0] = math.ldexp(m1, -mass), math.ldexp(m2, -mass)
+    pair[1, 0], pair[1, 1] = two_sum(pair[0, 0], pair[2, 0])
+    pair[3, 0], pair[4, 0] = math.ldexp(a1, time - mass), math.ldexp(a2, 2 * time - mass)
+    for i in range(4):
+        start[_X1 + 2 * i] = math.ldexp(numbers[8 + 2 * i], -length + (time if i % 2 else 0))
+    return mass, time, length
 
 
 @compilable
 def put_pieces(
-    frictions: Any, own_b: float, until: float, sines: Any, units: tuple[int, int], b: Any, length: Any, moved: Any
+    frictions: Any, own_b: float, until: float, sines: Any, units: tuple[int, int], drive: Drive
 ) -> tuple[int, float]:
     """Write b, length, and sines with their phases at the beginning of each piece; return how many pieces there are and
 
     how long the longest one is; no piece where a phase is not good to its own size, as its terms cancel.
     """
     time_unit, force_unit = units
-    count, longest, waves = 0, 0.0, sines.shape[0]
+    count, longest, waves, (_, b, length, _, moved) = 0, 0.0, sines.shape[0], drive
     while count < frictions.shape[0] and is_before(frictions[count], until):
         begin, begin_low = frictions[count, 0], frictions[count, 1]
         given_b, given_low = frictions[count, 2], frictions[count, 3]

@@ -14,12 +14,9 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.pair_elementary import sine_cosine
 from numerics.linear.pairs import add, multiply
-from numerics.linear.record import AT
 from numerics.linear.table import FIRST, FRICTION, NODES, PRECISE, Tables
 
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
-
-_LOCAL, _X1, _ERRORS = AT["local"], AT["x1"], AT["x1_error"]
 
 
 class Constants(NamedTuple):
@@ -63,6 +60,31 @@ class Drive(NamedTuple):
     sines: Any
 
 
+class Problem(NamedTuple):
+    """What a run follows, in pairs if `wide`; `has_ledger`: what friction and viscosity take is formed, too."""
+
+    pair: Constants
+    drive: Drive
+    tables: Tables
+    wide: bool
+    has_ledger: bool
+
+
+class Now(NamedTuple):
+    """Where a run is, beside what stands in its room: the piece, and the mode from here on."""
+
+    piece: int
+    mode: int
+    order: int
+    """How many coefficients of the mode's guard vanish here."""
+    edge: int
+    """The side of the load when the segment began, and so of the edge of stick that is nearer."""
+    since: float
+    """Time since the exit that this slip began with, 1e300 if it began otherwise."""
+    N: float
+    """A bound on N of the error (error_set.py)."""
+
+
 class Room(NamedTuple):
     """Arrays to work in, made once for a run."""
 
@@ -91,6 +113,8 @@ class Room(NamedTuple):
     column: Any
     nodes: Any
     """(2, n) Gauss's nodes in a part of a step, and v1 there."""
+    ledger: Any
+    """(3,) what friction and what viscosity took, and a bound on the error of their sum."""
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -113,23 +137,8 @@ def make_room(count: int, terms: int) -> Room:
         np.zeros((4, 4)),
         np.zeros(4),
         np.zeros((2, NODES.shape[0])),
+        np.zeros(3),
     )
-
-
-@compilable
-def begin(room: Room, pair: Constants, start: Any, unit: float) -> float:
-    """Put a start into the room; return N of its rounding."""
-    scale = room.scale
-    scale[0] = scale[2] = math.sqrt(pair.a2)
-    scale[1], scale[3] = math.sqrt(pair.m1), math.sqrt(pair.m2)
-    room.E[:, :] = 0.0
-    room.R[:] = 0.0
-    for i in range(4):
-        room.y[i, 0], room.y[i, 1] = start[_X1 + 2 * i], start[_X1 + 2 * i + 1]
-        room.E[i, i] = unit * abs(room.y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]
-    room.clock[0, 0], room.clock[0, 1] = start[_LOCAL], start[_LOCAL + 1]
-    room.clock[1, 0] = room.clock[1, 1] = 0.0
-    return room.E[0, 0] + room.E[1, 1] + room.E[3, 3]
 
 
 @compilable
@@ -208,8 +217,9 @@ def product(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) ->
 
 
 @compilable_with(forceinline=False)
-def wide_product(rows: Any, degrees: Any, z: Any, count: int, X: Any) -> None:
+def wide_product(rows: Any, degrees: Any, room: Room, count: int) -> None:
     """Form the first terms of X = W z in pairs; the others are those of `product`."""
+    z, X = room.z, room.X
     for i in range(2):
         high, low = X[0, i, :PRECISE], X[1, i, :PRECISE]
         high[:], low[:] = 0.0, 0.0
@@ -233,13 +243,19 @@ def counted(sums: Any, size: Any, count: int, s: float) -> float:
 
 
 @compilable
-def expand(room: Room, drive: Drive, tables: Tables, piece: int, mode: int) -> None:
-    """Form z, and the Taylor coefficients of x1 and x2 over a step of a mode, in float64."""
-    kind, side, X = drive.places[piece, 4], 1 if mode == 0 else 0, room.X
-    state_columns(room, mode, drive.b[piece])
-    bodies = 1 if mode == 0 else 2
-    product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], bodies, X)
-    if mode == 0:  # body 2 goes as body 1 does, bit by bit
+def place_of(problem: Problem, now: Now) -> tuple[int, int]:
+    """Return where the tables of the mode are: the kind of force, and 0 for slip, 1 for stick."""
+    return problem.drive.places[now.piece, 4], 1 if now.mode == 0 else 0
+
+
+@compilable
+def expand(problem: Problem, room: Room, now: Now) -> None:
+    """Form z, and the Taylor coefficients of x1 and x2 over a step of the mode, in float64."""
+    tables, at, X = problem.tables, place_of(problem, now), room.X
+    state_columns(room, now.mode, problem.drive.b[now.piece])
+    bodies = 1 if now.mode == 0 else 2
+    product(tables.rows[at], tables.degrees[at], room.z, tables.count[at[0]], bodies, X)
+    if now.mode == 0:  # body 2 goes as body 1 does, bit by bit
         X[0, 1, 0] = room.y[2, 0]
         for k in range(1, X.shape[2]):
             X[0, 1, k] = X[0, 0, k]

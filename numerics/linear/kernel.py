@@ -1,9 +1,9 @@
-"""The engine in float64 and in double-double: one loop over pieces, steps and events, compiled where numba is there.
+"""The engine in float64 and in double-double: one loop over steps and events, compiled where numba is there.
 
+    resolve       which mode follows an event, if the error bounds leave no doubt (resolve.py)
+    record        a row for the start of every segment (record.py)
     next event    the guard's first root over a step, from Taylor coefficients that are linear in z (next_event.py)
     evolve        the state, and the set of its errors, to the event or to the end of the step (evolve.py)
-    resolve       which mode follows on v1 = v2, if the error bounds leave no doubt (resolve.py)
-    record        a row for the start of every segment (record.py)
 
 Both precisions are one loop: where `wide`, numbers carry a low part, roots are isolated in float64 all the same, and
 only coefficients, values and Newton's last steps are formed in pairs. A step has so many Taylor terms that truncation
@@ -14,24 +14,32 @@ counted in roundings of the terms that it is a sum of, and carried by error_set.
 from __future__ import annotations
 
 import math
-from typing import Any
-
-import numpy as np
+from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.linear.columns import Constants, Drive, Room, begin, expand, force_columns, make_room
-from numerics.linear.error_set import box, norm_of
-from numerics.linear.evolve import evolve, long_step, rest_is_calm, slid_and_damped
+from numerics.linear.calm_stick import Calm, step_over
+from numerics.linear.columns import (
+    Constants,
+    Drive,
+    Now,
+    Problem,
+    Room,
+    expand,
+    force_columns,
+    make_room,
+    place_of,
+)
+from numerics.linear.error_set import box
+from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
 from numerics.linear.modes import UNDECIDED as UNDECIDED_MODE
-from numerics.linear.next_event import next_event
-from numerics.linear.pairs import add, divide
+from numerics.linear.next_event import Next, Step, next_event, step_from
 from numerics.linear.record import AT, ROW
-from numerics.linear.resolve import errors_after_slip, errors_after_stick, lateness, resolve
+from numerics.linear.resolve import CONTACT, EXIT, NOTHING, PIECE, SLIP_END, Event, lateness, resolve
 from numerics.linear.table import UNIT, WIDE_UNIT, Tables
 
-REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, NO_ROOM, TOO_MANY = 0, 1, 2, 3, 4, 5, 6
-"""How a call ended: the first five as in record.How; or more rows, or more steps, are needed."""
+GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, NO_ROOM, TOO_MANY = -1, 0, 1, 2, 3, 4, 5, 6
+"""How a call ended, if it did: the first five as in record.How; or more rows, or more steps, are needed."""
 MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
 _LOCAL, _LENGTH, _X1, _EXCESS, _LATE = (AT[name] for name in ("local", "length", "x1", "excess", "late"))
@@ -41,69 +49,24 @@ _HOW, _EVENTS, _CERTAIN, _FRICTION, _VISCOUS, _LOST = (
 )
 
 
-@compilable
-def record(
-    pair: Constants,
-    room: Room,
-    row: Any,
-    codes: tuple[int, int, bool, bool, int],
-    u: tuple[float, float, float],
-    b: float,
-    N: float,
-    late: float,
-) -> None:
-    """Write a row: the state at the clock, its bounds, and what else record.py says."""
-    mode, order, is_event, is_jump, piece = codes
-    row[_MODE], row[_ORDER], row[_PIECE] = mode, order, piece
-    row[_EVENT], row[_JUMP] = 1.0 if is_event else 0.0, 1.0 if is_jump else 0.0
-    for i in range(2):
-        row[_LOCAL + i], row[_LENGTH + i], row[_EXCESS + i] = room.clock[0, i], room.clock[1, i], math.nan
-        for k in range(4):
-            row[_X1 + 2 * k + i] = room.y[k, i]
-    row[_LATE] = late
-    E, R, scale, v = room.E, room.R, room.scale, abs(room.y[1, 0])
-    # within `late` of an event either mode may act; only the stick of the literal law may need more than b
-    force = u[2] + pair.a2 * abs(room.y[0, 0]) + pair.a1 * v
-    most = (force + b) / pair.m1 + b / pair.m2
-    push = max(b / pair.m2, force / pair.mass) if pair.literal else b / pair.m2
-    far = (v + most * late) * late
-    v1, v2 = min(box(E, R, 1), N) / scale[1], min(box(E, R, 3), N) / scale[3]
-    if late > 0.0:
-        v1 = v2 = min(v1 + most * late, v2 + push * late)
-    row[_ERRORS], row[_ERRORS + 1] = min(box(E, R, 0), N) / scale[0] + far, v1
-    row[_ERRORS + 2], row[_ERRORS + 3] = box(E, R, 2) / scale[2] + far, v2
-    row[_ERRORS + 4] = 0.0
+class Log(NamedTuple):
+    """Where a run is recorded: its rows, the row of its end; and of how many events at most.
 
-
-@compilable
-def calm_rest(
-    pair: Constants, drive: Drive, tables: Tables, room: Room, piece: int, b: float, N: float, wide: bool
-) -> tuple[bool, float, float, float]:
-    """Stick through the rest of a piece at once, if nothing can end it; return whether it did, the work of damping,
-
-    a bound on its error, and N.
+    Where rows have no room for one more, NO_ROOM if `keeps_all`, else it is left out.
     """
-    if not (pair.literal or rest_is_calm(pair, drive, room, piece, b, N)):
-        return False, 0.0, 0.0, N
-    damped, size, added = long_step(pair, tables, room, drive, piece, (drive.places[piece, 4], 1), wide)
-    N += added
-    # of the difference of two motions damping takes at most N^2/2, all told
-    lost = 64.0 * UNIT * pair.a1 * size + N * (math.sqrt(2.0 * pair.a1 * abs(damped)) + N / 2.0)
-    expand(room, drive, tables, piece, 0)
-    return True, pair.a1 * damped, lost, norm_of(room.E, room.R)
+
+    rows: Any
+    end: Any
+    most: int
+    keeps_all: bool
 
 
-@compilable
-def loss_error(
-    pair: Constants, room: Room, mode: int, b: float, N: float, step: tuple[float, float, float, float]
-) -> float:
-    """Return a bound on the error of what friction and viscosity take over a step of this time, and int v1^2 dt."""
-    time, size, damped, terms = step
-    lost = (b * pair.kappa if mode != 0 else 0.0) * N * time + UNIT * (8.0 * b * size + 64.0 * pair.a1 * terms)
-    if pair.a1 > 0.0:
-        speed = math.sqrt(damped / time) + (abs(room.y[1, 0]) if damped > 0.0 else 0.0)
-        lost += pair.a1 * time * N / room.scale[1] * (4.0 * speed + N / room.scale[1])
-    return lost
+class Recorded(NamedTuple):
+    """How many rows there were, also those left out, how many events, and which row was that of the last one."""
+
+    rows: int
+    events: int
+    last: int
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -119,147 +82,165 @@ def follow(
     rows: Any,
     end: Any,
 ) -> tuple[int, int]:
-    """Follow the modes (follow_in), all rows kept, in a room of its own."""
-    room, spare = make_room(tables.rows.shape[4], tables.rows.shape[5]), np.empty(ROW)
-    return follow_in(
-        room, spare, pair, drive, tables, start, is_decided, clear_until, most, wide, True, True, rows, end
-    )
+    """Follow the modes (follow_in), all rows and the ledger kept, in a room of its own."""
+    room = make_room(tables.rows.shape[4], tables.rows.shape[5])
+    problem, log = Problem(pair, drive, tables, wide, True), Log(rows, end, most, True)
+    return follow_in(problem, room, start, is_decided, clear_until, log)
 
 
 @compilable_with(forceinline=False)
 def follow_in(
-    room: Room,
-    spare: Any,
-    pair: Constants,
-    drive: Drive,
-    tables: Tables,
-    start: Any,
-    is_decided: bool,
-    clear_until: float,
-    most: int,
-    wide: bool,
-    keeps_all: bool,
-    has_ledger: bool,
-    rows: Any,
-    end: Any,
+    problem: Problem, room: Room, start: Any, is_decided: bool, clear_until: float, log: Log
 ) -> tuple[int, int]:
     """Follow the modes from a start (a row) to the end of the last piece; return (how, rows written).
 
     `is_decided`: the mode and the order of the start are known; else they follow from its velocities and load. Up to
-    `clear_until` (time in the first piece) no event happens. `most` events at most. Where rows have no room for one
-    more, NO_ROOM if `keeps_all`, else it is left out. Without `has_ledger` what friction and viscosity took is nan.
+    `clear_until` (time in the first piece) no event happens.
     """
-    y, clock = room.y, room.clock
-    N = begin(room, pair, start, WIDE_UNIT if wide else UNIT)
-    mode, order, piece, edge_side = int(start[_MODE]), int(start[_ORDER]), int(start[_PIECE]), 1
-    if not is_decided and (y[1, 0] != y[3, 0] or y[1, 1] != y[3, 1]):
-        gap = (y[1, 0] - y[3, 0]) + (y[1, 1] - y[3, 1])
-        mode, order, is_decided = (1 if gap > 0.0 else -1), 0, True
-    decide, is_new, is_event, is_jump, ended = not is_decided, True, False, True, 0
-    late = slope = off = 0.0
-    since = 1e300  # time since an exit, if this slip began with one
-    count = events = steps = last_event = 0
-    slid_work = damped_work = lost = 0.0 if has_ledger else math.nan
-    slid = size = damped = terms = 0.0
-    is_calm, look, entered = False, 0, 0  # is the rest of the piece stick; when to look next, and since when it sticks
-    how = DOUBT
-    while True:
-        b, u = drive.b[piece, 0], force_columns(room, drive, piece, late, wide)
-        # resolve
-        if decide:  # v1 = v2: at the start, after a slip, or where u or b has jumped in stick
-            after = resolve(pair, room, u, b, N, late)
-            if after == UNDECIDED_MODE or (ended != 0 and after == ended):
+    now, event = begin(problem, room, start, is_decided)
+    recorded, calm, how = Recorded(0, 0, 0), Calm(False, 0, 0), DOUBT
+    for step in range(MOST_STEPS):
+        u = force_columns(room, problem.drive, now.piece, event.late, problem.wide)
+        if event.kind != NOTHING:
+            after = resolve(problem, room, now, event, u)
+            if after.mode == UNDECIDED_MODE:
+                how = DOUBT
                 break
-            if ended != 0:
-                lost += b * late * errors_after_slip(pair, room, ended, after, u, b, late, slope)
-                N = min(N, norm_of(room.E, room.R))
-            is_event = is_decided and after != mode
-            mode, order, decide, is_decided, is_new = after, (1 if after != 0 else 0), False, True, True
-            since = 1e300
-        elif off > 0.0:  # an exit
-            N += errors_after_stick(pair, room, u, late, slope, off)
-            off = 0.0
-        # record
-        if is_new:
-            if is_event and events == most:
-                how = EVENT_LIMIT
+            is_event = event.kind == EXIT or (recorded.rows > 0 and after.mode != now.mode)
+            now, calm = after, Calm(False, step, step)
+            recorded, how = record(problem, room, now, event, is_event, u, recorded, log)
+            if how != GOES_ON:
                 break
-            if keeps_all and count == rows.shape[0]:
-                return NO_ROOM, count
-            events += 1 if is_event else 0
-            may_end = events == most and (is_event or count == 0)
-            if count < rows.shape[0] or may_end:
-                row = rows[count] if count < rows.shape[0] else spare
-                record(pair, room, row, (mode, order, is_event, is_jump, piece), u, b, N, late)
-                if may_end:
-                    for k in range(ROW):
-                        end[k] = row[k]
-                    end[_FRICTION], end[_VISCOUS], end[_LOST] = slid_work, damped_work, lost
-            if is_event or count == 0:
-                last_event = count
-            count += 1
-            clock[1, 0] = clock[1, 1] = 0.0
-            is_new, is_event, is_jump, ended, late = False, False, False, 0, 0.0
-            is_calm, look, entered = False, steps + 1, steps
-            edge_side = 1 if u[0] - pair.a2 * y[0, 0] - pair.a1 * y[1, 0] > 0.0 else -1
-        # next event
-        steps += 1
-        if steps > MOST_STEPS:
-            how = TOO_MANY
-            break
-        kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
-        h = tables.h[kind, side]
-        expand(room, drive, tables, piece, mode)
-        if mode == 0 and order == 0 and steps >= look and drive.length[piece, 0] - clock[0, 0] > 8.0 * h:
-            look = 2 * steps - entered + 1  # seldom, where it stays in vain
-            is_calm, taken, error, N = calm_rest(pair, drive, tables, room, piece, b, N, wide)
-            damped_work, lost = damped_work + taken, lost + error
-        left, left_low = add(drive.length[piece, 0], drive.length[piece, 1], -clock[0, 0], -clock[0, 1])
-        is_last = left <= h
-        to, to_low = (1.0, 0.0) if not is_last else divide(left, left_low, h, 0.0)
-        clear_to = 2.0 if is_calm else 0.0
-        if count == 1 and clear_until > clock[0, 0] + 1e-9 * h:
-            clear_to = (clear_until - clock[0, 0]) / h
-        ahead = next_event(pair, drive, tables, room, piece, (mode, order, edge_side), since, N, to, clear_to, wide)
+        now, calm = step_over(problem, room, now, calm, step)
+        to = step_from(problem, room, now, calm.is_calm, clear_until if recorded.rows == 1 else -1.0)
+        expand(problem, room, now)
+        ahead = next_event(problem, room, now, to)
         if ahead.how == UNDECIDED:
+            how = DOUBT
             break
-        is_root = ahead.how == ROOT
-        s = (to, to_low) if not is_root and ahead.high == to else (ahead.high, ahead.low)
-        is_last = is_last and not is_root and ahead.high == to
-        # evolve
-        if has_ledger:
-            slid, size, damped, terms = slid_and_damped(pair, tables, room, (kind, side), mode, s[0])
-        time, added = evolve(pair, tables, room, (kind, side), mode, s, is_root, wide)
-        N, since, order = N + added, since + time, 0
-        if has_ledger:
-            slid_work, damped_work = slid_work + b * slid, damped_work + pair.a1 * damped
-            its_error = loss_error(pair, room, mode, b, N, (time, size, damped, terms))
-            lost += its_error + 2.0 * UNIT * (slid_work + damped_work)
-        if not abs(y[0, 0]) + abs(y[1, 0]) + abs(y[2, 0]) + abs(y[3, 0]) + N < 1e300:
-            how = OUT_OF_RANGE
+        now = evolve(problem, room, now, ahead)
+        now, event, how = arrive(problem, room, now, ahead, to, calm.is_calm)
+        if how != GOES_ON:
             break
-        if is_root:
-            slope = ahead.slope
-            late, off, added = lateness(pair, room, ahead, mode, b, since, N)
-            N += added
-            if mode != 0:
-                ended, decide = mode, True
-            else:
-                mode, order, since, is_event, is_new = ahead.side, 2, 0.0, True, True
-            if ahead.room * h < 16.0 * late or (to - s[0]) * h < 4.0 * late:
-                break
-        elif is_last:
-            if piece + 1 == drive.places.shape[0]:
-                how = STUCK if is_calm or (mode == 0 and pair.literal) else REACHED
-                break
-            piece += 1
-            clock[0, 0] = clock[0, 1] = 0.0
-            decide, is_new, is_jump = mode == 0 and drive.places[piece, 5] == 1, True, True
-    if how == EVENT_LIMIT:
-        count = last_event + 1
     else:
-        record(pair, room, end, (mode, 0, False, False, piece), (0.0, 0.0, 0.0), 0.0, N, 0.0)
-        end[_FRICTION], end[_VISCOUS], end[_LOST] = slid_work, damped_work, lost
+        how = TOO_MANY
+    return how, close(problem, room, now, how, recorded, log)
+
+
+@compilable
+def begin(problem: Problem, room: Room, start: Any, is_decided: bool) -> tuple[Now, Event]:
+    """Put a start into the room; return where the run is, and what is to be resolved first."""
+    pair, y, scale, unit = problem.pair, room.y, room.scale, WIDE_UNIT if problem.wide else UNIT
+    scale[0] = scale[2] = math.sqrt(pair.a2)
+    scale[1], scale[3] = math.sqrt(pair.m1), math.sqrt(pair.m2)
+    room.E[:, :] = 0.0
+    room.R[:] = 0.0
+    room.ledger[:] = 0.0 if problem.has_ledger else math.nan
+    for i in range(4):
+        y[i, 0], y[i, 1] = start[_X1 + 2 * i], start[_X1 + 2 * i + 1]
+        room.E[i, i] = unit * abs(y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]
+    room.clock[0, 0], room.clock[0, 1] = start[_LOCAL], start[_LOCAL + 1]
+    room.clock[1, 0] = room.clock[1, 1] = 0.0
+    mode, order, kind = int(start[_MODE]), int(start[_ORDER]), PIECE if is_decided else CONTACT
+    gap = (y[1, 0] - y[3, 0]) + (y[1, 1] - y[3, 1])
+    if not is_decided and (y[1, 0] != y[3, 0] or y[1, 1] != y[3, 1]):
+        mode, order, kind = (1 if gap > 0.0 else -1), 0, PIECE
+    N = room.E[0, 0] + room.E[1, 1] + room.E[3, 3]
+    return Now(int(start[_PIECE]), mode, order, 1, 1e300, N), Event(kind, 0.0, 0.0, 0.0)
+
+
+@compilable
+def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, Event, int]:
+    """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
+    (piece, mode, order, edge, since, N), nothing, y = now, Event(NOTHING, 0.0, 0.0, 0.0), room.y
+    if not abs(y[0, 0]) + abs(y[1, 0]) + abs(y[2, 0]) + abs(y[3, 0]) + N < 1e300:
+        return now, nothing, OUT_OF_RANGE
+    if ahead.how == ROOT:
+        h = problem.tables.h[place_of(problem, now)]
+        late, off, added = lateness(problem.pair, room, ahead, mode, problem.drive.b[piece, 0], since, N)
+        is_near = ahead.room * h < 16.0 * late or (step.high - ahead.high) * h < 4.0 * late
+        kind = SLIP_END if mode != 0 else EXIT
+        if mode == 0:
+            mode, order, since = ahead.side, 2, 0.0
+        now = Now(piece, mode, order, edge, since, N + added)
+        return now, Event(kind, late, ahead.slope, off), DOUBT if is_near else GOES_ON
+    if not step.is_last or ahead.high != step.high:
+        return now, nothing, GOES_ON
+    if piece + 1 == problem.drive.places.shape[0]:
+        return now, nothing, STUCK if is_calm or (mode == 0 and problem.pair.literal) else REACHED
+    room.clock[0, 0] = room.clock[0, 1] = 0.0
+    kind = CONTACT if mode == 0 and problem.drive.places[piece + 1, 5] == 1 else PIECE
+    return Now(piece + 1, mode, order, edge, since, N), Event(kind, 0.0, 0.0, 0.0), GOES_ON
+
+
+@compilable
+def record(
+    problem: Problem,
+    room: Room,
+    now: Now,
+    event: Event,
+    is_event: bool,
+    u: tuple[float, float, float],
+    recorded: Recorded,
+    log: Log,
+) -> tuple[Recorded, int]:
+    """Record the start of a segment, if the log has room for it; the last event that it has room for is an end, too."""
+    count, events, last = recorded
+    if is_event and events == log.most:
+        return recorded, EVENT_LIMIT
+    if log.keeps_all and count == log.rows.shape[0]:
+        return recorded, NO_ROOM
+    if is_event or count == 0:
+        events, last = events + (1 if is_event else 0), count
+    may_end = events == log.most and last == count
+    if count < log.rows.shape[0] or may_end:
+        row = log.end if may_end else log.rows[count]
+        write(problem, room, row, now, event.late, u)
+        row[_ORDER], row[_EVENT] = now.order, 1.0 if is_event else 0.0
+        row[_JUMP] = 1.0 if event.kind in (PIECE, CONTACT) else 0.0
+        if may_end:
+            log.end[_FRICTION], log.end[_VISCOUS], log.end[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
+            for k in range(ROW if count < log.rows.shape[0] else 0):
+                log.rows[count, k] = row[k]
+    room.clock[1, 0] = room.clock[1, 1] = 0.0
+    return Recorded(count + 1, events, last), GOES_ON
+
+
+@compilable
+def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tuple[float, float, float]) -> None:
+    """Write the state at the clock, its bounds, and what else record.py says of a row."""
+    pair, b = problem.pair, problem.drive.b[now.piece, 0]
+    row[_MODE], row[_PIECE] = now.mode, now.piece
+    for i in range(2):
+        row[_LOCAL + i], row[_LENGTH + i], row[_EXCESS + i] = room.clock[0, i], room.clock[1, i], math.nan
+        for k in range(4):
+            row[_X1 + 2 * k + i] = room.y[k, i]
+    row[_LATE] = late
+    E, R, scale, v = room.E, room.R, room.scale, abs(room.y[1, 0])
+    # within `late` of an event either mode may act; only the stick of the literal law may need more than b
+    force = u[2] + pair.a2 * abs(room.y[0, 0]) + pair.a1 * v
+    most = (force + b) / pair.m1 + b / pair.m2
+    push = max(b / pair.m2, force / pair.mass) if pair.literal else b / pair.m2
+    far = (v + most * late) * late
+    v1, v2 = min(box(E, R, 1), now.N) / scale[1], min(box(E, R, 3), now.N) / scale[3]
+    if late > 0.0:
+        v1 = v2 = min(v1 + most * late, v2 + push * late)
+    row[_ERRORS], row[_ERRORS + 1] = min(box(E, R, 0), now.N) / scale[0] + far, v1
+    row[_ERRORS + 2], row[_ERRORS + 3] = box(E, R, 2) / scale[2] + far, v2
+    row[_ERRORS + 4] = 0.0
+
+
+@compilable
+def close(problem: Problem, room: Room, now: Now, how: int, recorded: Recorded, log: Log) -> int:
+    """Write the row of the end, and return how many rows there are."""
+    count, events, last = recorded
+    end, ledger = log.end, room.ledger
+    if how == EVENT_LIMIT:
+        count = last + 1
+    else:
+        write(problem, room, end, now, 0.0, (0.0, 0.0, 0.0))
+        end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
+        end[_FRICTION], end[_VISCOUS], end[_LOST] = ledger[0], ledger[1], ledger[2]
     end[_HOW], end[_EVENTS], end[_CERTAIN] = how, events, 1.0
     end[_FRICTION + 1] = end[_VISCOUS + 1] = 0.0
-    return how, count
+    return count

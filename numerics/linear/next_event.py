@@ -7,10 +7,19 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import two_sum
-from numerics.linear.columns import Constants, Drive, Room, counted, wide_product
+from numerics.linear.columns import Constants, Now, Problem, Room, counted, place_of, wide_product
 from numerics.linear.first_root import CLEAR, ROOT, first_root
 from numerics.linear.pairs import add, divide, multiply, times
-from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT, Tables
+from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT
+
+
+class Step(NamedTuple):
+    """A step: its end in units of h, a pair, and whether the piece ends there; up to `clear` no event is possible."""
+
+    high: float
+    low: float
+    is_last: bool
+    clear: float
 
 
 class Next(NamedTuple):
@@ -30,18 +39,23 @@ class Next(NamedTuple):
 
 
 @compilable
-def slip_guard(room: Room, mode: int, order: int) -> None:
-    """Form the guard h s (v1 - v2) of a slip, less its first coefficients, which are exactly 0."""
-    one, two, g, q, sign = room.X[0, 0, 1:], room.X[0, 1, 1:], room.g[0], room.q, float(mode)
-    for k in range(one.shape[0]):
-        g[k] = (k + 1.0) * sign * (one[k] - two[k])
-    g[one.shape[0]] = 0.0
+def leave_out(order: int, g: Any, q: Any) -> None:
+    """Put a guard's coefficients into q without the first ones."""
     rest = g[order:]
     for k in range(rest.shape[0]):
         q[k] = rest[k]
-    if order > 0:
-        g[:order] = 0.0
-        q[rest.shape[0] :] = 0.0
+    q[rest.shape[0] :] = 0.0
+
+
+@compilable
+def slip_guard(room: Room, mode: int, order: int) -> None:
+    """Form the guard h s (v1 - v2) of a slip, less its first coefficients, which are exactly 0."""
+    one, two, g, sign = room.X[0, 0, 1:], room.X[0, 1, 1:], room.g[0], float(mode)
+    for k in range(one.shape[0]):
+        g[k] = (k + 1.0) * sign * (one[k] - two[k])
+    g[one.shape[0]] = 0.0
+    leave_out(order, g, room.q)
+    g[:order] = 0.0
 
 
 @compilable
@@ -53,10 +67,7 @@ def stick_guard(room: Room, edge: float, order: int, side: int) -> None:
     q[x2.shape[0] :] = 0.0
     q[0] += edge
     if order > 0:
-        rest = q[order:]
-        for k in range(rest.shape[0]):
-            q[k] = rest[k]
-        q[rest.shape[0] :] = 0.0
+        leave_out(order, q, q)
 
 
 @compilable
@@ -142,52 +153,55 @@ def edge_of(pair: Constants, h: float, b: Any, wide: bool) -> tuple[float, float
 
 
 @compilable
-def next_event(
-    pair: Constants,
-    drive: Drive,
-    tables: Tables,
-    room: Room,
-    piece: int,
-    state: tuple[int, int, int],
-    since: float,
-    N: float,
-    to: float,
-    clear_to: float,
-    wide: bool,
-) -> Next:
-    """Return how a mode goes on: to the end `to` of a step, or to an event; up to `clear_to` none is possible.
+def step_from(problem: Problem, room: Room, now: Now, is_calm: bool, clear_until: float) -> Step:
+    """Return the step from here, to the end of the piece if that is nearer; no event comes up to `clear_until`."""
+    h, length, clock = problem.tables.h[place_of(problem, now)], problem.drive.length[now.piece], room.clock[0]
+    left, left_low = add(length[0], length[1], -clock[0], -clock[1])
+    high, low = divide(left, left_low, h, 0.0) if left <= h else (1.0, 0.0)
+    clear = 2.0 if is_calm else 0.0
+    if clear_until > clock[0] + 1e-9 * h:
+        clear = (clear_until - clock[0]) / h
+    return Step(high, low, left <= h, clear)
 
-    `state`: the mode, how many coefficients of its guard vanish at its start, and the side of the edge it begins on.
-    """
-    mode, order, edge_side = state
-    if clear_to > 0.0 or (mode == 0 and pair.literal):
-        return Next(CLEAR, min(to, clear_to) if clear_to > 0.0 else to, 0.0, 0, 0.0, 0.0, 0.0, 0.0)
-    kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
-    h, count, edge, top = tables.h[kind, side], tables.count[kind], (0.0, 0.0), math.inf
+
+@compilable
+def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
+    """Return how a mode goes on: to the end of a step, or to an event."""
+    (pair, drive, tables, wide, _), (mode, order), to = problem, (now.mode, now.order), step.high
+    if step.clear > 0.0 or (mode == 0 and pair.literal):
+        return no_event(CLEAR, min(to, step.clear) if step.clear > 0.0 else to, step)
+    at = place_of(problem, now)
+    h, count, edge, top = tables.h[at], tables.count[at[0]], (0.0, 0.0), math.inf
     unit = h if mode != 0 else h * h / pair.m2  # of the guard
-    sums, owns = (tables.slip_sums, tables.slip_own) if mode != 0 else (tables.load_sums, tables.load_own)
-    off = rounding(room, sums[kind, order], count)
+    sums = tables.sums[at]
+    off = rounding(room, sums[order], count)
     if mode != 0:
         slip_guard(room, mode, order)
-        margins = slip_margins(pair, h, order, off, since, N, to)
+        margins = slip_margins(pair, h, order, off, now.since, now.N, to)
     else:
-        edge = edge_of(pair, h, drive.b[piece], wide)
-        stick_guard(room, edge[0], order, edge_side)
-        plain = rounding(room, sums[kind, 0], count) if order > 0 else off
-        top, margin = 2.0 * edge[0], pair.lam * N * unit + 4.0 * UNIT * edge[0]
+        edge = edge_of(pair, h, drive.b[now.piece], wide)
+        stick_guard(room, edge[0], order, now.edge)
+        plain = rounding(room, sums[0], count) if order > 0 else off
+        top, margin = 2.0 * edge[0], pair.lam * now.N * unit + 4.0 * UNIT * edge[0]
         margins = off + margin, 0.0, 0.0, plain + margin + 8.0 * UNIT * edge[0]  # top less the guard is rounded, too
     how, s, alone, which, value, slope = first_root(room.q, order, top, margins, to, room.bernstein)
     if how != ROOT:
-        return Next(how, s, 0.0, mode, 0.0, 0.0, 0.0, 0.0)
-    exit_side, low = edge_side if which == 0 else -edge_side, 0.0
+        return no_event(how, s, step)
+    exit_side, low = now.edge if which == 0 else -now.edge, 0.0
     if wide:
-        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
+        wide_product(tables.rows[at], tables.degrees[at], room, count)
         wide_guard(room, mode, order, edge, exit_side)
         s, low, value = refined(room.g, order, s, alone)
     power = s**order
     # the rounding of the coefficients that were not dropped, at the root
-    own = counted(owns[kind, order], room.size, count, s) * power + (6.0 * edge[0] if order == 0 else 0.0)
+    own = counted(tables.own[at][order], room.size, count, s) * power + (6.0 * edge[0] if order == 0 else 0.0)
     own *= WIDE_UNIT if wide else UNIT
     steep = abs(slope) * power
     window = (abs(value) * power + own) / steep * h
     return Next(how, s, low, exit_side, alone, steep / unit / h, window, own / unit)
+
+
+@compilable
+def no_event(how: int, s: float, step: Step) -> Next:
+    """Return that there is none up to s, which may be the end of the step."""
+    return Next(how, s, step.low if s == step.high else 0.0, 0, 0.0, 0.0, 0.0, 0.0)

@@ -6,13 +6,48 @@ The event of the true motion is within late = 1.25 (error of the guard/slope + w
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from numerics.arithmetic.compiled import compilable
-from numerics.linear.columns import Constants, Room
-from numerics.linear.error_set import box, take_in, width
-from numerics.linear.modes import mode_on_surface
+from numerics.linear.columns import Constants, Now, Problem, Room
+from numerics.linear.error_set import box, norm_of, take_in, width
+from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_event import Next
 from numerics.linear.table import UNIT
+
+NOTHING, PIECE, CONTACT, SLIP_END, EXIT = 0, 1, 2, 3, 4
+"""At the end of a step: the mode goes on; it does so in a new piece, or in a run whose mode is known; bodies that are
+
+together start, or b or u jumps; a slip comes to v1 = v2; the load of stick comes to b.
+"""
+
+
+class Event(NamedTuple):
+    """What happens, how late it may be, the guard's slope there, and in stick how far off the guard may be."""
+
+    kind: int
+    late: float
+    slope: float
+    off: float
+
+
+@compilable
+def resolve(problem: Problem, room: Room, now: Now, event: Event, u: tuple[float, float, float]) -> Now:
+    """Return where a run is after an event, in which mode; UNDECIDED if the error bounds leave a doubt."""
+    pair, b = problem.pair, problem.drive.b[now.piece, 0]
+    (piece, mode, order, _, since, N), late = now, event.late
+    edge = 1 if u[0] - pair.a2 * room.y[0, 0] - pair.a1 * room.y[1, 0] > 0.0 else -1
+    if event.kind == EXIT:
+        N += errors_after_stick(pair, room, u, late, event.slope, event.off)
+    elif event.kind != PIECE:
+        mode = mode_after(pair, room, u, b, N, late)
+        if event.kind == SLIP_END:
+            if mode in (UNDECIDED, now.mode):
+                return Now(piece, UNDECIDED, 0, edge, since, N)
+            room.ledger[2] += b * late * errors_after_slip(pair, room, now.mode, mode, u, b, late, event.slope)
+            N = min(N, norm_of(room.E, room.R))
+        order, since = (1 if mode != 0 else 0), 1e300
+    return Now(piece, mode, order, edge, since, N)
 
 
 @compilable
@@ -39,7 +74,7 @@ def lateness(
 
 
 @compilable
-def resolve(pair: Constants, room: Room, u: tuple[float, float, float], b: float, N: float, late: float) -> int:
+def mode_after(pair: Constants, room: Room, u: tuple[float, float, float], b: float, N: float, late: float) -> int:
     """Return the mode that follows where v1 = v2 within `late` of now."""
     share = pair.m2 / pair.mass
     x, v = room.y[0, 0], room.y[1, 0]

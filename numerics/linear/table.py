@@ -48,13 +48,12 @@ class Tables(NamedTuple):
     """(kinds, 2, 2, n): how many terms of each there are, rounded up to an even number; later ones are 0."""
     ends: Any
     """(kinds, 2, 2, n, n): high and low parts of exp(A h)."""
-    slip_sums: Any
-    """(kinds, ORDERS, n): what rounding and truncation do to h (v1 - v2) less p coefficients, in roundings."""
-    load_sums: Any
-    """(kinds, ORDERS, n): the same for h^2 x2'' in stick."""
-    slip_own: Any
-    load_own: Any
-    """(kinds, ORDERS, 2, n): what rounding alone does to them over s^p at s = 0 and 1 (columns.counted)."""
+    sums: Any
+    """(kinds, 2, ORDERS, n): what rounding and truncation do to h (v1 - v2), in stick to h^2 x2'', less p coefficients,
+
+    in roundings."""
+    own: Any
+    """(kinds, 2, ORDERS, 2, n): what rounding alone does to them over s^p at s = 0 and 1 (columns.counted)."""
     state_own: Any
     """(kinds, 2, 4, 2, n): the same of x1, h v1, x2, h v2."""
     squares: Any
@@ -70,10 +69,8 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
         np.zeros((kinds, 2, 2, 2, n, terms)),
         np.zeros((kinds, 2, 2, n), dtype=np.int64),
         np.zeros((kinds, 2, 2, n, n)),
-        np.zeros((kinds, ORDERS, n)),
-        np.zeros((kinds, ORDERS, n)),
-        np.zeros((kinds, ORDERS, 2, n)),
-        np.zeros((kinds, ORDERS, 2, n)),
+        np.zeros((kinds, 2, ORDERS, n)),
+        np.zeros((kinds, 2, ORDERS, 2, n)),
         np.zeros((kinds, 2, 4, 2, n)),
         np.zeros((kinds, 2, n, n)),
     )
@@ -90,7 +87,6 @@ def form(
     waves = omegas.shape[0]
     n = FIRST + terms + 2 * waves
     tables.count[kind] = n
-    unused = np.zeros((ORDERS, tables.rows.shape[4]))
     places, entries = np.zeros((12 + terms + 4 * waves, 2), dtype=np.int64), np.zeros((12 + terms + 4 * waves, 2))
     for side in range(2):
         count = generator(pair, terms, omegas, side == 1, places, entries)
@@ -100,21 +96,12 @@ def form(
         fraction, exponent = math.frexp(min(longest, reach / rate))
         h = math.ldexp(math.floor(math.ldexp(fraction, 20)), exponent - 20)  # of 20 bits: steps of it add up exactly
         tables.h[kind, side] = h
-        fill(
-            entries[:count],
-            places[:count],
-            h,
-            n,
-            tables.rows.shape[5],
-            tables.rows[kind, side],
-            tables.degrees[kind, side],
-            tables.ends[kind, side],
-            unused if side == 1 else tables.slip_sums[kind],
-            tables.load_sums[kind] if side == 1 else unused,
-        )
+        at = kind, side
+        rows, degrees, end, sums = tables.rows[at], tables.degrees[at], tables.ends[at], tables.sums[at]
+        fill(entries[:count], places[:count], h, n, side == 1, rows, degrees, end, sums)
         count_roundings(tables, kind, side, wide)
         if pair[3, 0] > 0.0:
-            square(tables.rows[kind, side, 0, 0], h, n, tables.squares[kind, side])
+            square(rows[0, 0], h, n, tables.squares[at])
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -124,7 +111,7 @@ def count_roundings(tables: Tables, kind: int, side: int, wide: bool) -> None:
     Where `wide`, later terms are formed in floats.
     """
     rows, n = tables.rows[kind, side, 0], tables.count[kind]
-    own, guard = tables.state_own[kind, side], tables.slip_own[kind] if side == 0 else tables.load_own[kind]
+    own, guard = tables.state_own[kind, side], tables.own[kind, side]
     own[:, :, :] = 0.0
     guard[:, :, :] = 0.0
     for k in range(rows.shape[2]):
@@ -170,35 +157,34 @@ def square(rows: Any, h: float, count: int, form: Any) -> None:
 def generator(pair: Any, terms: int, omegas: Any, is_stick: bool, places: Any, entries: Any) -> int:
     """Write the nonzero elements of A: where they stand, and as pairs; return how many there are."""
     mh, ml = pair[1 if is_stick else 0, 0], pair[1 if is_stick else 0, 1]
-    one = divide(1.0, 0.0, mh, ml)
-    drag, spring = divide(pair[3, 0], pair[3, 1], mh, ml), divide(pair[4, 0], pair[4, 1], mh, ml)
-    count = put(places, entries, 0, X1, V1, 1.0, 0.0)
-    count = put(places, entries, count, X2, V2, 1.0, 0.0)
+    one, waves = divide(1.0, 0.0, mh, ml), FIRST + terms
+    drag, spring = divide(-pair[3, 0], -pair[3, 1], mh, ml), divide(-pair[4, 0], -pair[4, 1], mh, ml)
+    count = put(places, entries, 0, X1, V1, (1.0, 0.0))
+    count = put(places, entries, count, X2, V2, (1.0, 0.0))
     for to in range(V1, V2 + 1, V2 - V1):
         if to == V1 or is_stick:
-            count = put(places, entries, count, to, X1, -spring[0], -spring[1])
-            count = put(places, entries, count, to, V1, -drag[0], -drag[1])
+            count = put(places, entries, count, to, X1, spring)
+            count = put(places, entries, count, to, V1, drag)
             if terms > 0:
-                count = put(places, entries, count, to, FIRST, one[0], one[1])
+                count = put(places, entries, count, to, FIRST, one)
             for k in range(omegas.shape[0]):
-                count = put(places, entries, count, to, FIRST + terms + 2 * k, one[0], one[1])
+                count = put(places, entries, count, to, waves + 2 * k, one)
     if not is_stick:
-        body2 = divide(1.0, 0.0, pair[2, 0], pair[2, 1])
-        count = put(places, entries, count, V1, FRICTION, -one[0], -one[1])
-        count = put(places, entries, count, V2, FRICTION, body2[0], body2[1])
+        count = put(places, entries, count, V1, FRICTION, (-one[0], -one[1]))
+        count = put(places, entries, count, V2, FRICTION, divide(1.0, 0.0, pair[2, 0], pair[2, 1]))
     for k in range(terms - 1):
-        count = put(places, entries, count, FIRST + k, FIRST + k + 1, k + 1.0, 0.0)
+        count = put(places, entries, count, FIRST + k, FIRST + k + 1, (k + 1.0, 0.0))
     for k in range(omegas.shape[0]):
-        at = FIRST + terms + 2 * k
-        count = put(places, entries, count, at, at + 1, omegas[k, 0], omegas[k, 1])
-        count = put(places, entries, count, at + 1, at, -omegas[k, 0], -omegas[k, 1])
+        at, omega = waves + 2 * k, omegas[k]
+        count = put(places, entries, count, at, at + 1, (omega[0], omega[1]))
+        count = put(places, entries, count, at + 1, at, (-omega[0], -omega[1]))
     return count
 
 
 @compilable
-def put(places: Any, entries: Any, count: int, to: int, of: int, high: float, low: float) -> int:
+def put(places: Any, entries: Any, count: int, to: int, of: int, entry: tuple[float, float]) -> int:
     """Write one element, and return how many there are now."""
-    places[count, 0], places[count, 1], entries[count, 0], entries[count, 1] = to, of, high, low
+    places[count, 0], places[count, 1], (entries[count, 0], entries[count, 1]) = to, of, entry
     return count + 1
 
 
@@ -208,14 +194,14 @@ def fill(
     places: Any,
     h: float,
     count: int,
-    terms: int,
+    is_stick: bool,
     rows: Any,
     degrees: Any,
     end: Any,
-    slip_sums: Any,
-    load_sums: Any,
+    sums: Any,
 ) -> None:
     """Fill a table; entries (k, 2) are the nonzero elements of A as pairs, places (k, 2) where they stand."""
+    terms, side = rows.shape[3], 1 if is_stick else 0
     z, after, total = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2))
     scaled = np.empty(entries.shape)
     for e in range(entries.shape[0]):
@@ -252,10 +238,8 @@ def fill(
             degrees[i, j] = degree + degree % 2
         cut = (cut1 + cut2) * terms * 2.0**53
         for p in range(ORDERS):
-            one, two = cut, cut * terms
-            for k in range(p, terms - 1):
-                both = abs(rows[0, 0, j, k + 1]) + abs(rows[0, 1, j, k + 1])
-                one += (2 * k + count + 8) * (k + 1) * both
-            for k in range(p, terms - 2):
-                two += (2 * k + count + 8) * (k + 2) * (k + 1) * abs(rows[0, 1, j, k + 2])
-            slip_sums[p, j], load_sums[p, j] = one, two
+            sums[p, j] = cut * terms if is_stick else cut
+            for k in range(p, terms - 1 - side):
+                one, two = abs(rows[0, 0, j, k + 1 + side]), abs(rows[0, 1, j, k + 1 + side])
+                size, power = (two, (k + 2) * (k + 1)) if is_stick else (one + two, k + 1)
+                sums[p, j] += (2 * k + count + 8) * power * size

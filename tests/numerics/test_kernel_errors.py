@@ -7,8 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kernel_runs import a_scene, room_for
 
-from numerics.linear.columns import force_columns, product, state_columns
+from numerics.linear.columns import Now, Problem, expand, force_columns
 from numerics.linear.evolve import evolve
+from numerics.linear.first_root import CLEAR
+from numerics.linear.next_event import Step, no_event
 from numerics.linear.prepare import prepare
 from numerics.linear.table import UNIT
 
@@ -17,15 +19,14 @@ seeds = st.integers(0, 2**32 - 1)
 
 def evolved(prepared, mode, s, start, R=0.0, wide=True):
     """The state after s steps of the first piece, from a start in units of the errors; and the room."""
-    pair, tables, side = prepared.pair, prepared.tables, int(mode == 0)
-    room = room_for(tables)
+    pair, tables = prepared.pair, prepared.tables
+    room, now = room_for(tables), Now(0, mode, 0, 1, 1e300, 0.0)
+    problem = Problem(pair, prepared.drive, tables, wide, False)
     room.scale[:] = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2])
     room.y[:, 0], room.R[:] = start / room.scale, R
     force_columns(room, prepared.drive, 0, 0.0, wide)
-    state_columns(room, mode, prepared.drive.b[0])
-    kind = int(prepared.drive.places[0, 4])
-    product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], 2, room.X)
-    evolve(prepared.pair, tables, room, (kind, side), mode, (s, 0.0), False, wide)
+    expand(problem, room, now)
+    evolve(problem, room, now, no_event(CLEAR, s, Step(1.0, 0.0, False, 0.0)))
     return room.y.sum(1) * room.scale, room
 
 

@@ -12,7 +12,7 @@ from numerics.linear.first_root import ROOT
 from numerics.linear.modes import UNDECIDED
 from numerics.linear.next_event import Next
 from numerics.linear.prepare import prepare
-from numerics.linear.resolve import errors_after_slip, errors_after_stick, lateness, resolve
+from numerics.linear.resolve import errors_after_slip, errors_after_stick, lateness, mode_after
 
 seeds = st.integers(0, 2**32 - 1)
 
@@ -176,7 +176,7 @@ def test_after_an_exit_neighbours_are_in_the_new_set(seed, side):
 @given(seeds, st.sampled_from([1, -1]), st.floats(-6, -2), st.sampled_from([1, -1]))
 def test_what_follows_a_slip_is_in_doubt_where_a_neighbour_has_another_mode(seed, side, exponent, beyond):
     event = Event(np.random.default_rng(seed), side, -side * (1 + beyond * 10**exponent))
-    found = resolve(event.pair, event.room, event.force, event.b, 1e300, event.late)
+    found = mode_after(event.pair, event.room, event.force, event.b, 1e300, event.late)
     loads = [abs(load) for *_, load in event.neighbours(0)]
     if any((load > event.b) != (beyond > 0) for load in loads):
         assert found == UNDECIDED

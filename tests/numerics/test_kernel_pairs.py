@@ -61,7 +61,7 @@ def test_the_roundings_of_a_guard_are_all_counted_at_the_ends_of_a_step_and_enou
     terms = sizes @ (roundings * (k * np.abs(rows).sum(axis=0) if side == 0 else k * (k - 1) * np.abs(rows[1])))
     for order in range(ORDERS):
         left = terms[1 + side + order :]  # where coefficients vanish at the start, s^order is taken out
-        sums = (tables.slip_own if side == 0 else tables.load_own)[0, order]
+        sums = tables.own[0, side, order]
         for s in (0.0, 1e-3, 0.1, 0.5, 0.9, 1.0):
             found, true = counted(sums, sizes, n, s), float(left @ s ** np.arange(len(left)))
             assert found == pytest.approx(true, rel=1e-12) if s in {0.0, 1.0} else found > true

@@ -13,12 +13,13 @@ from scene_files import scenes_in
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.compiled import can_compile
+from numerics.linear.columns import Now, Problem
 from numerics.linear.first_root import CLEAR, ROOT
 from numerics.linear.modes import UNDECIDED
-from numerics.linear.next_event import Next, next_event
+from numerics.linear.next_event import Next, Step, next_event
 from numerics.linear.prepare import prepare
 from numerics.linear.record import AT
-from numerics.linear.resolve import lateness, resolve
+from numerics.linear.resolve import lateness, mode_after
 from numerics.trajectory.comparison import distance
 
 OURS = 1e-13
@@ -234,10 +235,11 @@ def test_a_slip_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(order, si
     scene = Scene(Pair("0.9", "0.1", 1, "0.1", "0.3"), State(1, 1, 0, 0), 9)
     pair, drive, tables, *_ = prepare(scene, wide=False)
     room, h, N = room_for(tables), float(tables.h[0, 0]), 1e-3
+    problem, now = Problem(pair, drive, tables, False, False), Now(0, 1, order, 1, since * h, N)
     unit = N * h * (pair.kappa if order == 0 and since > 9 else pair.kappa1 * h)
     for factor, is_clear in ((low, False), (high, True)):
         room.X[0, 0, order + 1] = factor * unit / (order + 1)
-        found = next_event(pair, drive, tables, room, 0, (1, order, 1), since * h, N, 1.0, 0.0, False)
+        found = next_event(problem, room, now, Step(1.0, 0.0, False, 0.0))
         assert (found.how == CLEAR and found.high == 1.0) == is_clear
 
 
@@ -268,7 +270,7 @@ def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_come
     """@example of a fault that survived: the load judged without its lateness. It changes by 0.6 u' a second."""
     pair, room, u = at_contact(side * (1.0 + off))
     for late, mode in ((0.0, side * after), (2e-5, side * after), (2e-4, UNDECIDED)):
-        assert resolve(pair, room, u, 0.6, 0.0, late) == mode
+        assert mode_after(pair, room, u, 0.6, 0.0, late) == mode
 
 
 @pytest.mark.parametrize(("name", "scene"), scenes_in("certain-and-wrong").items())

@@ -57,7 +57,7 @@ def test_what_is_rounded_moves_a_guard_by_no_more_than_its_sums(mode, order):
     for _ in range(10):
         prepared = prepare(a_scene(random), wide=False)
         room, rows, degrees, count = wholly(prepared, mode, order, False)
-        sums = (prepared.tables.slip_sums if mode else prepared.tables.load_sums)[0, order]
+        sums = prepared.tables.sums[0, int(mode == 0), order]
         before, z = guard_of(room, rows, degrees, count, mode, order), room.z[0].copy()
         size, k = room.size[:count].copy(), np.arange(order + 1, rows.shape[3] - 1)
         first, second = abs(rows[0, :, :count])
@@ -75,18 +75,17 @@ def test_what_is_cut_off_is_within_the_sums(terms):
     """Tables of a few terms, where truncation is all there is, beside those of many: a slip, and stick."""
     slip = {(0, 1): 1, (2, 3): 1, (1, 0): -3, (1, 1): -0.4, (1, 4): -1, (3, 4): 0.5}
     stick = {(0, 1): 1, (2, 3): 1, (1, 0): -1, (1, 1): -0.1, (3, 0): -1, (3, 1): -0.1}
-    for A in (slip, stick):
+    for is_stick, A in enumerate((slip, stick)):
         entries, many, few = np.array([[one, 0.0] for one in A.values()]), *map(empty, (24, terms))
         for table in (many, few):
-            fill(entries, np.array(list(A)), 0.5, 5, table[0].shape[3], *table)
+            fill(entries, np.array(list(A)), 0.5, 5, is_stick == 1, *table)
         weights, (rows, *_) = np.arange(1, 23), many
         of_slip = (weights * (rows[0, 0] - rows[0, 1])[:, 1:23])[:, terms - 1 :]
         of_load = ((weights + 1) * weights * rows[0, 1, :, 2:])[:, terms - 2 :]
-        for cut, sums in ((of_slip, few[3]), (of_load, few[4])):
-            assert (abs(cut).sum(1) <= sums[ORDERS - 1] * UNIT * (1 + 1e-9) + 1e-16).all()
+        cut, sums = of_load if is_stick else of_slip, few[3]
+        assert (abs(cut).sum(1) <= sums[ORDERS - 1] * UNIT * (1 + 1e-9) + 1e-16).all()
 
 
 def empty(terms):
-    """What `fill` writes into: coefficients, their number, the whole step, the sums of both guards."""
-    sums = np.zeros((ORDERS, 5)), np.zeros((ORDERS, 5))
-    return np.zeros((2, 2, 5, terms)), np.zeros((2, 5), dtype=np.int64), np.zeros((2, 5, 5)), *sums
+    """What `fill` writes into: coefficients, their number, the whole step, the sums of the guard."""
+    return np.zeros((2, 2, 5, terms)), np.zeros((2, 5), dtype=np.int64), np.zeros((2, 5, 5)), np.zeros((ORDERS, 5))
