@@ -19,6 +19,8 @@ from numerics.linear.columns import Constants
 
 SLACK = 1.0 + 1e-9
 """The bounds' own rounding."""
+SMALL = 1e-150
+"""What is smaller has squares that floats do not hold."""
 _CONTRACT: dict[str, Any] = {"fastmath": {"contract"}}
 
 
@@ -80,6 +82,8 @@ def width(E: Any, R: Any, w0: float, w1: float, w3: float) -> float:
 def norm_of(E: Any, R: Any) -> float:
     """Return a bound on N of the errors."""
     a, b, c = box(E, R, 0), box(E, R, 1), box(E, R, 3)
+    if max(a, b, c) < SMALL:
+        return (a + b + c) * SLACK
     return math.sqrt(a * a + b * b + c * c) * SLACK
 
 
@@ -95,7 +99,7 @@ def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
                 pick = j
         size, v[pick] = v[pick], -1.0
         a, b, c, d, length = orthogonal(Q, k, E[0, pick], E[1, pick], E[2, pick], E[3, pick])
-        if length <= 1e-12 * size or length == 0.0:  # a direction that is left: along the axis with the least in Q
+        if length <= 1e-12 * size or length < SMALL:  # a direction that is left: along the axis with the least in Q
             least, axis = 2.0, 0
             for n in range(4):
                 taken = 0.0

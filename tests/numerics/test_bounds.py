@@ -59,6 +59,7 @@ def claimed(scene, arithmetic):
 def test_the_bounds_hold(kind, arithmetic):
     @reaching
     @given(kind())
+    @example(FOUND["all-but-at-rest"])
     @example(FOUND["critical-damping-in-slip"])
     @example(FOUND["critical-damping-in-stick"])
     @example(FOUND["far-and-slow"])
