@@ -15,7 +15,7 @@ from numerics.trajectory.legs import legs
 from numerics.trajectory.saltation import Carried, Chain
 from numerics.trajectory.sensitivity import parameters
 
-SCENES = scenes_in("followed")
+SCENES = scenes_in("followed") | scenes_in("followed-in-balls")
 RADIUS = Fraction(1, 10**6)
 
 
