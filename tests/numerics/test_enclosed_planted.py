@@ -6,12 +6,12 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from enclosed_runs import ONE_ANSWER, events, itinerary, numbers, run
+from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, under
 from flint import arb
 from scipy.linalg import expm
 from sixty_digits import forced_scene
 
-from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
+from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed
@@ -21,7 +21,7 @@ from numerics.linear.enclosed import _Run
 from numerics.linear.flow import FEW, Drive, Expansion, Flow, numbers_of
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
-from numerics.linear.scan import splits
+from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
 from numerics.linear.system import V1, V2, X1, X2, LocalNorm, W
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
@@ -191,3 +191,19 @@ def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
     swing = Scene(pair, State(0, near, 0, near), "0.1")
     assert boxed(swing, "1e-8").how is How.STUCK
     assert boxed(swing, "1e-5").how is How.REACHED
+    c = near / 600  # a load that rises up to there, and a free motion that keeps it from being exact
+    rising = Scene(pair, State("1e-9", -6 * c, 0, -6 * c), 100, force=Force([Piece(0, [0, 0, 0, c])]))
+    assert boxed(rising, "1e-8").events == 0
+    with pytest.raises(EventUndecided):
+        boxed(rising, "1e-5")
+
+
+def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
+    with pytest.raises((InvalidScene, EventUndecided)):
+        run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
+
+
+def test_what_a_row_leaves_out_counts_from_where_it_was_expanded():
+    guards, row = [Guard(1, arb("-0.999"), 0, arb(0))], [arb(1)] + [arb(0)] * 13
+    assert scan([row], guards, [arb("0.002")], arb("0.5")) == CLEAR
+    assert scan([row], guards, [arb("0.002")], arb("0.5"), arb("0.5")) == UNKNOWN

@@ -4,11 +4,11 @@ from fractions import Fraction
 from math import factorial
 
 import pytest
-from flint import arb
 
 from numerics import Pair, Sine
 from numerics.arithmetic.ball import Ball
 from numerics.linear.pieces import ExactPiece
+from numerics.linear.polynomial_root import first_crossing, touches
 from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import MARGINAL, mode_after
 
@@ -56,5 +56,8 @@ def test_a_tie_without_a_force_is_decided_by_the_speed():
             )
 
 
-def test_what_is_enclosed_of_a_form_is_narrow():
-    assert SineForm.turned(Fraction(1), Fraction(1), Fraction(0)).enclosed(200).rad() < arb("1e-55")
+def test_a_crossing_is_the_first_root_of_odd_multiplicity_after_a_time():
+    t = [Fraction(one) for one in (0, -4, 8, -5, 1)]  # t (t - 1) (t - 2)^2
+    for after, found in ((0, (1, True)), (Fraction(1, 2), (1, True)), (1, (3, False)), (2, (3, False))):
+        assert first_crossing([t], Fraction(after), Fraction(3)) == found
+    assert [touches([t], Fraction(after), Fraction(3)) for after in (0, 1, 2)] == [True, True, False]
