@@ -77,20 +77,6 @@ def test_each_number_of_a_trajectory_counts_by_its_radius_or_its_bound(scene):
             assert digits(floats, place, uncertain) == 8
 
 
-@pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("arithmetic", ["float64", "double-double"])
-def test_the_digits_of_bounds_are_those_of_the_worst_bound(scene, arithmetic):
-    run = solve(scene, arithmetic=arithmetic)
-    bounds = run.accuracy
-    sizes = abs(np.concatenate([run.y.astype(float).T, [np.array(run.final_state, dtype=float)]])).max(axis=0)
-    sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])
-    worst = max(
-        (bounds.t / run.event_times.astype(float)).max(), (bounds.y / sizes).max(), (bounds.final / sizes).max()
-    )
-    assert 10.0 ** -(bounds.digits + 1) < max(worst, bounds.energy / run.energy.astype(float).max(), 1e-32)
-    assert worst <= 10.0**-bounds.digits
-
-
 def test_a_position_that_passes_zero_has_the_digits_of_its_neighbours():
     """At a quarter of a period x1 is 1e-17 of its amplitude: relative to itself no digit of it would be right."""
     scene = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.004"), until="0.157079632679489661923")
