@@ -214,7 +214,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
                 raise
             digits *= 2
             continue
-        if balls.modes != trajectory.modes:
+        if balls.signs != trajectory.signs:  # after the last event, too: a run that is cut off has no segment there
             count = len(balls.event_times)
             raise EventUndecided("are the events those of the trajectory?", f"{count} events", digits)
         with precision(Ball(digits).bits + _GUARD_BITS):

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import flint
 import pytest
 from flint import arb, fmpq
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals, near_quarter_turns, wide_numbers
 
@@ -15,8 +15,9 @@ from numerics.arithmetic import functions
 from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.pair import Pair, two_sum
 from numerics.arithmetic.questions import GRAZES
+from numerics.free.contact import contact, ray_contact
 from numerics.free.root import falling_root
 
 DEFICITS = {
@@ -86,11 +87,28 @@ def test_functions_are_accurate_relative_to_themselves_in_every_arithmetic(name,
         assert is_right(value, truth, exactly(x))
 
 
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_functions_are_accurate_on_both_sides_of_where_a_series_ends(name):
+    value, truth, _ = FUNCTIONS[name]
+    for end in (1 / 32, 0.25, 1.0, 1.2, 1.5, 2.0, 3.0):
+        for x in (two_sum(end, side * end * 2.0**-30) for side in (-1, 1)):
+            assert is_right(value, truth, x.high)
+            assert is_right(value, truth, x)
+
+
+def test_a_sum_of_pairs_whose_high_parts_cancel_keeps_its_digits():
+    one, two = Pair(1.0, 2.0**-54 * (1 + 2.0**-30)), Pair(-1.0, 2.0**-100 * (1 + 2.0**-40))
+    with Bits():
+        assert exactly(one + two) == exactly(one) + exactly(two)
+
+
 @pytest.mark.parametrize("name", DEFICITS)
 @given(x=decimals(-40, -1, 10), relative=st.integers(3, 25), part=st.floats(-1, 1))
+@example(x=Fraction(1, 3), relative=3, part=1.0)
+@example(x=Fraction(1, 3), relative=3, part=-1.0)
 def test_a_wide_ball_encloses_every_point_of_it(name, x, relative, part):
     radius = x / 10**relative
-    inside = x + radius * Fraction(part) * Fraction(999, 1000)
+    inside = x + radius * Fraction(part) * Fraction(99_999, 100_000)
     arithmetic = Ball(30)
     with Bits():
         truth, wide = DEFICITS[name](ball(inside)), arb(ball(x).mid(), ball(radius).upper())
@@ -156,3 +174,24 @@ def test_a_ball_root_needs_proven_signs():
         for lower, upper in ((2, 3), (-3, -2), (0, 1), (1, 2)):
             with pytest.raises(EventUndecided, match="bracket"):
                 falling_root(arb(lower), arb(upper), power(1), Target(arb(1)))
+
+
+@given(decimals(-3, 3), decimals(-3, 1), st.booleans())
+@example(Fraction(1), Fraction(6), True)  # beyond half a turn, where 1 - cos falls
+def test_a_contact_in_floats_is_that_of_balls_and_a_wide_ball_holds_those_of_its_points(gap, push, on_ray):
+    d, u = (0.0 if on_ray else float(gap)), float(push)
+    with Ball(40).context():
+        theta, depth, _ = contact(arb(d), arb(u))
+        ours = contact(d, u)
+        height = u + d * abs((theta / 2).cot())
+        steep = (depth + d) / functions.versine(theta)
+        near = 2.0**-50 * (theta + height / steep)
+        assert abs(theta - ours[0]) <= near
+        assert abs(depth - ours[1]) <= 2.0**-50 * depth + height * near
+        q, w = arb("0.3"), arb("0.3") * u * u
+        for radius in (w / 2, w / 10**6):
+            wide = ray_contact(arb(w.mid(), radius), arb(u), q, 1 - q, q.sqrt())
+            for end in (-1, 1):
+                at = (w + end * radius).mid()
+                point = ray_contact(at, (at / q).sqrt(), q, 1 - q, q.sqrt())
+                assert all(one.contains(two.mid()) for one, two in zip(wide[:3], point[:3], strict=True))

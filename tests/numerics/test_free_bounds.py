@@ -10,6 +10,7 @@ from differences import moved
 from planted_errors import ARITHMETICS, COORDINATES, draw_scene, run, unit_pair
 
 from numerics import Scene, State
+from numerics.free import bounds, motion, rows
 from numerics.linear.record import AT
 
 EVENT = [("local", "late"), *((name, f"{name}_error") for name in COORDINATES)]
@@ -128,3 +129,47 @@ def test_an_exit_is_off_by_what_slip_and_stick_before_it_add_up_to(share, excess
     assert list(found[:, 0]) == [-1, 0, returns]
     late = abs(found - other)[:, AT["local"]] / found[:, AT["late"]]
     assert 0.9 < late[2] <= 1 + 1e-3
+
+
+UNIT = 1e-9
+"""A rounding that is planted: so large that those of float64 are nothing beside it."""
+OFF = {"contact": (4, 8), "ray_contact": (8, 8), "first_contact": (8,), "guard_and_gap": (8, 8), "slid_at": (15,)}
+OFF |= {"push_at": (8,), "sine_cosine": (8, 8), "atan2": (8,), "sqrt": (8,), "in_si": (8, 8, 8, 8)}
+"""Functions of a run, and by how many roundings the numbers are off that each returns."""
+
+
+def rounded(function, roundings, signs):
+    """A function whose results are off; the excess after a slip from a ray is that of its depth."""
+
+    def disturbed(*given):
+        found, off = function(*given), [1 + UNIT * n * sign for n, sign in zip(roundings, signs, strict=False)]
+        if not isinstance(found, tuple):
+            return found * off[0]
+        first, *rest = (*(x * one for x, one in zip(found, off, strict=False)), *found[len(off) :])
+        if function is motion.ray_contact:
+            w, _, q, r, _ = given
+            rest[1] = w - r * q * rest[0] * rest[0]
+        return first, *rest
+
+    return disturbed
+
+
+@pytest.mark.parametrize("name", OFF)
+def test_roundings_of_every_function_are_within_the_bounds(name, monkeypatch):
+    """One function at a time, in every one of its calls in the same direction."""
+    random, largest, module = Random(3), 0.0, motion if hasattr(motion, name) else rows
+    for scene in [draw_scene(random) for _ in range(100)]:
+        exact, signs = run(scene, "float64"), random.choices([-1, 1], k=4)
+        with monkeypatch.context() as patch:
+            patch.setattr(module, name, rounded(getattr(module, name), OFF[name], signs))
+            for one in (bounds, rows):
+                patch.setattr(one, "rounding", lambda _: UNIT)
+            found = run(scene, "float64")
+        if not found.certain or (len(found.rows) > 1 and not of_first_order(found)):
+            continue
+        assert found.modes == exact.modes
+        far = [exceeds(found.rows[1:], exact.rows[1:], EVENT)[0]]
+        far += [] if found.stopped else [exceeds(found.end, exact.end, END)[0]]
+        assert max(far) <= 1, scene
+        largest = max(largest, *far)
+    assert largest > 0.2

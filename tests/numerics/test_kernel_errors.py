@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from kernel_runs import a_scene, room_for
@@ -10,6 +11,7 @@ from kernel_runs import a_scene, room_for
 from numerics.linear.columns import Now, Problem, expand, force_columns
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import CLEAR
+from numerics.linear.ledger import slid_and_damped
 from numerics.linear.next_event import Step, no_event
 from numerics.linear.prepare import prepare
 from numerics.linear.table import UNIT
@@ -73,3 +75,24 @@ def test_a_step_counts_a_rounding_of_every_product_and_sum(seed, mode, s):
     assert room.R[0] >= least[[0, 1, 3]].sum()
     assert room.R[1] >= least[2]
     assert (1e-9 * (1 + abs(room.z).max()) * room.scale.max() > room.R).all()
+
+
+@given(seeds, st.sampled_from([0.0, 1e-3, 0.3]))
+def test_a_force_changes_no_faster_than_is_said_within_a_time(seed, late):
+    """And what bodies slide is a sum of so many roundings: k + 8 of its k-th term."""
+    random = np.random.default_rng(seed)
+    prepared = prepare(a_scene(random), wide=False)
+    room, drive, t = room_for(prepared.tables), prepared.drive, random.uniform(0, 3)
+    for piece, (first, terms, first_sine, sines, *_) in enumerate(drive.places):
+        room.clock[0] = t, 0.0
+        _, rate, _ = force_columns(room, drive, piece, late, False)
+        polynomial = np.polynomial.Polynomial([*drive.coefficients[first : first + terms, 0], 0.0])
+        amplitude, omega, phase = drive.sines[first_sine : first_sine + sines, :, 0].T
+        at = t + np.linspace(-late, late, 9)[:, None]
+        rates = polynomial.deriv()(at[:, 0]) + (amplitude * omega * np.cos(omega * at + phase)).sum(1)
+        assert rate >= abs(rates).max() * (1 - 1e-12)
+    room.g[0], s, k = random.normal(size=room.g.shape[1]), random.uniform(0, 1), np.arange(room.g.shape[1])
+    problem = Problem(prepared.pair._replace(a1=0.0), drive, prepared.tables, False, True)
+    slid, size, *_ = slid_and_damped(problem, room, Now(0, 1, 0, 1, 1e300, 0.0), s)
+    assert slid == pytest.approx((room.g[0] / (k + 1)) @ s ** (k + 1))
+    assert size == pytest.approx(abs(room.g[0]) * (k + 8) / (k + 1) @ s ** (k + 1))

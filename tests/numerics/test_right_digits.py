@@ -7,8 +7,11 @@ import pytest
 from three_scenes import DAMPED, PAPER
 
 from numerics import Force, Pair, Scene, State, load_scene, solve, solve_many
+from numerics.arithmetic.ball import widened
+from numerics.linear.record import AT
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
 
 FORCED = Scene(Pair(1, 1, 200, "0.05", "0.5"), State(v1="0.15"), until=3, force=Force.sine("0.35", 5))
 SCENES = [PAPER, DAMPED, FORCED]
@@ -46,28 +49,32 @@ def exact_upper(ball) -> Fraction:
 
 
 @pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("digits", [5, 15, 40])
-def test_proved_digits_are_those_of_the_worst_radius(scene, digits):
-    found = solve(scene, digits=digits, arithmetic="ball")
-    with found.arithmetic.context():
-        worst = max(map(exact_upper, relative_errors(found)))
-    proved = proved_digits(found)
-    assert proved >= digits
-    assert worst <= Fraction(1, 10**proved)
+def test_each_number_of_a_trajectory_counts_by_its_radius_or_its_bound(scene):
+    """Times and states of all events, and the end: any one that is known to a part in 10^9 alone leaves 9 digits."""
+    balls, floats = solve(scene, digits=30, arithmetic="ball"), solve(scene, arithmetic="float64")
 
+    def digits(run, place, row):
+        record, rows = run.record, [*run.record.rows]
+        end = row if place == len(rows) else record.end
+        rows[place:] = [row, *rows[place + 1 :]] if place < len(rows) else []
+        rows = rows if run is balls else np.array(rows)
+        found = Trajectory(scene, run.arithmetic, record._replace(rows=rows, end=end))
+        return proved_digits(found) if run is balls else found.right_digits
 
-@pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("arithmetic", ["float64", "double-double"])
-def test_the_digits_of_bounds_are_those_of_the_worst_bound(scene, arithmetic):
-    run = solve(scene, arithmetic=arithmetic)
-    bounds = run.accuracy
-    sizes = abs(np.concatenate([run.y.astype(float).T, [np.array(run.final_state, dtype=float)]])).max(axis=0)
-    sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])
-    worst = max(
-        (bounds.t / run.event_times.astype(float)).max(), (bounds.y / sizes).max(), (bounds.final / sizes).max()
-    )
-    assert 10.0 ** -(bounds.digits + 1) < max(worst, bounds.energy / run.energy.astype(float).max(), 1e-32)
-    assert worst <= 10.0**-bounds.digits
+    sizes = np.maximum(*abs(floats.y).max(axis=1).reshape(2, 2))
+    for place in [*floats.event_rows, len(floats.record.rows)]:
+        one, two = (place < len(run.record.rows) and run.record.rows[place] for run in (balls, floats))
+        one, two = (balls.record.end, floats.record.end) if one is False else (one, two)
+        for k, name in enumerate(("local", "x1", "v1", "x2", "v2")):
+            if name == "local" and place == len(floats.record.rows):
+                continue
+            with balls.arithmetic.context():
+                wide = one._replace(**{name: widened(getattr(one, name), getattr(one, name) / 10**9)})
+            uncertain = two.copy()
+            uncertain[AT["late"] + k] = 1.1e-9 * (sizes[(k - 1) % 2] if k else two[AT["local"]])
+            assert 6 < digits(balls, place, wide) <= 9
+            assert proved_digits(balls) >= 30
+            assert digits(floats, place, uncertain) == 8
 
 
 def test_a_position_that_passes_zero_has_the_digits_of_its_neighbours():

@@ -30,6 +30,7 @@ from numerics import (
 )
 from numerics.trajectory import variation
 from numerics.trajectory.saltation import Chain
+from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.variation import Variation
 
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
@@ -94,6 +95,31 @@ def test_differences_of_random_solves(scene):
     except NumericsError:  # the scene, or a neighbour, sits on a tie
         raise LeftOut from None
     assert found.size < (1e-20 if found.events_compared else 1e-3), found
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        Scene(PAIR, State("0.01"), 1, force=Force([Piece(0, [3, 1])])),
+        Scene(PAIR, State("0.001", "0.1", 0, "0.1"), 1, force=Force([Piece("0.2", [1], [Sine("0.2", 9)])])),
+    ],
+)
+def test_on_the_other_side_derivatives_are_the_same(scene):
+    """With the signs of states and forces turned around: odd are those by them, and those of states."""
+    at = scene.initial
+    other = Scene(scene.pair, State(-at.x1, -at.v1, -at.x2, -at.v2), scene.until, scene.law, -scene.force)
+    one, two = (sensitivities(in_balls(each, 30)) for each in (scene, other))
+    odd = [name[0] in "xv" or "polynomial" in name or "amplitude" in name for name in one.wrt]
+    signs = np.where(odd, -1, 1)
+    for a, b in ((one.t, two.t * signs), (one.y, -two.y * signs), (one.final, -two.final * signs)):
+        assert all(x.overlaps(y) for x, y in zip(a.ravel(), b.ravel(), strict=True))
+
+
+def test_a_trajectory_that_has_lost_its_last_events_has_no_derivatives():
+    run = solve(Scene(PAIR, State(v1="0.15"), 1))
+    cut = solve(Scene(PAIR, State(v1="0.15"), Fraction((run.events[1].t + run.events[2].t) / 2)))
+    with pytest.raises(EventUndecided, match="events"):
+        sensitivities(Trajectory(run.scene, run.arithmetic, cut.record))
 
 
 @reaching

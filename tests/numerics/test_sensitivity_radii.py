@@ -15,7 +15,7 @@ from numerics.trajectory.legs import legs
 from numerics.trajectory.saltation import Carried, Chain
 from numerics.trajectory.sensitivity import parameters
 
-SCENES = scenes_in("followed")
+SCENES = scenes_in("followed") | scenes_in("followed-in-balls")
 RADIUS = Fraction(1, 10**6)
 
 
@@ -62,6 +62,7 @@ def test_the_worst_column_says_the_digits(worst):
         first, second = np.array(columns).T, np.full((2, 4, 3), arb(1, 1e-25))
         for arrays in ((first, second), (second, first)):
             assert sensitivity._right_digits(arrays, 40) == 9
+        assert sensitivity._right_digits((first, np.full((2, 1), arb(0, 1e-30))), 20) == 5  # it may be 0, and may not
 
 
 @pytest.fixture(scope="module", params=SCENES)
@@ -87,6 +88,7 @@ def test_a_bound_holds_what_starts_within_it(chain, off):
     with Ball(30).context():
         pair, zeros = chain.scene.pair, chain.starts[0].norm * 0
         norm = sum(abs(x) * Ball.number(c).sqrt() for x, c in zip(off, (pair.a2, pair.m1, 0, pair.m2), strict=True))
+        norm += abs(off[0] - off[2]) * Ball.number(chain.cells.pulling if chain.cells else 0).sqrt()
         for index, leg in enumerate(chain.legs[:-1]):
             if leg.side == 0 and off[1] != off[3]:
                 continue

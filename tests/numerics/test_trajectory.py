@@ -15,6 +15,7 @@ from numerics import EventUndecided, NumericsError, Pair, PrecisionExhausted, Sc
 from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
+from numerics.trajectory.flow import exponential_less_one
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
@@ -84,8 +85,9 @@ def test_dense_evaluation_is_continuous_across_events(scene):
                 assert abs(left - right) <= mpmath.mpf(10) ** -25 * size
 
 
-def test_segments_of_many_pieces_and_balls_of_times_say_what_sol_says_of_each_time():
-    run = solve(load_scene("forced-friction-by-pieces"), digits=20, arithmetic="ball")
+@pytest.mark.parametrize("name", ["forced-friction-by-pieces", "velocities"])
+def test_segments_of_many_pieces_and_balls_of_times_say_what_sol_says_of_each_time(name):
+    run = solve(load_scene(name), digits=20, arithmetic="ball")
     with run.arithmetic.context():
         for segment in run.segments:
             for since in (segment.length / 10, segment.length * 9 / 10):
@@ -154,3 +156,8 @@ def test_progress_is_told():
 def test_the_end_of_a_run_that_is_cut_off_is_as_uncertain_as_its_last_event():
     run = solve(load_scene("velocities"), arithmetic="float64", max_events=3)
     assert run.end_bounds()[0] >= run.accuracy.t[-1] > 0
+
+
+@pytest.mark.parametrize("x", [0.49, -0.49, 3.0, -7.0, 1e-9])
+def test_an_exponential_less_one_keeps_all_digits(x):
+    assert exponential_less_one(np.array([[[x]]]))[0, 0, 0] == pytest.approx(np.expm1(x), rel=1e-14)

@@ -1,0 +1,194 @@
+"""The engine in balls, disturbed: what a step, an event or a polynomial is off by is in what is said of the answer."""
+
+import math
+from copy import copy
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, under
+from flint import arb
+from scipy.linalg import expm
+from sixty_digits import forced_scene
+
+from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.arithmetic.ball import Ball
+from numerics.control.orbit import Box
+from numerics.linear import enclosed
+from numerics.linear.cells import cells_of
+from numerics.linear.coupled import CoupledExpansion, CoupledFlow
+from numerics.linear.enclosed import _Run
+from numerics.linear.flow import FEW, Drive, Expansion, Flow, numbers_of
+from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.record import How
+from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
+from numerics.linear.system import V1, V2, X1, X2, LocalNorm, W
+
+OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
+"""So late body 2 rests: where it was at its event is of second order."""
+SCENES = {one: forced_scene(one) for one in ("sine-stick-slip", "many-causes", "damping-light", "mass-ratio-1e6")}
+SCENES |= {name: scene for name, (scene, _) in ONE_ANSWER.items()}
+
+
+@pytest.mark.parametrize("place", ["x1", "v1", "x2", "v2", "t"])
+@pytest.mark.parametrize("name", SCENES)
+def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkeypatch):
+    """One number is moved after each step, or the time of each event, and a radius says how far at most."""
+    scene = SCENES[name]
+    exact, by = run(scene, 60, 12), [OFF * (one == place) for one in ("x1", "v1", "x2", "v2", "t")]
+    by[4] *= LATE.get(name, OFF) / OFF
+
+    def stated(state):
+        return lambda motion, t: [x + e + arb(0, e.upper()) for x, e in zip(state(motion, t), by, strict=False)]
+
+    def next_event(path, at, found=enclosed.next_event):
+        at, root = found(path, at)
+        return at, root and root._replace(tau=root.tau + by[4] + arb(0, by[4].upper()))
+
+    for motion in (Expansion, CoupledExpansion):
+        monkeypatch.setattr(motion, "state", stated(motion.state))
+    monkeypatch.setattr(enclosed, "next_event", next_event)
+    found = run(scene, 40, 12)
+    assert itinerary(found) == itinerary(exact)
+    ours, true = ([x for row in (*events(one), one.end) for x in numbers(scene, row)] for one in (found, exact))
+    pairs = zip(ours, true, strict=True)
+    assert 0.02 < max(float((abs(b - a.mid()) / a.rad()).mid()) for a, b in pairs if a.rad() > 0) < 1 + 1e-9
+
+
+PAIRS = Pair("0.3", 2, 50, 1), Pair("0.3", 2, 50, 1, "0.5"), Pair(2, "0.3", 50, 1, 60)
+BALLS = numbers_of("ball", 40)
+CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
+
+
+def flows():
+    for pair in PAIRS:
+        yield from (Flow(BALLS, pair, slips, 3, (Fraction(3), Fraction(11))) for slips in (False, True))
+        yield from (CoupledFlow(BALLS, pair, 3, (Fraction(3),), Fraction(one), Fraction(two)) for one, two in CELLS)
+
+
+def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
+    """For every number of z alone, so that no other hides it: of the state, its rates, and the rows of the guards."""
+    for flow in flows():
+        few, coupled = copy(flow), isinstance(flow, CoupledFlow)
+        few.terms = 5
+        few.begin_rows()
+        for k in range(flow.size):
+            z = [arb(int(k == n or (not flow.slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
+            if k == V2 and not flow.slips:
+                continue
+            _holds(flow, few.expansion(z), z, (flow.reach / 2).mid(), coupled)
+
+
+def value(row, z):
+    return sum((Ball.number(c) * z[n] for n, c in row), arb(0))
+
+
+def _holds(flow, motion, z, t, coupled):
+    """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
+    A = [tuple(enumerate(row)) for row in flow.mode.generator()]
+    there = BALLS.exponential(flow.mode.generator(), t, z)
+    rate = [value(row, there) for row in A]
+    assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
+    assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
+    rows, apart = flow.rows(z, 128), ((X1, 1), (X2, -1))
+    guards = (W, apart, flow.mode.friction) if coupled else (W if flow.slips else flow.mode.load,)
+    for which, (row, rest) in enumerate(zip(guards, flow.rests(rows, z, t), strict=True)):
+        curve, true = motion.row(which), value(row, there)
+        assert abs(curve(t) - true) < motion.row_off(which, t, 0) + OFF
+        assert abs(curve.derivative()(t) - value(row, rate)) < motion.row_off(which, t, 1) + OFF
+        for order in (FEW,) if coupled else (3, 5, 8, FEW):
+            most = rest if order == FEW else flow.guard_rest(rows[0], order, z, t)
+            off = abs(sum((c * t**n for n, c in enumerate(rows[which][:order])), arb(0)) - true)
+            assert not off > most * t**order
+
+
+@pytest.mark.parametrize("slips", [False, True])
+@pytest.mark.parametrize("m2", ["0.2", 5])
+@pytest.mark.parametrize("a1", [0, "0.3", 60])
+def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
+    """Within its amplitude about a polynomial and what is slow; for waves or free motion alone it comes near that."""
+    pair, nearest = Pair("0.3", m2, 50, 1, a1), 0.0
+    for waves, x, v in (((), "0.1", "0.7"), ((Sine(3, 5, 1), Sine(1, 40)), 0, 0), ((Sine(3, "0.5", 1),), 0, 2)):
+        piece = ExactPiece(Fraction(0), Fraction(9), pair.b, (Fraction(1), Fraction(2)), waves, True)
+        flow = Flow(BALLS, pair, slips, 2, tuple(one.omega for one in waves))
+        state = [Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)]
+        z = [*state, slips * Ball.number(pair.b), *Drive.of(BALLS, piece).force(BALLS, arb(0), 2)]
+        row = W if slips else flow.mode.load
+
+        def guard(t, z, flow=flow, row=row):
+            return value(row, BALLS.exponential(flow.mode.generator(), t, z))
+
+        for split in splits(flow, piece, int(slips), arb(0), z):
+            for k in range(1, 60, 4):
+                t = Ball.number(Fraction(k, 40)) if split.rest == 0 else flow.reach * k / 30
+                rest = sum((c * t**n for n, c in enumerate(split.polynomial)), arb(0))
+                if split.slow is not None:
+                    rest += guard(t, split.slow)
+                off = abs(guard(t, z) - rest)
+                assert not off > split.amplitude + split.rest * t**FEW
+                nearest = max(nearest, float((off / split.amplitude).mid()))
+    assert nearest > 0.6
+
+
+@pytest.mark.parametrize("place", [(), ((0, 1), (1, 31)), ((0, 31), (1, 1))])
+@pytest.mark.parametrize("slope", [Fraction(1, 2), Fraction(-1, 2)])
+def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
+    """At once, where one is worst: N of a cell, and that of derivatives, which has the same g everywhere."""
+    pair, t = PAIRS[0], 1e-6
+    scene = Scene(pair, State(), 1, friction=Friction((), Weakening((), slope, place)))
+    cells, piece = cells_of(scene), pieces_of(scene)[0]
+    for j in range(len(cells.by_place)):
+        mode, branch = cells.mode(piece, 1, (0, j)), cells.branch(piece, 1, (0, j))
+        flow = expm(np.array(mode.generator(), dtype=float)[:4, :4] * t)
+        for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, cells.growth(branch))):
+            weights = np.sqrt([float(one) for one in (pair.a2, pair.m1, pair.m2, g)])
+            norm = (np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 0, -1, 0]]) * weights[:, None])[
+                : 4 if g else 3
+            ]
+            rate = math.log(np.linalg.norm(norm @ flow @ np.linalg.pinv(norm), 2)) / t
+            assert 0.5 * float(most) - 1e-3 < rate < float(most) + 1e-3
+
+
+@pytest.mark.parametrize("a1", [1, 14, 100])
+@pytest.mark.parametrize("t", ["0.5", 2, 9])
+def test_in_a_damped_stick_errors_are_as_large_as_the_flow_makes_them(a1, t):
+    pair = Pair(m1=2, m2=1, a2=12, b=1, a1=a1)
+    path, units = _Run(Scene(pair, State(), 20), Ball(40), BALLS), np.sqrt([12.0, 3.0])
+    flow = expm(np.array([[0, 1], [-4, -a1 / 3]]) * float(Fraction(t)))
+    true = np.linalg.norm(flow * units[:, None] / units, 2)
+    found = float(path.shrunk(arb(1), Ball.number(Fraction(t))).upper())
+    assert true * (1 - 1e-9) <= found
+    assert found == 1 or found <= true * (1 + 1e-9)
+
+
+def boxed(scene, radius):
+    return run(scene, arithmetic=lambda digits: Box(digits, Ball.number(Fraction(radius))))
+
+
+def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
+    """A load that jumps to just below b, and falls; and one that swings up to there after the horizon."""
+    pair, near = Pair("0.4", "0.6", 1, "0.6"), 1 - Fraction(1, 10**6)
+    jump = Force([Piece(0), Piece("0.8", [near - Fraction(0.3 * math.cos(0.8))])])
+    jumping = Scene(pair, State("-0.3"), 1, force=jump)
+    assert boxed(jumping, "1e-7").events == 0
+    with pytest.raises(EventUndecided):
+        boxed(jumping, "2e-6")
+    swing = Scene(pair, State(0, near, 0, near), "0.1")
+    assert boxed(swing, "1e-8").how is How.STUCK
+    assert boxed(swing, "1e-5").how is How.REACHED
+    c = near / 600  # a load that rises up to there, and a free motion that keeps it from being exact
+    rising = Scene(pair, State("1e-9", -6 * c, 0, -6 * c), 100, force=Force([Piece(0, [0, 0, 0, c])]))
+    assert boxed(rising, "1e-8").events == 0
+    with pytest.raises(EventUndecided):
+        boxed(rising, "1e-5")
+
+
+def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
+    with pytest.raises((InvalidScene, EventUndecided)):
+        run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
+
+
+def test_what_a_row_leaves_out_counts_from_where_it_was_expanded():
+    guards, row = [Guard(1, arb("-0.999"), 0, arb(0))], [arb(1)] + [arb(0)] * 13
+    assert scan([row], guards, [arb("0.002")], arb("0.5")) == CLEAR
+    assert scan([row], guards, [arb("0.002")], arb("0.5"), arb("0.5")) == UNKNOWN
