@@ -25,7 +25,7 @@ RIMS, NEAR, WIDE, LONG = 25, 8, 16, 48
 """Boxes of p on the rim, parts of each near 0, and boxes of p and of the angle beyond."""
 
 
-TERMS = 40
+TERMS = 48
 """Terms of ln(1 - x)/x."""
 
 
