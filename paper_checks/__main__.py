@@ -96,7 +96,9 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
 
 def script() -> int:
     """Run as the installed program."""
-    return main(program=True)
+    code = main(program=True)
+    gc.freeze()  # the system takes all memory back: looking through it once more before takes a twentieth
+    return code
 
 
 def _parser() -> argparse.ArgumentParser:

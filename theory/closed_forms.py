@@ -15,7 +15,6 @@ from sympy import (
     Symbol,
     cos,
     cosh,
-    diff,
     exp,
     integrate,
     sin,
@@ -26,7 +25,7 @@ from sympy import (
 from theory.fraction import in_lowest_terms
 from theory.linear import root, roots
 from theory.model import branch_named
-from theory.symbols import a1, a2, free, m1, put, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
+from theory.symbols import a1, a2, diff, free, m1, put, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
 
 decay = Symbol("beta", positive=True)  # decay rate a1/(2 I), 1/s
 rate = Symbol("omega", positive=True)  # angular frequency, or half distance of the real rates, 1/s

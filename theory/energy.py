@@ -8,7 +8,6 @@ from sympy import (
     Rational,
     Symbol,
     diag,
-    diff,
     sqrt,
 )
 
@@ -20,6 +19,7 @@ from theory.symbols import (
     E0,
     a1,
     a2,
+    diff,
     m1,
     m2,
     put,

@@ -15,7 +15,6 @@ from sympy import (
     Integer,
     Symbol,
     cos,
-    diff,
     expand,
     expand_trig,
     factor,
@@ -34,7 +33,7 @@ from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.power_series import taylor
 from theory.scaling import canonical_pair, excess
-from theory.symbols import V1, V2, X, epsilon, h_value, overshoot, put, q, r, t, theta, v1_0, v2_0, x1_0
+from theory.symbols import V1, V2, X, diff, epsilon, h_value, overshoot, put, q, r, t, theta, v1_0, v2_0, x1_0
 
 angle = Symbol("phi", positive=True)  # half slip angle theta/2, in (0, pi)
 half_tangent = Symbol("k", real=True)  # tan(theta/2)

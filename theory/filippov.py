@@ -18,13 +18,12 @@ from sympy import (
     Le,
     Lt,
     Symbol,
-    diff,
 )
 
 from theory.fraction import factored
 from theory.linear import root
 from theory.model import slip
-from theory.symbols import a1, a2, distance, lower, undamped, upper, v1, v2, x1
+from theory.symbols import a1, a2, diff, distance, lower, undamped, upper, v1, v2, x1
 
 STATE = ImmutableMatrix([x1, v1, v2])
 

@@ -11,7 +11,6 @@ from sympy import (
     Integer,
     Rational,
     Symbol,
-    diff,
     factorial,
     sin,
     sqrt,
@@ -23,7 +22,7 @@ from theory.filippov import STATE, derivative_along
 from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, free_system, slip, stick
-from theory.symbols import a1, a2, b, m1, m2, put, t, total_mass, u, v1, v2, x1, x1_other
+from theory.symbols import a1, a2, b, diff, m1, m2, put, t, total_mass, u, v1, v2, x1, x1_other
 
 U_RATES = symbols(r"\dot{u} \ddot{u} u^{(3)} u^{(4)}", real=True)
 """Derivatives of u from the right, N/s, N/s^2, ..."""

@@ -8,7 +8,6 @@ from sympy import (
     Symbol,
     acos,
     cos,
-    diff,
     exp,
     expand,
     integrate,
@@ -24,7 +23,7 @@ from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.model import slip, stick
 from theory.scaling import stick_frequency
-from theory.symbols import a1, a2, b, m1, m2, put, t, u, v1, v2_0, x1, x1_0, x2_0
+from theory.symbols import a1, a2, b, diff, m1, m2, put, t, u, v1, v2_0, x1, x1_0, x2_0
 
 r_place, r_speed, r_acceleration = Symbol("r", real=True), Symbol(r"\dot{r}", real=True), Symbol(r"\ddot{r}", real=True)
 """A reference for body 2 and its derivatives, m, m/s, m/s^2; here x1 - x2 = 0 at the start."""

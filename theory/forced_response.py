@@ -12,7 +12,6 @@ from sympy import (
     Symbol,
     asin,
     cos,
-    diff,
     exp,
     expand,
     fraction,
@@ -28,7 +27,7 @@ from theory.fraction import in_lowest_terms
 from theory.linear import root, roots
 from theory.model import slip, stick
 from theory.power_series import taylor
-from theory.symbols import a1, a2, b, m1, m2, put, t, total_mass, u, v1, x1
+from theory.symbols import a1, a2, b, diff, m1, m2, put, t, total_mass, u, v1, x1
 
 amplitude, omega = Symbol("U", positive=True), Symbol("omega", positive=True)
 """Amplitude (N) and angular frequency (1/s) of the force."""

@@ -6,12 +6,12 @@ and then repeats with the opposite sign. All members of the family slip and stic
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, atan, cos, diff, expand, expand_trig, pi, sin, sqrt
+from sympy import Expr, ImmutableMatrix, Symbol, atan, cos, expand, expand_trig, pi, sin, sqrt
 
 from theory.forced import distance_squared, load
 from theory.linear import root
 from theory.model import slip, stick
-from theory.symbols import a1, a2, b, m1, m2, put, t, u, v1, v1_other, v2, v2_other, x1, x1_other
+from theory.symbols import a1, a2, b, diff, m1, m2, put, t, u, v1, v1_other, v2, v2_other, x1, x1_other
 
 PAIR = {m1: 1, m2: 1, a1: 0, a2: 1, b: 1}
 """The pair of the family, SI units."""

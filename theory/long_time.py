@@ -7,14 +7,14 @@ that converges; pi A grows as the time does. Solving it for y gives the expansio
 
 from functools import cache
 
-from sympy import Expr, Symbol, diff, expand, fraction, log, pi
+from sympy import Expr, Symbol, expand, fraction, log, pi
 
 from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.near_critical import cycle_limit
 from theory.power_series import composed, taylor
 from theory.return_map import return_map_series, scaled_excess
-from theory.symbols import q
+from theory.symbols import diff, q
 
 step = Symbol("a", positive=True)
 curvature = Symbol("b", positive=True)

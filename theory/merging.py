@@ -7,12 +7,12 @@ dimensionless, and hold for 0 < phi < pi.
 
 from functools import cache
 
-from sympy import Expr, Symbol, cos, diff, expand, sin, sqrt
+from sympy import Expr, Symbol, cos, expand, sin, sqrt
 
 from theory.excursion import angle, half_tangent_form
 from theory.fraction import factored
 from theory.linear import root
-from theory.symbols import h_value, theta
+from theory.symbols import diff, h_value, theta
 
 share = Symbol("r", positive=True)  # m2/(m1 + m2), here independent of q: the statements are for every value in (0, 1)
 

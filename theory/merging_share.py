@@ -6,11 +6,11 @@ their share of the sphere is the flux through S over the rate at which the energ
 
 from functools import cache
 
-from sympy import Expr, Symbol, cos, diff, expand, integrate, limit, oo, pi, sqrt
+from sympy import Expr, Symbol, cos, expand, integrate, limit, oo, pi, sqrt
 
 from theory.fraction import in_lowest_terms
 from theory.scaling import excess_rate, reduced_energy, reduced_slip
-from theory.symbols import V1, V2, X, q, r
+from theory.symbols import V1, V2, X, diff, q, r
 
 level = Symbol("e", positive=True)  # E/E_cr
 relative = Symbol("g", positive=True)  # |V1 - V2| where the slip has the energy e

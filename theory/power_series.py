@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import cache
+from math import factorial
 from typing import Any
 
 from sympy import (
@@ -20,10 +21,10 @@ from sympy import (
     series,
     sin,
     sqrt,
-    together,
 )
 from sympy.polys.polyerrors import CoercionFailed
 
+from theory.fraction import in_lowest_terms
 from theory.symbols import put
 
 _SPARE = 12
@@ -77,11 +78,12 @@ def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
     letters = sorted(unknown.free_symbols - {variable, sine, cosine}, key=str)
     field = QQ.frac_field(*letters) if letters else QQ
     length = order + _SPARE
-    powers = [_series_of(one, field, length) for one in _circle(length)]
+    unit = [QQ(1), *[QQ(0)] * (length - 1)]
+    powers = [[unit, one] for one in _circle(length)]
     try:
         top, bottom = (
             _value(Poly(part, variable, sine, cosine, domain=field), powers, length)
-            for part in fraction(together(unknown))
+            for part in fraction(in_lowest_terms(unknown))
         )
     except (PolynomialError, CoercionFailed):
         return None
@@ -93,24 +95,13 @@ def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
     return expand(sum((put(field.to_sympy(one), back) * variable**n for n, one in enumerate(quotient)), Integer(0)))
 
 
-def _circle(length: int) -> tuple[list[Any], list[Any]]:
+def _circle(length: int) -> list[list[Any]]:
     """The coefficients of sine and cosine."""
-    sines, cosines, factorial = [], [], QQ(1)
-    for n in range(length):
-        factorial = factorial * n if n else factorial
-        term = QQ((-1) ** (n // 2)) / factorial
-        sines.append(term if n % 2 else QQ(0))
-        cosines.append(QQ(0) if n % 2 else term)
-    return sines, cosines
-
-
-def _series_of(coefficients: Sequence[Any], field: Any, length: int) -> list[list[Any]]:
-    """The powers 0 and 1 of a series, in the field; `_power` adds the others."""
-    one = [field.one, *[field.zero] * (length - 1)]
-    return [one, [field.convert(term, QQ) for term in coefficients]]
+    return [[QQ(signs[n % 4], factorial(n)) for n in range(length)] for signs in ((0, 1, 0, -1), (1, 0, -1, 0))]
 
 
 def _power(powers: list[list[Any]], exponent: int) -> list[Any]:
+    """A power of a series; `powers` has its powers 0 and 1, and keeps the others."""
     while len(powers) <= exponent:
         powers.append(_product(powers[-1], powers[1]))
     return powers[exponent]
@@ -118,24 +109,18 @@ def _power(powers: list[list[Any]], exponent: int) -> list[Any]:
 
 def _value(polynomial: Poly, powers: Sequence[list[list[Any]]], length: int) -> list[Any]:
     """A polynomial in variable, sine and cosine as a series."""
-    zero = polynomial.domain.zero
-    found = [zero] * length
+    field = polynomial.domain
+    found = [field.zero] * length
     for (shift, of_sine, of_cosine), factor in polynomial.rep.to_dict().items():
         term = _product(_power(powers[0], of_sine), _power(powers[1], of_cosine))
         for n, one in enumerate(term[: max(0, length - shift)]):
             if one:
-                found[n + shift] += factor * one
+                found[n + shift] += factor * field.convert(one, QQ)
     return found
 
 
 def _product(one: Sequence[Any], other: Sequence[Any]) -> list[Any]:
-    found = [one[0] * 0] * len(one)
-    for n, left in enumerate(one):
-        if left:
-            for m, right in enumerate(other[: len(one) - n]):
-                if right:
-                    found[n + m] += left * right
-    return found
+    return [sum(one[m] * other[n - m] for m in range(n + 1)) for n in range(len(one))]
 
 
 def _divided(top: Sequence[Any], bottom: Sequence[Any], order: int) -> list[Any]:

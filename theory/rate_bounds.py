@@ -6,10 +6,10 @@ As w decreases from one excursion to the next, so does theta: a bound for the fi
 
 from functools import cache
 
-from sympy import Expr, Rational, Symbol, cos, diff, factor, limit, pi, simplify, sqrt, tan
+from sympy import Expr, Rational, Symbol, cos, factor, limit, pi, simplify, sqrt, tan
 
 from theory.excursion import displacement_of_angle, excursion, h, h_slope, half_tangent, half_tangent_form
-from theory.symbols import q, r, theta
+from theory.symbols import diff, q, r, theta
 
 
 @cache

@@ -13,12 +13,12 @@ y = h^2 and y' = h^2 - r c^2: the mass ratio enters as a factor only. All expres
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Expr, Integer, Rational, Symbol, cos, cot, diff, expand, sin, sqrt
+from sympy import Expr, Integer, Rational, Symbol, cos, cot, expand, sin, sqrt
 
 from theory.excursion import excursion, h, half_tangent_form, slip_from_outside
 from theory.power_series import reverted
 from theory.scaling import excess
-from theory.symbols import V1, V2, X, epsilon, overshoot, put, q, r, theta
+from theory.symbols import V1, V2, X, diff, epsilon, overshoot, put, q, r, theta
 
 gap = Symbol("d", nonnegative=True)  # (X - 1)/q at the start
 push = Symbol("nu", real=True)  # V1/sqrt(q) at the start

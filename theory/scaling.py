@@ -6,13 +6,13 @@ For a1 = 0 one parameter is left, the mass fraction q = m1/M; with a1 > 0 the da
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, diff, sqrt, together
+from sympy import Expr, ImmutableMatrix, Symbol, sqrt, together
 
 from theory.energy import critical_energy, energy, slip_rate
 from theory.filippov import load_threshold, phi, sliding_field
 from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
-from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, put, q, r, total_mass, undamped, v1, v2, x1, zeta
+from theory.symbols import V1, V2, X, a1, a2, b, diff, m1, m2, put, q, r, total_mass, undamped, v1, v2, x1, zeta
 
 # Units of the reduced coordinates as free symbols: length (m), frequency (rad/s), mass (kg).
 L, Omega, M = Symbol("L", positive=True), Symbol("Omega", positive=True), Symbol("M", positive=True)

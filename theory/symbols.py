@@ -6,9 +6,11 @@ control u to zero.  Symbols carry SI units; the reduced coordinates of ``theory.
 """
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
-from sympy import Basic, Expr, Function, Symbol, symbols, sympify
+import sympy
+from sympy import Add, Basic, Expr, Function, Integer, Mul, Symbol, cos, factor_terms, signsimp, sin, symbols, sympify
 
 # Parameters of the pair: masses (kg), stiffness (N/m), Coulomb force (N), viscosity (N s/m).
 m1, m2, a2, b = symbols("m1 m2 a2 b", positive=True)
@@ -50,6 +52,29 @@ w = Symbol("w", positive=True)
 def put(expression: Expr, values: Mapping[Basic, Any]) -> Expr:
     """The expression with values in the places of symbols, all at once: exact, ten times as quick as `subs`."""
     return expression.xreplace({one: sympify(value) for one, value in values.items()})
+
+
+def diff(expression: Expr, variable: Symbol, times: int = 1) -> Expr:
+    """The derivative, exact; sympy's own `diff` asks of every part whether it is 0 and takes three times as long."""
+    for _ in range(times):
+        expression = _slope(sympify(expression), variable)
+    return factor_terms(signsimp(expression)) if times > 1 else expression
+
+
+@cache
+def _slope(part: Expr, variable: Symbol) -> Expr:
+    if part.is_Atom:
+        return Integer(part == variable)
+    if part.is_Add:
+        return Add(*(_slope(one, variable) for one in part.args))
+    if part.is_Mul:
+        parts = part.args
+        return Add(*(Mul(*parts[:n], _slope(one, variable), *parts[n + 1 :]) for n, one in enumerate(parts)))
+    if part.is_Pow and part.exp.is_Rational:
+        return part * (_slope(part.base, variable) * part.exp / part.base)
+    if isinstance(part, sin | cos):
+        return part.fdiff() * _slope(part.args[0], variable)
+    return sympy.diff(part, variable)
 
 
 def undamped(expression: Expr) -> Expr:

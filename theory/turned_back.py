@@ -7,12 +7,12 @@ friction is.
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, cos, diff, sin, sqrt
+from sympy import Expr, ImmutableMatrix, cos, sin, sqrt
 
 from theory.energy import sigma
 from theory.filippov import derivative_along, guard
 from theory.model import free_system
-from theory.symbols import a2, m1, m2, t, total_mass, undamped, v1, v2, x1
+from theory.symbols import a2, diff, m1, m2, t, total_mass, undamped, v1, v2, x1
 
 
 def frequency() -> Expr:

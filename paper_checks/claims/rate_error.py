@@ -2,8 +2,9 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import flint
@@ -24,7 +25,7 @@ RIMS, NEAR, WIDE, LONG = 25, 8, 16, 48
 """Boxes of p on the rim, parts of each near 0, and boxes of p and of the angle beyond."""
 
 
-TERMS = 60
+TERMS = 48
 """Terms of ln(1 - x)/x."""
 
 
@@ -72,28 +73,40 @@ def _first_terms(x: Any) -> Any:
     return total
 
 
-class Slip(NamedTuple):
-    """A slip from a ray by its angle: theta, h and c, as numbers, balls or series."""
+@dataclass(frozen=True)
+class Slip:
+    """A slip from a ray by its angle: theta, h and c, as numbers, balls or series; what no mass ratio changes, once."""
 
     theta: Any
     height: Any
     depth: Any
 
+    @cached_property
+    def lost(self) -> Any:
+        """s = c^2/h^2."""
+        return (self.depth / self.height) ** 2
+
+    @cached_property
+    def first(self) -> Any:
+        """4 s/(9 y)."""
+        return (self.depth / (self.height * self.height)) ** 2 * WEIGHT
+
 
 def of_map(slip: Slip, p: Any) -> tuple[Any, Any]:
     """Return G and c^2: pi times their quotient is what pi G is of (y - y')/r, as y - y' = r c^2."""
-    r, s = 1 - p * p, (slip.depth / slip.height) ** 2
-    gain = (slip.depth / (slip.height * slip.height)) ** 2 * WEIGHT / (1 - r * s) - 1
-    return gain + (r - FIXED) * s * logarithm(r * s), slip.depth * slip.depth
+    r = 1 - p * p
+    share = r * slip.lost
+    gain = slip.first / (1 - share) - 1
+    return gain + (r - FIXED) * slip.lost * logarithm(share), slip.depth * slip.depth
 
 
 def of_time(slip: Slip, p: Any) -> tuple[Any, Any]:
     """Return F (1 + sqrt(1 - r s)) and h s: their quotient is F r/(sqrt y - sqrt y')."""
-    r, s = 1 - p * p, (slip.depth / slip.height) ** 2
-    root = (1 - r * s).sqrt()
-    inward = p * (slip.theta - slip.height) / (1 - p * p * slip.depth)
+    square = p * p
+    root = (1 - (1 - square) * slip.lost).sqrt()
+    inward = p * (slip.theta - slip.height) / (1 - square * slip.depth)
     more = p * slip.theta - (p * slip.height * root).atan() - inward.atan()
-    return more * (1 + root), slip.height * s
+    return more * (1 + root), slip.height * slip.lost
 
 
 def plain(theta: Any) -> Slip:
@@ -104,8 +117,8 @@ def plain(theta: Any) -> Slip:
 
 def on_box(theta: arb) -> Slip:
     """Return the slip on a box of angles with its slope: h and c rise, c' = h and h' = c/(1 - cos theta)."""
-    ends = [plain(end) for end in (theta.lower(), theta.upper())]
-    height, deep = (low.union(high) for low, high in zip(ends[0][1:], ends[1][1:], strict=True))
+    low, high = plain(theta.lower()), plain(theta.upper())
+    height, deep = low.height.union(high.height), low.depth.union(high.depth)
     slope = deep / (2 * (theta / 2).sin() ** 2)
     return Slip(arb_series([theta, 1]), arb_series([height, slope]), arb_series([deep, height]))
 
@@ -168,7 +181,12 @@ def slips_on(theta: arb) -> Beyond:
     """Return them, at the precision that is set."""
     with terms(2):
         along = on_box(theta)
-        return Beyond(theta, along, Slip(*(arb_series([one[0]]) for one in along)), plain(theta.mid()))
+        return Beyond(
+            theta,
+            along,
+            Slip(*(arb_series([one[0]]) for one in (along.theta, along.height, along.depth))),
+            plain(theta.mid()),
+        )
 
 
 def beyond(quotient: Quotient, slips: Beyond, p: arb) -> arb:

@@ -14,7 +14,6 @@ from sympy import (
     Rational,
     Symbol,
     cos,
-    diff,
     expand,
     oo,
     pi,

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import cached_property
 
 _NON_FINITE = re.compile(r"(?<![\w\\])[+-]?(?:nan|inf|infinity)(?!\w)", re.IGNORECASE)
 
@@ -33,7 +34,7 @@ class EvidenceKind(Enum):
     SIMULATION = "simulation"
     """One computed trajectory, without a proven error."""
 
-    @property
+    @cached_property
     def strength(self) -> int:
         """Rank, dimensionless; larger is stronger."""
         return -list(EvidenceKind).index(self)
