@@ -7,7 +7,7 @@ from typing import Any
 import mpmath
 import numpy as np
 from flint import arb
-from mpmath.libmp import from_man_exp
+from mpmath.libmp import MPZ, fzero
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import precision
@@ -34,10 +34,18 @@ class Columns:
 
     def numbers(self, name: str) -> NDArray[Any]:
         """Return a number of all rows: floats, or an object array."""
-        if self.in_floats and not self.wide:
-            return np.asarray(self.record.rows[:, AT[name]])
-        found = np.empty(len(self.record.rows), dtype=object)
-        found[:] = sums(*self.halves(name)) if self.in_floats else [getattr(row, name) for row in self.record.rows]
+        return np.asarray(self.table(name)[0])
+
+    def table(self, *names: str) -> NDArray[Any]:
+        """Return some numbers of all rows, a line each."""
+        rows, at = self.record.rows, [AT[name] for name in names]
+        if isinstance(rows, np.ndarray) and not self.wide:
+            return np.asarray(rows.T[at])
+        found = np.empty((len(names), len(rows)), dtype=object)
+        if isinstance(rows, np.ndarray):
+            found.ravel()[:] = sums(rows.T[at].ravel(), rows.T[[one + 1 for one in at]].ravel())
+        else:
+            found[:] = [[getattr(row, name) for row in rows] for name in names]
         return found
 
     def halves(self, name: str) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -63,11 +71,18 @@ def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf
     places = np.frexp(high)[1]
     tops, tails = np.ldexp(high, 53 - places).tolist(), np.rint(np.ldexp(low, _WIDE_BITS - places)).tolist()
     return [
-        mpmath.make_mpf(from_man_exp((int(top) << 53) + int(tail), place - _WIDE_BITS))
-        if top - top == 0
-        else mpmath.mpf(top)  # no number
+        mpmath.make_mpf(_raw((int(top) << 53) + int(tail), place - _WIDE_BITS)) if top - top == 0 else mpmath.mpf(top)
         for top, tail, place in zip(tops, tails, places.tolist(), strict=True)
     ]
+
+
+def _raw(mantissa: int, exponent: int) -> tuple[int, Any, int, int]:
+    """Return what mpmath's from_man_exp does, in half the time: sign, odd mantissa, exponent, bits."""
+    size = abs(mantissa)
+    if not size:
+        return fzero
+    zeros = (size & -size).bit_length() - 1
+    return int(mantissa < 0), MPZ(size >> zeros), exponent + zeros, size.bit_length() - zeros
 
 
 def parts_of(point: arb) -> tuple[int, int]:

@@ -97,7 +97,7 @@ class Rows(Answer):
     @cached_property
     def row_states(self) -> NDArray[Any]:
         """Return x1, v1, x2, v2 at each row, shape (4, n)."""
-        return np.stack([self.columns.numbers(name) for name in STATE])
+        return self.columns.table(*STATE)
 
     @cached_property
     def row_lengths(self) -> NDArray[Any]:
