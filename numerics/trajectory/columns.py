@@ -77,7 +77,7 @@ def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf
 
 
 def _raw(mantissa: int, exponent: int) -> tuple[int, Any, int, int]:
-    """Return sign, odd mantissa, exponent and bits, as from_man_exp does: such numbers are most of what 20 digits cost."""
+    """Return sign, odd mantissa, exponent, bits, as from_man_exp does: most of what an answer in 20 digits costs."""
     size = abs(mantissa)
     if not size:
         return fzero
