@@ -10,6 +10,7 @@ from fractions import Fraction
 import flint
 from flint import arb
 
+from numerics.arithmetic.protocol import Arithmetic
 from numerics.arithmetic.questions import QUESTIONS
 from numerics.errors import EventUndecided
 
@@ -206,7 +207,7 @@ def clock(total: arb, rest: arb, term: arb) -> tuple[arb, arb]:
     return total + term, rest
 
 
-class Ball:
+class Ball(Arithmetic):
     """flint.arb balls with `digits` working decimal digits."""
 
     name = "ball"
@@ -216,10 +217,6 @@ class Ball:
         """Fix the working precision in decimal digits."""
         self.digits = digits
         self.bits = math.ceil(digits * BITS_PER_DIGIT) + GUARD_BITS
-
-    def __repr__(self) -> str:
-        """Return the name and the working digits."""
-        return f"<{self.name}, {self.digits} working digits>"
 
     def context(self) -> AbstractContextManager[None]:
         """Return a context that sets flint's process-wide precision, and restores it whatever happens."""

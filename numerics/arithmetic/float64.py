@@ -7,19 +7,16 @@ from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
 
 from numerics.arithmetic.elementary import as_float
+from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import OutOfRange
 
 
-class Float64:
+class Float64(Arithmetic):
     """Python floats: the fast arithmetic. Approximate, each function to a few units in the last place (ulp)."""
 
     name = "float64"
     digits = 15
     to_float = staticmethod(as_float)
-
-    def __repr__(self) -> str:
-        """Return the name and the working digits."""
-        return f"<{self.name}, {self.digits} working digits>"
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that does nothing: binary64 needs none."""

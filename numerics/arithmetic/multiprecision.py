@@ -9,7 +9,7 @@ from typing import Any
 
 import mpmath
 
-from numerics.arithmetic.protocol import Number
+from numerics.arithmetic.protocol import Arithmetic, Number
 
 sqrt, sin, atan2 = mpmath.sqrt, mpmath.sin, mpmath.atan2
 
@@ -103,7 +103,7 @@ def clock(total: Number, rest: Number, term: Number) -> tuple[Number, Number]:
     return total + term, rest
 
 
-class Multiprecision:
+class Multiprecision(Arithmetic):
     """mpmath numbers with `digits` working decimal digits, seen from Python."""
 
     name = "mpmath"
@@ -112,10 +112,6 @@ class Multiprecision:
     def __init__(self, digits: int) -> None:
         """Fix the working precision in decimal digits."""
         self.digits = digits
-
-    def __repr__(self) -> str:
-        """Return the name and the working digits."""
-        return f"<{self.name}, {self.digits} working digits>"
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that sets mpmath's process-wide precision and restores it."""

@@ -82,6 +82,16 @@ def nearest(value: Fraction) -> Pair:
     return Pair(high, float(value - Fraction(high)))
 
 
+def pair_of(numbers: Any) -> Pair:
+    """Return what stands in a row of two floats."""
+    return Pair(numbers[0], numbers[1])
+
+
+def put(numbers: Any, pair: Pair) -> None:
+    """Write a pair as a row of two floats."""
+    numbers[0], numbers[1] = pair.high, pair.low
+
+
 def two_sum(a: float, b: float) -> Pair:
     """Return a + b exactly."""
     total = a + b
@@ -109,6 +119,12 @@ def add(a: Pair, b: Pair) -> Pair:
     high, low = two_sum(a.high, b.high), two_sum(a.low, b.low)
     middle = fast_two_sum(high.high, high.low + low.high)
     return fast_two_sum(middle.high, middle.low + low.low)
+
+
+def plus(a: Pair, b: Pair) -> Pair:
+    """Return a + b to 2^-104 of its terms, not of itself where they cancel: at half of what `add` costs."""
+    total = two_sum(a.high, b.high)
+    return fast_two_sum(total.high, total.low + (a.low + b.low))
 
 
 def subtract(a: Pair, b: Pair) -> Pair:
@@ -148,3 +164,10 @@ def divide(a: Pair, b: Pair) -> Pair:
     first = a.high / b.high
     back = times(b, first)
     return fast_two_sum(first, ((a.high - back.high) + (a.low - back.low)) / b.high)
+
+
+def ratio(a: Pair, b: Pair) -> Pair:
+    """Return a/b to 2^-102, its last terms in the order in which answers on a line have always been formed."""
+    first = a.high / b.high
+    back = times(b, first)
+    return fast_two_sum(first, ((a.high - back.high) - back.low + a.low) / b.high)

@@ -19,6 +19,10 @@ class Arithmetic(Protocol):
     name: str
     digits: int
 
+    def __repr__(self) -> str:
+        """Return the name and the working digits."""
+        return f"<{self.name}, {self.digits} working digits>"
+
     def context(self) -> AbstractContextManager[object]:
         """Return a context manager under which numbers of this arithmetic may be computed with."""
 

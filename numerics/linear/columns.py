@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.pair import Pair, pair_of, plus, product, times
 from numerics.arithmetic.pair_elementary import sine_cosine
-from numerics.linear.pairs import add, multiply
 from numerics.linear.table import FIRST, FRICTION, NODES, PRECISE, Tables
 
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
@@ -115,6 +114,8 @@ class Room(NamedTuple):
     """(2, n) Gauss's nodes in a part of a step, and v1 there."""
     ledger: Any
     """(3,) what friction and what viscosity took, and a bound on the error of their sum."""
+    counts: Any
+    """(3,) how many rows there were, also those left out, how many events, and which row was that of the last one."""
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -138,6 +139,7 @@ def make_room(count: int, terms: int) -> Room:
         np.zeros(4),
         np.zeros((2, NODES.shape[0])),
         np.zeros(3),
+        np.zeros(3, dtype=np.int64),
     )
 
 
@@ -147,24 +149,21 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
 
     and the size of u's terms.
     """
-    place, z, size = drive.places[piece], room.z, room.size
+    place, z, size, time = drive.places[piece], room.z, room.size, pair_of(room.clock[0])
     first, terms, first_sine, sines = place[0], place[1], place[2], place[3]
-    th, tl = room.clock[0, 0], room.clock[0, 1]
     for k in range(terms):
-        ah, al, most = 0.0, 0.0, 0.0
+        value, most = Pair(0.0, 0.0), 0.0
         for n in range(terms - 1, k - 1, -1):
             factor = 1.0  # n over k
             for i in range(k):
                 factor = factor * (n - i) / (i + 1)
-            ch, cl = drive.coefficients[first + n, 0], drive.coefficients[first + n, 1]
-            most = most * th + abs(ch) * factor * (2.0 + 2.0 * n)
+            own = pair_of(drive.coefficients[first + n])
+            most = most * time.high + abs(own.high) * factor * (2.0 + 2.0 * n)
             if wide:
-                ch, cl = multiply(ch, cl, factor, 0.0)
-                ah, al = multiply(ah, al, th, tl)
-                ah, al = add(ah, al, ch, cl)
+                value = plus(product(value, time), times(own, factor))
             else:
-                ah = ah * th + ch * factor
-        z[0, FIRST + k], z[1, FIRST + k], size[FIRST + k] = ah, al, most
+                value = Pair(value.high * time.high + own.high * factor, 0.0)
+        z[0, FIRST + k], z[1, FIRST + k], size[FIRST + k] = value.high, value.low, most
     u0, u1, height = 0.0, 0.0, 0.0
     if terms > 0:
         u0, height = z[0, FIRST], size[FIRST]
@@ -172,20 +171,17 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
         u1 = u1 * late + k * abs(z[0, FIRST + k])
     for i in range(sines):
         sine, at = drive.sines[first_sine + i], FIRST + terms + 2 * i
-        ph, pl = multiply(sine[1, 0], sine[1, 1], th, tl)
-        ph, pl = add(ph, pl, sine[2, 0], sine[2, 1])
+        phase = plus(product(pair_of(sine[1]), time), pair_of(sine[2]))
         if wide:
-            wide_sine, wide_cosine = sine_cosine(Pair(ph, pl))
-            z[0, at], z[1, at] = multiply(wide_sine.high, wide_sine.low, sine[0, 0], sine[0, 1])
-            z[0, at + 1], z[1, at + 1] = multiply(wide_cosine.high, wide_cosine.low, sine[0, 0], sine[0, 1])
+            for n, wave in enumerate(sine_cosine(phase)):
+                z[0, at + n], z[1, at + n] = product(wave, pair_of(sine[0]))
         else:
-            turns = np.rint(ph * 0.15915494309189535)
-            rh, rl = multiply(6.283185307179586, 2.4492935982947064e-16, turns, 0.0)
-            rh, rl = add(ph, pl, -rh, -rl)
-            s, c = math.sin(rh), math.cos(rh)
-            z[0, at], z[0, at + 1] = sine[0, 0] * (s + c * rl), sine[0, 0] * (c - s * rl)
+            turns = np.rint(phase.high * 0.15915494309189535)
+            rest = plus(phase, times(Pair(6.283185307179586, 2.4492935982947064e-16), -turns))
+            s, c = math.sin(rest.high), math.cos(rest.high)
+            z[0, at], z[0, at + 1] = sine[0, 0] * (s + c * rest.low), sine[0, 0] * (c - s * rest.low)
         # a phase is a pair, so that it is off by a rounding of double-double of its own size; a small sine stays sharp
-        one, two, turned = abs(z[0, at]), abs(z[0, at + 1]), abs(ph) * (1.0 if wide else 2.0**-48)
+        one, two, turned = abs(z[0, at]), abs(z[0, at + 1]), abs(phase.high) * (1.0 if wide else 2.0**-48)
         size[at], size[at + 1] = 2.0 * one + turned * two, 2.0 * two + turned * one
         u0 += z[0, at]
         u1 += sine[1, 0] * (two + min(1.0, sine[1, 0] * late) * one)
@@ -204,7 +200,7 @@ def state_columns(room: Room, mode: int, b: Any) -> None:
 
 
 @compilable_with(**FAST)
-def product(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) -> None:
+def narrow_product(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) -> None:
     """Form X = W z in float64, of both bodies or of the first one."""
     for i in range(bodies):
         x, first, factor = X[0, i], rows[0, i, 0], z[0, 0]
@@ -218,16 +214,15 @@ def product(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) ->
 
 @compilable_with(forceinline=False)
 def wide_product(rows: Any, degrees: Any, room: Room, count: int) -> None:
-    """Form the first terms of X = W z in pairs; the others are those of `product`."""
+    """Form the first terms of X = W z in pairs; the others are those of `narrow_product`."""
     z, X = room.z, room.X
     for i in range(2):
         high, low = X[0, i, :PRECISE], X[1, i, :PRECISE]
         high[:], low[:] = 0.0, 0.0
         for j in range(count):
-            row, rest, factor, its_rest = rows[0, i, j], rows[1, i, j], z[0, j], z[1, j]
+            row, rest, factor = rows[0, i, j], rows[1, i, j], Pair(z[0, j], z[1, j])
             for k in range(min(PRECISE, degrees[i, j])):
-                p, e = multiply(row[k], rest[k], factor, its_rest)
-                high[k], low[k] = add(high[k], low[k], p, e)
+                high[k], low[k] = plus(Pair(high[k], low[k]), product(Pair(row[k], rest[k]), factor))
 
 
 @compilable
@@ -254,7 +249,7 @@ def expand(problem: Problem, room: Room, now: Now) -> None:
     tables, at, X = problem.tables, place_of(problem, now), room.X
     state_columns(room, now.mode, problem.drive.b[now.piece])
     bodies = 1 if now.mode == 0 else 2
-    product(tables.rows[at], tables.degrees[at], room.z, tables.count[at[0]], bodies, X)
+    narrow_product(tables.rows[at], tables.degrees[at], room.z, tables.count[at[0]], bodies, X)
     if now.mode == 0:  # body 2 goes as body 1 does, bit by bit
         X[0, 1, 0] = room.y[2, 0]
         for k in range(1, X.shape[2]):

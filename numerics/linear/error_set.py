@@ -98,7 +98,9 @@ def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
             if v[j] > v[pick]:
                 pick = j
         size, v[pick] = v[pick], -1.0
-        a, b, c, d, length = orthogonal(Q, k, E[0, pick], E[1, pick], E[2, pick], E[3, pick])
+        for i in range(4):
+            Q[i, k] = E[i, pick]
+        length = orthogonal(Q, k)
         if length <= 1e-12 * size or length < SMALL:  # a direction that is left: along the axis with the least in Q
             least, axis = 2.0, 0
             for n in range(4):
@@ -107,10 +109,12 @@ def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
                     taken += Q[n, i] * Q[n, i]
                 if taken < least:
                     least, axis = taken, n
-            a, b, c, d = (1.0 if axis == 0 else 0.0), (1.0 if axis == 1 else 0.0), (1.0 if axis == 2 else 0.0), 0.0
-            a, b, c, d, length = orthogonal(Q, k, a, b, c, 1.0 if axis == 3 else d)
+            Q[:, k] = 0.0
+            Q[axis, k] = 1.0
+            length = orthogonal(Q, k)
         inverse = 1.0 / length
-        Q[0, k], Q[1, k], Q[2, k], Q[3, k] = a * inverse, b * inverse, c * inverse, d * inverse
+        for i in range(4):
+            Q[i, k] *= inverse
     for k in range(4):
         reach = R[0] + abs(Q[2, k]) * R[1]
         for j in range(4):
@@ -123,16 +127,27 @@ def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
 
 
 @compilable_with(**_CONTRACT)
-def orthogonal(Q: Any, k: int, a: float, b: float, c: float, d: float) -> tuple[float, float, float, float, float]:
-    """Return a vector made orthogonal to the first k columns of Q, again where rounding may count, and its length."""
-    square = a * a + b * b + c * c + d * d
+def orthogonal(Q: Any, k: int) -> float:
+    """Make column k of Q orthogonal to those before it, again where rounding may count; return its length."""
+    square = square_of(Q, k)
     for _ in range(2):
         before = square
         for n in range(k):
-            p, q, r, s = Q[0, n], Q[1, n], Q[2, n], Q[3, n]
-            dot = a * p + b * q + c * r + d * s
-            a, b, c, d = a - dot * p, b - dot * q, c - dot * r, d - dot * s
-        square = a * a + b * b + c * c + d * d
+            dot = 0.0
+            for i in range(4):
+                dot += Q[i, k] * Q[i, n]
+            for i in range(4):
+                Q[i, k] -= dot * Q[i, n]
+        square = square_of(Q, k)
         if square > 0.01 * before:  # lost no more than a digit
             break
-    return a, b, c, d, math.sqrt(square)
+    return math.sqrt(square)
+
+
+@compilable_with(**_CONTRACT)
+def square_of(Q: Any, k: int) -> float:
+    """Return the square of the length of a column."""
+    total = 0.0
+    for i in range(4):
+        total += Q[i, k] * Q[i, k]
+    return total

@@ -24,33 +24,31 @@ def errors_of(
 
     It compares the high halves of numbers with bounds; `weights` are a2, m1 and m2; inf where a bound is no number.
     """
-    count, events = len(rows), 0
-    late, worst = np.empty(count), 0.0
-    sizes, errors, highest, carried = np.zeros(2), np.zeros(2), 0.0, 0.0
+    count, events, late, worst = len(rows), 0, np.empty(len(rows)), 0.0
+    sizes, errors, highest, carried, last = np.zeros(2), np.zeros(2), 0.0, 0.0, 0.0
     for index in range(count + 1):
         row = rows[index] if index < count else end
         for k in range(4):
-            sizes[k % 2] = max(sizes[k % 2], abs(row[_X1 + 2 * k]))
             error = row[_ERRORS + k]
+            sizes[k % 2] = max(sizes[k % 2], abs(row[_X1 + 2 * k]))
             errors[k % 2] = max(errors[k % 2], math.inf if math.isnan(error) else error)
         x1, v1, v2 = row[_X1], row[_X1 + 2], row[_X1 + 6]
-        highest = max(highest, (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2)
-        carried = max(carried, abs(row[_EXCESS]))
+        last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
+        highest, carried = max(highest, last), max(carried, abs(row[_EXCESS]))
         if index < count and row[_EVENT] == 1.0:
             t = abs(starts[int(row[_PIECE])] + row[_LOCAL])
             # 4 roundings: of where the piece begins, and of the sum
             late[events] = row[_LATE] + 4 * rounding * t
             worst = worse(worst, late[events], t)
             events += 1
-    for k in range(2):
-        worst = worse(worst, errors[k], sizes[k])
-    x1, v1, v2 = end[_X1], end[_X1 + 2], end[_X1 + 6]
-    last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
-    energy = 8 * rounding * last + (_TINY if x1 != 0 or v1 != 0 or v2 != 0 else 0.0)
+    energy = 8 * rounding * last
+    if end[_X1] != 0 or end[_X1 + 2] != 0 or end[_X1 + 6] != 0:
+        energy += _TINY
     for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
         error = end[_ERRORS + k]
         energy += weight * error * (abs(end[_X1 + 2 * k]) + error / 2)
-    worst = worse(worst, energy, highest)
+    for error, size in ((errors[0], sizes[0]), (errors[1], sizes[1]), (energy, highest)):
+        worst = worse(worst, error, size)
     excess = end[_EXCESS_ERROR]
     if math.isnan(end[_EXCESS]):  # not carried: formed from the energy
         excess = energy / critical + 8 * rounding * (1 + last / critical)

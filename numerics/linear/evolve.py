@@ -5,37 +5,34 @@ from __future__ import annotations
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, ratio, times
 from numerics.linear.columns import FAST, Constants, Now, Problem, Room, counted, place_of, wide_product
 from numerics.linear.error_set import carry
 from numerics.linear.first_root import ROOT, value_slope
 from numerics.linear.ledger import Taken, enter, slid_and_damped
 from numerics.linear.next_event import Next
-from numerics.linear.pairs import add, divide, multiply, times
 from numerics.linear.table import PRECISE, UNIT, V1, WIDE_UNIT, X1
 
 
 @compilable_with(forceinline=False)
-def evaluate(X: Any, sh: float, sl: float, h: float, wide: bool) -> tuple[float, float, float, float]:
-    """Return x and v of a body with coefficients X (2, terms) at s = t/h, pairs.
+def evaluate(X: Any, s: Pair, h: float, wide: bool) -> tuple[Pair, Pair]:
+    """Return x and v of a body with coefficients X (2, terms) at s = t/h.
 
-    Where `wide`, at sh, and from there by first derivatives: |sl| <= 2^-53 sh, and a term of second order, k^2/2 2^-106
-    of that of s^k, is within the 2 k 2^-101 that are counted for this one.
+    Where `wide`, at s.high, and from there by first derivatives: |s.low| <= 2^-53 s.high, and a term of second order,
+    k^2/2 2^-106 of that of s^k, is within the 2 k 2^-101 that are counted for this one.
     """
     if not wide:
-        value, slope = value_slope(X[0], sh)
-        return value, 0.0, slope / h, 0.0
-    ah, bh = value_slope(X[0, PRECISE:], sh)
-    al = bl = bend = 0.0
+        value, slope = value_slope(X[0], s.high)
+        return Pair(value, 0.0), Pair(slope / h, 0.0)
+    value, slope = value_slope(X[0, PRECISE:], s.high)
+    x, v, bend = Pair(value, 0.0), Pair(slope, 0.0), 0.0
     for k in range(min(PRECISE, X.shape[1]) - 1, -1, -1):
-        bend = bend * sh + bh
-        bh, bl = times(bh, bl, sh)
-        bh, bl = add(bh, bl, ah, al)
-        ah, al = times(ah, al, sh)
-        ah, al = add(ah, al, X[0, k], X[1, k])
-    ah, al = add(ah, al, sl * bh, 0.0)
-    bh, bl = add(bh, bl, 2.0 * sl * bend, 0.0)
-    bh, bl = divide(bh, bl, h, 0.0)
-    return ah, al, bh, bl
+        bend = bend * s.high + v.high
+        v = plus(times(v, s.high), x)
+        x = plus(times(x, s.high), Pair(X[0, k], X[1, k]))
+    x = plus(x, Pair(s.low * v.high, 0.0))
+    v = plus(v, Pair(2.0 * s.low * bend, 0.0))
+    return x, ratio(v, Pair(h, 0.0))
 
 
 @compilable_with(**FAST)
@@ -57,33 +54,32 @@ def wide_step(room: Room, whole: Any, count: int) -> None:
     y[:, :] = 0.0
     for j in range(count):
         for i in range(4):  # four sums at once
-            p, e = multiply(whole[0, i, j], whole[1, i, j], z[0, j], z[1, j])
-            y[i, 0], y[i, 1] = add(y[i, 0], y[i, 1], p, e)
+            put(y[i], plus(pair_of(y[i]), product(Pair(whole[0, i, j], whole[1, i, j]), Pair(z[0, j], z[1, j]))))
 
 
 @compilable
-def partial_step(
-    problem: Problem, room: Room, at: tuple[int, int], s: tuple[float, float], unit: float
-) -> tuple[float, float]:
+def partial_step(problem: Problem, room: Room, at: tuple[int, int], s: Pair, unit: float) -> tuple[float, float]:
     """Move the state by a part s of a step; form what that adds to its errors; return how x1 and v1 go with v1."""
     tables, y, own, h = problem.tables, room.y, room.column, problem.tables.h[at]
     sums, count = tables.state_own[at], tables.count[at[0]]
     for i in range(2):
         X = room.X[:, i, :4] if i == 1 and at[1] == 0 else room.X[:, i, :]  # body 2 goes on a parabola in a slip
-        y[2 * i, 0], y[2 * i, 1], y[2 * i + 1, 0], y[2 * i + 1, 1] = evaluate(X, s[0], s[1], h, problem.wide)
-        own[2 * i] = unit * counted(sums[2 * i], room.size, count, s[0])
-        own[2 * i + 1] = unit / h * counted(sums[2 * i + 1], room.size, count, s[0])
-    value, slope = value_slope(tables.rows[at][0, 0, V1], s[0])
+        x, v = evaluate(X, s, h, problem.wide)
+        put(y[2 * i], x)
+        put(y[2 * i + 1], v)
+        own[2 * i] = unit * counted(sums[2 * i], room.size, count, s.high)
+        own[2 * i + 1] = unit / h * counted(sums[2 * i + 1], room.size, count, s.high)
+    value, slope = value_slope(tables.rows[at][0, 0, V1], s.high)
     return value, slope / h
 
 
 @compilable
 def evolve(problem: Problem, room: Room, now: Now, ahead: Next) -> Now:
     """Move state, errors, clock and ledger to what is ahead; return where the run is."""
-    tables, at, s = problem.tables, place_of(problem, now), (ahead.high, ahead.low)
+    tables, at, s = problem.tables, place_of(problem, now), ahead.s
     count, unit, whole = tables.count[at[0]], WIDE_UNIT if problem.wide else UNIT, tables.ends[at]
-    taken = slid_and_damped(problem, room, now, s[0]) if problem.has_ledger else Taken(0.0, 0.0, 0.0, 0.0)
-    if s[0] == 1.0 and s[1] == 0.0:
+    taken = slid_and_damped(problem, room, now, s.high) if problem.has_ledger else Taken(0.0, 0.0, 0.0, 0.0)
+    if s.high == 1.0 and s.low == 0.0:
         full_step(room, whole, count, unit)
         if problem.wide:
             wide_step(room, whole, count)
@@ -92,22 +88,22 @@ def evolve(problem: Problem, room: Room, now: Now, ahead: Next) -> Now:
         if problem.wide and ahead.how != ROOT:  # else they have been formed with the guard
             wide_product(tables.rows[at], tables.degrees[at], room, count)
         reach, turn = partial_step(problem, room, at, s, unit)
-    time = multiply(s[0], s[1], tables.h[at], 0.0)
+    time = times(s, tables.h[at])
     N = now.N + end_step(problem.pair, room, now.mode, time, reach, turn)
     if problem.has_ledger:
-        enter(problem, room, now, taken, N, time[0])
-    return Now(now.piece, now.mode, 0, now.edge, now.since + time[0], N)
+        enter(problem, room, now, taken, N, time.high)
+    return Now(now.piece, now.mode, 0, now.edge, now.since + time.high, N)
 
 
 @compilable
-def end_step(pair: Constants, room: Room, mode: int, time: tuple[float, float], reach: float, turn: float) -> float:
+def end_step(pair: Constants, room: Room, mode: int, time: Pair, reach: float, turn: float) -> float:
     """Move clock and errors by a step of the state; return what it adds to N. reach, turn: how x1 and v1 go with v1."""
     own, scale = room.column, room.scale
     if mode == 0:
-        room.y[3, 0], room.y[3, 1] = room.y[1, 0], room.y[1, 1]
+        put(room.y[3], pair_of(room.y[1]))
         own[3] = own[1]
-    for i in range(2):
-        room.clock[i, 0], room.clock[i, 1] = add(room.clock[i, 0], room.clock[i, 1], time[0], time[1])
+    for clock in room.clock:
+        put(clock, plus(pair_of(clock), time))
     added = own[0] * scale[0] + own[1] * scale[1] + own[3] * scale[3]
-    carry(room.E, room.R, pair, mode, time[0], (reach, turn), added, own[2] * scale[2])
+    carry(room.E, room.R, pair, mode, time.high, (reach, turn), added, own[2] * scale[2])
     return added

@@ -16,12 +16,12 @@ from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from functools import lru_cache
-from itertools import zip_longest
 from typing import Any, NamedTuple
 
 import flint
 import mpmath
 from flint import arb, arb_mat, arb_poly
+from numpy.polynomial import Polynomial
 
 from numerics.arithmetic.ball import Ball
 from numerics.linear.pieces import ExactPiece
@@ -121,28 +121,12 @@ class PointNumbers:
 Numbers = BallNumbers | PointNumbers
 
 
-class _Curve:
+class _Curve(Polynomial):
     """A polynomial in numbers of mpmath."""
 
-    def __init__(self, coefficients: list[Any]) -> None:
-        """Keep the coefficients, from the constant on."""
-        self.coefficients = coefficients
-
-    def __call__(self, t: Any) -> Any:
-        """Return the value."""
-        return mpmath.polyval(self.coefficients[::-1], t) if self.coefficients else mpmath.mpf(0)
-
     def derivative(self) -> _Curve:
-        """Return the derivative."""
-        return _Curve([k * c for k, c in enumerate(self.coefficients)][1:])
-
-    def __add__(self, other: _Curve) -> _Curve:
-        """Return the sum."""
-        return _Curve([a + b for a, b in zip_longest(self.coefficients, other.coefficients, fillvalue=0)])
-
-    def __mul__(self, factor: Any) -> _Curve:
-        """Return the product with a number."""
-        return _Curve([c * factor for c in self.coefficients])
+        """Return the derivative, by flint's name."""
+        return self.deriv()
 
 
 class Drive(NamedTuple):

@@ -17,6 +17,7 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.pair import Pair, pair_of, put
 from numerics.linear.calm_stick import Calm, step_over
 from numerics.linear.columns import (
     Constants,
@@ -42,7 +43,7 @@ GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, NO_ROOM, TOO_MANY = -
 """How a call ended, if it did: the first five as in record.How; or more rows, or more steps, are needed."""
 MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
-_LOCAL, _LENGTH, _X1, _EXCESS, _LATE = (AT[name] for name in ("local", "length", "x1", "excess", "late"))
+_LOCAL, _X1, _EXCESS, _LATE = (AT[name] for name in ("local", "x1", "excess", "late"))
 _ERRORS = AT["x1_error"]
 _HOW, _EVENTS, _CERTAIN, _FRICTION, _VISCOUS, _LOST = (
     AT[name] for name in ("how", "events", "certain", "friction", "viscous", "dissipated_error")
@@ -59,14 +60,6 @@ class Log(NamedTuple):
     end: Any
     most: int
     keeps_all: bool
-
-
-class Recorded(NamedTuple):
-    """How many rows there were, also those left out, how many events, and which row was that of the last one."""
-
-    rows: int
-    events: int
-    last: int
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -98,7 +91,7 @@ def follow_in(
     `clear_until` (time in the first piece) no event happens.
     """
     now, event = begin(problem, room, start, is_decided)
-    recorded, calm, how = Recorded(0, 0, 0), Calm(False, 0, 0), DOUBT
+    calm, how = Calm(False, 0, 0), DOUBT
     for step in range(MOST_STEPS):
         u = force_columns(room, problem.drive, now.piece, event.late, problem.wide)
         if event.kind != NOTHING:
@@ -106,13 +99,13 @@ def follow_in(
             if after.mode == UNDECIDED_MODE:
                 how = DOUBT
                 break
-            is_event = event.kind == EXIT or (recorded.rows > 0 and after.mode != now.mode)
+            is_event = event.kind == EXIT or (room.counts[0] > 0 and after.mode != now.mode)
             now, calm = after, Calm(False, step, step)
-            recorded, how = record(problem, room, now, event, is_event, u, recorded, log)
+            how = record(problem, room, now, event, is_event, u, log)
             if how != GOES_ON:
                 break
         now, calm = step_over(problem, room, now, calm, step)
-        to = step_from(problem, room, now, calm.is_calm, clear_until if recorded.rows == 1 else -1.0)
+        to = step_from(problem, room, now, calm.is_calm, clear_until if room.counts[0] == 1 else -1.0)
         expand(problem, room, now)
         ahead = next_event(problem, room, now, to)
         if ahead.how == UNDECIDED:
@@ -124,29 +117,26 @@ def follow_in(
             break
     else:
         how = TOO_MANY
-    return how, close(problem, room, now, how, recorded, log)
+    return how, close(problem, room, now, how, log)
 
 
 @compilable
 def begin(problem: Problem, room: Room, start: Any, is_decided: bool) -> tuple[Now, Event]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
-    pair, y, scale, unit = problem.pair, room.y, room.scale, WIDE_UNIT if problem.wide else UNIT
+    pair, y, scale, E, unit = problem.pair, room.y, room.scale, room.E, WIDE_UNIT if problem.wide else UNIT
     scale[0] = scale[2] = math.sqrt(pair.a2)
     scale[1], scale[3] = math.sqrt(pair.m1), math.sqrt(pair.m2)
-    room.E[:, :] = 0.0
+    E[:, :] = 0.0
     room.R[:] = 0.0
+    room.counts[:] = 0
     room.ledger[:] = 0.0 if problem.has_ledger else math.nan
     for i in range(4):
-        y[i, 0], y[i, 1] = start[_X1 + 2 * i], start[_X1 + 2 * i + 1]
-        room.E[i, i] = unit * abs(y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]
-    room.clock[0, 0], room.clock[0, 1] = start[_LOCAL], start[_LOCAL + 1]
-    room.clock[1, 0] = room.clock[1, 1] = 0.0
-    mode, order, kind = int(start[_MODE]), int(start[_ORDER]), PIECE if is_decided else CONTACT
-    gap = (y[1, 0] - y[3, 0]) + (y[1, 1] - y[3, 1])
-    if not is_decided and (y[1, 0] != y[3, 0] or y[1, 1] != y[3, 1]):
-        mode, order, kind = (1 if gap > 0.0 else -1), 0, PIECE
-    N = room.E[0, 0] + room.E[1, 1] + room.E[3, 3]
-    return Now(int(start[_PIECE]), mode, order, 1, 1e300, N), Event(kind, 0.0, 0.0, 0.0)
+        put(y[i], pair_of(start[_X1 + 2 * i :]))
+        E[i, i] = unit * abs(y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]
+    put(room.clock[0], pair_of(start[_LOCAL:]))
+    put(room.clock[1], Pair(0.0, 0.0))
+    now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 1, 1e300, E[0, 0] + E[1, 1] + E[3, 3])
+    return now, Event(PIECE if is_decided else CONTACT, 0.0, 0.0, 0.0)
 
 
 @compilable
@@ -158,52 +148,54 @@ def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_c
     if ahead.how == ROOT:
         h = problem.tables.h[place_of(problem, now)]
         late, off, added = lateness(problem.pair, room, ahead, mode, problem.drive.b[piece, 0], since, N)
-        is_near = ahead.room * h < 16.0 * late or (step.high - ahead.high) * h < 4.0 * late
+        is_near = ahead.room * h < 16.0 * late or (step.end.high - ahead.s.high) * h < 4.0 * late
         kind = SLIP_END if mode != 0 else EXIT
         if mode == 0:
             mode, order, since = ahead.side, 2, 0.0
         now = Now(piece, mode, order, edge, since, N + added)
         return now, Event(kind, late, ahead.slope, off), DOUBT if is_near else GOES_ON
-    if not step.is_last or ahead.high != step.high:
+    if not step.is_last or ahead.s.high != step.end.high:
         return now, nothing, GOES_ON
     if piece + 1 == problem.drive.places.shape[0]:
         return now, nothing, STUCK if is_calm or (mode == 0 and problem.pair.literal) else REACHED
-    room.clock[0, 0] = room.clock[0, 1] = 0.0
+    put(room.clock[0], Pair(0.0, 0.0))
     kind = CONTACT if mode == 0 and problem.drive.places[piece + 1, 5] == 1 else PIECE
     return Now(piece + 1, mode, order, edge, since, N), Event(kind, 0.0, 0.0, 0.0), GOES_ON
 
 
 @compilable
 def record(
-    problem: Problem,
-    room: Room,
-    now: Now,
-    event: Event,
-    is_event: bool,
-    u: tuple[float, float, float],
-    recorded: Recorded,
-    log: Log,
-) -> tuple[Recorded, int]:
+    problem: Problem, room: Room, now: Now, event: Event, is_event: bool, u: tuple[float, float, float], log: Log
+) -> int:
     """Record the start of a segment, if the log has room for it; the last event that it has room for is an end, too."""
-    count, events, last = recorded
-    if is_event and events == log.most:
-        return recorded, EVENT_LIMIT
-    if log.keeps_all and count == log.rows.shape[0]:
-        return recorded, NO_ROOM
+    counts, room_for = room.counts, log.rows.shape[0]
+    count = counts[0]
+    if is_event and counts[1] == log.most:
+        return EVENT_LIMIT
+    if log.keeps_all and count == room_for:
+        return NO_ROOM
     if is_event or count == 0:
-        events, last = events + (1 if is_event else 0), count
-    may_end = events == log.most and last == count
-    if count < log.rows.shape[0] or may_end:
+        counts[1], counts[2] = counts[1] + (1 if is_event else 0), count
+    may_end = counts[1] == log.most and counts[2] == count
+    if count < room_for or may_end:
         row = log.end if may_end else log.rows[count]
         write(problem, room, row, now, event.late, u)
         row[_ORDER], row[_EVENT] = now.order, 1.0 if is_event else 0.0
         row[_JUMP] = 1.0 if event.kind in (PIECE, CONTACT) else 0.0
         if may_end:
-            log.end[_FRICTION], log.end[_VISCOUS], log.end[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
-            for k in range(ROW if count < log.rows.shape[0] else 0):
+            write_ledger(room, row)
+            for k in range(ROW if count < room_for else 0):
                 log.rows[count, k] = row[k]
-    room.clock[1, 0] = room.clock[1, 1] = 0.0
-    return Recorded(count + 1, events, last), GOES_ON
+    put(room.clock[1], Pair(0.0, 0.0))
+    counts[0] += 1
+    return GOES_ON
+
+
+@compilable
+def write_ledger(room: Room, end: Any) -> None:
+    """Write what was taken up to now."""
+    end[_FRICTION], end[_VISCOUS], end[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
+    end[_FRICTION + 1] = end[_VISCOUS + 1] = 0.0
 
 
 @compilable
@@ -212,9 +204,10 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tupl
     pair, b = problem.pair, problem.drive.b[now.piece, 0]
     row[_MODE], row[_PIECE] = now.mode, now.piece
     for i in range(2):
-        row[_LOCAL + i], row[_LENGTH + i], row[_EXCESS + i] = room.clock[0, i], room.clock[1, i], math.nan
-        for k in range(4):
-            row[_X1 + 2 * k + i] = room.y[k, i]
+        put(row[_LOCAL + 2 * i :], pair_of(room.clock[i]))
+    for i in range(4):
+        put(row[_X1 + 2 * i :], pair_of(room.y[i]))
+    row[_EXCESS] = row[_EXCESS + 1] = math.nan
     row[_LATE] = late
     E, R, scale, v = room.E, room.R, room.scale, abs(room.y[1, 0])
     # within `late` of an event either mode may act; only the stick of the literal law may need more than b
@@ -231,16 +224,12 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tupl
 
 
 @compilable
-def close(problem: Problem, room: Room, now: Now, how: int, recorded: Recorded, log: Log) -> int:
+def close(problem: Problem, room: Room, now: Now, how: int, log: Log) -> int:
     """Write the row of the end, and return how many rows there are."""
-    count, events, last = recorded
-    end, ledger = log.end, room.ledger
-    if how == EVENT_LIMIT:
-        count = last + 1
-    else:
+    end, counts = log.end, room.counts
+    if how != EVENT_LIMIT:
         write(problem, room, end, now, 0.0, (0.0, 0.0, 0.0))
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
-        end[_FRICTION], end[_VISCOUS], end[_LOST] = ledger[0], ledger[1], ledger[2]
-    end[_HOW], end[_EVENTS], end[_CERTAIN] = how, events, 1.0
-    end[_FRICTION + 1] = end[_VISCOUS + 1] = 0.0
-    return count
+        write_ledger(room, end)
+    end[_HOW], end[_EVENTS], end[_CERTAIN] = how, counts[1], 1.0
+    return counts[2] + 1 if how == EVENT_LIMIT else counts[0]

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.scene import Force, Friction, Scene, Sine
+from numerics.scene import Friction, Scene, Sine
 from numerics.scene.pieces import shifted
 
 _AT_ONCE = np.zeros(1)
@@ -31,13 +33,13 @@ class ExactPiece:
     is_jump: bool
 
 
-def pieces_of(scene: Scene, grid: Grid | None = None) -> Sequence[ExactPiece]:
+def pieces_of(scene: Scene, known: Known | None = None) -> Sequence[ExactPiece]:
     """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene.
 
-    `grid`: that of scenes before this one.
+    `known`: what was made of scenes before this one.
     """
     if "pieces" not in scene.made:
-        scene.made["pieces"] = _pieces(scene, grid or Grid())
+        scene.made["pieces"] = _pieces(scene, known or Known())
     found: Sequence[ExactPiece] = scene.made["pieces"]
     return found
 
@@ -52,39 +54,36 @@ def starts_of(scene: Scene) -> NDArray[np.float64]:
     return found
 
 
-class Grid:
-    """When the pieces of scenes begin and which of force and friction act; scenes of a batch may share the last one."""
+class Known:
+    """What was made of numbers and objects, which many pieces and scenes of a batch share: made once."""
 
     def __init__(self) -> None:
-        """Begin with none."""
-        self._of: tuple[object, ...] = ()
-        self._found: list[tuple[Fraction, Fraction, int, int]] = []
+        """Begin with nothing."""
+        self._found: dict[tuple[object, ...], tuple[Any, object]] = {}
 
-    def of(self, force: Force, friction: Friction, until: Fraction) -> list[tuple[Fraction, Fraction, int, int]]:
-        """Return of each piece start and length, s, and how many pieces of force and of friction have begun."""
-        given = (friction, until, *force.starts)
-        if len(given) != len(self._of) or any(one is not two for one, two in zip(given, self._of, strict=True)):
-            self._of, self._found = given, _grid(force.starts, friction.starts, until)
-        return self._found
+    def of(self, make: Callable[..., Any], *given: object) -> Any:
+        """Return make(*given), as it was made of the very same objects before."""
+        key = make, *map(id, given)
+        if key not in self._found:
+            self._found[key] = make(*given), given  # what is kept keeps its id
+        return self._found[key][0]
 
 
-def _grid(
-    forces: Sequence[Fraction], frictions: Sequence[Fraction], until: Fraction
-) -> list[tuple[Fraction, Fraction, int, int]]:
-    starts = [Fraction(0)]
+def _grid(friction: Friction, until: Fraction, *forces: Fraction) -> list[tuple[Fraction, Fraction, int, int]]:
+    """Return of each piece start and length, s, and how many pieces of force and of friction have begun."""
+    starts, frictions = [Fraction(0)], friction.starts
     for t in sorted((*forces, *frictions)):
         if starts[-1] < t < until:
             starts.append(t)
-    ends = [*starts[1:], until]
     return [
         (start, end - start, bisect_right(forces, start), bisect_right(frictions, start))
-        for start, end in zip(starts, ends, strict=True)
+        for start, end in pairwise([*starts, until])
     ]
 
 
-def _pieces(scene: Scene, grid: Grid) -> Sequence[ExactPiece]:
+def _pieces(scene: Scene, known: Known) -> Sequence[ExactPiece]:
     found: list[ExactPiece] = []
-    for start, length, forces, frictions in grid.of(scene.force, scene.friction, scene.until):
+    for start, length, forces, frictions in known.of(_grid, scene.friction, scene.until, *scene.force.starts):
         b = scene.friction.pieces[frictions - 1][1] if frictions else scene.pair.b
         polynomial, sines = (), ()  # type: tuple[Fraction, ...], tuple[Sine, ...]
         if forces:
@@ -99,10 +98,8 @@ def _pieces(scene: Scene, grid: Grid) -> Sequence[ExactPiece]:
 
 def polynomial_at(polynomial: Sequence[Fraction], t: Fraction) -> Fraction:
     """Return the value of a polynomial with these coefficients, from the constant on."""
-    if not polynomial:
-        return Fraction(0)
-    value = polynomial[-1]
-    for coefficient in polynomial[-2::-1]:
+    value = Fraction(0)
+    for coefficient in reversed(polynomial):
         value = value * t + coefficient
     return value
 

@@ -19,10 +19,10 @@ from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, constants
-from numerics.linear.pieces import ExactPiece, Grid, pieces_of
+from numerics.linear.pieces import ExactPiece, Known, pieces_of
 from numerics.linear.record import AT, ROW
 from numerics.linear.table import FIRST, Tables, form, make_tables
-from numerics.scene import Law, Pair, Scene, Sine
+from numerics.scene import Law, Pair, Scene
 
 Halves = tuple[float, float]
 REACH, TERMS = 2.0, 28
@@ -32,7 +32,7 @@ _WIDE_REACH, _WIDE_TERMS = 1.5, 36
 _MORE_TERMS = 14
 """So many terms more than the polynomial of u has coefficients."""
 _ROWS_PER_HALF_TURN, _MOST_HALF_TURNS = 3, 5_000
-"""Events that a half turn of the fastest rate is given room for, and how many half turns are foreseen."""
+"""Events that a half turn of the fastest rate (of body 1 alone, of a sine) is given room for; so many are foreseen."""
 
 
 class Units(NamedTuple):
@@ -61,7 +61,9 @@ class Prepared(NamedTuple):
     @property
     def room(self) -> int:
         """Return how many rows are given room for at first; with more the run is made again."""
-        return len(self.pieces) + 16 + int(_ROWS_PER_HALF_TURN * _half_turns(self.pair, self.drive))
+        fastest = max((self.pair.a2 / self.pair.m1) ** 0.5, float(self.drive.sines[:, 1, 0].max(initial=0.0)))
+        half_turns = min(_MOST_HALF_TURNS, float(self.drive.length[:, 0].sum()) * fastest / math.pi)
+        return len(self.pieces) + 16 + int(_ROWS_PER_HALF_TURN * half_turns)
 
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
@@ -118,41 +120,9 @@ def bodies_of(pair: Pair, law: Law) -> Bodies:
             raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"')
     mass = _exponent(pair.mass)
     units = Units(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
-    kg = units.of(mass=1)
-    numbers = *(halves(one, kg) for one in (pair.m1, pair.mass, pair.m2)), halves(pair.a1, kg - units.time)
-    numbers = *numbers, halves(pair.a2, kg - 2 * units.time)
+    given = (pair.m1, 0), (pair.mass, 0), (pair.m2, 0), (pair.a1, -1), (pair.a2, -2)
+    numbers = tuple([halves(value, units.of(mass=1, time=power)) for value, power in given])
     return Bodies(constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units)
-
-
-class Known:
-    """Numbers of scenes as halves; the very same numbers, which many pieces and scenes share, are converted once."""
-
-    def __init__(self) -> None:
-        """Begin with none."""
-        self._found: dict[tuple[int, ...], tuple[Halves, object]] = {}
-        self._bodies: dict[tuple[int, Law], tuple[Bodies, Pair]] = {}
-        self.grid = Grid()
-
-    def halves(self, x: Fraction, exponent: int = 0) -> Halves:
-        """Return halves(x, exponent)."""
-        key = id(x), exponent
-        if key not in self._found:
-            self._found[key] = halves(x, exponent), x  # what is kept keeps its id
-        return self._found[key][0]
-
-    def phase(self, sine: Sine, start: Fraction) -> Halves:
-        """Return the phase of a sine at a time."""
-        key = id(sine.omega), id(sine.phase), id(start)
-        if key not in self._found:
-            self._found[key] = halves(reduced(sine.omega * start + sine.phase)), (sine, start)
-        return self._found[key][0]
-
-    def bodies(self, pair: Pair, law: Law) -> Bodies:
-        """Return bodies_of(pair, law)."""
-        key = id(pair), law
-        if key not in self._bodies:
-            self._bodies[key] = bodies_of(pair, law), pair
-        return self._bodies[key][0]
 
 
 def prepare(scene: Scene, *, wide: bool, known: Known | None = None) -> Prepared:
@@ -167,29 +137,17 @@ def prepare(scene: Scene, *, wide: bool, known: Known | None = None) -> Prepared
 
 
 def _prepared(scene: Scene, known: Known, *, wide: bool) -> Prepared:
-    pair, numbers, units = known.bodies(scene.pair, scene.law)
-    pieces = pieces_of(scene, known.grid)
+    bodies: Bodies = known.of(bodies_of, scene.pair, scene.law)
+    pair, numbers, units = bodies
+    pieces = pieces_of(scene, known)
     drive, kinds, longest = _drive(pieces, units, known)
     tables = _tables(numbers, tuple(kinds), longest, wide)
-    at, speed = scene.initial, units.of(length=1, time=-1)
-    start = np.zeros(ROW)
-    for name, value, exponent in (
-        ("x1", at.x1, units.length),
-        ("v1", at.v1, speed),
-        ("x2", at.x2, units.length),
-        ("v2", at.v2, speed),
-    ):
-        start[AT[name] : AT[name] + 2] = known.halves(value, exponent)
-    gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
-    start[AT["mode"]] = gap
+    at, start = scene.initial, np.zeros(ROW)
+    for name, exponent in (("x1", 0), ("v1", -1), ("x2", 0), ("v2", -1)):
+        value = known.of(halves, getattr(at, name), units.of(length=1, time=exponent))
+        start[AT[name] : AT[name] + 2] = value
+    start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
     return Prepared(pair, drive, tables, start, gap != 0, units, pieces)
-
-
-def _half_turns(pair: Constants, drive: Drive) -> float:
-    """Return how often the fastest of body 1 alone and the sines turns by pi over the run, or the most foreseen."""
-    fastest = max((pair.a2 / pair.m1) ** 0.5, float(drive.sines[:, 1, 0].max(initial=0.0)))
-    found = float(drive.length[:, 0].sum()) * fastest / math.pi
-    return found if found < _MOST_HALF_TURNS else _MOST_HALF_TURNS
 
 
 Kind = tuple[int, tuple[Halves, ...]]
@@ -206,23 +164,23 @@ def _drive(pieces: Sequence[ExactPiece], units: Units, known: Known) -> tuple[Dr
     sines: list[tuple[Halves, Halves, Halves]] = []
     kinds: dict[Kind, int] = {}
     for one in pieces:
-        omegas = tuple([known.halves(sine.omega, -second) for sine in one.sines])
-        kind = len(one.polynomial), omegas
-        index = kinds.setdefault(kind, len(kinds))
+        omegas = tuple([known.of(halves, sine.omega, -second) for sine in one.sines])
+        index = kinds.setdefault((len(one.polynomial), omegas), len(kinds))
         places.append((len(coefficients), len(one.polynomial), len(sines), len(one.sines), index, int(one.is_jump)))
-        b.append(known.halves(one.b, force))
-        length.append(known.halves(one.length, second))
-        coefficients += [known.halves(c, force - k * second) for k, c in enumerate(one.polynomial)]
+        b.append(known.of(halves, one.b, force))
+        length.append(known.of(halves, one.length, second))
+        coefficients += [known.of(halves, c, force - k * second) for k, c in enumerate(one.polynomial)]
         for sine, omega in zip(one.sines, omegas, strict=True):
-            sines.append((known.halves(sine.amplitude, force), omega, known.phase(sine, one.start)))
-    drive = Drive(
-        np.array(places, dtype=np.int64),
-        np.array(b),
-        np.array(length),
-        np.array(coefficients).reshape(-1, 2),
-        np.array(sines).reshape(-1, 3, 2),
-    )
+            phase = known.of(_phase_at, sine.omega, sine.phase, one.start)
+            sines.append((known.of(halves, sine.amplitude, force), omega, phase))
+    numbers = np.array(coefficients).reshape(-1, 2), np.array(sines).reshape(-1, 3, 2)
+    drive = Drive(np.array(places, dtype=np.int64), np.array(b), np.array(length), *numbers)
     return drive, kinds, max(length)[0]
+
+
+def _phase_at(omega: Fraction, phase: Fraction, start: Fraction) -> Halves:
+    """Return the phase of a sine at a time."""
+    return halves(reduced(omega * start + phase))
 
 
 def most_terms(coefficients: int, least: int = TERMS) -> int:

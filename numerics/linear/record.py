@@ -34,38 +34,35 @@ AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
 
 
-_EVENT, _PIECE, _LOCAL, _X1 = (AT[name] for name in ("event", "piece", "local", "x1"))
-_EXCESS, _LATE, _FRICTION, _LOST = (AT[name] for name in ("excess", "late", "friction", "dissipated_error"))
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def in_si(rows: Any, mass: int, time: int, length: int) -> None:
-    """Multiply rows (n, ROW), or of ends (n, END_ROW), by units of 2^mass kg, 2^time s and 2^length m; exact."""
-    for half in range(2):  # a power may be too large for a float, its root is not
-        second, metre = math.ldexp(1.0, (time + half) // 2), math.ldexp(1.0, (length + half) // 2)
-        speed = math.ldexp(1.0, (length - time + half) // 2)
-        energy = math.ldexp(1.0, (mass + 2 * length - 2 * time + half) // 2)
-        for row in rows:
-            for k in range(4):  # local and length
-                row[_LOCAL + k] *= second
-            row[_LATE] *= second
-            for i in range(4):
-                unit = speed if i % 2 == 1 else metre
-                row[_X1 + 2 * i] *= unit
-                row[_X1 + 2 * i + 1] *= unit
-                row[_LATE + 1 + i] *= unit
-            if row.shape[0] > ROW:
-                for k in range(5):
-                    row[_FRICTION + k] *= energy
+_EVENT, _PIECE, _LOCAL, _LENGTH = (AT[name] for name in ("event", "piece", "local", "length"))
+_X1, _EXCESS, _FRICTION, _LOST = (AT[name] for name in ("x1", "excess", "friction", "dissipated_error"))
+_OF_DIMENSION = (), ("local", "length", "late"), ("x1", "x2"), ("v1", "v2"), ("friction", "viscous", "dissipated")
+_DIMENSION = {name: index for index, names in enumerate(_OF_DIMENSION) for name in names}
+DIMENSION = np.array([_DIMENSION.get(name.removesuffix("_low").removesuffix("_error"), 0) for name in AT])
+"""Of each column: 0 none, 1 time, 2 length, 3 speed, 4 energy; of bounds and low halves, that of their number."""
+_BOUND = {"local": "late", "friction": "dissipated_error", "viscous": "dissipated_error"}
+HALVES = np.array(
+    [(AT[name], AT[_BOUND.get(name, f"{name}_error")]) for name in AT if f"{name}_low" in AT and name != "length"]
+)
+"""Where the numbers stand that have bounds, and these."""
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
 def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
-    """Bring a run, its rows and the row of its end, into SI units; return whether all its numbers are finite."""
-    in_si(rows, mass, time, length)
-    in_si(end.reshape(1, -1), mass, time, length)
-    is_finite = np.isfinite(rows[:, :_EXCESS]).all() and np.isfinite(rows[:, _EXCESS + 2 :]).all()
-    return is_finite and np.isfinite(end[:_EXCESS]).all() and np.isfinite(end[_EXCESS + 2 :]).all()
+    """Bring a run, its rows and the row of its end, from units of 2^mass kg, 2^time s and 2^length m into SI units.
+
+    Exact; return whether all its numbers are finite: no excess is carried by nan, and no ledger.
+    """
+    is_finite, exponents = True, np.array([0, time, length, length - time, mass + 2 * length - 2 * time])
+    # a power may be too large for a float, its root is not
+    root, rest = np.ldexp(1.0, exponents // 2), np.ldexp(1.0, (exponents + 1) // 2)
+    for table in (rows, end.reshape(1, -1)):
+        for row in table:
+            for k in range(row.shape[0]):
+                row[k] = row[k] * root[DIMENSION[k]] * rest[DIMENSION[k]]
+                may_miss = _EXCESS <= k < _EXCESS + 2 or k >= _FRICTION
+                is_finite = is_finite and (math.isfinite(row[k]) or (may_miss and math.isnan(row[k])))
+    return is_finite
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -93,17 +90,12 @@ def tabulate(rows: Any, end: Any, count: int, starts: Any, until: float, reached
 @compilable_with(makes_arrays=True, forceinline=False)
 def round_off(rows: Any) -> None:
     """Leave out the low halves of rows (n, ROW), or of an end; what they were is added to the bounds of the errors."""
-    rows[:, _LATE] += np.abs(rows[:, _LOCAL + 1])
-    for k in range(4):
-        rows[:, _LATE + 1 + k] += np.abs(rows[:, _X1 + 1 + 2 * k])
-    rows[:, _LATE + 5] += np.fmax(np.abs(rows[:, _EXCESS + 1]), 0.0)  # 0 for nan: it is formed from the state
-    for k in range(_LOCAL + 1, _EXCESS, 2):
-        rows[:, k] = 0.0
-    rows[:, _EXCESS + 1] *= 0.0
-    if rows.shape[1] > ROW:
-        for k in range(_FRICTION + 1, _LOST, 2):
-            rows[:, _LOST] += np.abs(rows[:, k])
-            rows[:, k] = 0.0
+    for k in range(len(HALVES)):
+        number, bound = HALVES[k, 0], HALVES[k, 1]
+        if number < rows.shape[1]:
+            rows[:, bound] += np.fmax(np.abs(rows[:, number + 1]), 0.0)  # 0 for nan: it is formed from the state
+            rows[:, number + 1] *= 0.0
+    rows[:, _LENGTH + 1] = 0.0
 
 
 def rounded(record: Record) -> Record:

@@ -18,8 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, ratio, times
 from numerics.linear.first_root import value_slope
-from numerics.linear.pairs import add, divide, multiply
 
 X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
 UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
@@ -38,6 +38,8 @@ class Tables(NamedTuple):
     A kind is the number of coefficients of the polynomial and the frequencies; n columns at most, k < terms.
     """
 
+    made_of: Any
+    """(kinds, 7 + n): what they were formed of: the pair, both steps, frequencies."""
     h: Any
     """(kinds, 2): the step, s."""
     count: Any
@@ -64,6 +66,7 @@ class Tables(NamedTuple):
 def make_tables(kinds: int, n: int, terms: int) -> Tables:
     """Return empty tables; n columns at most."""
     return Tables(
+        np.zeros((kinds, 7 + n)),
         np.zeros((kinds, 2)),
         np.zeros(kinds, dtype=np.int64),
         np.zeros((kinds, 2, 2, 2, n, terms)),
@@ -80,51 +83,120 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
 def form(
     tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest: float, reach: float, wide: bool
 ) -> None:
-    """Form the tables of one kind of force: so many coefficients of a polynomial, and frequencies (k, 2) as pairs.
+    """Form the tables of one kind of force: so many coefficients of a polynomial, and frequencies (k, 2) as pairs;
+
+    if they were not formed of these numbers before.
 
     `pair` (5, 2): m1, m1 + m2, m2, a1, a2 as pairs. A step is `reach` over the fastest rate, or `longest`.
     """
-    waves = omegas.shape[0]
-    n = FIRST + terms + 2 * waves
-    tables.count[kind] = n
-    places, entries = np.zeros((12 + terms + 4 * waves, 2), dtype=np.int64), np.zeros((12 + terms + 4 * waves, 2))
+    n, made_of = FIRST + terms + 2 * omegas.shape[0], np.zeros(tables.made_of.shape[1])
+    made_of[:5] = pair[:, 0]
     for side in range(2):
-        count = generator(pair, terms, omegas, side == 1, places, entries)
         rate = pair[3, 0] / pair[side, 0] + math.sqrt(pair[4, 0] / pair[side, 0])
-        for k in range(waves):
+        for k in range(omegas.shape[0]):
             rate = max(rate, omegas[k, 0])
-        fraction, exponent = math.frexp(min(longest, reach / rate))
-        h = math.ldexp(math.floor(math.ldexp(fraction, 20)), exponent - 20)  # of 20 bits: steps of it add up exactly
-        tables.h[kind, side] = h
-        at = kind, side
-        rows, degrees, end, sums = tables.rows[at], tables.degrees[at], tables.ends[at], tables.sums[at]
-        fill(entries[:count], places[:count], h, n, side == 1, rows, degrees, end, sums)
-        count_roundings(tables, kind, side, wide)
+            made_of[7 + k] = omegas[k, 0]
+        fraction, exponent = math.frexp(min(longest, reach / rate))  # of 20 bits: steps of it add up exactly
+        made_of[5 + side] = math.ldexp(math.floor(math.ldexp(fraction, 20)), exponent - 20)
+    if np.array_equal(made_of, tables.made_of[kind]):
+        return
+    tables.made_of[kind], tables.count[kind] = made_of, n
+    for side in range(2):
+        at, h = (kind, side), made_of[5 + side]
+        tables.h[at] = h
+        cut = expand_units(generator(pair, terms, omegas, side == 1), h, tables.rows[at], tables.ends[at])
+        count_roundings(tables, kind, side, cut, wide)
         if pair[3, 0] > 0.0:
-            square(rows[0, 0], h, n, tables.squares[at])
+            square(tables.rows[at][0, 0], h, n, tables.squares[at])
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def count_roundings(tables: Tables, kind: int, side: int, wide: bool) -> None:
-    """Count the roundings of each series, c_k s^k with 2 k + n + 4, at s = 0 (of its first term) and at s = 1 (of all).
+def generator(pair: Any, terms: int, omegas: Any, is_stick: bool) -> Any:
+    """Return A (n, n, 2), of pairs."""
+    waves, n = FIRST + terms, FIRST + terms + 2 * omegas.shape[0]
+    A, one, mass = np.zeros((n, n, 2)), Pair(1.0, 0.0), pair_of(pair[1 if is_stick else 0])
+    A[X1, V1, 0] = A[X2, V2, 0] = 1.0
+    for to in (V1, V2) if is_stick else (V1, V1):
+        put(A[to, X1], ratio(-pair_of(pair[4]), mass))
+        put(A[to, V1], ratio(-pair_of(pair[3]), mass))
+        if terms > 0:
+            put(A[to, FIRST], ratio(one, mass))
+        for of in range(waves, n, 2):
+            put(A[to, of], ratio(one, mass))
+    if not is_stick:
+        put(A[V1, FRICTION], -ratio(one, mass))
+        put(A[V2, FRICTION], ratio(one, pair_of(pair[2])))
+    for k in range(terms - 1):
+        A[FIRST + k, FIRST + k + 1, 0] = k + 1.0
+    for k in range(omegas.shape[0]):
+        at = waves + 2 * k
+        put(A[at, at + 1], pair_of(omegas[k]))
+        put(A[at + 1, at], -pair_of(omegas[k]))
+    return A
 
-    Where `wide`, later terms are formed in floats.
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
+    """Write Taylor coefficients and value of every unit vector over a step h; return what the first leave out (n,)."""
+    count, terms, places = A.shape[0], rows.shape[3], np.argwhere(A[:, :, 0])
+    z, after, total, cut = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2)), np.zeros(count)
+    for e in range(len(places)):
+        to, of = places[e, 0], places[e, 1]
+        put(A[to, of], times(pair_of(A[to, of]), h))
+    for j in range(count):
+        z[:, :] = 0.0
+        z[j, 0] = 1.0
+        total[:, :] = z
+        for k in range(terms + 2):
+            for i in range(2):
+                if k < terms:
+                    rows[0, i, j, k], rows[1, i, j, k] = z[2 * i, 0], z[2 * i, 1]
+                else:  # the first two that are left out; all later ones are less than these again
+                    cut[j] += 2.0 * abs(z[2 * i, 0])
+            after[:, :] = 0.0
+            for e in range(len(places)):
+                to, of = places[e, 0], places[e, 1]
+                if z[of, 0] != 0.0:
+                    put(after[to], plus(pair_of(after[to]), product(pair_of(A[to, of]), pair_of(z[of]))))
+            z[:, :] = 0.0
+            for i in range(count):
+                if after[i, 0] != 0.0:  # most are 0, and divisions take half of the time
+                    put(z[i], ratio(pair_of(after[i]), Pair(k + 1.0, 0.0)))
+                    put(total[i], plus(pair_of(total[i]), pair_of(z[i])))
+        for i in range(count):
+            end[0, i, j], end[1, i, j] = total[i, 0], total[i, 1]
+    return cut
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def count_roundings(tables: Tables, kind: int, side: int, cut: Any, wide: bool) -> None:
+    """Count the terms of each series, and its roundings, 2 k + n + 4 of c_k s^k, at s = 0 (of its first term) and at
+
+    s = 1 (of all). Where `wide`, later terms are formed in floats. A guard's sums are those of floats, and what is cut.
     """
-    rows, n = tables.rows[kind, side, 0], tables.count[kind]
-    own, guard = tables.state_own[kind, side], tables.own[kind, side]
+    at, terms = (kind, side), tables.rows.shape[5]
+    rows, n, degrees, sums = tables.rows[at][0], tables.count[kind], tables.degrees[at], tables.sums[at]
+    own, guard = tables.state_own[at], tables.own[at]
+    degrees[:, :] = 0
     own[:, :, :] = 0.0
     guard[:, :, :] = 0.0
-    for k in range(rows.shape[2]):
+    for j in range(n):
+        sums[:, j] = cut[j] * terms * 2.0**53 * (terms if side == 1 else 1)
+    for k in range(terms):
         weight = (2 * k + n + 4) * (UNIT / WIDE_UNIT if wide and k >= PRECISE else 1.0)
+        order, power = (k - 1, k) if side == 0 else (k - 2, k * (k - 1))
         for j in range(n):
-            one, two = weight * abs(rows[0, j, k]), weight * abs(rows[1, j, k])
             for i in range(2):
-                value = two if i == 1 else one
+                value = weight * abs(rows[i, j, k])
+                if value > 0.0:
+                    degrees[i, j] = k + 2 - k % 2
                 for end in range(2):
                     own[2 * i, end, j] += value if end == 1 or k == 0 else 0.0
                     own[2 * i + 1, end, j] += k * value if end == 1 or k == 1 else 0.0
-            of_guard, order = (k * (one + two), k - 1) if side == 0 else (k * (k - 1) * two, k - 2)
+            one, two = abs(rows[0, j, k]) if side == 0 else 0.0, abs(rows[1, j, k])
+            of_guard = power * (weight * one + weight * two)
             for p in range(min(order + 1, ORDERS)):
+                sums[p, j] += (2 * order + n + 8) * power * (one + two)
                 guard[p, 1, j] += of_guard
                 guard[p, 0, j] += of_guard if p == order else 0.0
 
@@ -151,95 +223,3 @@ def square(rows: Any, h: float, count: int, form: Any) -> None:
             for j in range(count):
                 for n in range(NODES.shape[0]):
                     form[i, j] += WEIGHTS[n] / (cut * h) * slopes[n, i] * slopes[n, j]
-
-
-@compilable_with(forceinline=False)
-def generator(pair: Any, terms: int, omegas: Any, is_stick: bool, places: Any, entries: Any) -> int:
-    """Write the nonzero elements of A: where they stand, and as pairs; return how many there are."""
-    mh, ml = pair[1 if is_stick else 0, 0], pair[1 if is_stick else 0, 1]
-    one, waves = divide(1.0, 0.0, mh, ml), FIRST + terms
-    drag, spring = divide(-pair[3, 0], -pair[3, 1], mh, ml), divide(-pair[4, 0], -pair[4, 1], mh, ml)
-    count = put(places, entries, 0, X1, V1, (1.0, 0.0))
-    count = put(places, entries, count, X2, V2, (1.0, 0.0))
-    for to in range(V1, V2 + 1, V2 - V1):
-        if to == V1 or is_stick:
-            count = put(places, entries, count, to, X1, spring)
-            count = put(places, entries, count, to, V1, drag)
-            if terms > 0:
-                count = put(places, entries, count, to, FIRST, one)
-            for k in range(omegas.shape[0]):
-                count = put(places, entries, count, to, waves + 2 * k, one)
-    if not is_stick:
-        count = put(places, entries, count, V1, FRICTION, (-one[0], -one[1]))
-        count = put(places, entries, count, V2, FRICTION, divide(1.0, 0.0, pair[2, 0], pair[2, 1]))
-    for k in range(terms - 1):
-        count = put(places, entries, count, FIRST + k, FIRST + k + 1, (k + 1.0, 0.0))
-    for k in range(omegas.shape[0]):
-        at, omega = waves + 2 * k, omegas[k]
-        count = put(places, entries, count, at, at + 1, (omega[0], omega[1]))
-        count = put(places, entries, count, at + 1, at, (-omega[0], -omega[1]))
-    return count
-
-
-@compilable
-def put(places: Any, entries: Any, count: int, to: int, of: int, entry: tuple[float, float]) -> int:
-    """Write one element, and return how many there are now."""
-    places[count, 0], places[count, 1], (entries[count, 0], entries[count, 1]) = to, of, entry
-    return count + 1
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def fill(
-    entries: Any,
-    places: Any,
-    h: float,
-    count: int,
-    is_stick: bool,
-    rows: Any,
-    degrees: Any,
-    end: Any,
-    sums: Any,
-) -> None:
-    """Fill a table; entries (k, 2) are the nonzero elements of A as pairs, places (k, 2) where they stand."""
-    terms, side = rows.shape[3], 1 if is_stick else 0
-    z, after, total = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2))
-    scaled = np.empty(entries.shape)
-    for e in range(entries.shape[0]):
-        scaled[e, 0], scaled[e, 1] = multiply(entries[e, 0], entries[e, 1], h, 0.0)
-    for j in range(count):
-        z[:, :] = 0.0
-        z[j, 0] = 1.0
-        total[:, :] = z
-        cut1, cut2 = 0.0, 0.0
-        for k in range(terms + 2):
-            if k < terms:
-                for i in range(2):
-                    rows[0, i, j, k], rows[1, i, j, k] = z[2 * i, 0], z[2 * i, 1]
-            else:  # the first two that are left out; all later ones are less than these again
-                cut1 += 2.0 * abs(z[0, 0])
-                cut2 += 2.0 * abs(z[2, 0])
-            after[:, :] = 0.0
-            for e in range(entries.shape[0]):
-                to, of = places[e, 0], places[e, 1]
-                if z[of, 0] != 0.0:
-                    p, q = multiply(scaled[e, 0], scaled[e, 1], z[of, 0], z[of, 1])
-                    after[to, 0], after[to, 1] = add(after[to, 0], after[to, 1], p, q)
-            z[:, :] = 0.0
-            for i in range(count):
-                if after[i, 0] != 0.0:  # most are 0, and divisions take half of the time
-                    z[i, 0], z[i, 1] = divide(after[i, 0], after[i, 1], float(k + 1), 0.0)
-                    total[i, 0], total[i, 1] = add(total[i, 0], total[i, 1], z[i, 0], z[i, 1])
-        for i in range(count):
-            end[0, i, j], end[1, i, j] = total[i, 0], total[i, 1]
-        for i in range(2):
-            degree = terms
-            while degree > 0 and rows[0, i, j, degree - 1] == 0.0:
-                degree -= 1
-            degrees[i, j] = degree + degree % 2
-        cut = (cut1 + cut2) * terms * 2.0**53
-        for p in range(ORDERS):
-            sums[p, j] = cut * terms if is_stick else cut
-            for k in range(p, terms - 1 - side):
-                one, two = abs(rows[0, 0, j, k + 1 + side]), abs(rows[0, 1, j, k + 1 + side])
-                size, power = (two, (k + 2) * (k + 1)) if is_stick else (one + two, k + 1)
-                sums[p, j] += (2 * k + count + 8) * power * size

@@ -17,8 +17,8 @@ from numerics.arithmetic.pair import nearest
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.rows import UNKNOWN, solve_rows
 from numerics.linear.batch import run_prepared, run_rows
-from numerics.linear.pieces import starts_of
-from numerics.linear.prepare import Known, Prepared, prepare
+from numerics.linear.pieces import Known, starts_of
+from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
 from numerics.scene import Friction, Scene
 from numerics.scene.plane import PlaneScene

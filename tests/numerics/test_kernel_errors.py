@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kernel_runs import a_scene, room_for
 
+from numerics.arithmetic.pair import Pair
 from numerics.linear.columns import Now, Problem, expand, force_columns
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import CLEAR
@@ -28,7 +29,7 @@ def evolved(prepared, mode, s, start, R=0.0, wide=True):
     room.y[:, 0], room.R[:] = start / room.scale, R
     force_columns(room, prepared.drive, 0, 0.0, wide)
     expand(problem, room, now)
-    evolve(problem, room, now, no_event(CLEAR, s, Step(1.0, 0.0, False, 0.0)))
+    evolve(problem, room, now, no_event(CLEAR, s, Step(Pair(1.0, 0.0), False, 0.0)))
     return room.y.sum(1) * room.scale, room
 
 

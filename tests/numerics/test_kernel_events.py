@@ -7,6 +7,7 @@ from kernel_runs import a_scene, room_for
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
+from numerics.arithmetic.pair import Pair
 from numerics.linear.error_set import box, carry, norm_of, take_in, width
 from numerics.linear.first_root import ROOT
 from numerics.linear.modes import UNDECIDED
@@ -114,7 +115,7 @@ class Event:
         self.begun, self.is_exact = self.y, self.y[1] == self.y[3]
         self.room = room_for(tables)
         self.room.scale[:], self.room.y[:, 0], self.room.E[:, 2] = scale, self.y, self.column
-        ahead = Next(ROOT, 0.5, 0.0, 1, 0.1, slope=self.slope, window=0.0, own=0.0)
+        ahead = Next(ROOT, Pair(0.5, 0.0), 1, 0.1, slope=self.slope, window=0.0, own=0.0)
         self.late, self.off, _ = lateness(pair, self.room, ahead, mode, b, 1e300, 1e300)
         self.y = self.room.y[:, 0].copy()
         self.force = self.u[0], abs(self.u[1]), abs(self.u[0]) + abs(self.u[1])
