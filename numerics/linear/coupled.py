@@ -57,7 +57,7 @@ class CoupledFlow(Flow):
                 first = ([[+arb(c) for c in row] for row in own[: FEW + 2]] for own in self.own)
                 self._both[bits] = [BallNumbers.products(one) for one in first]
             numbers = [+arb(c) for c in z]
-            x1, x2 = (_filled(products(numbers), FEW + 2, arb(0)) for products in self._both[bits])
+            x1, x2 = (filled(products(numbers), FEW + 2, arb(0)) for products in self._both[bits])
             place = [one - two for one, two in zip(x1, x2, strict=True)]
             speed = [k * one for k, one in enumerate(place)][1:]
             slope, pull = map(Ball.number, self.branch[1:])
@@ -97,7 +97,7 @@ class CoupledExpansion(Expansion):
     def __init__(self, flow: CoupledFlow, z: list[Any]) -> None:
         """Form the polynomials."""
         curve, zero = flow.numbers.curve, 0 * z[0]
-        one, two = (_filled(product(z), flow.terms, zero) for product in (flow.x1, flow.x2))
+        one, two = (filled(product(z), flow.terms, zero) for product in (flow.x1, flow.x2))
         self.flow, self.z, self.order, self.both = flow, z, flow.terms - 1, (one, two)
         self.x, self.y = curve(one[:-1]), curve(two[:-1])
         self.v, self.w = self.x.derivative(), self.y.derivative()
@@ -138,7 +138,7 @@ class CoupledExpansion(Expansion):
         return [one.derivative()(t).abs_upper() + off for one in (self.v, self.w)]
 
 
-def _filled(row: list[Any], count: int, zero: Any) -> list[Any]:
+def filled(row: list[Any], count: int, zero: Any) -> list[Any]:
     """Return coefficients, those that vanish for ever included."""
     return [one for one, _ in zip_longest(row, range(count), fillvalue=zero)]
 

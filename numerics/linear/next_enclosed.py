@@ -15,7 +15,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import OutOfRange
 from numerics.linear.cells import CEILING, FLOOR, FORCE
 from numerics.linear.coupled import FORCE as FORCE_ROW
-from numerics.linear.coupled import PLACE, SPEED
+from numerics.linear.coupled import PLACE, SPEED, filled
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
 from numerics.linear.path_enclosed import AWAY, At, Path
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, Split, scan, sharpest, splits
@@ -171,18 +171,13 @@ def scanned(
         if any(one.order for one in guards):
             guards = guards_of(path, at._replace(orders=AWAY), rows)
         since, h = (since + h).mid(), 4 * h
-        near, left = [_moved(rows[k][:FEW], since) for k in used], (reach - since).upper()
+        shift, left = arb_poly([since, 1]), (reach - since).upper()
+        near = [filled(arb_poly(rows[k][:FEW])(shift).coeffs(), len(rows[k][:FEW]), arb(0)) for k in used]
         h = left if left < 2 * h else h
     else:
         if more:
             return None  # after so many intervals it is digits that are short
     return (since, h) if since * _FINE > reach else None
-
-
-def _moved(row: list[arb], since: arb) -> list[arb]:
-    """Return the coefficients of a row at a later point."""
-    found = arb_poly(row)(arb_poly([since, 1])).coeffs()
-    return found + [arb(0)] * (len(row) - len(found))
 
 
 def long_step(path: Path, at: At, flow: Flow, z: list[Any], h: arb) -> arb | None:
