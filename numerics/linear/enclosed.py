@@ -169,15 +169,11 @@ class Run(Path):
         if kind == FORCE:
             w, z = (float(arb(event[n] - event[n + 2]).mid()) for n in (V1, X1))
             raise cells.vanishing(abs(w), z, f" at t = {self.time(at) + float(arb(root.tau).mid()):.6g} s")
+        of_speed, window, step = kind in {FLOOR, CEILING}, root.window + moved, 1 if kind in {CEILING, RIGHT} else -1
+        cell = (k + step, j) if of_speed else (k, j + step)
         # behind an end of |w| the other end of the next interval vanishes, and so for z
-        cell, behind = {
-            FLOOR: ((k - 1, j), CEILING),
-            CEILING: ((k + 1, j), FLOOR),
-            LEFT: ((k, j - 1), RIGHT),
-            RIGHT: ((k, j + 1), LEFT),
-        }[kind]
+        behind = {FLOOR: CEILING, CEILING: FLOOR, LEFT: RIGHT, RIGHT: LEFT}[kind]
         found = at._replace(cell=cell, orders=tuple(int(n == behind) for n in range(4)), late=arb(0))
-        of_speed, window = kind in {FLOOR, CEILING}, root.window + moved
         rate = bends[0] + bends[1] if of_speed else abs(arb(state[V1]) - arb(state[V2]))
         before, after = (cells.branch(self.pieces[at.piece], 1, one) for one in (at.cell, cell))
         bend = Ball.number(abs(after.slope - before.slope) + abs(after.pull - before.pull))
