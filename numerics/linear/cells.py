@@ -12,10 +12,10 @@ time all of F is scaled by b(t)/b.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -26,9 +26,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
-from numerics.linear.system import LinearMode
-from numerics.linear.ties import MARGINAL
-from numerics.scene import Pair, Piece, Scene
+from numerics.linear.system import V1, V2, LinearMode
+from numerics.linear.ties import MARGINAL, derivatives
+from numerics.scene import Pair, Scene, Weakening
 from numerics.scene.decimals import short
 
 Line = tuple[Fraction, Fraction]
@@ -43,13 +43,8 @@ class Branch(NamedTuple):
     pull: Fraction
 
 
-class Start(NamedTuple):
-    """Where a slip begins: its cell, and how many derivatives of its guards vanish there (FLOOR to RIGHT)."""
-
-    cell: tuple[int, int]
-    orders: tuple[int, int, int, int]
-
-
+Start = tuple[tuple[int, int], tuple[int, int, int, int]]
+"""Where a slip begins: its cell, and how many derivatives of its guards vanish there (FLOOR to RIGHT)."""
 FLOOR, CEILING, LEFT, RIGHT, FORCE = range(5)
 """The guards of a slip: |w| falls to v_k (v_0 = 0 ends the slip), rises to v_k+1; z at either end; B + C gets to 0."""
 PLAIN = (0, 0)
@@ -60,9 +55,7 @@ class Cells:
 
     def __init__(self, scene: Scene) -> None:
         """Cut B and C of a scene that has them."""
-        weakening = scene.friction.weakening
-        if weakening is None:
-            raise InvalidScene("this scene's friction does not depend on the state; give it a Weakening")
+        weakening = scene.friction.weakening or Weakening()
         self.pair: Pair = scene.pair
         points = ((Fraction(0), self.pair.b), *weakening.speed)
         self.speeds, self.places = [w for w, _ in points], [z for z, _ in weakening.place]
@@ -89,39 +82,32 @@ class Cells:
     def mode(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
         """Return the linear mode of a slip in a cell."""
         offset, slope, pull = self.branch(piece, side, cell)
-        driven = Piece(piece.start, piece.polynomial, piece.sines)
-        return LinearMode(self.pair, offset, side, driven, slope, pull)
+        return LinearMode(self.pair, offset, side, piece, slope, pull)
 
     def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, Branch]:
         """Return the derivatives of friction in a cell by the numbers in it; `b` is the name of the piece's b."""
-        (k, j), (w, z), last = cell, (self.speeds, self.places), len(self.speeds) - 1
+        (k, j), last = cell, len(self.speeds) - 1
+        found: dict[str, Branch] = {}
         (p, slope), (q, pull), scale = self.by_speed[k], self.by_place[j], self.scale(piece)
-        speeds = ["", *(f"weakening.speed[{n}]" for n in range(last))]
-        found: dict[str, tuple[Fraction, Fraction, Fraction]] = {}
-        if k < last:
-            for n, (name_w, name_b) in ((n, (f"{speeds[n]}.w", f"{speeds[n]}.b" if n else "b")) for n in (k, k + 1)):
-                line = _by_height(w[k : k + 2], n - k)
-                found[name_b] = (*line, Fraction(0))
-                found[name_w] = (-slope * line[0], -slope * line[1], Fraction(0))
-        else:
-            found["weakening.last_slope"] = (-w[k], Fraction(1), Fraction(0))
-            found[f"{speeds[k]}.b" if k else "b"] = (Fraction(1), Fraction(0), Fraction(0))
-            found[f"{speeds[k]}.w"] = (-slope, Fraction(0), Fraction(0))
-        ends = [n for n in (j - 1, j) if 0 <= n < len(z)]
-        for n in ends:
-            line = _by_height([z[one] for one in ends], n - ends[0]) if len(ends) == 2 else (Fraction(1), Fraction(0))
-            found[f"weakening.place[{n}].c"] = (line[0], Fraction(0), line[1])
-            found[f"weakening.place[{n}].z"] = (-pull * line[0], Fraction(0), -pull * line[1])
-        found.pop(".w", None)  # w = 0 is no number of the scene
-        scaled = {
+        for n, height in _by_heights(self.speeds, (k, k + 1)):
+            name = f"weakening.speed[{n - 1}]"
+            found[f"{name}.b" if n else "b"] = Branch(*height, Fraction(0))
+            if n:  # w = 0 is no number of the scene
+                found[f"{name}.w"] = Branch(-slope * height[0], -slope * height[1], Fraction(0))
+        if k == last:
+            found["weakening.last_slope"] = Branch(-self.speeds[k], Fraction(1), Fraction(0))
+        for n, height in _by_heights(self.places, (j - 1, j)):
+            found[f"weakening.place[{n}].c"] = Branch(height[0], Fraction(0), height[1])
+            found[f"weakening.place[{n}].z"] = Branch(-pull * height[0], Fraction(0), -pull * height[1])
+        found = {
             name: Branch(scale * one, scale * two, scale * side * three) for name, (one, two, three) in found.items()
         }
         if b != "b":
             whole = Branch(p + q, slope, side * pull)
-            scaled[b] = Branch(*(one / self.pair.b for one in whole))
-            own = scaled.get("b", Branch(Fraction(0), Fraction(0), Fraction(0)))
-            scaled["b"] = Branch(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
-        return scaled
+            found[b] = Branch(*(one / self.pair.b for one in whole))
+            own = found.get("b", Branch(Fraction(0), Fraction(0), Fraction(0)))
+            found["b"] = Branch(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
+        return found
 
     def growth(self, branch: Branch) -> arb:
         """Return the greatest rate, 1/s, at which N of a difference of two motions in one cell grows."""
@@ -194,7 +180,7 @@ class Cells:
         if w == 0:
             j = self.place_line(z, side)
             at = order + 1 if z in self.places else 0
-            return Start((0, j), (order, 0, at * (side > 0), at * (side < 0)))
+            return (0, j), (order, 0, at * (side > 0), at * (side < 0))
         j, tie = self.place_line(z, side), int(z in self.places)
         k = bisect_right(self.speeds, w) - 1
         (p, slope), (q, pull) = self.by_speed[k], self.by_place[j]
@@ -202,18 +188,14 @@ class Cells:
             raise self.vanishing(w, z, " at t = 0")
         orders = [0, 0, tie * (side > 0), tie * (side < 0)]
         if w == self.speeds[k]:
-            rising, m = self._leaves(self.mode(piece, side, (k, j)), piece, local, state)
+            rising, m = self._leaves(self.mode(piece, side, (k, j)), local, state)
             k, orders[FLOOR if rising else CEILING] = k - (not rising), m
-        return Start((k, j), (orders[0], orders[1], orders[2], orders[3]))
+        return (k, j), (orders[0], orders[1], orders[2], orders[3])
 
-    def _leaves(
-        self, mode: LinearMode, piece: ExactPiece, local: Fraction, state: Sequence[SineForm]
-    ) -> tuple[bool, int]:
+    def _leaves(self, mode: LinearMode, local: Fraction, state: Sequence[SineForm]) -> tuple[bool, int]:
         """Return whether |w| rises from a knot, and which derivative says so (MARGINAL: none, it stays there)."""
-        z, A = mode.exact_start(state, piece.start + local), mode.generator()
-        for order in range(1, mode.size + 1):
-            z = [sum((one * c for one, c in zip(z, row, strict=True) if c), SineForm()) for row in A]
-            sign = mode.side * (z[1] - z[3]).sign()
+        for order, z in enumerate(islice(derivatives(mode, local, state), mode.size), start=1):
+            sign = mode.side * (z[V1] - z[V2]).sign()
             if sign:
                 return sign > 0, order
         return True, MARGINAL
@@ -229,10 +211,12 @@ def cells_of(scene: Scene) -> Cells | None:
     return found
 
 
-def _by_height(ends: Sequence[Fraction], which: int) -> Line:
-    """Return the derivative of the line between two points by the height of one of them."""
-    slope = 1 / (ends[which] - ends[1 - which])
-    return -slope * ends[1 - which], slope
+def _by_heights(at: Sequence[Fraction], ends: Sequence[int]) -> Iterator[tuple[int, Line]]:
+    """Yield of those ends of an interval that there are the derivative of the line between them by its height."""
+    kept = [n for n in ends if 0 <= n < len(at)]
+    for n, other in zip(kept, reversed(kept), strict=True):
+        slope = Fraction(0) if n == other else 1 / (at[n] - at[other])
+        yield n, (1 - slope * at[n], slope)
 
 
 def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
@@ -240,7 +224,7 @@ def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -
     cells = cells_of(scene)
     if cells is not None and side:
         return cells.mode(piece, side, cell)
-    return LinearMode(scene.pair, piece.b, side, Piece(piece.start, piece.polynomial, piece.sines))
+    return LinearMode(scene.pair, piece.b, side, piece)
 
 
 def _lines(points: Sequence[tuple[Fraction, Fraction]]) -> list[Line]:

@@ -29,16 +29,14 @@ SPEED, PLACE, FORCE = range(3)
 class CoupledFlow(Flow):
     """The flow of a slip in one cell; z is that of LinearMode with side b = 1: the constant in it is side offset."""
 
-    def __init__(
-        self, numbers: Numbers, pair: Pair, count: int, omegas: tuple[Fraction, ...], slope: Fraction, pull: Fraction
-    ) -> None:
+    def __init__(self, numbers: Numbers, pair: Pair, count: int, omegas: tuple[Fraction, ...], branch: Branch) -> None:
         """Build the tables."""
-        self.slope, self.pull = slope, pull
+        self.branch = branch
         super().__init__(numbers, pair, True, count, omegas)
 
     def mode_of(self, piece: Piece) -> LinearMode:
         """Return the mode."""
-        mode = LinearMode(self.pair, Fraction(1), 1, piece, self.slope, self.pull)
+        mode = LinearMode(self.pair, Fraction(1), 1, piece, self.branch.slope, self.branch.pull)
         self.norm = LocalNorm(mode)
         return mode
 
@@ -59,10 +57,10 @@ class CoupledFlow(Flow):
                 first = ([[+arb(c) for c in row] for row in own[: FEW + 2]] for own in self.own)
                 self._both[bits] = [BallNumbers.products(one) for one in first]
             numbers = [+arb(c) for c in z]
-            x1, x2 = (_filled(products(numbers), FEW + 2, arb(0)) for products in self._both[bits])
+            x1, x2 = (filled(products(numbers), FEW + 2, arb(0)) for products in self._both[bits])
             place = [one - two for one, two in zip(x1, x2, strict=True)]
             speed = [k * one for k, one in enumerate(place)][1:]
-            slope, pull = Ball.number(self.slope), Ball.number(self.pull)
+            slope, pull = map(Ball.number, self.branch[1:])
             force = [slope * w + pull * apart for w, apart in zip(speed, place, strict=False)]
             force[0] += numbers[4]
             return [speed, place, force, x1, x2]
@@ -71,8 +69,13 @@ class CoupledFlow(Flow):
         """Return R of w, x1 - x2 and F from order FEW on, up to h."""
         x1, x2 = rows[3:]
         speed, place = self.reached(x1, x2, FEW, z, h), self.reached(x1, x2, FEW - 1, z, h) / FEW
+        return self.of_rows(speed, place)
+
+    def of_rows(self, speed: arb, place: arb) -> list[arb]:
+        """Return bounds on w, x1 - x2 and F from those on N of the rate of the state, and on N of the state."""
         w, apart = self.norm.kappa * speed, self.norm.kappa * place
-        return [w, apart, abs(Ball.number(self.slope)) * w + abs(Ball.number(self.pull)) * apart]
+        slope, pull = map(Ball.number, self.branch[1:])
+        return [w, apart, abs(slope) * w + abs(pull) * apart]
 
     def reached(self, x1: Sequence[Any], x2: Sequence[Any], order: int, z: Sequence[Any], h: arb) -> arb:
         """Return a bound on N of the order-th derivative of the state over order!, up to h, from coefficients."""
@@ -94,20 +97,16 @@ class CoupledExpansion(Expansion):
     def __init__(self, flow: CoupledFlow, z: list[Any]) -> None:
         """Form the polynomials."""
         curve, zero = flow.numbers.curve, 0 * z[0]
-        one, two = (_filled(product(z), flow.terms, zero) for product in (flow.x1, flow.x2))
+        one, two = (filled(product(z), flow.terms, zero) for product in (flow.x1, flow.x2))
         self.flow, self.z, self.order, self.both = flow, z, flow.terms - 1, (one, two)
         self.x, self.y = curve(one[:-1]), curve(two[:-1])
         self.v, self.w = self.x.derivative(), self.y.derivative()
 
     def row(self, which: int) -> Any:
         """Return a row: w, x1 - x2, or F."""
-        number, apart = self.flow.numbers.number, self.x + self.y * -1
-        if which == PLACE:
-            return apart
-        speed = apart.derivative()
-        if which == SPEED:
-            return speed
-        return speed * number(self.flow.slope) + apart * number(self.flow.pull) + self.flow.numbers.curve([self.z[4]])
+        numbers, apart = self.flow.numbers, self.x + self.y * -1
+        speed, (slope, pull) = apart.derivative(), map(numbers.number, self.flow.branch[1:])
+        return (speed, apart, speed * slope + apart * pull + numbers.curve([self.z[4]]))[which]
 
     def rest(self, h: arb) -> arb:
         """Return R for kappa = 1: the rate of the state, over the order."""
@@ -123,10 +122,7 @@ class CoupledExpansion(Expansion):
 
     def row_off(self, which: int, h: arb, derivative: int) -> arb:
         """Return a bound on what this derivative of a row leaves out up to h."""
-        place, speed = (self.flow.norm.kappa * self._cut(h, derivative + k) for k in range(2))
-        if which != FORCE:
-            return (place if which == PLACE else speed).upper()
-        return (abs(Ball.number(self.flow.slope)) * speed + abs(Ball.number(self.flow.pull)) * place).upper()
+        return self.flow.of_rows(self._cut(h, derivative + 1), self._cut(h, derivative))[which].upper()
 
     def state(self, t: Any) -> list[Any]:
         """Return the state at a time after the point."""
@@ -142,14 +138,10 @@ class CoupledExpansion(Expansion):
         return [one.derivative()(t).abs_upper() + off for one in (self.v, self.w)]
 
 
-def _filled(row: list[Any], count: int, zero: Any) -> list[Any]:
+def filled(row: list[Any], count: int, zero: Any) -> list[Any]:
     """Return coefficients, those that vanish for ever included."""
     return [one for one, _ in zip_longest(row, range(count), fillvalue=zero)]
 
 
-@lru_cache(maxsize=256)
-def coupled_flow_of(
-    numbers: Numbers, pair: Pair, count: int, omegas: tuple[Fraction, ...], branch: Branch
-) -> CoupledFlow:
-    """Return a flow, built once; the offset is no part of it."""
-    return CoupledFlow(numbers, pair, count, omegas, branch.slope, branch.pull)
+coupled_flow_of = lru_cache(maxsize=256)(CoupledFlow)
+"""A flow, built once."""

@@ -17,12 +17,15 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import NO_ROOM, TOO_MANY, follow
 from numerics.linear.prepare import Prepared, halves, prepare
-from numerics.linear.record import AT, END_ROW, ROW, How, Record, finish
+from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
 _MOST_ORDER = 7
 """Derivatives of a guard that may vanish at an exact start (table.ORDERS less one)."""
+_NUMBERS = slice(AT["local"], AT["excess"])
+_OF_EXACT = [AT[name] for name in ("order", "event", "jump", "length", "length_low")]
+"""What the kernel does not know of a start that is exact."""
 
 
 def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
@@ -78,49 +81,33 @@ def _from_exact(
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return the run from the last start that is known exactly, the exact ones before it."""
     events = [index for index, one in enumerate(known) if one.is_event]
+    rows, end, last = _exact_rows(prepared, known), np.zeros(END_ROW), known[-1]
     if len(events) > most:
-        rows = _exact_rows(prepared, known[: events[most - 1] + 1])
-        end = np.zeros(END_ROW)
+        rows = rows[: events[most - 1] + 1]
         end[:ROW], end[AT["how"]], end[AT["events"]], end[AT["certain"]] = rows[-1], How.EVENT_LIMIT, most, 1.0
         return How.EVENT_LIMIT, rows, end
-    if known[-1].order > _MOST_ORDER and not known[-1].quiet > known[-1].local:
-        return How.DOUBT, np.empty((0, ROW)), np.zeros(END_ROW)
-    first, last = _exact_rows(prepared, known[:-1]), _exact_rows(prepared, known[-1:])[0]
-    order, last[AT["order"]] = last[AT["order"]], min(last[AT["order"]], _MOST_ORDER)
-    clear = halves(known[-1].quiet, prepared.units.time)[0]
-    how, rows, end = _run(prepared, last, True, clear, most - len(events), wide=wide)
-    if len(rows):
-        rows[0, [AT["event"], AT["jump"], AT["order"]]] = known[-1].is_event, known[-1].is_jump, order
-    if len(first) and len(rows):
-        for number, one in enumerate(known[1:], start=1):
-            (first if number < len(first) else rows)[number if number < len(first) else 0][
-                AT["length"] : AT["length"] + 2
-            ] = halves(_time(prepared, one) - _time(prepared, known[number - 1]), prepared.units.time)
+    if last.order > _MOST_ORDER and not last.quiet > last.local:
+        return How.DOUBT, rows[:0], end
+    start = rows[-1].copy()
+    start[AT["order"]] = min(last.order, _MOST_ORDER)
+    clear = halves(last.quiet, prepared.units.time)[0]
+    how, found, end = _run(prepared, start, True, clear, most - len(events), wide=wide)
+    found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
     end[AT["events"]] += len(events)
-    return how, np.concatenate([first, rows]), end
-
-
-def _time(prepared: Prepared, knot: ExactKnot):  # type: ignore[no-untyped-def]
-    return prepared.pieces[knot.piece].start + knot.local
+    return how, np.concatenate([rows[:-1], found]), end
 
 
 def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.float64]:
     """Return the rows of starts that are known exactly, in the kernel's units."""
     rows, units = np.zeros((len(known), ROW)), prepared.units
-    for row, one in zip(rows, known, strict=True):
-        for name, value in (("mode", one.mode), ("order", one.order), ("piece", one.piece)):
-            row[AT[name]] = value
-        row[AT["event"]], row[AT["jump"]] = one.is_event, one.is_jump
-        row[AT["local"] : AT["local"] + 2] = halves(one.local, units.time)
-        speed = units.of(length=1, time=-1)
-        for name, form, exponent in (
-            ("x1", one.x1, units.length),
-            ("v1", one.v1, speed),
-            ("x2", one.x2, units.length),
-            ("v2", one.v2, speed),
-        ):
-            row[AT[name] : AT[name] + 2] = halves(form.rounded(256), exponent)
-        row[AT["excess"]] = row[AT["excess_low"]] = np.nan
+    times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
+    for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
+        for name, code in zip(CODES, (one.mode, one.order, one.is_event, one.is_jump, one.piece), strict=True):
+            row[AT[name]] = code
+        state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
+        numbers = zip((one.local, t - before, *state), (*[units.time] * 2, *[units.length, speed] * 2), strict=True)
+        row[_NUMBERS] = [half for number in numbers for half in halves(*number)]
+    rows[:, AT["excess"] : AT["excess_low"] + 1] = np.nan
     return rows
 
 

@@ -113,11 +113,6 @@ class ExactMotion(NamedTuple):
         guard[1] -= brake
         return [guard]
 
-    @property
-    def constant_load(self) -> Fraction:
-        """Return m2 x1'' of the polynomial at the start of the piece, N."""
-        return self.scene.pair.m2 * 2 * self.polynomial[2] if len(self.polynomial) > 2 else Fraction(0)
-
 
 def exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotion | None:
     """Return the particular motion of the mode if the state lies on it exactly, else None."""
@@ -148,10 +143,10 @@ def _derivative(polynomial: list[Fraction]) -> list[Fraction]:
 def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tuple[Fraction, ExactKnot | None]:
     """Return up to when a mode does not end after a knot, and the next knot if it is exact."""
     piece, is_root = pieces[knot.piece], False
-    motion = exact_motion(scene, piece, knot)
+    motion, lasts = exact_motion(scene, piece, knot), _stays_below(scene, piece, knot)
     if motion is None:
-        return piece.length if _touches_at_most(scene, piece, knot) else knot.local, None
-    if knot.mode == 0 and (scene.law is Law.THREE_VALUED_SGN or _stays_below(motion)):
+        return piece.length if lasts else knot.local, None
+    if lasts or (knot.mode == 0 and scene.law is Law.THREE_VALUED_SGN):
         until = piece.length
     elif piece.sines:
         return knot.local, None
@@ -175,30 +170,21 @@ def _decided(scene: Scene, pieces: Sequence[ExactPiece], at: ExactKnot) -> Exact
     return at._replace(mode=mode, order=order, is_event=mode != at.mode)
 
 
-def _stays_below(motion: ExactMotion) -> bool:
-    """Return whether the load of a stuck motion with one sine never gets past b; it may touch it for ever."""
-    if len(motion.sines) != 1 or any(motion.polynomial[3:]):
+def _stays_below(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
+    """Return whether a load that is constant but for one oscillation never gets past b in a stick; exact.
+
+    The oscillation is a sine of the force, or the free one of an undamped pair; it may touch b for ever.
+    """
+    if knot.mode or len(piece.polynomial) > 3 or len(piece.sines) > 1:
         return False
-    (one, two), m2 = motion.sines[0], motion.scene.pair.m2
-    return _fits(motion, m2**2 * (one**2 + two**2) * motion.piece.sines[0].omega ** 4)
-
-
-def _touches_at_most(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
-    """Return whether the load of an undamped stuck pair under a force up to t^2 never gets past b, exactly."""
-    x, v, pair = knot.x1.rational, knot.v1.rational, scene.pair
-    steady = _particular_motion(scene, piece, knot)
-    is_plain = knot.mode == 0 and not pair.a1 and not piece.sines and len(piece.polynomial) < 4
-    if not is_plain or x is None or v is None or steady is None:
+    steady, pair = _particular_motion(scene, piece, knot), scene.pair
+    if steady is None:
         return False
-    y, w = (
-        x - polynomial_at(steady.polynomial, knot.local),
-        v - polynomial_at(_derivative(steady.polynomial), knot.local),
-    )
-    stiff = pair.a2 / pair.mass
-    return _fits(steady, pair.m2**2 * (stiff**2 * y**2 + stiff * w**2))
-
-
-def _fits(motion: ExactMotion, square: Fraction) -> bool:
-    """Return whether a constant load and an oscillation about it, of this squared amplitude, stay within b."""
-    room = motion.piece.b - abs(motion.constant_load)
+    x, v = steady.body_1(knot.local)
+    y, w, stiff = (knot.x1 - x).rational, (knot.v1 - v).rational, pair.a2 / pair.mass
+    if y is None or w is None or ((y or w) and (pair.a1 or piece.sines)):
+        return False
+    waves = ((one**2 + two**2) * s.omega**4 for s, (one, two) in zip(piece.sines, steady.sines, strict=True))
+    square = pair.m2**2 * (stiff**2 * y**2 + stiff * w**2 + sum(waves, Fraction(0)))
+    room = piece.b - abs(pair.m2 * 2 * sum(steady.polynomial[2:3], Fraction(0)))
     return room >= 0 and square <= room * room

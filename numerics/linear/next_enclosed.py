@@ -13,11 +13,11 @@ from flint import arb, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import OutOfRange
-from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, RIGHT
+from numerics.linear.cells import CEILING, FLOOR, FORCE
 from numerics.linear.coupled import FORCE as FORCE_ROW
-from numerics.linear.coupled import PLACE, SPEED
+from numerics.linear.coupled import PLACE, SPEED, filled
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
-from numerics.linear.path_enclosed import At, Path
+from numerics.linear.path_enclosed import AWAY, At, Path
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, Split, scan, sharpest, splits
 from numerics.linear.ties import MARGINAL
 
@@ -60,7 +60,7 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
     """Return the last point before a mode ends and the root of its guard; None where the piece ends before."""
     if path.literal and at.mode == 0:
         return at, None
-    flow, ready = path.flow(at.mode, at.piece, at.cell), _PATIENCE if at.mode == 0 else 0
+    flow, ready = path.flow(at), _PATIENCE if at.mode == 0 else 0
     short, far, begun = flow.reach, path.left(at), at.local
     if flow.fastest * far > _TOO_FAST:
         raise OutOfRange(
@@ -71,7 +71,7 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
         left, z, step = path.left(at), path.here(at)[1], None
         if n % _PACE == _PACE - 1 and arb(at.local - begun) * (_MOST_STEPS // n) < left:
             break
-        if ready >= _PATIENCE and not (path.cells and at.mode) and flow.fastest * left > _LONG:
+        if ready >= _PATIENCE and not (path.varies and at.mode) and flow.fastest * left > _LONG:
             step = long_step(path, at, flow, z, left.min(far))
             ready, far = (ready, 64 * step) if step is not None else (0, left)
         if step is None:
@@ -96,43 +96,33 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
 
 
 def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
-    """Return the guards of a mode, from the coefficients of its rows; some of them may vanish here to some order."""
-    if path.cells and at.mode:
-        return _guards_of_cell(path, at)
-    flow, order, margin = path.flow(at.mode, at.piece), at.order, path.margin(at)
-    # derivatives of two motions of one mode part by no more than this
-    apart = flow.rate**order * at.norm if order else margin
-    if at.mode:
-        return [Guard(at.mode, arb(0), order, apart / path.root_m1 if order else margin)]
-    b, nearer = path.edge(at), 1 if rows[0][0].mid() > 0 else -1
-    if path.cells:
-        b, margin = b.mid(), (margin + b.rad()).upper()
-    found = [Guard(-side, b, 0, margin) for side in (1, -1)]
-    if order:
-        found[(1 - nearer) // 2] = Guard(-nearer, b, order, apart * flow.rate * flow.m2 / flow.mass.sqrt())
-    return found
+    """Return the guards of a mode, from the coefficients of its rows; some of them may vanish here to some order.
 
-
-def _guards_of_cell(path: Path, at: At) -> list[Guard]:
-    """Return the guards of a slip in a cell: the ends of its intervals of |w| and of x1 - x2, and B + C > 0."""
-    cells, flow, number = path.cells, path.flow(at.mode, at.piece, at.cell), Ball.number
-    if cells is None:
-        return []
-    norm = at.norm * path.growth(at, flow.reach)
+    Of a slip the ends of its intervals of |w| and of x1 - x2, and B + C > 0; of stick the load below b on either side.
+    """
+    flow, cells, side, number = path.flow(at), path.cells, at.mode, Ball.number
+    if side == 0:
+        b, margin, order, nearer = path.edge(at), path.margin(at), at.orders[0], 1 if rows[0][0].mid() > 0 else -1
+        if path.varies:
+            b, margin = b.mid(), (margin + b.rad()).upper()
+        found = [Guard(-side, b, 0, margin) for side in (1, -1)]
+        if order:  # derivatives of two motions of one mode part by no more than this
+            apart = flow.rate**order * at.norm * flow.rate * flow.m2 / flow.mass.sqrt()
+            found[(1 - nearer) // 2] = Guard(-nearer, b, order, apart)
+        return found
+    found, norm = [], at.norm * path.growth(at, flow.reach)
     place = at.place + path.kappa * norm * flow.reach
-    orders = list(at.orders) or [0] * 4
-    if at.cell[0] == 0:
-        orders[FLOOR] = at.order
-    found, side = [], at.mode
-    for kind, end, sign in zip((FLOOR, CEILING, LEFT, RIGHT), cells.ends(at.cell), (1, -1, 1, -1), strict=True):
+    for kind, (end, sign, order) in enumerate(zip(cells.ends(at.cell), (1, -1, 1, -1), at.orders, strict=True)):
         if end is None:
             continue
-        order, of_speed = orders[kind], kind in {FLOOR, CEILING}
-        margin = path.kappa * flow.rate ** (order if of_speed else max(order - 1, 0)) * norm
-        if not of_speed and order == 0:
-            margin = place
-        turned = sign * side if of_speed else sign
-        found.append(Guard(turned, number(-sign * end), order, margin, SPEED if of_speed else PLACE, kind))
+        if kind in {FLOOR, CEILING}:
+            margin = flow.rate**order * norm
+            # body 2 has a constant acceleration where friction is one number b
+            margin = margin / path.root_m1 if order and not path.varies else path.kappa * margin
+            found.append(Guard(sign * side, number(-sign * end), order, margin, SPEED, kind))
+        else:
+            margin = path.kappa * flow.rate ** (order - 1) * norm if order else place
+            found.append(Guard(sign, number(-sign * end), order, margin, PLACE, kind))
     if cells.may_vanish(at.cell):
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
@@ -145,7 +135,7 @@ def short_step(path: Path, at: At, flow: Flow, z: list[Any], reach: arb, short: 
 
     With the time comes the last interval that was looked at as one; `short` is that of the step before.
     """
-    for bits in (_SCAN_BITS, min(path.numbers.bits, _SHARP_BITS)) if max(at.order, *at.orders, 0) < MARGINAL else ():
+    for bits in (_SCAN_BITS, min(path.numbers.bits, _SHARP_BITS)) if max(at.orders) < MARGINAL else ():
         with ctx.workprec(bits):
             found = scanned(path, at, flow, flow.rows(z, bits), z, reach, short)
         if found is not None:
@@ -179,9 +169,10 @@ def scanned(
         if not since + h < reach:
             return reach, reach
         if any(one.order for one in guards):
-            guards = guards_of(path, at._replace(order=0, orders=()), rows)
+            guards = guards_of(path, at._replace(orders=AWAY), rows)
         since, h = (since + h).mid(), 4 * h
-        near, left = [_moved(rows[k][:FEW], since) for k in used], (reach - since).upper()
+        shift, left = arb_poly([since, 1]), (reach - since).upper()
+        near = [filled(arb_poly(rows[k][:FEW])(shift).coeffs(), len(rows[k][:FEW]), arb(0)) for k in used]
         h = left if left < 2 * h else h
     else:
         if more:
@@ -189,15 +180,9 @@ def scanned(
     return (since, h) if since * _FINE > reach else None
 
 
-def _moved(row: list[arb], since: arb) -> list[arb]:
-    """Return the coefficients of a row at a later point."""
-    found = arb_poly(row)(arb_poly([since, 1])).coeffs()
-    return found + [arb(0)] * (len(row) - len(found))
-
-
 def long_step(path: Path, at: At, flow: Flow, z: list[Any], h: arb) -> arb | None:
     """Return a time of many radians, up to h, in which no guard vanishes, None if none is found."""
-    for split in splits(flow, path.pieces[at.piece], at.mode, at.local, z) if at.order == 0 else ():
+    for split in splits(flow, path.pieces[at.piece], at.mode, at.local, z) if at.orders[0] == 0 else ():
         found = longest(path, at, flow, split, h)
         if found is not None:
             return found
@@ -232,7 +217,7 @@ def longest(path: Path, at: At, flow: Flow, split: Split, h: arb) -> arb | None:
 def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Root:
     """Return the root of a guard in its bracket, by Newton's method."""
     numbers, (index, since, h, rows) = path.numbers, found
-    guard = guards_of(path, at._replace(order=0, orders=()), rows)[index]
+    guard = guards_of(path, at._replace(orders=AWAY), rows)[index]
     sign, offset, which = guard.sign, guard.offset, guard.row
     near = arb_poly(rows[which]) * sign + offset
     guess = _newton(near, near.derivative(), since, h, (since + h) / 2, arb.mid, h * _NEAR)

@@ -25,7 +25,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.linear.cells import PLAIN, Branch, cells_of
+from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.coupled import CoupledFlow, coupled_flow_of
 from numerics.linear.flow import REACH, Drive, Flow, Numbers, flow_of
 from numerics.linear.pieces import pieces_of
@@ -34,28 +34,34 @@ from numerics.scene import Law, Scene
 
 _FEW = 4
 """Pieces with no more coefficients than that share tables."""
+AWAY = (0, 0, 0, 0)
+"""No derivative of a guard vanishes."""
 
 
 class At(NamedTuple):
-    """A point of the path: the mode, how many derivatives of its guard vanish here, the time in the piece, the state.
+    """A point of the path: the mode, how many derivatives of its guards vanish here, the time in the piece, the state.
 
     The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
-    The true motion sticks from up to `late` (s) after the path on. Where friction depends on the state: the `cell` of a
-    slip, how many derivatives of its guards at knots vanish here, and x1 - x2 if it is known exactly.
+    The true motion sticks from up to `late` (s) after the path on. A slip is in a `cell` of friction, its guards are
+    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly.
     """
 
     mode: int
-    order: int
+    orders: tuple[int, ...]
     piece: int
     local: Any
-    state: tuple[Any, Any, Any, Any]
+    state: Sequence[Any]
     norm: arb
     far: arb
     place: arb
     late: arb
     cell: tuple[int, int] = PLAIN
-    orders: tuple[int, ...] = ()
     apart: Fraction | None = None
+
+    @property
+    def order(self) -> int:
+        """Return how many derivatives of the guard at whose root the mode ends vanish here."""
+        return 0 if self.cell[0] else self.orders[0]
 
 
 class Path:
@@ -65,91 +71,76 @@ class Path:
         """Take a scene and the numbers it is solved in."""
         self.scene, self.arithmetic, self.numbers, self.pair = scene, arithmetic, numbers, scene.pair
         self.is_ball, self.literal = arithmetic.name == "ball", scene.law is Law.THREE_VALUED_SGN
-        self.pieces = pieces_of(scene)
+        self.pieces, self.cells, self.varies = pieces_of(scene), Cells(scene), scene.friction.weakening is not None
+        """`varies`: friction depends on the state; else it has one cell."""
         self.count = max((len(one.polynomial) for one in self.pieces if len(one.polynomial) <= _FEW), default=0)
-        self.flowing: tuple[int, tuple[Flow, ...]] = (-1, ())
-        self.driven: tuple[int, Drive] = (-1, Drive(None, [], []))
+        self.driven: tuple[int, Drive, dict[object, tuple[Flow, Any]]] = (-1, Drive(None, [], []), {})
         pair, number = scene.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
-        self.cells = cells_of(scene)
-        falling, pulling = (self.cells.falling, self.cells.pulling) if self.cells else (0, 0)
-        self.falling, self.pulling = number(falling), number(pulling)
+        self.falling, self.pulling = number(self.cells.falling), number(self.cells.pulling)
         self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
 
-    def drive(self, index: int) -> Drive:
-        """Return a piece in numbers."""
-        if self.driven[0] != index:
-            self.driven = index, Drive.of(self.numbers, self.pieces[index])
-        return self.driven[1]
-
-    def branch(self, mode: int, index: int, cell: tuple[int, int]) -> Branch | None:
-        """Return friction in a cell of a slip; None in stick, and where friction does not depend on the state."""
-        return self.cells.branch(self.pieces[index], mode, cell) if self.cells and mode else None
-
-    def flow(self, mode: int, index: int, cell: tuple[int, int] = PLAIN) -> Flow:
-        """Return the flow of a mode in a piece, and in a cell."""
-        branch = self.branch(mode, index, cell)
-        if branch is not None:
-            piece = self.pieces[index]
+    def _moving(self, at: At) -> tuple[Flow, Any]:
+        """Return the flow at a point, and its friction where v1 - v2 and x1 - x2 are 0."""
+        piece = self.pieces[at.piece]
+        if self.driven[0] != at.piece:
+            self.driven = at.piece, Drive.of(self.numbers, piece), {}
+        flows, key = self.driven[2], (at.mode, at.cell)
+        if key not in flows:
             count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
-            return coupled_flow_of(self.numbers, self.pair, count, omegas, branch)
-        if self.flowing[0] != index:
-            piece = self.pieces[index]
-            count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
-            flows = tuple(flow_of(self.numbers, self.pair, slips, count, omegas) for slips in (False, True))
-            self.flowing = index, flows
-        return self.flowing[1][mode != 0]
+            branch = self.cells.branch(piece, at.mode, at.cell)
+            if at.mode and self.varies:
+                flow: Flow = coupled_flow_of(self.numbers, self.pair, count, omegas, branch)
+            else:
+                flow = flow_of(self.numbers, self.pair, at.mode != 0, count, omegas)
+            flows[key] = flow, at.mode * self.numbers.number(branch.offset)
+        return flows[key]
 
-    def vector(
-        self, mode: int, index: int, local: Any, state: Sequence[Any], cell: tuple[int, int] = PLAIN
-    ) -> list[Any]:
-        """Return z."""
-        drive, branch = self.drive(index), self.branch(mode, index, cell)
-        b = drive.b if branch is None else self.numbers.number(branch.offset)
-        return [*state, mode * b, *drive.force(self.numbers, local, self.flow(mode, index, cell).count)]
+    def flow(self, at: At) -> Flow:
+        """Return the flow at a point."""
+        return self._moving(at)[0]
 
     def here(self, at: At) -> tuple[Flow, list[Any]]:
         """Return the flow at a point, and z."""
-        return self.flow(at.mode, at.piece, at.cell), self.vector(at.mode, at.piece, at.local, at.state, at.cell)
+        flow, friction = self._moving(at)
+        return flow, [*at.state, friction, *self.driven[1].force(self.numbers, at.local, flow.count)]
+
+    def load(self, at: At) -> list[Any]:
+        """Return the load at a point, N, and its rate in stick."""
+        flow, z = self.here(at._replace(mode=0))
+        return flow.load(z)
 
     def edge(self, at: At) -> arb:
-        """Return the greatest friction force at rest where a point sticks, N, enclosed for the true motion."""
-        if self.cells is None:
-            return Ball.number(self.pieces[at.piece].b)
-        if at.apart is not None:
-            return Ball.number(self.cells.at_rest(at.apart) * self.cells.scale(self.pieces[at.piece]))
-        x1, x2 = (arb(at.state[k]) for k in (X1, X2))
-        return self.held(at, x1 - x2 + arb(0, at.place))
+        """Return the greatest friction force at rest where a point is, N, enclosed for the true motion.
 
-    def held(self, at: At, z: arb) -> arb:
-        """Return the same for a ball of places x1 - x2. Raises InvalidScene, EventUndecided where it is not > 0."""
-        cells, piece = self.cells, self.pieces[at.piece]
-        if cells is None:
+        Raises InvalidScene, EventUndecided where it is not > 0.
+        """
+        cells, piece, z = self.cells, self.pieces[at.piece], at.apart
+        if not self.varies:
             return Ball.number(piece.b)
-        edge = cells.held(piece, z)
+        if z is not None:
+            return Ball.number(cells.at_rest(z) * cells.scale(piece))
+        apart = arb(at.state[X1]) - arb(at.state[X2]) + arb(0, at.place)
+        edge = cells.held(piece, apart)
         if edge <= 0:
-            raise cells.vanishing(0.0, float(z.mid()), f" at t = {self.time(at):.6g} s")
+            raise cells.vanishing(0.0, float(apart.mid()), f" at t = {self.time(at):.6g} s")
         if not edge > 0:
             raise self.undecided(at)
         return edge
 
     def weight(self, at: At) -> arb:
         """Return sqrt(g) of the norm in the cell of a point; 0 in stick, and where friction is one number b."""
-        flow = self.flow(at.mode, at.piece, at.cell)
+        flow = self.flow(at)
         return flow.norm.root_g if isinstance(flow, CoupledFlow) else arb(0)
 
     def growth(self, at: At, t: arb) -> arb:
         """Return by which factor N may grow in a time in the mode of a point, while the true motion is in its cell."""
-        flow = self.flow(at.mode, at.piece, at.cell)
-        if not (self.is_ball and isinstance(flow, CoupledFlow)):
-            return arb(1)
-        return (flow.norm.mu * t.abs_upper()).exp().upper()
+        flow = self.flow(at)
+        return (flow.norm.mu * t.abs_upper()).exp().upper() if isinstance(flow, CoupledFlow) else arb(1)
 
     def reweighed(self, at: At, root_g: arb) -> At:
         """Return a point with N of its own cell, where it is that of a cell with this sqrt(g)."""
-        if self.cells is None:
-            return at
         place, more = at.place, self.weight(at) ** 2 - root_g**2
         if root_g > 0:
             place = (at.norm / root_g).upper().min(place)
@@ -169,7 +160,7 @@ class Path:
         (flow, z), t = self.here(at), local - at.local
         is_near = flow.fastest * arb(t).upper() <= 1.01 * REACH
         state = flow.expansion(z).state(t) if is_near else self.evolved_far(flow, z, t)
-        return self.settled(at, state, t)._replace(local=local, order=0, orders=())
+        return self.settled(at, state, t)._replace(local=local, orders=AWAY)
 
     def evolved_far(self, flow: Flow, z: list[Any], t: Any) -> list[Any]:
         """Return the state after a time of many radians: the answers to the sines one by one."""
@@ -194,14 +185,13 @@ class Path:
         """Return a point in the midst of an enclosure, after a time in one mode; its errors grow by the radii."""
         place, t, norm = at.place, arb(t), at.norm
         if at.mode:
-            norm = norm * self.growth(at, t) if self.cells else norm
+            norm = norm * self.growth(at, t)
             place = place + self.kappa * norm * t
-        elif self.pair.a1 and not self.cells:
+        elif self.pair.a1 and not self.varies:
             norm = self.shrunk(norm, (t - at.late).lower())
         x1, v1, x2, v2 = (self.numbers.radius(one) for one in state)
         norm = (norm + self.root_a2 * x1 + self.root_m1 * v1 + self.root_m2 * v2).upper()
-        if self.cells:
-            norm = (norm + self.weight(at) * (x1 + x2)).upper()
+        norm = (norm + self.weight(at) * (x1 + x2)).upper()
         if not norm.is_finite():
             raise OutOfRange("a number of this scene left the range of its arithmetic")
         points = tuple(map(self.numbers.middle, state))

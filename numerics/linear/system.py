@@ -17,7 +17,7 @@ import flint
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, precision, sqrt
-from numerics.linear.sine_form import SineForm
+from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair, Piece
 
 X1, V1, X2, V2, ONE, FIRST = range(6)
@@ -41,7 +41,7 @@ class LinearMode:
     pair: Pair
     b: Fraction
     side: int
-    piece: Piece
+    piece: Piece | ExactPiece
     slope: Fraction = Fraction(0)
     pull: Fraction = Fraction(0)
 
@@ -118,20 +118,6 @@ class LinearMode:
             parts = (number(sine.omega) * t + number(sine.phase)).sin_cos()
             z.extend(number(sine.amplitude) * one for one in parts)
         return arb_mat([[one] for one in z])
-
-    def exact_start(self, state: Sequence[SineForm], t: Fraction) -> list[SineForm]:
-        """Return z at time t (s) with the state, exact."""
-        since, terms = t - self.piece.start, self.piece.polynomial
-        z = [*state, SineForm(1)]
-        for order in range(len(terms)):
-            derived = [math.perm(k, order) * c for k, c in enumerate(terms)][order:]
-            z.append(SineForm(sum((c * since**k for k, c in enumerate(derived)), Fraction(0))))
-        for sine in self.piece.sines:
-            angle = sine.omega * t + sine.phase
-            z += [
-                SineForm.turned(angle, *one) for one in ((sine.amplitude, Fraction(0)), (Fraction(0), sine.amplitude))
-            ]
-        return z
 
     def motion(self, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
@@ -226,24 +212,26 @@ class Stretched:
         mode, number, bent = self.mode, Ball.number, arb_mat(z)
         places = mode.polynomial_places
         for k, place in enumerate(places):
-            bent[place, 0] = sum((z[later, 0] * _power(self.h, later - place) for later in places[k:]), arb(0))
+            powers = (z[later, 0] * (self.h**n / math.factorial(n)) for n, later in enumerate(places[k:]))
+            bent[place, 0] = sum(powers, arb(0))
         for place in mode.sine_places:
             amplitude = sqrt(z[place, 0] * z[place, 0] + z[place + 1, 0] * z[place + 1, 0]).upper()
             bent[place, 0] = bent[place + 1, 0] = arb(0, amplitude)
         if mode.slope or mode.pull:
             norm = LocalNorm(mode)
             reached = norm.grown(abs(self.h).upper(), norm.of(z.entries()[:4]), abs(value(mode.force, bent)))
-            sizes = [(reached / one).upper() for one in (norm.root_a2, norm.root_m1, norm.root_m2)]
+            x1, v1, v2 = ((reached / one).upper() for one in (norm.root_a2, norm.root_m1, norm.root_m2))
             apart = abs(z[X1, 0] - z[X2, 0]) + norm.kappa * reached * abs(self.h)
-            for place, size in ((X1, sizes[0]), (V1, sizes[1]), (X2, (sizes[0] + apart).upper()), (V2, sizes[2])):
-                bent[place, 0] = arb(0, size)
-            return bent
-        mass, spring = number(mode.mass), number(mode.pair.a2)
-        energy = spring * z[X1, 0] * z[X1, 0] + mass * z[V1, 0] * z[V1, 0]
-        grown = sqrt(energy) + abs(self.h) * abs(value(mode.force, bent)) / mass.sqrt()
-        bent[X1, 0], bent[V1, 0] = (arb(0, (grown / one.sqrt()).upper()) for one in (spring, mass))
-        if mode.side == 0:  # else body 2 has a constant acceleration, and z says all
-            bent[X2, 0], bent[V2, 0] = bent[X1, 0], bent[V1, 0]
+            sizes = {X1: x1, V1: v1, X2: (x1 + apart).upper(), V2: v2}
+        else:
+            mass, spring = number(mode.mass), number(mode.pair.a2)
+            energy = spring * z[X1, 0] * z[X1, 0] + mass * z[V1, 0] * z[V1, 0]
+            grown = sqrt(energy) + abs(self.h) * abs(value(mode.force, bent)) / mass.sqrt()
+            x1, v1 = ((grown / one.sqrt()).upper() for one in (spring, mass))
+            # in a slip body 2 has a constant acceleration, and z says all
+            sizes = {X1: x1, V1: v1} if mode.side else {X1: x1, V1: v1, X2: x1, V2: v1}
+        for place, size in sizes.items():
+            bent[place, 0] = arb(0, size)
         return bent
 
 
@@ -276,11 +264,6 @@ class LocalNorm:
         return ((self.mu * h).exp() * (norm + h * pushed / self.root_m1)).upper()
 
 
-def _power(h: arb, order: int) -> arb:
-    """Return h^order/order!."""
-    return h**order / math.factorial(order)
-
-
 def value(row: Row, z: arb_mat) -> arb:
     """Return the value of a linear function of z."""
     total = arb(0)
@@ -292,11 +275,6 @@ def value(row: Row, z: arb_mat) -> arb:
 def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:
     """Return an exact matrix as balls."""
     return arb_mat([[Ball.number(one) for one in row] for row in rows])
-
-
-def between(low: arb, high: arb) -> arb:
-    """Return the ball from the least point of one ball to the greatest of another."""
-    return low.lower().union(high.upper())
 
 
 def is_positive_on(function: Callable[[arb], arb], start: arb, end: arb, most: int = MOST_CUTS) -> bool | None:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
+from itertools import count
 from numbers import Integral, Rational, Real
 from typing import Any
 
@@ -79,16 +80,12 @@ def decimal_text(value: Fraction) -> str:
     >>> decimal_text(Fraction(1, 200)), decimal_text(Fraction(50, 3)), decimal_text(Fraction(-1, 10**30))
     ('0.005', '50/3', '-1e-30')
     """
-    odd, twos, fives = value.denominator, 0, 0
-    while odd % 2 == 0:
-        odd, twos = odd // 2, twos + 1
-    while odd % 5 == 0:
-        odd, fives = odd // 5, fives + 1
-    if odd != 1:
-        return f"{value.numerator}/{value.denominator}"
-    places = max(twos, fives)
+    below = value.denominator
+    if pow(10, below.bit_length(), below):
+        return f"{value.numerator}/{below}"
+    places = next(k for k in count() if pow(10, k, below) == 0)
     whole = int(abs(value) * 10**places)
-    while whole and whole % 10 == 0 and (places > 0 or whole >= 10**15):
+    while whole >= 10**15 and whole % 10 == 0:
         whole, places = whole // 10, places - 1
     sign = "-" if value < 0 else ""
     if places < 0 or places > 15:

@@ -6,9 +6,8 @@ import difflib
 import os
 import sys
 import tomllib
-from collections.abc import Set
+from collections.abc import Callable, Set
 from contextlib import nullcontext
-from fractions import Fraction
 from importlib import resources
 from pathlib import Path
 from typing import Any, cast
@@ -16,22 +15,27 @@ from typing import Any, cast
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import exact_decimal
-from numerics.scene.plane import PlaneScene, is_plane, plane_scene
+from numerics.scene.plane import PlaneScene, plane_scene
 from numerics.scene.weakening import two_coefficients
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
-_KEYS = {
-    "pair": {"m1", "m2", "a1", "a2", "b"},
+_PIECE = {"from", "polynomial", "sines"}
+_REFERENCE = {"reference": _PIECE}
+_SCENE = {
+    "pair": {"m1", "m2", "a1", "a2", "b", "shape"},
     "initial": {"x1", "v1", "x2", "v2"},
     "run": {"law", "until"},
     "weakening": {"speed", "last_slope", "place"},
+    "force": {*_PIECE, "axis"},
+    "friction": {"from", "b"},
 }
-_PIECES = {"force": {"from", "polynomial", "sines"}, "friction": {"from", "b"}}
+_REPEATED = {"force", "friction", "reference"}
+"""Tables of which there may be many."""
 _TWO_COEFFICIENTS = {"b_s", "b_k", "b_static", "b_kinetic", "mu_s", "mu_k"}
 _SINE = {"amplitude", "omega", "phase"}
-_REFERENCE = "reference"
 _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("run", "until"))
+_FOLDER = resources.files("numerics") / "scene"
 
 
 def shipped_scenes() -> tuple[str, ...]:
@@ -41,15 +45,16 @@ def shipped_scenes() -> tuple[str, ...]:
 
 def described_scenes() -> dict[str, str]:
     """Return the shipped scenes by their names, with the sentence that each file begins with."""
-    folder = resources.files("numerics") / "scene" / "shipped"
-    return {
-        name: (folder / f"{name}.toml").read_text("utf-8").partition("\n")[0].lstrip("# ") for name in shipped_scenes()
-    }
+    return {name: _shipped("shipped", name).partition("\n")[0].lstrip("# ") for name in shipped_scenes()}
 
 
 def _names_in(folder: str) -> tuple[str, ...]:
-    files = (resources.files("numerics") / "scene" / folder).iterdir()
+    files = (_FOLDER / folder).iterdir()
     return tuple(sorted(one.name.removesuffix(".toml") for one in files if one.name.endswith(".toml")))
+
+
+def _shipped(folder: str, name: str) -> str:
+    return (_FOLDER / folder / f"{name}.toml").read_text("utf-8")
 
 
 def load_scene(name_or_path: str | Path) -> Scene:
@@ -73,8 +78,24 @@ def load_line(name_or_path: str | Path) -> Scene:
     return scene
 
 
+def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
+    """Return the pieces of a reference r(t) (m), of a shipped short name or a TOML file of [[reference]] tables.
+
+    They are written as those of a force, exact. Raises InvalidScene.
+
+    >>> [float(piece.start) for piece in load_reference("s-curve")]
+    [0.0, 2.0]
+    """
+    text, file = _text_and_file(name_or_path, "references", "reference", "a TOML file of [[reference]] tables")
+    tables = _tables(text, "reference", file, _REFERENCE)
+    return tuple(_read("reference", tables, _force_piece))
+
+
 def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tuple[str, str]:
-    """Return the text of a shipped file, or of one that somebody named and that name. Raises InvalidScene."""
+    """Return the text of a shipped file, or of one that somebody named, "-" for standard input, and that name.
+
+    Raises InvalidScene.
+    """
     if not isinstance(name_or_path, (str, os.PathLike)):
         shown = f"{str(name_or_path)[:40]!r}, {type(name_or_path).__name__}"
         raise InvalidScene(f"a {what} is named by text or a path, not {shown}; give {form} or a shipped name")
@@ -83,59 +104,23 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
     if not name:
         raise InvalidScene(f"the name of the {what} is empty; give {form} or one of {shipped}")
     if name in known:
-        return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8"), ""
-    near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
-    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
-    return _text_of(Path(name), what, remedy), "standard input" if name == "-" else repr(name)
-
-
-def _text_of(path: Path, what: str, remedy: str) -> str:
-    """Return the text of a file that somebody named, "-" for standard input. Raises InvalidScene."""
+        return _shipped(folder, name), ""
     try:
-        with nullcontext(sys.stdin.buffer) if str(path) == "-" else path.open("rb") as file:
+        with nullcontext(sys.stdin.buffer) if name == "-" else Path(name).open("rb") as file:
             data = file.read(MAX_FORCED_BYTES + 1)
     except (OSError, ValueError) as error:
+        near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
+        remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
         reason = getattr(error, "strerror", None) or str(error)
-        raise InvalidScene(f"no {what} {str(path)[:200]!r}: {reason}; {remedy}") from None
-    named = "on standard input" if str(path) == "-" else f"file {str(path)!r}"
-    most = MAX_FORCED_BYTES if any(b"[[" + table.encode() in data for table in (*_PIECES, _REFERENCE)) else MAX_BYTES
+        raise InvalidScene(f"no {what} {str(Path(name))[:200]!r}: {reason}; {remedy}") from None
+    named = "on standard input" if name == "-" else f"file {str(Path(name))!r}"
+    most = MAX_FORCED_BYTES if any(f"[[{table}".encode() in data for table in _REPEATED) else MAX_BYTES
     if len(data) > most:
         raise InvalidScene(f"{what} {named} is larger than {most} bytes; a {what} needs a dozen lines")
-    try:
-        return data.decode("utf-8-sig")  # some editors on Windows begin a file with a byte order mark
+    try:  # some editors on Windows begin a file with a byte order mark
+        return data.decode("utf-8-sig"), "standard input" if name == "-" else repr(name)
     except UnicodeDecodeError:
         raise InvalidScene(f"{what} {named} is not UTF-8 text; save it as UTF-8") from None
-
-
-def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
-    """Return the pieces of a reference r(t) (m), of a shipped short name or a TOML file of [[reference]] tables.
-
-    They are written as those of a force. Raises InvalidScene.
-
-    >>> [float(piece.start) for piece in load_reference("s-curve")]
-    [0.0, 2.0]
-    """
-    form = "a TOML file of [[reference]] tables"
-    return parse_reference(*_text_and_file(name_or_path, "references", "reference", form))
-
-
-def parse_reference(text: str, file: str = "") -> tuple[Piece, ...]:
-    """Return the pieces that TOML `text` of [[reference]] tables describes, exact. Raises InvalidScene."""
-    tables = _parsed(text, "reference", file)
-    for table in tables:
-        if table != _REFERENCE:
-            raise InvalidScene(f"unknown table or key [{table[:40]!r}]; a reference has [[{_REFERENCE}]] only")
-    found = _pieces_of(tables, _REFERENCE)
-    return tuple(_in_place(_force_piece, one, number, _REFERENCE) for number, one in enumerate(found, start=1))
-
-
-def _parsed(text: str, what: str, file: str) -> dict[str, Any]:
-    try:
-        # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
-        return tomllib.loads(text, parse_float=_float_text)
-    except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
-        reason = " ".join(str(error).split())[:200]
-        raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}") from None
 
 
 def parse_scene(text: str, file: str = "") -> Scene:
@@ -143,45 +128,66 @@ def parse_scene(text: str, file: str = "") -> Scene:
 
     Raises InvalidScene.
     """
-    tables = _parsed(text, "scene", file)
-    on_surface = is_plane(tables)
-    _check_keys(tables, {"shape"} if on_surface else set())
-    pair, initial, run, weakening = (tables.get(name, {}) for name in _KEYS)
-    force, friction = (_pieces_of(tables, name, {"axis"} if on_surface else set()) for name in _PIECES)
-    if on_surface:  # what is asked of a Scene is refused by its type
+    tables = _tables(text, "scene", file, _SCENE)
+    for table, key in _REQUIRED:
+        if key not in tables.get(table, {}):
+            raise InvalidScene(f"missing key {key} in [{table}]; every scene must give it")
+    pair, run = tables["pair"], tables["run"]
+    initial, weakening, force = (tables.get(name, {}) for name in ("initial", "weakening", "force"))
+    lists = [one for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
+    if lists or "shape" in pair or any("axis" in one for one in force):  # what is asked of a Scene is refused by type
         if weakening:
             raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
-        changes = [_in_place(_start_and_b, one, number, "friction") for number, one in enumerate(friction, start=1)]
-        return cast("Scene", plane_scene(tables, lambda one, number: _in_place(_force_piece, one, number), changes))
+        pieces = [
+            (one.get("axis", "x"), read) for one, read in zip(force, _read("force", tables, _force_piece), strict=True)
+        ]
+        changes = _read("friction", tables, _start_and_b)
+        return cast("Scene", plane_scene(pair, initial, run, pieces, changes))
     return Scene(
         Pair(**pair),
         State(**initial),
         until=run["until"],
         law=run.get("law", Law.FILIPPOV),
-        force=Force(_in_place(_force_piece, one, number) for number, one in enumerate(force, start=1)),
+        force=Force(_read("force", tables, _force_piece)),
         friction=Friction(
-            (_in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)),
+            _read("friction", tables, lambda one: Friction([_start_and_b(one)]).pieces[0]),
             Weakening(**weakening) if "weakening" in tables else None,
         ),
     )
 
 
-def _pieces_of(tables: dict[str, Any], name: str, more: Set[str] = frozenset()) -> list[dict[str, Any]]:
-    """Return the tables [[name]], in their order; none is an empty list."""
-    found = tables.get(name, [])
-    if not isinstance(found, list) or not all(isinstance(one, dict) for one in found):
-        raise InvalidScene(f"{name} must be tables of its pieces; write [[{name}]] on a line of its own for each")
-    for one in found:
-        _require_known(one, _PIECES.get(name, _PIECES["force"]) | more, f"[[{name}]]")
-    return found
-
-
-def _in_place(read: Any, table: dict[str, Any], number: int, name: str = "force") -> Any:
-    """Return what `read` makes of a table [[name]]; an error says in which one it was."""
+def _tables(text: str, what: str, file: str, known: dict[str, set[str]]) -> dict[str, Any]:
+    """Return the tables of a text, whose names and keys are known."""
     try:
-        return read(table)
-    except InvalidScene as error:
-        raise InvalidScene(f"[[{name}]] number {number}: {error}") from None
+        # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
+        tables = tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
+    except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
+        reason = " ".join(str(error).split())[:200]
+        raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}") from None
+    shown = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
+    for name, content in tables.items():
+        if name not in known:
+            raise InvalidScene(f"unknown table or key [{name[:40]!r}]; a {what} has {', '.join(shown.values())}")
+        if name in _REPEATED and not isinstance(content, list):
+            raise InvalidScene(
+                f"{name} must be tables of its pieces; write {shown[name]} on a line of its own for each"
+            )
+        for one in content if name in _REPEATED else [content]:
+            if not isinstance(one, dict):
+                raise InvalidScene(f"{name} must be a table; write {shown[name]} on a line of its own")
+            _require_known(one, known[name], shown[name])
+    return tables
+
+
+def _read(name: str, tables: dict[str, Any], read: Callable[[dict[str, Any]], Any]) -> list[Any]:
+    """Return what `read` makes of each of the tables [[name]]; an error says in which one it was."""
+    found = []
+    for number, one in enumerate(tables.get(name, []), start=1):
+        try:
+            found.append(read(one))
+        except InvalidScene as error:
+            raise InvalidScene(f"[[{name}]] number {number}: {error}") from None
+    return found
 
 
 def _force_piece(table: dict[str, Any]) -> Piece:
@@ -192,12 +198,6 @@ def _force_piece(table: dict[str, Any]) -> Piece:
         _require_known(one, _SINE, "a sine")
         sines.append(Sine(_given(one, "amplitude", "a sine"), _given(one, "omega", "a sine"), one.get("phase", 0)))
     return Piece(exact_decimal(table.get("from", 0), "from"), _list(table, "polynomial"), sines)
-
-
-def _friction_piece(table: dict[str, Any]) -> tuple[Fraction, Fraction]:
-    """Return one piece of friction, checked by itself."""
-    ((start, b),) = Friction([_start_and_b(table)]).pieces
-    return start, b
 
 
 def _start_and_b(table: dict[str, Any]) -> tuple[Any, Any]:
@@ -215,27 +215,6 @@ def _given(table: dict[str, Any], key: str, where: str) -> Any:
     if key not in table:
         raise InvalidScene(f"missing key {key} in {where}; give it")
     return table[key]
-
-
-def _float_text(text: str) -> str:
-    return text.replace("_", "")
-
-
-def _check_keys(tables: dict[str, Any], more: Set[str]) -> None:
-    for table, content in tables.items():
-        if table in _PIECES:
-            continue
-        if table not in _KEYS:
-            raise InvalidScene(
-                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], "
-                "[weakening], [[force]], [[friction]]"
-            )
-        if not isinstance(content, dict):
-            raise InvalidScene(f"{table} must be a table; write [{table}] on a line of its own")
-        _require_known(content, _KEYS[table] | (more if table == "pair" else set()), f"[{table}]")
-    for table, key in _REQUIRED:
-        if key not in tables.get(table, {}):
-            raise InvalidScene(f"missing key {key} in [{table}]; every scene must give it")
 
 
 def _require_known(content: dict[str, Any], keys: Set[str], where: str) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import zip_longest
@@ -133,12 +133,8 @@ class Force(ShortRepr):
         """Return the sum; it has the jumps of both."""
         if not isinstance(other, Force):
             return NotImplemented
-        return Force(_summed(one, two) for one, two in self._refined(other))
-
-    def _refined(self, other: Force) -> Iterator[tuple[Piece, Piece]]:
-        """Yield the pieces of both, begun anew wherever one of them begins."""
-        for start in sorted({*self.starts, *other.starts}):
-            yield self.piece_at(start).moved(start), other.piece_at(start).moved(start)
+        starts = sorted({*self.starts, *other.starts})
+        return Force(_summed(*(one.piece_at(start).moved(start) for one in (self, other))) for start in starts)
 
     def __rmul__(self, factor: Exact) -> Force:
         """Return the force times an exact number."""

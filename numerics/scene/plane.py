@@ -7,7 +7,7 @@ on the axes x, y and, with three, the angle phi (rad; its m are moments of inert
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -63,20 +63,15 @@ class PlanePair(ShortRepr):
             put(self, **{name: positive(given, name, n)})
         put(self, a1=_matrix(a1, "a1", n), a2=_matrix(a2, "a2", n), shape=shape)
         for rows in (rows for size in range(1, n + 1) for rows in combinations(range(n), size)):
-            along, damps, holds = (
-                ", ".join(AXES[i] for i in rows),
-                _determinant(self.a1, rows),
-                _determinant(self.a2, rows),
-            )
-            if damps < 0:
-                raise InvalidScene(
-                    f"a1 has the minor {short(damps)} on {along}, which must be >= 0; give a damper that takes "
-                    "energy from every motion"
-                )
-            if holds <= 0:
-                raise InvalidScene(
-                    f"a2 has the minor {short(holds)} on {along}, which must be > 0; give springs that hold every axis"
-                )
+            for name, matrix, least, remedy in (
+                ("a1", self.a1, ">= 0", "give a damper that takes energy from every motion"),
+                ("a2", self.a2, "> 0", "give springs that hold every axis"),
+            ):
+                minor, along = _determinant(matrix, rows), ", ".join(AXES[i] for i in rows)
+                if minor < 0 or (minor == 0 and least == "> 0"):
+                    raise InvalidScene(
+                        f"{name} has the minor {short(minor)} on {along}, which must be {least}; {remedy}"
+                    )
 
     @property
     def axes(self) -> int:
@@ -227,32 +222,23 @@ def _determinant(matrix: Matrix, rows: Sequence[int]) -> Fraction:
     return Fraction(int(found.p), int(found.q))
 
 
-def is_plane(tables: dict[str, Any]) -> bool:
-    """Return whether a scene file speaks of a surface: a list where the line has a number, a shape, or an axis."""
-    named = [tables.get(one) for one in ("pair", "initial")]
-    content = [one for table in named if isinstance(table, dict) for one in table.values()]
-    pieces = tables.get("force", [])
-    axes = isinstance(pieces, list) and any(isinstance(one, dict) and "axis" in one for one in pieces)
-    return axes or any(isinstance(one, list) for one in content) or (isinstance(named[0], dict) and "shape" in named[0])
-
-
 def plane_scene(
-    tables: dict[str, Any], read_piece: Callable[[dict[str, Any], int], Piece], friction: Iterable[tuple[Any, Any]]
+    pair: dict[str, Any],
+    initial: dict[str, Any],
+    run: dict[str, Any],
+    pieces: Sequence[tuple[Any, Piece]],
+    friction: Iterable[tuple[Any, Any]],
 ) -> PlaneScene:
     """Return the scene of the tables of a file, their keys checked.
 
-    `read_piece` reads a numbered piece of force; `friction` are start and b of its pieces.
+    `pieces` are those of force, each with its axis; `friction` are start and b of its pieces.
     """
-    pair, initial, run = (tables.get(name, {}) for name in ("pair", "initial", "run"))
-    lists = [one for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
-    named = [one.get("axis", "x") for one in tables.get("force", [])]
-    for axis in named:
+    for axis, _ in pieces:
         if axis not in AXES:
             raise InvalidScene(f"axis = {str(axis)[:40]!r} is not one of {', '.join(AXES)}")
-    n = max([2, *map(len, lists), *(AXES.index(axis) + 1 for axis in named)])
+    lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
+    n = max([2, *lists, *(AXES.index(axis) + 1 for axis, _ in pieces)])
     if read_law(run.get("law", Law.FILIPPOV)) is not Law.FILIPPOV:
         raise InvalidScene("on a surface the law is filippov; a sign that is 0 at 0 says nothing of a direction")
-    pieces: list[list[Piece]] = [[] for _ in range(n)]
-    for number, (axis, one) in enumerate(zip(named, tables.get("force", []), strict=True), start=1):
-        pieces[AXES.index(axis)].append(read_piece({key: v for key, v in one.items() if key != "axis"}, number))
-    return PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=map(Force, pieces), friction=friction)
+    force = [Force(piece for axis, piece in pieces if axis == own) for own in AXES[:n]]
+    return PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=force, friction=friction)

@@ -15,9 +15,9 @@ from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece,
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed
-from numerics.linear.cells import cells_of
+from numerics.linear.cells import Branch, cells_of
 from numerics.linear.coupled import CoupledExpansion, CoupledFlow
-from numerics.linear.enclosed import _Run
+from numerics.linear.enclosed import Run
 from numerics.linear.flow import FEW, Drive, Expansion, Flow, numbers_of
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
@@ -63,7 +63,7 @@ CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
 def flows():
     for pair in PAIRS:
         yield from (Flow(BALLS, pair, slips, 3, (Fraction(3), Fraction(11))) for slips in (False, True))
-        yield from (CoupledFlow(BALLS, pair, 3, (Fraction(3),), Fraction(one), Fraction(two)) for one, two in CELLS)
+        yield from (CoupledFlow(BALLS, pair, 3, (Fraction(3),), Branch(0, *map(Fraction, one))) for one in CELLS)
 
 
 def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
@@ -153,7 +153,7 @@ def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
 @pytest.mark.parametrize("t", ["0.5", 2, 9])
 def test_in_a_damped_stick_errors_are_as_large_as_the_flow_makes_them(a1, t):
     pair = Pair(m1=2, m2=1, a2=12, b=1, a1=a1)
-    path, units = _Run(Scene(pair, State(), 20), Ball(40), BALLS), np.sqrt([12.0, 3.0])
+    path, units = Run(Scene(pair, State(), 20), Ball(40), BALLS), np.sqrt([12.0, 3.0])
     flow = expm(np.array([[0, 1], [-4, -a1 / 3]]) * float(Fraction(t)))
     true = np.linalg.norm(flow * units[:, None] / units, 2)
     found = float(path.shrunk(arb(1), Ball.number(Fraction(t))).upper())
