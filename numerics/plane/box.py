@@ -19,7 +19,7 @@ from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
 from numerics.plane.answer import Found, PlaneEvent, PlaneState, Working
-from numerics.plane.coupled import SIGNS
+from numerics.plane.linear import SIGNS
 from numerics.plane.vector import Matrix, Vector, exact
 from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlanePair, PlaneScene

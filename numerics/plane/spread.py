@@ -16,7 +16,7 @@ difference to the motion in the mode after the event; within tau it is not yet t
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from flint import arb, arb_mat
 
@@ -28,35 +28,35 @@ _MOST = 32
 
 
 class Spread:
-    """A set of differences e = (q1, v1, v2), E [-1, 1]^k by the rows of E."""
+    """A set of differences e = (q1, v1, v2), E [-1, 1]^k by the columns of E."""
 
-    def __init__(self, system: System, rows: Iterable[list[arb]] = ()) -> None:
-        """Take rows; without any there is no difference."""
-        self.system, self.rows = system, list(rows) or [[] for _ in range(3 * system.n)]
+    def __init__(self, system: System, columns: Sequence[Vector] = ()) -> None:
+        """Take columns; without any there is no difference."""
+        self.system = system
+        self.columns = columns or [self.unit(0, arb(0))]
+
+    def bound(self, of: Sequence[tuple[int, arb]]) -> arb:
+        """Return a bound on what a linear function is off, given by its coefficients."""
+        return sum((abs(sum(x * one[j] for j, x in of)) for one in self.columns), arb(0)).upper()
+
+    def slip(self, i: int) -> Sequence[tuple[int, arb]]:
+        """Return v1 - v2 on an axis, as a linear function."""
+        n = self.system.n
+        return [(n + i, arb(1)), (2 * n + i, arb(-1))]
+
+    def load(self, i: int) -> Sequence[tuple[int, arb]]:
+        """Return the load on an axis, as a linear function; of the other sign."""
+        return [(j, x * self.system.share[i]) for j, x in self.system.held[i]]
 
     @property
-    def weights(self) -> Vector:
-        """Return bounds on the components where N = 1."""
-        system = self.system
-        return Vector((*system.soft, *(1 / system.root_m1), *(1 / system.root_m2)))
-
-    def of_slip(self, i: int) -> arb:
-        """Return a bound on what v1 - v2 is off on an axis."""
-        return _most(self._slip(i))
-
-    def of_load(self, i: int) -> arb:
-        """Return a bound on what the load is off on an axis."""
-        held = sum((Vector(self.rows[j]) * x for j, x in self.system.held[i]), Vector([arb(0)] * len(self.rows[0])))
-        return _most(held * self.system.share[i])
-
-    def _slip(self, i: int) -> Vector:
-        n = self.system.n
-        return Vector(x - y for x, y in zip(self.rows[n + i], self.rows[2 * n + i], strict=True))
+    def sizes(self) -> Vector:
+        """Return bounds on the components."""
+        return sum(map(abs, self.columns), Vector([arb(0)] * (3 * self.system.n)))
 
     @property
     def norm(self) -> arb:
         """Return a bound on N."""
-        n, sizes = self.system.n, [*map(_most, self.rows)]
+        n, sizes = self.system.n, self.sizes
         return self.system.norm(*(Vector(sizes[k : k + n]) for k in (0, n, 2 * n)))
 
     def grown(self, mode: str, by: arb, parts: Iterable[arb] | None = None) -> Spread:
@@ -64,65 +64,63 @@ class Spread:
 
         `parts`: bounds on their components.
         """
-        system, n, rows = self.system, self.system.n, self.rows
-        if len(rows[0]) > 3 * n * _MOST:
-            rows = _diagonal(map(_most, rows))
-        sizes = [x * by for x in self.weights]
+        system, n = self.system, self.system.n
+        sizes = system.weights * by
         if parts is not None:
-            sizes = [x.min(y) for x, y in zip(sizes, parts, strict=True)]
-        added = _diagonal(sizes)
+            sizes = Vector(x.min(y) for x, y in zip(sizes, parts, strict=True))
+        columns = self.columns
+        if len(columns) > 3 * n * _MOST:
+            columns = [self.unit(j, x) for j, x in enumerate(self.sizes)]
+        added = [self.unit(j, x) for j, x in enumerate(sizes)]
         for i, one in enumerate(mode):
             if one == "0":
                 size = sizes[n + i].min(sizes[2 * n + i]).min(by / system.mass[i].sqrt())
-                added[n + i][n + i] = added[2 * n + i][n + i] = size
-                added[2 * n + i][2 * n + i] = arb(0)
-        return Spread(system, (one + two for one, two in zip(rows, added, strict=True)))
+                added[n + i] = self.unit(n + i, size) + self.unit(2 * n + i, size)
+                added[2 * n + i] = self.unit(0, arb(0))
+        return Spread(system, [*columns, *added])
 
-    def stepped(self, mode: str, time: arb, by: arb, lacking: Vector, rounded: Vector) -> Spread:
-        """Return the set after a step of which the defect and what the end is rounded by add at most `by` to N.
+    def unit(self, k: int, size: arb) -> Vector:
+        """Return a difference in one component."""
+        return Vector(size if j == k else arb(0) for j in range(3 * self.system.n))
 
-        Their components are given: what a defect d adds is at most exp(|A| time) int |d|, component by component.
+    def stepped(self, mode: str, time: arb, by: arb, lacking: Vector, rounded: arb) -> Spread:
+        """Return the set after a step of which the defect and what the end is `rounded` by add at most `by` to N.
+
+        Of the defect, by components: what a defect d adds is at most exp(|A| time) int |d|.
         """
         rate = _rates(self.system, mode)
-        moved = (rate * time).exp() * arb_mat(self.rows)
         sizes = arb_mat([[abs(x) * time for x in row] for row in rate.tolist()]).exp()
         n, defects = self.system.n, list(lacking)
         for i, one in enumerate(mode):
             if one == "0":  # friction shares it out: both bodies take the same
                 whole = self.system.m1[i] * defects[n + i] + self.system.m2[i] * defects[2 * n + i]
                 defects[n + i] = defects[2 * n + i] = whole / self.system.mass[i]
-        parts = [Vector(row) @ defects + x for row, x in zip(sizes.tolist(), rounded, strict=True)]
-        return Spread(self.system, moved.tolist()).grown(mode, by, parts)
+        parts = _times(sizes, [defects])[0] + self.system.weights * rounded
+        return Spread(self.system, _times((rate * time).exp(), self.columns)).grown(mode, by.upper(), parts)
 
     def switched(self, mode: str, i: int, late: arb, jump: arb, rate: arb) -> Spread:
         """Return the set where s_i came to 0 in a mode within `late`, at a rate, and f_i changes by a jump."""
-        system, n = self.system, self.system.n
-        kick = [arb(0)] * (3 * n)
-        kick[n + i], kick[2 * n + i] = -jump / (rate * system.m1[i]), jump / (rate * system.m2[i])
-        moved = (_rates(system, mode) * arb(0, late)).exp() * arb_mat([[x] for x in kick])
-        off = self._slip(i)
-        return Spread(system, (list(Vector(row) + off * moved[k, 0]) for k, row in enumerate(self.rows)))
+        system, n, slip = self.system, self.system.n, self.slip(i)
+        kick = self.unit(n + i, -jump / (rate * system.m1[i])) + self.unit(2 * n + i, jump / (rate * system.m2[i]))
+        (moved,) = _times((_rates(system, mode) * arb(0, late)).exp(), [kick])
+        return Spread(system, [one + moved * sum(x * one[j] for j, x in slip) for one in self.columns])
 
 
-def _most(row: Iterable[arb]) -> arb:
-    """Return a bound on what a row of E times something in [-1, 1]^k may be."""
-    return sum(map(abs, row), arb(0)).upper()
-
-
-def _diagonal(sizes: Iterable[arb]) -> list[list[arb]]:
-    given = list(sizes)
-    return [[x if j == k else arb(0) for k in range(len(given))] for j, x in enumerate(given)]
+def _times(matrix: arb_mat, columns: Sequence[Sequence[arb]]) -> list[Vector]:
+    """Return a matrix times columns."""
+    found = matrix * arb_mat([[*row] for row in zip(*columns, strict=True)])
+    return [*map(Vector, found.transpose().tolist())]
 
 
 def _rates(system: System, mode: str) -> arb_mat:
     """Return A."""
-    n, masses = system.n, (system.m1, system.m2)
+    n = system.n
     rows = [[arb(j == n + i) for j in range(3 * n)] for i in range(n)]
     for body in range(2):
         for i, one in enumerate(mode):
             row = [arb(0)] * (3 * n)
             for j, x in system.held[i]:
                 if one == "0" or body == 0:
-                    row[j] = -x / (system.mass if one == "0" else masses[0])[i]
+                    row[j] = -x / (system.mass if one == "0" else system.m1)[i]
             rows.append(row)
     return arb_mat(rows)

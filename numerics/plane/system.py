@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -23,7 +23,7 @@ class System:
 
     def __init__(self, given: Reduced, digits: int) -> None:
         """Take the data, and the working precision in decimal digits."""
-        self.given, self.digits, self.bits = given, digits, math.ceil(digits * BITS_PER_DIGIT)
+        self.given, self.digits, self.bits = given, digits, math.ceil(digits * BITS_PER_DIGIT) + 2
         self.n, self.degree = len(given.m1), max(12, int(0.4 * self.bits))
         self.axes = range(self.n)
         with self.fine():
@@ -42,6 +42,8 @@ class System:
             # an error N moves component i of the load by load_error[i] N at most, and of v1 - v2 by apart[i] N
             self.load_error = self.share * (self.stiff.each(arb.sqrt) + abs(self.a1) @ (1 / self.root_m1))
             self.apart = self.kappa.each(arb.sqrt)
+            # bounds on the components of (q1, v1, v2) where N = 1
+            self.weights = Vector((*self.soft, *(1 / self.root_m1), *(1 / self.root_m2)))
             self.pieces = [Drive(self, piece) for piece in given.pieces]
 
     @contextmanager
@@ -94,7 +96,7 @@ class Drive:
         """Return sine and cosine of each phase at a time, a number or a series."""
         return [(omega * t + phase).sin_cos() for omega, phase, _ in self.sines]
 
-    def force(self, t: Any, swing: list[tuple[Any, Any]] | None = None) -> Vector:
+    def force(self, t: Any, swing: Sequence[tuple[Any, Any]] | None = None) -> Vector:
         """Return u at a time from the beginning of the piece: a number, a series, or a polynomial with its `swing`."""
         found: Any = self.still(t)
         for one in reversed(self.polynomial):
@@ -112,10 +114,9 @@ class Drive:
         size = (self.b_squared @ (s * s)).sqrt()
         return self.b_squared * s / size, size
 
-    def strain(self, load: Vector) -> arb:
-        """Return |B^-1 Lam|^2, at most 1 where the load is in K."""
-        found: arb = load / self.b_squared @ load
-        return found
+    def strain(self, load: Vector, axes: Sequence[int]) -> arb:
+        """Return |B^-1 Lam|^2 of some axes, at most 1 where the load is in K."""
+        return sum((load[i] * load[i] / self.b_squared[i] for i in axes), arb(0))
 
 
 def highest(values: Vector) -> arb:
