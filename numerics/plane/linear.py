@@ -3,7 +3,6 @@
 Each axis of a box |f_i| <= b_i is a group, which sticks or slips by itself: a mode is a word of + 0 -, f_i = +-b_i, or
 f_i = Lam_i where it sticks. An ellipsoid is one group of all axes, of which here is what it does while it sticks
 (run.py has the rest). An axis that slips stops where s_i falls to 0, a group leaves where its load gets out of K.
-Since modes are linear, errors are carried on by components, too, and N never is more than these say (spread.py).
 """
 
 from __future__ import annotations
@@ -16,9 +15,7 @@ from numerics.plane.defect import Defect
 from numerics.plane.path import OUTSIDE, Path
 from numerics.plane.polynomial import least
 from numerics.plane.series import Curve, linear_series
-from numerics.plane.spread import Spread
 from numerics.plane.vector import Vector
-from numerics.plane.window import BEYOND
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
 LETTERS = {sign: letter for letter, sign in SIGNS.items()}
@@ -43,9 +40,6 @@ class LinearRun(Path):
     """Until when after the point no other event is allowed for, s."""
     after = arb(0)
     """By how much the event here may be misplaced, s."""
-    over = arb(0)
-    """Until when in the piece the last event may come, s."""
-    spread: Spread
 
     @property
     def groups(self) -> Sequence[Sequence[int]]:
@@ -68,7 +62,6 @@ class LinearRun(Path):
             self.mode = "0" * self.system.n
             for k in groups:
                 self.put(k, v1 - v2)
-            self.spread = Spread(self.system).grown(self.mode, self.norm)
         self.held = cause is None and set(self.mode) == {"0"} and given.sticks_for_ever(self.groups)
         load, before, on_edge = self.load, self.mode, []
         for k in groups:
@@ -134,13 +127,9 @@ class LinearRun(Path):
             reach = (h * event[0] * AGAIN).mid()
         self.young, self.on_edge, self.after = {}, [], arb(0)
         x, late, k = (arb(1), arb(0), 0) if event is None else event
-        before, start, length = self.norm, self.at.t, self.drive.length
         self.go_on(curve, x, norm, ends=ends and event is None)
-        time = (length if self.at.piece > curve.piece else self.at.t) - start
-        self.spread = self.spread.stepped(self.mode, time, self.norm - before, found.parts, self.norm - norm)
-        self.over = self.over if self.at.piece == curve.piece else arb(0)
         if event is None:
-            self.norm, self.clear = self.norm.min(self.spread.norm), arb(0)
+            self.clear = arb(0)
         else:
             self.change(k, (late * h).upper())
 
@@ -177,41 +166,23 @@ class LinearRun(Path):
             return None
         if self.mode[axes[0]] == "0":
             return self.exit(found, norm, axes, SHORT if k in self.on_edge else 0.0)
-        return self.root(curve.s[k] * SIGNS[self.mode[k]], self.system.apart[k] * norm, "does the slip turn or end")
+        return self.root(
+            curve.s[k] * SIGNS[self.mode[k]], (self.system.apart[k] * norm).upper(), "does the slip turn or end"
+        )
 
     def change(self, i: int, late: arb) -> None:
-        """Change the mode of an axis at the point, which its event is within `late` (s) of.
-
-        With the rate of s_i or of the load in that window the spread says it better.
-        """
-        system, drive, before, reached = self.system, self.drive, self.mode, self.norm
-        alone, self.clear = bool(self.at.t - late > self.over), arb(0)
+        """Change the mode of an axis at the point, which its event is within `late` (s) of."""
+        before, reached = self.mode, self.norm
         self.drift(reached, late)
         if before[i] == "0":
-            near, middle = self.around(late, self.friction), self.load_there[i]
-            rate, off = near.drift[i], self.spread.bound(self.spread.load(i)) + abs(abs(middle) - drive.b[i])
             self.let_go(i, self.load, 2)
         else:
             self.halt(Vector(s if j == i else arb(0) for j, s in enumerate(self.at.s)))
-            self.spread = self.spread.grown(before, (self.norm - reached).upper())
-            near, slips = self.around(late), drive.b[i] * SIGNS[before[i]]
-            rate, off = system.kappa[i] * (near.load[i] - slips), self.spread.bound(self.spread.slip(i))
-            if abs(near.load[i]) < drive.b[i]:
-                self.put(i, system.still)
+            load = self.around(late).load
+            if abs(load[i]) < self.drive.b[i]:
+                self.put(i, self.system.still)
             else:
-                self.let_go(i, near.load, 1, "is the load inside the friction set where the slip ends")
-        stuck = [j for j in system.axes if "0" in (before[j], self.mode[j])]
-        if alone and not rate.contains(0) and all(abs(near.load[j]) < drive.b[j] * BEYOND for j in stuck):
-            late, earlier = late.min((off / abs(rate)).upper()), self.spread.norm
-            if before[i] == "0":  # what slips lacks at most steep |t - t_event| of friction
-                second = system.apart[i] * near.steep[i] * late * late
-                self.spread = self.spread.grown(self.mode, second.upper())
-            else:
-                held = near.load[i] if self.mode[i] == "0" else drive.b[i] * SIGNS[self.mode[i]]
-                self.spread = self.spread.switched(before, i, late, held - slips, rate)
-            self.norm = self.norm.min(earlier.max(self.spread.norm))
-        else:
-            self.spread = Spread(system).grown("+" * system.n, self.norm)
+                self.let_go(i, load, 1, "is the load inside the friction set where the slip ends")
         self.drift(reached, late)
-        self.after, self.over = late, self.at.t + late
+        self.after, self.clear = late, arb(0)
         self.tell(before, late, "guard")

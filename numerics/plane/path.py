@@ -172,39 +172,26 @@ class Path:
         swing = [tuple(map(midpoints, one)) for one in self.drive.swing(arb_series([self.at.t, h], top))]
         return curve_of(self.at, t, q1, v2, s, impulse, swing)
 
-    def exit(self, found: Defect, norm: arb, of: Sequence[int], start: float = 0.0) -> tuple[arb, arb] | None:
+    def exit(self, found: Defect, norm: arb, of: Sequence[int], start: float) -> tuple[arb, arb] | None:
         """Return where the load of some axes leaves K first, and how far that may be off; None if it does not."""
-        drive = self.drive
-        inside, error = arb_poly([1]), arb(0)
-        off = self.system.load_error * norm + found.load_error
-        for i in of:
-            inside = inside - found.load[i] * found.load[i] * (1 / drive.b_squared[i])
-            error += off[i] * (2 * drive.b[i] + off[i]) / drive.b_squared[i]
-        root = self.root(inside, error, OUTSIDE, start)
+        b_squared, off = self.drive.b_squared, self.system.load_error * norm + found.load_error
+        inside = arb_poly([1]) - sum(found.load[i] * found.load[i] * (1 / b_squared[i]) for i in of)
+
+        def error(load: Vector) -> arb:
+            """Return what |B^-1 Lam|^2 is off, where the load is not larger."""
+            return sum((off[i] * (2 * load[i] + off[i]) / b_squared[i] for i in of), arb(0)).upper()
+
+        root = self.root(inside, error(self.drive.b), OUTSIDE, start)
         if root is None:
             return None
         (x, far), there = root, root[0] + arb(0, root[1])
-        near, steep = self.strain_error(found, norm, of, there) + abs(inside(x)), -inside.derivative()(there)
-        return x, far.min((near / steep).upper()) if steep > 0 else far
-
-    def strain_error(self, found: Defect, norm: arb, of: Sequence[int], x: arb) -> arb:
-        """Return a bound on what |B^-1 Lam|^2 of some axes that stick is off where the load leaves K, x an enclosure.
-
-        With w = M2 (M1+M2)^-1 B^-2 Lam an error of q1 and v1 is worth 2 w.(A2 q1 + A1 v1) of it, at most
-        2 N sqrt(w.A2 w + A1 w.M^-1 A1 w), M = M1 + M2 on axes that stick, since v1 = v2 there, M1 on the others.
-        """
-        system, b_squared = self.system, self.drive.b_squared
-        slope = Vector(found.load[i](x) / b_squared[i] if i in of else arb(0) for i in system.axes)
-        off = system.load_error * norm + found.load_error
-        w, heavy = slope * system.share, Vector((system.mass if i in of else system.m1)[i] for i in system.axes)
-        damped = system.a1 @ w
-        steep = (system.a2 @ w @ w + damped * damped @ (1 / heavy)).upper().sqrt()
-        far: arb = 2 * (steep * norm + abs(slope) @ found.load_error) + sum(off[i] * off[i] / b_squared[i] for i in of)
-        return far
+        off_there = error(Vector(abs(one(there)) for one in found.load)) + abs(inside(x))
+        steep = -inside.derivative()(there)
+        return x, far.min((off_there / steep).upper()) if steep > 0 else far
 
     def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
         """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""
-        found = first_root(p, error.upper(), start)
+        found = first_root(p, error, start)
         if found is False:
             raise self.undecided(question)
         return found

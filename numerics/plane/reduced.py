@@ -92,25 +92,25 @@ class Reduced(NamedTuple):
         )
 
 
-def reduced(scene: PlaneScene) -> Reduced:
-    """Return the data on the axes, or on the one line, on which a scene moves."""
+def reduced(scene: PlaneScene, *, whole: bool = False) -> Reduced:
+    """Return the data on the axes, or on the one line, on which a scene moves; the `whole` of it, if that is asked."""
     pair, n = scene.pair, scene.pair.axes
     pieces, start = _pieces(scene), (scene.x1, scene.v1, scene.v2)
     pushes = [one for p in pieces for one in (*p.polynomial, *(amplitudes for _, _, amplitudes in p.sines))]
-    moving = [part for part in pair.parts if any(one[i] for one in (*start, *pushes) for i in part)] or pair.parts[:1]
-    unit = [Vector(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving))]
+    moving = [part for part in pair.parts if whole or any(one[i] for one in (*start, *pushes) for i in part)]
+    unit = [Vector(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving or pair.parts[:1]))]
     if pair.shape == "ellipsoid":
         # a line has the direction of the start, or if that is at rest, of M1^-1 u
         m1, pushed = Vector(pair.m1), (one / Vector(pair.m1) for one in pushes)
         d = next((Vector(one) for one in (*start, *pushed) if any(one)), unit[0])
         try:
-            return on_axes(scene, pieces, [d], [m1 * d])
+            return _on(scene, pieces, [d], [m1 * d])
         except ValueError:
             pass
-    return on_axes(scene, pieces, unit, unit)
+    return _on(scene, pieces, unit, unit)
 
 
-def on_axes(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], forces: list[Vector]) -> Reduced:
+def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], forces: list[Vector]) -> Reduced:
     """Return the data for q = sum c_k places[k], f = sum F_k forces[k]. Raises ValueError for what leaves these."""
     pair = scene.pair
 

@@ -25,7 +25,6 @@ from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import OUTSIDE
 from numerics.plane.polynomial import first_root, log2, rise, scaled, two_to
 from numerics.plane.series import Curve, Series, Slip
-from numerics.plane.spread import Spread
 from numerics.plane.system import highest
 from numerics.plane.vector import Vector, wide
 
@@ -237,7 +236,6 @@ class Run(LinearRun):
         before = self.mode
         if inside:
             self.mode = "0" * system.n
-            self.spread = Spread(system).grown(self.mode, self.norm)
             self.happened(before, end_direction(system, drive, self.around(late).load, drawn), late, "guard")
         else:
             self.let_go(0, self.load, 1)

@@ -17,13 +17,20 @@ from numerics.plane.vector import Matrix, Vector, exact
 SPARE_BITS = 40
 """Bits beyond those to which series are cut: the terms of a long step are larger than their sum."""
 
+_MORE_BITS = {True: 2, False: 12}
+"""Bits beyond the digits that a path is asked for: few more cost less than bounds by components, in linear modes most.
+
+So N alone is a bound as good as any.
+"""
+
 
 class System:
     """A pair on n axes. With N^2 = q1.A2 q1 + v1.M1 v1 + v2.M2 v2 of the difference of two motions N never grows."""
 
     def __init__(self, given: Reduced, digits: int) -> None:
         """Take the data, and the working precision in decimal digits."""
-        self.given, self.digits, self.bits = given, digits, math.ceil(digits * BITS_PER_DIGIT) + 2
+        self.given, self.digits = given, digits
+        self.bits = math.ceil(digits * BITS_PER_DIGIT) + _MORE_BITS[given.is_round]
         self.n, self.degree = len(given.m1), max(12, int(0.4 * self.bits))
         self.axes = range(self.n)
         with self.fine():
@@ -42,8 +49,6 @@ class System:
             # an error N moves component i of the load by load_error[i] N at most, and of v1 - v2 by apart[i] N
             self.load_error = self.share * (self.stiff.each(arb.sqrt) + abs(self.a1) @ (1 / self.root_m1))
             self.apart = self.kappa.each(arb.sqrt)
-            # bounds on the components of (q1, v1, v2) where N = 1
-            self.weights = Vector((*self.soft, *(1 / self.root_m1), *(1 / self.root_m2)))
             self.pieces = [Drive(self, piece) for piece in given.pieces]
 
     @contextmanager
