@@ -13,14 +13,16 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from flint import arb, arb_poly
+from flint import arb
 
 from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
 from numerics.plane.answer import Found, PlaneEvent, PlaneState, Working
-from numerics.plane.coupled import SIGNS
-from numerics.plane.vector import Matrix, Vector, exact
+from numerics.plane.linear import SIGNS
+from numerics.plane.reduced import reduced
+from numerics.plane.system import System
+from numerics.plane.vector import Vector, exact
 from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.trajectory.status import Status
@@ -91,6 +93,13 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Found
     motion, changes = Parts(scene, answers), {s for one in scene.force for s in one.starts}
     changes |= {start for start, _ in scene.friction}
 
+    system = System(reduced(scene, whole=True), arithmetic.digits)
+
+    def load_at(y: PlaneState, t: arb, when: Fraction) -> Vector:
+        """Return the load at t, N, of the piece of u that begins last up to `when`."""
+        drive = [one for one in system.pieces if one.acting.start <= when or one is system.pieces[0]][-1]
+        return system.load(drive.force(t - Ball.number(drive.acting.start)), Vector(y.x1), Vector(y.v1))
+
     def changed(event: Any) -> list[Fraction]:
         """Return at which change an event may be, exactly; none for one that is not due to any."""
         return [one for one in changes if event.t.overlaps(Ball.number(one))] if event.cause == "jump" else []
@@ -129,24 +138,11 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Found
         signs = Vector(arb(SIGNS[one]) for one in word)
         direction = signs / (signs @ signs).max(arb(1)).sqrt()
         pieces = changed(group[0][0]) or [exact_middle(t.lower()), exact_middle(t.upper())]
-        loads = [_load(scene, y, t, one) for one in pieces]
-        load = Vector(x.union(y) for x, y in zip(loads[0], loads[-1], strict=True))
+        loads = [load_at(y, t, one) for one in (pieces[0], pieces[-1])]
+        load = Vector(x.union(y) for x, y in zip(*loads, strict=True))
         modes.append("".join(word))
         events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
     stuck = all(one.status is Status.STUCK_FOR_EVER for one in answers)
     status = Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON
     until = Ball.number(scene.until)
     return Found(arithmetic, status, tuple(events), tuple(modes), until, motion.at(scene.until), motion)
-
-
-def _load(scene: PlaneScene, y: PlaneState, t: arb, when: Fraction) -> Vector:
-    """Return m2/(m1 + m2) (u - a2 x1 - a1 v1) at t, N, of the piece of u that begins last up to `when`."""
-    pair, number, u = scene.pair, Ball.number, []
-    for force in scene.force:
-        piece = force.piece_at(when)
-        u.append(arb_poly([number(c) for c in piece.polynomial])(t - number(piece.start)))
-        for sine in piece.sines:
-            u[-1] += number(sine.amplitude) * (number(sine.omega) * t + number(sine.phase)).sin()
-    m1, m2 = exact(pair.m1), exact(pair.m2)
-    found: Vector = (Vector(u) - Matrix.of(pair.a2) @ y.x1 - Matrix.of(pair.a1) @ y.v1) * m2 / (m1 + m2)
-    return found

@@ -10,34 +10,12 @@ from __future__ import annotations
 from itertools import chain
 from typing import NamedTuple
 
-from flint import arb, arb_poly, arb_series
+from flint import arb, arb_poly
 
-from numerics.plane.polynomial import integral_bound, least, midpoints, total
-from numerics.plane.series import Point
+from numerics.plane.polynomial import integral_bound, least, total
+from numerics.plane.series import Curve
 from numerics.plane.system import Drive, System
 from numerics.plane.vector import Vector
-
-Swing = list[tuple[arb_poly, arb_poly]]
-"""Sine and cosine of each phase."""
-
-
-class Curve(NamedTuple):
-    """A piece of the path: the time in the piece of force, q1, v2, s, z by axes, on [0, 1]; `impulse` is f dt/dx."""
-
-    piece: int
-    t: arb_poly
-    q1: Vector
-    v2: Vector
-    s: Vector
-    z: Vector
-    impulse: Vector
-
-    @classmethod
-    def of(cls, at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
-        """Return a piece of the path from a point, with z = q1 - q2 along it."""
-        rate = t.derivative()
-        z = Vector((x * rate).integral() + z for x, z in zip(s, at.z, strict=True))
-        return cls(at.piece, t, q1, v2, s, z, impulse)
 
 
 class Defect(NamedTuple):
@@ -52,8 +30,7 @@ class Defect(NamedTuple):
 def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     """Return the defect of a curve; friction_off: bounds on int |impulse - f dt|, f in dh(s), by axes."""
     drive, rate = system.pieces[curve.piece], curve.t.derivative()
-    swing = swing_along(drive, curve.t, max(system.degree, curve.q1[0].length()) + 2)
-    u, u_off = force_along(drive, curve.t, swing)
+    u, u_off = force_along(drive, curve)
     v1 = curve.v2 + curve.s
 
     def whole(off: Vector) -> Vector:
@@ -67,26 +44,19 @@ def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     return Defect(system.norm(*parts), Vector(chain(*parts)), system.load(u, curve.q1, v1), system.share * u_off)
 
 
-def swing_along(drive: Drive, t: arb_poly, degree: int) -> Swing:
-    """Return Taylor polynomials of sine and cosine of each phase along a path."""
-    if not drive.sines:
-        return []
-    return [(midpoints(s), midpoints(c)) for s, c in drive.swing(arb_series(t.coeffs(), degree))]
-
-
-def force_along(drive: Drive, t: arb_poly, swing: Swing) -> tuple[Vector, Vector]:
+def force_along(drive: Drive, curve: Curve) -> tuple[Vector, Vector]:
     """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
 
     A cosine and a sine are polynomials that may be anything; their defect bounds their errors.
     """
-    errors, rate = drive.still(arb(0)), t.derivative()
-    for (omega, phase, amplitudes), (s, c) in zip(drive.sines, swing, strict=True):
+    t, errors = curve.t, drive.still(arb(0))
+    for (omega, phase, amplitudes), (s, c) in zip(drive.sines, curve.swing, strict=True):
         sine, cosine = (omega * t[0] + phase).sin_cos()
-        turn = rate * omega
+        turn = t.derivative() * omega
         off = (c[0] - cosine).abs_upper() + (s[0] - sine).abs_upper()
         off += integral_bound(c.derivative() + turn * s) + integral_bound(s.derivative() - turn * c)
         errors = (errors + abs(amplitudes) * off).each(arb.upper)
-    return drive.force(t, swing), errors
+    return drive.force(t, curve.swing), errors
 
 
 def slip_defect(system: System, curve: Curve, slip: Vector, size: arb_poly) -> tuple[Defect, arb]:

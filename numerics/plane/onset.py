@@ -28,14 +28,15 @@ _PART = 2.0**-7
 """The part of |g|^2 from which on axes that have not settled hold h."""
 
 
-def onset(system: System, at: Point, load: Vector, degree: int, m: int) -> Series:
+def onset(system: System, at: Point, load: Vector, m: int) -> Series:
     """Return the series of a slip from s = 0, at a point where the load is outside K (m = 1), or on its edge (2)."""
     drive, first = system.pieces[at.piece], arb(0)
+    degree = system.degree if m == 1 else int(0.75 * system.bits) + 8
     u = drive.force(arb_series([at.t, 1], degree))
     if m == 1:
         g, first = first_slip(system, drive, load)
     else:
-        g = load / drive.b / drive.strain(load).sqrt()
+        g = load / drive.b / drive.strain(load, system.axes).sqrt()
     start, h, rows = g.each(arb.mid), [arb(0), first.mid()], [[x.mid()] for x in g]
     for k in range(1, degree):
         size, g = arb_series(h, k + 2), Vector(arb_series(row, k + 2) for row in rows)
@@ -66,13 +67,13 @@ def first_slip(system: System, drive: Drive, load: Vector) -> tuple[Vector, arb]
     return (p / (c + h)).each(arb.mid), h
 
 
-def slow_series(system: System, at: Point, degree: int, quick: Sequence[bool]) -> Series | None:
+def slow_series(system: System, at: Point, quick: Sequence[bool]) -> Series | None:
     """Return the series of a slip that has settled on the `quick` axes, None if the iteration does not settle.
 
     On the others h D g goes on from its beginning, by B^-1 Lam - g. If they have a part in h it is what |g| = 1 asks
     for; else the quick axes alone say how it changes.
     """
-    drive = system.pieces[at.piece]
+    drive, degree = system.pieces[at.piece], system.degree
     u = drive.force(arb_series([at.t, 1], degree))
     f, first = drive.friction(at.s)
     size, g = arb_series([first.mid()], degree), (f / drive.b).each(lambda x: arb_series([x.mid()], degree))

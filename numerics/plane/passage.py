@@ -90,7 +90,7 @@ def drawn_to(system: System, drive: Drive, load: Vector, s: Vector) -> Drawn | N
     around = wide(e, root * a)
     (f, size), (end, _) = drive.friction(around), drive.friction(e)
     psi = size - load @ around
-    if not (a < 1 and (psi > 0 or drive.strain(load) < 1)):
+    if not (a < 1 and (psi > 0 or drive.strain(load, system.axes) < 1)):
         return None
     normal = inverse * e
     r = abs(end - load - normal * ((end - load) @ e)) @ root
@@ -99,4 +99,4 @@ def drawn_to(system: System, drive: Drive, load: Vector, s: Vector) -> Drawn | N
     rows = hessian(drive, f, size, inverse * (taken + much * a * a / 4))
     rows = [row + normal * (much * x) for row, x in zip(rows, normal, strict=True)]
     minors = [arb_mat([row[:k] for row in rows[:k]]).det() for k in range(1, system.n + 1)]
-    return Drawn(psi.lower(), around) if system.n == 1 or all(one > 0 for one in minors) else None
+    return Drawn(psi.lower(), around) if all(one > 0 for one in minors) else None

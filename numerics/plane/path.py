@@ -4,56 +4,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
-from flint import arb, arb_poly
+from flint import arb, arb_poly, arb_series
 
 from numerics.errors import EventUndecided, NotSettled
-from numerics.plane.defect import Curve, Defect, defect
-from numerics.plane.polynomial import first_root, scaled
-from numerics.plane.series import Point, Series, linear_series
-from numerics.plane.system import System, highest
+from numerics.plane.answer import PlaneEvent
+from numerics.plane.defect import Defect, defect
+from numerics.plane.polynomial import first_root, log2, midpoints, scaled, two_to
+from numerics.plane.series import Curve, Point, Series, curve_of
+from numerics.plane.states import Leg, States
+from numerics.plane.system import Drive, System, highest
 from numerics.plane.vector import Vector, exact, wide
 from numerics.plane.window import Around, around
 
-STICK, SLIP = "stick", "slip"
-LATE, AGAIN = 31 / 32, 65 / 64
-"""An event before that part of a step has it drawn again, so much longer than to the event: with the defect of that."""
-SHORT = 2.0**-20
-"""The part of a step after which a load that falls from the edge into K is seen inside."""
-
-
-class Leg(NamedTuple):
-    """A curve from x = 0 to x = `end`; bounds at its end on N and on the errors of z."""
-
-    curve: Curve
-    mode: str
-    end: arb
-    norm: arb
-    apart: Vector
-
-
-@dataclass(frozen=True)
-class Happening:
-    """A change of mode at a point of the path: the true one comes within `late` (s) of it.
-
-    `direction` (n,) of s, right after it, or right before a stick; `load` (n,) there; both along the reduced axes.
-    """
-
-    at: Point
-    late: arb
-    before: str
-    after: str
-    direction: Vector
-    load: Vector
-    cause: str
-    norm: arb
-    apart: Vector
+OUTSIDE = "does the load leave the friction set, or only touch its edge"
 
 
 class Path:
-    """A path that is followed: legs and events so far, the point that was reached, its bounds."""
+    """A path that is followed: legs and events so far, the point that was reached, its bounds.
+
+    `mode` has a letter for each axis: 0 sticks, + and - slip with constant friction, * with that of their direction.
+    """
 
     mode: str
 
@@ -63,7 +35,8 @@ class Path:
         """Begin at t = 0."""
         self.system, self.max_events, self.max_legs, self.progress = system, max_events, max_legs, progress
         self.legs: list[Leg] = []
-        self.events: list[Happening] = []
+        self.events: list[PlaneEvent] = []
+        self.states = States(system, self.legs)
         self.eps, self.reached = arb((1, -system.bits)), False
         with system.fine():
             q1, v1, v2 = map(exact, system.given.start)
@@ -101,10 +74,15 @@ class Path:
         raise NotImplementedError
 
     @property
+    def drive(self) -> Drive:
+        """Return what acts at the point."""
+        pieces = self.system.pieces
+        return pieces[min(self.at.piece, len(pieces) - 1)]
+
+    @property
     def time(self) -> float:
         """Return the time that was reached, s, for messages."""
-        pieces = self.system.given.pieces
-        return float(pieces[min(self.at.piece, len(pieces) - 1)].start) + float(self.at.t.mid())
+        return float(self.drive.acting.start) + float(self.at.t.mid())
 
     def undecided(self, question: str) -> EventUndecided:
         """Return the error for a point after which these digits do not tell what happens."""
@@ -118,20 +96,20 @@ class Path:
         self.at = Point(point.piece, point.t.mid(), *(part.each(arb.mid) for part in point[2:]))
 
     def drift(self, norm: arb, passed: arb) -> None:
-        """Let z be off by what v1 - v2 is off for a time."""
-        self.apart = (self.apart + self.system.apart * (norm * passed)).each(arb.upper)
+        """Let z be off by what v1 - v2 is off for a time, on the axes that slip."""
+        slips = Vector(arb(one != "0") for one in self.mode)
+        self.apart = (self.apart + self.system.apart * slips * (norm * passed)).each(arb.upper)
 
-    def go_on(self, curve: Curve, mode: str, end: arb, norm: arb, *, ends: bool) -> None:
+    def go_on(self, curve: Curve, end: arb, norm: arb, *, ends: bool) -> None:
         """Record a curve and go to its end, or to the next piece of force if it `ends` there."""
         t = curve.t(end)
-        if mode == SLIP:
-            self.drift(norm, (t - curve.t(arb(0))).abs_upper())
+        self.drift(norm, (t - curve.t(arb(0))).abs_upper())
         self.norm = norm
         self.set(Point(curve.piece, t, *(part.each(lambda p: p(end)) for part in curve[2:6])))
-        true = self.system.pieces[curve.piece].length if ends else self.at.t
+        true = self.drive.length if ends else self.at.t
         # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
         self.norm = (self.norm + self.rate(true) * abs(t - true)).upper()
-        self.legs.append(Leg(curve, mode, end, self.norm, self.apart))
+        self.legs.append(Leg(curve._replace(swing=()), self.mode, end, self.norm, self.apart))
         if ends:
             self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 
@@ -150,24 +128,21 @@ class Path:
 
     def rate(self, true: arb) -> arb:
         """Return a bound on the rate of N by which a path that rests at the point, until a time, leaves the motion."""
-        system, at = self.system, self.at
-        drive = system.pieces[at.piece]
+        system, at, drive = self.system, self.at, self.drive
         first = abs(system.push(drive.force(at.t.union(true)), at.q1, at.v1)) + drive.b
         return system.norm(at.v1, first / system.m1, drive.b / system.m2)
 
-    def load(self, late: arb | None = None) -> Vector:
-        """Return an enclosure of the true motion's Lam at the point, or within `late` (s) of it."""
-        if late is not None:
-            return self.around(late).load
+    @property
+    def load(self) -> Vector:
+        """Return an enclosure of the true motion's Lam at the point."""
         return Vector(wide(self.load_there, self.system.load_error * self.norm))
 
     @property
     def load_there(self) -> Vector:
         """Return Lam of the path at the point."""
-        system, at = self.system, self.at
-        return system.load(system.pieces[at.piece].force(at.t), at.q1, at.v1)
+        return self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
 
-    def step(self, *groups: tuple[Iterable[Sequence[arb]], arb]) -> arb:
+    def step(self, *groups: tuple[Iterable[Sequence[Any]], arb]) -> arb:
         """Return how far coefficients reach: there their last two terms are 2^-bits of a size."""
         found = math.inf
         for rows, size in groups:
@@ -179,58 +154,44 @@ class Path:
 
     def fitted(self, h: arb) -> tuple[arb, bool]:
         """Return a time to go on for, not beyond the end of the piece, and whether it is that."""
-        left = (self.system.pieces[self.at.piece].length - self.at.t).mid()
+        left = (self.drive.length - self.at.t).mid()
         return (left, True) if h >= left else (h, False)
 
-    def linear(self, friction: Sequence[arb | None], degree: int) -> tuple[Series, arb]:
-        """Return a series by time where friction on an axis is constant or (None) holds it, and how far it reaches."""
-        series = linear_series(self.system, self.at, friction, degree)
-        return series, self.step((series.q1, self.place), ([*series.v2, *series.slip], self.speed))
-
     def drawn(self, series: Series, h: arb, friction: Sequence[arb | None]) -> tuple[Curve, Defect, arb]:
-        """Return the curve of such a series on [0, h], its defect, and N at its end."""
+        """Return the curve of a series by time on [0, h], its defect, and N at its end."""
         q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
         held = v2.each(arb_poly.derivative) * self.system.m2
         impulse = Vector(x if f is None else arb_poly([f * h]) for x, f in zip(held, friction, strict=True))
-        curve = Curve.of(self.at, arb_poly([self.at.t, h]), q1, v2, s, impulse)
+        curve = self.timed(h, q1, v2, s, impulse)
         found = defect(self.system, curve, self.system.still)
         return curve, found, (self.norm + found.norm).upper()
 
-    def exit(
-        self, curve: Curve, found: Defect, norm: arb, of: Sequence[int], start: float = 0.0
-    ) -> tuple[arb, arb] | None:
-        """Return where the load of some axes leaves K first, None if it does not."""
-        drive = self.system.pieces[curve.piece]
-        inside, error = arb_poly([1]), arb(0)
-        off = self.system.load_error * norm + found.load_error
-        for i in of:
-            inside = inside - found.load[i] * found.load[i] * (1 / drive.b_squared[i])
-            error += off[i] * (2 * drive.b[i] + off[i]) / drive.b_squared[i]
-        root = self.root(inside, error, "does the load leave the friction set, or only touch its edge", start)
+    def timed(self, h: arb, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
+        """Return the curve of polynomials of the time, h of it on [0, 1]."""
+        t, top = arb_poly([self.at.t, h]), max(self.system.degree, q1[0].length()) + 2
+        swing = [tuple(map(midpoints, one)) for one in self.drive.swing(arb_series([self.at.t, h], top))]
+        return curve_of(self.at, t, q1, v2, s, impulse, swing)
+
+    def exit(self, found: Defect, norm: arb, of: Sequence[int], start: float) -> tuple[arb, arb] | None:
+        """Return where the load of some axes leaves K first, and how far that may be off; None if it does not."""
+        b_squared, off = self.drive.b_squared, self.system.load_error * norm + found.load_error
+        inside = arb_poly([1]) - sum(found.load[i] * found.load[i] * (1 / b_squared[i]) for i in of)
+
+        def error(load: Vector) -> arb:
+            """Return what |B^-1 Lam|^2 is off, where the load is not larger."""
+            return sum((off[i] * (2 * load[i] + off[i]) / b_squared[i] for i in of), arb(0)).upper()
+
+        root = self.root(inside, error(self.drive.b), OUTSIDE, start)
         if root is None:
             return None
         (x, far), there = root, root[0] + arb(0, root[1])
-        near, steep = self.strain_error(found, norm, of, there) + abs(inside(x)), -inside.derivative()(there)
-        return x, far.min((near / steep).upper()) if steep > 0 else far
-
-    def strain_error(self, found: Defect, norm: arb, of: Sequence[int], x: arb) -> arb:
-        """Return a bound on what |B^-1 Lam|^2 of some axes that stick is off where the load leaves K, x an enclosure.
-
-        With w = M2 (M1+M2)^-1 B^-2 Lam an error of q1 and v1 is worth 2 w.(A2 q1 + A1 v1) of it, at most
-        2 N sqrt(w.A2 w + A1 w.M^-1 A1 w), M = M1 + M2 on axes that stick, since v1 = v2 there, M1 on the others.
-        """
-        system, b_squared = self.system, self.system.pieces[self.at.piece].b_squared
-        slope = Vector(found.load[i](x) / b_squared[i] if i in of else arb(0) for i in system.axes)
-        off = system.load_error * norm + found.load_error
-        w, heavy = slope * system.share, Vector((system.mass if i in of else system.m1)[i] for i in system.axes)
-        damped = system.a1 @ w
-        steep = (system.a2 @ w @ w + damped * damped @ (1 / heavy)).upper().sqrt()
-        far: arb = 2 * (steep * norm + abs(slope) @ found.load_error) + sum(off[i] * off[i] / b_squared[i] for i in of)
-        return far
+        off_there = error(Vector(abs(one(there)) for one in found.load)) + abs(inside(x))
+        steep = -inside.derivative()(there)
+        return x, far.min((off_there / steep).upper()) if steep > 0 else far
 
     def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
         """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""
-        found = first_root(p, error.upper(), start)
+        found = first_root(p, error, start)
         if found is False:
             raise self.undecided(question)
         return found
@@ -245,38 +206,13 @@ class Path:
         """
         system, near = self.system, self.around(window, slips)
         if m == 1:
-            return bool(normal @ near.load > system.pieces[self.at.piece].friction(normal)[1])
+            return bool(normal @ near.load > self.drive.friction(normal)[1])
         far = system.apart @ near.steep * window
         return bool(normal @ near.drift > far * (abs(normal) @ (system.share * (abs(system.a1) @ system.apart))))
 
     def happened(self, before: str, direction: Vector, late: arb, cause: str) -> None:
         """Record a change of mode, which comes before or after a piece of force, not perhaps the one or the other."""
-        length = self.system.pieces[self.at.piece].length
-        if late > 0 and not (late < self.at.t and self.at.t + late < length):
+        if late > 0 and not (late < self.at.t and self.at.t + late < self.drive.length):
             raise self.undecided("does the event come before the force changes, or the run ends")
-        load = self.load(late)
-        self.events.append(Happening(self.at, late, before, self.mode, direction, load, cause, self.norm, self.apart))
-
-
-def exactly_on_edge(system: System, axes: Iterable[int]) -> bool:
-    """Return whether the sum of (Lam_i/b_i)^2 is 1 at t = 0, on exact data; False where a sine is not exactly known."""
-    given, acting = system.given, system.given.pieces[0]
-    if any(phase for _, phase, _ in acting.sines):
-        return False
-    q1, v1, m1, m2 = map(Vector, (*given.start[:2], given.m1, given.m2))
-    held = Vector(Vector(one) @ q1 + Vector(two) @ v1 for one, two in zip(given.a2, given.a1, strict=True))
-    load = (Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - held) * m2 / (m1 + m2)
-    strains = load * load / Vector(acting.b_squared)
-    return bool(sum(strains[i] for i in axes) == 1)
-
-
-def log2(x: Any) -> float:
-    """Return the logarithm of the size of a number, -inf for 0."""
-    middle = abs(arb(x).mid())
-    return -math.inf if middle.is_zero() else float(middle.log()) / math.log(2)
-
-
-def two_to(power: float) -> arb:
-    """Return 2^power, about."""
-    whole = math.floor(power)
-    return arb(2.0 ** (power - whole)) * arb((1, whole))
+        found = (before, self.mode), direction, self.around(late).load, cause, self.norm, self.apart
+        self.events.append(self.states.event(self.at, late, *found))

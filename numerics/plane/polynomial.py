@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import flint
@@ -14,13 +13,9 @@ _PARTS = 2**-40
 """Below this width nothing is looked for any more."""
 
 
-def scaled(coefficients: Sequence[arb], by: arb) -> arb_poly:
+def scaled(p: Any, by: arb) -> arb_poly:
     """Return p(by x) with midpoints for coefficients: the polynomial that is followed, exactly."""
-    found, power = [], arb(1)
-    for one in coefficients:
-        found.append((one * power).mid())
-        power *= by
-    return arb_poly(found)
+    return midpoints(arb_poly(p)(arb_poly([0, by])))
 
 
 def midpoints(p: Any) -> arb_poly:
@@ -108,3 +103,15 @@ def _newton(p: arb_poly, slope: arb_poly, low: arb, high: arb) -> arb:
 def rise(p: arb_poly, value: arb) -> arb:
     """Return x in [0, 1] at which a rising polynomial has a value, about."""
     return _newton(value - p, -p.derivative(), arb(0), arb(1))
+
+
+def log2(x: Any) -> float:
+    """Return the logarithm of the size of a number, -inf for 0."""
+    middle = abs(arb(x).mid())
+    return -math.inf if middle.is_zero() else float(middle.log()) / math.log(2)
+
+
+def two_to(power: float) -> arb:
+    """Return 2^power, about."""
+    whole = math.floor(power)
+    return arb(2.0 ** (power - whole)) * arb((1, whole))

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise
-from operator import mul
+from itertools import chain, pairwise, zip_longest
 from typing import NamedTuple
 
-from numerics.scene.plane import Matrix, PlaneScene, Vector
+from numerics.plane.vector import Vector
+from numerics.scene.plane import PlaneScene
+
+Rows = Sequence[Sequence[Fraction]]
 
 
 class Acting(NamedTuple):
@@ -32,28 +34,77 @@ class Reduced(NamedTuple):
 
     m1: Vector
     m2: Vector
-    a1: Matrix
-    a2: Matrix
+    a1: Rows
+    a2: Rows
     start: tuple[Vector, Vector, Vector]
     """q1, v1, v2 at t = 0."""
     pieces: tuple[Acting, ...]
-    place: Matrix
-    force: Matrix
+    place: Rows
+    force: Rows
+    apart: Vector
+    """x1 - x2 at t = 0, on the axes of the scene."""
+    is_round: bool
+    """Whether K is an ellipsoid, or the line through it, and no box."""
+
+    @property
+    def push(self) -> Vector:
+        """Return u - A2 q1 - A1 v1 at t = 0, without sines."""
+        u, (q1, v1, _) = self.pieces[0].polynomial[:1], self.start
+        return Vector(
+            (u[0][i] if u else 0) - Vector(one) @ q1 - Vector(two) @ v1
+            for i, (one, two) in enumerate(zip(self.a2, self.a1, strict=True))
+        )
+
+    @property
+    def weight(self) -> Vector:
+        """Return what squares of pushes on stuck bodies are worth of |B^-1 Lam|^2."""
+        share = self.m2 / (self.m1 + self.m2)
+        return share * share / self.pieces[0].b_squared
+
+    def is_on_edge(self, axes: Iterable[int]) -> bool:
+        """Return whether |B^-1 Lam|^2 of some axes is 1 at t = 0; False where a sine is not exactly known."""
+        strains, sines = self.weight * self.push * self.push, self.pieces[0].sines
+        return not any(phase for _, phase, _ in sines) and sum(strains[i] for i in axes) == 1
+
+    def sticks_for_ever(self, groups: Iterable[Iterable[int]]) -> bool:
+        """Return whether the loads of bodies that stick at t = 0 stay in K as long as the first piece lasts.
+
+        Asked where they swing with one frequency, Lam = C cos W t + W^-1 Lam' sin W t: then K has the whole ellipse if
+        and only if the larger root of B^-1 (C C^T + W^-2 Lam' Lam'^T) B^-1 is at most 1. Else False.
+        """
+        first, mass = self.pieces[0], self.m1 + self.m2
+        if first.sines or len(first.polynomial) > 1 or any(map(any, self.a1)):
+            return False
+
+        def pull(x: Vector) -> Vector:
+            return Vector(Vector(row) @ x for row in self.a2)
+
+        push, rate = self.push, pull(self.start[1])
+        bends = [(one, pull(one / mass)) for one in (push, rate)]
+        square = next((y / x for pair in bends for x, y in zip(*pair, strict=True) if x), Fraction(1))
+        if any(list(two) != list(one * square) for one, two in bends):
+            return False
+        products = [self.weight * one * two for one, two in ((push, push), (push, rate), (rate, rate))]
+        sums = [[sum(one[i] for i in axes) for one in products] for axes in groups]
+        return all(
+            place <= 1 and speed <= square and (1 - place) * (square - speed) >= mixed * mixed
+            for place, mixed, speed in sums
+        )
 
 
-def reduced(scene: PlaneScene) -> Reduced:
-    """Return the data on the axes, or on the one line, on which a scene moves."""
+def reduced(scene: PlaneScene, *, whole: bool = False) -> Reduced:
+    """Return the data on the axes, or on the one line, on which a scene moves; the `whole` of it, if that is asked."""
     pair, n = scene.pair, scene.pair.axes
     pieces, start = _pieces(scene), (scene.x1, scene.v1, scene.v2)
     pushes = [one for p in pieces for one in (*p.polynomial, *(amplitudes for _, _, amplitudes in p.sines))]
-    moving = [part for part in pair.parts if any(one[i] for one in (*start, *pushes) for i in part)] or pair.parts[:1]
-    unit = [tuple(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving))]
+    moving = [part for part in pair.parts if whole or any(one[i] for one in (*start, *pushes) for i in part)]
+    unit = [Vector(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving or pair.parts[:1]))]
     if pair.shape == "ellipsoid":
         # a line has the direction of the start, or if that is at rest, of M1^-1 u
-        pushed = ([x / m for x, m in zip(one, pair.m1, strict=True)] for one in pushes)
-        d = next((tuple(one) for one in (*start, *pushed) if any(one)), unit[0])
+        m1, pushed = Vector(pair.m1), (one / Vector(pair.m1) for one in pushes)
+        d = next((Vector(one) for one in (*start, *pushed) if any(one)), unit[0])
         try:
-            return _on(scene, pieces, [d], [tuple(m * x for m, x in zip(pair.m1, d, strict=True))])
+            return _on(scene, pieces, [d], [m1 * d])
         except ValueError:
             pass
     return _on(scene, pieces, unit, unit)
@@ -66,37 +117,40 @@ def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], force
     def of(vector: Iterable[Fraction], basis: list[Vector]) -> Vector:
         """Return coordinates; the vectors of a basis do not share axes."""
         given = tuple(vector)
-        found = tuple(next(given[i] / x for i, x in enumerate(one) if x) for one in basis)
-        if given != tuple(sum(map(mul, found, row), Fraction(0)) for row in zip(*basis, strict=True)):
+        found = Vector(next(given[i] / x for i, x in enumerate(one) if x) for one in basis)
+        if given != tuple(found @ row for row in zip(*basis, strict=True)):
             raise ValueError("a vector that is not on these axes")
         return found
 
-    def forced(given: Iterable[Iterable[Fraction]]) -> tuple[Vector, ...]:
-        return tuple(of(one, forces) for one in given)
+    def diagonal(numbers: Sequence[Fraction]) -> Vector:
+        return Vector(of(d * Vector(numbers), forces)[k] for k, d in enumerate(places))
 
-    def diagonal(numbers: Vector) -> Vector:
-        images = forced(map(mul, numbers, d) for d in places)
-        return tuple(one[k] for k, one in enumerate(images))
-
-    def full(matrix: Matrix) -> Matrix:
-        images = forced((sum(map(mul, row, d), Fraction(0)) for row in matrix) for d in places)
+    def full(matrix: Rows) -> Rows:
+        images = [of((Vector(row) @ d for row in matrix), forces) for d in places]
         return tuple(zip(*images, strict=True))
 
-    acting = tuple(
-        p._replace(
-            polynomial=forced(p.polynomial),
-            sines=tuple((w, at, of(a, forces)) for w, at, a in p.sines),
-            b_squared=tuple(
-                most * most / sum(map(mul, p.b_squared, map(mul, d, d)))
-                for most, d in zip(diagonal(p.b_squared), places, strict=True)
-            ),
+    def piece(given: Acting) -> Acting:
+        most, size = diagonal(given.b_squared), Vector(given.b_squared @ (d * d) for d in places)
+        return given._replace(
+            polynomial=tuple(of(one, forces) for one in given.polynomial),
+            sines=tuple((w, at, of(a, forces)) for w, at, a in given.sines),
+            b_squared=most * most / size,
         )
-        for p in pieces
-    )
+
     x1, v1, v2 = (of(one, places) for one in (scene.x1, scene.v1, scene.v2))
-    matrices = full(pair.a1), full(pair.a2), (x1, v1, v2), acting
-    transposed = (tuple(zip(*basis, strict=True)) for basis in (places, forces))
-    return Reduced(diagonal(pair.m1), diagonal(pair.m2), *matrices, *transposed)
+    place, force = (tuple(zip(*basis, strict=True)) for basis in (places, forces))
+    return Reduced(
+        m1=diagonal(pair.m1),
+        m2=diagonal(pair.m2),
+        a1=full(pair.a1),
+        a2=full(pair.a2),
+        start=(x1, v1, v2),
+        pieces=tuple(map(piece, pieces)),
+        place=place,
+        force=force,
+        apart=Vector(scene.x1) - Vector(scene.x2),
+        is_round=pair.shape == "ellipsoid",
+    )
 
 
 def _pieces(scene: PlaneScene) -> tuple[Acting, ...]:
@@ -106,17 +160,13 @@ def _pieces(scene: PlaneScene) -> tuple[Acting, ...]:
     found = []
     for start, end in pairwise(order):
         acting = [one.piece_at(start).moved(start) for one in scene.force]
-        degree = max(len(one.polynomial) for one in acting)
-        polynomial = tuple(
-            tuple(one.polynomial[k] if k < len(one.polynomial) else Fraction(0) for one in acting)
-            for k in range(degree)
-        )
+        polynomial = zip_longest(*(one.polynomial for one in acting), fillvalue=Fraction(0))
         sines: dict[tuple[Fraction, Fraction], list[Fraction]] = {}
         for i, one in enumerate(acting):
             for sine in one.sines:
                 key = sine.omega, sine.phase + sine.omega * start
                 sines.setdefault(key, [Fraction(0)] * len(acting))[i] += sine.amplitude
-        b = [scene.pair.b, *(b for at, b in scene.friction if at <= start)][-1]
-        several = tuple((*key, tuple(amplitudes)) for key, amplitudes in sines.items())
-        found.append(Acting(start, end, polynomial, several, tuple(one * one for one in b)))
+        b = Vector([scene.pair.b, *(b for at, b in scene.friction if at <= start)][-1])
+        several = tuple((*key, Vector(amplitudes)) for key, amplitudes in sines.items())
+        found.append(Acting(start, end, tuple(map(Vector, polynomial)), several, b * b))
     return tuple(found)

@@ -1,4 +1,4 @@
-"""The round pair under a rotating force u = U (cos wt, sin wt), in closed form; and what sticks for ever without one.
+"""The round pair under a rotating force u = U (cos wt, sin wt), in closed form.
 
 With D = a2 - m1 w^2 + i a1 w and D_M = a2 - M w^2 + i a1 w there is one threshold, U* = b |D_M|/(m2 w^2): up to it the
 pair goes round stuck, above it body 2 slips with the constant speed rho = b p/(m2 w), p > 0 the root of
@@ -20,7 +20,6 @@ from flint import acb, acb_poly, arb
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
 from numerics.errors import InvalidScene
-from numerics.plane.vector import Vector
 from numerics.scene.decimals import Exact, exact_decimal, short
 from numerics.scene.plane import PlanePair, PlaneScene
 
@@ -146,27 +145,6 @@ def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fract
         if x.omega != y.omega or abs(x.amplitude) != abs(y.amplitude) or not abs(turn) < arb(10) ** (-digits):
             raise refusal
     return abs(x.amplitude), x.omega
-
-
-def sticks_for_ever(scene: PlaneScene) -> bool:
-    """Return whether a pair that starts stuck stays so for ever; exact. Raises InvalidScene where it is not known.
-
-    Without force and damper, all axes of one frequency W: Lam(t) = -R (q cos Wt + (v/W) sin Wt) stays in K, that is,
-    the ellipse's operator norm |B^-1 R [q, v/W]| <= 1 (round: semi-major axis <= L = b M/(a2 m2)).
-    """
-    pair, n = scene.pair, range(scene.pair.axes)
-    rates = {pair.a2[i][i] / (pair.m1[i] + pair.m2[i]) for i in n}
-    damped = any(any(row) for row in pair.a1)
-    if scene.is_forced or damped or not pair.is_diagonal or len(rates) > 1 or scene.v1 != scene.v2:
-        raise InvalidScene("known from a stuck start, without force, damper and coupling, at one frequency")
-    (square,) = rates
-    m2, b, x, v = map(Vector, (pair.m2, pair.b, scene.x1, scene.v1))
-    load = m2 / b * square
-    x, v = load * x, load * v
-    if pair.shape == "box":
-        return all(one <= 1 for one in x * x + v * v / square)
-    place, speed, mixed = x @ x, v @ v / square, x @ v
-    return bool(place <= 1 and speed <= 1 and (1 - place) * (1 - speed) >= mixed * mixed / square)
 
 
 def _frequency(omega: Exact) -> Fraction:

@@ -9,10 +9,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.plane.answer import Found, Working
 from numerics.plane.box import joined
-from numerics.plane.coupled import BoxRun
+from numerics.plane.linear import LinearRun
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
-from numerics.plane.states import States
 from numerics.plane.system import System
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene import Scene
@@ -83,16 +82,14 @@ def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[s
 
 def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
-    kind = BoxRun if scene.pair.shape == "box" else Run
-    run = kind(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
+    system = System(reduced(scene), working)
+    kind = LinearRun if scene.pair.shape == "box" or system.n == 1 else Run
+    run = kind(system, limits["max_events"], _MAX_LEGS, limits["progress"])
     run.follow()
-    states = States(scene, run.system, run.legs)
-    with run.system.fine():
-        events = [states.event(one) for one in run.events]
-        first = events[0].before if events else states.word(run.mode)
+    with system.fine():
+        first = run.events[0].before if run.events else run.states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
-        modes = (first, *(one.after for one in events))
-        until = Ball.number(scene.until)
-        end = (until, states.at(until)) if run.reached else (events[-1].t, events[-1].y)
-        found = Found(Working(working, name), status, tuple(events), modes, *end, states)
+        modes, until = (first, *(one.after for one in run.events)), Ball.number(scene.until)
+        end = (until, run.states.at(until)) if run.reached else (run.events[-1].t, run.events[-1].y)
+        found = Found(Working(working, name), status, tuple(run.events), modes, *end, run.states)
     return PlaneTrajectory(scene, found)

@@ -3,35 +3,43 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent, PlaneState
-from numerics.plane.path import SLIP, STICK, Happening, Leg
 from numerics.plane.polynomial import rise
-from numerics.plane.series import Point
+from numerics.plane.series import Curve, Point
 from numerics.plane.system import System
 from numerics.plane.vector import Matrix, Vector, exact, wide
 from numerics.plane.window import around
-from numerics.scene.plane import PlaneScene
+
+
+class Leg(NamedTuple):
+    """A curve from x = 0 to x = `end`; bounds at its end on N and on the errors of z."""
+
+    curve: Curve
+    mode: str
+    end: arb
+    norm: arb
+    apart: Vector
 
 
 class States:
     """The states of a run, as enclosures of the true ones."""
 
-    def __init__(self, scene: PlaneScene, system: System, legs: list[Leg]) -> None:
-        """Take a scene and the path of its run."""
+    def __init__(self, system: System, legs: list[Leg]) -> None:
+        """Take the legs of a path, which may still grow."""
         self.system, self.legs = system, legs
-        self.starts = [(leg.curve.piece, leg.curve.t[0]) for leg in legs]
         with self.system.fine():
             given = self.system.given
             self.pieces = [Ball.number(p.start) for p in given.pieces]
-            self.place, self.force = Matrix.of(given.place), Matrix.of(given.force)
-            self.apart = exact(x - y for x, y in zip(scene.x1, scene.x2, strict=True))
+            self.place, self.force, self.apart = Matrix.of(given.place), Matrix.of(given.force), exact(given.apart)
 
-    def enclosed(self, at: Point, norm: arb, apart: Vector, late: arb) -> PlaneState:
+    def enclosed(self, at: Point, late: arb, norm: arb, apart: Vector) -> PlaneState:
         """Return the true state within `late` (s) of a point of the path, by the bounds on N and on z."""
         system = self.system
         near = around(system, at, norm, late)
@@ -46,32 +54,35 @@ class States:
         x1 = self.place @ q1
         return PlaneState(x1, self.place @ v1, x1 - self.apart - self.place @ z, self.place @ v2)
 
-    def event(self, one: Happening) -> PlaneEvent:
-        """Return an event on the axes of the scene."""
-        t = self.pieces[one.at.piece] + one.at.t + arb(0, one.late.upper())
-        direction = self.place @ one.direction
-        length = (direction @ direction).sqrt()
-        y = self.enclosed(one.at, one.norm, one.apart, one.late)
-        unit = direction / length if length > 0 else direction
-        return PlaneEvent(t, self.word(one.before), self.word(one.after), y, unit, self.force @ one.load, one.cause)
+    def event(
+        self, at: Point, late: arb, modes: Sequence[str], direction: Vector, load: Vector, cause: str, *off: Any
+    ) -> PlaneEvent:
+        """Return an event within `late` (s) of a point, `off` by N and by z; direction and load by reduced axes."""
+        t, along = self.pieces[at.piece] + at.t + arb(0, late.upper()), self.place @ direction
+        length, (before, after) = (along @ along).sqrt(), map(self.word, modes)
+        unit = along / length if length > 0 else along
+        return PlaneEvent(t, before, after, self.enclosed(at, late, *off), unit, self.force @ load, cause)
 
     def word(self, mode: str) -> str:
         """Return a mode on the axes of the scene: of a box, those that do not move stick."""
+        if self.system.given.is_round:
+            return "stick" if "0" in mode else "slip"
         letters = iter(mode)
-        return mode if mode in (STICK, SLIP) else "".join(next(letters) if row else "0" for row in self.place)
+        return "".join(next(letters) if row else "0" for row in self.place)
 
     def at(self, t: arb) -> PlaneState:
         """Return the state at a time."""
         piece = max(0, bisect_right(self.pieces, t.mid()) - 1)
         local = t - self.pieces[piece]
-        leg = self.legs[max(0, bisect_right(self.starts, (piece, local.mid())) - 1)]
+        starts = bisect_right(self.legs, (piece, local.mid()), key=lambda one: (one.curve.piece, one.curve.t[0]))
+        leg = self.legs[max(0, starts - 1)]
         curve, norm, system = leg.curve, leg.norm, self.system
         x = _place(leg, local.mid())
         q1, v2, s, z = (part.each(lambda p: p(x)) for part in curve[2:6])
         off = [part.each(arb.rad) for part in (q1, v2, s, z)]
         norm = (norm + system.norm(off[0], off[1] + off[2], off[1])).upper()
         at = Point(curve.piece, curve.t(x).mid(), *(part.each(arb.mid) for part in (q1, v2, s, z)))
-        return self.enclosed(at, norm, leg.apart + off[3], abs(curve.t(x) - local).upper())
+        return self.enclosed(at, abs(curve.t(x) - local).upper(), norm, leg.apart + off[3])
 
 
 def _place(leg: Leg, local: arb) -> arb:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -17,13 +17,20 @@ from numerics.plane.vector import Matrix, Vector, exact
 SPARE_BITS = 40
 """Bits beyond those to which series are cut: the terms of a long step are larger than their sum."""
 
+_MORE_BITS = {True: 2, False: 12}
+"""Bits beyond the digits that a path is asked for: few more cost less than bounds by components, in linear modes most.
+
+So N alone is a bound as good as any.
+"""
+
 
 class System:
     """A pair on n axes. With N^2 = q1.A2 q1 + v1.M1 v1 + v2.M2 v2 of the difference of two motions N never grows."""
 
     def __init__(self, given: Reduced, digits: int) -> None:
         """Take the data, and the working precision in decimal digits."""
-        self.given, self.digits, self.bits = given, digits, math.ceil(digits * BITS_PER_DIGIT)
+        self.given, self.digits = given, digits
+        self.bits = math.ceil(digits * BITS_PER_DIGIT) + _MORE_BITS[given.is_round]
         self.n, self.degree = len(given.m1), max(12, int(0.4 * self.bits))
         self.axes = range(self.n)
         with self.fine():
@@ -94,7 +101,7 @@ class Drive:
         """Return sine and cosine of each phase at a time, a number or a series."""
         return [(omega * t + phase).sin_cos() for omega, phase, _ in self.sines]
 
-    def force(self, t: Any, swing: list[tuple[Any, Any]] | None = None) -> Vector:
+    def force(self, t: Any, swing: Sequence[tuple[Any, Any]] | None = None) -> Vector:
         """Return u at a time from the beginning of the piece: a number, a series, or a polynomial with its `swing`."""
         found: Any = self.still(t)
         for one in reversed(self.polynomial):
@@ -112,10 +119,9 @@ class Drive:
         size = (self.b_squared @ (s * s)).sqrt()
         return self.b_squared * s / size, size
 
-    def strain(self, load: Vector) -> arb:
-        """Return |B^-1 Lam|^2, at most 1 where the load is in K."""
-        found: arb = load / self.b_squared @ load
-        return found
+    def strain(self, load: Vector, axes: Sequence[int]) -> arb:
+        """Return |B^-1 Lam|^2 of some axes, at most 1 where the load is in K."""
+        return sum((load[i] * load[i] / self.b_squared[i] for i in axes), arb(0))
 
 
 def highest(values: Vector) -> arb:

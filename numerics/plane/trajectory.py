@@ -6,23 +6,21 @@ box in parts, the header of each part's own trajectory.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
-from flint import arb
+from flint import arb, arb_poly
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.linear.modes import EventKind
 from numerics.plane.answer import Found, PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
-from numerics.plane.defect import Curve
-from numerics.plane.path import Leg
 from numerics.plane.reduced import reduced
-from numerics.plane.states import States
+from numerics.plane.series import Curve
+from numerics.plane.states import Leg, States
 from numerics.plane.system import System
 from numerics.plane.vector import Matrix, Vector, exact
 from numerics.scene.decimals import exact_decimal
@@ -108,24 +106,28 @@ class PlaneTrajectory(Answer):
             return [(arb(0), self._at(0)), *((one.t, one.y) for one in self.events), (self.end_time, self.final_state)]
 
     @property
+    def _columns(self) -> tuple[Any, ...]:
+        return [t for t, _ in self._points], [_flat(y) for _, y in self._points]
+
+    @property
     def t(self) -> NDArray[Any]:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return self._shown([t for t, _ in self._points])
+        return self._shown(self._columns[0])
 
     @property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4 n, m)."""
-        return np.array([self._shown(_flat(y)) for _, y in self._points]).T
+        return self._shown(self._columns[1]).T
 
     @property
     def t_error(self) -> NDArray[Any]:
         """Return bounds on the errors of `t`, s."""
-        return np.array([_bound(t) for t, _ in self._points])
+        return _bounds(self._columns[0])
 
     @property
     def y_error(self) -> NDArray[Any]:
         """Return bounds on the errors of `y`."""
-        return np.array([[_bound(x) for x in _flat(y)] for _, y in self._points]).T
+        return _bounds(self._columns[1]).T
 
     @property
     def energy(self) -> NDArray[Any]:
@@ -136,14 +138,12 @@ class PlaneTrajectory(Answer):
     @property
     def final_energy(self) -> Any:
         """Return the energy at the end, J."""
-        with self.context():
-            return self._shown([self.energy_of(self.final_state)])[0]
+        return self._shown(self.end_numbers()[-1:])[0]
 
     @property
     def final_energy_error(self) -> float:
         """Return a bound on its error."""
-        with self.context():
-            return _bound(self.energy_of(self.final_state))
+        return float(_bounds(self.end_numbers()[-1]))
 
     def energy_of(self, y: PlaneState) -> arb:
         """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J. (A ball about 0 has no ** 2: flint answers nan.)"""
@@ -153,7 +153,8 @@ class PlaneTrajectory(Answer):
 
     def end_numbers(self) -> tuple[Any, ...]:
         """Return x1, v1, x2, v2 and the energy at the end."""
-        return *self.final_state, self.energy_of(self.final_state)
+        with self.context():
+            return *self.final_state, self.energy_of(self.final_state)
 
     def sol(self, t: Any) -> NDArray[Any]:
         """Return x1, v1, x2, v2 at time(s) t (s): shape (4 n,) for a number, (4 n, ...) for an array.
@@ -161,8 +162,8 @@ class PlaneTrajectory(Answer):
         Enclosed, or floats of an enclosure. Raises ValueError outside [0, end].
         """
         given = np.asarray(t, dtype=object)
-        states = [self._shown(_flat(self._at(one))) for one in given.flat]
-        return np.array(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
+        states = [_flat(self._at(one)) for one in given.flat]
+        return self._shown(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
 
     def mode_at(self, t: Any) -> Any:
         """Return the mode at time t (s), at an event the one after it; a list for several times."""
@@ -184,10 +185,9 @@ class PlaneTrajectory(Answer):
             raise ValueError(f"t = {str(t)[:40]} s is outside of the run, [0, {self.end_time.str(6)}] s")
         return time
 
-    def _shown(self, numbers: Sequence[arb]) -> NDArray[Any]:
-        if self.is_float:
-            return np.array([float(x.mid()) for x in numbers])
-        return np.array(numbers, dtype=object)
+    def _shown(self, numbers: Any) -> NDArray[Any]:
+        given = np.array(numbers, dtype=object)
+        return self.floats(given) if self.is_float else given
 
     def _right_digits(self) -> int:
         """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest."""
@@ -246,7 +246,7 @@ class PlaneTrajectory(Answer):
         with working.context():
             motion: Any
             if header["parts"] is None:
-                motion = States(scene, System(reduced(scene), digits), [*map(_leg, header["legs"])])
+                motion = States(System(reduced(scene), digits), [*map(_leg, header["legs"])])
             else:
                 kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
                 motion = Parts(scene, [saved.restored(one, {}, kinds[one["format"]]) for one in header["parts"]])
@@ -262,7 +262,8 @@ def _flat(y: PlaneState) -> list[arb]:
     return [x for part in y for x in part]
 
 
-def _bound(x: arb) -> float:
+@partial(np.vectorize, otypes=[float])
+def _bounds(x: arb) -> float:
     """Return how far the float of x may be off."""
     return float(abs(x - arb(float(x.mid()))).upper()) * (1 + 1e-15)
 
@@ -281,4 +282,4 @@ def _event(given: Any, n: int) -> PlaneEvent:
 
 def _leg(given: Any) -> Leg:
     (piece, t, *parts), mode, end, norm, apart = given
-    return Leg(Curve(piece, t, *map(Vector, parts)), mode, end, norm, Vector(apart))
+    return Leg(Curve(piece, arb_poly(t), *map(Vector, parts)), mode, end, norm, Vector(apart))

@@ -82,40 +82,36 @@ def _near(x: Fraction) -> float:
     return float(x) if abs(x) < _LARGEST else np.nan
 
 
-def _put(whole: PlaneBatch, row: int, one: PlaneBatch) -> None:
-    """Write the answers of a batch of one scene into a row."""
-    for name, array in vars(whole).items():
-        if isinstance(array, np.ndarray):
-            there = (np.s_[:], row) if name.removesuffix("_error") in {"y", "event_y"} else row
-            here = (np.s_[:], 0) if there != row else 0
-            array[there] = getattr(one, name)[here]
-
-
-def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, PlaneBatch]:
-    """Solve the scene of a row."""
+def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, dict[str, Any]]:
+    """Return what to write into a row, by the names of arrays."""
     row, scene = task
-    one = PlaneBatch([scene], keep)
     try:
         run = solve_plane(scene, solve, arithmetic="float64", max_events=max_events)
-        y, off = (x.reshape(4, scene.pair.axes, -1) for x in (run.y, run.y_error))
+        y, off = (x.reshape(4, scene.pair.axes, -1).swapaxes(1, 2) for x in (run.y, run.y_error))
         if not np.isfinite(off).all():
             raise OutOfRange(Status.OUT_OF_RANGE.sentence)
     except NumericsError as error:
         capped = isinstance(error, InvalidScene)  # of a part of a box, which has no answer of its own
         ended = Status.EVENT_LIMIT if capped else Status.SEQUENCE_OPEN
-        one.status[:] = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended
-        one.message[:] = str(error)
-        return row, one
-    count = min(keep, len(run.events))
-    kept = slice(1, 1 + count)
-    one.status[:], one.events[:], one.digits[:] = run.status, len(run.events), run.digits
-    one.mode[:], one.message[:], one.t[:] = run.final_mode, run.message, run.t[-1]
-    one.energy[:], one.energy_error[:] = run.final_energy, run.final_energy_error
-    one.y[:, 0], one.y_error[:, 0] = y[..., -1], off[..., -1]
-    one.event_t[0, :count], one.event_t_error[0, :count] = run.t[kept], run.t_error[kept]
-    one.event_y[:, 0, :count], one.event_y_error[:, 0, :count] = (x[..., kept].swapaxes(1, 2) for x in (y, off))
-    one.event_mode[0, :count] = [event.after for event in run.events[:count]]
-    return row, one
+        return row, {"status": Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended, "message": str(error)}
+    kept = slice(1, 1 + min(keep, len(run.events)))
+    return row, {
+        "status": run.status,
+        "message": run.message,
+        "events": len(run.events),
+        "digits": run.digits,
+        "mode": run.final_mode,
+        "t": run.t[-1],
+        "energy": run.final_energy,
+        "energy_error": run.final_energy_error,
+        "y": y[:, -1],
+        "y_error": off[:, -1],
+        "event_t": run.t[kept],
+        "event_t_error": run.t_error[kept],
+        "event_y": y[:, kept],
+        "event_y_error": off[:, kept],
+        "event_mode": [event.after for event in run.events[:keep]],
+    }
 
 
 def solve_surfaces(
@@ -126,8 +122,11 @@ def solve_surfaces(
     if jobs is None:
         jobs = available_cores() if len(scenes) > _FEW and find_spec("joblib") else 1
     solved = run_tasks(partial(_solved, keep_events, max_events), [*enumerate(scenes)], jobs=jobs)
-    for done, (row, one) in enumerate(solved, start=1):
-        _put(found, row, one)
+    for done, (row, answers) in enumerate(solved, start=1):
+        for name, value in answers.items():
+            place: Any = (np.s_[:], row) if "y" in name.split("_") else (row,)
+            kept = (np.s_[: min(keep_events, answers["events"])],) if name.startswith("event_") else ()
+            getattr(found, name)[place + kept] = value
         if progress is not None:
             progress(done, len(scenes))
     return found

@@ -9,13 +9,10 @@ from strategies import plane_scenes
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
-from numerics.plane.candidate import InBalls
-from numerics.plane.defect import Curve, defect, slip_defect
-from numerics.plane.polynomial import midpoints, rise, scaled
+from numerics.plane.defect import defect, slip_defect
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
-from numerics.plane.series import Point, slip_series
-from numerics.plane.slip import own_clock
+from numerics.plane.series import Point, Slip
 from numerics.plane.system import System
 from numerics.plane.vector import Vector
 from numerics.scene.file import load_scene
@@ -98,60 +95,22 @@ def test_what_a_bound_says_holds_at_more_digits(scene):
             assert all(float(x.rad()) < 1e-7 * size for p in one[1] for x in p)
 
 
-def slipping():
-    """A system and a point of it where s != 0."""
+def test_a_defect_sees_what_friction_lacks():
+    """What friction is off counts for both bodies, and a size that is none of the slip bounds no size."""
     system = System(reduced(load_scene("plane-circle-merges")), 30)
-    place, speed, slip = (
-        Vector([arb("0.004"), arb(0)]),
-        Vector([arb(0), arb("0.05")]),
-        Vector([arb("0.01"), arb("0.02")]),
-    )
-    return system, Point(0, arb(0), *(part.each(arb.mid) for part in (place, speed, slip, place)))
-
-
-def test_a_defect_sees_what_is_missing():
-    """A slip with one wrong coefficient is no slip: its defect is as large as what was added."""
-    system, at = slipping()
+    place, speed, s = (Vector(map(arb, one)) for one in (("0.004", 0), (0, "0.05"), ("0.01", "0.02")))
     with system.fine():
-        h = arb("0.1").mid()
-        series = slip_series(system, at, system.degree)
-        for wrong in (0.0, 1e-12):
-            series.v2[0][3] = series.v2[0][3] + wrong
-            t = midpoints((scaled(series.size, h) * h).integral())
-            q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
-            curve = Curve(0, t, q1, v2, s, q1, s * (system.pieces[0].b_squared * h))
-            norm = slip_defect(system, curve, s, t.derivative() * (1 / h))[0].norm
-            assert (norm < 1e-25) if wrong == 0 else (norm > 1e-16)
-        _, least = slip_defect(system, curve, s, t.derivative() * (arb("1.1") / h))  # a size that is none
-        assert all(least**2 < (s * s @ system.pieces[0].b_squared)(arb(n) / 8) for n in range(9))
-        off = Vector([arb(0), arb("1e-9")])  # what friction is off counts for both bodies
-        assert not defect(system, curve, off).norm < system.norm(system.still, off / system.m1, off / system.m2)
-
-
-@pytest.mark.parametrize("turned", [True, False])
-def test_what_turns_a_slip_adds_up_by_squares_and_what_is_along_it_does_not(turned):
-    """A step with a wrong s is as far from the right one as N says, or nearer, and not much nearer."""
-    system, at = slipping()
-    wrong, before = arb("1e-9"), arb("1e-6")
-    with system.fine():
-        h, end = arb("0.1").mid(), arb(1)
-        slips = InBalls(system, at)
-        right = own_clock(system, at, slips.drawn(h), h, arb(0))
-        x, y = (part(arb("0.9")) for part in right.curve.s)
-        way = Vector([-y, x] if turned else [x, y]) / system.length(right.curve.s.each(lambda p: p(end)))
-        for row, one in zip(slips.s, way, strict=True):
-            row[8] += one * wrong / h**8
-        step, later = (own_clock(system, at, slips.drawn(h), h, norm) for norm in (arb(0), before))
-        x = rise(right.curve.t, step.curve.t(end))
-        true, here = ([p(z) for part in one.curve[2:5] for p in part] for one, z in ((right, x), (step, end)))
-        off = [y - x for x, y in zip(true, here, strict=True)]
-        q1, v2, s = (Vector(off[k : k + 2]) for k in (0, 2, 4))
-        off = (system.a2 @ q1 @ q1 + system.m1 * (v2 + s) @ (v2 + s) + system.m2 * v2 @ v2).sqrt()
-        assert right.norm < wrong * 1e-6
-        assert off < step.norm < 4 * off
-        # along the slip N grows as much whatever it was before; across it hardly
-        grown = (later.norm - before) / step.norm
-        assert grown < 0.3 if turned else grown > 0.6
+        at, h = Point(0, arb(0), *(part.each(arb.mid) for part in (place, speed, s, place))), arb("0.1").mid()
+        curve = Slip(system, at).drawn(h)
+        found, size = slip_defect(system, curve, curve.s, curve.t.derivative() * (1 / h))
+        assert found.norm < 1e-25
+        lacking = Vector([arb(0), arb("1e-9")])
+        assert not defect(system, curve, lacking).norm < system.norm(
+            system.still, lacking / system.m1, lacking / system.m2
+        )
+        _, least = slip_defect(system, curve, curve.s, curve.t.derivative() * (arb("1.1") / h))
+        squares = curve.s * curve.s @ system.pieces[0].b_squared
+        assert all(least**2 < squares(arb(n) / 8) and size**2 < squares(arb(n) / 8) for n in range(9))
 
 
 def test_the_state_at_any_time_lies_between_the_events():

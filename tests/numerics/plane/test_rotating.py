@@ -9,7 +9,7 @@ from numerics import Force, Piece, Sine, response, solve, solve_many, thresholds
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene
-from numerics.plane.rotating import rotating_response, sticks_for_ever
+from numerics.plane.rotating import rotating_response
 from numerics.scene.file import load_scene, shipped_scenes
 from numerics.scene.plane import PlanePair, PlaneScene
 
@@ -99,13 +99,6 @@ def test_what_is_not_round_has_no_closed_form():
             thresholds(pair, 10)
     with pytest.raises(InvalidScene, match="does not go round"):
         response(load_scene("plane-slip-turns"))
-
-
-@pytest.mark.parametrize(("v", "stays"), [("0.05", True), ("0.050001", False), ("0.01", True)])
-def test_who_sticks_for_ever_is_an_ellipse_by_its_longer_axis(v, stays):
-    """A circle of radius L has twice the critical energy, and stays; the least bit more does not."""
-    scene = PlaneScene(PlanePair(1, 1, 200, "0.5"), 1, x1=["0.005", 0], v1=[0, v], v2=[0, v])
-    assert sticks_for_ever(scene) == stays
 
 
 def test_the_commands_know_a_surface(capsys):

@@ -74,7 +74,7 @@ def test_an_axis_with_a_light_body_settles_alone(m1, m2, times):
     )
     run.follow()
     assert [one.after for one in run.events] == ["slip", "stick", "slip"]
-    assert [float(one.at.t.mid()) for one in run.events] == pytest.approx(times, abs=1e-11)
+    assert [float(one.t.mid()) for one in run.events] == pytest.approx(times, abs=1e-11)
 
 
 def test_a_slip_that_has_settled_is_the_one_that_steps_find(monkeypatch):
