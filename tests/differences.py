@@ -2,12 +2,13 @@
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from numerics import Force, Friction, InvalidScene, Mode, Pair, Piece, Scene, Sine, State, Weakening, solve
+from numerics import InvalidScene, Mode, Scene, solve
 from numerics.trajectory.sensitivity import parameters, sensitivities
 
 SMALLEST = 1e-9
@@ -27,56 +28,38 @@ class Deviation(NamedTuple):
 def moved(scene: Scene, by: Mapping[str, Fraction]) -> Scene | None:
     """The scene with some numbers changed, if it is one."""
     values = parameters(scene)
-    pair = {key: getattr(scene.pair, key) for key in Pair.__slots__}
-    state = {key: getattr(scene.initial, key) for key in ("x1", "v1", "x2", "v2")}
-    until, force, friction = scene.until, list(scene.force.pieces), list(scene.friction.pieces)
-    weakening = scene.friction.weakening
     try:
         for name, change in by.items():
-            value = values[name] + change
-            if name in pair:
-                pair[name] = value
-            elif name in state:
-                state[name] = value
-            elif name == "until":
-                until = value
-            elif name.startswith("weakening"):
-                weakening = weakening_with(weakening, name, value)
-            else:
-                kind, index, what = re.fullmatch(r"(force|friction)\[(\d+)\]\.(.+)", name).groups()
-                if kind == "friction":
-                    start, b = friction[int(index)]
-                    friction[int(index)] = (value, b) if what == "from" else (start, value)
-                else:
-                    force[int(index)] = piece_with(force[int(index)], what, value)
-        return Scene(Pair(**pair), State(**state), until, scene.law, Force(force), Friction(friction, weakening))
+            scene = put(scene, place_of(name), values[name] + change)
     except InvalidScene:
         return None
+    return scene
 
 
-def weakening_with(given: Weakening, name: str, value: Fraction) -> Weakening:
-    """A friction of the state with one number changed."""
-    tables = {table: [list(point) for point in getattr(given, table)] for table in ("speed", "place")}
-    if name.endswith("last_slope"):
-        return Weakening(tables["speed"], value, tables["place"])
-    table, index, key = re.fullmatch(r"weakening\.(\w+)\[(\d+)\]\.(\w)", name).groups()
-    tables[table][int(index)][key in "bc"] = value
-    return Weakening(tables["speed"], given.last_slope, tables["place"])
+def place_of(name: str) -> list[Any]:
+    """Where a number stands in a scene, from attribute to attribute."""
+    match [int(one) if one.isdigit() else one for one in re.findall(r"\w+", name)]:
+        case ["until"]:
+            return ["until"]
+        case [one]:
+            return ["initial" if one[0] in "xv" else "pair", one]
+        case ["force", k, *rest]:
+            return ["force", "pieces", k, *("start" if one == "from" else one for one in rest)]
+        case ["friction", k, what]:
+            return ["friction", "pieces", k, ("from", "b").index(what)]
+        case ["weakening", table, *point]:
+            return ["friction", "weakening", table, *point[:1], *("wbzc".index(one) % 2 for one in point[1:])]
+    raise AssertionError(name)
 
 
-def piece_with(piece: Piece, what: str, value: Fraction) -> Piece:
-    """A piece with one number changed."""
-    if what == "from":
-        return Piece(value, piece.polynomial, piece.sines)
-    kind, index, key = re.fullmatch(r"(polynomial|sines)\[(\d+)\]\.?(\w*)", what).groups()
-    polynomial, sines = list(piece.polynomial), list(piece.sines)
-    if kind == "polynomial":
-        polynomial[int(index)] = value
-    else:
-        old = sines[int(index)]
-        numbers = {name: getattr(old, name) for name in ("amplitude", "omega", "phase")} | {key: value}
-        sines[int(index)] = Sine(**numbers)
-    return Piece(piece.start, polynomial, sines)
+def put(of: Any, place: list[Any], value: Fraction) -> Any:
+    """What somebody gave, with another number in one place."""
+    if not place:
+        return value
+    first, *rest = place
+    if isinstance(first, int):
+        return (*of[:first], put(of[first], rest, value), *of[first + 1 :])
+    return replace(of, **{first: put(getattr(of, first), rest, value)})
 
 
 def natural_scale(scene: Scene, name: str) -> Fraction:
@@ -116,10 +99,11 @@ def is_first_start(scene: Scene, name: str) -> bool:
 
 
 def numbers(trajectory: Any, units: tuple[Any, ...], events: int) -> list[arb]:
-    """The final state and the last so many events."""
-    length, speed, rate = units
+    """The final state, its energy and the last so many events."""
+    length, speed, rate, energy = units
     scales = (length, speed, length, speed)
     found = [value / unit for value, unit in zip(trajectory.final_state, scales, strict=True)]
+    found.append(trajectory.final_energy / energy)
     for event in trajectory.events[len(trajectory.events) - events :]:
         found += [event.t * rate, *(value / unit for value, unit in zip(event.y, scales, strict=True))]
     return found
@@ -156,9 +140,9 @@ def deviation(base: Any, direction: Mapping[str, Fraction], digits: int, step: F
     weights, side = chosen or next(one for one in ways if all(solved(k * one[1]) is not None for k in one[0]))
     events, frame = len(base.events) if chosen else 0, base.frame
     with base.arithmetic.context():
-        units = (frame.length, frame.speed, frame.rate)
+        units = (frame.length, frame.speed, frame.rate, frame.critical_energy)
         state = (frame.length, frame.speed, frame.length, frame.speed)
-        rows = list(zip(found.final, state, strict=True))
+        rows = [*zip(found.final, state, strict=True), (found.energy, frame.critical_energy)]
         for t, y in list(zip(found.t, found.y, strict=True))[len(found.t) - events :]:
             rows += [(t, 1 / frame.rate), *zip(y, state, strict=True)]
         terms = [(found.wrt.index(name), ball(one)) for name, one in way.items()]

@@ -8,18 +8,15 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from numerics.linear.record import AT, How
+from numerics.linear.record import AT, BOUNDS, How
+from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
-Table = NDArray[np.float64]
 SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
 """The numbers of a scene, a high and a low half each in a row of SI numbers."""
-STATE = ("x1", "v1", "x2", "v2")
-_STATE = [AT[name] for name in STATE]
 _UNIT = ROUNDING["float64"]
 
 
@@ -44,7 +41,7 @@ class Ends:
         return f"Batch of {len(self)} scenes, shape {self.shape}{ended}"
 
     @property
-    def success(self) -> NDArray[np.bool_]:
+    def success(self) -> Array:
         """Return which runs got to their horizon, by events that are certain."""
         return np.isin(self.status, (Status.REACHED_HORIZON, Status.STUCK_FOR_EVER))
 
@@ -98,11 +95,11 @@ class Batch(Ends):
 
     def __init__(
         self,
-        table: Table,
-        ends: Table,
-        kept: Table,
+        table: Floats,
+        ends: Floats,
+        kept: Floats,
         shape: tuple[int, ...],
-        form_ledgers: Callable[[Table], None] | None = None,
+        form_ledgers: Callable[[Floats], None] | None = None,
     ) -> None:
         """Keep SI numbers, and what the runs wrote (linear/record.py): a row for each end, for start and first events.
 
@@ -112,71 +109,71 @@ class Batch(Ends):
         self.table, self.ends, self.kept, self.shape, self._form_ledgers = table, ends, kept, shape, form_ledgers
 
     @property
-    def inputs(self) -> dict[str, Table]:
+    def inputs(self) -> dict[str, Floats]:
         """Return m1, m2, a2, b, x1, v1, x2, v2, until and a1 of the scenes (SI units), each in the shape."""
         return {name: self._given(name) for name in SI}
 
-    def _given(self, name: str) -> Table:
+    def _given(self, name: str) -> Floats:
         return self.table[:, 2 * SI.index(name)].reshape(self.shape)
 
-    def _end(self, name: str) -> Table:
-        return np.where(self._gone, np.nan, self.ends[:, AT[name]].reshape(self.shape))
+    def _end(self, *names: str) -> Floats:
+        """Return columns of the ends, a line each."""
+        found = self.ends.T[[AT[name] for name in names]].reshape(len(names), *self.shape)
+        return np.where(self._how == How.OUT_OF_RANGE, np.nan, found)
 
-    def _taken(self, name: str) -> Table:
+    def _event(self, *names: str) -> Floats:
+        """Return columns of the first events, a line each."""
+        found = self.kept.T[[AT[name] for name in names], 1:].swapaxes(1, 2)
+        return found.reshape(len(names), *self.shape, self.kept.shape[1] - 1)
+
+    def _taken(self, *names: str) -> Floats:
         if self._form_ledgers is not None:
             self._form_ledgers(self.ends)
             self._form_ledgers = None
-        return self._end(name)
-
-    def _event(self, name: str) -> Table:
-        return self.kept[:, 1:, AT[name]].reshape(*self.shape, self.kept.shape[1] - 1)
+        return self._end(*names)
 
     @cached_property
-    def _how(self) -> NDArray[np.int64]:
+    def _how(self) -> Counts:
         return self.ends[:, AT["how"]].astype(np.int64).reshape(self.shape)
 
     @cached_property
-    def _gone(self) -> NDArray[np.bool_]:
-        return np.asarray(self._how == How.OUT_OF_RANGE)
-
-    @cached_property
-    def status(self) -> NDArray[np.int64]:
+    def status(self) -> Counts:
         """Return how each run ended, a Status."""
         open_ones = (self._how == How.DOUBT) | ((self._how < How.EVENT_LIMIT) & ~self.certain)
         return np.where(open_ones, int(Status.SEQUENCE_OPEN), self._how)
 
     @cached_property
-    def events(self) -> NDArray[np.int64]:
+    def events(self) -> Counts:
         """Return how many events each run had."""
-        return np.nan_to_num(self._end("events")).astype(np.int64)
+        return np.nan_to_num(self._end("events")[0]).astype(np.int64)
 
     @cached_property
-    def mode(self) -> NDArray[np.int64]:
+    def mode(self) -> Counts:
         """Return the sign of v1 - v2 at the end."""
-        return np.nan_to_num(self._end("mode")).astype(np.int64)
+        return np.nan_to_num(self._end("mode")[0]).astype(np.int64)
 
     @cached_property
-    def certain(self) -> NDArray[np.bool_]:
+    def certain(self) -> Array:
         """Return whether no bound reaches as far as another sequence of events."""
-        return np.asarray((self._end("certain") == 1.0) & (self._how != How.DOUBT))
+        return np.asarray((self._end("certain")[0] == 1.0) & (self._how != How.DOUBT))
 
     @cached_property
-    def t(self) -> Table:
+    def t(self) -> Floats:
         """Return the time at the end, s."""
-        return np.where(self._how < How.EVENT_LIMIT, self._given("until"), self._end("local"))
+        return np.where(self._how < How.EVENT_LIMIT, self._given("until"), self._end("local")[0])
 
     @cached_property
-    def y(self) -> Table:
+    def y(self) -> Floats:
         """Return x1, v1, x2, v2 at the end."""
-        return np.where(self._gone, np.nan, self.ends[:, _STATE].T.reshape(4, *self.shape))
+        return self._end(*STATE)
 
     @cached_property
-    def y_error(self) -> Table:
+    def y_error(self) -> Floats:
         """Return bounds on the errors of y."""
-        return np.stack([self._end(f"{name}_error") for name in STATE])
+        return self._end(*BOUNDS[1:5])
 
     @cached_property
-    def _energy(self) -> tuple[Table, Table, Table]:
+    def _energy(self) -> tuple[Floats, Floats, Floats]:
         """Return the energy at the end, a bound on its error, and E_cr, J."""
         m1, m2, a2, b = (self._given(name) for name in SI[:4])
         y, off = self.y, self.y_error
@@ -188,55 +185,56 @@ class Batch(Ends):
             return energy, error + 8 * _UNIT * energy, (b * (m1 + m2) / m2) ** 2 / (2 * a2)
 
     @cached_property
-    def energy_excess(self) -> Table:
+    def energy_excess(self) -> Floats:
         """Return E/E_cr - 1 at the end, of the pair's own b."""
-        carried, (energy, _, critical) = self._end("excess"), self._energy
+        (carried,), (energy, _, critical) = self._end("excess"), self._energy
         return np.where(np.isnan(carried), energy / critical - 1, carried)
 
     @cached_property
-    def energy_excess_error(self) -> Table:
+    def energy_excess_error(self) -> Floats:
         """Return a bound on its error."""
-        carried, (energy, error, critical) = self._end("excess"), self._energy
+        (carried, bound), (energy, error, critical) = self._end("excess", "excess_error"), self._energy
         formed = error / critical + 8 * _UNIT * (1 + energy / critical)
-        return np.where(np.isnan(carried), formed, self._end("excess_error"))
+        return np.where(np.isnan(carried), formed, bound)
 
     @cached_property
-    def dissipated(self) -> Table:
+    def dissipated(self) -> Floats:
         """Return what friction and viscosity took, J."""
-        return self._taken("friction") + self._taken("viscous")
+        friction, viscous = self._taken("friction", "viscous")
+        return np.asarray(friction + viscous)
 
     @cached_property
-    def dissipated_error(self) -> Table:
+    def dissipated_error(self) -> Floats:
         """Return a bound on its error."""
-        return self._taken("dissipated_error")
+        return np.asarray(self._taken("dissipated_error")[0])
 
     @cached_property
-    def event_t(self) -> Table:
+    def event_t(self) -> Floats:
         """Return the times of the first events, s."""
-        return self._event("local")
+        return np.asarray(self._event("local")[0])
 
     @cached_property
-    def event_y(self) -> Table:
+    def event_y(self) -> Floats:
         """Return x1, v1, x2, v2 at the first events."""
-        return np.stack([self._event(name) for name in STATE])
+        return self._event(*STATE)
 
     @cached_property
-    def event_mode(self) -> NDArray[np.int64]:
+    def event_mode(self) -> Counts:
         """Return the sign of v1 - v2 after the first events."""
-        return np.nan_to_num(self._event("mode")).astype(np.int64)
+        return np.nan_to_num(self._event("mode")[0]).astype(np.int64)
 
     @cached_property
-    def event_t_error(self) -> Table:
+    def event_t_error(self) -> Floats:
         """Return bounds on the errors of event_t."""
-        return self._event("late") + 4 * _UNIT * self.event_t
+        return np.asarray(self._event("late")[0] + 4 * _UNIT * self.event_t)
 
     @cached_property
-    def event_y_error(self) -> Table:
+    def event_y_error(self) -> Floats:
         """Return bounds on the errors of event_y."""
-        return np.stack([self._event(f"{name}_error") for name in STATE])
+        return self._event(*BOUNDS[1:5])
 
     @cached_property
-    def digits(self) -> NDArray[np.int64]:
+    def digits(self) -> Counts:
         """Return the right digits of the kept events and of the end, 0 where the events are not certain."""
         start = np.stack([self._given(name) for name in STATE])[..., None]
         values = np.concatenate([start, self.event_y, self.y[..., None]], axis=-1)
@@ -252,7 +250,7 @@ class Batch(Ends):
                 (np.nan_to_num(errors, posinf=np.inf).max(axis=-1) / sizes).max(axis=0),
                 np.max(np.nan_to_num(self.event_t_error / self.event_t), axis=-1, initial=0.0),
                 error / energy,
-                self.energy_excess_error / abs(self._end("excess")),
+                self.energy_excess_error / abs(self._end("excess")[0]),
                 np.full(self.shape, _UNIT),
             ]
             right = np.floor(-np.log10(np.nanmax(np.stack(ratios), axis=0)))

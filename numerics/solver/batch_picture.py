@@ -7,13 +7,12 @@ from typing import Any
 import numpy as np
 
 from numerics.trajectory.columns import STATE
+from numerics.trajectory.export import UNITS
 from numerics.trajectory.figures import BLUE, ORANGE, new_axes
 
-UNITS = {
+_UNITS = UNITS | {
     "m1": "kg", "m2": "kg", "a1": "N s/m", "a2": "N/m", "b": "N", "until": "s",
-    "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s",
-    "t": "s", "dissipated": "J", "energy": "J", "energy_excess": "", "events": "", "mode": "sign of v1 - v2",
-    "digits": "",
+    "dissipated": "J", "mode": "sign of v1 - v2",
 }  # fmt: skip
 
 
@@ -62,5 +61,5 @@ def _along(batch: Any, along: Any) -> dict[str, Any]:
 
 
 def _label(name: str, quantity: str = "") -> str:
-    unit = UNITS.get(quantity or name, "")
+    unit = _UNITS.get(quantity or name, "")
     return f"{name} ({unit})" if unit else name

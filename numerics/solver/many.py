@@ -8,26 +8,27 @@ from __future__ import annotations
 
 import reprlib
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from fractions import Fraction
 from functools import cache, partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
-from numerics.linear.record import AT, How
+from numerics.linear.record import AT, END_ROW, ROW, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch
-from numerics.solver.rows import Chunk, Columns, form_ledgers, frictions_of, of_one_kind, room
+from numerics.solver.rows import Columns, form_ledgers, frictions_of, of_one_kind, solve_chunk
 from numerics.tasks import available_cores
+from numerics.trajectory.columns import Floats
 from numerics.trajectory.run import MAX_EVENTS
 
 if TYPE_CHECKING:
@@ -40,15 +41,22 @@ _CHUNK = 4096
 _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
 Progress = Callable[[int, int], None]
-Table = NDArray[np.float64]
 
 
 class _Limits(NamedTuple):
-    law: Law
     max_events: int
     keep_events: int
     jobs: int | None
     progress: Progress | None
+
+    def checked(self) -> _Limits:
+        """Raise ValueError for what is no limit."""
+        require_whole("max_events", self.max_events, 1)
+        require_whole("keep_events", self.keep_events, 0)
+        require_whole("jobs", 1 if self.jobs is None else self.jobs, 1)
+        if self.progress is not None:
+            require_function("progress", self.progress, "(done, all)")
+        return self
 
 
 def solve_many(
@@ -108,24 +116,23 @@ def solve_many(
     for name, values in named.items():
         if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
             raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
-    limits = _limits(read_law(law), max_events, keep_events, jobs, progress)
-    acts = None
-    if force is not None or friction is not None:
-        acts = Force() if force is None else force, Friction() if friction is None else friction
+    law, limits, terms = read_law(law), _Limits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
     # a polynomial would have to begin anew with each piece of friction
-    shared = force is None and len(polynomial) < 2 and _fits_in_columns(friction)
-    if exact or (acts is not None and not shared):
-        return _solve_objects(named, acts, len(polynomial), limits, binary=not exact)
-    same = friction if shared else SAME_FRICTION
-    columns, shape = _columns(named, len(polynomial), same)
+    in_columns = force is None and (friction is None or (terms < 2 and _fits_in_columns(friction)))
+    force, friction = NO_FORCE if force is None else force, SAME_FRICTION if friction is None else friction
+    if exact or not in_columns:
+        return _solve_objects(named, terms, (force, friction), law, limits, binary=not exact)
+    flat, shape = _numbers_of(named)
+    table = np.zeros((len(flat), 2 * len(SI)))
+    table[:, ::2] = flat[:, : len(SI)]
+    waves = flat[:, len(SI) + terms :].reshape(len(flat), len(sines), 3)
+    columns = Columns(table, flat[:, len(SI) : len(SI) + terms], waves, frictions_of(friction))
 
     def scene_of(row: int) -> Scene:
-        coefficients, waves = columns.polynomial[row], columns.sines[row]
-        numbers = [Fraction(float(one)) for one in (*columns.table[row, ::2], *coefficients, *waves.ravel())]
-        return _scene(numbers, len(coefficients), limits.law, {}, friction=same)
+        return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {}, friction=friction)
 
-    later = columns.table[:, 2 * SI.index("until")] <= float(max(same.starts, default=0))
-    return _solved(columns, scene_of, columns.table, shape, limits, later)
+    later = flat[:, SI.index("until")] <= float(max(friction.starts, default=0))
+    return _solved(columns, scene_of, table, shape, law, limits, later)
 
 
 @overload
@@ -155,21 +162,21 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
     [24, 0]
     """
-    kept = of_one_kind(scenes)
+    kept, limits = of_one_kind(scenes), _Limits(max_events, keep_events, jobs, progress).checked()
     if kept and isinstance(kept[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
-        return solve_surfaces(kept, *_limits(Law.FILIPPOV, max_events, keep_events, jobs, progress)[1:])
+        return solve_surfaces(kept, *limits)
     laws = {scene.law for scene in kept}
     if any(scene.friction.weakening for scene in kept):
-        jobs = 1  # they are solved in balls, whose precision all threads share
-    limits = _limits(next(iter(laws), Law.FILIPPOV), max_events, keep_events, jobs, progress)
+        limits = limits._replace(jobs=1)  # they are solved in balls, whose precision all threads share
     plain = len(laws) <= 1 and not any(scene.is_forced for scene in kept)
     table = np.array([_halves(scene, lows=plain) for scene in kept]).reshape(len(kept), 2 * len(SI))
     columns = Columns(table, np.zeros((len(kept), 0)), np.zeros((len(kept), 0, 3)), frictions_of(SAME_FRICTION))
     later = np.array([scene.changes_later for scene in kept], bool)
     held = columns if plain and np.isfinite(table).all() else None
-    return _solved(held, kept.__getitem__, table, (len(kept),), limits, later)
+    law = next(iter(laws), Law.FILIPPOV)
+    return _solved(held, kept.__getitem__, table, (len(kept),), law, limits, later)
 
 
 def _fits_in_columns(friction: Any) -> bool:
@@ -182,15 +189,6 @@ def _fits_in_columns(friction: Any) -> bool:
     return is_held and all(end < 2**80 * one for end, one in zip(starts[1:], lengths, strict=True))
 
 
-def _limits(law: Law, max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> _Limits:
-    require_whole("max_events", max_events, 1)
-    require_whole("keep_events", keep_events, 0)
-    require_whole("jobs", 1 if jobs is None else jobs, 1)
-    if progress is not None:
-        require_function("progress", progress, "(done, all)")
-    return _Limits(law, max_events, keep_events, jobs, progress)
-
-
 def _halves(scene: Scene, *, lows: bool) -> list[float]:
     """Return the SI numbers of a scene as halves, or high halves and 0; nan where one is beyond binary64."""
     pair, at = scene.pair, scene.initial
@@ -199,10 +197,9 @@ def _halves(scene: Scene, *, lows: bool) -> list[float]:
         halves = [half for one in numbers for half in (nearest(one) if lows else (float(one), 0.0))]
     except OverflowError:
         return [np.nan] * 20
-    if not lows:
-        return halves
-    same = halves[10:12] == halves[14:16]  # halves must not make two velocities equal that are not
-    return halves if same == (at.v1 == at.v2) else [np.nan] * 20
+    # halves must not make two velocities equal that are not
+    is_lost = lows and (halves[10:12] == halves[14:16]) != (at.v1 == at.v2)
+    return [np.nan] * 20 if is_lost else halves
 
 
 def _scene(
@@ -228,89 +225,79 @@ def _scene(
 
 
 def _solve_objects(
-    named: dict[str, ArrayLike], acts: tuple[Any, Any] | None, terms: int, limits: _Limits, *, binary: bool
+    named: dict[str, ArrayLike], terms: int, acting: tuple[Any, Any], law: Law, limits: _Limits, *, binary: bool
 ) -> Batch:
     """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
-    given = list(named.values())
     if binary:
-        floats = [_numbers(name, values) for name, values in named.items()]
-        for name, array in zip(named, floats, strict=True):
-            _refuse(name, array)
-        given = [np.vectorize(Fraction, otypes=[object])(array) if array.size else array for array in floats]
-    objects = [np.asarray(one, dtype=object) for one in (*given, *(acts or ()))]
-    for kind, some in zip((Force, Friction), objects[len(given) :], strict=False):
-        if wrong := [one for one in some.flat if not isinstance(one, kind)]:
-            name = kind.__name__
-            raise InvalidScene(f"{name.lower()} holds {str(wrong[0])[:40]!r}; give a {name}([...]), or a list of them")
-    shape = _common_shape(dict(zip((*named, "force", "friction"), objects, strict=False)))
-    arrays = [np.broadcast_to(one, shape) for one in objects]
-    rows, pairs = zip(*[one.ravel() for one in arrays], strict=True), dict[tuple[int, ...], Pair]()
-    scenes = [_scene(row[: len(named)], terms, limits.law, pairs, *row[len(named) :]) for row in rows]
-    _, max_events, keep, jobs, progress = limits
-    found = solve_scenes(scenes, max_events=max_events, keep_events=keep, jobs=jobs, progress=progress)
-    return Batch(found.table, found.ends, found.kept, arrays[0].shape)
+        named = {name: _numbers(name, values) for name, values in named.items()}
+        for name, array in named.items():
+            _refuse(name, np.asarray(array))
+        exactly = np.vectorize(Fraction, otypes=[object])
+        named = {name: exactly(array) if np.size(array) else array for name, array in named.items()}
+    arrays = {name: np.asarray(values, dtype=object) for name, values in named.items()}
+    for name, kind, given in zip(("force", "friction"), (Force, Friction), acting, strict=True):
+        arrays[name] = np.asarray(given, dtype=object)
+        if wrong := [one for one in arrays[name].flat if not isinstance(one, kind)]:
+            what = kind.__name__
+            raise InvalidScene(f"{name} holds {str(wrong[0])[:40]!r}; give a {what}([...]), or a list of them")
+    shape, pairs = _common_shape(arrays), dict[tuple[int, ...], Pair]()
+    rows = zip(*(np.broadcast_to(one, shape).ravel() for one in arrays.values()), strict=True)
+    found = solve_scenes([_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows], **limits._asdict())
+    return Batch(found.table, found.ends, found.kept, shape)
 
 
 def _solved(
     columns: Columns | None,
-    exact: Callable[[int], Scene],
-    table: Table,
+    scene_of: Callable[[int], Scene],
+    table: Floats,
     shape: tuple[int, ...],
+    law: Law,
     limits: _Limits,
-    later: NDArray[np.bool_],
+    later: Any,
 ) -> Batch:
     """Solve rows in chunks; `later`: where another piece begins at the horizon or after it, no stick is for ever."""
-    ends, kept = room(len(table), limits.keep_events)
-    size, done, literal = _chunk(len(table), limits.jobs), 0, limits.law is Law.THREE_VALUED_SGN
-    chunks = []
-    for start in range(0, len(table), size):
-        part = slice(start, start + size)
+    count, done, how = len(table), 0, (law is Law.THREE_VALUED_SGN, limits.max_events)
+    ends, kept = np.zeros((count, END_ROW)), np.full((count, limits.keep_events + 1, ROW), np.nan)
+
+    def solve(part: slice) -> int:
         own = None if columns is None else columns.part(part)
+        return solve_chunk(own, lambda row: scene_of(part.start + row), *how, kept[part], ends[part])
 
-        def exact_here(row: int, start: int = start) -> Scene:
-            return exact(start + row)
-
-        chunks.append(Chunk(own, exact_here, ends[part], kept[part], literal, limits.max_events))
-    for count in _in_threads([chunk.solve for chunk in chunks], limits.jobs):
-        done += count
+    for some in _in_chunks(solve, count, limits.jobs):
+        done += some
         if limits.progress is not None:
-            limits.progress(done, len(table))
+            limits.progress(done, count)
     ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
-    form = None if columns is None else partial(_form_ledgers, columns, literal, limits.max_events, limits.jobs)
+    form = None if columns is None else partial(_form_ledgers, columns, how, limits.jobs)
     return Batch(table, ends, kept, shape, form)
 
 
-def _form_ledgers(columns: Columns, literal: bool, max_events: int, jobs: int | None, ends: Table) -> None:
-    """Form the ledgers that the runs have left out, in chunks."""
-    size = _chunk(len(ends), jobs)
-    parts = [slice(start, start + size) for start in range(0, len(ends), size)]
-    tasks = [partial(form_ledgers, columns.part(one), literal, max_events, ends[one]) for one in parts]
-    list(_in_threads(tasks, jobs))
+def _form_ledgers(columns: Columns, how: tuple[bool, int], jobs: int | None, ends: Floats) -> None:
+    """Form the ledgers that the runs have left out."""
+    list(_in_chunks(lambda part: form_ledgers(columns.part(part), *how, ends[part]), len(ends), jobs))
 
 
-def _in_threads(tasks: Sequence[Callable[[], int]], jobs: int | None) -> Iterator[int]:
-    """Yield how many scenes each chunk had, as they finish; compiled code runs in threads, Python in turn."""
-    if jobs == 1 or len(tasks) <= 1 or not can_compile():
-        yield from (task() for task in tasks)
+def _in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Iterator[int]:
+    """Yield what a task says of each chunk of rows, as they finish; compiled code runs in threads, Python in turn.
+
+    There are four chunks for every core, so that all end at about the same time.
+    """
+    cores = jobs or available_cores()
+    size = max(_TOO_FEW, min(_CHUNK, -(-count // (4 * cores))))
+    parts = [slice(start, start + size) for start in range(0, count, size)]
+    if cores == 1 or len(parts) <= 1 or not can_compile():
+        yield from map(task, parts)
         return
-    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(tasks)))
+    pool = ThreadPoolExecutor(min(cores, len(parts)))
     try:
-        futures: list[Future[int]] = [pool.submit(task) for task in tasks]
-        for future in as_completed(futures):
+        for future in as_completed([pool.submit(task, part) for part in parts]):
             yield future.result()
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _chunk(count: int, jobs: int | None) -> int:
-    """Return how many scenes go into one chunk: four chunks for every core, so that all end at about the same time."""
-    if count <= _TOO_FEW:
-        return _TOO_FEW
-    return max(_TOO_FEW, min(_CHUNK, -(-count // (4 * (jobs or available_cores())))))
-
-
-def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tuple[Columns, tuple[int, ...]]:
-    """Return numbers as columns, and the shape that their arrays have together; checked."""
+def _numbers_of(named: dict[str, ArrayLike]) -> tuple[Floats, tuple[int, ...]]:
+    """Return numbers by rows, and the shape that their arrays have together; checked."""
     arrays = {name: _numbers(name, values) for name, values in named.items()}
     shape = _common_shape(arrays)
     wide = np.zeros((*shape, len(arrays)))
@@ -319,12 +306,7 @@ def _columns(named: dict[str, ArrayLike], terms: int, friction: Friction) -> tup
     if not (wide.size and _allowed(wide, np.array([_least(name) for name in arrays])).all()):
         for name, array in arrays.items():
             _refuse(name, np.asarray(array))
-    flat = wide.reshape(-1, len(arrays))
-    table = np.zeros((len(flat), 2 * len(SI)))
-    table[:, ::2] = flat[:, : len(SI)]
-    rest = flat[:, len(SI) :]
-    count = (len(arrays) - len(SI) - terms) // 3
-    return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3), frictions_of(friction)), shape
+    return wide.reshape(-1, len(arrays)), shape
 
 
 def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
@@ -351,18 +333,14 @@ def _has_truth_values(values: Any) -> bool:
     return isinstance(values, bool) or getattr(getattr(values, "dtype", None), "kind", "") == "b"
 
 
-def _numbers(name: str, values: Any) -> Table:
+def _numbers(name: str, values: Any) -> Floats:
     """Return values as an array of binary64 numbers."""
     try:
         given = np.asarray(values)
-        if given.dtype.kind in "OUS":  # texts are read as in a scene
-            given = np.vectorize(lambda one: float(exact_decimal(one, name)), otypes=[np.float64])(
-                given.astype(str) if given.dtype.kind == "S" else given
-            )
+        if given.dtype.kind in "OU":  # texts are read as in a scene
+            given = np.vectorize(lambda one: float(exact_decimal(one, name)), otypes=[np.float64])(given)
         # NumPy would make real numbers of complex ones, dates and truth values, too
         if given.dtype.kind in "iuf" and not _has_truth_values(values):
-            if given.dtype == np.float64:
-                return given
             with np.errstate(over="ignore"):  # of long floats; refused as inf
                 return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
@@ -372,7 +350,7 @@ def _numbers(name: str, values: Any) -> Table:
     )
 
 
-def _refuse(name: str, array: Table) -> None:
+def _refuse(name: str, array: Floats) -> None:
     """Raise InvalidScene, naming the first number that is out of bounds, if there is one."""
     least = _least(name)
     wrong = ~_allowed(array, least)
@@ -391,5 +369,5 @@ def _least(name: str) -> float:
     return 0.0 if name == "a1" else float(_FLOATS.min)
 
 
-def _allowed(array: Table, least: Any) -> NDArray[np.bool_]:
+def _allowed(array: Floats, least: Any) -> Any:
     return np.asarray((array >= least) & (array <= _FLOATS.max))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile, compiled
@@ -19,12 +19,13 @@ from numerics.free.rows import UNKNOWN, solve_rows
 from numerics.linear.batch import run_prepared, run_rows
 from numerics.linear.pieces import Known, starts_of
 from numerics.linear.prepare import Prepared, prepare
-from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
+from numerics.linear.record import AT, ROW, How
 from numerics.scene import Friction, Scene
 from numerics.scene.plane import PlaneScene
+from numerics.trajectory.columns import STATE, Floats
 from numerics.trajectory.run import free_scene, run_scene
+from numerics.trajectory.trajectory import Trajectory
 
-Table = NDArray[np.float64]
 _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
@@ -50,10 +51,10 @@ class Columns:
     phase), with `polynomial` (n, p) and `sines` (n, s, 3). All have the same pieces of friction.
     """
 
-    table: Table
-    polynomial: Table
-    sines: Table
-    frictions: Table
+    table: Floats
+    polynomial: Floats
+    sines: Floats
+    frictions: Floats
     """frictions_of what friction they have."""
 
     def part(self, rows: Any) -> Columns:
@@ -61,79 +62,79 @@ class Columns:
         return replace(self, table=self.table[rows], polynomial=self.polynomial[rows], sines=self.sines[rows])
 
     @property
-    def free(self) -> NDArray[np.bool_]:
+    def free(self) -> Any:
         """Return which rows are those of the free pair: a1 = 0 and no force."""
         still = (self.table[:, -2] == 0) & (len(self.frictions) == 1 and bool(np.isnan(self.frictions[0, 2])))
         for forces in (self.polynomial, self.sines[:, :, 0]):
             if forces.size:
                 still &= ~np.any(forces, axis=1)
-        return np.asarray(still)
+        return still
 
 
-def frictions_of(friction: Friction) -> Table:
+def frictions_of(friction: Friction) -> Floats:
     """Return the pieces of a friction without weakening as linear/batch.py reads them."""
     pieces = [(*nearest(start), *nearest(b)) for start, b in friction.pieces]
     first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan, 0.0)]
     return np.array([*first, *pieces])
 
 
-@dataclass(frozen=True)
-class Chunk:
-    """Scenes as columns, what stands behind each of them, and where the answers go."""
+def solve_chunk(
+    columns: Columns | None,
+    scene_of: Callable[[int], Scene],
+    literal: bool,
+    max_events: int,
+    kept: Floats,
+    ends: Floats,
+) -> int:
+    """Solve a chunk of scenes, and return how many there are: by columns, if there are any, else one by one.
 
-    columns: Columns | None
-    """None: scene by scene."""
-    exact: Callable[[int], Scene]
-    """exact(i) returns the scene of row i."""
-    ends: Table
-    kept: Table
-    literal: bool
-    max_events: int
-
-    def solve(self) -> int:
-        """Solve the scenes and return how many there are."""
-        self.ends[:, AT["how"]] = UNKNOWN
-        if self.columns is not None and can_compile():
-            free = self.columns.free
-            for its, run in ((free, _free_rows), (~free, _rows_without_ledger)):
-                if its.all():
-                    run(self.columns, self.literal, self.max_events, self.kept, self.ends)
-                elif its.any():
-                    kept, ends = self.kept[its], self.ends[its]
-                    run(self.columns.part(its), self.literal, self.max_events, kept, ends)
-                    self.kept[its], self.ends[its] = kept, ends
-        elif can_compile():
-            self._solve_linear()
-        for row in np.flatnonzero(self.ends[:, AT["how"]] == UNKNOWN):
-            _solve_one(self.exact(int(row)), self.max_events, self.kept[row], self.ends[row])
-        return len(self.ends)
-
-    def _solve_linear(self) -> None:
-        """Solve the scenes that the linear engine solves in float64: those of one pair, and of like forces, at once."""
-        alike: dict[tuple[int, int], list[tuple[int, Prepared]]] = {}
-        known = Known()
-        for row in range(len(self.ends)):
-            scene = self.exact(row)
-            if not free_scene(scene) and not scene.friction.weakening:
-                with suppress(OutOfRange):
-                    one = prepare(scene, wide=False, known=known)
-                    alike.setdefault((id(one.pair), id(one.tables)), []).append((row, one))
-        for group in alike.values():
-            rows = [row for row, _ in group]
-            kept, ends = self.kept[rows], self.ends[rows]
-            run_prepared([one for _, one in group], self.max_events, kept, ends)
-            self.kept[rows], self.ends[rows] = kept, ends
+    `scene_of(i)` is the scene of row i. What is in doubt there is solved by itself, too.
+    """
+    ends[:, AT["how"]] = UNKNOWN
+    if columns is not None and can_compile():
+        free = columns.free
+        for its, run in ((free, _free_rows), (~free, _rows_without_ledger)):
+            if its.any():
+                rows = slice(None) if its.all() else its
+                _on(rows, kept, ends, partial(run, columns.part(rows), literal, max_events))
+    elif can_compile():
+        _solve_linear(scene_of, max_events, kept, ends)
+    for row in np.flatnonzero(ends[:, AT["how"]] == UNKNOWN):
+        _solve_one(scene_of(int(row)), max_events, kept[row], ends[row])
+    return len(ends)
 
 
-def _free_rows(columns: Columns, literal: bool, max_events: int, kept: Table, ends: Table) -> None:
+def _on(rows: Any, kept: Floats, ends: Floats, run: Callable[[Floats, Floats], None]) -> None:
+    """Run some of the rows."""
+    own = kept[rows], ends[rows]
+    run(*own)
+    kept[rows], ends[rows] = own
+
+
+def _free_rows(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
     compiled(solve_rows)(columns.table, literal, max_events, kept, ends)
 
 
-def _rows_without_ledger(columns: Columns, literal: bool, max_events: int, kept: Table, ends: Table) -> None:
+def _rows_without_ledger(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
     run_rows(columns, literal, max_events, False, kept, ends)
 
 
-def form_ledgers(columns: Columns, literal: bool, max_events: int, ends: Table) -> int:
+def _solve_linear(scene_of: Callable[[int], Scene], max_events: int, kept: Floats, ends: Floats) -> None:
+    """Solve the scenes that the linear engine solves in float64: those of one pair, and of like forces, at once."""
+    alike: dict[tuple[int, int], list[tuple[int, Prepared]]] = {}
+    known = Known()
+    for row in range(len(ends)):
+        scene = scene_of(row)
+        if not free_scene(scene) and not scene.friction.weakening:
+            with suppress(OutOfRange):
+                one = prepare(scene, wide=False, known=known)
+                alike.setdefault((id(one.pair), id(one.tables)), []).append((row, one))
+    for group in alike.values():
+        rows, prepared = zip(*group, strict=True)
+        _on(list(rows), kept, ends, partial(run_prepared, prepared, max_events))
+
+
+def form_ledgers(columns: Columns, literal: bool, max_events: int, ends: Floats) -> int:
     """Run once more the rows of which nobody has formed what friction and viscosity took; return how many there are."""
     rows = np.flatnonzero(np.isnan(ends[:, AT["friction"]]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
     if len(rows):
@@ -143,54 +144,36 @@ def form_ledgers(columns: Columns, literal: bool, max_events: int, ends: Table) 
     return len(rows)
 
 
-def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
-    """Solve one scene, and write its first events and its end."""
+def _solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
+    """Solve one scene, and write its first events and its end; their times count from the start of the run."""
+    in_balls = bool(scene.friction.weakening)
     try:
-        if scene.friction.weakening:
-            _solve_in_balls(scene, max_events, kept, end)
-            return
-        found = run_scene(scene, _FLOAT64, max_events)
+        found = run_scene(scene, Ball(_DIGITS) if in_balls else _FLOAT64, max_events)
     except (EventUndecided, OutOfRange) as error:
         kept[:] = end[:] = np.nan  # also what a run wrote, in units of its own, before it ended so
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
         end[AT["mode"]] = end[AT["events"]] = end[AT["certain"]] = 0.0
         return
-    end[:] = found.record.end
     rows = np.append(0, found.event_rows)[: len(kept)]
-    kept[: len(rows)] = found.record.rows[rows]
-    starts = starts_of(scene)
-    if len(starts) > 1:  # times count from the start of the run
-        for row in (*kept[: len(rows)], end):
-            row[AT["local"]] += starts[int(row[AT["piece"]])]
-            row[AT["piece"]] = 0.0
+    if in_balls:
+        _write_balls(found, rows, kept, end)
+    else:
+        kept[: len(rows)], end[:] = found.record.rows[rows], found.record.end
+    for row in (*kept[: len(rows)], end):
+        row[AT["local"]] += starts_of(scene)[int(row[AT["piece"]])]
+        row[AT["piece"]] = 0.0
 
 
-def _solve_in_balls(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
-    """Do the same for a scene that has no other arithmetic: the middles, and as bounds radii and rounding."""
-    found = run_scene(scene, Ball(_DIGITS), max_events)
+def _write_balls(found: Trajectory, rows: Floats, kept: Floats, end: Floats) -> None:
+    """Write rows and the end of a run in balls as floats: the middles, and as bounds radii and rounding."""
+    record, late = found.record, AT["late"]
     with found.arithmetic.context():
-        taken = found.ledger
-        end[AT["how"]], end[AT["events"]], end[AT["certain"]] = found.record.how, found.record.events, 1.0
-        end[AT["friction"]], end[AT["viscous"]] = float(taken.friction), float(taken.viscous)
-        end[AT["dissipated_error"]] = 2.0**-50 * (end[AT["friction"]] + end[AT["viscous"]])
-        knots = [found.record.rows[row] for row in np.append(0, found.event_rows)[: len(kept)]]
-        for row, knot in [*zip(kept, knots, strict=False), (end, found.record.end)]:
-            _write(row, knot, float(found.pieces[knot.piece].start))
-
-
-def _write(row: Table, knot: Knot, start: float) -> None:
-    """Write one row of balls as floats; its time counts from the start of the run."""
-    for name in CODES:
-        row[AT[name]] = float(getattr(knot, name))
-    for name, bound in zip(("local", "length", "x1", "v1", "x2", "v2"), ("late", "", *BOUNDS[1:5]), strict=True):
-        value = getattr(knot, name)
-        row[AT[name]], row[AT[f"{name}_low"]] = float(value.mid()), 0.0
-        if bound:
-            row[AT[bound]] = float(value.rad()) + abs(float(value.mid())) * 2.0**-52
-    row[AT["local"]], row[AT["piece"]] = row[AT["local"]] + start, 0.0
-    row[AT["excess"]] = row[AT["excess_low"]] = row[AT["excess_error"]] = np.nan
-
-
-def room(count: int, keep: int) -> tuple[Table, Table]:
-    """Return the arrays for the ends of so many runs, and for start and first events of each; nan where none is."""
-    return np.zeros((count, END_ROW)), np.full((count, keep + 1, ROW), np.nan)
+        taken = float(found.ledger.friction), float(found.ledger.viscous)
+        end[ROW:] = record.how, record.events, 1.0, taken[0], 0.0, taken[1], 0.0, 2.0**-50 * sum(taken)
+        for row, knot in zip((*kept[: len(rows)], end), (*map(record.rows.__getitem__, rows), record.end), strict=True):
+            row[:ROW], row[AT["excess"] : late] = 0.0, np.nan
+            row[AT["mode"]], row[AT["piece"]], row[AT["excess_error"]] = knot.mode, knot.piece, np.nan
+            for place, name in enumerate(("local", *STATE)):
+                value = getattr(knot, name)
+                row[AT[name]] = float(value.mid())
+                row[late + place] = float(value.rad()) + abs(row[AT[name]]) * 2.0**-52

@@ -53,32 +53,14 @@ class _Limits(NamedTuple):
 
 
 @overload
-def solve(
-    scene: PlaneScene,
-    *,
-    digits: int | None = None,
-    arithmetic: ArithmeticName | None = None,
-    t_eval: Sequence[Any] | None = None,
-    max_events: int = MAX_EVENTS,
-    max_digits: int = MAX_DIGITS,
-    progress: Progress | None = None,
-) -> PlaneTrajectory: ...
+def solve(scene: PlaneScene, **options: Any) -> PlaneTrajectory: ...
 
 
 @overload
-def solve(
-    scene: Scene,
-    *,
-    digits: int | None = None,
-    arithmetic: ArithmeticName | None = None,
-    t_eval: Sequence[Any] | None = None,
-    max_events: int = MAX_EVENTS,
-    max_digits: int = MAX_DIGITS,
-    progress: Progress | None = None,
-) -> Trajectory: ...
+def solve(scene: Scene, **options: Any) -> Trajectory: ...
 
 
-def solve(
+def solve(  # type: ignore[misc]  # the options are those below
     scene: Scene | PlaneScene,
     *,
     digits: int | None = None,

@@ -8,15 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.errors import MissingTool
 from numerics.files import whole_file
 from numerics.linear.modes import Mode
+from numerics.trajectory.columns import Floats
 from numerics.trajectory.figures import BLUE, GRAY, ORANGE, draw
 from numerics.trajectory.solution import Solution
 
-Floats = NDArray[np.float64]
 _WRITERS = {".gif": "pillow", ".mp4": "ffmpeg"}
 _MOST_FRAMES = 10_000
 _TURNS = 9

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+import json
 from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.trajectory import export, saved
+from numerics.trajectory.columns import Array, Floats
 from numerics.trajectory.status import Status
 
-Kept = tuple[dict[str, Any], dict[str, NDArray[Any]]]
+Kept = tuple[dict[str, Any], dict[str, Array]]
 """What a run wrote: for the header of a file, and as arrays."""
 _AT_ASKED_TIMES = {"_asked_times", "_asked_states", "_points", "energy", "energy_excess"}
 """What depends on t_eval, and is made when it is looked at."""
@@ -62,7 +63,7 @@ class Answer:
         """Return the context of the arithmetic."""
         return self.arithmetic.context()
 
-    def floats(self, numbers: Any) -> NDArray[np.float64]:
+    def floats(self, numbers: Any) -> Floats:
         """Return numbers of the arithmetic in binary64, in their shape."""
         given = np.asarray(numbers)
         convert = np.vectorize(self.arithmetic.to_float, otypes=[float])
@@ -103,15 +104,15 @@ class Answer:
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
         header, arrays = saved.run_of(self)
-        return saved.unpickled, (type(self), self.scene, saved.header_text(header), arrays)
+        return saved.unpickled, (type(self), self.scene, json.dumps(header), arrays)
 
     def __eq__(self, other: object) -> bool:
         """Return whether another trajectory answers the same scene with the same numbers."""
         if not isinstance(other, type(self)) or self.scene != other.scene:
             return False
-        (one, rows), (two, others) = saved.run_of(self), saved.run_of(other)
-        # as texts: a bound of an open run may be no number, which equals nothing
-        same = saved.header_text(one) == saved.header_text(two)
-        return same and [a.tobytes() for a in rows.values()] == [a.tobytes() for a in others.values()]
+        one, two = saved.run_of(self), saved.run_of(other)
+        # as texts and bytes: a bound of an open run may be no number, which equals nothing
+        as_kept = [(json.dumps(header), [one.tobytes() for one in arrays.values()]) for header, arrays in (one, two)]
+        return as_kept[0] == as_kept[1]
 
     __hash__ = None  # type: ignore[assignment]

@@ -1,16 +1,110 @@
-"""A motion between two events in closed form, over intervals of mpmath: the waves of Waves.v.
+"""What acts on a pair in a spell, exact, and its motion between two events in closed form: the waves of Waves.v.
 
-Everything is in SI units and in time u (s) since the phase began. A sign k = +1 or -1 is that of v1 - v2 in a slip, and
-that of the slip which follows a stick.
+A spell of force and friction lasts from one change of either to the next. Of a force of polynomials and sines one
+answer of a mass on spring and damper is a polynomial and sines again (undetermined coefficients). Motions are formed
+over intervals of mpmath, in SI units and in time u (s) since the phase began. A sign k = +1 or -1 is that of v1 - v2 in
+a slip, and that of the slip which follows a stick.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
-from numerics.scene import Pair
-from numerics.trajectory.spells import Spell, Steady, bounded, exactly
+from numerics.linear.pieces import particular
+from numerics.scene import Pair, Scene
+
+SHORT = 2.0**-11
+"""How long an interval is at most whose sine the kernel bounds by its middle and its slope."""
+
+
+class Tone(NamedTuple):
+    """(in_sine + rise_sine t) sin(turn t + phase) + (in_cosine + rise_cosine t) cos(turn t + phase), turn in rad/s."""
+
+    in_sine: Fraction
+    in_cosine: Fraction
+    rise_sine: Fraction
+    rise_cosine: Fraction
+    turn: Fraction
+    phase: Fraction
+
+    def slope(self) -> Tone:
+        """Return the derivative."""
+        steady = self.rise_sine - self.in_cosine * self.turn, self.rise_cosine + self.in_sine * self.turn
+        return Tone(*steady, -self.rise_cosine * self.turn, self.rise_sine * self.turn, self.turn, self.phase)
+
+
+class Steady(NamedTuple):
+    """A polynomial of t - since (s), by its coefficients from the constant on, plus tones of t; exact."""
+
+    since: Fraction
+    polynomial: tuple[Fraction, ...] = ()
+    tones: tuple[Tone, ...] = ()
+
+    def __call__(self, on: Any, t: Any) -> Any:
+        """Return the value at t, over a context of intervals of mpmath."""
+        number = partial(exactly, on)
+        value, after = on.mpf(0), t - number(self.since)
+        for coefficient in reversed(self.polynomial):
+            value = number(coefficient) + after * value
+        for tone in self.tones:
+            angle = number(tone.turn) * t + number(tone.phase)
+            value += (number(tone.in_sine) + number(tone.rise_sine) * t) * bounded(on.sin, angle)
+            value += (number(tone.in_cosine) + number(tone.rise_cosine) * t) * bounded(on.cos, angle)
+        return value
+
+    def slope(self) -> Steady:
+        """Return the derivative."""
+        slope = tuple(k * one for k, one in enumerate(self.polynomial))[1:]
+        return Steady(self.since, slope, tuple(tone.slope() for tone in self.tones))
+
+
+def exactly(on: Any, one: Fraction) -> Any:
+    """Return an exact number in a context of intervals of mpmath."""
+    return on.mpf(one.numerator) / on.mpf(one.denominator)
+
+
+def bounded(function: Callable[[Any], Any], angle: Any) -> Any:
+    """Return a sine or cosine over an interval, a short one by its middle and its slope, as the kernel does."""
+    return function(angle) if angle.delta > SHORT else function(angle.mid) + (angle - angle.mid)
+
+
+class Spell(NamedTuple):
+    """From `since` (s) on: friction (N) and force (N), and how body 1 and both bodies together answer to it (m)."""
+
+    since: Fraction
+    friction: Fraction
+    force: Steady
+    alone: Steady
+    together: Steady
+
+
+def spells(scene: Scene) -> Iterator[Spell]:
+    """Yield the spells that begin before the end."""
+    pair = scene.pair
+    starts = {Fraction(0), *scene.force.starts, *scene.friction.starts}
+    for start in sorted(one for one in starts if one < scene.until):
+        piece, nothing = scene.force.piece_at(start), Fraction(0)
+        tones = tuple(Tone(one.amplitude, nothing, nothing, nothing, one.omega, one.phase) for one in piece.sines)
+        force = Steady(piece.start, piece.polynomial, tones)
+        b = next((b for at, b in reversed(scene.friction.pieces) if at <= start), pair.b)
+        yield Spell(start, b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
+
+
+def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:
+    """Return a solution y of mass y'' + a1 y' + a2 y = force, whose tones are sines."""
+    tones, nothing = [], Fraction(0)
+    for sine, _, _, _, turn, phase in force.tones:
+        stiff, damp = pair.a2 - mass * turn**2, pair.a1 * turn
+        if size := stiff**2 + damp**2:
+            answer = stiff * sine / size, -damp * sine / size, nothing, nothing
+        else:  # resonance
+            answer = nothing, nothing, nothing, -sine / (2 * mass * turn)
+        tones.append(Tone(*answer, turn, phase))
+    return Steady(force.since, tuple(particular(force.polynomial, mass, pair.a1, pair.a2)), tuple(tones))
+
 
 Value = Any
 """An interval of mpmath."""
@@ -36,7 +130,10 @@ class Swing(NamedTuple):
 
 
 class Wave(NamedTuple):
-    """u -> still + drift u + exp(-decay u) (even C(u) + odd S(u)) + answer(clock + u), C'' = -square C and S' = C."""
+    """u -> still + drift u + sign (exp(-decay u) (even C(u) + odd S(u)) + answer(clock + u)).
+
+    C'' = -square C and S' = C.
+    """
 
     on: Any
     still: Value
@@ -46,6 +143,7 @@ class Wave(NamedTuple):
     swing: Swing
     clock: Value
     answer: Steady
+    sign: int = 1
 
     def __call__(self, u: Value) -> Value:
         """Return the value at u."""
@@ -60,13 +158,14 @@ class Wave(NamedTuple):
             other = self.odd / root
             swung = (self.even + other) / 2 * on.exp(-((decay - root) * u))
             swung += (self.even - other) / 2 * on.exp(-((decay + root) * u))
-        return self.still + self.drift * u + swung + self.answer(self.on, self.clock + u)
+        return self.still + self.drift * u + self.sign * swung + self.sign * self.answer(self.on, self.clock + u)
 
     def slope(self) -> Wave:
         """Return the derivative, a wave."""
         decay, square = self.swing.decay, self.swing.square
         even, odd = self.odd - decay * self.even, -(square * self.even) - decay * self.odd
-        return Wave(self.on, self.drift, 0 * self.drift, even, odd, self.swing, self.clock, self.answer.slope())
+        still, drift, answer = self.drift, 0 * self.drift, self.answer.slope()
+        return self._replace(still=still, drift=drift, even=even, odd=odd, answer=answer)
 
 
 class ClosedForms:
@@ -107,10 +206,7 @@ class ClosedForms:
 
     def guard(self, k: int, at: State) -> Wave:
         """Return k (v1 - v2) in a slip, m/s: positive until it ends."""
-        speed = self.slide(k, at).slope()
-        return Wave(
-            self.on, -(k * at.v2), -self.gained, k * speed.even, k * speed.odd, speed.swing, at.t, speed.answer.times(k)
-        )
+        return self.slide(k, at).slope()._replace(still=-(k * at.v2), drift=-self.gained, sign=k)
 
     def stuck(self, at: State) -> Wave:
         """Return body 1's place in a stick, m."""
@@ -118,9 +214,7 @@ class ClosedForms:
 
     def grip(self, k: int, at: State) -> Wave:
         """Return what friction has left in a stick towards a slip k, m/s^2: positive until it ends."""
-        change = self.stuck(at).slope().slope()
-        even, odd = -(k * change.even), -(k * change.odd)
-        return Wave(self.on, self.gained, self.on.mpf(0), even, odd, change.swing, at.t, change.answer.times(-k))
+        return self.stuck(at).slope().slope()._replace(still=self.gained, sign=-k)
 
     def edge(self, k: int, t: Value, v: Value) -> Value:
         """Return the place where a stick ends towards k at the time t with the velocity v, m."""

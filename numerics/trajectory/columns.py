@@ -1,4 +1,4 @@
-"""A record (numerics/linear/record.py) read by the names of its columns; balls taken apart and put together again."""
+"""A record (numerics/linear/record.py) read by the names of its columns, whatever its numbers are."""
 
 from __future__ import annotations
 
@@ -6,67 +6,58 @@ from typing import Any
 
 import mpmath
 import numpy as np
-from flint import arb
 from mpmath.libmp import MPZ, fzero
 from numpy.typing import NDArray
 
-from numerics.arithmetic.ball import precision
 from numerics.arithmetic.protocol import Number
-from numerics.linear.record import AT, Record
+from numerics.linear.record import AT, Knot, Record
 
+Array = NDArray[Any]
+"""Of floats, or of the numbers of an arithmetic."""
+Floats = NDArray[np.float64]
+Counts = NDArray[np.int64]
 STATE = ("x1", "v1", "x2", "v2")
-_RADIUS_BITS, _WIDE_BITS = 30, 106
+_WIDE_BITS = 106
 
 
 class Columns:
     """The columns of one record; `wide` where two floats are a number of double-double."""
 
     def __init__(self, record: Record, *, wide: bool) -> None:
-        """Read this record."""
-        self.record, self.wide, self.in_floats = record, wide, isinstance(record.rows, np.ndarray)
+        """Read this record; of knots a table is made."""
+        self.wide, self.at, self.rows, self.end = wide, AT, record.rows, record.end
+        if not isinstance(record.rows, np.ndarray):
+            self.at = {name: place for place, name in enumerate(Knot._fields)}
+            *table, end = (one[:-1] for one in (*record.rows, record.end))
+            self.rows, self.end = np.array(table, dtype=object), np.array(end, dtype=object)
 
-    def code(self, name: str) -> NDArray[Any]:
+    def code(self, name: str) -> Floats:
         """Return a code of all rows, a float."""
-        if self.in_floats:
-            column: NDArray[Any] = self.record.rows[:, AT[name]]
-            return column
-        return np.array([getattr(row, name) for row in self.record.rows], dtype=float)
+        return np.asarray(self.rows[:, self.at[name]], dtype=float)
 
-    def numbers(self, name: str) -> NDArray[Any]:
+    def numbers(self, name: str) -> Array:
         """Return a number of all rows: floats, or an object array."""
         return np.asarray(self.table(name)[0])
 
-    def table(self, *names: str) -> NDArray[Any]:
+    def table(self, *names: str) -> Array:
         """Return some numbers of all rows, a line each."""
-        rows, at = self.record.rows, [AT[name] for name in names]
-        if isinstance(rows, np.ndarray) and not self.wide:
-            return np.asarray(rows.T[at])
-        found = np.empty((len(names), len(rows)), dtype=object)
-        if isinstance(rows, np.ndarray):
-            found.ravel()[:] = sums(rows.T[at].ravel(), rows.T[[one + 1 for one in at]].ravel())
-        else:
-            found[:] = [[getattr(row, name) for row in rows] for name in names]
+        return self._read(self.rows, names)
+
+    def last(self, *names: str) -> list[Number]:
+        """Return numbers of the end; of floats also what friction or viscosity took up to there (J)."""
+        found: list[Number] = self._read(self.end.reshape(1, -1), names).ravel().tolist()
         return found
 
-    def halves(self, name: str) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Return a number of all rows as its high and its low half; of floats."""
-        at = AT[name]
-        return np.asarray(self.record.rows[:, at]), np.asarray(self.record.rows[:, at + 1])
-
-    @property
-    def last_mode(self) -> float:
-        """Return the mode at the end, the sign of v1 - v2."""
-        return float(self.record.end[AT["mode"]] if self.in_floats else self.record.end.mode)
-
-    def last(self, name: str) -> Number:
-        """Return a number of the end, or what friction or viscosity took up to there (J)."""
-        end, at = self.record.end, AT[name]
-        if not self.in_floats:
-            return getattr(end, name)
-        return sums(end[at : at + 1], end[at + 1 : at + 2])[0] if self.wide else float(end[at])
+    def _read(self, rows: Array, names: tuple[str, ...]) -> Array:
+        high = [self.at[name] for name in names]
+        if not self.wide:
+            return np.asarray(rows.T[high])
+        found = np.empty((len(names), len(rows)), dtype=object)
+        found.ravel()[:] = sums(rows.T[high].ravel(), rows.T[[one + 1 for one in high]].ravel())
+        return found
 
 
-def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf]:
+def sums(high: Floats, low: Floats) -> list[mpmath.mpf]:
     """Return numbers of double-double, which may have more than 106 bits, rounded to these."""
     places = np.frexp(high)[1]
     tops, tails = np.ldexp(high, 53 - places).tolist(), np.rint(np.ldexp(low, _WIDE_BITS - places)).tolist()
@@ -83,20 +74,3 @@ def _raw(mantissa: int, exponent: int) -> tuple[int, Any, int, int]:
         return fzero
     zeros = (size & -size).bit_length() - 1
     return int(mantissa < 0), MPZ(size >> zeros), exponent + zeros, size.bit_length() - zeros
-
-
-def parts_of(point: arb) -> tuple[int, int]:
-    """Return mantissa and exponent of 2 of a ball without a radius."""
-    mantissa, exponent = point.man_exp()
-    return int(mantissa), int(exponent)
-
-
-def ball_of(middle: int, middle_exponent: int, radius: int, radius_exponent: int) -> arb:
-    """Return the ball of these parts of its middle and its radius, the very same one."""
-    with precision(max(53, middle.bit_length())):  # flint rounds what it is given
-        point = arb((middle, middle_exponent))
-        if radius == 0:
-            return point
-        # a radius is rounded up to the next of 30 bits, even if it has no more: it comes back from just below
-        shift = _RADIUS_BITS + 1 - radius.bit_length()
-        return arb(point, arb(((radius << shift) - 1, radius_exponent - shift)))

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.linear.cells import cells_of
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
+from numerics.trajectory.columns import Array, Counts, Floats
 from numerics.trajectory.flow import losses, moved, over_rows
 from numerics.trajectory.rows import Rows
 
@@ -23,36 +23,36 @@ so far; longer ones share the last."""
 class Curve(NamedTuple):
     """A trajectory for drawing, n points: its ends and, in every segment, both ends and points between them."""
 
-    t: NDArray[np.float64]
+    t: Floats
     """Time, s."""
-    y: NDArray[np.float64]
+    y: Floats
     """x1, v1, x2, v2, shape (4, n), m and m/s."""
-    w: NDArray[np.float64]
+    w: Floats
     """E/E_cr - 1."""
-    lost: NDArray[np.float64]
+    lost: Floats
     """What friction and viscosity have taken so far, shape (2, n), J."""
-    segment: NDArray[np.int64]
+    segment: Counts
     """Which segment each point belongs to."""
-    resolved: NDArray[np.bool_]
+    resolved: Array
     """Whether the points of this segment are so many that lines between them are its curve."""
-    stick: NDArray[np.bool_]
+    stick: Array
     """Whether the bodies stick."""
-    u: NDArray[np.float64]
+    u: Floats
     """Force on body 1, N; where it jumps there are two points."""
-    b: NDArray[np.float64]
+    b: Floats
     """Friction that the interface gives in slip, and can give in stick, N."""
 
-    def load(self, pair: Pair) -> NDArray[np.float64]:
+    def load(self, pair: Pair) -> Floats:
         """Return the friction force on body 2 that sticking needs, m2 (u - a2 x1 - a1 v1)/M, N."""
         pull = self.u - float(pair.a2) * self.y[0] - float(pair.a1) * self.y[1]
         return np.asarray(float(pair.m2 / pair.mass) * pull)
 
-    def energy(self, pair: Pair) -> NDArray[np.float64]:
+    def energy(self, pair: Pair) -> Floats:
         """Return the energy of spring and bodies, J."""
         return energy_of(pair, self.y)
 
 
-def energy_of(pair: Pair, y: NDArray[np.float64]) -> NDArray[np.float64]:
+def energy_of(pair: Pair, y: Floats) -> Floats:
     """Return the energy of spring and bodies in states x1, v1, x2, v2, shape (4, n), J."""
     x1, v1, _, v2 = y
     return np.asarray((float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2)
@@ -94,7 +94,7 @@ def sampled(trajectory: Rows) -> Curve:
     return curve._replace(w=w)
 
 
-def _parts(radians: NDArray[np.float64]) -> NDArray[np.int64]:
+def _parts(radians: Floats) -> Counts:
     """Return into how many parts each segment is divided, from the radians that it turns through."""
     share = _MOST * radians / max(radians.sum(), 1.0)
     parts = 6 + np.minimum(_PER_RADIAN * radians, np.maximum(share, _LEAST)).astype(int)
@@ -103,7 +103,7 @@ def _parts(radians: NDArray[np.float64]) -> NDArray[np.int64]:
     return np.asarray(parts)
 
 
-def force_of(piece: ExactPiece, t: NDArray[np.float64]) -> NDArray[np.float64]:
+def force_of(piece: ExactPiece, t: Floats) -> Floats:
     """Return the force of one piece at times (s) from its beginning, N."""
     found = np.polynomial.polynomial.polyval(t, [float(one) for one in piece.polynomial] or [0.0])
     for sine in piece.sines:

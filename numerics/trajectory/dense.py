@@ -15,17 +15,17 @@ from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.linear.modes import MODES
+from numerics.linear.record import AT
 from numerics.scene.decimals import short
+from numerics.trajectory.columns import Array, Counts
 from numerics.trajectory.flow import losses, moved, over_rows
 from numerics.trajectory.motions import Moving
 from numerics.trajectory.rows import Rows
 
 Side = Literal["left", "right"]
-Numbers = NDArray[Any]
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 
@@ -38,7 +38,7 @@ class Dense:
         self.in_floats, self.is_ball = self.arithmetic.name == "float64", self.arithmetic.name == "ball"
         self._motions: dict[int, Moving] = {}
 
-    def times(self, t: Any) -> NDArray[Any]:
+    def times(self, t: Any) -> Array:
         """Return times (s) as numbers of the arithmetic, in their shape. Raises ValueError outside [0, end]."""
         try:
             given = np.asarray(t)
@@ -69,21 +69,21 @@ class Dense:
         end = self.arithmetic.to_float(self.of.end_time)
         raise ValueError(f"t = {t} s is outside the solved time [0, {end:g}] s; solve further")
 
-    def middles(self, times: NDArray[Any]) -> NDArray[Any]:
+    def middles(self, times: Array) -> Array:
         """Return times themselves, or midpoints of balls: floats would not tell the ends of a short slip apart."""
         return np.array([one.mid() for one in times], dtype=object) if self.is_ball else times
 
     @cached_property
-    def starts(self) -> NDArray[Any]:
+    def starts(self) -> Array:
         """Return when each row's segment begins, s, as points: those of the events, so that each finds its segments."""
         return self.middles(self.of.row_times)
 
-    def rows(self, times: NDArray[Any], side: Side) -> NDArray[np.int64]:
+    def rows(self, times: Array, side: Side) -> Counts:
         """Return the row whose segment holds each time; at an event that on the given side."""
         require_side(side)
         return np.maximum(np.searchsorted(self.starts, self.middles(times), side=side) - 1, 0)
 
-    def states(self, t: Any, side: Side) -> Numbers:
+    def states(self, t: Any, side: Side) -> Array:
         """Return (x1, v1, x2, v2) at the times, shape (4, ...)."""
         given = self.times(t)
         return self._at(self.flow, given.ravel(), side).reshape(4, *given.shape)
@@ -99,14 +99,14 @@ class Dense:
         if first is None or (self.of.bounded and math.isnan(first)):
             return None
 
-        def left(rows: NDArray[np.int64], since: Numbers) -> Numbers:
+        def left(rows: Counts, since: Array) -> Array:
             friction, viscous, _ = self.losses(rows, since)
             return np.asarray(carried[rows] - (friction + viscous) / unit)
 
         found: Number = self._at(left, times, side).tolist()[0]
         return found
 
-    def _at(self, function: Callable[..., Numbers], times: Numbers, side: Side) -> Numbers:
+    def _at(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
         """Return a function of rows and of the times since they began at times of the run.
 
         Where balls leave open which segment holds a time, all that may hold it answer.
@@ -120,41 +120,36 @@ class Dense:
             found.append(reduce(_union, function(held, time - self.of.row_times[held]).T))
         return np.array(found, dtype=object).T if found else np.empty((4, 0), dtype=object)
 
-    def since(self, times: Numbers, rows: NDArray[np.int64]) -> Numbers:
+    def since(self, times: Array, rows: Counts) -> Array:
         """Return how long after the starts of their rows times are, s."""
         if not self.in_floats:
             return np.asarray(times - self.of.row_times[rows])
         starts = np.array([float(piece.start) for piece in self.of.pieces])
-        local, low = self.of.columns.halves("local")  # the low halves keep short slips apart
-        return np.asarray(np.maximum((times - starts[self.of.row_pieces[rows]]) - local[rows] - low[rows], 0.0))
+        local, low = self.of.record.rows[rows, AT["local"] : AT["length"]].T  # low halves keep short slips apart
+        return np.asarray(np.maximum((times - starts[self.of.row_pieces[rows]]) - local - low, 0.0))
 
-    def _held(self, time: Number, row: int) -> NDArray[np.int64]:
+    def _held(self, time: Number, row: int) -> Counts:
         """Return the rows that are not excluded to hold a ball of times; one of them holds its middle."""
-        first = last = row
-        while first > 0 and self._may_hold(first - 1, time):
+        starts, first, last = self.of.row_times, row, row
+        while first > 0 and not starts[first] < time:
             first -= 1
-        while last + 1 < len(self.starts) and self._may_hold(last + 1, time):
+        while last + 1 < len(starts) and not time < starts[last + 1]:
             last += 1
         return np.arange(first, last + 1)
 
-    def _may_hold(self, row: int, time: Number) -> bool:
-        """Return whether it is not excluded that the segment of a row holds a time."""
-        starts, last = self.of.row_times, row == len(self.starts) - 1
-        return not time < starts[row] and (last or not starts[row + 1] < time)
-
-    def flow(self, rows: NDArray[np.int64], since: Numbers) -> Numbers:
+    def flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n)."""
         if self.in_floats:
             return np.asarray(self.of.row_states[:, rows] + over_rows(moved, self.of, rows, since))
         return self._one_by_one(Moving.after, rows, since)
 
-    def losses(self, rows: NDArray[np.int64], since: Numbers) -> Numbers:
+    def losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
         if self.in_floats:
             return over_rows(losses, self.of, rows, since)
         return self._one_by_one(Moving.losses, rows, since)
 
-    def _one_by_one(self, function: Callable[..., Any], rows: NDArray[np.int64], since: Numbers) -> Numbers:
+    def _one_by_one(self, function: Callable[..., Any], rows: Counts, since: Array) -> Array:
         found = [function(self.motion(row), tau) for row, tau in zip(rows.tolist(), since, strict=True)]
         return np.array(found, dtype=object).T if found else np.empty((4, 0), dtype=object)
 

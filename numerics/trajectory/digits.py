@@ -16,7 +16,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from flint import arb
-from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, digits_within
 from numerics.arithmetic.compiled import compiled, compiles_now
@@ -25,10 +24,10 @@ from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
+from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.rows import Rows
 
-Floats = NDArray[np.float64]
 ROUNDING = {"float64": 2.0**-53, "double-double": 2.0**-105}
 """The rounding of one operation."""
 
@@ -56,7 +55,7 @@ def _enclosed(trajectory: Rows) -> Iterator[tuple[arb, arb]]:
         yield t, t
     for state in (*trajectory.event_states.T, trajectory.final_state):
         yield from zip(state, scales, strict=True)
-    energy, excess = trajectory.final_energy, trajectory.columns.last("excess")
+    energy, (excess,) = trajectory.final_energy, trajectory.columns.last("excess")
     yield energy, frame.critical_energy
     yield energy / frame.critical_energy - 1 if excess is None else excess, trajectory.arithmetic.number(1)
 

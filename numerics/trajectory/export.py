@@ -13,13 +13,12 @@ from typing import Any
 
 import numpy as np
 from flint import arb
-from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.errors import MissingTool
 from numerics.files import whole_file
 from numerics.scene.plane import AXES
-from numerics.trajectory.columns import STATE
+from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.rendering import MOST_DIGITS, right_digits_text, with_radius
 
@@ -100,36 +99,33 @@ def _numbers(write: Writer, named: Iterable[tuple[str, Any]], index: int) -> dic
 
 def _writer(trajectory: Any, truth: Any) -> Writer:
     """Return a writer that cuts each number by its error bound, or where it parts from the true one."""
-    name_of, arithmetic = trajectory.arithmetic.name, trajectory.arithmetic
+    name_of, arithmetic, digits = trajectory.arithmetic.name, trajectory.arithmetic, right_digits(trajectory)
     if name_of == "ball":
-        return lambda name, value, _: with_radius(name, value, right_digits(trajectory))
-    most = MOST_DIGITS.get(name_of, arithmetic.digits)
-
-    def cut(name: str, value: Number, error: arb) -> Written:
-        return {name: right_digits_text(as_fraction(value), error, most)}
-
-    if is_enclosed(trajectory):
-        return lambda name, value, _: cut(name, shown := float(value.mid()), distance(shown, value).upper())
-    final: tuple[Any, ...]
+        return lambda name, value, _: with_radius(name, value, digits)
+    enclosed, given = is_enclosed(trajectory), truth or trajectory
     if truth is not None:
         require_same_sequence(trajectory, truth)
-        times, states = truth.event_times, truth.event_states
         with truth.context():
-            final = truth.end_time, *truth.end_numbers()
-    elif knows_its_digits(trajectory):
-        times, states, final = trajectory.accuracy.t, trajectory.accuracy.y.T, trajectory.end_bounds()
-    else:
+            by_event, final = (truth.event_times, *truth.event_states), (truth.end_time, *truth.end_numbers())
+    elif not knows_its_digits(trajectory):
         raise ValueError(
             f"this trajectory in {name_of} does not know which of its digits are right; "
             "give `truth`, a solve of the same scene in balls"
         )
-    at_events = (times, *states)
+    elif not enclosed:
+        by_event, final = (trajectory.accuracy.t, *trajectory.accuracy.y.T), trajectory.end_bounds()
 
     def write(name: str, value: Number, index: int) -> Written:
-        place = ("t", *END_NAMES).index(name)
-        given = final[place] if index < 0 else at_events[place][index]
-        with (truth or trajectory).context():
-            return cut(name, value, arb(float(given)) if truth is None else distance(value, given))
+        if enclosed:
+            shown = float(value.mid())
+            error = distance(shown, value).upper()
+        else:
+            shown, place = value, ("t", *END_NAMES).index(name)
+            known = final[place] if index < 0 else by_event[place][index]
+            with given.context():
+                error = arb(float(known)) if truth is None else distance(value, known)
+        with given.context():
+            return {name: right_digits_text(as_fraction(shown), error, MOST_DIGITS.get(name_of, arithmetic.digits))}
 
     return write
 
@@ -167,7 +163,7 @@ def _by_axes(row: dict[str, Any]) -> dict[str, str]:
     return found
 
 
-def arrays(trajectory: Any) -> dict[str, NDArray[Any]]:
+def arrays(trajectory: Any) -> dict[str, Array]:
     """Return t (m,), y (4, m), on a surface (4 n, m), energy (m,), modes and event_kinds; numbers in binary64.
 
     On a line energy_excess (m,), on a surface bounds t_error and y_error.
@@ -178,7 +174,7 @@ def arrays(trajectory: Any) -> dict[str, NDArray[Any]]:
     return found | {"modes": np.array([*map(word, trajectory.modes)]), "event_kinds": np.array(kinds, dtype=str)}
 
 
-def write_npz(trajectory: Any, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
+def write_npz(trajectory: Any, path: Path, extra: dict[str, Array] | None = None) -> None:
     """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
     with whole_file(path) as file:
         np.savez(file, **arrays(trajectory), **(extra or {}))  # type: ignore[arg-type]

@@ -36,11 +36,11 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     """
     ax = axes_for(kind, _KINDS, ax)
     curve = curve or sampled(trajectory)
-    title, drawn = _KINDS[kind]
+    title, label, drawn = _KINDS[kind]
     ax.set_title(title, fontsize="medium")
+    ax.set_ylabel(label)
     drawn(trajectory, curve, ax)
     if kind not in {"phase", "friction", "relative"}:
-        _shade_stick(trajectory, curve, ax)
         _against_time(trajectory, curve, ax)
     if ax.get_legend_handles_labels()[0]:
         few = len(trajectory.events) <= _MOST_MARKED
@@ -75,59 +75,49 @@ def new_axes() -> Any:
 
 
 def _against_time(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    """Label the time axis; of thousands of phases the first ones would be too narrow to see on a linear one."""
+    """Label the time axis, and shade the times at which the bodies stick over the whole height of the axes.
+
+    Of thousands of phases the first ones would be too narrow to see on a linear axis.
+    """
     ax.set_xlabel("t (s)")
+    ax.set_xlim(curve.t[0], curve.t[-1])
     if trajectory.modes.count(Mode.STICK) > _MOST_SHADED:
         ax.set_xscale("log")
         ax.set_xlim(curve.t[curve.segment == 1][0] / 2, curve.t[-1])
-    else:
-        ax.set_xlim(curve.t[0], curve.t[-1])
-
-
-def _shade_stick(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    """Shade the times at which the bodies stick, over the whole height of the axes."""
-    if curve.stick.any() and trajectory.modes.count(Mode.STICK) <= _MOST_SHADED:
+    elif curve.stick.any():
         across = ax.get_xaxis_transform()
         ax.fill_between(curve.t, 0, 1, where=curve.stick, transform=across, color=GRAY, alpha=0.25, lw=0, label="stick")
 
 
-def _mark_events(trajectory: Solution, ax: Any, across: int | None, up: int) -> None:
-    """Mark the events at row `up` of y, against row `across` of it, or against time."""
-    number = trajectory.floats
+def _mark_events(trajectory: Solution, ax: Any, across: int, up: int) -> None:
+    """Mark the events at row `up` of t, x1, v1, x2, v2, against row `across` of them."""
     if len(trajectory.events) > _MOST_MARKED:
         return
     for (marker, label), t, y in zip(_MARKERS.values(), trajectory.t_events, trajectory.y_events, strict=True):
         if len(t):
-            x = number(t) if across is None else number(y[:, across])
-            ax.plot(x, number(y[:, up]), marker, color="black", ms=4, mfc="none", label=label, ls="none")
-
-
-def _both_bodies(curve: Curve, ax: Any, row: int) -> None:
-    ax.plot(curve.t, curve.y[row], **FIRST)
-    ax.plot(curve.t, curve.y[row + 2], **SECOND)
+            rows = trajectory.floats([t, *y.T])
+            ax.plot(rows[across], rows[up], marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
 def _velocities(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    _both_bodies(curve, ax, 1)
-    _mark_events(trajectory, ax, None, 1)
-    ax.set_ylabel("$v_1$, $v_2$ (m/s)")
+    ax.plot(curve.t, curve.y[1], **FIRST)
+    ax.plot(curve.t, curve.y[3], **SECOND)
+    _mark_events(trajectory, ax, 0, 2)
 
 
 def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
     scene = trajectory.scene
-    _both_bodies(curve, ax, 0)
+    ax.plot(curve.t, curve.y[0], **FIRST)
+    ax.plot(curve.t, curve.y[2], **SECOND)
     if scene.pair.a1 == 0 and not scene.friction.weakening:
         stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
         edges = np.stack([curve.u + curve.b * share, curve.u - curve.b * share], axis=1) / stiffness
-        label = ["edges of $S_0$, for $x_1$", "_"]
-        ax.plot(curve.t, edges, color="black", lw=0.8, ls=":", label=label)
-    ax.set_ylabel("$x_1$, $x_2$ (m)")
+        ax.plot(curve.t, edges, color="black", lw=0.8, ls=":", label=["edges of $S_0$, for $x_1$", "_"])
 
 
 def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
     ax.fill_between(curve.t, -curve.b, curve.b, color=GREEN, alpha=0.2, lw=0, label="friction can give this")
     ax.plot(curve.t, curve.load(trajectory.scene.pair), color="black", lw=1.2, label="sticking needs this")
-    ax.set_ylabel("force on body 2 (N)")
 
 
 def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
@@ -136,7 +126,6 @@ def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
     for number, t in enumerate(jumps if len(trajectory.events) <= _MOST_MARKED else ()):
         label = "a jump of u or b changes the mode" if number == 0 else None
         ax.axvline(trajectory.arithmetic.to_float(t), color=ORANGE, lw=1.0, ls=":", label=label)
-    ax.set_ylabel("u (N)")
 
 
 def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
@@ -150,22 +139,20 @@ def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     against = curve.y[1] - curve.y[3], friction_on_body_2(trajectory, curve)
     for kept, label, how in _by_mode(curve, "friction in stick"):
         ax.plot(*np.where(kept, against, np.nan), label=label, **how)
-    ax.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)")
+    ax.set_xlabel("$v_1 - v_2$ (m/s)")
 
 
 def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1, and S0 where it stays."""
     _plane(curve, ax, curve.y[1])
-    _mark_events(trajectory, ax, 0, 1)
+    _mark_events(trajectory, ax, 1, 2)
     if not trajectory.scene.is_forced:
         _sliding_region(trajectory.scene.pair, ax)
-    ax.set_ylabel("$v_1$ (m/s)")
 
 
 def _relative(_: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1 - v2: on S that is 0, and a cycle of stick and slip closes."""
     _plane(curve, ax, curve.y[1] - curve.y[3])
-    ax.set_ylabel("$v_1 - v_2$ (m/s)")
 
 
 def _plane(curve: Curve, ax: Any, up: Any) -> None:
@@ -217,7 +204,6 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
     ax.set_yscale("log")
     low, high = np.floor(np.log10(drawn.min()) - 0.05), np.ceil(np.log10(drawn.max()) + 0.05)
     ax.set_ylim(10**low, 10**high)
-    ax.set_ylabel(r"$|E/E_{cr} - 1|$")
 
 
 def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
@@ -232,17 +218,17 @@ def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
         parts.append(("lost to viscosity", viscous, GREEN, ":"))
     for label, part, color, dashes in parts:
         ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
-    ax.set_ylabel("energy (J)")
 
 
 _KINDS = {
-    "velocities": ("Velocities of both bodies", _velocities),
-    "positions": ("Positions of both bodies", _positions),
-    "load": ("The friction that sticking needs, and can get", _load),
-    "force": ("Force on body 1", _force),
-    "phase": ("Phase portrait of body 1", _phase),
-    "relative": ("Phase plane of the slip", _relative),
-    "excess": ("Distance from the critical energy", _excess),
-    "energy": ("Where the energy went", _energy),
-    "friction": ("Friction against the relative speed", _friction),
+    "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", _velocities),
+    "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", _positions),
+    "load": ("The friction that sticking needs, and can get", "force on body 2 (N)", _load),
+    "force": ("Force on body 1", "u (N)", _force),
+    "phase": ("Phase portrait of body 1", "$v_1$ (m/s)", _phase),
+    "relative": ("Phase plane of the slip", "$v_1 - v_2$ (m/s)", _relative),
+    "excess": ("Distance from the critical energy", r"$|E/E_{cr} - 1|$", _excess),
+    "energy": ("Where the energy went", "energy (J)", _energy),
+    "friction": ("Friction against the relative speed", "friction on body 2 (N)", _friction),
 }
+"""Title, label of what is drawn upwards, and what draws it."""

@@ -13,12 +13,11 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.linear.system import FIRST, LinearMode
+from numerics.trajectory.columns import Counts, Floats
 from numerics.trajectory.rows import Rows
 
-Floats = NDArray[np.float64]
 _TERMS = 14
 """Terms of Taylor for matrices of norm 1/2: the next one is below 2^-53 of their size."""
 
@@ -87,13 +86,13 @@ def _system(mode: LinearMode, at: Begun, tau: Floats, own: bool, chosen: slice) 
     return J, z
 
 
-def _halvings(A: Floats) -> NDArray[np.int64]:
+def _halvings(A: Floats) -> Counts:
     """Return how often each matrix must be halved for its norm to be 1/2 at most."""
     norm = np.abs(A).sum(axis=-1).max(axis=-1)
     return np.asarray(np.maximum(np.frexp(np.where(np.isfinite(norm), norm, 0.0))[1] + 1, 0), dtype=np.int64)
 
 
-def _halved(A: Floats, halvings: NDArray[np.int64]) -> Floats:
+def _halved(A: Floats, halvings: Counts) -> Floats:
     return np.asarray(np.ldexp(A, -halvings[:, None, None]))
 
 
@@ -165,7 +164,7 @@ def losses(mode: LinearMode, at: Begun, tau: Floats) -> Floats:
     return found
 
 
-def over_rows(function: Callable[..., Floats], run: Rows, rows: NDArray[np.int64], tau: Floats) -> Floats:
+def over_rows(function: Callable[..., Floats], run: Rows, rows: Counts, tau: Floats) -> Floats:
     """Return `moved` or `losses` of a run's motions from its rows on, row by row for a time (s)."""
     (local, y), found = run.row_numbers, np.zeros((3 if function is losses else 4, len(tau)))
     which = run.row_modes[1][rows]

@@ -8,7 +8,7 @@ from fractions import Fraction
 from numerics.linear.modes import Mode
 from numerics.scene import Scene
 from numerics.scene.decimals import decimal_text
-from numerics.trajectory.spells import Spell, Steady
+from numerics.trajectory.closed_forms import Spell, Steady
 
 DEPTH = 64
 """How often the kernel halves an interval to show that no event was passed."""

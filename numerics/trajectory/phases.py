@@ -11,8 +11,7 @@ from mpmath.ctx_iv import MPIntervalContext
 
 from numerics.linear.modes import Mode
 from numerics.scene import Pair
-from numerics.trajectory.closed_forms import ClosedForms, State, Value, Wave
-from numerics.trajectory.spells import Spell
+from numerics.trajectory.closed_forms import ClosedForms, Spell, State, Value, Wave
 
 SIGN_BITS = (20, 28, 44, 60, 92, 124)
 """In what precisions it is tried to see that nothing happens in a phase; the kernel takes `SPARE_SIGN_BITS` more."""
@@ -120,10 +119,9 @@ class Run:
 
     def _keeps(self, mode: Mode, k: int, wave: Wave, end: Fraction) -> None:
         """See that what is positive in a mode is so until an end."""
-        if mode is Mode.STICK:
-            self.forms.keeps(wave, 1 if self.known.k == k else 0, end)
-        else:
-            self.forms.keeps(wave, (1 + (self.known.k == k)) if self.known.touches else 0, end)
+        at_edge = self.known.k == k
+        zeros = at_edge if mode is Mode.STICK else self.known.touches * (1 + at_edge)
+        self.forms.keeps(wave, int(zeros), end)
 
     def guard(self, mode: Mode, k: int) -> Wave:
         """Return what is positive until a phase ends."""
@@ -151,7 +149,7 @@ class Run:
         if not left > 0:  # the last event may be at the end
             raise TooCoarse
         least = outward(left, int(self.forms.bits * 0.3))[1]
-        signs = (1, -1) if mode is Mode.STICK else (mode.sign,)
+        signs = ends_of(mode)
         guards = [self.guard(mode, k) for k in signs]
         if not all(guard(wide.number(least)) > 0 for guard in guards):
             raise TooCoarse
@@ -181,6 +179,11 @@ class Run:
             if guard(number(low)) > 0 and guard(number(high)) < 0:
                 return low - spare, high + spare
             steps += (steps + 3) // 4
+
+
+def ends_of(mode: Mode) -> tuple[int, ...]:
+    """Return the signs of the guards that may end a mode."""
+    return (mode.sign,) if mode.sign else (1, -1)
 
 
 def moved(forms: ClosedForms, mode: Mode, k: int, at: State, u: Value, *, ends: bool) -> State:

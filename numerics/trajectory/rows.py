@@ -7,7 +7,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.arithmetic.protocol import Arithmetic, Number
@@ -19,7 +18,7 @@ from numerics.linear.record import How, Record, tabulate
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.trajectory.answer import Answer
-from numerics.trajectory.columns import STATE, Columns
+from numerics.trajectory.columns import STATE, Array, Columns, Counts, Floats
 
 
 class Rows(Answer):
@@ -29,7 +28,6 @@ class Rows(Answer):
         """Keep what a run wrote."""
         self._given, self.arithmetic, self.record = scene, arithmetic, record
         self.bounded = arithmetic.name in {"float64", "double-double"}
-        self.columns = Columns(record, wide=arithmetic.name == "double-double")
 
     @property
     def scene(self) -> Scene:
@@ -37,6 +35,11 @@ class Rows(Answer):
         if not isinstance(self._given, Scene):
             self._given = self._given()
         return self._given
+
+    @cached_property
+    def columns(self) -> Columns:
+        """Return the record by its columns."""
+        return Columns(self.record, wide=self.arithmetic.name == "double-double")
 
     @property
     def reached(self) -> bool:
@@ -54,17 +57,17 @@ class Rows(Answer):
         return pieces_of(self.scene)
 
     @cached_property
-    def row_signs(self) -> NDArray[np.int64]:
+    def row_signs(self) -> Counts:
         """Return the mode that starts at each row, the sign of v1 - v2."""
         return self.columns.code("mode").astype(np.int64)
 
     @cached_property
-    def row_pieces(self) -> NDArray[np.int64]:
+    def row_pieces(self) -> Counts:
         """Return the piece in which each row is."""
         return self.columns.code("piece").astype(np.int64)
 
     @cached_property
-    def row_modes(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def row_modes(self) -> tuple[Array, Counts]:
         """Return all (piece, sign, cell of friction) in which rows begin (linear/cells.py), and each row's one."""
         rows = self.record.rows
         cells = np.array([PLAIN] * len(rows) if isinstance(rows, np.ndarray) else [one.cell for one in rows])
@@ -78,12 +81,12 @@ class Rows(Answer):
         return mode_in(self.scene, self.pieces[piece], sign, (cell[0], cell[1]))
 
     @cached_property
-    def row_numbers(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def row_numbers(self) -> tuple[Floats, Floats]:
         """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
         return self.floats(self.columns.numbers("local")), self.floats(self.row_states)
 
     @cached_property
-    def row_times(self) -> NDArray[Any]:
+    def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
         local = self.columns.numbers("local")
         if not self.row_pieces.any():
@@ -95,33 +98,33 @@ class Rows(Answer):
             return np.asarray(starts[self.row_pieces] + local)
 
     @cached_property
-    def row_states(self) -> NDArray[Any]:
+    def row_states(self) -> Array:
         """Return x1, v1, x2, v2 at each row, shape (4, n)."""
         return self.columns.table(*STATE)
 
     @cached_property
-    def row_lengths(self) -> NDArray[Any]:
+    def row_lengths(self) -> Array:
         """Return how long the segment of each row lasts, s."""
-        after = self.columns.numbers("length")[1:]
-        return np.append(after, self.columns.last("length")) if self.reached else np.asarray(after)
+        after, last = self.columns.numbers("length")[1:], self.columns.last("length")
+        return np.append(after, last) if self.reached else after
 
     @cached_property
-    def event_rows(self) -> NDArray[np.int64]:
+    def event_rows(self) -> Counts:
         """Return the rows at which the mode has changed: the events."""
         return np.flatnonzero(self.columns.code("event") == 1.0)
 
     @cached_property
-    def _starts(self) -> NDArray[np.int64]:
+    def _starts(self) -> Counts:
         """Return the rows at which segments start."""
         return self._tabulated[0]
 
     @property
-    def _table(self) -> NDArray[Any]:
+    def _table(self) -> Array:
         """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m)."""
         return self._tabulated[1]
 
     @cached_property
-    def _tabulated(self) -> tuple[NDArray[np.int64], NDArray[Any]]:
+    def _tabulated(self) -> tuple[Counts, Array]:
         record, count = self.record, self.record.events + 1
         if self.arithmetic.name == "float64":
             read = compiled(tabulate) if compiles_now() else tabulate
@@ -139,26 +142,25 @@ class Rows(Answer):
         return signs
 
     @property
-    def event_times(self) -> NDArray[Any]:
+    def event_times(self) -> Array:
         """Return the times of all events, s, shape (k,)."""
         return self._table[0, 1 : self.record.events + 1]
 
     @property
-    def event_states(self) -> NDArray[Any]:
+    def event_states(self) -> Array:
         """Return x1, v1, x2, v2 at all events, shape (4, k)."""
         return self._table[1:, 1 : self.record.events + 1]
 
     @property
     def final_mode(self) -> Mode:
         """Return the mode at the end: after the last event, where the cap on events ended the run."""
-        return MODES[self.columns.last_mode]
+        return MODES[float(self.columns.end[self.columns.at["mode"]])]
 
     @cached_property
     def final_state(self) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at the end."""
-        with self.context():
-            x1, v1, x2, v2 = (self.columns.last(name) for name in STATE)
-            return x1, v1, x2, v2
+        x1, v1, x2, v2 = self.columns.last(*STATE)
+        return x1, v1, x2, v2
 
     @cached_property
     def final_energy(self) -> Number:

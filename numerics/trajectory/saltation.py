@@ -22,7 +22,8 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import reduce
+from fractions import Fraction
+from functools import cache, reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +33,6 @@ from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import PLAIN, cells_of, mode_in
 from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Law, Scene
 from numerics.trajectory.legs import Leg
@@ -61,18 +61,21 @@ class Chain:
 
     def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
         """Follow all legs; `names` are those of all numbers, the last axis of every array."""
-        self.scene, self.legs, self.pieces = scene, legs, pieces_of(scene)
+        self.scene, self.legs, self.pieces, self.cells = scene, legs, pieces_of(scene), cells_of(scene)
         self.column = {name: index for index, name in enumerate(names)}
         pair, number = scene.pair, Ball.number
-        self.a2, self.m1, self.m2 = number(pair.a2), number(pair.m1), number(pair.m2)
-        self.a1, self.mass = number(pair.a1), number(pair.mass)
+        self.a2, self.m1, self.m2, self.a1, self.mass = map(number, (pair.a2, pair.m1, pair.m2, pair.a1, pair.mass))
         self.roots = [one.sqrt() for one in (self.a2, self.m1, self.m2)]
-        self.cells = cells_of(scene)
-        self._variations: dict[tuple[int, int, tuple[int, int]], Variation] = {}
+        self.variation = cache(lambda side, piece, cell: Variation(scene, self.pieces[piece], side, self.column, cell))
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
-        self.starts = [self._into_piece(self._begun(), 0)]
+        y = self._zeros(4)
+        for index, name in enumerate(("x1", "v1", "x2", "v2")):
+            y[index, self.column[name]] = arb(1)
+        if legs[0].side == 0:  # stuck neighbours share their momentum at once
+            y[1] = y[3] = (self.m1 * y[1] + self.m2 * y[3]) / self.mass
+        self.starts = [self._into_piece(Carried(y, self._zeros(), self._zeros()), 0)]
         for index in range(len(legs) - 1):
             self.starts.append(self._crossed(index))
 
@@ -112,30 +115,14 @@ class Chain:
             found[self.column[name]] += value * value / 2
         return found
 
-    def _variation(self, leg: Leg) -> Variation:
-        """Return the motion of a leg, differentiated; it is made once."""
-        key = leg.side, leg.piece, leg.cell
-        if key not in self._variations:
-            self._variations[key] = Variation(self.scene, self.pieces[leg.piece], leg.side, self.column, leg.cell)
-        return self._variations[key]
-
     def _zeros(self, *rows: int) -> Array:
         return np.full((*rows, len(self.column)), arb(0))
-
-    def _begun(self) -> Carried:
-        """Return the derivatives of the initial state; stuck neighbours share their momentum at once."""
-        y = self._zeros(4)
-        for index, name in enumerate(("x1", "v1", "x2", "v2")):
-            y[index, self.column[name]] = arb(1)
-        if self.legs[0].side == 0:
-            y[1] = y[3] = (self.m1 * y[1] + self.m2 * y[3]) / self.mass
-        return self._pointed(Carried(y, self._zeros(), self._zeros()))
 
     def _ahead(self, index: int, t: arb) -> Carried:
         """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
         tau = t - leg.start
-        flow, columns = self._variation(leg).over(leg.state, leg.start, tau)
+        flow, columns = self.variation(leg.side, leg.piece, leg.cell).over(leg.state, leg.start, tau)
         if self.cells and leg.side:
             rate = self.cells.growth(self.cells.branch(self.pieces[leg.piece], leg.side, leg.cell))
             norm = norm * (rate * tau.abs_upper()).exp()
@@ -179,15 +166,20 @@ class Chain:
 
     def _after_guard(self, leg: Leg, after: Leg, ended: Carried) -> Carried:
         """Return the derivatives after an event by a guard."""
-        at = self.pieces[leg.piece], after.start, after.state
+        piece, motion = self.pieces[leg.piece], self.variation(leg.side, leg.piece, leg.cell)
+        at = piece, after.start, after.state
         before, behind = (self._field(*at, one.side, one.cell) for one in (leg, after))
-        motion = self._variation(leg)
         by_state, by_numbers, rate = motion.guard(after.state, after.start, before, after.side)
-        held = arb(0)
-        if self.cells and leg.side == 0:
-            held = self._add_the_edge(by_state, by_numbers, after, motion.by_b)
+        pull = arb(0)
+        if self.cells and leg.side == 0:  # what holds is not b but B(0) + C(z)
+            cell, z = (0, after.cell[1]), after.state[0] - after.state[2]
+            by_numbers[motion.by_b] -= 1
+            for name, one in self.cells.by_numbers(piece, 1, cell, motion.b_name).items():
+                by_numbers[self.column[name]] += Ball.number(one.offset) + Ball.number(one.pull) * z
+            pull = Ball.number(self.cells.branch(piece, 1, cell).pull)
+            by_state += [pull, 0, -pull, 0]
         t = -(by_state @ ended.y + by_numbers) / rate
-        off = ended.norm * self._guard_by_norm(leg.side) + ended.place * abs(held)
+        off = ended.norm * self._guard_by_norm(leg.side) + ended.place * abs(pull)
         late = _widened(t, off / abs(rate))
         y, total = self.before[-1] + np.outer(before, late), ended.y + np.outer(before, t)
         if leg.side:
@@ -196,18 +188,6 @@ class Chain:
         self.t.append(late)
         self.y.append(y)
         return self._pointed(ended)
-
-    def _add_the_edge(self, by_state: Array, by_numbers: Array, after: Leg, by_b: int) -> arb:
-        """Put B(0) + C(z) for b into the derivatives of the guard of stick; return its derivative by z."""
-        assert self.cells is not None
-        piece, cell, z = self.pieces[after.piece], (0, after.cell[1]), after.state[0] - after.state[2]
-        by_numbers[by_b] -= 1
-        name = next(name for name, place in self.column.items() if place == by_b)
-        for key, one in self.cells.by_numbers(piece, 1, cell, name).items():
-            by_numbers[self.column[key]] += Ball.number(one.offset) + Ball.number(one.pull) * z
-        pull = Ball.number(self.cells.branch(piece, 1, cell).pull)
-        by_state[0], by_state[2] = by_state[0] + pull, by_state[2] - pull
-        return pull
 
     def _into_piece(self, found: Carried, index: int) -> Carried:
         """Return the derivatives at the start of a leg that begins a piece."""
@@ -222,42 +202,30 @@ class Chain:
         Where u and b jump together, each does so after the other. What does not jump, or does nothing in stick, is left
         out. Raises NotDifferentiable if the order of two jumps counts.
         """
-        leg, jumping = self.legs[index], self._jumping(self.legs[index].piece)
-        found: dict[str, tuple[Array, Array]] = {}
-        if not jumping:
-            return found
-        literal = self.scene.law is Law.THREE_VALUED_SGN
-        last, here = self.legs[max(index - 1, 0)], self.pieces[leg.piece]
+        leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
+        here, literal = self.pieces[leg.piece], scene.law is Law.THREE_VALUED_SGN
         # before the run there is no force, and the pair's own b
-        before = self.pieces[last.piece] if index else replace(here, b=self.scene.pair.b, polynomial=(), sines=())
-        from_rest = index == 0 and self.scene.initial.v1 == self.scene.initial.v2 and not literal
-        alone = {"force": replace(before, b=here.b), "friction": replace(here, b=before.b)}
+        before = self.pieces[last.piece] if index else replace(here, b=scene.pair.b, polynomial=(), sines=())
+        jumping = []  # with the starts of all such pieces, and the piece in front of this jump alone
+        if force_form(before, before.length) != force_form(here, Fraction(0)):
+            jumping.append(("force", scene.force.starts, replace(before, b=here.b)))
+        if before.b != here.b:
+            jumping.append(("friction", scene.friction.starts, replace(here, b=before.b)))
         at = leg.start, leg.state
         if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal)):
-            loads = ((abs(self.m2 * self._field(one, *at, 0)[1]), self._held(one, leg.state)) for one in alone.values())
+            loads = ((abs(self.m2 * self._field(one, *at, 0)[1]), self._held(one, leg.state)) for *_, one in jumping)
             if leg.is_event or not all(load < held for load, held in loads):
                 when = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
                 raise NotDifferentiable(f"this scene has no derivatives: {when} counts; move one by a little")
-        after = self._field(here, *at, leg.side, leg.cell)
-        for kind, name in jumping.items():
-            if from_rest:
-                found[name] = self._field_from_rest(alone[kind], *at), after
+        found = {}
+        for kind, starts, alone in jumping:
+            after = self._field(here, *at, leg.side, leg.cell)
+            name = f"{kind}[{bisect_left(starts, here.start)}].from"
+            if not index and scene.initial.v1 == scene.initial.v2 and not literal:
+                found[name] = self._field_from_rest(alone, *at), after
             elif kind == "force" or leg.side or last.side:
-                found[name] = self._field(alone[kind], *at, last.side, last.cell), after
+                found[name] = self._field(alone, *at, last.side, last.cell), after
         return found
-
-    def _jumping(self, piece: int) -> dict[str, str]:
-        """Return the names of the starts at which u and b jump where a piece begins, by what jumps; exact."""
-        here, u, b = self.pieces[piece], SineForm(), self.scene.pair.b
-        if piece:
-            before = self.pieces[piece - 1]
-            u, b = force_form(before, before.length), before.b
-        kinds = []
-        if u != force_form(here, here.length * 0):
-            kinds.append(("force", self.scene.force.starts))
-        if b != here.b:
-            kinds.append(("friction", self.scene.friction.starts))
-        return {kind: f"{kind}[{bisect_left(starts, here.start)}].from" for kind, starts in kinds}
 
     def _field(
         self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int] = PLAIN

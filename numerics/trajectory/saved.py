@@ -19,20 +19,21 @@ import numpy as np
 from flint import arb, arb_poly
 from mpmath.libmp import from_man_exp
 
+from numerics.arithmetic.ball import precision
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
 from numerics.scene.decimals import require_whole
 from numerics.scene.file import parse_scene
 from numerics.scene.writing import scene_text
-from numerics.trajectory.columns import ball_of, parts_of
 
+_RADIUS_BITS = 30
 _REMEDY = "give a file that Trajectory.save has written"
 
 
 def save(trajectory: Any, file: str | Path) -> None:
     """Write a trajectory to a file. Raises OSError, InvalidScene for a scene that no text of 1000 characters holds."""
     header, arrays = contents(trajectory)
-    text = np.frombuffer(header_text(header).encode(), dtype=np.uint8)
+    text = np.frombuffer(json.dumps(header).encode(), dtype=np.uint8)
     with whole_file(Path(file)) as opened:
         np.savez_compressed(opened, header=text, **arrays)
 
@@ -46,9 +47,8 @@ def load(file: str | Path, kind: Any) -> Any:
         raise InvalidFile(f"{str(path)!r} is no NumPy archive; {_REMEDY}")
     try:
         with np.load(path, allow_pickle=False) as archive:
-            header = _header_of(archive["header"].tobytes().decode())
-            arrays = {name: archive[name] for name in ("rows", "end") if name in archive}
-        return restored(header, arrays, kind)
+            arrays = {name: archive[name] for name in archive}
+        return restored(_read(arrays.pop("header").tobytes().decode()), arrays, kind)
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, EOFError, zipfile.BadZipFile) as error:
         reason = " ".join(str(error).split())[:200]
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
@@ -70,20 +70,15 @@ def run_of(trajectory: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     return header | {"tried": trajectory.tried, "t_eval": plain(trajectory.t_eval)}, arrays
 
 
-def restored(header: dict[str, Any], arrays: dict[str, Any], kind: Any) -> Any:
-    """Return the trajectory of header and arrays. Raises ValueError, and what else others' files can bring about."""
-    if header["format"] != kind.FORMAT:
-        raise ValueError(f"its format is {str(header['format'])[:40]!r}, not {kind.FORMAT!r}")
-    return _of_run(kind, parse_scene(header["scene"]), header, arrays)
+def restored(header: dict[str, Any], arrays: dict[str, Any], kind: Any, scene: Any = None) -> Any:
+    """Return the trajectory of header and arrays, of the class `kind`; without a scene, of that in the header.
 
-
-def unpickled(kind: Any, scene: Any, header: str, arrays: dict[str, Any]) -> Any:
-    """Return the trajectory that a pickle holds: flint has no pickles of balls, so its header is JSON there, too."""
-    return _of_run(kind, scene, _header_of(header), arrays)
-
-
-def _of_run(kind: Any, scene: Any, header: dict[str, Any], arrays: dict[str, Any]) -> Any:
-    """Return the trajectory of the class `kind` with what a run wrote; raises as `restored`."""
+    Raises ValueError, and what else others' files can bring about.
+    """
+    if scene is None:
+        if header["format"] != kind.FORMAT:
+            raise ValueError(f"its format is {str(header['format'])[:40]!r}, not {kind.FORMAT!r}")
+        scene = parse_scene(header["scene"])
     (name, digits), right = header["arithmetic"], header["digits"]
     if name not in kind.ARITHMETICS:
         raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
@@ -94,12 +89,12 @@ def _of_run(kind: Any, scene: Any, header: dict[str, Any], arrays: dict[str, Any
     return found.but(digits=right, tried=str(header["tried"]), t_eval=header["t_eval"])
 
 
-def header_text(header: dict[str, Any]) -> str:
-    """Return a header as JSON."""
-    return json.dumps(header)
+def unpickled(kind: Any, scene: Any, header: str, arrays: dict[str, Any]) -> Any:
+    """Return the trajectory that a pickle holds: flint has no pickles of balls, so its header is JSON there, too."""
+    return restored(_read(header), arrays, kind, scene)
 
 
-def _header_of(text: str) -> dict[str, Any]:
+def _read(text: str) -> dict[str, Any]:
     """Return the header of a text of JSON, the very same numbers in it."""
     found: dict[str, Any] = json.loads(text, object_hook=_number)
     return found
@@ -110,7 +105,7 @@ def plain(value: Any) -> Any:
     if isinstance(value, arb_poly):
         return {"polynomial": [plain(one) for one in value.coeffs()]}
     if isinstance(value, arb):
-        return {"ball": [*_hexadecimal(*parts_of(value.mid())), *_hexadecimal(*parts_of(value.rad()))]}
+        return {"ball": [part for point in (value.mid(), value.rad()) for part in _hexadecimal(*point.man_exp())]}
     if isinstance(value, mpmath.mpf):
         mantissa, exponent = value.man_exp  # without the sign
         return {"mpf": _hexadecimal(-mantissa if value < 0 else mantissa, exponent)}
@@ -121,8 +116,19 @@ def plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def _hexadecimal(mantissa: int, exponent: int) -> list[Any]:
-    return [hex(mantissa), int(exponent)]
+def _hexadecimal(mantissa: Any, exponent: Any) -> list[Any]:
+    return [hex(int(mantissa)), int(exponent)]
+
+
+def _ball(middle: int, middle_exponent: int, radius: int, radius_exponent: int) -> arb:
+    """Return the ball of these parts of its middle and its radius, the very same one."""
+    with precision(max(53, middle.bit_length())):  # flint rounds what it is given
+        point = arb((middle, middle_exponent))
+        if radius == 0:
+            return point
+        # a radius is rounded up to the next of 30 bits, even if it has no more: it comes back from just below
+        shift = _RADIUS_BITS + 1 - radius.bit_length()
+        return arb(point, arb(((radius << shift) - 1, radius_exponent - shift)))
 
 
 def _number(found: dict[str, Any]) -> Any:
@@ -134,7 +140,7 @@ def _number(found: dict[str, Any]) -> Any:
 
 
 _READ: dict[str, Any] = {
-    "ball": ball_of,
+    "ball": _ball,
     "mpf": lambda mantissa, exponent: mpmath.make_mpf(from_man_exp(mantissa, exponent)),
     "ratio": Fraction,
     "polynomial": lambda *coefficients: arb_poly(list(coefficients)),

@@ -146,29 +146,27 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
     [0.05, 1.0]
     """
     if t is None:
-        found, arithmetic = enclosures(trajectory), trajectory.arithmetic
+        found = enclosures(trajectory)
         arrays = (found.t, found.y, found.final, found.energy)
-        return Sensitivity(found.wrt, *(_as_numbers(arithmetic, one) for one in arrays))
-    _require_smooth(trajectory)
+        return Sensitivity(found.wrt, *(_as_numbers(trajectory.arithmetic, one) for one in arrays))
     require_side(side)
-    arithmetic, asked = trajectory.arithmetic, np.asarray(t, dtype=object)
+    asked = np.asarray(t, dtype=object)
 
     def at_times(_: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        times = [_time(trajectory, one) for one in asked.flat]
         begins = [leg.start for leg in chain.legs]
-        if arithmetic.name != "ball":  # an event is where the trajectory has it, as rounded as that is
+        if trajectory.arithmetic.name != "ball":  # an event is where the trajectory has it, as rounded as that is
             own = iter(trajectory.event_times)
             begins = [as_ball(next(own)) if leg.is_event else leg.start for leg in chain.legs]
+        times = [_time(trajectory, one) for one in asked.flat]
         return (np.array([*chain.at_times(times, begins, side), *chain.before]),)
 
     rows = _enclosed(trajectory, at_times)[0][: asked.size]
-    states = _as_numbers(arithmetic, np.moveaxis(rows, 0, -1))
+    states = _as_numbers(trajectory.arithmetic, np.moveaxis(rows, 0, -1))
     return states.reshape(*states.shape[:2], *asked.shape)
 
 
 def enclosures(trajectory: Trajectory) -> Sensitivity:
     """Return the sensitivities as balls, whatever the trajectory is made of. Raises what `sensitivities` does."""
-    _require_smooth(trajectory)
 
     def of_events(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
         events = [leg.state for leg in chain.legs if leg.is_event]
@@ -182,23 +180,18 @@ def enclosures(trajectory: Trajectory) -> Sensitivity:
     return Sensitivity(tuple(parameters(trajectory.scene)), times, states[:count], states[count], energies[count])
 
 
-def _require_smooth(trajectory: Trajectory) -> None:
-    """Raise TypeError for what is no trajectory, NotDifferentiable for one that has no derivatives by its data."""
-    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
-    scene = trajectory.scene
-    until = math.inf if trajectory.reached else trajectory.arithmetic.to_float(trajectory.event_times[-1])
-    what = corner(scene, pieces_of(scene), until) if scene.is_forced else None
-    if what is not None:
-        raise NotDifferentiable(f"this scene has no derivatives: {what}; move it by a little")
-
-
 def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple[Array, ...]]) -> tuple[Array, ...]:
     """Return arrays of derivatives in balls, at a precision that gives them the digits that were asked for.
 
     What is asked of a chain has samples along the first axis, whose largest is what digits are relative to, and all
-    numbers of the scene along the last one.
+    numbers of the scene along the last one. Raises TypeError for what is no trajectory, NotDifferentiable for one that
+    has no derivatives by its data.
     """
-    arithmetic = trajectory.arithmetic
+    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
+    scene, arithmetic, count = trajectory.scene, trajectory.arithmetic, trajectory.record.events
+    until = math.inf if trajectory.reached else arithmetic.to_float(trajectory.event_times[-1])
+    if scene.is_forced and (what := corner(scene, pieces_of(scene), until)) is not None:
+        raise NotDifferentiable(f"this scene has no derivatives: {what}; move it by a little")
     balls: Trajectory | None = None
     wanted: int | None = 17 if arithmetic.name == "float64" else arithmetic.digits
     digits = arithmetic.digits + 17
@@ -207,18 +200,16 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     for attempt in range(_TRIES):
         try:
             # one event more than were found shows a lost one
-            most = len(trajectory.event_times) + trajectory.reached
-            balls = balls or run_scene(trajectory.scene, Ball(digits), most)
+            balls = balls or run_scene(scene, Ball(digits), count + trajectory.reached)
         except EventUndecided:
             if attempt + 1 == _TRIES:
                 raise
             digits *= 2
             continue
         if balls.signs != trajectory.signs:  # after the last event, too: a run that is cut off has no segment there
-            count = len(balls.event_times)
-            raise EventUndecided("are the events those of the trajectory?", f"{count} events", digits)
+            raise EventUndecided("are the events those of the trajectory?", f"{balls.record.events} events", digits)
         with precision(Ball(digits).bits + _GUARD_BITS):
-            found = asked(balls, Chain(balls.scene, legs(balls), tuple(parameters(balls.scene))))
+            found = asked(balls, Chain(scene, legs(balls), tuple(parameters(scene))))
             right = _right_digits(found, digits)
         if wanted is None or right >= wanted:
             break
@@ -255,11 +246,10 @@ def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
     """Return balls in the numbers of an arithmetic. Raises OutOfRange."""
     if arithmetic.name == "ball":
         return array
-    if arithmetic.name == "float64":
-        found = np.array([float(one.mid()) for one in array.flat]).reshape(array.shape)
-        if not np.isfinite(found).all():
-            raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
-        return found
+    in_floats = arithmetic.name == "float64"
     with arithmetic.context():
-        found = np.array([arithmetic.number(exact_middle(one)) for one in array.flat], dtype=object)
-    return found.reshape(array.shape)
+        numbers = [float(one.mid()) if in_floats else arithmetic.number(exact_middle(one)) for one in array.flat]
+    found = np.array(numbers, dtype=float if in_floats else object).reshape(array.shape)
+    if in_floats and not np.isfinite(found).all():
+        raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
+    return found

@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 from flint import arb
-from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import exact_middle
-from numerics.trajectory.columns import STATE
+from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.export import Written
 from numerics.trajectory.rendering import right_digits_text, with_radius
 from numerics.trajectory.sensitivity import enclosures, sensitivities
@@ -38,7 +37,7 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
         row["sensitivity"] = derivatives
 
 
-def sensitivity_arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
+def sensitivity_arrays(trajectory: Trajectory) -> dict[str, Array]:
     """Return the derivatives in binary64, and the names that their last axis stands for, for a NumPy archive."""
     found = sensitivities(trajectory)
     named = {"t": found.t, "y": found.y, "final": found.final, "energy": found.energy}

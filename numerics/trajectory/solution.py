@@ -7,12 +7,12 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
+from numerics.trajectory.columns import Array
 from numerics.trajectory.dense import Dense, Side
 from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
@@ -55,7 +55,7 @@ class Solution(Rows):
         if self.arithmetic.name == "ball" or self.scene.is_forced:
             return False
         with self.context():
-            angle = self.frame.rate * self.columns.last("length")
+            angle = self.frame.rate * self.columns.last("length")[0]
             # what has decayed is no rounding yet
             damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
         return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
@@ -90,42 +90,42 @@ class Solution(Rows):
         return tuple(map(event_kind, modes, modes[1:]))
 
     @property
-    def t(self) -> NDArray[Any]:
+    def t(self) -> Array:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
         return self._table[0] if self.t_eval is None else self._asked_times
 
     @property
-    def y(self) -> NDArray[Any]:
+    def y(self) -> Array:
         """Return the states at `t`, shape (4, m)."""
         return self._table[1:] if self.t_eval is None else self._asked_states
 
     @cached_property
-    def _asked_states(self) -> NDArray[Any]:
+    def _asked_states(self) -> Array:
         return self.sol(self.t_eval)
 
     @property
-    def t_events(self) -> tuple[NDArray[Any], ...]:
+    def t_events(self) -> tuple[Array, ...]:
         """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
         return self._by_kind(self.event_times)
 
     @property
-    def y_events(self) -> tuple[NDArray[Any], ...]:
+    def y_events(self) -> tuple[Array, ...]:
         """Return the event states by kind, each of shape (k, 4)."""
         return self._by_kind(self.event_states.T)
 
-    def _by_kind(self, events: NDArray[Any]) -> tuple[NDArray[Any], ...]:
+    def _by_kind(self, events: Array) -> tuple[Array, ...]:
         sticks = self.columns.code("mode")[self._starts] == 0
         before, after = sticks[:-1], sticks[1:]
         return events[after], events[before], events[~(before | after)]
 
     @cached_property
-    def energy(self) -> NDArray[Any]:
+    def energy(self) -> Array:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
         with self.context():
             return np.asarray(self.energy_of(self.y))
 
     @cached_property
-    def energy_excess(self) -> NDArray[Any]:
+    def energy_excess(self) -> Array:
         """Return E/E_cr - 1 at `t`, shape (m,), accurate in itself."""
         if self.t_eval is not None:
             return np.array([self.reduced(one).w for one in self.t], dtype=object)
@@ -146,7 +146,7 @@ class Solution(Rows):
     def final(self) -> ReducedState:
         """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
         with self.context():
-            return self._reduced(self.final_state, self.columns.last("excess"))
+            return self._reduced(self.final_state, *self.columns.last("excess"))
 
     @property
     def initial(self) -> ReducedState:
@@ -168,7 +168,7 @@ class Solution(Rows):
         """Return what friction and viscosity took, J: summed by the run where it has bounds, else by the ledger."""
         with self.context():
             if self.bounded:
-                return self.columns.last("friction") + self.columns.last("viscous")
+                return sum(self.columns.last("friction", "viscous"))
             return self.ledger.friction + self.ledger.viscous
 
     @cached_property
@@ -205,7 +205,7 @@ class Solution(Rows):
         """Return the evaluation at any time."""
         return Dense(self)
 
-    def sol(self, t: Any, side: Side = "right") -> NDArray[Any]:
+    def sol(self, t: Any, side: Side = "right") -> Array:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
 
         t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,

@@ -13,18 +13,16 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from fractions import Fraction
-from typing import NamedTuple
 
 from numerics.errors import NoProof
 from numerics.linear.modes import Mode
 from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
 from numerics.trajectory import gallina
-from numerics.trajectory.closed_forms import State, Value
+from numerics.trajectory.closed_forms import State, Value, spells
 from numerics.trajectory.export import arrays
-from numerics.trajectory.phases import SPARE_SIGN_BITS, Forms, Run, TooCoarse, Unseen, moved, outward
+from numerics.trajectory.phases import SPARE_SIGN_BITS, Forms, Run, TooCoarse, Unseen, ends_of, moved, outward
 from numerics.trajectory.solution import Solution
-from numerics.trajectory.spells import spells
 from numerics.trajectory.status import Status
 
 SHOWN = 12
@@ -41,14 +39,6 @@ DOUBLINGS = 24
 """How often the time is doubled after which a damped stick is seen to be for ever."""
 
 
-class _Places(NamedTuple):
-    """How many decimal places are shown of a time (s), a place (m) and a velocity (m/s)."""
-
-    time: int
-    place: int
-    speed: int
-
-
 def theorem(trajectory: Solution) -> str:
     """Return the text of a proof file: the theorem `trajectory`, of every motion of the scene.
 
@@ -59,7 +49,7 @@ def theorem(trajectory: Solution) -> str:
         raise NoProof(f"no theorem is written: {reason}")
     table = arrays(trajectory)
     greatest = float(scene.until), abs(table["y"][[0, 2]]).max(), abs(table["y"][[1, 3]]).max()
-    places = _Places(*(SHOWN - (math.ceil(math.log10(size)) if size else 0) for size in greatest))
+    places = [SHOWN - (math.ceil(math.log10(size)) if size else 0) for size in greatest]
     times = [float(one) for one in table["t"][1:]]
     for bits, renewing in TRIES:
         writer = _Writer(scene, places, bits, renewing=renewing)
@@ -92,9 +82,12 @@ def _uncovered(trajectory: Solution) -> str:
 
 
 class _Writer:
-    """The proof file of a scene, from event to event; `most` are the bits of the first state."""
+    """The proof file of a scene, from event to event; `most` are the bits of the first state.
 
-    def __init__(self, scene: Scene, places: _Places, most: int, *, renewing: bool) -> None:
+    `places`: how many decimal places are shown of a time (s), a place (m) and a velocity (m/s).
+    """
+
+    def __init__(self, scene: Scene, places: list[int], most: int, *, renewing: bool) -> None:
         self.scene, self.places, self.most, self.renewing = scene, places, most, renewing
         self.spells, self.hints = list(spells(scene)), list[str]()
         self.forms = Forms(scene.pair, most)
@@ -162,10 +155,10 @@ class _Writer:
             self._renewed(mode, Fraction(f"{(now + time) / 2:.{max(0, 2 - math.floor(math.log10(time - now)))}f}"))
         self._narrow()
         bits, ahead = self.forms.bits + KERNEL_BITS, gallina.truth(k > 0)
-        low, high = map(gallina.number, self.run.hit(mode, k, time, self.places.time))
+        low, high = map(gallina.number, self.run.hit(mode, k, time, self.places[0]))
         self.hints.append(f"Hit {bits} {low} {high} {ahead}")
         if self.close:
-            low, high = map(gallina.number, self.close.hit(mode, k, time, self.places.time))
+            low, high = map(gallina.number, self.close.hit(mode, k, time, self.places[0]))
             self.steps.append(f"({gallina.mode(mode)}, {low}, {high}, {ahead})")
 
     def _rest(self, mode: Mode, time: Fraction, hint: str) -> Value:
@@ -204,15 +197,9 @@ class _Writer:
         radius = self.radius + Fraction(f"{1.25 * float(away.b):.2e}")
         weights = self.scene.pair.a2, self.scene.pair.m1, self.scene.pair.m2
         arms = [wide.number(radius) * self.forms.boxes.sqrt(2 / wide.number(one)) for one in weights]
-        run.at = run.at._replace(
-            **{
-                name: getattr(centre.at, name) + arm * self.forms.boxes.mpf([-1, 1])
-                for name, arm in zip(("x1", "v1", "v2"), arms, strict=True)
-            }
-        )
-        if not all(
-            run.guard(mode, k)(wide.number(Fraction(0))) > 0 for k in ((1, -1) if mode is Mode.STICK else (mode.sign,))
-        ):
+        x, v, w = (arm * self.forms.boxes.mpf([-1, 1]) for arm in arms)
+        run.at = run.at._replace(x1=centre.at.x1 + x, v1=centre.at.v1 + v, v2=centre.at.v2 + w)
+        if not all(run.guard(mode, k)(wide.number(Fraction(0))) > 0 for k in ends_of(mode)):
             return False
         new = " ".join(map(gallina.number, (time, x1, v1, v2, radius)))
         until, lasting = gallina.number(time), gallina.number(least)

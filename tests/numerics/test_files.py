@@ -6,11 +6,10 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from three_scenes import PAPER
 
+from numerics import load_scene, scene_text
 from numerics.files import A_DAY, NOWHERE, cache_folder, cache_refused, forget_unused, make_private, whole_file
-from numerics.scene.file import load_scene, parse_scene
-
-SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.05\n[run]\nuntil = 5\n"
 
 
 def test_a_file_appears_whole_or_not_at_all(tmp_path):
@@ -129,9 +128,8 @@ def test_so_is_one_that_belongs_to_another_user_by_a_link_too(cache, tmp_path, n
 
 
 def test_a_byte_order_mark_is_no_part_of_a_scene(tmp_path):
-    path = tmp_path / "Über den Tisch.toml"
-    path.write_bytes(b"\xef\xbb\xbf" + SCENE.replace("\n", "\r\n").encode())
-    assert load_scene(path) == parse_scene(SCENE)
+    (tmp_path / "Über den Tisch.toml").write_bytes(b"\xef\xbb\xbf" + scene_text(PAPER).replace("\n", "\r\n").encode())
+    assert load_scene(tmp_path / "Über den Tisch.toml") == PAPER
 
 
 def test_a_cache_forgets_what_was_used_longest_ago_but_nothing_of_the_last_day(tmp_path):

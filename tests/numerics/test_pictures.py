@@ -1,20 +1,15 @@
 """The pictures of a trajectory show what it is: titles, units, shaded sticking, and curves that are its own."""
 
-from fractions import Fraction
-
 import matplotlib as mpl
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
 from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from strategies import forces, frictions
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Force, Friction, Mode, Piece, Scene, solve
+from numerics import Force, Friction, Mode, Scene, solve
 from numerics.cli.plot import COMMON, overview
-from numerics.linear.pieces import pieces_of
-from numerics.trajectory.curve import force_of, sampled
+from numerics.trajectory.curve import sampled
 
 mpl.use("Agg")
 
@@ -88,20 +83,6 @@ def test_what_is_drawn_under_a_force_is_the_trajectory(how):
     if run.reached:
         ends = [number(one) for one in (run.ledger.friction, run.ledger.viscous)]
         assert curve.lost[:, -1] == pytest.approx(ends, rel=1e-3)
-
-
-@settings(max_examples=25)
-@given(forces(), frictions())
-@example(FORCED.force, FORCED.friction)
-@example(Force([Piece(2, (0, 1, -2))]), Friction())
-def test_force_and_friction_are_drawn_as_they_are(force, friction):
-    scene = Scene(PAPER.pair, PAPER.initial, 3, force=force, friction=friction)
-    for piece in pieces_of(scene):
-        since = [piece.length * Fraction(part, 10) for part in range(1, 10, 2)]
-        wanted = [float(force(piece.start + one)) for one in since]
-        assert force_of(piece, np.array(since, dtype=float)) == pytest.approx(
-            wanted, rel=1e-9, abs=1e-9 * (1 + max(map(abs, wanted)))
-        )
 
 
 def test_a_forced_overview_shows_the_force_and_its_work():

@@ -1,7 +1,6 @@
 """What every trajectory does, over masses, stiffness, friction, damping and states of many magnitudes."""
 
 from fractions import Fraction
-from itertools import pairwise
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -9,8 +8,7 @@ from reaching import LeftOut, reaching
 from strategies import driven_scenes, scenes
 
 from numerics import EventUndecided, Force, Friction, OutOfRange, Pair, Scene, State, solve
-from numerics.linear.modes import EventKind, Mode
-from numerics.trajectory.status import Status
+from numerics.linear.modes import Mode
 
 CAP = 25
 
@@ -43,22 +41,6 @@ def test_the_ledger_closes_and_without_a_force_energy_never_grows(scene):
         assert ledger.residual.contains(0)
         assert ledger.residual.rad() <= (ledger.initial + ledger.final + ledger.friction) * 1e-10
         assert (ledger.initial + ledger.work - ledger.final).overlaps(ledger.friction + ledger.viscous)
-
-
-@given(scenes(periods=(5, 40), size=(-1, 1)))
-def test_the_dichotomy_of_the_undamped_pair(scene):
-    """Merged with w <= 0, or w > 0 and falling at every excursion: never between."""
-    run = solved(scene, digits=10, arithmetic="ball")
-    with run.arithmetic.context():
-        exits = [event for event in run.events if event.kind is EventKind.EXIT]
-        assert all(event.reduced.w > 0 for event in exits)
-        for one, two in pairwise(exits):
-            assert two.reduced.w < one.reduced.w
-        if run.status is Status.STUCK_FOR_EVER:
-            assert run.modes[-1] is Mode.STICK
-            assert not run.final.w > 0
-        elif run.modes[-1] is Mode.STICK and run.success:
-            assert run.final.w > 0
 
 
 @reaching

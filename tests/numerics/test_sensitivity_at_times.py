@@ -67,18 +67,3 @@ def test_what_is_refused(scene):
     for t in (-1, 3, "1e400", [0, 3]):
         with pytest.raises(ValueError, match="outside the solved time"):
             sensitivities(trajectory, t)
-
-
-def test_a_fit_of_friction_and_mass_by_measured_samples():
-    """Gauss and Newton find b and m1 from samples of v1, starting 10 % off."""
-    times = np.linspace(0, 1, 40)
-
-    def solved(b, m1):
-        return solve(Scene(Pair(Fraction(m1), 1, 200, Fraction(b)), State(v1="0.15"), 1))
-
-    measured, guess = solved(0.05, 1.0).sol(times)[1], np.array([0.045, 1.1])
-    for _ in range(8):
-        trajectory = solved(*guess)
-        slopes = sensitivities(trajectory, times)[1][[7, 4]].T
-        guess = guess + np.linalg.lstsq(slopes, measured - trajectory.sol(times)[1], rcond=None)[0]
-    assert np.allclose(guess, [0.05, 1.0], rtol=1e-12)
