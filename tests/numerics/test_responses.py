@@ -76,8 +76,8 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
     scene = Scene(DAMPED, State(), 1, force=first + Force.sine("0.148450942337", 24, "0.997413953"))
     drive = steady_drive(scene)
     with Ball(20).context():
-        state = stuck_state(drive, arb(0))
-        motion = drive.mode(0).motion(state, arb(0))
+        x1, v1, v2 = stuck_state(drive, arb(0))
+        motion = drive.motion(0, (x1, v1, arb(0), v2), arb(0))
         loads = [abs(motion.range(motion.mode.load, drive.period * k / 4096)) for k in range(4096)]
         assert all(one < arb("0.5") for one in loads)
     try:
@@ -159,7 +159,8 @@ def test_the_stuck_response_is_a_motion_of_the_stuck_pair(a1, tenths):
     with Ball(20).context():
         t = drive.period * tenths / 10
         begun, there = stuck_state(drive, arb(0)), stuck_state(drive, t)
-        flowed = drive.mode(0).motion(begun, arb(0)).state(t)
+        x1, v1, v2 = begun
+        flowed = drive.motion(0, (x1, v1, arb(0), v2), arb(0)).state(t)
         for place in (0, 1):
             assert (flowed[place] - there[place]).contains(0)
         first, second, _ = response(scene).multipliers

@@ -19,9 +19,10 @@ from numerics.control import ring as rings
 from numerics.control.attraction import distance, passage_at
 from numerics.control.orbit import Orbit
 from numerics.control.response import last_drive, response
-from numerics.control.ring import Settled, periodic_settled, ring_entry, stretches, stuck_settled
+from numerics.control.ring import Settled, periodic_settled, ring_entry, stretches
 from numerics.control.stuck import stuck_state
 from numerics.trajectory.run import run_scene
+from numerics.trajectory.status import Status
 
 HEAVY = Pair(1, 1, 1, 1, 10)
 """Its velocity loads the interface much more than its place does."""
@@ -34,7 +35,7 @@ def beside_the_response(amplitude: Fraction, omega: int, phase: Fraction, place:
     force = Force.sine(amplitude, omega, phase)
     scene = Scene(HEAVY, State(), Fraction(1, 10**5), force=force)
     with Ball(20).context():
-        x, v, _, _ = (Fraction(float(one.mid())) for one in stuck_state(last_drive(scene), Ball.number(0)))
+        x, v, _ = (Fraction(float(one.mid())) for one in stuck_state(last_drive(scene), Ball.number(0)))
     return replace(scene, initial=State(x + place, v + speed, 0, v + speed))
 
 
@@ -47,7 +48,7 @@ def said(scene: Scene) -> bool | None:
     """Whether it is said to have stuck for ever; None if it slips at once."""
     with Ball(20).context():
         run = run_scene(scene, Ball(20), 10)
-        return None if len(run.events) else stuck_settled(run) is not None
+        return None if len(run.events) else run.status is Status.STUCK_FOR_EVER
 
 
 small = signed(decimals(-3, -2, 2))
