@@ -162,9 +162,8 @@ class Orbit(ShortRepr):
         with Ball(2 * digits + 20).context():
             begin, at = self.middle(self.turns[0])
             scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
-            near = sum(map(abs, at), arb(0)) * arb(10) ** (3 - digits)
-            ends = {name: (one, near) for name, one in zip(("x1", "v1", "v2"), at, strict=True)}
-        return Claim(scene, "after a period", ends, (*(one.side for one in self.events), leg.side), digits)
+            ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.events]
+            return Claim(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side), digits)
 
     def middle(self, turn: tuple[Leg, Leg]) -> tuple[Fraction, State3]:
         """Return a time (s) in the middle of a leg, given with the one after it, and (x1, v1, v2) there."""

@@ -88,9 +88,8 @@ class Tracking(ShortRepr):
             return None
         with Ball(self.digits + 20).context():
             path = Derivative(self.reference[self.demands[-1].number - 1])(number(self.scene.until))
-            ends = {"x2": (path, abs(path).max(arb(1)) * arb("1e-12"))}
         sides = None if self.is_at_limit and self.force_error > 0 else (0,)
-        return Claim(self.scene, "at the horizon", ends, sides, self.digits)
+        return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides, self.digits)
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
