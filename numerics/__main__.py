@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import argparse
 import importlib.util
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from numerics.cli.arguments import parser
 from numerics.exits import (
@@ -34,13 +34,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     if refused := cache_refused():
         print(refused, file=sys.stderr)
-
+    needs = {"matplotlib": getattr(options, options.figure or "", None), "rich": options.command in {"audit", "trade"}}
     try:
-        said = _wrong_path(options)
-        for module in options.needs if said is None else ():
-            if importlib.util.find_spec(module) is None:
+        for name, given in vars(options).items():
+            if isinstance(given, Path) and (wrong := wrong_path(given, f"--{name}" if name == options.figure else "")):
+                known.error(wrong)
+        for module, is_needed in needs.items():
+            if is_needed and importlib.util.find_spec(module) is None:
                 raise MissingTool(missing(module))
-        code: int = options.run(options) if said is None else refuse(said, USAGE)
+        code: int = options.run(options)
         sys.stdout.flush()  # here a full disk or a reader that left can still be answered
         return code
     except NumericsError as error:
@@ -60,18 +62,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return refuse(missing(error.name), FAILED)
     except KeyboardInterrupt:
         return refuse("interrupted; nothing was written", INTERRUPTED)
-
-
-def _wrong_path(options: argparse.Namespace) -> str | None:
-    """Return what is wrong with a file to be written; a figure needs matplotlib."""
-    for name in ("npz", "proof", "resume", "out", "plot"):
-        path, is_figure = getattr(options, name, None), name in options.figures
-        if path is not None and is_figure:
-            options.needs = (*options.needs, "matplotlib")
-        said = wrong_path(path, f"--{name}" if is_figure else "")
-        if said is not None:
-            return said
-    return None
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ def print_energy(options: argparse.Namespace) -> int:
     lines = [
         f"at t = {options.at} s, {found.mode.value}, after {found.excursions} excursions",
         f"  energy = {shown['energy']} J\n  {LABELS['energy_excess']} = {shown['energy_excess']}",
-        *number_lines(shown, {"x1": ("x1", "m"), "v1": ("v1", "m/s"), "v2": ("v2", "m/s")}),
+        *number_lines(shown),
         f"{options.digits} right digits of the energy and its excess, proved",
         *([f"{found.road.value} ({found.stepped} events stepped)"] if options.explain else []),
     ]

@@ -1,20 +1,47 @@
-"""How answers leave the commands: numbers with their radii, as JSON, as lines or drawn."""
+"""How answers leave the commands: numbers with their radii, as JSON or as lines, text and figures as files."""
 
 from __future__ import annotations
 
 import argparse
 import json
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import Any
 
+from numerics.files import whole_file
 from numerics.shown import write_figure
 
 _SPARE = 20
-SHOWN = 20
-"""On a terminal so many events are printed at the beginning, and as many at the end."""
+NAMED = {
+    "x1": ("x1", "m"),
+    "v1": ("v1", "m/s"),
+    "v2": ("v2", "m/s"),
+    "entrainment": ("U*", "N"),
+    "exception": ("other motions stick up to U*/cos(pi omega/(2 Omega))", "N"),
+    "non_stop": ("U**, needed to slip for ever with two reversals a period", "N"),
+    "drift": ("mean velocity of body 2", "m/s"),
+    "growth": ("v1's amplitude grows by", "m/s^2 at least"),
+    "decay": ("decay", "of a distance left a period"),
+    "threshold": ("U* = U**", "N"),
+    "speed": ("slip speed", "m/s"),
+    "friction_along": ("friction along the force", "N"),
+    "friction_across": ("friction across it", "N"),
+    "bound": ("no control arrives before", "s"),
+    "time": ("this transfer takes", "s"),
+    "stuck_amplitude": ("amplitude that sticking at the limit needs, or at the margin below it", "N"),
+    "least_amplitude": ("least amplitude with which the bound can be met", "N"),
+    "entry": ("inside the ring for good from t", "s"),
+    "centre": ("its centre", "m"),
+}
+"""What the lines of an answer call its numbers, and their units."""
 
 
-def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
+def asked(options: argparse.Namespace, *names: str) -> dict[str, Any]:
+    """Return what a question is asked with: the digits, and the options of these names."""
+    return {name: getattr(options, name) for name in ("digits", "max_digits", *names)}
+
+
+def numbers(digits: int, **values: Any) -> dict[str, str]:
     """Return enclosures as decimal text with their radii beside them, `name` and `name_radius`; None is left out.
 
     What is exactly infinite is "inf".
@@ -25,21 +52,19 @@ def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
     found: dict[str, str] = {}
     with Ball(digits + _SPARE).context():
         for name, value in values.items():
-            if value is not None and value.is_finite():
-                found |= with_radius(name, value, digits)
-            elif value is not None:
-                found[name] = "inf"
+            if value is not None:
+                found |= with_radius(name, value, digits) if value.is_finite() else {name: "inf"}
     return found
 
 
-def number_lines(shown: Mapping[str, Any], named: dict[str, tuple[str, str]]) -> list[str]:
-    """Return a line for each number that has a name and a unit, with its radius."""
-    return [
-        f"  {name} = {shown[key]} {unit}".rstrip() + (f", within {shown[radius]}" if radius in shown else "")
-        for key, (name, unit) in named.items()
-        if key in shown
-        for radius in [f"{key}_radius"]
-    ]
+def number_lines(shown: Mapping[str, Any], **names: str) -> list[str]:
+    """Return a line for each number that has a name and a unit, with its radius; `names` go before those of NAMED."""
+    lines = []
+    for key, (name, unit) in NAMED.items():
+        if key in shown:
+            within = f", within {shown[f'{key}_radius']}" if f"{key}_radius" in shown else ""
+            lines.append(f"  {names.get(key, name)} = {shown[key]} {unit}{within}")
+    return lines
 
 
 def answer(options: argparse.Namespace, record: Mapping[str, Any], lines: Iterable[str]) -> None:
@@ -53,3 +78,9 @@ def draw(options: argparse.Namespace, name: str, *what: Any) -> None:
         from numerics.control import pictures
 
         write_figure(getattr(pictures, name)(*what), options.plot)
+
+
+def write_text(text: str, path: Path) -> None:
+    """Write a file of text whole, or not at all."""
+    with whole_file(path) as file:
+        file.write(text.encode())

@@ -6,19 +6,20 @@ import argparse
 import json
 import shutil
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli import surface
-from numerics.cli.printing import SHOWN
+from numerics.cli.printing import write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import write_figure
 
 if TYPE_CHECKING:
+    from numerics.plane.trajectory import PlaneTrajectory
     from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
+SHOWN = 20
+"""On a terminal so many events are printed at the beginning, and as many at the end."""
 
 
 def solve_scene(options: argparse.Namespace) -> int:
@@ -27,38 +28,36 @@ def solve_scene(options: argparse.Namespace) -> int:
     from numerics.scene.plane import PlaneScene
     from numerics.solver.solve import solve
 
-    wrong = _wrong_use(options)
-    if wrong is not None:
+    scene: Any = None if (wrong := _wrong_use(options)) else load_scene(options.scene)
+    on_surface = isinstance(scene, PlaneScene)
+    if wrong := wrong or (_wrong_on_a_surface(options) if on_surface else None):
         return refuse(wrong, USAGE)
-    scene: Any = load_scene(options.scene)
-    asked: dict[str, Any] = {
-        "digits": options.digits,
-        "arithmetic": options.arithmetic or (None if options.digits else "ball"),
-        "max_events": options.max_events,
-        "max_digits": options.max_digits,
-        "progress": _progress(options.max_events),
-    }
-    off_line = isinstance(scene, PlaneScene)
-    wrong = surface.wrong_use(options) if off_line else None
-    if wrong is not None:
-        return refuse(wrong, USAGE)
-    trajectory = solve(scene, **asked)
+    trajectory: Any = solve(
+        scene,
+        digits=options.digits,
+        arithmetic=options.arithmetic or (None if options.digits else "ball"),
+        max_events=options.max_events,
+        max_digits=options.max_digits,
+        progress=_progress(options.max_events),
+    )
     if options.explain:
-        print((surface.explanation if off_line else explanation)(trajectory), file=sys.stderr)
+        print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
     if options.npz is not None:
         from numerics.trajectory.export import write_npz
         from numerics.trajectory.sensitivity_export import sensitivity_arrays
 
         write_npz(trajectory, options.npz, sensitivity_arrays(trajectory) if options.sensitivity else None)
     elif options.proof is not None:
-        _write_proof(trajectory, options.proof)
+        from numerics.trajectory.theorem import theorem
+
+        write_text(theorem(trajectory), options.proof)
     elif options.plot is not None:
         from numerics.cli import plot
         from numerics.plane import pictures
 
-        write_figure((pictures if off_line else plot).overview(trajectory), options.plot)
+        write_figure((pictures if on_surface else plot).overview(trajectory), options.plot)
     else:
-        _print(trajectory, options)
+        _print(trajectory, options, on_surface=on_surface)
     return OK if trajectory.success else refuse(trajectory.message, FAILED)
 
 
@@ -69,6 +68,16 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
             return f"--sensitivity goes with --json, --npz or the table; leave --{name} out"
+    return None
+
+
+def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
+    """Return what is not offered for a surface."""
+    for flag in ("proof", "sensitivity"):
+        if getattr(options, flag):
+            return f"--{flag} knows a line only; of a scene on a surface take --json, --csv, --npz, --plot or the table"
+    if options.arithmetic in {"double-double", "mpmath"}:
+        return f"--arithmetic {options.arithmetic} knows a line only; on a surface take float64 or ball"
     return None
 
 
@@ -89,16 +98,7 @@ def _progress(most: int) -> Progress:
     return show
 
 
-def _write_proof(trajectory: Trajectory, path: Path) -> None:
-    from numerics.files import whole_file
-    from numerics.trajectory.theorem import theorem
-
-    text = theorem(trajectory)
-    with whole_file(path) as file:
-        file.write(text.encode())
-
-
-def _print(trajectory: Any, options: argparse.Namespace) -> None:
+def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:
     """Print a trajectory as JSON, as CSV or as a table, with its derivatives if they are wanted."""
     from numerics.solver.truth import record
     from numerics.trajectory.export import as_csv
@@ -113,23 +113,24 @@ def _print(trajectory: Any, options: argparse.Namespace) -> None:
             add_sensitivities(found, trajectory)
         print(json.dumps(found, indent=1))
     else:
-        _print_table(trajectory, whole=options.all or not sys.stdout.isatty())
+        whole = options.all or not sys.stdout.isatty()
+        print("\n".join(_table(trajectory, _of_a_surface if on_surface else _of_a_line, whole=whole)))
         if options.sensitivity:
             from numerics.trajectory.sensitivity_export import sensitivity_table
 
             print(sensitivity_table(trajectory))
 
 
-def _print_table(trajectory: Any, *, whole: bool) -> None:
-    """Print the events, all or the first and the last, and the final state; no digit is ever cut."""
-    from numerics.scene.plane import AXES, PlaneScene
+def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
+    """Return the events, all or the first and the last, and the final state as lines; no digit is ever cut."""
+    from numerics.scene.plane import AXES
     from numerics.solver.truth import record
     from numerics.trajectory.export import END_NAMES, unit_of
 
     count = len(trajectory.event_times)
     left_out = 0 if whole else max(0, count - 2 * SHOWN)
     found = record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
-    lines = (surface.lines if isinstance(trajectory.scene, PlaneScene) else _lines)(found["events"])
+    lines: list[str] = lines_of(found["events"])
     if left_out:
         lines.insert(len(lines) - SHOWN, f"... {left_out} events more; --all prints them too")
     final = found["final"]
@@ -137,16 +138,15 @@ def _print_table(trajectory: Any, *, whole: bool) -> None:
     for name in END_NAMES:
         if name not in final or (name == "energy_excess" and trajectory.scene.is_forced):
             continue  # E_cr is that of [pair] b at rest: under a force, or another friction, it decides nothing
-        if isinstance(final[name], list):
-            units = [unit_of(f"{name}_{axis}") for axis, _ in zip(AXES, final[name], strict=False)]
-            value, unit = ", ".join(final[name]), ", ".join(units if len(set(units)) > 1 else units[:1])
-        else:
-            value, unit = final[name], unit_of(name)
+        value, unit = final[name], unit_of(name)
+        if isinstance(value, list):
+            units = [unit_of(f"{name}_{axis}") for axis, _ in zip(AXES, value, strict=False)]
+            value, unit = ", ".join(value), ", ".join(units if len(set(units)) > 1 else units[:1])
         lines.append(f"  {LABELS.get(name, name)} = {value} {unit}".rstrip())
-    print("\n".join([*lines, f"{found['arithmetic']}, {found['digits']} digits"]))
+    return [*lines, f"{found['arithmetic']}, {found['digits']} digits"]
 
 
-def _lines(events: list[dict[str, str]]) -> list[str]:
+def _of_a_line(events: list[dict[str, str]]) -> list[str]:
     """Return events (where v1 = v2) below a head; on a terminal on which a line would break each has two."""
     rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
     rows += [(f"{one['from']} to {one['to']}", one["t"], one["x1"], one["v1"], one["x2"]) for one in events]
@@ -155,23 +155,41 @@ def _lines(events: list[dict[str, str]]) -> list[str]:
     lines = []
     for row in rows if events else ():
         cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
-        parts = ("  ".join(cells[:2]), "  ".join(["", "", *cells[2:]])) if narrow else ("  ".join(cells),)
-        lines.append("\n".join(map(str.rstrip, parts)))
+        parts = [cells[:2], ["", "", *cells[2:]]] if narrow else [cells]
+        lines.append("\n".join("  ".join(part).rstrip() for part in parts))
     return lines
 
 
-def explanation(trajectory: Trajectory) -> str:
+def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
+    """Return a line for each event."""
+    from numerics.scene.plane import AXES
+
+    lines = []
+    for one in events:
+        along = ", ".join(f"{axis} {x}" for axis, x in zip(AXES, one["direction"], strict=False))
+        lines.append(f"t = {one['t']} s: {one['from']} to {one['to']}" + (f", direction {along}" if along else ""))
+    return lines
+
+
+def _explained(trajectory: Trajectory) -> str:
     """Return how a scene was solved: arithmetic, digits, what was tried, events, and why no more were needed."""
     from numerics.linear.modes import Mode
     from numerics.trajectory.status import Status
 
     located, arithmetic = trajectory.record.events, trajectory.arithmetic
+    why = f"{located} events located one by one, as all of them were asked for (`energy` jumps over them)"
     if not located and trajectory.modes == (Mode.STICK,):
         why = "the pair never slips: one rotation, whatever the horizon"
     elif trajectory.status is Status.STUCK_FOR_EVER:
         why = f"after {located} events the pair sticks for ever: a later horizon costs nothing more"
-    else:
-        why = f"{located} events located one by one, as all of them were asked for (`energy` jumps over them)"
     tried = f" ({trajectory.tried})" if trajectory.tried else ""
     how = "digits count relative to the largest position, velocity or energy along the run, times to themselves"
     return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}; {how}"
+
+
+def _surface_explained(trajectory: PlaneTrajectory) -> str:
+    """Return which arithmetic answered, what was tried before, and what its digits mean."""
+    tried = f" (before: {trajectory.tried})" if trajectory.tried else ""
+    how = "digits count relative to each number, near 0 to the largest of its axis along the run"
+    working = f"{trajectory.arithmetic.name}, from a path with {trajectory.arithmetic.digits} working digits"
+    return f"{working}{tried}; {len(trajectory.events)} events located one by one; {how}"

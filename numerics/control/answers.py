@@ -17,7 +17,7 @@ from numerics.scene.decimals import require_whole
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
-_MOST_TIMES = 16
+_MOST_TIMES, _DECIMALS = 16, 15
 KEPT_DIGITS, TIME_DIGITS = 40, 20
 """Significant digits of a number that a scene cannot hold exactly, and of a time that a plan may choose."""
 
@@ -69,13 +69,14 @@ class SecondSolveDiffers(NumericsError):
 class Claim(NamedTuple):
     """What an answer says of a scene, solved to so many digits: its last state, and the signs of w on the way there.
 
-    `ends`: values by their names, and how far off they may be; `when` says when that is. `sides` is None where rounded
-    decimals may add slips too short to matter.
+    `ends`: values by their names, which count as met within 10^(3 - digits) of `size`; `when` says when that is.
+    `sides` is None where rounded decimals may add slips too short to matter.
     """
 
     scene: Scene
     when: str
-    ends: dict[str, tuple[arb, arb]]
+    ends: dict[str, arb]
+    size: arb
     sides: tuple[int, ...] | None
     digits: int
 
@@ -90,7 +91,7 @@ class Claiming(Protocol):
 def solved_again(answer: Claiming) -> Trajectory | None:
     """Return the scene of an answer solved by events in balls, None if it has none.
 
-    Raises SecondSolveDiffers unless it does what the answer says.
+    Raises SecondSolveDiffers unless it does what the answer says, to 15 digits where it has more.
     """
     claim = answer.claim()
     if claim is None:
@@ -99,12 +100,11 @@ def solved_again(answer: Claiming) -> Trajectory | None:
     sides = tuple(mode.sign for mode in solved.modes)
     if claim.sides not in {None, sides}:
         raise SecondSolveDiffers(f"the signs of v1 - v2 are {sides} when solved by events, {claim.sides} by equations")
+    state = dict(zip(("x1", "v1", "x2", "v2"), solved.final_state, strict=True))
     with Ball(claim.digits + 20).context():
-        state = dict(zip(("x1", "v1", "x2", "v2"), solved.final_state, strict=True))
-        for name, (value, within) in claim.ends.items():
-            found = state[name]
-            if not abs(found - value) <= within:
-                raise SecondSolveDiffers(
-                    f"{name} {claim.when} is {found.str(12)} when solved by events, {value.str(12)} by equations"
-                )
+        near = claim.size * arb(10) ** (3 - min(claim.digits, _DECIMALS))
+        for name, value in claim.ends.items():
+            if not abs(state[name] - value) <= near:
+                found = f"{state[name].str(12)} when solved by events, {value.str(12)} by equations"
+                raise SecondSolveDiffers(f"{name} {claim.when} is {found}")
     return solved

@@ -11,13 +11,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import count
 from typing import NamedTuple
 
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import exact_middle, undecided, working_digits
 from numerics.control.answers import number, rounded
-from numerics.control.orbit import Orbit, one_round
+from numerics.control.orbit import Orbit, one_round, within
 from numerics.linear.system import Motion
 from numerics.scene import Pair
 
@@ -43,15 +44,13 @@ def passages(orbit: Orbit, start: arb, end: arb) -> Iterator[Passage]:
     x2 is 0 at the first event of the orbit.
     """
     period = orbit.drive.period
-    count = math.floor(float((start - orbit.legs[0].t) / period)) - 1
-    while True:
+    for turn in count(math.floor(float((start - orbit.legs[0].t) / period)) - 1):
         for place, (leg, after) in zip(orbit.places, orbit.turns, strict=False):
-            begin, until = leg.t + count * period, after.t + count * period
+            begin, until = leg.t + turn * period, after.t + turn * period
             if begin > end:
                 return
             if until > start:
-                yield Passage(begin, until, orbit.motion(leg, place + count * orbit.travel))
-        count += 1
+                yield Passage(begin, until, orbit.motion(leg, place + turn * orbit.travel))
 
 
 def passage_at(orbit: Orbit, t: arb) -> Passage:
@@ -85,9 +84,8 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
 
 def _norm(pair: Pair, slopes: arb_mat) -> arb:
     """Return an upper bound of the norm of a linear map of (x1, v1, v2) that belongs to N (Frobenius)."""
-    weights = [number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2)]
-    places = [(row, column) for row in range(3) for column in range(3)]
-    parts = [abs(weights[row] * slopes[row, column] / weights[column]).upper() for row, column in places]
+    roots = [number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2)]
+    parts = [abs(roots[row] * slopes[row, k] / roots[k]).upper() for row in range(3) for k in range(3)]
     return sum((one * one for one in parts), arb(0)).sqrt()
 
 
@@ -96,8 +94,9 @@ def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
 
     The middle of t counts.
     """
-    pair, (x1, v1, _, v2) = orbit.drive.pair, passage_at(orbit, t.mid()).state(t.mid())
-    start = [rounded(one, working_digits()) for one in (x1, v1, v2)]
-    off = max(abs(one - number(near)).upper() for one, near in zip((x1, v1, v2), start, strict=True))
+    pair, there = orbit.drive.pair, passage_at(orbit, t.mid())
+    at = within(there.motion, t.mid() - there.begin)
+    start = [rounded(one, working_digits()) for one in at]
+    off = max(abs(one - number(near)).upper() for one, near in zip(at, start, strict=True))
     radius = (off + reach / number(min(pair.a2, pair.m1, pair.m2)).sqrt()).upper()
     return one_round(orbit.drive, exact_middle(t), start, radius, len(orbit.legs)).slopes

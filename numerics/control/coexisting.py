@@ -27,15 +27,12 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.control.answers import Tell, number, rounded
 from numerics.control.attraction import passage_at
-from numerics.control.orbit import Drive, Orbit, in_order, solve_from
+from numerics.control.orbit import Drive, Orbit, State3, in_order, solve_from, within
 from numerics.control.stuck import next_to_the_stuck_response, stuck_state
 from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
-from numerics.scene import State
 from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
 
-State3 = tuple[arb, arb, arb]
-"""x1, v1, v2."""
 MAX_EVENTS, _SHARE = 10_000, 5
 """Cap on events, and which part of it a period may have: its equations take longer than a run."""
 _PERIODS, _MANY = (4, 12, 48), (16, 64, 256)
@@ -55,7 +52,7 @@ def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[
     has more than a fifth of `max_events` events or, if there may be several, none is found and none sticks; else what
     ended the first search.
     """
-    most, found, failures, starts = max_events // _SHARE, list[Orbit](), list[Exception](), 0
+    found, failures, starts = list[Orbit](), list[Exception](), 0
     is_enough = drive.weakening is None or drive.has_one_motion
 
     def look(begin: Fraction, at: Sequence[arb], periods: Sequence[int]) -> None:
@@ -64,7 +61,7 @@ def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[
             return
         starts += 1
         try:
-            one = _followed(drive, begin, at, periods, most, tell, sticks=sticks)
+            one = _followed(drive, begin, at, periods, (max_events // _SHARE, tell), sticks=sticks)
         except _LOST as error:
             failures.append(error)
             return
@@ -80,22 +77,20 @@ def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[
         look(begin, at, (0,))
     free = stuck_state(drive, number(t), drive.pair.m1)
     if free is not None:
-        look(t, (free[0], free[1], arb(0)), _PERIODS)
+        look(t, (*free[:2], arb(0)), _PERIODS)
         # body 2 may be carried along for ever, even by a force that favours no side
         if not is_enough:
-            look(t, (free[0], free[1], abs(free[1]) / 2), _PERIODS)
+            look(t, (*free[:2], abs(free[1]) / 2), _PERIODS)
     if not found:
         look(t, far, _MANY)
+    if is_enough and not found:
+        raise failures[0]
     if not is_enough:
         states = [_state(one, t) for one in found]
         stuck = stuck_state(drive, number(t)) if sticks else None
-        if stuck is not None:
-            states.append((stuck[0], stuck[1], stuck[3]))
-        for one, two in combinations(states, 2):
+        for one, two in combinations([*states, *([stuck] if stuck else [])], 2):
             for part in range(1, _BETWEEN):
                 look(t, [a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True)], _FEW)
-    if is_enough and not found:
-        raise failures[0]
     if not (found or sticks):
         raise NotSettled(
             f"no motion that comes back after a period was found from {starts} starts, others may come back later or "
@@ -121,19 +116,26 @@ def apart(one: Orbit, two: Orbit) -> bool:
 
 def _state(orbit: Orbit, t: Fraction) -> State3:
     """Return (x1, v1, v2) of a periodic motion at a time, s. Raises EventUndecided next to an event."""
-    x1, v1, _, v2 = passage_at(orbit, number(t)).state(number(t))
-    return x1, v1, v2
+    there = passage_at(orbit, number(t))
+    return within(there.motion, number(t) - there.begin)
 
 
 def _followed(
-    drive: Drive, begin: Fraction, at: Sequence[arb], periods: Sequence[int], most: int, tell: Tell, *, sticks: bool
+    drive: Drive,
+    begin: Fraction,
+    at: Sequence[arb],
+    periods: Sequence[int],
+    work: tuple[int, Tell],
+    *,
+    sticks: bool,
 ) -> Orbit:
     """Return the periodic motion to which (x1, v1, v2) at a time (s) leads, proved. Raises one of _LOST, NotSettled.
 
     The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing. A
     period without an event ends the search if the pair may stick for ever (`sticks`); else it breaks later, but a whole
-    batch of them takes too long.
+    batch of them takes too long. `work`: the most events of a period, and who hears of it.
     """
+    most, tell = work
     for count in periods:
         guess = None if count else (begin, at)
         tell(f"following {count} periods of {float(drive.period):.4g} s")
@@ -159,24 +161,17 @@ def _one_period(
 
     None for these without an event. Raises one of _LOST, NotSettled where there are more events than `most`.
     """
-    x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
-    scene = drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS)
+    scene = drive.one_period(begin, [rounded(one, _DIGITS) for one in at], _DIGITS)
     run = run_scene(scene, Ball(working_digits()), most + 1)
     if len(run.events) > most:
         raise NotSettled(
             f"a period of {float(drive.period):.4g} s holds more than {most} events, a fifth of max_events; raise "
             "max_events, or take frequencies with a shorter common period"
         )
-    last = _three(run.final_state, run.final_mode.sign)
+    x1, v1, _, v2 = run.final_state
+    last = x1, v1, v2 if run.final_mode.sign else v1
     if len(run.modes) == 1:
         return last, None
     longest = max(legs(run), key=lambda one: float(one.end - one.start))
     t = rounded(number(begin) + (longest.start + longest.end) / 2, _DIGITS)
-    within = longest.motion(scene).state(number(t - begin) - longest.start)
-    return last, (t, _three(within, longest.side))
-
-
-def _three(state: Sequence[arb], side: int) -> State3:
-    """Return (x1, v1, v2) in a mode: where the bodies stick v2 is v1."""
-    x1, v1, _, v2 = state
-    return x1, v1, v2 if side else v1
+    return last, (t, within(longest.motion(scene), number(t - begin) - longest.start))

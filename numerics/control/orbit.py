@@ -20,7 +20,7 @@ from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.control.answers import KEPT_DIGITS, Claim, Tell, number, rounded, rounded_up, silent
 from numerics.linear.cells import PLAIN, Cells, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import V1, V2, X1, X2, LinearMode, Motion
+from numerics.linear.system import V1, V2, X1, X2, Motion
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.legs import legs
@@ -30,6 +30,8 @@ _STEPS = 20
 """Newton steps from a guess before it counts as none."""
 STATE = X1, V1, V2
 """What a force by pieces acts on: x2 follows from these."""
+State3 = tuple[arb, arb, arb]
+"""x1, v1, v2."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -44,9 +46,13 @@ class Drive(ShortRepr):
     weakening: Weakening | None = None
 
     @cached_property
+    def _scene(self) -> Scene:
+        return Scene(self.pair, State(), 1, force=Force((self.piece,)), friction=Friction((), self.weakening))
+
+    @property
     def frequency(self) -> Fraction:
         """Return the greatest frequency of which all are multiples, rad/s; 0 without sines."""
-        return Force((Piece(0, (), self.piece.sines),)).frequency or Fraction(0)
+        return self._scene.force.frequency or Fraction(0)
 
     @property
     def period(self) -> arb:
@@ -64,37 +70,25 @@ class Drive(ShortRepr):
         return self.pair.a1 > 0 and (self.cells is None or self.cells.falling == 0)
 
     @property
-    def most_friction(self) -> Fraction | None:
-        """Return the most that friction can be, N; None if it rises with the speed for ever."""
-        if self.weakening is None:
-            return self.pair.b
-        heights = [self.pair.b, *(b for _, b in self.weakening.speed)]
-        return None if self.weakening.last_slope > 0 else max(heights)
-
-    @property
     def rest(self) -> Fraction:
         """Return where the constant part of the force holds body 1, m."""
         return sum(self.piece.polynomial, Fraction(0)) / self.pair.a2
-
-    @cached_property
-    def _scene(self) -> Scene:
-        return Scene(self.pair, State(), 1, force=Force((self.piece,)), friction=Friction((), self.weakening))
 
     @property
     def cells(self) -> Cells | None:
         """Return friction cut into cells, None where it is one number b in slip."""
         return cells_of(self._scene)
 
-    def mode(self, side: int, cell: tuple[int, int] = PLAIN) -> LinearMode:
-        """Return the mode `side` under this force, in a cell of friction (linear/cells.py)."""
-        return mode_in(self._scene, pieces_of(self._scene)[0], side, cell)
+    def motion(self, side: int, state: Sequence[arb], t: arb, cell: tuple[int, int] = PLAIN) -> Motion:
+        """Return the motion from (x1, v1, x2, v2) at a time (s) in the mode `side`, in a cell of friction."""
+        return mode_in(self._scene, pieces_of(self._scene)[0], side, cell).motion(state, t)
 
-    def one_period(self, begin: Fraction, state: State, digits: int) -> Scene:
-        """Return a period from a time (s) and a state on as a scene; a period is rounded up to so many digits."""
+    def one_period(self, begin: Fraction, at: Sequence[Fraction], digits: int) -> Scene:
+        """Return a period from a time (s) and (x1, v1, v2) on as a scene; it is rounded up to so many digits."""
         # a constant part of a phase beyond a turn is kept: the sine is the same function of time
         sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in self.piece.sines]
-        force = Force((Piece(0, self.piece.polynomial, sines),))
-        return replace(self._scene, initial=state, until=rounded_up(self.period, digits), force=force)
+        force, (x1, v1, v2) = Force((Piece(0, self.piece.polynomial, sines),)), at
+        return replace(self._scene, initial=State(x1, v1, 0, v2), until=rounded_up(self.period, digits), force=force)
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,7 +127,7 @@ class Orbit(ShortRepr):
 
     def motion(self, leg: Leg, x2: int | arb = 0) -> Motion:
         """Return the motion of a leg from a place of body 2 (m) on."""
-        return self.drive.mode(leg.side, leg.cell).motion((leg.x, leg.v, arb(x2), leg.v2), leg.t)
+        return self.drive.motion(leg.side, (leg.x, leg.v, arb(x2), leg.v2), leg.t, leg.cell)
 
     @cached_property
     def places(self) -> list[arb]:
@@ -164,15 +158,24 @@ class Orbit(ShortRepr):
 
         Time and state of that start are rounded to decimals, so far that what grows of it in a period does not count.
         """
-        kept, (leg, after) = max(digits + 12, KEPT_DIGITS), self.turns[0]
+        kept, leg = max(digits + 12, KEPT_DIGITS), self.legs[0]
         with Ball(2 * digits + 20).context():
-            begin = rounded((leg.t + after.t) / 2)
-            x1, v1, _, v2 = self.motion(leg).state(number(begin) - leg.t)
-            start = State(*(rounded(one, kept) for one in (x1, v1, arb(0), v2 if leg.side else v1)))
-            scene = self.drive.one_period(begin, start, kept)
-            near = (abs(x1) + abs(v1) + abs(v2)) * arb(10) ** (3 - digits)
-            ends = {"x1": (x1, near), "v1": (v1, near), "v2": (v2, near)}
-        return Claim(scene, "after a period", ends, (*(one.side for one in self.events), leg.side), digits)
+            begin, at = self.middle(self.turns[0])
+            scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
+            ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.events]
+            return Claim(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side), digits)
+
+    def middle(self, turn: tuple[Leg, Leg]) -> tuple[Fraction, State3]:
+        """Return a time (s) in the middle of a leg, given with the one after it, and (x1, v1, v2) there."""
+        leg, after = turn
+        t = rounded((leg.t + after.t) / 2)
+        return t, within(self.motion(leg), number(t) - leg.t)
+
+
+def within(motion: Motion, t: arb) -> State3:
+    """Return (x1, v1, v2) at a time (s) since the start of a motion; v2 is v1 in a stick."""
+    x1, v1, _, v2 = motion.state(t)
+    return x1, v1, v2 if motion.mode.side else v1
 
 
 def across(motion: Motion, length: arb, after: Motion) -> arb_mat:
@@ -236,10 +239,11 @@ class Box(Ball):
 
 
 class Round(NamedTuple):
-    """A period of all motions of a box: its legs, the first one begun before; (x1, v1, v2) after it, by that before."""
+    """A period of all motions of a box: the mode it begins in and the legs after it; its end, and that by its start."""
 
+    side: int
     legs: list[Leg]
-    end: list[arb]
+    end: State3
     slopes: arb_mat
 
 
@@ -248,11 +252,10 @@ def one_round(drive: Drive, begin: Fraction, start: Sequence[Fraction], radius: 
 
     Raises EventUndecided unless they have the same events, at most so many, and come back to the mode they begin in.
     """
-    x1, v1, v2 = start
-    scene = drive.one_period(begin, State(x1, v1, 0, v2), working_digits())
+    scene = drive.one_period(begin, start, working_digits())
     run = run_scene(scene, Box(working_digits(), radius), most)
-    parts, period, origin = legs(run), drive.period, number(begin)
-    left = period - parts[-1].start
+    parts = legs(run)
+    left = drive.period - parts[-1].start
     first, last = ((one.side, one.cell) for one in (parts[0], parts[-1]))
     if not (run.reached and len(run.modes) > 1 and first == last and left > 0):
         raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
@@ -263,18 +266,14 @@ def one_round(drive: Drive, begin: Fraction, start: Sequence[Fraction], radius: 
     found = []
     for one in parts[1:]:
         x1, v1, _, v2 = one.state
-        found.append(Leg(one.side, origin + one.start, x1, v1, v2, one.cell))
-    end = motions[-1].state(left)
-    found = [replace(one, t=one.t - period) for one in found[-1:]] + found[:-1]
-    return Round(found, [end[0], end[1], end[3]], _product(maps))
+        found.append(Leg(one.side, number(begin) + one.start, x1, v1, v2, one.cell))
+    return Round(parts[0].side, found, within(motions[-1], left), _product(maps))
 
 
 def solve_orbit(guess: Orbit, tell: Tell = silent) -> Orbit:
     """Return the proved enclosure of a periodic motion near a guess. Raises EventUndecided."""
-    leg, after = max(guess.turns, key=lambda one: float(one[1].t - one[0].t))
-    begin = rounded((leg.t + after.t) / 2)
-    x1, v1, _, v2 = guess.motion(leg).state(number(begin) - leg.t)
-    return solve_from(guess.drive, begin, (x1, v1, v2 if leg.side else v1), 2 * len(guess.legs), tell)
+    longest = max(guess.turns, key=lambda one: float(one[1].t - one[0].t))
+    return solve_from(guess.drive, *guess.middle(longest), 2 * len(guess.legs), tell)
 
 
 def solve_from(drive: Drive, begin: Fraction, at: Sequence[arb], most: int, tell: Tell = silent) -> Orbit:
@@ -317,7 +316,7 @@ def _begun_by_events(legs: Sequence[Leg]) -> list[Leg]:
 
 def _newton_step(over: Round, missed: Sequence[arb]) -> list[arb]:
     """Return what leads from a start to one that comes back, if its end misses it by so much. Raises EventUndecided."""
-    slopes, count = (over.slopes, 3) if over.legs[0].side else (in_stick(over.slopes), 2)
+    slopes, count = (over.slopes, 3) if over.side else (in_stick(over.slopes), 2)
     unit = arb_mat([[int(row == column) for column in range(count)] for row in range(count)])
     try:
         found = (unit - slopes).solve(arb_mat([[one] for one in missed[:count]])).entries()

@@ -23,7 +23,7 @@ from numerics.control.transfer import Transfer
 from numerics.free.quadtree import CellMap
 from numerics.scene import Pair
 from numerics.solver.solve import solve
-from numerics.trajectory.curve import sampled
+from numerics.trajectory.curve import Curve, sampled
 from numerics.trajectory.figures import BLUE, FIRST, GRAY, GREEN, ORANGE, SECOND, draw, friction_on_body_2
 from numerics.trajectory.trajectory import Trajectory
 
@@ -43,16 +43,18 @@ COLOURS = dict(zip(LABELS, ("#dbe7f3", "#f6e3c5", "#e3cfe3", "#777777"), strict=
 REGIME_COLOURS = {LABELS[one]: COLOURS[one] for one in LABELS if one is not Regimes.UNDECIDED}
 
 
+def _panels(width: float, height: float, *grid: int, **how: Any) -> tuple[Figure, Any]:
+    """Return a figure (inches) and its axes, in a grid."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, figure.subplots(*grid, **how)
+
+
 def draw_response(found: Any) -> Figure:
     """Return the velocities and the friction over a period of a Response, and for one sine the thresholds."""
     scene, known = found.one_period(), found.thresholds
-    figure = Figure(figsize=(12.6 if known else 8.4, 4.4), layout="constrained")
-    axes = figure.subplots(1, 3 if known else 2)
+    figure, axes = _panels(12.6, 4.4, 1, 3) if known else _panels(8.4, 4.4, 1, 2)
     if scene is not None:
-        solved = solve(scene)
-        curve = sampled(solved)
-        for kind, ax in zip(("velocities", "load"), axes, strict=False):
-            draw(solved, kind, ax, curve)
+        _draw_motion(solve(scene), axes)
     if known is not None:
         centre = float(known.omega)
         draw_thresholds(found.drive.pair, np.geomspace(centre / 4, 4 * centre, _POINTS), axes[2])
@@ -62,11 +64,17 @@ def draw_response(found: Any) -> Figure:
     return figure
 
 
+def _draw_motion(solved: Trajectory, axes: Any, curve: Curve | None = None) -> None:
+    """Draw velocities into the first axes, and the friction that sticking needs into the second."""
+    curve = curve or sampled(solved)
+    for kind, ax in zip(("velocities", "load"), axes, strict=False):
+        draw(solved, kind, ax, curve)
+
+
 def draw_motions(found: Any) -> Figure:
     """Return friction against the speed of the slip, and the cycles of PeriodicMotions as x1 against v1 - v2."""
-    figure = Figure(figsize=(10.4, 5), layout="constrained")
-    law, plane = figure.subplots(1, 2)
-    fastest = 0.0
+    figure, (law, plane) = _panels(10.4, 5, 1, 2)
+    fastest, w_label = 0.0, "$v_1 - v_2$ (m/s)"
     for number, (one, colour) in enumerate(zip(found.motions, cycle((BLUE, ORANGE, GREEN, "black"))), start=1):
         scene = one.one_period()
         if scene is None:
@@ -81,27 +89,28 @@ def draw_motions(found: Any) -> Figure:
         law.plot(w, friction_on_body_2(solved, curve), **how)
         plane.plot(curve.y[0], w, **how)
         fastest = max(fastest, size)
-    reach = 1.15 * fastest or 1
-    speeds = np.linspace(-reach, reach, 2 * _POINTS)
+    speeds = np.linspace(-1, 1, 2 * _POINTS) * (1.15 * fastest or 1)
     given = np.sign(speeds) * float(found.drive.pair.b) * found.drive.cells.relative(speeds, 0 * speeds)
     law.plot(speeds, given, color=GRAY, lw=6, alpha=0.4, zorder=0, label="what friction can be")
-    law.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)", title="Friction against the speed")
-    plane.set(xlabel="$x_1$ (m)", ylabel="$v_1 - v_2$ (m/s)", title="The periodic motions")
+    law.set(xlabel=w_label, ylabel="friction on body 2 (N)", title="Friction against the speed")
+    plane.set(xlabel="$x_1$ (m)", ylabel=w_label, title="The periodic motions")
     _legends_below((law, plane))
     figure.suptitle(found.sentence)
     return figure
 
 
-def threshold_curves(pair: Pair, omegas: Sequence[float]) -> tuple[Floats, Floats, Floats]:
+def threshold_curves(pair: Pair, omegas: Sequence[float]) -> Floats:
     """Return U*, U** and the least U >= U** of a motion that slips for ever (N) at frequencies (rad/s), in binary64.
 
-    Both last are infinite where U** is. The last is approximate: w is looked at on a grid of times (`NonStop.edge`).
+    Shape (3, n). Both last are infinite where U** is. The last is approximate: w is looked at on a grid of times
+    (`NonStop.edge`).
     """
+    found = []
     with Ball(_DIGITS).context():
-        rates = [Fraction(float(one)) for one in omegas]
-        low = np.array([float(entrainment_threshold(pair, one)) for one in rates])
-        high = np.array([float(non_stop_threshold(pair, one)) for one in rates])
-        return low, high, np.maximum(high, [NonStop(pair, one).edge() for one in rates])
+        for omega in map(Fraction, map(float, omegas)):
+            high = float(non_stop_threshold(pair, omega))
+            found.append((float(entrainment_threshold(pair, omega)), high, max(high, NonStop(pair, omega).edge())))
+    return np.array(found).T
 
 
 def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
@@ -119,9 +128,9 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
     return ax
 
 
-def _lines(ax: Any, pair: Pair, omegas: Any) -> tuple[Floats, Floats, Floats]:
+def _lines(ax: Any, pair: Pair, omegas: Any) -> Floats:
     """Draw the `threshold_curves` over frequency into axes, logarithmic, and return them."""
-    low, high, edge = threshold_curves(pair, omegas)
+    found = low, high, edge = threshold_curves(pair, omegas)
     ax.plot(omegas, low, color=BLUE, label="$U_*$: up to it a motion sticks for ever")
     ax.plot(omegas, edge, color="black", label="no stops from this line on (drawn, not proved)")
     ax.plot(omegas, high, color=ORANGE, ls="--", label="$U_{**}$: below it none slips on with two reversals")
@@ -130,7 +139,7 @@ def _lines(ax: Any, pair: Pair, omegas: Any) -> tuple[Floats, Floats, Floats]:
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter("")
     ax.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)")
-    return low, high, edge
+    return found
 
 
 def draw_response_map(found: CellMap) -> Figure:
@@ -138,42 +147,38 @@ def draw_response_map(found: CellMap) -> Figure:
 
     That last line is approximate, as `threshold_curves` says; where it lies above U**, a cell between is not non-stop.
     """
-    figure = Figure(figsize=(7.6, 6.4), layout="constrained")
-    axes = figure.subplots()
+    figure, axes = _panels(7.6, 6.4)
     proved = {one: text if one is Regimes.UNDECIDED else f"proved: {text}" for one, text in LABELS.items()}
     handles = found.draw(axes, COLOURS, proved)
     omega, amplitude = ((float(low), float(high)) for low, high in found.window)
     pair = Pair(**found.title["pair"])
     _lines(axes, pair, np.geomspace(*omega, 600))
     figure.legend(handles=[*handles, *axes.lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
-    axes.set(
-        ylim=amplitude,
-        title=f"What {'the pair' if pair.a1 else 'some motion'} does under a sine: every decided cell is proved",
-    )
+    what = f"What {'the pair' if pair.a1 else 'some motion'} does under a sine: every decided cell is proved"
+    axes.set(ylim=amplitude, title=what)
     return figure
 
 
 def draw_tracking(found: Tracking, pair: Pair) -> Figure:
     """Return the reference, what it asks of the interface beside what that holds, and the force if there is one."""
-    figure = Figure(figsize=(8, 7.2), layout="constrained")
-    rows = figure.subplots(3, 1, sharex=True)
+    figure, (path, friction, force) = _panels(8, 7.2, 3, 1, sharex=True)
     for one in found.demands:
         t = np.linspace(float(one.start), float(one.end), _POINTS)
         piece = found.reference[one.number - 1]
         with Ball(_DIGITS).context():
-            path, bend = ([float(Derivative(piece, k)(arb(at)).mid()) for at in t] for k in (0, 2))
+            r, bend = (np.array([float(Derivative(piece, k)(arb(at))) for at in t]) for k in (0, 2))
         style: dict[str, Any] = {"color": BLUE} if one.possible else {"color": ORANGE, "ls": "--"}
-        rows[0].plot(t, path, **style)
-        rows[1].plot(t, float(pair.m2) * np.array(bend), **style)
-        rows[1].fill_between(t, -float(one.b), float(one.b), color=GRAY, alpha=0.25, lw=0)
+        path.plot(t, r, **style)
+        friction.plot(t, float(pair.m2) * bend, **style)
+        friction.fill_between(t, -float(one.b), float(one.b), color=GRAY, alpha=0.25, lw=0)
         if found.scene is not None:
-            rows[2].plot(t[:-1], [float(found.scene.force(float(at))) for at in t[:-1]], color=GREEN)
+            force.plot(t[:-1], [float(found.scene.force(float(at))) for at in t[:-1]], color=GREEN)
     title = "The force on body 1 that makes body 2 follow"
     if found.scene is None:
         title = "No force makes body 2 follow: the dashed pieces ask too much"
-    rows[0].set(ylabel="r (m)", title="The reference of body 2")
-    rows[1].set(ylabel="friction needed (N)", title="What it asks of friction; grey: what friction can give")
-    rows[2].set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(found.demands[-1].end)), title=title)
+    path.set(ylabel="r (m)", title="The reference of body 2")
+    friction.set(ylabel="friction needed (N)", title="What it asks of friction; grey: what friction can give")
+    force.set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(found.demands[-1].end)), title=title)
     return figure
 
 
@@ -182,8 +187,7 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     curve = sampled(solved)
     apart = abs(curve.y[1] - curve.y[3])
     curve = curve._replace(stick=apart <= _TOGETHER * abs(curve.y[1]).max())
-    figure = Figure(figsize=(8, 7.2), layout="constrained")
-    rows = figure.subplots(3, 1, sharex=True)
+    figure, rows = _panels(8, 7.2, 3, 1, sharex=True)
     for ax in rows:
         ax.axvline(float(found.bound), color=GRAY, lw=1, label="no control arrives before")
         if found.time is not None:
@@ -192,28 +196,24 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
         rows[0].plot(curve.t, curve.y[place], **style)
     rows[0].set(ylabel="$x_1$, $x_2$ (m)", title="Positions of both bodies")
     rows[2].plot(curve.t, curve.u, color=BLUE, ls="-.", label="force u on body 1")
-    for kind, ax in zip(("velocities", "load"), rows[1:], strict=True):
-        draw(solved, kind, ax, curve)
+    _draw_motion(solved, rows[1:], curve)
     figure.suptitle(found.road.value)
     return figure
 
 
 def draw_ring(found: Any) -> Figure:
     """Return Fig. 1 for the scene of a Ring: relative plane, and distance from the limit over time, in float64."""
-    entry, radius, rate = (float(one) for one in (found.entry, found.radius, found.rate))
+    entry, radius, rate, centre = (float(one) for one in (found.entry, found.radius, found.rate, found.centre))
     solved = solve(replace(found.scene, until=Fraction(max(float(found.scene.until), 1.3 * entry))))
     curve = sampled(solved)
-    z, w = curve.y[0] - curve.y[2] - float(found.centre), curve.y[1] - curve.y[3]
-    figure = Figure(figsize=(10.5, 5.2), layout="constrained")
-    plane, time = figure.subplots(1, 2)
-    for part, colour, width, label in (
-        (curve.t < entry, ORANGE, 0.9, "before"),
-        (curve.t >= entry, BLUE, 1.6, "inside for good"),
-    ):
-        plane.plot(*np.where(part, (z, w), np.nan), color=colour, lw=width, label=label)
+    z, w = curve.y[0] - curve.y[2] - centre, curve.y[1] - curve.y[3]
+    figure, (plane, time) = _panels(10.5, 5.2, 1, 2)
+    late = curve.t >= entry
+    plane.plot(*np.where(late, np.nan, (z, w)), color=ORANGE, lw=0.9, label="before")
+    plane.plot(*np.where(late, (z, w), np.nan), color=BLUE, lw=1.6, label="inside for good")
     plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
     x1, v1, x2, v2 = solved.sol(entry)
-    plane.plot(x1 - x2 - float(found.centre), v1 - v2, "o", color="black", ms=5, label=f"t = {entry:.6g} s")
+    plane.plot(x1 - x2 - centre, v1 - v2, "o", color="black", ms=5, label=f"t = {entry:.6g} s")
     plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
     _legends_below([plane])
     distance = np.hypot(z, w / rate)

@@ -30,11 +30,13 @@ from numerics.control.stuck import (
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
 from numerics.plane.rotating import rotating_force, rotating_response
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.scene import Force, Pair, Piece, Scene, Sine, Weakening
 from numerics.scene.decimals import Exact, exact_decimal, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
+
+_EVERY, _NEXT = "every motion tends to it", "motions next to it tend to it"
 
 
 class Regime(Enum):
@@ -80,7 +82,7 @@ class Response(ShortRepr):
 
         Raises MissingTool.
         """
-        return _drawn("draw_response", self)
+        return _pictures().draw_response(self)
 
     def claim(self) -> Claim | None:
         """Return that its periodic motion comes back after a period, None without events."""
@@ -92,10 +94,9 @@ class Response(ShortRepr):
         if claim is not None:
             return claim.scene
         with Ball(KEPT_DIGITS).context():
-            is_known = self.regime is Regime.ENTRAINED and entrained(self.drive)
-            state = stuck_state(self.drive, arb(0)) if is_known else None
-            start = None if state is None else State(*map(rounded, state))
-            return None if start is None else self.drive.one_period(Fraction(0), start, KEPT_DIGITS)
+            sticks = self.regime is Regime.ENTRAINED and entrained(self.drive)
+            state = stuck_state(self.drive, arb(0)) if sticks else None
+            return state and self.drive.one_period(Fraction(0), [*map(rounded, state)], KEPT_DIGITS)
 
 
 @dataclass(frozen=True, repr=False)
@@ -128,15 +129,15 @@ class PeriodicMotions(ShortRepr):
 
         Raises MissingTool.
         """
-        return _drawn("draw_motions", self)
+        return _pictures().draw_motions(self)
 
 
-def _drawn(how: str, found: Response | PeriodicMotions) -> Any:
+def _pictures() -> Any:
     try:
         from numerics.control import pictures
     except ModuleNotFoundError as error:
         raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
-    return getattr(pictures, how)(found)
+    return pictures
 
 
 def response(
@@ -172,28 +173,28 @@ def response(
             amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
     require_kind("response", scene, Scene, BUILD)
-    drive = _drive_under(scene, amplitude, omega)
-    known, orbits, starts = None, list[Orbit](), 0
-    if len(drive.piece.sines) == 1:
-        known = thresholds(drive.pair, drive.piece.sines[0].omega, digits=digits, max_digits=max_digits)
+    drive = _drive_under(scene, amplitude=amplitude, omega=omega)
+    known, orbits, starts, sines = None, list[Orbit](), 0, drive.piece.sines
+    if len(sines) == 1:
+        known = thresholds(drive.pair, sines[0].omega, digits=digits, max_digits=max_digits)
 
-    def attempt(_: Ball) -> tuple[tuple[Response, ...], list[arb]]:
+    def attempt(_: Ball) -> tuple[list[Response], list[arb]]:
         nonlocal orbits, starts
         growth = resonant_growth(drive)
         if growth > 0:
             grows = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
-            return (grows,), [growth]
+            return [grows], [growth]
         sticks = entrained(drive) or others_stick(drive, known)
         if orbits:
             orbits = [solve_orbit(one, tell) for one in orbits]
         elif not (sticks and (drive.weakening is None or drive.has_one_motion)):
             orbits, starts = search(drive, sticks=sticks, max_events=max_events, tell=tell)
-        stuck = [_entrained(drive, known, digits)] if sticks else []
-        found = (*stuck, *(_of_orbit(one, known, digits) for one in orbits))
+        found = [_entrained(drive, known, digits)] if sticks else []
+        found += [_of_orbit(one, known, digits) for one in orbits]
         return found, [one for motion in found for one in _numbers(motion)]
 
     # v2 is lost beside a v1 that so much larger a force gives
-    times = sum(abs(one.amplitude) for one in drive.piece.sines) / drive.pair.b
+    times = sum(abs(one.amplitude) for one in sines) / drive.pair.b
     lost = max(0, times.numerator.bit_length() - times.denominator.bit_length()) * 3 // 10
     motions = to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
     if drive.weakening is None:
@@ -211,11 +212,10 @@ def _numbers(found: Response) -> list[arb]:
     return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.events for one in (leg.t, leg.x, leg.v))]
 
 
-def _drive_under(scene: Scene, amplitude: Exact | None, omega: Exact | None) -> Drive:
+def _drive_under(scene: Scene, **given: Exact | None) -> Drive:
     """Return what acts in the long run, its one sine as it is given. Raises InvalidScene for what no sine can have."""
-    given = {"amplitude": amplitude, "omega": omega}
     asked = {name: exact_decimal(one, name) for name, one in given.items() if one is not None}
-    if asked.get("omega", Fraction(1)) <= 0:
+    if asked.get("omega", 1) <= 0:
         raise InvalidScene(f"omega = {short(asked['omega'])} must be > 0; give a frequency in rad/s")
     if asked.get("amplitude") == 0:
         raise InvalidScene("amplitude = 0 must not be 0; without a force there is no response")
@@ -264,22 +264,23 @@ def last_drive(scene: Scene) -> Drive | None:
 def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
-    why = "every motion tends to it, and sticks after a finite time"
-    if not drive.has_one_motion and pair.a1 > 0:
-        why = "motions next to it tend to it, and stick after a finite time"
+    every = _EVERY if drive.has_one_motion else ""
     touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
-    others = known is not None and known.exception is not None
-    if pair.a1 == 0 and (others or not touches):
-        why = "not all motions tend to it: a free oscillation of the stuck pair stays"
-        if known is not None and known.exception is not None:
-            up_to = f"up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
-            breaks = (
-                "not all motions do; the response breaks, but with a free oscillation that flattens the load's peaks"
-            )
-            why = f"{why}; others stick {up_to}" if entrained(drive) else f"{breaks} they stick {up_to}"
+    stays = "not all motions tend to it: a free oscillation of the stuck pair stays"
+    if known is not None and known.exception is not None:  # a1 = 0
+        why = f"{stays}; others"
+        if not entrained(drive):
+            breaks = "but with a free oscillation that flattens the load's peaks they"
+            why = f"not all motions do; the response breaks, {breaks}"
+        why = f"{why} stick up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
     elif touches:
-        tend = "every motion tends to it" if drive.has_one_motion else "what tends to it is open"
-        multipliers, why = None, f"{tend}; its load touches the limit"
+        multipliers, why = None, f"{every or 'what tends to it is open'}; its load touches the limit"
+    elif pair.a1 == 0:
+        why = stays
+    elif every:
+        why = f"{every}, and sticks after a finite time"
+    else:
+        why = f"{_NEXT}, and stick after a finite time"
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
 
 
@@ -287,28 +288,27 @@ def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
     multipliers = tuple(orbit.multipliers())
-    is_only_one, attraction = _attraction(orbit, [abs(one) for one in multipliers])
+    attraction = _attraction(orbit, [abs(one) for one in multipliers])
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
-    drift = arb(0) if drive.is_odd and is_only_one else orbit.travel / drive.period
+    drift = arb(0) if drive.is_odd and attraction.startswith(_EVERY) else orbit.travel / drive.period
     return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
 
 
-def _attraction(orbit: Orbit, sizes: Sequence[arb]) -> tuple[bool, str]:
-    """Return whether it is proved to be the only periodic motion, and what is proved of others.
+def _attraction(orbit: Orbit, sizes: Sequence[arb]) -> str:
+    """Return what is proved of other motions, "every motion ..." if it is the only periodic one.
 
     `sizes` are those of its multipliers.
     """
-    pair = orbit.drive.pair
+    pair, weakening = orbit.drive.pair, orbit.drive.weakening
     if orbit.drive.has_one_motion:
-        return True, "every motion tends to it"
-    if orbit.drive.weakening is not None:
-        if any(one > 1 for one in sizes):
-            return False, "almost all motions next to it leave it"
-        tends = all(one < 1 for one in sizes)
-        return False, "motions next to it tend to it" if tends else "whether motions next to it tend to it is open"
+        return _EVERY
+    if weakening is not None and any(one > 1 for one in sizes):
+        return "almost all motions next to it leave it"
+    if weakening is not None:
+        return _NEXT if all(one < 1 for one in sizes) else "whether motions next to it tend to it is open"
     rate = number(pair.a2 / pair.m1).sqrt()
     for before, (leg, after) in zip((orbit.legs[-1], *orbit.legs[:-1]), orbit.turns, strict=True):
         turns = rate * (after.t - leg.t) / (2 * arb.pi())
         if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:
-            return True, "every motion tends to it: a slip after a stick phase is no whole number of turns of body 1"
-    return False, "motions next to it tend to it if all multipliers are below 1"
+            return f"{_EVERY}: a slip after a stick phase is no whole number of turns of body 1"
+    return f"{_NEXT} if all multipliers are below 1"

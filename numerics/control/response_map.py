@@ -15,12 +15,14 @@ import math
 from enum import Enum
 from fractions import Fraction
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.control.answers import number
 from numerics.control.thresholds import NonStop, entrainment_threshold, flattest_peak
 from numerics.errors import InvalidMap
 from numerics.free.quadtree import CellMap, Progress, Side, Sides, Verdicts, map_of
@@ -66,20 +68,20 @@ def response_map(
     {'ENTRAINED': 0.234, 'BETWEEN': 0.344, 'NON_STOP': 0.094, 'UNDECIDED': 0.328}
     """
     require_kind("response_map", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
-    amplitude, omega = _side("amplitude", amplitude), _side("omega", omega)
-    for name, (low, high) in (("amplitude", amplitude), ("omega", omega)):
-        if not 0 < low * _NARROWEST <= high:
-            raise InvalidMap(
-                f"{name}: {str(low)[:20]} to {str(high)[:20]} is no range; give 0 < A < B with B/A > 1.001"
-            )
+    sides = {"amplitude": _side("amplitude", amplitude), "omega": _side("omega", omega)}
     numbers = {name: decimal_text(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
-    ranges = {"amplitude": [str(one) for one in amplitude], "omega": [str(one) for one in omega]}
-    title, verdicts = (
-        {"map": "response", "pair": numbers, **ranges},
-        Verdicts(partial(decide, pair), Regimes, Regimes.UNDECIDED),
+    title = {"map": "response", "pair": numbers} | {name: [*map(str, side)] for name, side in sides.items()}
+    verdicts = Verdicts(partial(decide, pair), Regimes, Regimes.UNDECIDED)
+    return map_of(
+        (sides["omega"], sides["amplitude"]),
+        depth,
+        verdicts,
+        title,
+        jobs=jobs,
+        dask=dask,
+        resume=resume,
+        progress=progress,
     )
-    roads: dict[str, Any] = {"jobs": jobs, "dask": dask, "resume": resume, "progress": progress}
-    return map_of((omega, amplitude), depth, verdicts, title, **roads)
 
 
 def _side(name: str, ends: Any) -> Side:
@@ -88,29 +90,32 @@ def _side(name: str, ends: Any) -> Side:
         low, high = ends
     except (TypeError, ValueError):
         raise InvalidMap(f"{name} = {str(ends)[:40]!r} must be two numbers: from, to") from None
-    return exact_decimal(low, name), exact_decimal(high, name)
+    low, high = exact_decimal(low, name), exact_decimal(high, name)
+    if not 0 < low * _NARROWEST <= high:
+        raise InvalidMap(f"{name}: {str(low)[:20]} to {str(high)[:20]} is no range; give 0 < A < B with B/A > 1.001")
+    return low, high
 
 
 def decide(pair: Pair, sides: Sides) -> Regimes:
     """Return what is proved of every (omega, U) of a cell."""
     (slow, fast), (weak, strong) = sides
     with Ball(_DIGITS).context():
-        low, high = Ball.number(weak), Ball.number(strong)
-        found: Regimes | None = None
-        for k in range(_SLICES):
-            first, last = (Ball.number(slow + (fast - slow) * Fraction(k + n, _SLICES)) for n in (0, 1))
-            here = _decide_slice(pair, first.union(last), low, high)
-            if here is Regimes.UNDECIDED or found not in {None, here}:
+        low, high = number(weak), number(strong)
+        ends = [number(slow + (fast - slow) * Fraction(k, _SLICES)) for k in range(_SLICES + 1)]
+        found = Regimes.UNDECIDED
+        for one, two in pairwise(ends):
+            here = _decide_slice(pair, one.union(two), low, high)
+            if here is Regimes.UNDECIDED or found not in {Regimes.UNDECIDED, here}:
                 return Regimes.UNDECIDED
             found = here
-    return found or Regimes.UNDECIDED
+    return found
 
 
 def _flattening(pair: Pair, omega: arb) -> arb:
     """Return the factor above U* up to which stuck motions may exist over a ball of frequencies."""
     if pair.a1 > 0:
         return arb(1)
-    ratio = Ball.number(pair.a2 / pair.mass).sqrt() / omega
+    ratio = number(pair.a2 / pair.mass).sqrt() / omega
     odd = max(3, 2 * math.ceil((float(ratio.lower()) - 1) / 2 - 1e-9) + 1)  # the least odd number >= 3 in it, or below
     return 1 / flattest_peak(odd) if arb(odd) <= ratio.upper() else arb(1)
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import NamedTuple
 
 import flint
 from flint import arb
@@ -99,7 +100,12 @@ def ring_entry(
         raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
 
     def attempt(arithmetic: Ball) -> tuple[Ring, list[arb]]:
-        orbit = _orbit(scene, drive, arithmetic, tell)
+        orbit = None
+        if drive.piece.sines:
+            found = response(scene, digits=arithmetic.digits, tell=tell)
+            if found.growth > 0:
+                raise InvalidScene(f"{found.regime.value}; no ring is entered for good")
+            orbit = found.orbit
         trajectory, known = _settled(scene, drive, orbit, (size, per), (arithmetic.digits, tell))
         entry = _last_on_ring(trajectory, known, size, per)
         return Ring(scene, size, per, known.limit, entry, orbit, known.why, digits), [known.limit, entry]
@@ -107,21 +113,10 @@ def ring_entry(
     return to_digits(attempt, digits, most_digits(digits, max_digits))
 
 
-def _orbit(scene: Scene, drive: Drive, arithmetic: Ball, tell: Tell) -> Orbit | None:
-    """Return the periodic motion that a scene tends to, None if it ends stuck."""
-    if not drive.piece.sines:
-        return None
-    found = response(scene, digits=arithmetic.digits, tell=tell)
-    if found.growth > 0:
-        raise InvalidScene(f"{found.regime.value}; no ring is entered for good")
-    return found.orbit
-
-
 # what is known of all later times
 
 
-@dataclass(frozen=True)
-class Settled:
+class Settled(NamedTuple):
     """The limit of z (m), less the z of a periodic motion; near it from `since` (s) on; why."""
 
     limit: arb
@@ -137,16 +132,21 @@ def _settled(
     (digits, tell), (doublings, most) = work, _FORCED if scene.is_forced else _FREE
     # so near the limit, in m and in m/s for w, the motion is inside its ring
     near = float(ring[0]) * min(1.0, float(ring[1])) / 2
-    starts = (*scene.force.starts, *scene.friction.starts)
-    until = max([scene.until, *(at + 1 for at in starts)])
+    last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(-1))
+    until = max(scene.until, last + 1)
     for _ in range(doublings):
         tell(f"following the motion to t = {float(until):.6g} s in {digits} digits")
         longer = replace(scene, until=until)
         trajectory = run_scene(longer, Ball(digits), most)
         if orbit is not None:
             found = periodic_settled(trajectory, orbit, near)
+        elif trajectory.status is Status.STUCK_FOR_EVER:
+            # what acts at the horizon acts after it
+            x1, _, x2, _ = trajectory.final_state
+            since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
+            found = Settled(x1 - x2, since, "the pair has stuck for ever")
         else:
-            found = stuck_settled(trajectory) or _creeping_settled(trajectory, drive, near)
+            found = None if drive.piece.sines else _creeping_settled(trajectory, drive, near, last)
         if found is not None:
             return trajectory, found
         if not trajectory.reached:
@@ -163,23 +163,9 @@ def _settled(
     )
 
 
-def stuck_settled(trajectory: Trajectory) -> Settled | None:
-    """Return where a trajectory in balls sticks for ever from its last event on; None if that is not proved yet.
-
-    What acts at the horizon must act after it. In the arithmetic's context.
-    """
-    if trajectory.status is not Status.STUCK_FOR_EVER:
-        return None
-    x1, _, x2, _ = trajectory.final_state
-    since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
-    return Settled(x1 - x2, since, "the pair has stuck for ever")
-
-
-def _creeping_settled(trajectory: Trajectory, drive: Drive, near: float) -> Settled | None:
+def _creeping_settled(trajectory: Trajectory, drive: Drive, near: float, last: Fraction) -> Settled | None:
     """Return what is known of a pair under a force that ends as a constant, a1 = 0; None if that is too early."""
-    scene = trajectory.scene
-    last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0))
-    found = None if drive.piece.sines else creeping_place(trajectory, drive.pair, near, last)
+    found = creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))
     if found is None:
         return None
     why = f"all slips after event {found.index + 1} are bounded, to one side and the other in turn"
@@ -231,37 +217,41 @@ def stretches(trajectory: Trajectory) -> list[Passage]:
 
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
-    squared, weight = number(radius**2), number(1 / rate**2)
     for one in reversed(stretches(trajectory)):
         if one.begin < known.since:
-            there = list(passages(known.orbit, one.begin, one.end)) if known.orbit is not None else [None]
-            for other in reversed(there):
+            others = [[two] for two in passages(known.orbit, one.begin, one.end)] if known.orbit is not None else [[]]
+            for there in reversed(others):
                 begin, end = one.begin, one.end
-                if other is not None:
-                    begin, end = _later(other.begin, begin), -_later(-other.end, -end)
-                found = _last_in(_distance(one, begin, other, known.limit), end - begin, squared, weight)
+                for two in there:
+                    begin, end = _later(two.begin, begin), -_later(-two.end, -end)
+                apart = _Apart((one, *there), begin, known.limit, number(radius**2), number(1 / rate**2))
+                found = _last_in(apart, end - begin)
                 if found is not None:
                     return begin + found
     return arb(0)
 
 
-Distance = Callable[[arb], list[arb]]
-"""z - z*, w - w* and their derivatives over a ball of times."""
-
-
-def _distance(one: Passage, first: arb, there: Passage | None, limit: arb) -> Distance:
-    """Return the distance of a motion from a limit of z, or from a periodic motion too, t from a time on."""
-
-    def distance_over(t: arb) -> list[arb]:
-        both = [part.motion.over(first - part.begin + t) for part in (one, there) if part is not None]
-        here, *other = [[part.range(row, order) for order, row in _ROWS] for part in both]
-        here[0] -= limit
-        return [a - b for a, b in zip(here, *other, strict=True)] if other else here
-
-    return distance_over
-
-
 _ROWS = ((0, Z), (0, W), (1, Z), (1, W))
+
+
+class _Apart(NamedTuple):
+    """D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time on: of a motion, or of that and a periodic one."""
+
+    motions: tuple[Passage, ...]
+    begin: arb
+    limit: arb
+    squared: arb
+    weight: arb
+
+    def over(self, t: arb) -> tuple[arb, arb]:
+        """Return D and D' over a ball of times since the beginning."""
+        stretched = [one.motion.over(self.begin - one.begin + t) for one in self.motions]
+        here, *others = [[one.range(row, order) for order, row in _ROWS] for one in stretched]
+        here[0] -= self.limit
+        for other in others:
+            here = [a - b for a, b in zip(here, other, strict=True)]
+        z, w, slide, change = here
+        return z * z + self.weight * w * w - self.squared, 2 * (z * slide + self.weight * w * change)
 
 
 def _later(one: arb, two: arb) -> arb:
@@ -269,13 +259,9 @@ def _later(one: arb, two: arb) -> arb:
     return one if not_negative(one - two, "which of these two events is the later one?") else two
 
 
-def _last_in(apart: Distance, length: arb, squared: arb, weight: arb) -> arb | None:
-    """Return the last time in a stretch at which D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 is 0; None if D < 0."""
-
-    def over(t: arb) -> tuple[arb, arb]:
-        z, w, slide, change = apart(t)
-        return z * z + weight * w * w - squared, 2 * (z * slide + weight * w * change)
-
+def _last_in(apart: _Apart, length: arb) -> arb | None:
+    """Return the last time in a stretch at which D is 0; None if D < 0."""
+    over = apart.over
     waiting = [(arb(0), length.upper())]
     smallest = length.upper() * arb(2) ** (-working_digits())
     while waiting:

@@ -7,7 +7,7 @@ breaks.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
@@ -15,32 +15,33 @@ from flint import acb, arb
 
 from numerics.arithmetic.ball import undecided
 from numerics.control.answers import not_negative, number, rounded
-from numerics.control.orbit import Drive
-from numerics.control.thresholds import Thresholds, load_margin, stiffness
-from numerics.linear.system import ONE, is_positive_on
+from numerics.control.orbit import Drive, State3
+from numerics.control.thresholds import Thresholds, impedance, load_margin
+from numerics.linear.system import ONE, Motion, is_positive_on
+from numerics.scene import Weakening
 
 _PARTS = 8
 """Times of a period among which the one with the least load is taken."""
 
 
-def stuck_state(drive: Drive, t: arb, mass: Fraction | None = None) -> tuple[arb, arb, arb, arb] | None:
-    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0.
+def stuck_state(drive: Drive, t: arb, mass: Fraction | None = None) -> State3 | None:
+    """Return (x1, v1, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0.
 
     With another mass than M (kg) that of so large a body on the spring.
     """
     pair, mass = drive.pair, mass or drive.pair.mass
     x, v = number(drive.rest), arb(0)
     for one in drive.piece.sines:
-        if stiffness(pair, mass, one.omega).is_zero():
+        below = impedance(pair, mass, one.omega)
+        if below == 0:
             return None
-        below = acb(number(pair.a2 - mass * one.omega**2), number(pair.a1 * one.omega))
         turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
         moved = turned * number(one.amplitude) / below
         x, v = x + moved.imag, v + number(one.omega) * moved.real
-    return x, v, arb(0), v
+    return x, v, v
 
 
-def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, list[arb]]]:
+def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, State3]]:
     """Yield the stuck response, and the motion next to the critical orbit, each at the time of a period that loads it
 
     least of some.
@@ -48,37 +49,43 @@ def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, list[ar
     times = [rounded(drive.period * k / _PARTS) for k in range(1, _PARTS)]
     for state_at in (stuck_state, _creeping_state):
         states = [(t, state) for t in times if (state := state_at(drive, number(t))) is not None]
-        for t, (x1, v1, _, v2) in sorted(states, key=lambda one: _load(drive, *one))[:1]:
-            yield t, [x1, v1, v2]
+        if states:
+            yield min(states, key=lambda one: _load(drive, *one))
 
 
-def _creeping_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
-    """Return (x1, v1, 0, v1) about where the bodies stick at a time (s), if a weak sine near resonance makes them slip.
+def _creeping_state(drive: Drive, t: arb) -> State3 | None:
+    """Return (x1, v1, v1) about where the bodies stick at a time (s), if a weak sine near resonance makes them slip.
 
     The stuck pair swings as x1 = -A cos(p - phi) under U sin p, U sin phi = -(a2 - M omega^2) A. What is left of U cos
     phi beside damping friction takes, near the critical orbit by A^2 = L^2 (1 + w), w^2 = 4 pi (U cos phi - a1 omega L)
     m1/(9 b M), L the half-width. Approximate, of the sine next to resonance.
     """
-    pair, sines = drive.pair, [one for one in drive.piece.sines if one.amplitude]
-    away = [abs((pair.a2 - pair.mass * one.omega**2) / one.amplitude) for one in sines]
-    sine = sines[away.index(min(away))]
-    across = number((pair.mass * sine.omega**2 - pair.a2) * pair.half_width / abs(sine.amplitude))
+    pair = drive.pair
+    sine = min(
+        (one for one in drive.piece.sines if one.amplitude),
+        key=lambda one: abs((pair.a2 - pair.mass * one.omega**2) / one.amplitude),
+    )
+    U, L, omega = abs(sine.amplitude), pair.half_width, number(sine.omega)
+    across = number((pair.mass * sine.omega**2 - pair.a2) * L / U)
     left = 1 - across * across
-    if not left > 0:
+    along = left.sqrt() - number(pair.a1 * sine.omega * L / U)
+    if not (left > 0 and along > 0):
         return None
-    along = left.sqrt() - number(pair.a1 * sine.omega * pair.half_width / abs(sine.amplitude))
-    if not along > 0:
-        return None
-    square = along * arb.pi() * number(4 * abs(sine.amplitude) * pair.m1 / (9 * pair.b * pair.mass))
-    far = number(pair.half_width * (1 if sine.amplitude > 0 else -1)) * (1 + square.sqrt()).sqrt()
-    s, c = (number(sine.omega) * t + number(sine.phase) - across.asin()).sin_cos()
-    v1 = number(sine.omega) * far * s
-    return number(drive.rest) - far * c, v1, arb(0), v1
+    square = along * arb.pi() * number(4 * U * pair.m1 / (9 * pair.b * pair.mass))
+    far = number(L if sine.amplitude > 0 else -L) * (1 + square.sqrt()).sqrt()
+    s, c = (omega * t + number(sine.phase) - across.asin()).sin_cos()
+    return number(drive.rest) - far * c, omega * far * s, omega * far * s
 
 
-def _load(drive: Drive, t: Fraction, state: Sequence[arb]) -> float:
+def _stuck(drive: Drive, t: arb, state: State3) -> Motion:
+    """Return the stuck motion from (x1, v1, v1) at a time (s)."""
+    x1, v1, v2 = state
+    return drive.motion(0, (x1, v1, arb(0), v2), t)
+
+
+def _load(drive: Drive, t: Fraction, state: State3) -> float:
     """Return the size of the load at a time (s) in a state, N."""
-    motion = drive.mode(0).motion(state, number(t))
+    motion = _stuck(drive, number(t), state)
     return abs(float(motion.range(motion.mode.load, arb(0))))
 
 
@@ -87,11 +94,11 @@ def resonant_growth(drive: Drive) -> arb:
 
     Where friction depends on the speed b is the most that it can be.
     """
-    pair = drive.pair
+    pair, weakening = drive.pair, drive.weakening or Weakening()
     resonant = [one for one in drive.piece.sines if one.omega**2 * pair.m1 == pair.a2]
-    most = drive.most_friction
-    if pair.a1 != 0 or not resonant or most is None:
+    if pair.a1 != 0 or not resonant or weakening.last_slope > 0:
         return arb(0)
+    most = max([pair.b, *(b for _, b in weakening.speed)])
     total = sum((acb.exp(acb(0, number(one.phase))) * number(one.amplitude) for one in resonant), acb(0))
     over = abs(total) - 4 * number(most) / arb.pi()
     grows = not_negative(over, "does the force bring more than friction takes at resonance?")
@@ -106,7 +113,7 @@ def entrained(drive: Drive) -> bool:
     state = stuck_state(drive, arb(0))
     if state is None:
         return False
-    motion = drive.mode(0).motion(state, arb(0))
+    motion = _stuck(drive, arb(0), state)
     rows = [(*((place, -side * c) for place, c in motion.mode.load), (ONE, drive.pair.b)) for side in (1, -1)]
     held = [is_positive_on(partial(motion.range, row), arb(0), drive.period) for row in rows]
     if None in held and False not in held:

@@ -103,14 +103,14 @@ def load_margin(pair: Pair, amplitude: Fraction, omega: Fraction) -> Fraction:
 def entrainment_threshold(pair: Pair, omega: Fraction | arb) -> arb:
     """Return an enclosure of U*, N, at a frequency or over a ball of them; in the arithmetic's context."""
     rate = _ball(omega)
-    return number(pair.b / pair.m2) * stiffness(pair, pair.mass, omega) / (rate * rate)
+    return number(pair.b / pair.m2) * abs(impedance(pair, pair.mass, omega)) / (rate * rate)
 
 
-def stiffness(pair: Pair, mass: Fraction, omega: Fraction | arb) -> arb:
-    """Return an enclosure of Z(mass) = |a2 - mass omega^2 + i a1 omega|, N/m; exactly 0 at an exact resonance."""
+def impedance(pair: Pair, mass: Fraction, omega: Fraction | arb) -> acb:
+    """Return an enclosure of a2 - mass omega^2 + i a1 omega, N/m, whose size is Z; exactly 0 at an exact resonance."""
     if isinstance(omega, arb):
-        return abs(acb(number(pair.a2) - number(mass) * omega * omega, number(pair.a1) * omega))
-    return abs(acb(number(pair.a2 - mass * omega**2), number(pair.a1 * omega)))
+        return acb(number(pair.a2) - number(mass) * omega * omega, number(pair.a1) * omega)
+    return acb(number(pair.a2 - mass * omega**2), number(pair.a1 * omega))
 
 
 def non_stop_threshold(pair: Pair, omega: Fraction) -> arb:
@@ -147,7 +147,7 @@ class NonStop:
         half_rate = pair.a1 / (2 * pair.m1)
         b, self.omega, self.decay = number(pair.b), _ball(omega), number(half_rate)
         self.half, self.beta = arb.pi() / self.omega, number(pair.b / pair.m2)
-        self.squared, self.reach = pair.a2 / pair.m1 - half_rate**2, stiffness(pair, pair.m1, omega) / self.omega
+        self.squared, self.reach = pair.a2 / pair.m1 - half_rate**2, abs(impedance(pair, pair.m1, omega)) / self.omega
         place, speed = square_wave_response(pair, self.omega)
         inner = (b - number(pair.a2) * b * place) / number(pair.m1)
         self.V, self.square = self.beta * self.half / 2 - b * speed, -b * speed

@@ -22,7 +22,7 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
-from numerics.control.answers import Claim, not_negative, require_digits, rounded
+from numerics.control.answers import Claim, not_negative, number, require_digits, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
@@ -80,18 +80,16 @@ class Tracking(ShortRepr):
     @property
     def is_at_limit(self) -> bool:
         """Return whether the reference is not proved to stay below the limit of friction."""
-        return not all(one.force < Ball.number(one.b) for one in self.demands)
+        return not all(one.force < number(one.b) for one in self.demands)
 
     def claim(self) -> Claim | None:
         """Return that the pair sticks and x2 = r at the horizon; at the limit rounded phases may let it slip."""
         if self.scene is None:
             return None
         with Ball(self.digits + 20).context():
-            path = Derivative(self.reference[self.demands[-1].number - 1])(Ball.number(self.scene.until))
-            ends = {"x2": (path, abs(path).max(arb(1)) * arb("1e-12"))}
-        return Claim(
-            self.scene, "at the horizon", ends, None if self.is_at_limit and self.force_error > 0 else (0,), self.digits
-        )
+            path = Derivative(self.reference[self.demands[-1].number - 1])(number(self.scene.until))
+        sides = None if self.is_at_limit and self.force_error > 0 else (0,)
+        return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides, self.digits)
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
@@ -109,18 +107,24 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     require_kind("track", scene, Scene, BUILD)
     require_digits(digits, max_digits=max_digits)
     _require(scene, reference)
+    parts = list(_parts(scene, reference))
 
     def attempt(_: Ball) -> tuple[tuple[Demand, ...], list[arb]]:
-        found = tuple(_demand(scene, *part, digits) for part in _parts(scene, reference))
+        found = tuple(_demand(scene.pair.m2, *part, digits) for part in parts)
         return found, [one.force for one in found]
 
     demands = to_digits(attempt, digits, max_digits)
-    share = max((one.force / Ball.number(one.b) for one in demands), key=float)
-    planned, error = None, 0.0
-    if all(one.possible for one in demands):
-        force, error = _force(scene, reference)
-        planned = replace(scene, force=force)
-    return Tracking(reference, demands, planned, share, error, digits)
+    share = max((one.force / number(one.b) for one in demands), key=float)
+    if not all(one.possible for one in demands):
+        return Tracking(reference, demands, None, share, 0.0, digits)
+    pieces, error, apart = {}, 0.0, scene.initial.x1 - scene.initial.x2
+    for index, _, end, _ in parts:
+        piece = reference[index - 1]
+        first, *others = piece.polynomial or (Fraction(0),)
+        pieces[index] = stuck_force(scene.pair, Piece(piece.start, (first + apart, *others), piece.sines))
+        rounded_away = sum(abs(float(scene.pair.a1 * one.omega * one.amplitude)) for one in piece.sines)
+        error += rounded_away * 10.0 ** (1 - _PHASE_DIGITS) * float(end - piece.start)
+    return Tracking(reference, demands, replace(scene, force=Force(pieces.values())), share, error, digits)
 
 
 def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
@@ -135,19 +139,17 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     at = scene.initial
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
-    for order, name, body in ((0, "r", at.x2), (1, "r'", at.v2)):
+    for order, (name, of_body, body) in enumerate((("r", "x2", at.x2), ("r'", "v2", at.v2))):
         signals = [Derivative(one, order) for one in reference]
         if signals[0].at(Fraction(0)) != body:
-            value = float(signals[0](arb(0)).mid())
-            raise InvalidScene(
-                f"{name}(0) = {value:g} must be exactly {('x2', 'v2')[order]}(0) = {short(body)}; change either"
-            )
-        for number, (before, after) in enumerate(pairwise(signals), start=2):
+            value = float(signals[0](arb(0)))
+            raise InvalidScene(f"{name}(0) = {value:g} must be exactly {of_body}(0) = {short(body)}; change either")
+        for index, (before, after) in enumerate(pairwise(signals), start=2):
             t = after.piece.start
             if before.at(t) != after.at(t):
-                values = [float(side(Ball.number(t)).mid()) for side in (before, after)]
+                left, right = (float(side(number(t))) for side in (before, after))
                 raise InvalidScene(
-                    f"{name} jumps from {values[0]:g} to {values[1]:g} at t = {short(t)}, where piece {number} of the "
+                    f"{name} jumps from {left:g} to {right:g} at t = {short(t)}, where piece {index} of the "
                     "reference begins; no force can follow that, make it continuous"
                 )
 
@@ -160,34 +162,22 @@ def _parts(scene: Scene, reference: tuple[Piece, ...]) -> Iterator[tuple[int, Pi
         yield bisect_right(starts, one.start), piece, one.start + one.length, one.b
 
 
-def _demand(scene: Scene, number: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
-    acceleration, limit = Derivative(piece, 2), b / scene.pair.m2
+def _demand(m2: Fraction, index: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
+    acceleration, limit = Derivative(piece, 2), b / m2
     peak, where = largest_size(acceleration, piece.start, end, digits + 2)
     possible = acceleration.is_within(limit, end - piece.start)
     if possible is None:
-        possible = not_negative(Ball.number(limit) - peak, "is the acceleration within the limit of friction?")
-    return Demand(number, piece.start, end, b, Ball.number(scene.pair.m2) * peak, where, possible)
-
-
-def _force(scene: Scene, reference: tuple[Piece, ...]) -> tuple[Force, float]:
-    """Return the force of the stuck motion, and a bound on the integral of what rounded phases change in it."""
-    pair, error, pieces = scene.pair, 0.0, {}
-    for number, _, end, _ in _parts(scene, reference):
-        piece = reference[number - 1]
-        first, *others = piece.polynomial or (Fraction(0),)
-        path = Piece(piece.start, (first + scene.initial.x1 - scene.initial.x2, *others), piece.sines)
-        pieces[number] = stuck_force(pair, path)
-        rounded_away = sum(abs(float(pair.a1 * one.omega * one.amplitude)) for one in piece.sines)
-        error += rounded_away * 10.0 ** (1 - _PHASE_DIGITS) * float(end - piece.start)
-    return Force(pieces.values()), error
+        possible = not_negative(number(limit) - peak, "is the acceleration within the limit of friction?")
+    return Demand(index, piece.start, end, b, number(m2) * peak, where, possible)
 
 
 def stuck_force(pair: Pair, path: Piece) -> Piece:
     """Return u = M x'' + a1 x' + a2 x of a stuck pair on a path x (m), cosines as sines whose phase is rounded."""
-    terms = [Fraction(0)] * len(path.polynomial)
-    for order, factor in enumerate((pair.a2, pair.a1, pair.mass)):
-        for k, c in enumerate(Derivative(path, order).polynomial):
-            terms[k] += factor * c
+    c = [*path.polynomial, Fraction(0), Fraction(0)]
+    terms = [
+        pair.a2 * c[k] + pair.a1 * (k + 1) * c[k + 1] + pair.mass * (k + 1) * (k + 2) * c[k + 2]
+        for k in range(len(path.polynomial))
+    ]
     with Ball(_PHASE_DIGITS + 20).context():
         quarter = rounded(arb.pi() / 2, _PHASE_DIGITS)
     sines = []
@@ -205,19 +195,18 @@ class Derivative:
     order: int = 0
 
     @cached_property
-    def polynomial(self) -> tuple[Fraction, ...]:
+    def polynomial(self) -> list[Fraction]:
         """Return its coefficients."""
-        terms = enumerate(self.piece.polynomial)
-        return tuple(c * math.perm(k, self.order) for k, c in terms if k >= self.order)
+        return [c * math.perm(k, self.order) for k, c in enumerate(self.piece.polynomial)][self.order :]
 
     @cached_property
-    def sines(self) -> tuple[tuple[Fraction, Fraction, Fraction], ...]:
+    def sines(self) -> list[tuple[Fraction, Fraction, Fraction]]:
         """Return A, omega and phase of each."""
-        return tuple((one.amplitude * one.omega**self.order, one.omega, one.phase) for one in self.piece.sines)
+        return [(one.amplitude * one.omega**self.order, one.omega, one.phase) for one in self.piece.sines]
 
     def __call__(self, t: arb) -> arb:
         """Return an enclosure over a ball of times (s)."""
-        since, total, number = t - Ball.number(self.piece.start), arb(0), Ball.number
+        since, total = t - number(self.piece.start), arb(0)
         for c in reversed(self.polynomial):
             total = total * since + number(c)
         for amplitude, omega, phase in self.sines:
@@ -229,9 +218,8 @@ class Derivative:
         """Return the value at t, exact."""
         value = SineForm(polynomial_at(self.polynomial, t - self.piece.start))
         for amplitude, omega, phase in self.sines:
-            signed, none = amplitude * (-1) ** (self.order // 2), Fraction(0)
-            parts = (none, signed) if self.order % 2 else (signed, none)
-            value += SineForm.turned(omega * t + phase, *parts)
+            sine, cosine = ((1, 0), (0, 1), (-1, 0), (0, -1))[self.order % 4]
+            value += SineForm.turned(omega * t + phase, sine * amplitude, cosine * amplitude)
         return value
 
     def is_within(self, limit: Fraction, length: Fraction) -> bool | None:
@@ -239,11 +227,11 @@ class Derivative:
 
         For a polynomial it always is; with sines only where sum |A| + max |polynomial| <= limit.
         """
-        left = limit - sum((abs(amplitude) for amplitude, _, _ in self.sines), Fraction(0))
-        first, *others = self.polynomial or (Fraction(0),)
+        left = limit - sum(abs(amplitude) for amplitude, _, _ in self.sines)
+        first, *others = self.polynomial or [Fraction(0)]
         sides = ([left + first, *others], [left - first, *(-c for c in others)])
         is_small = left >= 0 and all(is_never_negative(one, length) for one in sides)
-        return is_small if is_small or not self.sines else None
+        return is_small or (None if self.sines else False)
 
 
 def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: int) -> tuple[arb, arb]:
@@ -256,20 +244,20 @@ def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: i
     def reach(low: arb, high: arb) -> arb:
         """Return an upper bound of |f| on a part, by Taylor's theorem where that is the better one."""
         part = low.union(high)
-        h = part - part.mid()
-        wide = function(part.mid()) + h * slope(part.mid()) + (h * h / 2) * bend(part)
+        middle, h = part.mid(), part - part.mid()
+        wide = function(middle) + h * slope(middle) + (h * h / 2) * bend(part)
         return abs(function(part)).upper().min(abs(wide).upper())
 
-    parts, best, where = [(Ball.number(start).lower(), Ball.number(end).upper())], arb(-1), arb(0)
+    parts, best, where = [(number(start).lower(), number(end).upper())], arb(-1), arb(0)
     while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
         middles = [((low + high) / 2).mid() for low, high in parts]
         for t in (*parts[0], *parts[-1], *middles):
             if (here := abs(function(t)).lower()) > best:
                 best, where = here, t
         halves = [half for (low, high), at in zip(parts, middles, strict=True) for half in ((low, at), (at, high))]
-        bounds = [reach(*half) for half in halves]
-        parts = [half for half, bound in zip(halves, bounds, strict=True) if bound > best]
-        most = max([best, *bounds])
+        bounded = [(half, reach(*half)) for half in halves]
+        parts = [half for half, bound in bounded if bound > best]
+        most = max([best, *(bound for _, bound in bounded)])
         if most - best <= most * arb(10) ** -digits:
             return best.union(most), where
     raise undecided("how large does the reference's acceleration get?", best)

@@ -44,9 +44,6 @@ _MET = Fraction(1, 10**20)
 """By this part the slip transfer stays inside the limits, so that the bodies meet and stick beyond doubt."""
 
 
-_SUFFICES = "does the amplitude suffice?"
-
-
 class Road(Enum):
     """How a transfer is made; the value is the sentence that a user reads."""
 
@@ -92,11 +89,10 @@ class Transfer(ShortRepr):
         if self.scene is None:
             return None
         with Ball(self.digits + 20).context():
-            near = abs(number(self.distance)) * arb("1e-12")
-            at_rest = arb(0), near / self.bound
-            ends = {"x2": (number(self.scene.initial.x2 + self.distance), near), "v1": at_rest, "v2": at_rest}
+            ends = {"x2": number(self.scene.initial.x2 + self.distance), "v1": arb(0), "v2": arb(0)}
+            size = number(abs(self.distance)) * (1 / self.bound).min(arb(1))
         return Claim(
-            self.scene, "at the end of the transfer", ends, None if self.road is Road.SLIP else (0,), self.digits
+            self.scene, "at the end of the transfer", ends, size, None if self.road is Road.SLIP else (0,), self.digits
         )
 
 
@@ -148,46 +144,38 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
 def _transfer(
     scene: Scene, by: Fraction, most: Fraction | None, margin: Fraction, digits: int
 ) -> tuple[Transfer, list[arb]]:
-    pair, far = scene.pair, abs(by)
+    pair, far, force = scene.pair, abs(by), None
     bound = 2 * number(pair.m2 * far / pair.b).sqrt()
     stuck, least = stuck_amplitude(pair, far, margin), least_amplitude(pair, far)
-    road, time, fastest, force = _chosen(pair, far, most, margin, (bound, stuck, least))
+
+    def suffices(needed: arb) -> bool:
+        return most is None or not_negative(number(most) - needed, "does the amplitude suffice?")
+
+    if most is None or suffices(stuck):
+        found: Choice = _stuck(pair, far, margin)
+    elif margin == 0 and least is not None and suffices(least) and (force := _slip_then_stick(pair, far, most, least)):
+        found = Road.SLIP, bound, "no control is faster: friction is at its limit all the time", force
+    elif bang := _bang_bang(pair, far, most, margin):
+        found = bang
+    else:
+        known = f"a stuck transfer at the {'margin' if margin else 'limit'} needs {stuck.str(6, radius=False)} N"
+        if least is None:
+            known += ", and whether slipping meets the bound with less is open, too"
+        elif suffices(least):
+            known += "; with less body 2 can meet the bound, but whether both bodies can rest then is open"
+        else:
+            known += f", and no control meets the bound with less than {least.str(6, radius=False)} N"
+        found = Road.OPEN, None, f"{Road.OPEN.value}; {known}", None
+    road, time, fastest, force = found
     planned = None
     if force is not None and time is not None:
-        signed = force if by > 0 else -force
-        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), force=signed)
-    found = Transfer(by, margin, road, bound, time, stuck, least, fastest, planned, digits)
-    return found, [one for one in (bound, stuck, least, time) if one is not None]
+        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), force=force if by > 0 else -force)
+    answer = Transfer(by, margin, road, bound, time, stuck, least, fastest, planned, digits)
+    return answer, [one for one in (bound, stuck, least, time) if one is not None]
 
 
 Choice = tuple[Road, arb | None, str, Force | None]
-
-
-def _chosen(
-    pair: Pair, far: Fraction, most: Fraction | None, margin: Fraction, known: tuple[arb, arb, arb | None]
-) -> Choice:
-    """Return the road, its time, what is proved of it, and its force."""
-    bound, stuck, least = known
-    if most is None or not_negative(number(most) - stuck, _SUFFICES):
-        return _stuck(pair, far, margin)
-    if margin == 0 and least is not None and not_negative(number(most) - least, _SUFFICES):
-        force = _slip_then_stick(pair, far, most, least)
-        if force is not None:
-            return Road.SLIP, bound, "no control is faster: friction is at its limit all the time", force
-    found = _bang_bang(pair, far, most, margin)
-    if found is not None:
-        return found
-    return Road.OPEN, None, f"{Road.OPEN.value}; {_what_is_known(most, margin, stuck, least)}", None
-
-
-def _what_is_known(most: Fraction, margin: Fraction, stuck: arb, least: arb | None) -> str:
-    """Return what is proved of the bound where the least time is open."""
-    needs = f"a stuck transfer at the {'margin' if margin else 'limit'} needs {stuck.str(6, radius=False)} N"
-    if least is None:
-        return f"{needs}, and whether slipping meets the bound with less is open, too"
-    if not_negative(number(most) - least, _SUFFICES):
-        return f"{needs}; with less body 2 can meet the bound, but whether both bodies can rest then is open"
-    return f"{needs}, and no control meets the bound with less than {least.str(6, radius=False)} N"
+"""A road, its time, what is proved of it, and its force."""
 
 
 def stuck_amplitude(pair: Pair, far: Fraction, margin: Fraction) -> arb:
@@ -257,16 +245,12 @@ def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> C
     held = (1 - margin) * pair.mass * pair.b / pair.m2
     if pair.a1 != 0 or d > 1 or most + pair.a2 * far > held:
         return None
-    rate = number(pair.a2 / pair.mass).sqrt()
-    go = number(1 - d / 2 - d**2 / 4).acos() / rate
-    stop = number((1 + d / 2 + d**2 / 4) / (1 + d)).acos() / rate
-    time = go + stop
+    rate, more = number(pair.a2 / pair.mass).sqrt(), d / 2 + d**2 / 4
+    go, stop = number(1 - more).acos() / rate, number((1 + more) / (1 + d)).acos() / rate
     first, second = rounded(go), rounded(stop)
     force = Force((Piece(0, (most,)), Piece(first, (-most,)), Piece(first + second, (pair.a2 * far,))))
-    swing = (rate * time).min(arb.pi()).cos()
-    limit = number(pair.mass * pair.b / pair.m2)
-    if number(most) * (2 - swing) <= limit:
+    swing = (rate * (go + stop)).min(arb.pi()).cos()
+    proved = "no control that sticks is faster; whether slipping helps is open"
+    if number(most) * (2 - swing) <= number(pair.mass * pair.b / pair.m2):
         proved = "no control within the amplitude is faster: none can break the contact before"
-    else:
-        proved = "no control that sticks is faster; whether slipping helps is open"
-    return Road.BANG_BANG, time, proved, force
+    return Road.BANG_BANG, go + stop, proved, force

@@ -1,8 +1,9 @@
-"""python -m numerics: exit codes, one line of error, the JSON of the interface, and files that appear whole."""
+"""python -m numerics: exit codes, one line of error, the JSON of the interface, files that appear whole, terminals."""
 
 import csv
 import io
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -12,63 +13,53 @@ import numpy as np
 import pytest
 from three_scenes import PAPER, SCENE
 
-from numerics import solve
+from numerics import OutOfRange, load_scene, solve
 from numerics.cli import solving
 from numerics.cli.arguments import parser
 from numerics.scene.file import shipped_scenes
+from numerics.shown import print_table
 from numerics.trajectory.export import as_record
 
 TWO_SECONDS = replace(PAPER, until=2)
 STATE = ("x1", "v1", "x2", "v2")
 
 
-def test_json_has_the_shape_of_the_interface(run, scene_file):
-    code, out, err = run("solve", scene_file, "--json", "--digits", 30)
-    found = json.loads(out)
-    assert (code, err) == (0, "")
+@pytest.mark.parametrize(
+    "how", ["--digits 30", "--arithmetic float64", "--arithmetic double-double", "--arithmetic mpmath"]
+)
+def test_json_has_the_shape_of_the_interface_and_right_digits_only(run, scene_file, how):
+    code, out, err = run("solve", scene_file, "--json", *how.split())
+    found, truth = json.loads(out), as_record(solve(TWO_SECONDS, digits=60, arithmetic="ball"))
+    arithmetic = how.split()[1].replace("30", "ball")
+    assert (code, err, found["status"], found["arithmetic"]) == (0, "", "reached-horizon", arithmetic)
     assert list(found) == ["status", "message", "arithmetic", "digits", "events", "final"]
-    assert (found["status"], found["arithmetic"], found["digits"]) == ("reached-horizon", "ball", 30)
-    for event in found["events"]:
-        assert {event["from"], event["to"]} <= {"slip+", "slip-", "stick"}
-        assert {"t", *STATE} <= set(event)
-    assert found["final"]["mode"] in ("slip+", "slip-", "stick")
-    assert {"t", *STATE, "energy", "energy_excess"} <= set(found["final"])
-    texts = [row[key] for row in (*found["events"], found["final"]) for key in row if key not in ("from", "to", "mode")]
-    assert all(isinstance(text, str) and Decimal(text).is_finite() for text in texts)
-
-
-@pytest.mark.parametrize("arithmetic", ["float64", "double-double", "mpmath"])
-def test_point_arithmetics_print_only_right_digits(run, scene_file, arithmetic):
-    found = json.loads(run("solve", scene_file, "--json", "--arithmetic", arithmetic)[1])
-    truth = as_record(solve(TWO_SECONDS, digits=60, arithmetic="ball"))
+    assert {"t", "mode", *STATE, "energy", "energy_excess"} <= set(found["final"])
     for row, exact in zip([*found["events"], found["final"]], [*truth["events"], truth["final"]], strict=True):
-        for name in [key for key in row if key not in ("from", "to", "mode")]:
-            printed = Decimal(row[name])
-            assert "radius" not in name
-            # rounded where the error begins: the last digit may be off by one, and the rounding adds a half
-            unit = Decimal((0, (1,), printed.as_tuple().exponent))
-            assert abs(printed - Decimal(exact[name])) <= unit * Decimal("1.5")
+        modes = {row.pop(name) for name in ("from", "to", "mode") if name in row}
+        assert modes <= {"slip+", "slip-", "stick"}
+        assert {"t", *STATE} <= set(row)
+        for name, text in row.items():
+            assert isinstance(text, str)
+            assert ("radius" in name) <= (arithmetic == "ball")
+            if "radius" not in name:
+                # rounded where the error begins: the last digit may be off by one, and the rounding adds a half
+                unit = Decimal((0, (1,), Decimal(text).as_tuple().exponent))
+                assert abs(Decimal(text) - Decimal(exact[name])) <= unit * Decimal("1.5")
 
 
-def test_csv_has_a_row_for_each_event_and_the_end(run, scene_file):
-    code, out, _ = run("solve", scene_file, "--csv")
+@pytest.mark.parametrize("arithmetic", ["ball", "float64", "mpmath"])
+def test_csv_has_a_row_for_each_event_and_the_end(run, scene_file, arithmetic):
+    """A trajectory has the text that the command prints."""
+    truth = solve(TWO_SECONDS, digits=40) if arithmetic == "mpmath" else None
+    found = solve(TWO_SECONDS, arithmetic=arithmetic)
+    code, out, _ = run("solve", scene_file, "--csv", "--arithmetic", arithmetic)
     rows = list(csv.DictReader(io.StringIO(out)))
-    found = as_record(solve(TWO_SECONDS, digits=15, arithmetic="ball"))
-    assert code == 0
-    assert len(rows) == len(found["events"]) + 1
-    assert [row["t (s)"] for row in rows] == [row["t"] for row in [*found["events"], found["final"]]]
-    assert {"from", "to", "x1 (m)", "x1_radius (m)", "v2 (m/s)", "energy (J)", "energy_excess"} <= set(rows[0])
-
-
-@pytest.mark.parametrize("how", [{"arithmetic": "ball"}, {"arithmetic": "float64"}, {"arithmetic": "mpmath"}])
-def test_a_trajectory_has_the_text_that_the_command_prints(run, scene_file, how):
-    scene = TWO_SECONDS
-    truth = solve(scene, digits=40) if how["arithmetic"] == "mpmath" else None
-    _, out, _ = run("solve", scene_file, "--csv", "--arithmetic", how["arithmetic"])
-    assert solve(scene, **how).to_csv(truth) == out
+    assert (code, out, len(rows)) == (0, found.to_csv(truth), len(found.events) + 1)
+    assert {"from", "to", "t (s)", "x1 (m)", "v2 (m/s)", "energy (J)", "energy_excess"} <= set(rows[0])
+    assert ("x1_radius (m)" in rows[0]) == (arithmetic == "ball")
     if truth is not None:
         with pytest.raises(ValueError, match="give `truth`"):
-            solve(scene, **how).to_csv()
+            found.to_csv()
 
 
 def test_npz_holds_plain_arrays(run, scene_file, tmp_path):
@@ -84,20 +75,20 @@ def test_npz_holds_plain_arrays(run, scene_file, tmp_path):
 
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
 def test_plots(run, scene_file, tmp_path, suffix):
-    target = tmp_path / f"run{suffix}"
-    assert run("solve", scene_file, "--plot", target)[0] == 0
-    assert target.stat().st_size > 1000
+    assert run("solve", scene_file, "--plot", tmp_path / f"run{suffix}")[0] == 0
+    assert (tmp_path / f"run{suffix}").stat().st_size > 1000
 
 
 def test_the_table_and_the_list(run):
     code, out, err = run("solve", "velocities")
     assert (code, err) == (0, "")
     assert "entry" in out or "stick" in out
-    code, out, _ = run("scenes")
-    assert code == 0
+    out = run("scenes")[1]
     names = [line.split()[0] for line in out.splitlines()]
     assert names == list(shipped_scenes())
     assert all(len(line.split()) > 4 and "#" not in line for line in out.splitlines())  # each is told in a sentence
+    code, out, _ = run("--version")
+    assert (code, out.split()[0]) == (0, "inertial-pair")
 
 
 @pytest.mark.parametrize("command", [["solve", "-", "--json"], ["energy", "-", "--at", "2", "--json"]])
@@ -112,82 +103,8 @@ def test_a_scene_is_read_from_standard_input(run, monkeypatch, scene_file, comma
     assert "standard input is not a TOML scene" in err
 
 
-def test_the_version_is_that_of_the_project(run):
-    code, out, _ = run("--version")
-    assert (code, out.split()[0]) == (0, "inertial-pair")
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (["solve", "velocites"], "did you mean velocities"),
-        (["slove", "velocities"], "did you mean solve"),
-        (["solve", "velocities", "--arithmetic", "flaot64"], "did you mean float64"),
-        (["track", "at-rest", "--reference", "s-curv"], "did you mean s-curve"),
-        ([], "required: command; --help tells what there is"),
-        (["solve", "velocities", "--jsn"], "unrecognized arguments: --jsn; --help tells"),
-        (["solve", "velocities", "--npz", ""], "the name is empty"),
-        (["solve", "no-such-scene"], "one of those that `inertial-pair scenes` lists"),
-        (["solve", ""], "the name of the scene is empty"),
-        (["solve", "velocities", "--plot", "/proc/x.svg"], "cannot be written to"),
-    ],
-)
-def test_a_mistake_is_told_with_what_was_meant(run, words, said):
-    code, out, err = run(*words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert said in err
-
-
-@pytest.mark.parametrize(
-    ("module", "command"),
-    [
-        ("matplotlib", ["solve", "velocities", "--plot", "figure.svg"]),
-        ("matplotlib", ["map", "--out", "figure.svg"]),
-        ("rich", ["audit"]),
-        ("rich", ["trade"]),
-    ],
-)
-def test_a_missing_tool_is_named_before_anything_runs(run, monkeypatch, tmp_path, module, command):
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setitem(sys.modules, module, None)
-    monkeypatch.setattr(solving, "solve_scene", lambda _: pytest.fail("it was solved"))
-    code, out, err = run(*command)
-    assert (code, out, err.count("\n")) == (1, "", 1)
-    assert f"needs {module}" in err
-    assert "pip install" in err
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_shell_completes_commands_flags_and_scenes(monkeypatch):
-    finders = pytest.importorskip("argcomplete.finders")
-    finder = finders.CompletionFinder(parser())
-
-    def completed(*words):
-        return {one.strip() for one in finder._get_completions([*words[:-1]], words[-1], "", None)}
-
-    assert "solve" in completed("inertial-pair", "so")
-    assert "velocities" in completed("inertial-pair", "solve", "velo")
-    assert "--arithmetic" in completed("inertial-pair", "solve", "velocities", "--ar")
-
-
-def test_output_to_a_folder_is_refused(run, scene_file, tmp_path):
-    for name in ("folder.npz", "folder.svg"):
-        (tmp_path / name).mkdir()
-    for arguments in (
-        ("--npz", tmp_path / "folder.npz"),
-        ("--plot", tmp_path / "folder.svg"),
-        ("--npz", tmp_path / "absent" / "x.npz"),
-        ("--plot", tmp_path / "x.gif"),
-        ("--plot", tmp_path / "x"),
-    ):
-        code, out, err = run("solve", scene_file, *arguments)
-        assert (code, out, len(err.splitlines())) == (2, "", 1)
-    assert not list(tmp_path.rglob(".*"))
-
-
 BAD_USAGE = """
 solve
-dance
 solve start-at-6mm --digits 0
 solve start-at-6mm --digits -1
 solve start-at-6mm --digits 1.5
@@ -224,15 +141,32 @@ ring velocities --radius x
 response-map at-rest --amplitude 1 1 --omega 1 2
 response-map at-rest --amplitude 1 2 --omega 0 2
 response-map at-rest --amplitude 1 2 --omega 1 2 --depth 40
+solve velocites | did you mean velocities
+slove velocities | did you mean solve
+solve velocities --arithmetic flaot64 | did you mean float64
+track at-rest --reference s-curv | did you mean s-curve
+solve velocities --jsn | unrecognized arguments: --jsn; --help tells
+solve velocities --npz= | the name is empty
+solve no-such-scene | one of those that `inertial-pair scenes` lists
+solve velocities --plot /proc/x.svg | cannot be written to
+solve velocities --npz folder.npz | is a folder
+solve velocities --plot folder.svg | is a folder
+solve velocities --npz absent/x.npz | does not exist
+solve velocities --plot x | must end in one of
+ring velocities --radius -1 | radius = -1
 """
 
 
-@pytest.mark.parametrize("words", ["", *BAD_USAGE.strip().splitlines()])
-def test_bad_usage(run, words):
+@pytest.mark.parametrize("line", [" | required: command; --help tells what there is", *BAD_USAGE.strip().splitlines()])
+def test_bad_usage_is_told_in_one_line_with_what_was_meant(run, monkeypatch, tmp_path, line):
+    monkeypatch.chdir(tmp_path)
+    for name in ("folder.npz", "folder.svg"):
+        (tmp_path / name).mkdir()
+    words, _, said = line.partition(" | ")
     code, out, err = run(*words.split())
-    assert (code, out) == (2, "")
-    assert err.startswith("error: ")
-    assert (err.count("error"), err.count("\n")) == (1, 1)
+    assert (code, out, err[:7], err.count("error"), err.count("\n")) == (2, "", "error: ", 1, 1)
+    assert said in err
+    assert len(list(tmp_path.rglob("*"))) == 2
 
 
 @pytest.mark.parametrize("content", [b"", SCENE.encode("utf-16"), SCENE.replace("m1 = 1", "m1 = true").encode()])
@@ -242,6 +176,38 @@ def test_an_invalid_scene_is_one_line_and_exit_code_2(run, tmp_path, content):
     path.write_bytes(content)
     code, out, err = run("solve", path)
     assert (code, out, err[:7], err.count("\n")) == (2, "", "error: ", 1)
+
+
+@pytest.mark.parametrize(
+    ("module", "command"),
+    [
+        ("matplotlib", ["solve", "velocities", "--plot", "figure.svg"]),
+        ("matplotlib", ["map", "--out", "figure.svg"]),
+        ("rich", ["audit"]),
+        ("rich", ["trade"]),
+    ],
+)
+def test_a_missing_tool_is_named_before_anything_runs(run, monkeypatch, tmp_path, module, command):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, module, None)
+    monkeypatch.setattr(solving, "solve_scene", lambda _: pytest.fail("it was solved"))
+    code, out, err = run(*command)
+    assert (code, out, err.count("\n")) == (1, "", 1)
+    assert f"needs {module}" in err
+    assert "pip install" in err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_shell_completes_commands_flags_and_scenes(monkeypatch):
+    finders = pytest.importorskip("argcomplete.finders")
+    finder = finders.CompletionFinder(parser())
+
+    def completed(*words):
+        return {one.strip() for one in finder._get_completions([*words[:-1]], words[-1], "", None)}
+
+    assert "solve" in completed("inertial-pair", "so")
+    assert "velocities" in completed("inertial-pair", "solve", "velo")
+    assert "--arithmetic" in completed("inertial-pair", "solve", "velocities", "--ar")
 
 
 def test_the_real_process(tmp_path):
@@ -263,3 +229,85 @@ def test_the_real_process(tmp_path):
         )
     assert process.returncode == 1
     assert process.stderr.count(b"\n") == 1
+
+
+# what a terminal shows, and errors, which name the argument that helps
+
+
+def on_a_terminal(run, monkeypatch, *arguments) -> str:
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    return run(*arguments)[1]
+
+
+def test_a_terminal_sees_the_first_and_the_last_events_and_how_to_get_all(run, monkeypatch, scene_file):
+    scene_file.write_text(scene_file.read_text().replace("until = 2", "until = 50"))
+    how = ("solve", scene_file, "--arithmetic", "float64")
+    short = on_a_terminal(run, monkeypatch, *how)
+    whole = on_a_terminal(run, monkeypatch, *how, "--all")
+    events = [line.split() for line in whole.splitlines() if " to " in line]
+    shown = [line.split() for line in short.splitlines() if " to " in line]
+    assert shown == events[:20] + events[-20:]
+    assert f"... {len(events) - 40} events more; --all prints them too" in short.splitlines()
+    assert "--all" not in whole
+
+
+def test_a_narrow_terminal_breaks_no_line_and_loses_no_digit(run, monkeypatch, scene_file):
+    how = ("solve", scene_file, "--arithmetic", "float64", "--all")
+    piped = run(*how)[1]
+    monkeypatch.setenv("COLUMNS", "80")
+    narrow = on_a_terminal(run, monkeypatch, *how)
+    assert max(map(len, narrow.splitlines())) < 80 < max(map(len, piped.splitlines()))
+    assert narrow.split() == piped.split()
+    monkeypatch.setenv("COLUMNS", "200")
+    assert on_a_terminal(run, monkeypatch, *how) == piped
+
+
+@pytest.mark.parametrize(
+    ("argument", "arguments"),
+    [
+        ("--max-digits", ("solve", "velocities", "--digits", 500, "--max-digits", 100)),
+        ("--max-events", ("solve", "velocities", "--max-events", 2)),
+        ("--max-digits", ("energy", "start-with-speed", "--at", "1e50", "--digits", 200, "--max-digits", 100)),
+        ("--max-steps", ("energy", "start-with-speed", "--at", "1e50", "--max-steps", 3)),
+    ],
+)
+def test_a_refusal_names_the_argument_that_helps(run, argument, arguments):
+    code, _, err = run(*arguments)
+    assert code == 1
+    assert argument in err
+    assert not re.search(r"\w=|solve\(", err)
+
+
+def test_a_scene_beyond_float64_is_sent_to_balls(run, scene_file):
+    scene_file.write_text(scene_file.read_text().replace("m1 = 1", "m1 = 1e400"))
+    code, _, err = run("solve", scene_file, "--arithmetic", "float64")
+    assert (code, "use --arithmetic ball" in err) == (1, True)
+    with pytest.raises(OutOfRange, match='use arithmetic="ball"'):
+        solve(load_scene(scene_file))
+
+
+def test_a_cap_that_comes_before_the_horizon_is_told_early_and_once(capsys):
+    show = solving._progress(5000)
+    for events, fraction in ((1000, 0.21), (2000, 0.39), (3000, 0.5), (3001, 1.0)):
+        show(events, fraction)
+    told = capsys.readouterr().err
+    assert (told.count("the cap of 5000 events comes before the horizon"), told.count("\n")) == (1, 1)
+    solving._progress(5000)(3001, 1.0)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_reader_that_leaves_a_table_is_left_to_the_program(monkeypatch):
+    class Left(io.StringIO):
+        def write(self, text):
+            raise BrokenPipeError
+
+    monkeypatch.setattr(sys, "stdout", Left())
+    with pytest.raises(BrokenPipeError):
+        print_table(("a", "b"), [("1", "2")])
+
+
+@pytest.mark.parametrize("redirected", ["<&-", ">&-", "2>&-"])
+def test_a_stream_that_is_closed_is_no_traceback(redirected):
+    command = f"{sys.executable} -m numerics solve at-rest --arithmetic float64 {redirected}"
+    ended = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stderr) == (0, "")

@@ -1,31 +1,49 @@
-"""Periodic motions: their enclosures against the independent reference, their multipliers against differences of it."""
+"""Periodic motions: by independent references; their regime, their multipliers, and what is said of all others."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from control_scenes import DAMPED, FREE, one_period, referred, under
+from control_scenes import (
+    DAMPED,
+    FALLING,
+    FREE,
+    LIGHTLY,
+    answer,
+    bistable,
+    one_period,
+    referred,
+    two_that_attract,
+    under,
+)
 from flint import arb
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import decimals, sine_scenes
 
-from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State
+from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening, response
 from numerics.arithmetic.ball import Ball
+from numerics.control.answers import solved_again
+from numerics.control.coexisting import apart, mirrored
 from numerics.control.orbit import Orbit
-from numerics.control.response import Regime, response, steady_drive
+from numerics.control.response import Regime, steady_drive
 from numerics.control.stuck import stuck_state
+from tests.state_reference import reference
+
+SEVERAL = [*((bistable, k) for k in range(3)), *((two_that_attract, k) for k in range(3))]
 
 
-def returned(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fraction(0),) * 3) -> np.ndarray:
-    """(x1, v1, v2) after a period less before, by the reference."""
-    scene = one_period(orbit, moved)
-    x1, v1, _, v2 = referred(scene).state()
-    start = scene.initial
+def comes_back(orbit: Orbit, digits: int) -> None:
+    """It has these events in a period, and its first state again, by the reference."""
+    period, legs = one_period(orbit), orbit.legs
+    run = referred(period)
+    assert [event.after for event in run.events] == [leg.side for leg in (*legs[1:], legs[0])]
     with Ball(40).context():
-        ends = zip((x1, v1, v2), (start.x1, start.v1, start.v2), strict=True)
-        return np.array([float(end - Ball.number(at)) for end, at in ends])
+        size = abs(legs[0].x) + abs(legs[0].v)
+        for end, at in zip(run.state()[:2], (period.initial.x1, period.initial.v1), strict=True):
+            assert abs(end - Ball.number(at)) < size * arb(10) ** -digits
 
 
 @reaching
@@ -38,13 +56,7 @@ def test_a_periodic_motion_comes_back_by_the_reference(case):
     if found.orbit is None:
         raise LeftOut
     assert all(abs(one) < 1 for one in found.multipliers)
-    period, legs = one_period(found.orbit), found.orbit.legs
-    run = referred(period)
-    assert [event.after for event in run.events] == [leg.side for leg in (*legs[1:], legs[0])]
-    with Ball(40).context():
-        size = abs(legs[0].x) + abs(legs[0].v)
-        for end, at in zip(run.state()[:2], (period.initial.x1, period.initial.v1), strict=True):
-            assert abs(end - Ball.number(at)) < size * arb(10) ** -18
+    comes_back(found.orbit, 18)
 
 
 @given(decimals(-2, 1), decimals(-2, 1), decimals(-1, 2), decimals(-6, -2), st.sampled_from([0, "1e-5", "-0.5"]))
@@ -53,21 +65,52 @@ def test_a_periodic_motion_comes_back_by_the_reference(case):
 def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1, m2, omega, share, apart):
     """U = share b; the sine is at the resonance of the stuck pair, or so far from it that friction holds no more."""
     off = 1 + Fraction(apart) * share * m2 / (2 * (m1 + m2))
-    pair = Pair(m1, m2, (m1 + m2) * (omega / off) ** 2, 1)
-    found = response(under(pair, share, omega), digits=12)
+    found = response(under(Pair(m1, m2, (m1 + m2) * (omega / off) ** 2, 1), share, omega), digits=12)
     assert found.regime is Regime.STICK_SLIP
-    period, legs = one_period(found.orbit), found.orbit.legs
-    with Ball(40).context():
-        for end, at in zip(referred(period).state()[:2], (period.initial.x1, period.initial.v1), strict=True):
-            assert abs(end - Ball.number(at)) < (abs(legs[0].x) + abs(legs[0].v)) * arb(10) ** -11
+    comes_back(found.orbit, 11)
 
 
 def test_a_stick_that_would_break_at_the_other_edge_is_no_stick():
     """Two stops a period solve all equations of events, but in the stick between them the load passes -b."""
     orbit = response(under(Pair(1, 1, 200, "0.5", "0.5"), "5.7754", 4)).orbit
-    run = referred(one_period(orbit))
-    assert [event.after for event in run.events] == [leg.side for leg in (*orbit.legs[1:], orbit.legs[0])]
+    comes_back(orbit, 14)
     assert len(orbit.legs) == 8
+
+
+@pytest.mark.parametrize(("of", "number"), SEVERAL)
+def test_each_of_several_motions_comes_back_by_another_integrator(of, number):
+    found = of()[number]
+    scene = found.one_period()
+    at = np.array([float(one) for one in (scene.initial.x1, scene.initial.v1, scene.initial.v2)])
+    assert np.allclose(reference(scene).y[[0, 1, 3]], at, rtol=0, atol=1e-9)
+    assert solved_again(found) is not None or found.orbit is None
+
+
+def returned(scene: Scene, by: np.ndarray) -> np.ndarray:
+    """(x1, v1, v2) after a scene by the other integrator; its start moved."""
+    at = scene.initial
+    x1, v1, v2 = (Fraction(move) + one for move, one in zip(by, (at.x1, at.v1, at.v2), strict=True))
+    friction = scene.friction if scene.friction.weakening is not None else Friction((), Weakening())
+    return reference(replace(scene, initial=State(x1, v1, 0, v2), friction=friction)).y[[0, 1, 3]]
+
+
+PLAIN = [(DAMPED, "0.5"), (DAMPED, "1.5"), (FREE, "0.4"), (FREE, "0.6")]
+
+
+@pytest.mark.parametrize(
+    "of",
+    [*(lambda case=case: answer(*case) for case in PLAIN), lambda: bistable()[1], lambda: two_that_attract()[0]],
+)
+def test_multipliers_are_those_of_the_other_integrator(of):
+    """Central differences of the period map."""
+    found, step = of(), 1e-5
+    scene = found.one_period()
+    columns = [(returned(scene, step * e) - returned(scene, -step * e)) / (2 * step) for e in np.eye(3)]
+    expected = sorted(abs(np.linalg.eigvals(np.array(columns).T)))
+    assert sorted(float(abs(one).mid()) for one in found.multipliers) == pytest.approx(expected, abs=2e-5)
+
+
+# which regime, and what is said of it
 
 
 def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
@@ -76,8 +119,8 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
     scene = Scene(DAMPED, State(), 1, force=first + Force.sine("0.148450942337", 24, "0.997413953"))
     drive = steady_drive(scene)
     with Ball(20).context():
-        state = stuck_state(drive, arb(0))
-        motion = drive.mode(0).motion(state, arb(0))
+        x1, v1, v2 = stuck_state(drive, arb(0))
+        motion = drive.motion(0, (x1, v1, arb(0), v2), arb(0))
         loads = [abs(motion.range(motion.mode.load, drive.period * k / 4096)) for k in range(4096)]
         assert all(one < arb("0.5") for one in loads)
     try:
@@ -87,31 +130,36 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
     assert regime is not Regime.ENTRAINED
 
 
-@pytest.mark.parametrize(("pair", "amplitude"), [(DAMPED, "0.5"), (DAMPED, "1.5"), (FREE, "0.4"), (FREE, "0.6")])
-def test_multipliers_are_those_of_the_reference(pair, amplitude):
-    """Central differences of the period map; only those tangent to stick if the motion starts in a stick phase."""
-    found = response(under(pair, amplitude))
-    step = Fraction(1, 10**8)
-    columns = []
-    for place in range(3):
-        sides = [returned(found.orbit, tuple(s * step * (k == place) for k in range(3))) for s in (1, -1)]
-        columns.append((sides[0] - sides[1]) / (2 * float(step)) + np.eye(3)[place])
-    expected = sorted(abs(np.linalg.eigvals(np.array(columns).T)))
-    assert sorted(float(abs(one).mid()) for one in found.multipliers) == pytest.approx(expected, abs=2e-6)
+@pytest.mark.parametrize("amplitude", ["0.22", "0.24"])
+def test_a_force_and_its_opposite_have_the_same_regime(amplitude):
+    """Their loads have other largest than smallest values: both edges count."""
+    force = Force.sine(amplitude, 12, "1.5708") + Force.sine("0.3", 24, "1.2")
+    assert len({response(Scene(DAMPED, State(), 1, force=one)).regime for one in (force, -force)}) == 1
 
 
-def test_the_last_piece_and_the_last_friction_decide():
-    late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.5", 12)])))
-    scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
-    assert steady_drive(scene).pair.b == Fraction(1, 2)
-    assert response(scene).orbit.legs[0].x.overlaps(response(under(DAMPED, "0.5")).orbit.legs[0].x)
+@given(decimals(-1, 1, 2), st.integers(0, 20))
+@settings(max_examples=10)
+def test_the_stuck_response_is_a_motion_of_the_stuck_pair(a1, tenths):
+    """What it is at one time flows into what it is at a later one; the multipliers are those of the flow."""
+    pair = Pair(1, 2, 200, 50, a1)
+    scene = Scene(pair, State(), 1, force=Force.sine("0.3", 4, 1) + Force.sine("0.2", 6, "-0.7"))
+    drive = steady_drive(scene)
+    with Ball(20).context():
+        t = drive.period * tenths / 10
+        (x1, v1, v2), there = stuck_state(drive, arb(0)), stuck_state(drive, t)
+        flowed = drive.motion(0, (x1, v1, arb(0), v2), arb(0)).state(t)
+        for place in (0, 1):
+            assert (flowed[place] - there[place]).contains(0)
+        first, second, _ = response(scene).multipliers
+        left = (-Ball.number(pair.a1 / pair.mass) * drive.period).exp()
+        assert (first * second - left).contains(0)
 
 
 def test_on_the_threshold_the_load_touches_and_has_no_multipliers():
-    found = response(under(Pair(1, 1, 200, "0.5"), "0.5", 20))
+    found = response(under(FREE, "0.5", 20))
     assert found.regime is Regime.ENTRAINED
     assert "free oscillation" in found.attraction
-    at_edge = response(under(Pair(1, 1, 200, "0.5"), "0.75", 20))  # beside it no other motion sticks for ever
+    at_edge = response(under(FREE, "0.75", 20))  # beside it no other motion sticks for ever
     assert (at_edge.multipliers, at_edge.attraction) == (None, "what tends to it is open; its load touches the limit")
     damped = Pair(1, 1, 68, "0.5", 5)  # at omega = 4: Z = |36 + 20 i|; with a1 = 12 it is |36 + 48 i| = 60
     exact = Pair(1, 1, 68, "0.5", 12)
@@ -120,11 +168,95 @@ def test_on_the_threshold_the_load_touches_and_has_no_multipliers():
     assert response(under(exact, "1.8750000000001", 4)).regime is Regime.STICK_SLIP
 
 
-@pytest.mark.parametrize("amplitude", ["0.22", "0.24"])
-def test_a_force_and_its_opposite_have_the_same_regime(amplitude):
-    """Their loads have other largest than smallest values: both edges count."""
-    force = Force.sine(amplitude, 12, "1.5708") + Force.sine("0.3", 24, "1.2")
-    assert len({response(Scene(DAMPED, State(), 1, force=one)).regime for one in (force, -force)}) == 1
+def test_a_drift_of_exactly_zero_is_said_only_where_no_other_motion_can_be():
+    """Without a damper and without a stop nothing proves that the motion is the only one, odd as the force is."""
+    damped, free = (answer(pair, "2") for pair in (DAMPED, FREE))
+    assert damped.regime is free.regime is Regime.NON_STOP
+    assert damped.drift.is_zero()
+    assert free.drift.contains(0)
+    assert not free.drift.is_zero()
+    skewed = Scene(DAMPED, State(), 1, force=Force.sine("0.6", 12) + Force.sine("0.6", 24))
+    assert not response(skewed, digits=8).drift.contains(0)
+
+
+@pytest.mark.parametrize(("weakening", "most"), [(None, "0.5"), (Weakening([("0.3", "0.6")]), "0.6")])
+def test_resonance_of_body_1_grows_above_4b_over_pi(weakening, most):
+    """b is the most that friction can be; where it rises for ever nothing grows."""
+    pair, U = Pair(1, 1, 100, "0.5"), arb("0.8")
+    found = answer(pair, "0.8", 10, weakening)
+    (grows,) = [found] if weakening is None else found.motions
+    assert (grows.regime, weakening is None or found.is_all) == (Regime.GROWS, True)
+    assert abs(grows.growth - (U - 4 * arb(most) / arb.pi()) / 2) < 1e-10
+    assert answer(pair, "0.6", 10).regime is Regime.STICK_SLIP
+    assert answer(pair, "0.8", 10, Weakening([], "0.4")).motions[0].regime is not Regime.GROWS
+
+
+def test_a_stuck_motion_a_slipping_one_and_one_between_that_others_leave_are_found():
+    found = answer(LIGHTLY, "0.45", 14, FALLING)
+    assert [one.regime for one in found.motions] == [Regime.ENTRAINED, Regime.NON_STOP, Regime.NON_STOP]
+    assert "may be more" in found.sentence
+    assert not found.is_all
+    assert [float(abs(one.multipliers[0])) > 1 for one in found.motions] == [False, True, False]
+    assert [one.attraction.split(" ")[-2:] for one in found.motions[1:]] == [["leave", "it"], ["to", "it"]]
+    assert all("every motion" not in one.attraction for one in found.motions)
+    beside = answer(LIGHTLY, "0.45", 13, FALLING)
+    tend = [one.regime for one in beside.motions if one.attraction.endswith("tend to it")]
+    assert (set(tend), len(beside.motions)) == ({Regime.STICK_SLIP, Regime.NON_STOP}, 3)
+    assert beside.entrainment < arb("0.45")
+
+
+def test_where_friction_falls_nowhere_one_motion_is_all():
+    one, plain = answer(DAMPED, "0.5", 12, Weakening()), answer(DAMPED, "0.5")
+    assert (one.is_all, "no other" in one.sentence) == (True, True)
+    assert one.motions[0].attraction == plain.attraction == "every motion tends to it"
+    for ours, theirs in zip(one.motions[0].orbit.legs, plain.orbit.legs, strict=True):
+        assert ours.t.overlaps(theirs.t)
+        assert ours.x.overlaps(theirs.x)
+    rises = answer(DAMPED, "0.5", 12, Weakening([("0.01", "0.51")], "0.4"))
+    assert (rises.is_all, len(rises.motions)) == (True, 1)
+    assert len(rises.motions[0].orbit.legs) > len(rises.motions[0].orbit.events)
+    stuck = answer(DAMPED, "0.1", 12, Weakening([("0.1", "0.6")], "0.4"))
+    assert (stuck.is_all, stuck.motions[0].regime) == (True, Regime.ENTRAINED)
+
+
+def test_a_motion_that_is_not_its_own_opposite_is_found_with_that():
+    for found in bistable()[1:]:
+        drive, legs = found.orbit.drive, found.orbit.legs
+        assert not apart(found.orbit, mirrored(found.orbit))
+        pushed = replace(drive, piece=Piece(0, (20,), drive.piece.sines))  # by 20 N: 0.1 m
+        moved = Orbit(pushed, tuple(replace(one, x=one.x + arb("0.1")) for one in legs))
+        assert not apart(moved, mirrored(moved))
+    orbit = bistable()[1].orbit
+    assert apart(orbit, Orbit(orbit.drive, tuple(replace(one, x=one.x + arb("1e-6")) for one in orbit.legs)))
+
+
+@pytest.mark.long
+def test_a_force_that_favours_no_side_may_carry_body_2_along_for_ever_to_either_side():
+    """With one b and a1 > 0 the only motion is its own opposite and does not travel."""
+    light = Pair("0.163", "0.74", 200, "4.892", "0.199")
+    found = answer(light, "20", 17, Weakening([("0.0192", "3.5242"), ("0.6982", "1.3174")]))
+    carried = [one for one in found.motions if abs(one.drift) > 1 and one.attraction.endswith("tend to it")]
+    one, two = (one.drift for one in carried)
+    assert (one + two).contains(0)
+    for motion in carried:
+        period = motion.one_period()
+        assert reference(period).y[2] / float(period.until) == pytest.approx(float(motion.drift), rel=1e-9)
+    drives = {mirrored(one.orbit).legs[0].x.str(9) for one in carried}
+    assert drives == {one.orbit.legs[0].x.str(9) for one in carried}
+
+
+# what acts in the long run
+
+
+def test_the_last_piece_and_the_last_friction_decide():
+    late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.5", 12)])))
+    scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
+    assert steady_drive(scene) == answer(DAMPED, "0.5").drive
+    doubled = Friction([(1, "0.5")], Weakening([("0.3", "0.3")]))
+    scaled = Scene(Pair(1, 1, 200, 1, "0.2"), State(), 2, force=Force.sine("0.45", 14), friction=doubled)
+    assert steady_drive(scaled) == bistable()[0].drive
+    one = response(Scene(DAMPED, State(), 1), amplitude="0.5", omega=12)
+    assert (one.drive, one.regime) == (answer(DAMPED, "0.5").drive, Regime.STICK_SLIP)
 
 
 @pytest.mark.parametrize(
@@ -137,6 +269,7 @@ def test_a_force_and_its_opposite_have_the_same_regime(amplitude):
         (under(DAMPED, 1), {"amplitude": 0}, "amplitude"),
         (Scene(DAMPED, State(), 1), {"amplitude": 1}, "the scene has no force"),
         (Scene(DAMPED, State(), 1), {"omega": "inf"}, "^omega"),
+        (under(LIGHTLY, "0.4", friction=Friction((), Weakening([], 0, [("0.01", "0.1")]))), {}, "x1 - x2"),
     ],
 )
 def test_what_has_no_periodic_response_is_refused(scene, more, said):
@@ -144,43 +277,12 @@ def test_what_has_no_periodic_response_is_refused(scene, more, said):
         response(scene, **more)
 
 
-def test_a_scene_without_a_force_takes_the_sine_that_is_given():
-    one, two = response(Scene(DAMPED, State(), 1), amplitude="0.2", omega=12), response(under(DAMPED, "0.2"))
-    assert (one.drive, one.regime) == (two.drive, two.regime)
-
-
-@given(decimals(-1, 1, 2), st.integers(0, 20))
-@settings(max_examples=10)
-def test_the_stuck_response_is_a_motion_of_the_stuck_pair(a1, tenths):
-    """What it is at one time flows into what it is at a later one; the multipliers are those of the flow."""
-    pair = Pair(1, 2, 200, 50, a1)
-    scene = Scene(pair, State(), 1, force=Force.sine("0.3", 4, 1) + Force.sine("0.2", 6, "-0.7"))
-    drive = steady_drive(scene)
-    with Ball(20).context():
-        t = drive.period * tenths / 10
-        begun, there = stuck_state(drive, arb(0)), stuck_state(drive, t)
-        flowed = drive.mode(0).motion(begun, arb(0)).state(t)
-        for place in (0, 1):
-            assert (flowed[place] - there[place]).contains(0)
-        first, second, _ = response(scene).multipliers
-        left = (-Ball.number(pair.a1 / pair.mass) * drive.period).exp()
-        assert (first * second - left).contains(0)
-
-
-def test_a_drift_of_exactly_zero_is_said_only_where_no_other_motion_can_be():
-    """Without a damper and without a stop nothing proves that the motion is the only one, odd as the force is."""
-    damped, free = (response(under(pair, "2")) for pair in (DAMPED, FREE))
-    assert damped.regime is free.regime is Regime.NON_STOP
-    assert damped.drift.is_zero()
-    assert free.drift.contains(0)
-    assert not free.drift.is_zero()
-    skewed = Scene(DAMPED, State(), 1, force=Force.sine("0.6", 12) + Force.sine("0.6", 24))
-    assert not response(skewed, digits=8).drift.contains(0)
-
-
-def test_resonance_of_body_1_grows_above_4b_over_pi():
-    pair = Pair(1, 1, 100, "0.5")
-    grows = response(under(pair, "0.7", 10))
-    assert grows.regime is Regime.GROWS
-    assert abs(grows.growth - (Ball.number(Fraction(7, 10)) - 2 / arb.pi()) / 2) < 1e-15
-    assert response(under(pair, "0.6", 10)).regime is Regime.STICK_SLIP
+def test_the_picture_names_each_motion_and_what_friction_can_be():
+    law, plane = answer(LIGHTLY, "0.45", 14, FALLING).plot().axes
+    assert law.get_xlabel() == plane.get_ylabel() == "$v_1 - v_2$ (m/s)"
+    names = ["1: entrained", "2: non-stop, which others leave", "3: non-stop"]
+    assert [line.get_label() for line in plane.lines] == names
+    slip, given = law.lines[2], law.lines[-1]
+    at = np.abs(slip.get_xdata()) > 1e-3
+    expected = np.interp(slip.get_xdata()[at], *given.get_data())
+    assert np.allclose(slip.get_ydata()[at], expected, atol=1e-3)

@@ -46,31 +46,32 @@ def test_the_piece_that_asks_too_much_is_named_with_how_much():
     assert draw_tracking(found, FREE).axes
 
 
-@pytest.mark.parametrize(("amplitude", "possible"), [("0.5", True), ("0.50000000000000000001", False)])
-def test_the_limit_itself_can_be_followed(amplitude, possible):
-    """Exactly at b: r'' = b/m2 in a parabola, and at the peak of one sine."""
-    half = Fraction(amplitude) / 2
-    assert (track(Scene(FREE, State(), 2), (Piece(0, [0, 0, half]),)).scene is not None) == possible
-    wave = (Piece(0, [0, -Fraction(amplitude)], [Sine(amplitude, 1)]),)
-    assert (track(Scene(FREE, State(), 4), wave, digits=25).scene is not None) == possible
+BUMP = (Piece(0, [0, 0, 0, "1/6", "-1/6", "1/20"]),)
+"""r'' = t (1 - t)^2 is largest, 4/27, at t = 1/3, where it turns back."""
+TWO_SINES = (Piece(0, [0, "-0.45"], [Sine("0.3", 1), Sine("0.075", 2)]),)
+"""r'' = -0.3 sin t - 0.3 sin 2t gets to 0.528: each sine alone, and the parabola beside them, is within b."""
 
 
-@pytest.mark.parametrize(("b", "possible"), [("1/2", False), ("0.6", True)])
-def test_all_sines_of_a_reference_count_together(b, possible):
-    """r'' = -0.3 sin t - 0.3 sin 2t gets to 0.528: each sine alone, and the parabola beside them, is within b."""
-    reference = (Piece(0, [0, "-0.45"], [Sine("0.3", 1), Sine("0.075", 2)]),)
-    found = track(Scene(Pair(1, 1, 200, b), State(), 7), reference)
+@pytest.mark.parametrize(
+    ("reference", "until", "b", "possible"),
+    [
+        ((Piece(0, [0, 0, "0.25"]),), 2, "0.5", True),
+        ((Piece(0, [0, 0, "0.25"]),), 2, "0.49999999999999999999", False),
+        ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.5", True),
+        ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.49999999999999999999", False),
+        (BUMP, 1, "4/27", True),
+        (BUMP, 1, "0.1481481481481481481481481481", False),
+        (TWO_SINES, 7, "0.5", False),
+        (TWO_SINES, 7, "0.6", True),
+    ],
+)
+def test_the_limit_itself_can_be_followed_and_no_more(reference, until, b, possible):
+    found = track(Scene(Pair(1, 1, 200, b), State(), until), reference, digits=25)
     assert (found.scene is not None) == possible
-    assert float(found.demands[0].force) == pytest.approx(0.528, abs=1e-3)
-
-
-@pytest.mark.parametrize(("b", "possible"), [("4/27", True), ("0.1481481481481481481481481481", False)])
-def test_a_polynomial_that_touches_the_limit_inside_is_decided_exactly(b, possible):
-    """r'' = t (1 - t)^2 is largest, 4/27, at t = 1/3, where it turns back."""
-    bump = (Piece(0, [0, 0, 0, "1/6", "-1/6", "1/20"]),)
-    found = track(Scene(Pair(1, 1, 200, b), State(), 1), bump)
-    assert (found.scene is not None) == possible
-    assert found.is_at_limit
+    if reference is TWO_SINES:
+        assert float(found.demands[0].force) == pytest.approx(0.528, abs=1e-3)
+    else:
+        assert found.is_at_limit
 
 
 @given(st.lists(decimals(-1, 1, 2), min_size=1, max_size=4), decimals(-1, 1, 2), decimals(-1, 0, 2))
