@@ -21,11 +21,10 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
 from numerics.free.bounds import Carried, initial
+from numerics.free.excursions import left_range, motions
 from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
 from numerics.free.rows import UNKNOWN, solve_row, solve_start
-from numerics.free.start import SI, Begun, begin, first_mode, in_si, narrowing, wide
-from numerics.free.walk import Walk, left_range
-from numerics.linear.modes import MODES, Mode
+from numerics.free.start import SI, Begun, begin, in_si, narrowing, wide
 from numerics.linear.record import AT, END_ROW, ROW, How, Knot, Record
 from numerics.scene import Law, Scene
 
@@ -46,11 +45,6 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
     """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
     by_rows = arithmetic.name in {"float64", "double-double"}
     return (_run_in_rows if by_rows else _run_exactly)(scene, arithmetic, max_events, progress)
-
-
-def mode_at_start(scene: Scene) -> Mode:
-    """Return the mode that follows the initial state of a scene; exact, every tie decided by the rules of modes.py."""
-    return MODES[first_mode(SI(*map(wide, si_numbers(scene))), scene.law is Law.THREE_VALUED_SGN)[0]]
 
 
 def si_numbers(scene: Scene) -> SI:
@@ -207,34 +201,31 @@ def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
     """Run in mpmath or balls, one Knot an event."""
     with arithmetic.context():
         begun, given = begin_exactly(scene, arithmetic)
-        walk, units, horizon = Walk(arithmetic, begun.at, begun.start), begun.units, begun.horizon
-        zero = begun.start.tau
-        knots = [_knot(walk.start, zero, zero, given[:4])]
-        while True:
-            duration = walk.duration
+        at, units, horizon = begun.at, begun.units, begun.horizon
+        knots: list[Knot] = []
+        length = zero = begun.start.tau
+        for start, duration in motions(arithmetic, at, begun.start):
+            here = in_si(units, event_state(at, start)) if knots else given[:4]
+            knots.append(_knot(start, start.tau / units.rate, length, here)._replace(event=bool(knots)))
+            if progress is not None and len(knots) % 1000 == 0:
+                progress(len(knots), arithmetic.to_float(start.tau / horizon))
             if duration is None:
                 how = How.STUCK
                 break
-            if sign(walk.start.tau + duration - horizon, BEFORE_HORIZON) > 0:
+            if sign(start.tau + duration - horizon, BEFORE_HORIZON) > 0:
                 how = How.REACHED
                 break
             if len(knots) > max_events:
                 how = How.EVENT_LIMIT
                 break
-            walk.go_on()
-            start, here = walk.start, event_state(begun.at, walk.start)
-            t, length = start.tau / units.rate, duration / units.rate
-            knots.append(_knot(start, t, length, in_si(units, here))._replace(event=True))
-            if progress is not None and len(knots) % 1000 == 0:
-                progress(len(knots), arithmetic.to_float(start.tau / horizon))
-        start = walk.start
+            length = duration / units.rate
         if how is How.EVENT_LIMIT:
             end, spent = knots[-1]._replace(length=zero), start.spent
         else:
-            length = nonnegative((horizon - start.tau) - start.rest)
-            here = state_at(begun.at, start, length)
-            end = _knot(start, given[4], length / units.rate, in_si(units, here))._replace(excess=here.w)
-            spent = here.spent
+            left = nonnegative((horizon - start.tau) - start.rest)
+            last = state_at(at, start, left)
+            end = _knot(start, given[4], left / units.rate, in_si(units, last))._replace(excess=last.w)
+            spent = last.spent
         return Record(knots, end, how, len(knots) - 1, True, units.energy * spent, zero)
 
 

@@ -15,8 +15,7 @@ from typing import Any, NamedTuple
 from flint import fmpq
 
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.motion import State
-from numerics.free.start import SI, in_si, narrowing, parameters_of, units_of, wide
+from numerics.free.start import SI, narrowing, parameters_of, units_of, wide
 from numerics.scene import Pair
 
 
@@ -53,10 +52,6 @@ class Frame:
         X, V1, V2 = x1 / self.length, v1 / self.speed, v2 / self.speed
         w = self.energy_ratio(X, V1, V2) - 1 if excess is None else excess
         return ReducedState(X, V1, V2, (x1 - x2) / self.length, w)
-
-    def si_state(self, state: State) -> tuple[Number, Number, Number, Number]:
-        """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
-        return in_si(self.units, state)
 
     def si_time(self, tau: Number) -> Number:
         """Return t = tau/Omega in s."""

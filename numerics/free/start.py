@@ -25,7 +25,7 @@ from numerics.arithmetic.compiled import by_type, compilable
 from numerics.arithmetic.functions import like, signed, sqrt
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.motion import FREE, STICK, SURFACE, Parameters, Start, State
+from numerics.free.motion import FREE, STICK, SURFACE, Parameters, Start
 
 Wide = Any
 """fmpq, or Pair."""
@@ -68,7 +68,7 @@ class Units(NamedTuple):
 
 
 @compilable
-def in_si(units: Units, at: State) -> tuple[Number, Number, Number, Number]:
+def in_si(units: Units, at: Any) -> tuple[Number, Number, Number, Number]:
     """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
     speed = units.length * units.rate
     return units.length * at.X, speed * at.V1, units.length * (at.X - at.Z), speed * at.V2
