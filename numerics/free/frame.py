@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from flint import fmpq
 
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.start import SI, narrowing, parameters_of, units_of, wide
+from numerics.free.start import SI, constants, narrowing, wide
 from numerics.scene import Pair
 
 
@@ -40,8 +40,7 @@ class Frame:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
         self.arithmetic, self.pair, narrow = arithmetic, pair, narrowing(arithmetic)
         si = SI(*map(wide, (pair.m1, pair.m2, pair.a2, pair.b)), *[fmpq(0)] * 6)
-        self.q, self.r, self.sqrt_q, _ = parameters_of(si, False, narrow)
-        self.units = units_of(si, narrow)
+        (self.q, self.r, self.sqrt_q, _), self.units = constants(si, False, narrow)
         self.length, self.rate, self.critical_energy = self.units
         self.speed = self.length * self.rate
         self.two_zeta = arithmetic.number(pair.a1 / pair.mass) / self.rate
