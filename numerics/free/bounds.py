@@ -158,7 +158,8 @@ def _ended(at: Parameters, before: Start, carried: Carried, end: Landing) -> Car
     if start.kind == RAY:
         return _after_ray(pair, unit, errors, start, landed)
     if start.kind == SURFACE:
-        return without_linear(pair, _after_surface(pair, unit, errors, start, landed))
+        depth = as_float(-end.gap - before.gap)
+        return without_linear(pair, _after_surface(pair, unit, errors, start, landed, depth))
     return without_linear(pair, _after_free(pair, unit, errors, start, landed))
 
 
@@ -210,10 +211,9 @@ def _after_ray(at: Parameters, unit: float, errors: Errors, start: Start, end: L
 
 
 @compilable
-def _after_surface(at: Parameters, unit: float, errors: Errors, start: Start, end: Landing) -> Errors:
+def _after_surface(at: Parameters, unit: float, errors: Errors, start: Start, end: Landing, depth: float) -> Errors:
     """Return the errors at the end of a slip from S: by its linear map, or by the contraction."""
     q, r, sqrt_q, gap, push, theta = at.q, at.r, at.sqrt_q, start.gap, start.push, end.theta
-    depth = -end.gap - gap
     rate = depth + gap
     rise = push + gap * (2.0 - depth) / theta  # h = u + d cot(theta/2)
     # the linear map of this slip: dtheta = (du + cot dd) (1 - cos)/(c + d)
