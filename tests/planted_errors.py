@@ -10,9 +10,9 @@ import numpy as np
 from numerics import Pair, Scene, State
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.free.bound_steps import Errors, no_linear
-from numerics.free.bounds import Carried, initial
-from numerics.free.engine import begin_exactly, in_halves
+from numerics.free.bounds import Carried, Errors, without_linear
+from numerics.free.engine import begin_in_rows
+from numerics.free.motion import Parameters
 from numerics.free.rows import solve_start
 from numerics.linear.record import AT, END_ROW, ROW
 
@@ -45,12 +45,7 @@ def unit_pair(q: Fraction) -> Pair:
 
 def run(scene: Scene, name: str, planted: Scene | None = None) -> Found:
     """Solve a scene by interpreted code; with the distance of the scene `planted` as an error of its start."""
-    arithmetic = ARITHMETICS[name]
-    with arithmetic.context():
-        begun, given = begin_exactly(scene, arithmetic)
-        if name == "double-double":
-            begun, given = (in_halves(one, arithmetic.halves) for one in (begun, given))
-    carried = initial(begun.at, begun.start, begun.V1, begun.V2)
+    begun, carried, given = begin_in_rows(scene, ARITHMETICS[name])
     if planted is not None:
         carried = _with_distance(carried, scene, planted)
     rows, end = [[0.0] * ROW for _ in range(MOST + 1)], [0.0] * END_ROW
@@ -74,7 +69,7 @@ def _with_distance(carried: Carried, scene: Scene, other: Scene) -> Carried:
         shift,
         norm + distance,
     )
-    return Carried(errors, no_linear(q, errors))
+    return without_linear(Parameters(q, 1 - q, math.sqrt(q), False), errors)
 
 
 def draw_scene(random: Random) -> Scene:

@@ -20,12 +20,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import flint
 from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_series
 
-from numerics.arithmetic.ball import Ball, precision, widened
+from numerics.arithmetic.ball import Ball, precision, undecided, widened
 
 ORDER = 24
 """Terms of alpha beyond the logarithm; beta has twice as many, as it runs in half powers of y."""
@@ -79,9 +79,9 @@ class AbelFunctions:
         self.slide_coefficients = _solved(-x * falls, x * (one - falls), 1, 0, self.order + 1)
 
     def alpha(self, y: arb) -> arb:
-        """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises ArithmeticError beyond."""
+        """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises EventUndecided beyond."""
         if not y <= Ball.number(self.largest_argument):
-            raise ArithmeticError(f"y = {y.str(6)} is beyond the certified {float(self.largest_argument):g}")
+            raise undecided(f"is this excess within the certified {float(self.largest_argument):g}?", y)
         value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients)(y)
         return widened(value, self._missed(y, self._rims[0], self.alpha_zero_order))
 
@@ -96,32 +96,24 @@ class AbelFunctions:
         missed = self._missed(y, self._rims[2], self.alpha_zero_order)
         return widened(_polynomial(self.slide_coefficients)(y), missed)
 
-    def slope(self, y: arb) -> arb:
-        """Return alpha'(y) of the truncated series: what Newton's method steers by."""
-        a, b = arb(self.a), arb(self.log_coefficient)
-        return -1 / (a * y * y) + b / y + _polynomial(self.alpha_coefficients).derivative()(y)
-
     def alpha_inverse(self, value: arb, start: arb) -> arb:
         """Return an enclosure of the y in (0, start] with alpha(y) = value >= alpha(start); alpha falls.
 
-        Newton's method from 1/(a value), then a bracket whose ends are proved to lie on either side.
-        Raises ArithmeticError where the bracket is not found at this precision.
+        By 1/(a y) = value - (alpha(y) - 1/(a y)), whose right side hardly depends on y, then by a bracket whose ends
+        are proved to lie on either side. Raises EventUndecided where the bracket is not found at this precision.
         """
-        y = (1 / (arb(self.a) * value)).min(start).mid()
-        for _ in range(200):
-            step = ((self.alpha(y) - value) / self.slope(y)).mid()
-            y = (y - step).mid()
-            if not y > 0 or not y < 2 * start:
-                y = (start / 2).mid()
-            if abs(step) < abs(y) * arb(2) ** (4 - flint.ctx.prec):
+        a, y, unit = arb(self.a), start.mid(), arb(2) ** (4 - flint.ctx.prec)
+        for _ in range(400):
+            before, y = y, (1 / (a * (value - self.alpha(y)) + 1 / y)).min(start).mid()
+            if not abs(y - before) > y * unit:
                 break
-        width = (abs(self.alpha(y) - value) / abs(self.slope(y))).upper() + abs(y) * arb(2) ** (8 - flint.ctx.prec)
+        width = 2 * abs(y - before) + 16 * y * unit
         for _ in range(60):
             low, high = (y - width).mid(), (y + width).mid()
             if self.alpha(low) > value and self.alpha(high) < value:
                 return low.union(high)
             width = 2 * width
-        raise ArithmeticError("the inverse of the Abel function is not enclosed at this precision")
+        raise undecided("which energy has this Abel function?", y)
 
     def _missed(self, y: arb, rim: arb, zero_order: int) -> arb:
         """Return a bound of sum_k |defect(y_k)| over all later iterates: rim (theta_k/radius)^n, theta <= 3 sqrt(y)."""
@@ -173,6 +165,27 @@ class AbelFunctions:
             )
             sup = [worst.max(abs(one).upper()) for worst, one in zip(sup, defects, strict=True)]
         return (sup[0], sup[1], sup[2]) if all(one.is_finite() for one in sup) else None
+
+
+_kept = lru_cache(maxsize=8)(AbelFunctions)
+
+
+def reach_of(digits: int) -> float:
+    """Return the largest y = w/q to jump from: there the terms left out are below the digits asked for."""
+    return float(0.12 * 10.0 ** (-digits / (_order_for(digits) + 1)))
+
+
+def _order_for(digits: int) -> int:
+    """Return the number of terms that lets the jump start early enough for this many digits."""
+    return max(24, min(80, digits))
+
+
+def abel_functions(share: Fraction, digits: int, y: arb) -> AbelFunctions | None:
+    """Return the functions of a mass share, made once, with so many digits at y and below; None if y is too large."""
+    if not y < reach_of(digits):
+        return None
+    found = _kept(share, _order_for(digits))
+    return found if y <= Ball.number(found.largest_argument) else None
 
 
 def height_and_depth(theta: acb) -> tuple[acb, acb]:

@@ -6,82 +6,59 @@ cells the excess width is of second order, where plain balls would lose all corr
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import arb
+from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball
 
-Slopes = tuple[arb, ...]
 
-
-@dataclass(frozen=True, slots=True)
 class Centred:
-    """A differentiable function of the parameters of one cell; everything enclosed.
+    """A differentiable function of the parameters p of one cell; everything enclosed.
 
-    `centre` is its value at the centre, `slopes` its partial derivatives over the cell, `value` its range there.
+    `centre` is its value at the centre c, `slopes` (1, n) its derivatives over the cell, `value` its range there;
+    `cell` (n, 1) is the range of p - c.
     """
 
-    centre: arb
-    slopes: Slopes
-    value: arb
+    __slots__ = ("cell", "centre", "slopes", "value")
+
+    def __init__(self, centre: arb, slopes: arb_mat, value: arb, cell: arb_mat) -> None:
+        """Intersect the range with the mean value enclosure."""
+        self.centre, self.slopes, self.cell = centre, slopes, cell
+        enclosure = centre + (slopes * cell)[0, 0]
+        if enclosure.is_finite():
+            value = enclosure.intersection(value) if value.is_finite() else enclosure
+        self.value = value
 
     def __add__(self, other: Centred) -> Centred:
         """Return the sum."""
-        slopes = tuple(a + b for a, b in zip(self.slopes, other.slopes, strict=True))
-        return Centred(self.centre + other.centre, slopes, self.value + other.value)
+        return Centred(self.centre + other.centre, self.slopes + other.slopes, self.value + other.value, self.cell)
 
     def __sub__(self, other: Centred) -> Centred:
         """Return the difference."""
-        return self + other * -1
+        return Centred(self.centre - other.centre, self.slopes - other.slopes, self.value - other.value, self.cell)
 
-    def __mul__(self, other: Centred | arb | int) -> Centred:
-        """Return the product with another function, or with a constant."""
-        if not isinstance(other, Centred):
-            return Centred(self.centre * other, tuple(one * other for one in self.slopes), self.value * other)
-        slopes = (self.value * b + other.value * a for a, b in zip(self.slopes, other.slopes, strict=True))
-        return Centred(self.centre * other.centre, tuple(slopes), self.value * other.value)
-
-    def chain(self, centre: arb, derivative: arb, value: arb) -> Centred:
-        """Return g of this function, given g at its centre, g' over its range, and the range of g."""
-        return Centred(centre, tuple(derivative * one for one in self.slopes), value)
+    def __mul__(self, other: Centred) -> Centred:
+        """Return the product."""
+        slopes = self.slopes * other.value + other.slopes * self.value
+        return Centred(self.centre * other.centre, slopes, self.value * other.value, self.cell)
 
     def sqrt(self) -> Centred:
         """Return the square root of a function that is positive over the cell."""
         root = self.value.sqrt()
-        return self.chain(self.centre.sqrt(), 1 / (2 * root), root)
-
-
-class Cell:
-    """A box of exact rational sides; it tightens the ranges of what is computed over it."""
-
-    def __init__(self, *sides: tuple[Fraction | int, Fraction | int]) -> None:
-        """Enclose the sides in balls around their midpoints; `parameters` are the coordinates as functions."""
-        self._radii = tuple(Ball.number(Fraction(high - low) / 2).upper() for low, high in sides)
-        middles = [Ball.number(Fraction(high + low) / 2) for low, high in sides]
-        self.parameters = tuple(
-            Centred(middle, tuple(arb(int(k == n)) for n in range(len(sides))), middle + arb(0, self._radii[k]))
-            for k, middle in enumerate(middles)
-        )
+        return Centred(self.centre.sqrt(), self.slopes / (2 * root), root, self.cell)
 
     def constant(self, value: arb) -> Centred:
-        """Return a constant as a function."""
-        return Centred(value, tuple(arb(0) for _ in self._radii), value)
+        """Return a constant over the same cell."""
+        return Centred(value, self.slopes * 0, value, self.cell)
 
-    def tight(self, form: Centred) -> Centred:
-        """Return the form with its range intersected with the mean value enclosure."""
-        reach = arb(0)
-        for slope, radius in zip(form.slopes, self._radii, strict=True):
-            reach += abs(slope) * radius
-        enclosure = form.centre + arb(0, reach.upper())
-        if not enclosure.is_finite():
-            return form
-        value = enclosure.intersection(form.value) if form.value.is_finite() else enclosure
-        return Centred(form.centre, form.slopes, value)
 
-    def without(self, index: int, form: Centred) -> Centred:
-        """Return the form without its dependence on one parameter, which widens its value at the centre instead."""
-        moved = arb(0, (abs(form.slopes[index]) * self._radii[index]).upper())
-        slopes = (*form.slopes[:index], arb(0), *form.slopes[index + 1 :])
-        return Centred(form.centre + moved, slopes, form.value)
+def parameters(*sides: tuple[Fraction, Fraction]) -> list[Centred]:
+    """Return the coordinates of a box of exact rational sides, as functions over it."""
+    cell = arb_mat([[arb(0, Ball.number((high - low) / 2).upper())] for low, high in sides])
+    middles = [Ball.number((high + low) / 2) for low, high in sides]
+    units = [arb_mat([[int(k == n) for n in range(len(sides))]]) for k in range(len(sides))]
+    return [
+        Centred(middle, unit, middle + cell[k, 0], cell)
+        for k, (middle, unit) in enumerate(zip(middles, units, strict=True))
+    ]

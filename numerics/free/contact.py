@@ -102,7 +102,8 @@ def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
         return binary64_contact(gap, push)
     if type(gap) is Pair:
         return _refined_contact(gap, push)
-    return _enclosed_contact(gap, push) if type(gap) is arb else bracketed_contact(gap, push)
+    found = contact_next_to_binary64(gap, push) if type(gap) is arb else None
+    return found or bracketed_contact(gap, push)
 
 
 @compilable
@@ -183,7 +184,7 @@ def _enclosed_ray_contact(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb
     """
     centre = w.mid()
     push = sqrt(centre) / sqrt_q
-    theta_there, depth_there, versine_there = _enclosed_contact(arb(0), push)
+    theta_there, depth_there, versine_there = contact(arb(0), push)
     stretch = sqrt(w / centre)
     theta = theta_there * stretch
     depth = depth_there + push * stretch * (theta - theta_there)
@@ -191,11 +192,6 @@ def _enclosed_ray_contact(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb
     # of which it lacks a part, as sqrt bends: sqrt 2 - 1 > 1/3
     slope = 1 - r * (versine_there + 3 * (theta - theta_there))
     return theta, depth, (centre - r * q * depth_there * depth_there) + (w - centre) * slope, versine_there
-
-
-def _enclosed_contact(gap: arb, push: arb) -> tuple[arb, arb, arb]:
-    """Return the enclosed contact at flint's present precision. Raises EventUndecided."""
-    return contact_next_to_binary64(gap, push) or bracketed_contact(gap, push)
 
 
 def contact_next_to_binary64(gap: arb, push: arb) -> tuple[arb, arb, arb] | None:

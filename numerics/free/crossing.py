@@ -10,34 +10,12 @@ from __future__ import annotations
 
 import math
 
-from numerics.arithmetic.compiled import by_type, compilable
+from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, atan2, ceiling, finite, like, resolved, sign, sqrt, two_pi
-from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import GRAZES, GUARD_TURNS, MINIMUM_BEFORE_START
-from numerics.free.root import falling_root, search
+from numerics.free.root import falling_root
 from numerics.free.slip import Variables, guard_and_gap
-
-
-@compilable
-def _guard_root_in_floats(lower: float, upper: float, at: Variables) -> float:
-    return search(guard_and_gap, at, lower, upper, (lower + upper) / 2)
-
-
-@compilable
-def _guard_root_in_pairs(lower: Pair, upper: Pair, at: Variables) -> Pair:
-    """Return the root, searched from the one that binary64 finds, if that lies in the bracket."""
-    rounded = Variables(at.guard.high, at.gap.high, at.push.high)
-    guess = Pair(_guard_root_in_floats(lower.high, upper.high, rounded), 0.0)
-    return search(guard_and_gap, at, lower, upper, guess if lower < guess < upper else (lower + upper) / 2)
-
-
-@by_type(_guard_root_in_floats, _guard_root_in_pairs)
-def _guard_root(lower: Number, upper: Number, at: Variables) -> Number:
-    """Return the root of the guard between angles where it falls."""
-    return (
-        _guard_root_in_pairs(lower, upper, at) if type(lower) is Pair else falling_root(lower, upper, guard_and_gap, at)
-    )
 
 
 @compilable
@@ -52,7 +30,7 @@ def first_contact(at: Variables, turns: bool) -> tuple[Number, float]:
     if not finite(excess):
         return like(g, math.nan), 0.0
     if not turns or sign(excess, GUARD_TURNS) <= 0:
-        return _guard_root(zero, g + u + 3, at), math.inf  # monotone: k <= g + u + A - theta, A <= 1
+        return falling_root(zero, g + u + 3, guard_and_gap, at), math.inf  # monotone: k <= g + u + A - theta, A <= 1
     turn, height = two_pi(g), sqrt(excess)
     lean, phase = atan2(height, like(g, 1.0)), atan2(u, 1 + d)
     count = (g + u - height + (lean - phase)) / turn  # k at the minimum phase - lean, in full turns
@@ -65,4 +43,4 @@ def first_contact(at: Variables, turns: bool) -> tuple[Number, float]:
     maximum = minimum - turn + 2 * lean
     least = 1 if as_float(first) <= 0.0 else 0
     spared = as_float(turn * (count - (index - 1))) if index > least else math.inf
-    return _guard_root(zero if as_float(maximum) <= 0.0 else maximum, minimum, at), spared
+    return falling_root(zero if as_float(maximum) <= 0.0 else maximum, minimum, guard_and_gap, at), spared

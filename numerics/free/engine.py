@@ -21,12 +21,11 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
 from numerics.free.bounds import Carried, initial
+from numerics.free.excursions import left_range, motions
 from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
 from numerics.free.rows import UNKNOWN, solve_row, solve_start
-from numerics.free.start import SI, Begun, begin, first_mode, in_si, narrowing, wide
-from numerics.free.walk import Walk, left_range
-from numerics.linear.modes import MODES, Mode
-from numerics.linear.record import AT, END_ROW, ROW, How, Knot, Record
+from numerics.free.start import SI, Begun, begin, in_si, narrowing, wide
+from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.scene import Law, Scene
 
 Progress = Callable[[int, float], None]
@@ -46,11 +45,6 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
     """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
     by_rows = arithmetic.name in {"float64", "double-double"}
     return (_run_in_rows if by_rows else _run_exactly)(scene, arithmetic, max_events, progress)
-
-
-def mode_at_start(scene: Scene) -> Mode:
-    """Return the mode that follows the initial state of a scene; exact, every tie decided by the rules of modes.py."""
-    return MODES[first_mode(SI(*map(wide, si_numbers(scene))), scene.law is Law.THREE_VALUED_SGN)[0]]
 
 
 def si_numbers(scene: Scene) -> SI:
@@ -94,18 +88,17 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
 def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: Progress | None) -> Record | None:
     """Solve ten SI numbers as halves in compiled binary64; None where they must be converted exactly."""
     solve, end = compiled(solve_row), np.empty(END_ROW)
-    room = _room(row.item(16) * math.sqrt(row.item(4) / row.item(0)), max_events)
-    rows = _with_room(room, lambda rows: solve(row, literal, max_events, rows, end))
+    angle = row.item(16) * math.sqrt(row.item(4) / row.item(0))
+    rows = _with_room(angle, max_events, lambda rows: solve(row, literal, max_events, rows, end))
     return None if rows is None else _record(rows, end, Float64(), progress)
 
 
-def _room(angle: float, max_events: int) -> int:
-    """Return for how many events there is room at first, if body 1 alone turns by so many radians."""
-    return int(min(max_events, 16 + _EVENTS_PER_TURN * min(angle / math.pi, 1e6)))
+def _with_room(angle: float, most: int, solve: Callable[[NDArray[np.float64]], int]) -> NDArray[np.float64] | None:
+    """Return the rows of a run in which body 1 alone turns by so many radians; None for UNKNOWN.
 
-
-def _with_room(room: int, solve: Callable[[NDArray[np.float64]], int]) -> NDArray[np.float64] | None:
-    """Return the rows of a run that is made again where there is no room for all its events; None for UNKNOWN."""
+    It is made again where there is no room for all its events.
+    """
+    room = int(min(most, 16 + _EVENTS_PER_TURN * min(angle / math.pi, 1e6)))
     while True:
         rows = np.empty((room + 1, ROW))
         room = solve(rows)
@@ -114,82 +107,53 @@ def _with_room(room: int, solve: Callable[[NDArray[np.float64]], int]) -> NDArra
 
 
 def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
-    """Run in binary64, by its row where it can be, or in double-double."""
-    if isinstance(arithmetic, DoubleDouble):
-        _runs[0] += _WIDE_RUN
-        begun, given, carried = _begun_wide(scene, arithmetic)
-    else:
-        _runs[0] += 1
-        row = scene_row(scene) if compiles_now() or (_runs[0] > _MANY and can_compile()) else None
-        found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
-        if found is not None:
-            return found
-        begun, given = begin_exactly(scene, arithmetic)
-        carried = initial(begun.at, begun.start, begun.V1, begun.V2)
-    rows, end = _from_start(begun, carried, given, max_events, scene, progress)
+    """Run in binary64, by its row where it can be, or in double-double.
+
+    A short run is made by Python, which would wait for numba longer than it runs.
+    """
+    is_wide = isinstance(arithmetic, DoubleDouble)
+    _runs[0] += _WIDE_RUN if is_wide else 1
+    fast = compiles_now() or (_runs[0] > _MANY and can_compile())
+    row = scene_row(scene) if fast and not is_wide else None
+    found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
+    if found is not None:
+        return found
+    begun, carried, given = begin_in_rows(scene, arithmetic)
+    end, rows = np.empty(END_ROW), None
+    if not fast:
+        few = min(_FEW, max_events) if can_compile() else max_events
+        room = np.empty((few + 1, ROW))  # memory that no event reaches is never touched
+        try:
+            count = solve_start(begun, carried, given, few, room, end)
+        except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
+            raise left_range(arithmetic) from None
+        rows = room[: count + 1].copy() if count < few or few == max_events else None
+    if rows is None:
+        solve, angle = compiled(solve_start), as_float(begun.horizon) / as_float(begun.at.sqrt_q)
+        rows = _with_room(angle, max_events, lambda rows: solve(begun, carried, given, max_events, rows, end))
     return _record(rows, end, arithmetic, progress)
 
 
-def _begun_wide(scene: Scene, arithmetic: DoubleDouble) -> tuple[Begun, tuple[Pair, ...], Carried]:
-    """Return how a scene begins, its given numbers, and the errors of these; made once and kept with the scene."""
-    if "wide" not in scene.made:
+def begin_in_rows(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, Carried, tuple[Number, ...]]:
+    """Return how a scene begins in binary64 or double-double, its errors and given numbers; kept with the scene."""
+    if arithmetic.name not in scene.made:
         with arithmetic.context():
-            begun, given = (in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic))
-        scene.made["wide"] = begun, given, initial(begun.at, begun.start, begun.V1, begun.V2)
-    found: tuple[Begun, tuple[Pair, ...], Carried] = scene.made["wide"]
+            begun, given = begin_exactly(scene, arithmetic)
+            if isinstance(arithmetic, DoubleDouble):
+                begun, given = (_in_halves(one, arithmetic.halves) for one in (begun, given))
+        scene.made[arithmetic.name] = begun, initial(begun.at, begun.start, begun.V1, begun.V2), given
+    found: tuple[Begun, Carried, tuple[Number, ...]] = scene.made[arithmetic.name]
     return found
 
 
-def in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
+def _in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
     """Return a record with every number as a pair."""
     if isinstance(record, (bool, int, float)):
         return record
     if not isinstance(record, tuple):
         return Pair(*halves(record))
-    made = [in_halves(one, halves) for one in record]
+    made = [_in_halves(one, halves) for one in record]
     return type(record)(*made) if hasattr(record, "_fields") else tuple(made)
-
-
-def _from_start(
-    begun: Begun,
-    carried: Carried,
-    given: tuple[Number, ...],
-    max_events: int,
-    scene: Scene,
-    progress: Progress | None,
-) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
-    """Return the rows of a run from a start: a short one by Python, which would wait for numba longer than it runs."""
-    end = np.empty(END_ROW)
-    if not (compiles_now() or (_runs[0] > _MANY and can_compile())):
-        few = min(_FEW, max_events) if can_compile() else max_events
-        growing, plain = _Growing(few + 1, float(scene.until), progress), end.tolist()
-        try:
-            count = solve_start(begun, carried, given, few, growing, plain)
-        except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
-            end[AT["how"]] = How.OUT_OF_RANGE
-            return np.empty((0, ROW)), end
-        if count < few or few == max_events:
-            return np.array(growing.rows), np.array(plain)
-    solve = compiled(solve_start)
-    room = _room(as_float(begun.horizon) / as_float(begun.at.sqrt_q), max_events)
-    return _with_room(room, lambda rows: solve(begun, carried, given, max_events, rows, end)), end
-
-
-class _Growing:
-    """Rows for interpreted code: a row is made when it is first written; `progress` hears of every thousandth."""
-
-    def __init__(self, most: int, until: float, progress: Progress | None) -> None:
-        self.rows: list[list[float]] = []
-        self._most, self._until, self._progress = most, until, progress
-
-    def __len__(self) -> int:
-        return self._most
-
-    def __getitem__(self, index: int) -> list[float]:
-        if self._progress is not None and index % 1000 == 999:
-            self._progress(index, self.rows[-1][AT["local"]] / self._until)
-        self.rows.append([0.0] * ROW)
-        return self.rows[index]
 
 
 def _record(rows: Any, end: NDArray[np.float64], arithmetic: Arithmetic, progress: Progress | None) -> Record:
@@ -207,34 +171,31 @@ def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
     """Run in mpmath or balls, one Knot an event."""
     with arithmetic.context():
         begun, given = begin_exactly(scene, arithmetic)
-        walk, units, horizon = Walk(arithmetic, begun.at, begun.start), begun.units, begun.horizon
-        zero = begun.start.tau
-        knots = [_knot(walk.start, zero, zero, given[:4])]
-        while True:
-            duration = walk.duration
+        at, units, horizon = begun.at, begun.units, begun.horizon
+        knots: list[Knot] = []
+        length = zero = begun.start.tau
+        for start, duration in motions(arithmetic, at, begun.start):
+            here = in_si(units, event_state(at, start)) if knots else given[:4]
+            knots.append(_knot(start, start.tau / units.rate, length, here)._replace(event=bool(knots)))
+            if progress is not None and len(knots) % 1000 == 0:
+                progress(len(knots), arithmetic.to_float(start.tau / horizon))
             if duration is None:
                 how = How.STUCK
                 break
-            if sign(walk.start.tau + duration - horizon, BEFORE_HORIZON) > 0:
+            if sign(start.tau + duration - horizon, BEFORE_HORIZON) > 0:
                 how = How.REACHED
                 break
             if len(knots) > max_events:
                 how = How.EVENT_LIMIT
                 break
-            walk.go_on()
-            start, here = walk.start, event_state(begun.at, walk.start)
-            t, length = start.tau / units.rate, duration / units.rate
-            knots.append(_knot(start, t, length, in_si(units, here))._replace(event=True))
-            if progress is not None and len(knots) % 1000 == 0:
-                progress(len(knots), arithmetic.to_float(start.tau / horizon))
-        start = walk.start
+            length = duration / units.rate
         if how is How.EVENT_LIMIT:
             end, spent = knots[-1]._replace(length=zero), start.spent
         else:
-            length = nonnegative((horizon - start.tau) - start.rest)
-            here = state_at(begun.at, start, length)
-            end = _knot(start, given[4], length / units.rate, in_si(units, here))._replace(excess=here.w)
-            spent = here.spent
+            left = nonnegative((horizon - start.tau) - start.rest)
+            last = state_at(at, start, left)
+            end = _knot(start, given[4], left / units.rate, in_si(units, last))._replace(excess=last.w)
+            spent = last.spent
         return Record(knots, end, how, len(knots) - 1, True, units.energy * spent, zero)
 
 

@@ -1,7 +1,7 @@
-"""Ray to ray without positions: the excess energy and the time of every stick-slip excursion.
+"""One motion after the other, in plain Python: runs in mpmath and balls, and the excursions from ray to ray.
 
 On an exit ray the state is one number, w = E/E_cr - 1 > 0. The slip ends at the angle theta with h(theta) = sqrt(w/q);
-then w drops by 2 r q K(theta), and the pair sticks until it reaches a ray again. Uses the same motions as `solve`.
+then w drops by 2 r q K(theta), and the pair sticks until it reaches a ray again.
 """
 
 from __future__ import annotations
@@ -9,10 +9,40 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from numerics.arithmetic.protocol import Number
+from numerics.arithmetic.functions import clock, finite
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.arithmetic.questions import QUESTIONS, SIDE_OF_ZERO
+from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.frame import Frame
-from numerics.free.motion import STICK, Parameters, on_ray
-from numerics.free.walk import Walk
+from numerics.free.motion import OUT_OF_RANGE, RAY, STICK, STUCK, Parameters, Start, next_event, on_ray, resolve
+
+
+def motions(arithmetic: Arithmetic, at: Parameters, start: Start) -> Iterator[tuple[Start, Number | None]]:
+    """Yield each motion's start and its reduced time to the next event, None for a stick that lasts for ever: the last.
+
+    Inside the arithmetic's context. Raises EventUndecided and OutOfRange, each for what is asked.
+    """
+    while True:
+        how, duration, end = next_event(at, start)
+        if how == STUCK:
+            yield start, None
+            return
+        if how == OUT_OF_RANGE:
+            raise left_range(arithmetic)
+        yield start, duration
+        start = resolve(at, start, end, *clock(start.tau, start.rest, duration))
+        if not finite(start.w):
+            raise left_range(arithmetic)
+
+
+def left_range(arithmetic: Arithmetic) -> Exception:
+    """Return what says that a number left the range, or that balls know nothing of one any more."""
+    if arithmetic.name == "ball":
+        return EventUndecided(QUESTIONS[SIDE_OF_ZERO], "a number that is not finite", arithmetic.digits)
+    return OutOfRange(
+        f"a number of this scene left the range of {arithmetic.name} on the way, or one slip turns through an angle "
+        f'that {arithmetic.digits} digits do not resolve; use arithmetic="ball"'
+    )
 
 
 class Excursion(NamedTuple):
@@ -35,14 +65,11 @@ def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
     inside the arithmetic's context.
     """
     zero, at = frame.arithmetic.number(0), Parameters(frame.q, frame.r, frame.sqrt_q, False)
-    walk = Walk(frame.arithmetic, at, on_ray(at, float(side), zero, w, zero, zero, zero))
-    while True:
-        slip, start = zero, walk.start
-        while walk.start.kind != STICK:
-            slip = slip + walk.duration
-            walk.go_on()
-        stick = walk.duration
-        yield Excursion(start.w, int(start.side), slip, walk.start.w, stick)
-        if stick is None:
-            return
-        walk.go_on()
+    ray, slip = on_ray(at, float(side), zero, w, zero, zero, zero), zero
+    for start, duration in motions(frame.arithmetic, at, ray):
+        if start.kind == RAY:
+            ray, slip = start, zero
+        if start.kind != STICK:
+            slip = slip + duration
+        else:
+            yield Excursion(ray.w, int(ray.side), slip, start.w, duration)

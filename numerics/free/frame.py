@@ -15,8 +15,7 @@ from typing import Any, NamedTuple
 from flint import fmpq
 
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.motion import State
-from numerics.free.start import SI, in_si, narrowing, parameters_of, units_of, wide
+from numerics.free.start import SI, constants, narrowing, wide
 from numerics.scene import Pair
 
 
@@ -41,8 +40,7 @@ class Frame:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
         self.arithmetic, self.pair, narrow = arithmetic, pair, narrowing(arithmetic)
         si = SI(*map(wide, (pair.m1, pair.m2, pair.a2, pair.b)), *[fmpq(0)] * 6)
-        self.q, self.r, self.sqrt_q, _ = parameters_of(si, False, narrow)
-        self.units = units_of(si, narrow)
+        (self.q, self.r, self.sqrt_q, _), self.units = constants(si, False, narrow)
         self.length, self.rate, self.critical_energy = self.units
         self.speed = self.length * self.rate
         self.two_zeta = arithmetic.number(pair.a1 / pair.mass) / self.rate
@@ -53,10 +51,6 @@ class Frame:
         X, V1, V2 = x1 / self.length, v1 / self.speed, v2 / self.speed
         w = self.energy_ratio(X, V1, V2) - 1 if excess is None else excess
         return ReducedState(X, V1, V2, (x1 - x2) / self.length, w)
-
-    def si_state(self, state: State) -> tuple[Number, Number, Number, Number]:
-        """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
-        return in_si(self.units, state)
 
     def si_time(self, tau: Number) -> Number:
         """Return t = tau/Omega in s."""

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.errors import InvalidMap
-from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, verdict
+from numerics.free.merging import CRITICAL_SHARE, Verdict, verdict
 from numerics.free.quadtree import CellMap, Sides, Verdicts, map_of
 from numerics.scene.decimals import decimal_text
 
@@ -36,21 +36,16 @@ class Window:
             ("m2/m1", self.ratio, "A and B from 1e-6 to 1e6 and B/A"),
             ("E/E_cr", self.energy, "A and B from 1.000001 to 1000001 and (B - 1)/(A - 1)"),
         )
-        for (low, high), (name, given, asked) in zip(self.rectangle, named, strict=True):
+        for (low, high), (name, given, asked) in zip(self.sides, named, strict=True):
             if not (low >= SMALLEST and low * NARROWEST <= high <= LARGEST):
                 shown = " to ".join(decimal_text(one)[:20] for one in given)
                 raise InvalidMap(f"{name}: {shown} is no range; give {asked} at least 1.001")
 
     @property
-    def rectangle(self) -> Rectangle:
-        """Return the window as the cell that holds all others."""
+    def sides(self) -> Sides:
+        """Return the ranges of m2/m1 and of E/E_cr - 1: the cell that holds all others."""
         low, high = self.energy
-        return Rectangle(self.ratio, (low - 1, high - 1))
-
-
-def decide(sides: Sides) -> Verdict:
-    """Return the verdict of a cell by its sides."""
-    return verdict(Rectangle(*sides))
+        return self.ratio, (low - 1, high - 1)
 
 
 def merging_cells(window: Window, depth: int, **roads: Any) -> CellMap:
@@ -61,8 +56,8 @@ def merging_cells(window: Window, depth: int, **roads: Any) -> CellMap:
     (joblib or distributed is not installed).
     """
     sides = {name: [str(one) for one in getattr(window, name)] for name in ("ratio", "energy")}
-    verdicts = Verdicts(decide, Verdict, Verdict.UNDECIDED)
-    return map_of(window.rectangle, depth, verdicts, {"map": "merging", **sides}, (0, 1), **roads)
+    verdicts = Verdicts(verdict, Verdict, Verdict.UNDECIDED)
+    return map_of(window.sides, depth, verdicts, {"map": "merging", **sides}, (0, 1), **roads)
 
 
 def draw_map(cells: CellMap) -> Any:

@@ -75,19 +75,16 @@ class CellMap(ShortRepr):
 
     def shares(self) -> dict[Any, float]:
         """Return the share of each verdict in the window's area on logarithmic axes."""
-        areas = {one: Fraction(0) for one in self.kinds}
-        for cell in self.leaves:
-            areas[cell.verdict] += cell.share
-        return {one: float(area) for one, area in areas.items()}
+        return {one: float(sum(cell.share for cell in self.leaves if cell.verdict is one)) for one in self.kinds}
 
     def raster(self, order: Iterable[Any]) -> Any:
         """Return the verdicts on the finest grid as places in `order`, (2^depth, 2^depth), the second side upwards."""
-        places = {one: index for index, one in enumerate(order)}
+        places = list(order)
         grid = np.empty((2**self.depth, 2**self.depth), dtype=np.uint8)
         for cell in self.leaves:
             size = 2 ** (self.depth - cell.level)
             row, column = cell.row * size, cell.column * size
-            grid[row : row + size, column : column + size] = places[cell.verdict]
+            grid[row : row + size, column : column + size] = places.index(cell.verdict)
         return grid
 
     def as_record(self) -> dict[str, Any]:
@@ -136,54 +133,57 @@ def map_of(
     title = {**title, "depth": depth}
     if not 1 <= depth <= MAX_DEPTH:
         raise InvalidMap(f"depth {depth}: give 1 to {MAX_DEPTH} cuts of each side in two")
-    root = Leaf(window, 0, 0, 0, verdicts.undecided)
-    blocks = [block for _, block in _walk(root, min(BLOCK_DEPTH, depth), lambda _: CUT) if block]
-    checkpoint = Checkpoint(resume, title)
-    before = {n: tree for n in range(len(blocks)) if (tree := checkpoint.finished.get(str(n)))}
-    leaves = {index: _decode(tree, blocks[index], depth, verdicts) for index, tree in before.items()}
-    tasks = [(index, block, depth, verdicts) for index, block in enumerate(blocks) if index not in leaves]
-    for done, (index, tree) in enumerate(run_tasks(_compute_block, tasks, jobs=jobs, dask=dask), start=len(leaves) + 1):
-        checkpoint.add(str(index), tree)
-        leaves[index] = _decode(tree, blocks[index], depth, verdicts)
+    blocks = [Leaf(window, 0, 0, 0, verdicts.undecided)]
+    for _ in range(min(BLOCK_DEPTH, depth)):
+        blocks = [quarter for block in blocks for quarter in _quarters(block)]
+    trees = _finished(resume, title) if resume is not None else {}
+    leaves = {
+        number: _decode(trees[number], block, depth, verdicts) for number, block in enumerate(blocks) if number in trees
+    }
+    tasks = [(number, block, depth, verdicts) for number, block in enumerate(blocks) if number not in leaves]
+    for number, tree in run_tasks(_compute_block, tasks, jobs=jobs, dask=dask):
+        if resume is not None:
+            with resume.open("a", encoding="utf-8") as file:
+                file.write(_line({"part": str(number), "result": tree}))
+        leaves[number] = _decode(tree, blocks[number], depth, verdicts)
         if progress is not None:
-            progress(done, len(blocks))
-    every = tuple(cell for index in range(len(blocks)) for cell in leaves[index])
+            progress(len(leaves), len(blocks))
+    every = tuple(cell for number in range(len(blocks)) for cell in leaves[number])
     return CellMap(title, window, depth, verdicts.kinds, every, added)
 
 
-def _walk(cell: Leaf, depth: int, letter_of: Callable[[Leaf], str]) -> Iterator[tuple[str, Leaf | None]]:
-    """Yield the letters of the quadtree of a cell in their order, each with its cell, if that is not cut."""
-    letter = letter_of(cell)
-    if letter == CUT and cell.level < depth:
-        yield CUT, None
-        for quarter in _quarters(cell):
-            yield from _walk(quarter, depth, letter_of)
-    else:
-        yield letter, cell
-
-
 def _compute_block(task: tuple[int, Leaf, int, Verdicts]) -> tuple[int, str]:
-    """Return a block's index and the text of its quadtree."""
-    index, block, depth, verdicts = task
+    """Return a block's number and the text of its quadtree."""
+    number, block, depth, verdicts = task
 
-    def decided(cell: Leaf) -> str:
+    def tree(cell: Leaf) -> str:
         found = verdicts.decide(cell.sides)
-        return CUT if found is verdicts.undecided and cell.level < depth else str(found.value)
+        if found is verdicts.undecided and cell.level < depth:
+            return CUT + "".join(map(tree, _quarters(cell)))
+        return str(found.value)
 
-    return index, "".join(letter for letter, _ in _walk(block, depth, decided))
+    return number, tree(block)
 
 
-def _decode(tree: str, block: Leaf, depth: int, verdicts: Verdicts) -> tuple[Leaf, ...]:
+def _decode(tree: str, block: Leaf, depth: int, verdicts: Verdicts) -> list[Leaf]:
     """Return the cells that a block's text stands for. Raises InvalidMap if it is damaged."""
     letters = iter(tree)
+
+    def cells(cell: Leaf) -> Iterator[Leaf]:
+        letter = next(letters, "")
+        if letter == CUT and cell.level < depth:
+            for quarter in _quarters(cell):
+                yield from cells(quarter)
+        else:
+            yield cell._replace(verdict=verdicts.kinds(letter))
+
     try:
-        walk = _walk(block, depth, lambda _: next(letters, ""))
-        cells = tuple(cell._replace(verdict=verdicts.kinds(letter)) for letter, cell in walk if cell)
+        found = list(cells(block))
     except ValueError:
-        cells = ()
-    if not cells or next(letters, None) is not None:
+        found = []
+    if not found or next(letters, None) is not None:
         raise InvalidMap(f"the checkpoint holds a damaged block ({tree[:40]!r}...); remove its line")
-    return cells
+    return found
 
 
 def _quarters(cell: Leaf) -> Iterator[Leaf]:
@@ -200,45 +200,27 @@ def _geometric_mean(low: Fraction, high: Fraction) -> Fraction:
     return Fraction(math.isqrt(math.floor(low * high * 4**bits)), 2**bits)
 
 
-class Checkpoint:
-    """Finished parts by name, kept in a file (or nowhere). A last line torn by a crash is dropped."""
+def _finished(path: Path, title: dict[str, Any]) -> dict[int, str]:
+    """Return the trees of the blocks that a checkpoint holds, and begin it with the title if it is new.
 
-    def __init__(self, path: Path | None, title: dict[str, object]) -> None:
-        """Read what is there, or begin the file with the title. Raises InvalidMap if it belongs to something else."""
-        self.finished: dict[str, str] = {}
-        self._path = path
-        if path is None:
-            return
-        lines = path.read_bytes().decode("utf-8", errors="replace").splitlines(keepends=True) if path.exists() else []
-        whole = [line for line in lines if line.endswith("\n")]
-        for number, line in enumerate(whole):
-            match _parsed(line), number:
-                case dict() as found, 0 if found == title:
-                    pass
-                case dict(), 0:
-                    raise InvalidMap(f"checkpoint {path.name} is of another map ({line[:120]}); name another file")
-                case {"part": str(part), "result": str(result)}, _:
-                    self.finished[part] = result
-                case _:
-                    raise InvalidMap(
-                        f"checkpoint {path.name}, line {number + 1} is damaged; remove the line, or name another file"
-                    )
-        # what is appended next must not continue a torn line
-        path.write_text("".join(whole) or _line(title), "utf-8")
-
-    def add(self, part: str, result: str) -> None:
-        """Append a finished part as one whole line."""
-        if self._path is not None:
-            with self._path.open("a", encoding="utf-8") as file:
-                file.write(_line({"part": part, "result": result}))
+    A last line torn by a crash is dropped. Raises InvalidMap if the file is damaged, or belongs to another map.
+    """
+    lines = path.read_bytes().decode("utf-8", errors="replace").splitlines(keepends=True) if path.exists() else []
+    whole = [line for line in lines if line.endswith("\n")] or [_line(title)]
+    if whole[0] != _line(title):
+        raise InvalidMap(f"checkpoint {path.name} is of another map ({whole[0][:120]}); name another file")
+    found = {}
+    for number, line in enumerate(whole[1:], start=2):
+        try:
+            record = json.loads(line)
+            found[int(record["part"])] = str(record["result"])
+        except (ValueError, KeyError, TypeError):
+            remedy = "remove the line, or name another file"
+            raise InvalidMap(f"checkpoint {path.name}, line {number} is damaged; {remedy}") from None
+    # what is appended next must not continue a torn line
+    path.write_text("".join(whole), "utf-8")
+    return found
 
 
-def _line(record: dict[str, object]) -> str:
+def _line(record: dict[str, Any]) -> str:
     return json.dumps(record) + "\n"
-
-
-def _parsed(line: str) -> object:
-    try:
-        return json.loads(line)
-    except ValueError:
-        return None

@@ -13,7 +13,7 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.free.energy import abel_functions, order_for, reach_of
+from numerics.free.abel import abel_functions
 from numerics.linear.modes import EventKind
 from numerics.scene import Pair
 
@@ -39,28 +39,21 @@ def creeping_place(trajectory: Any, pair: Pair, near: float, since: Fraction) ->
     """
     if pair.a1 > 0:
         return None
-    for index, event in enumerate(trajectory.events):
-        if event.kind is EventKind.EXIT and event.t > Ball.number(since):
-            found = _from_ray(trajectory.arithmetic.digits, pair, index, event)
-            if found is not None and found.reach.max(found.speed) < near:
-                return found
-    return None
-
-
-def _from_ray(digits: int, pair: Pair, index: int, event: Any) -> RestingPlace | None:
-    """Return what follows from one exit by a ray, None as long as y is too large for the series."""
-    number = Ball.number
-    x1, v1, x2, _ = event.y
+    number, digits = Ball.number, trajectory.arithmetic.digits
     unit = number(pair.critical_energy * pair.share / pair.b)
-    # on the ray the spring has the energy E_cr (a constant force shifts x1 only): the excess is that of the velocity
-    y = number(pair.mass / (2 * pair.critical_energy * pair.share)) * v1 * v1
-    if not y < reach_of(digits):
-        return None
-    abel = abel_functions(pair.share, order_for(digits))
-    if not y <= number(abel.largest_argument):
-        return None
-    limit = x1 - x2 + event.after.sign * unit * abel.slide(y)
-    # c(y) <= 3 y/2 bounds a slip's way; its angle is at most 3 sqrt(y), and w'' <= (a2/m1)|v1| while body 1 moves
-    # outwards
-    reach = unit * number(1 - pair.share) * (9 * y * y / 4)
-    return RestingPlace(limit, index, reach.upper(), (abs(v1) * 9 * y / 2).upper())
+    for index, event in enumerate(trajectory.events):
+        x1, v1, x2, _ = event.y
+        # on the ray the spring has the energy E_cr, a constant force shifts x1 only: the excess is that of the velocity
+        y = number(pair.mass / (2 * pair.critical_energy * pair.share)) * v1 * v1
+        is_exit = event.kind is EventKind.EXIT and event.t > number(since)
+        abel = abel_functions(pair.share, digits, y) if is_exit else None
+        if abel is None:
+            continue
+        # c(y) <= 3 y/2 bounds a slip's way; its angle is at most 3 sqrt(y), and w'' <= (a2/m1)|v1| while body 1 moves
+        # outwards
+        reach = (unit * number(1 - pair.share) * (9 * y * y / 4)).upper()
+        speed = (abs(v1) * 9 * y / 2).upper()
+        if reach.max(speed) < near:
+            limit = x1 - x2 + event.after.sign * unit * abel.slide(y)
+            return RestingPlace(limit, index, reach, speed)
+    return None

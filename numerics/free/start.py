@@ -21,11 +21,10 @@ from typing import Any, NamedTuple
 
 from flint import fmpq
 
-from numerics.arithmetic.compiled import by_type, compilable
-from numerics.arithmetic.functions import like, signed, sqrt
-from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.functions import as_float, like, signed, sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.motion import FREE, STICK, SURFACE, Parameters, Start, State
+from numerics.free.motion import FREE, STICK, SURFACE, Parameters, Start
 
 Wide = Any
 """fmpq, or Pair."""
@@ -68,7 +67,7 @@ class Units(NamedTuple):
 
 
 @compilable
-def in_si(units: Units, at: State) -> tuple[Number, Number, Number, Number]:
+def in_si(units: Units, at: Any) -> tuple[Number, Number, Number, Number]:
     """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
     speed = units.length * units.rate
     return units.length * at.X, speed * at.V1, units.length * (at.X - at.Z), speed * at.V2
@@ -87,85 +86,49 @@ class Begun(NamedTuple):
 
 
 @compilable
-def _sign_of_pair(x: Pair) -> int:
-    return 1 if x.high > 0.0 else (-1 if x.high < 0.0 else 0)
-
-
-@by_type(None, _sign_of_pair)
-def wide_sign(x: Wide) -> int:
-    """Return the sign of a wide number."""
-    return _sign_of_pair(x) if type(x) is Pair else (x > 0) - (x < 0)
+def _sign(x: Wide) -> int:
+    zero = x - x
+    return (x > zero) - (x < zero)
 
 
 @compilable
-def _sure_in_pairs(difference: Pair, size: Pair) -> bool:
-    return abs(difference.high) > _SURE * abs(size.high)
-
-
-@by_type(None, _sure_in_pairs)
-def sure(difference: Wide, size: Wide) -> bool:
-    """Return whether the sign of a difference of terms of this size, and 17 digits of it, are right."""
-    return type(difference) is not Pair or _sure_in_pairs(difference, size)
-
-
-@compilable
-def units_of(si: SI, narrow: Narrow) -> Units:
-    """Return the units of a pair."""
-    edge, stiff = (si.m1 + si.m2) * si.b, si.a2 * si.m2
-    rate = sqrt(narrow(si.a2 / (si.m1 + si.m2)))
-    return Units(narrow(edge / stiff), rate, narrow(edge * edge / (2 * (stiff * si.m2))))
-
-
-@compilable
-def parameters_of(si: SI, literal: bool, narrow: Narrow) -> Parameters:
-    """Return the reduced parameters of a pair."""
-    mass = si.m1 + si.m2
-    q = narrow(si.m1 / mass)
-    return Parameters(q, narrow(si.m2 / mass), sqrt(q), literal)
-
-
-@compilable
-def first_mode(si: SI, literal: bool) -> tuple[int, bool]:
-    """Return the sign of v1 - v2 in the first mode (linear/modes.py), and whether it is known."""
-    edge, pull = (si.m1 + si.m2) * si.b, si.a2 * si.x1 * si.m2  # the load is X = pull/edge
-    side = 1 if wide_sign(pull) >= 0 else -1
-    slips = wide_sign(si.v1 - si.v2)
-    if slips != 0 or literal:
-        return slips, True
-    beyond = side * pull - edge
-    known = sure(beyond, edge)
-    # on the edge the pair leaves by the side to which it moves
-    leaves = wide_sign(beyond) > 0 or (wide_sign(beyond) == 0 and side * wide_sign(si.v1) > 0)
-    return (-side if leaves else 0), known
+def constants(si: SI, literal: bool, narrow: Narrow) -> tuple[Parameters, Units]:
+    """Return the reduced parameters and the units of a pair."""
+    mass, stiff = si.m1 + si.m2, si.a2 * si.m2
+    q, edge = narrow(si.m1 / mass), mass * si.b
+    units = Units(narrow(edge / stiff), sqrt(narrow(si.a2 / mass)), narrow(edge * edge / (2 * (stiff * si.m2))))
+    return Parameters(q, narrow(si.m2 / mass), sqrt(q), literal), units
 
 
 @compilable
 def begin(si: SI, literal: bool, narrow: Narrow) -> Begun:
-    """Return how a scene with a1 = 0 begins."""
-    edge, stiff = (si.m1 + si.m2) * si.b, si.a2 * si.m2
-    at, units = parameters_of(si, literal, narrow), units_of(si, narrow)
-    X, Z = narrow(stiff * si.x1 / edge), narrow((si.x1 - si.x2) * stiff / edge)
-    V1, V2 = narrow(stiff * si.v1 / edge) / units.rate, narrow(stiff * si.v2 / edge) / units.rate
-    twice_energy = si.x1 * si.x1 * si.a2 + (si.v1 * si.v1 * si.m1 + si.v2 * si.v2 * si.m2)
-    critical = edge * edge
-    excess = twice_energy * (stiff * si.m2) - critical  # over the critical energy: w
-    w, horizon, zero = narrow(excess / critical), units.rate * narrow(si.until), like(X, 0.0)
-    mode, known = first_mode(si, literal)
-    known = known and sure(excess, critical)
+    """Return how a scene with a1 = 0 begins; which mode begins is the rule of linear/modes.py."""
+    at, units = constants(si, literal, narrow)
+    mass = si.m1 + si.m2
+    length, squared, q, r = mass * si.b / (si.a2 * si.m2), si.a2 / mass, si.m1 / mass, si.m2 / mass
+    x, v1, v2 = si.x1 / length, si.v1 / length, si.v2 / length  # X, and V_i Omega
+    X, V1, V2 = narrow(x), narrow(v1) / units.rate, narrow(v2) / units.rate
+    Z, w = narrow((si.x1 - si.x2) / length), narrow(x * x + (q * v1 * v1 + r * v2 * v2) / squared - 1)
+    horizon, zero = units.rate * narrow(si.until), like(X, 0.0)
+    mode, near = _sign(v1 - v2), 1 if _sign(x) >= 0 else -1
+    on_surface, outside = mode == 0, _sign(near * x - 1)
+    # on the edge the pair leaves by the side to which it moves
+    if on_surface and not literal and (outside > 0 or (outside == 0 and near * _sign(v1) > 0)):
+        mode = -near
+    way = -mode if mode != 0 else near
+    beyond, side = way * x - 1, float(way)
+    offset = narrow(beyond)
+    known = abs(as_float(w)) > _SURE and (not on_surface or abs(as_float(offset)) > _SURE)
     if mode == 0:
-        near = 1 if wide_sign(si.x1) >= 0 else -1
-        offset = narrow((near * (stiff * si.x1) - edge) / edge)
-        start = Start(STICK, float(near), X, zero, offset, V1, zero, True, Z, w, zero, zero, zero)
+        start = Start(STICK, side, X, zero, offset, V1, zero, True, Z, w, zero, zero, zero)
         return Begun(at, start, V1, V2, horizon, units, known)
-    gap = (-mode * (stiff * si.x1) - edge) / (si.b * si.m1)  # how far beyond the edge, over q
-    beyond = gap * (2 + gap)
-    turning = beyond + si.v1 * si.v1 * (stiff * si.m2) / (si.b * si.b * si.m1)
-    guard = narrow(mode * ((si.v1 - si.v2) * stiff) / edge) / units.rate / at.sqrt_q
-    on_surface = wide_sign(si.v1 - si.v2) == 0
-    known = known and (on_surface or sure(turning, abs(beyond) + turning))
-    side = float(-mode)
+    gap = beyond / q
+    edge = gap * (2 + gap)
+    turning = edge + v1 * v1 / (squared * q)
+    known = known and (on_surface or abs(as_float(narrow(turning))) > _SURE * as_float(narrow(abs(edge) + turning)))
+    guard = narrow(-way * (v1 - v2)) / units.rate / at.sqrt_q
     push = signed(side, V1) / at.sqrt_q
-    driven = push + guard if on_surface else signed(side, V2) / at.sqrt_q
+    driven = push if on_surface else signed(side, V2) / at.sqrt_q
     kind = SURFACE if on_surface else FREE
-    start = Start(kind, side, X, guard, narrow(gap), push, driven, wide_sign(turning) > 0, Z, w, zero, zero, zero)
+    start = Start(kind, side, X, guard, narrow(gap), push, driven, _sign(turning) > 0, Z, w, zero, zero, zero)
     return Begun(at, start, V1, V2, horizon, units, known)

@@ -14,22 +14,13 @@ from numerics.arithmetic import compiled as compiling
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.free.bounds import initial
-from numerics.free.engine import begin_exactly, in_halves
+from numerics.free.engine import begin_in_rows
 from numerics.free.rows import solve_start
 from numerics.linear.record import END_ROW, ROW
 from numerics.trajectory.run import run_scene
 
 FLOATS, PAIRS = Float64(), DoubleDouble()
 needs_numba = pytest.mark.skipif(not can_compile(), reason="numba is not installed")
-
-
-def begun(case, arithmetic):
-    with arithmetic.context():
-        at, given_ = begin_exactly(case, arithmetic)
-        if arithmetic is PAIRS:
-            at, given_ = (in_halves(one, arithmetic.halves) for one in (at, given_))
-    return at, initial(at.at, at.start, at.V1, at.V2), given_
 
 
 @needs_numba
@@ -41,7 +32,7 @@ def test_a_free_run_has_the_same_bits(arithmetic):
     def check(case):
         rows, end = [[0.0] * ROW for _ in range(61)], [0.0] * END_ROW
         try:
-            arguments = begun(case, arithmetic)
+            arguments = begin_in_rows(case, arithmetic)
             count = solve_start(*arguments, 60, rows, end)
         except (OutOfRange, ArithmeticError, ValueError):
             return

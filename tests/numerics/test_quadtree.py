@@ -1,11 +1,13 @@
-"""Maps of proved cells: a cell is where its place says, and what is not exactly a tree is no checkpoint."""
+"""Maps of proved cells: a cell is where its place says, a run goes on where it stopped, and no damage passes."""
 
+import sys
 from enum import Enum
 from fractions import Fraction
 
 import pytest
 
-from numerics.errors import InvalidMap
+from numerics.errors import InvalidMap, MissingTool
+from numerics.free import quadtree as tree
 from numerics.free.quadtree import Verdicts, _decode, map_of
 
 WINDOW = ((Fraction(1), Fraction(16)), (Fraction(1), Fraction(256)))
@@ -26,8 +28,12 @@ def left_or_right(sides):
 VERDICTS = Verdicts(left_or_right, Letter, Letter.OPEN)
 
 
+def charted(depth=4, **roads):
+    return map_of(WINDOW, depth, VERDICTS, {}, **roads)
+
+
 def test_a_raster_has_the_first_quantity_to_the_right_and_the_second_upwards():
-    found = map_of(WINDOW, 4, VERDICTS, {})
+    found = charted()
     grid = found.raster(Letter)
     assert (grid[:, :8] == 0).all()
     assert (grid[:, 8:] == 1).all()
@@ -35,9 +41,63 @@ def test_a_raster_has_the_first_quantity_to_the_right_and_the_second_upwards():
     assert found.shares() == {Letter.LEFT: 0.5, Letter.RIGHT: 0.5, Letter.OPEN: 0.0}
 
 
-@pytest.mark.parametrize("tree", ["", "+lr", "+lrlrl", "ll", "x", "+lr+lrl", "+lr+lr+lrlrll"])
-def test_a_text_that_is_not_one_tree_is_refused(tree):
+@pytest.mark.parametrize("text", ["", "+lr", "+lrlrl", "ll", "x", "+lr+lrl", "+lr+lr+lrlrll"])
+def test_a_text_that_is_not_one_tree_is_refused(text):
     block, *_ = map_of(WINDOW, 1, Verdicts(lambda _: Letter.OPEN, Letter, Letter.OPEN), {}).leaves
     with pytest.raises(InvalidMap, match="damaged block"):
-        _decode(tree, block, 3, VERDICTS)
+        _decode(text, block, 3, VERDICTS)
     assert len(_decode("+lr+lrlrl", block, 3, VERDICTS)) == 7
+
+
+@pytest.mark.parametrize(("module", "road"), [("joblib", {"jobs": 2}), ("distributed", {"dask": "tcp://127.0.0.1:1"})])
+def test_a_missing_package_is_named(monkeypatch, module, road):
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(MissingTool, match=module):
+        charted(**road)
+
+
+def test_a_run_goes_on_where_it_stopped(tmp_path):
+    file, counts = tmp_path / "cells.jsonl", []
+    assert charted(resume=file) == charted()
+    lines = file.read_text().splitlines(keepends=True)
+    assert len(lines) == 65
+    file.write_text("".join(lines[:41]) + lines[41][:10])  # 40 blocks and a torn line
+    assert charted(resume=file, progress=lambda *done: counts.append(done)) == charted()
+    assert counts == [(n, 64) for n in range(41, 65)]
+    assert file.read_text().splitlines() == "".join(lines).splitlines()
+    assert charted(resume=file, progress=lambda *_: pytest.fail("nothing is left to do")) == charted()
+    with pytest.raises(InvalidMap, match="another map"):
+        charted(depth=3, resume=file)
+    for damaged in ("{}\n", "nonsense\n", lines[9].replace('"}', 'm"}')):
+        file.write_text("".join([*lines[:9], damaged, *lines[10:]]))
+        with pytest.raises(InvalidMap, match="damaged"):
+            charted(resume=file)
+
+
+def test_command_line(output, record, tmp_path):
+    picture = tmp_path / "map.png"
+    found = record("map", "--depth", 4, "--ratio", 1, 8, "--out", picture)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert (found["ratio"], found["energy"], found["depth"]) == (["1", "8"], ["101/100", "101"], 4)
+    assert sum(found["shares"].values()) == pytest.approx(1)
+    for low, high, least, most, name in found["cells"]:
+        assert 1 <= Fraction(low) < Fraction(high) <= 8
+        assert 1 < Fraction(least) < Fraction(most) <= 101
+        assert name in {"merges", "creeps", "undecided"}
+    assert "of the window" in output("map", "--depth", 2)
+
+
+def test_an_interrupted_command_says_how_to_go_on(monkeypatch, run, tmp_path):
+    road = tree.run_tasks
+
+    def interrupted(function, tasks, **roads):
+        yield from road(function, tasks[:5], **roads)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(tree, "run_tasks", interrupted)
+    file = tmp_path / "cells.jsonl"
+    code, _, err = run("map", "--depth", 4, "--resume", file)
+    assert (code, "goes on" in err) == (130, True)
+    assert len(file.read_text().splitlines()) == 6
+    code, _, err = run("map", "--depth", 4)
+    assert (code, "nothing was written" in err) == (130, True)
