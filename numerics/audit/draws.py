@@ -1,4 +1,4 @@
-"""Random scenes for the audit: exponents first, every kind of extreme by name. A seed gives the same scenes again."""
+"""Random scenes, exponents first, every kind of extreme by name; the audit draws by a seed, the tests by Hypothesis."""
 
 from __future__ import annotations
 
@@ -6,21 +6,26 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
+import numpy as np
+
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.plane import PlanePair, PlaneScene
 
-AnyScene: TypeAlias = Scene | PlaneScene
-_PERIODS = Fraction(25, 4)
+Range: TypeAlias = tuple[int, int]
+"""The least and the largest exponent of ten, or whole number."""
+_PERIOD = Fraction(25, 4)
+"""Nearly 2 pi: no event falls on it."""
 
 
-def decimal(random: Random, low: float, high: float) -> Fraction:
-    """Return a positive decimal of four digits, its exponent uniform in [low, high)."""
-    return Fraction(random.randint(1000, 9999)) * Fraction(10) ** (math.floor(random.uniform(low, high)) - 3)
+def decimal(random: Random, low: int, high: int, digits: int = 4) -> Fraction:
+    """Return a positive decimal of at most so many digits, the first of them at 10^low to 10^high."""
+    number = random.randint(1, 10**digits - 1)
+    return number * Fraction(10) ** (random.randint(low, high) - len(str(number)) + 1)
 
 
-def signed(random: Random, low: float, high: float) -> Fraction:
+def signed(random: Random, low: int, high: int) -> Fraction:
     """Return a decimal of either sign."""
     return random.choice((-1, 1)) * decimal(random, low, high)
 
@@ -30,133 +35,160 @@ def rate(stiffness: Fraction, mass: Fraction) -> Fraction:
     return Fraction(math.sqrt(stiffness / mass))
 
 
-def _pair(random: Random, **given: Fraction) -> Pair:
-    return Pair(**({name: decimal(random, -1, 2) for name in ("m1", "m2", "a2", "b")} | given))
+def pair(random: Random, exponents: Range = (-2, 2), damped: bool | None = False, **given: Fraction) -> Pair:
+    """Return a pair; a damper has 1e-12 to 1e6 of the critical one, next to it or exactly it; None: with or without."""
+    numbers = {name: decimal(random, *exponents) for name in ("m1", "m2", "a2", "b")} | given
+    if not (random.choice((False, True)) if damped is None else damped):
+        return Pair(**numbers)
+    moved = numbers["m1"] + random.choice((0, 1)) * numbers["m2"]
+    k = rate(numbers["a2"], moved)
+    if random.choice((False, True)):  # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
+        k = decimal(random, -1, 1)
+        numbers["a2"] = k * k * moved
+    factor = random.choice((Fraction(1), 1 + signed(random, -60, -1), decimal(random, -12, 6)))
+    return Pair(**numbers, a1=2 * k * moved * factor)
 
 
-def _scene(random: Random, pair: Pair, size: float = 1) -> Scene:
-    """Return a scene of some periods whose reduced coordinates are of order 10^+-size."""
-    width, omega = pair.half_width, rate(pair.a2, pair.mass)
-    x1, x2 = (signed(random, -size, size) * width for _ in range(2))
-    v1, v2 = (signed(random, -size, size) * width * omega for _ in range(2))
-    kind = random.choice(("any", "any", "on the surface", "at rest", "edge"))
+def state(random: Random, of: Pair, size: Range = (-1, 0), u: Any = 0) -> State:
+    """Return a state in units of a pair: any, on S, at rest, on the edge of S under a force u, in a slip from there."""
+    width = of.half_width
+    speed = width * rate(of.a2, of.mass)
+    x1, v1, x2, v2 = (random.choice((0, 1, 1)) * signed(random, *size) * one for one in (width, speed) * 2)
+    kind = random.choice(("any", "on S", "at rest", "on the edge", "from the edge"))
     if kind == "at rest":
         v1 = v2 = Fraction(0)
-    elif kind != "any":
+    elif kind.startswith("on"):
         v2 = v1
-    if kind == "edge":
-        x1 = (1 if x1 > 0 else -1) * width - pair.a1 * v1 / pair.a2
-    return Scene(pair, State(x1, v1, x2, v2), _PERIODS * random.randint(1, 4) / omega)
+    if kind.endswith("edge"):
+        x1 = random.choice((-1, 1)) * width + (u - of.a1 * v1) / of.a2
+    return State(x1, v1, x2, v2)
 
 
-def damping(random: Random) -> Scene:
-    """Return a scene with a1 from 1e-12 to 1e6 of critical damping, next to the critical cases, or on them exactly."""
-    pair = _pair(random, m1=decimal(random, random.choice((-6, -1)), 2))
-    moved, k = random.choice((pair.m1, pair.mass)), decimal(random, -1, 1)
-    # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
-    apart = random.choice((Fraction(0), signed(random, -60, -1)))
-    factor = random.choice((1 + apart, decimal(random, -12, 6)))
-    return _scene(random, Pair(pair.m1, pair.m2, k * k * moved, pair.b, 2 * k * moved * factor))
+def scene(
+    random: Random,
+    exponents: Range = (-2, 2),
+    damped: bool | None = False,
+    size: Range = (-1, 0),
+    periods: Range = (1, 4),
+    law: Law = Law.FILIPPOV,
+    **given: Fraction,
+) -> Scene:
+    """Return a scene of some periods of the stuck pair whose reduced coordinates have exponents within a size."""
+    of = pair(random, exponents, damped, **given)
+    return Scene(of, state(random, of, size), _PERIOD * random.randint(*periods) / rate(of.a2, of.mass), law)
 
 
-def near_critical(random: Random) -> Scene:
-    """Return a pair on an exit ray, or at rest beside it, with energy excess from 1e-300 to 1e-3."""
-    pair, side = _pair(random, m1=decimal(random, -3, 3)), random.choice((-1, 1))
-    width, omega, least = pair.half_width, rate(pair.a2, pair.mass), random.choice((-300, -20, -8))
-    at = State(x1=side * width * (1 + decimal(random, least, -3)))
-    if random.random() < 0.5:
-        v = side * width * omega * decimal(random, least / 2, -2)
-        at = State(side * width, v, 0, v)
-    return Scene(pair, at, _PERIODS * random.randint(1, 3) / omega)
+def near_critical(random: Random, decades: Range = (3, 300), damped: bool | None = False, **given: Fraction) -> Scene:
+    """Return a pair that leaves S, or at rest beside it, with an energy excess of 10^-n, n within the decades."""
+    of, (few, many) = pair(random, (-2, 2), damped, **given), decades
+    width, omega, side = of.half_width, rate(of.a2, of.mass), random.choice((-1, 1))
+    v = side * width * omega * decimal(random, -many // 2, -few // 2)
+    beside = State(x1=side * width * (1 + decimal(random, -many, -few)))
+    at = random.choice((State(side * width, v, 0, v), beside))
+    return Scene(of, at, _PERIOD * random.randint(1, 3) / omega)
 
 
-def long_slip(random: Random) -> Scene:
-    """Return a pair whose body 2 is so fast that one slip lasts 1 to 1e9 spring cycles."""
-    pair = _pair(random)
-    width, omega = pair.half_width, rate(pair.a2, pair.mass)
-    fast = signed(random, 0, 9) * 6 * width * omega
-    at = State(signed(random, -1, 1) * width, signed(random, -1, 1) * width * omega, 0, fast)
-    return Scene(pair, at, 2 * abs(fast) * pair.m2 / pair.b + 1 / omega)
+def long_slip(random: Random, damped: bool | None = False, turns: Range = (0, 3)) -> Scene:
+    """Return a pair whose body 2 is so fast that one slip lasts many spring cycles, exponents within the turns."""
+    of = pair(random, damped=damped)
+    width, omega = of.half_width, rate(of.a2, of.mass)
+    x1, v1, fast = signed(random, -1, 0), signed(random, -1, 0), signed(random, *turns) * 6 * width * omega
+    return Scene(of, State(x1 * width, v1 * width * omega, 0, fast), 2 * abs(fast) * of.m2 / of.b + 1 / omega)
 
 
-def driven(random: Random, sines: int = 0, friction: bool = False) -> Scene:
-    """Return a scene under one to four pieces of force, polynomials and at most so many sines, and b by pieces."""
-    scene = damping(random) if random.random() < 0.5 else _scene(random, _pair(random))
-    pair, until = scene.pair, scene.until / 4
-    held, omegas = pair.a2 * pair.half_width, [rate(pair.a2, mass) for mass in (pair.m1, pair.mass)]
-    starts = sorted({Fraction(random.randint(0, 99), 100) * until for _ in range(random.randint(1, 4))})
-    pieces = []
-    for start in starts:
-        powers = [signed(random, -2, 1) * held * omegas[1] ** k for k in range(random.randint(0, 3))]
-        waves = [_sine(random, held, random.choice(omegas)) for _ in range(random.randint(min(1, sines), sines))]
-        pieces.append(Piece(start, powers, waves))
-    jumps = [(start, pair.b * decimal(random, -1, 1)) for start in starts] if friction else []
-    at = random.choice((State(), scene.initial))
-    return Scene(pair, at, until, force=Force(pieces), friction=Friction(jumps))
-
-
-def _sine(random: Random, held: Fraction, omega: Fraction) -> Sine:
+def sine(random: Random, held: Fraction, omega: Fraction) -> Sine:
     """Return a sine at resonance, next to it, or of any frequency."""
-    factor = random.choice((Fraction(1), 1 + signed(random, -12, -2), decimal(random, -1, 1)))
-    return Sine(signed(random, -1, 1) * held, factor * omega, random.choice((Fraction(0), signed(random, -1, 1))))
+    factor = random.choice((Fraction(1), 1 + signed(random, -12, -2), decimal(random, -1, 0)))
+    return Sine(signed(random, -1, 0) * held, factor * omega, random.choice((0, 1)) * signed(random, -1, 0))
 
 
-def state_friction(random: Random) -> Scene:
+def starts(random: Random, until: Fraction) -> list[Fraction]:
+    """Return when up to four pieces begin, s."""
+    return sorted({Fraction(random.randint(0, 99), 100) * until for _ in range(random.randint(0, 4))})
+
+
+def force(random: Random, held: Fraction, omega: Fraction, until: Fraction, sines: int = 2) -> Force:
+    """Return a force by pieces, of polynomials and so many sines, in units of what friction holds and of a rate."""
+    return Force(
+        Piece(
+            start,
+            [signed(random, -2, 0) * held * omega**k for k in range(random.randint(0, 3))],
+            [sine(random, held, omega) for _ in range(random.randint(0, sines))],
+        )
+        for start in starts(random, until)
+    )
+
+
+def friction(random: Random, b: Fraction, until: Fraction) -> Friction:
+    """Return a friction by pieces, in units of b."""
+    return Friction([(start, b * decimal(random, -1, 0)) for start in starts(random, until)])
+
+
+def driven(random: Random, sines: int = 2, by_pieces: bool = True, **more: Any) -> Scene:
+    """Return a scene under a force of the pair's own size and speed, perhaps with b by pieces."""
+    of = pair(random, **({"damped": None} | more))
+    omega, held = rate(of.a2, random.choice((of.m1, of.mass))), of.a2 * of.half_width
+    until = _PERIOD * random.randint(1, 4) / 4 / rate(of.a2, of.mass)
+    push = force(random, held, omega, until, sines)
+    at = random.choice((State(), state(random, of, u=u if isinstance(u := push(0), Fraction) else 0)))
+    return Scene(of, at, until, force=push, friction=friction(random, of.b, until) if by_pieces else Friction())
+
+
+def weakened(random: Random) -> Scene:
     """Return a scene whose friction falls and rises with speed, at knots where it goes, and changes by place."""
-    free = random.random() < 0.5
-    scene = _scene(random, _pair(random), 0.5) if free else driven(random, sines=1, friction=random.random() < 0.3)
-    pair = scene.pair
-    width, b = pair.half_width, pair.b
-    fast = width * rate(pair.a2, pair.mass)
-    knots = sorted({decimal(random, -2, 1) for _ in range(random.randint(0, 3))})
-    speed = [(fast * knot, b * Fraction(random.randint(100, 1300), 1000)) for knot in knots]
-    slope = random.choice((0, decimal(random, -2, 0) * b / fast))
-    places = sorted({signed(random, -1, 1) for _ in range(random.choice((0, 2)))})
-    place = [(width * z, b * Fraction(random.randint(0, 600), 1000)) for z in places]
-    friction = Friction(scene.friction.pieces, Weakening(speed, slope, place))
-    return Scene(pair, scene.initial, scene.until / random.choice((1, 4)), force=scene.force, friction=friction)
+    given = driven(random, 1)
+    of, b = given.pair, given.pair.b
+    width, fast = of.half_width, of.half_width * rate(of.a2, of.mass)
+    knots = sorted({decimal(random, -2, 0) for _ in range(random.randint(0, 3))})
+    places = sorted({signed(random, -1, 0) for _ in range(random.choice((0, 2)))})
+    table = Weakening(
+        [(fast * knot, b * Fraction(random.randint(100, 1300), 1000)) for knot in knots],
+        random.choice((0, 1)) * decimal(random, -2, -1) * b / fast,
+        [(width * z, b * Fraction(random.randint(0, 600), 1000)) for z in places],
+    )
+    free = random.choice((True, False))
+    pushed, pieces = (Force(), ()) if free else (given.force, given.friction.pieces)
+    return Scene(of, given.initial, given.until, force=pushed, friction=Friction(pieces, table))
 
 
-def surface(random: Random, shape: str = "ellipsoid") -> PlaneScene:
+def surface(random: Random, shape: str = "ellipsoid", exponents: Range = (-1, 0), narrow: bool = True) -> PlaneScene:
     """Return a scene on two axes or three: round or not, coupled or not, from anywhere, together, nearly on a line."""
-    n, moderate = random.choice((2, 2, 3)), (-1, 1)
-    m1, m2, a2, b = ([decimal(random, *moderate) for _ in range(n)] for _ in range(4))
-    if random.random() < 0.4:
-        m1, m2, a2, b = ([one[0]] * n for one in (m1, m2, a2, b))
-    rows = [[a2[i] if i == j else Fraction(0) for j in range(n)] for i in range(n)]
-    if random.random() < 0.5:
-        rows[0][1] = rows[1][0] = Fraction(random.randint(-9, 9), 10) * Fraction(math.sqrt(a2[0] * a2[1]))
-    omega = [rate(a, x + y) for a, x, y in zip(a2, m1, m2, strict=True)]
-    held = [f * (x + y) / y for f, x, y in zip(b, m1, m2, strict=True)]
-    a1 = random.choice((0, [decimal(random, -2, 0) * a / w for a, w in zip(a2, omega, strict=True)]))
+    n = random.choice((2, 2, 3))
+    m1, m2, a2, b = (np.array([decimal(random, *exponents) for _ in range(n)]) for _ in range(4))
+    if random.choice((False, False, True)):
+        m1, m2, a2, b = (np.full(n, one[0]) for one in (m1, m2, a2, b))
+    springs, held = np.diag(a2), b * (m1 + m2) / m2
+    springs[0, 1] = springs[1, 0] = random.randint(-9, 9) * Fraction(math.sqrt(a2[0] * a2[1])) / 10
+    omega = np.array([*map(rate, a2, m1 + m2)])
+    a1 = random.choice((0, 1)) * np.array([decimal(random, -2, -1) for _ in range(n)]) * a2 / omega
 
-    def start(powers: int, size: float = 0.5) -> list[Fraction]:
-        sizes = (h / a * w**powers for h, a, w in zip(held, a2, omega, strict=True))
-        return [signed(random, -size, size) * one for one in sizes]
+    def drawn(unit: Any) -> Any:
+        return np.array([signed(random, -1, 0) for _ in range(n)]) * unit
 
-    x1, v1, v2, kind = start(0), start(1), start(1), random.choice(("any", "together", "at rest", "narrow"))
-    if kind in {"together", "at rest"}:
-        v2 = v1 = v1 if kind == "together" else [Fraction(0)] * n
-    elif kind == "narrow":  # near reversals: across the line of motion there is little
-        v1, v2 = ([v[0], *(one * decimal(random, -9, -2) for one in v[1:])] for v in (v1, v2))
-    force = [Force([Piece(0, [], [_sine(random, h, w)])]) for h, w in zip(held, omega, strict=True)]
-    until = _PERIODS * Fraction(random.randint(1, 4), 4) / min(omega)
-    pair = PlanePair(m1, m2, rows, b, a1, shape)
-    return PlaneScene(pair, until, x1, v1, 0, v2, force if random.random() < 0.5 else ())
+    x1, v1, v2 = drawn(held / a2), drawn(held / a2 * omega), drawn(held / a2 * omega)
+    kind = random.choice(("any", "together", "at rest", "narrow")[: 3 + narrow])
+    if kind == "narrow":  # near reversals: across the line of motion there is little
+        v1[1:], v2[1:] = (one[1:] * decimal(random, -9, -3) for one in (v1, v2))
+    elif kind != "any":
+        v2 = v1 = v1 * (kind == "together")
+    push = [Force([Piece(0, [], [sine(random, h, w)])]) for h, w in zip(held, omega, strict=True)]
+    until = _PERIOD * random.randint(1, 4) / 4 / min(omega)
+    of = PlanePair(m1, m2, springs, b, a1, shape)
+    return PlaneScene(of, until, x1, v1, 0, v2, random.choice(((), push)))
 
 
-KINDS: dict[str, Callable[[Random], AnyScene]] = {
-    "masses": lambda random: _scene(random, _pair(random, m1=decimal(random, -6, 6), m2=decimal(random, -6, 6))),
-    "stiffness": lambda random: _scene(random, _pair(random, a2=decimal(random, -30, 30))),
-    "friction": lambda random: _scene(random, _pair(random, b=decimal(random, -30, 30)), size=2),
-    "light driver": lambda random: _scene(random, _pair(random, m1=decimal(random, -11, -3))),
-    "damping": damping,
-    "near critical": near_critical,
-    "long slip": long_slip,
-    "force": driven,
-    "sines": lambda random: driven(random, sines=3),
-    "force and friction": lambda random: driven(random, sines=1, friction=True),
-    "friction of the state": state_friction,
+KINDS: dict[str, Callable[[Random], Scene | PlaneScene]] = {
+    "masses": lambda random: scene(random, m1=decimal(random, -6, 5), m2=decimal(random, -6, 5)),
+    "stiffness": lambda random: scene(random, a2=decimal(random, -30, 29)),
+    "friction": lambda random: scene(random, size=(-2, 1), b=decimal(random, -30, 29)),
+    "light driver": lambda random: scene(random, m1=decimal(random, -11, -4)),
+    "damping": lambda random: scene(random, damped=True, m1=decimal(random, random.choice((-6, -1)), 1)),
+    "near critical": lambda random: near_critical(random, (3, random.choice((8, 20, 300))), m1=decimal(random, -3, 2)),
+    "long slip": lambda random: long_slip(random, turns=(0, 8)),
+    "force": lambda random: driven(random, 0, False),
+    "sines": lambda random: driven(random, 3, False),
+    "force and friction": lambda random: driven(random, 1),
+    "friction of the state": weakened,
     "ellipsoid": surface,
     "box": lambda random: surface(random, "box"),
 }

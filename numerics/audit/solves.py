@@ -2,16 +2,15 @@
 
 The sequence of events, every number of events and end against its stated bound, and what the energy ledger leaves. A
 typed refusal is an answer, and so is a run that says of itself that its bounds leave the sequence open; an event that
-is missed or invented without a word, and a bound that is exceeded, is not. On a surface the bounds of every run must
-be below 10^4 times what its errors can do (slack.py): a bound that is always true may say nothing. (Not of a box in
-parts: such a part may be a pair on a line. There bounds are only shown, over the largest errors of times, places or
-velocities along the run.)
+is missed or invented without a word, and a bound that is exceeded, is not. How much larger bounds are than what the
+run's errors can do (slack.py) is shown, and on a surface it must be below 10^4: a bound that is always true may say
+nothing. (Not of a box in parts: such a part may be a pair on a line.)
 """
 
 from __future__ import annotations
 
 import math
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
@@ -19,38 +18,35 @@ from random import Random
 from statistics import median
 from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import exact_middle
 from numerics.audit.draws import KINDS
-from numerics.audit.slack import Figure, slack
+from numerics.audit.slack import slack
 from numerics.errors import NumericsError
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.shown import print_table
 from numerics.solver.solve import solve
-from numerics.trajectory.columns import STATE
 from numerics.trajectory.comparison import as_fraction
 
 Progress: TypeAlias = Callable[[str], None]
 """Hears now and then, in a few words, what is being tried."""
 Solver: TypeAlias = Callable[[Any], Any]
-MAX_EVENTS, BALL_DIGITS = 30, 15
+Figure: TypeAlias = tuple[Fraction, Fraction | None]
+"""A value, and the bound on its error, None where there is none; exact."""
 SOLVERS: dict[str, Solver] = {
-    "float64": partial(solve, arithmetic="float64", max_events=MAX_EVENTS),
-    "double-double": partial(solve, arithmetic="double-double", max_events=MAX_EVENTS),
-    "mpmath": partial(solve, arithmetic="mpmath", max_events=MAX_EVENTS),
-    "ball": partial(solve, arithmetic="ball", digits=BALL_DIGITS, max_events=MAX_EVENTS, max_digits=2000),
+    name: partial(solve, arithmetic=name, digits=15 if name == "ball" else None, max_events=30, max_digits=2000)
+    for name in ("float64", "double-double", "mpmath", "ball")
 }
 SURFACES = ("ellipsoid", "box")
 KNOWN = {"friction of the state": ("mpmath", "ball")} | dict.fromkeys(SURFACES, ("float64", "ball"))
 """The arithmetics of a kind, where not all of them know it."""
-solve_truly: Any = partial(solve, arithmetic="ball", max_events=MAX_EVENTS, max_digits=2000)
 MOST_RESIDUAL = {"float64": 1e-9, "double-double": 1e-24, "mpmath": 1e-33, "ball": 1e-10}
 """Largest energy residual, relative to all the energy that there was, came and went."""
-MOST_SLACK, _KEPT = 1e4, 5
+MOST_SLACK = 1e4
 SIZES = {"small": (5, 10), "default": (60, 300), "large": (600, 10_000)}
 """How many scenes of a kind in all arithmetics, and in float64 on a line."""
-_REFUSED = NumericsError
 
 
 class Row(NamedTuple):
@@ -79,142 +75,117 @@ def audit(
     """Yield a row for each kind of scene and arithmetic: `cases` scenes each, in float64 on a line `more`."""
     for kind, draw in kinds.items():
         random, surface = Random(f"{seed} {kind}"), kind in SURFACES
-        found = {name: Comparison(name, kind) for name in KNOWN.get(kind, solvers) if name in solvers}
-        for case in counted(cases if surface else max(cases, more), f"scenes: {kind}", progress):
+        answers: dict[str, list[Any]] = {name: [] for name in KNOWN.get(kind, solvers) if name in solvers}
+        most = cases if surface else max(cases, more)
+        for case in range(most):
+            if case % 100 == 0:
+                progress(f"scenes: {kind}, {case + 1} of {most}")
             scene = draw(random)
             try:
-                truth = solve_truly(scene, digits=30 if surface else 60)
-            except _REFUSED:
+                truth: Any = solve(
+                    scene, arithmetic="ball", digits=30 if surface else 60, max_events=30, max_digits=2000
+                )
+            except NumericsError:
                 continue
-            for name, one in found.items():
+            for name, found in answers.items():
                 if case < (more if name == "float64" else cases):
-                    one.compare(scene, solvers[name], truth)
-        yield from (one.row() for one in found.values())
+                    found.append(compared(scene, solvers[name], truth))
+        yield from (_row(kind, name, found) for name, found in answers.items())
 
 
-class Comparison:
-    """The scenes of one kind in one arithmetic."""
-
-    def __init__(self, arithmetic: str, kind: str) -> None:
-        """Start counting."""
-        self.arithmetic, self.kind, self.tried, self.unanswered = arithmetic, kind, 0, Counter[str]()
-        self.failed: dict[str, list[str]] = {"wrong": [], "beyond": []}
-        self.worst, self.residual, self.loosest, self.asked, self.digits = 0.0, 0.0, 0.0, 0.0, [0]
-
-    def compare(self, scene: Any, solver: Solver, truth: Any) -> None:
-        """Solve a scene and hold what comes out against the truth."""
-        try:
-            found = solver(scene)
-        except _REFUSED as error:
-            self.unanswered[type(error).__name__] += 1
-            return
-        if not getattr(found, "certain", True):
-            self.unanswered["left open"] += 1
-            return
-        self.tried += 1
-        if sequence(found) != sequence(truth):
-            self.failed["wrong"].append(f"{sequence(found)}: {scene!r}")
-            return
-        worst, loosest = held(found, truth)
-        if self.kind in SURFACES and (scene.pair.shape == "ellipsoid" or len(scene.pair.parts) == 1):
-            loosest = slack(scene, figures(found), figures(truth))
-            self.asked = max(self.asked, loosest)
-        if worst > 1:
-            self.failed["beyond"].append(f"{worst:.3g} times the bound: {scene!r}")
-        self.worst = max(self.worst, worst)
-        self.loosest = max(self.loosest, loosest)
-        self.digits.append(found.accuracy.digits if getattr(found, "accuracy", None) else found.digits or 0)
-        try:
-            self.residual = max(self.residual, relative_residual(found))
-        except _REFUSED:
-            self.unanswered["without a ledger"] += 1
-
-    def row(self) -> Row:
-        """Return what was found; a kind of which no scene was compared has not passed."""
-        most = MOST_RESIDUAL[self.arithmetic]
-        measured: dict[str, float | int | str] = {name: len(some) for name, some in self.failed.items()}
-        measured |= {"error/bound": self.worst, "bound/error": self.loosest, "residual": self.residual}
-        measured |= {"digits": median(self.digits), **self.unanswered}
-        loose = self.asked > MOST_SLACK
-        passed = self.tried > 0 and not any(self.failed.values()) and self.residual <= most and not loose
-        details = [{name: some[:_KEPT] for name, some in self.failed.items()}]
-        last = f"bound/error <= {MOST_SLACK:g}" if self.kind in SURFACES else f"residual <= {most:g}"
-        required = f"no sequence wrong, none beyond a bound, {last}"
-        return Row(f"{self.kind}, {self.arithmetic}", self.tried, measured, required, passed, details)
+def compared(scene: Any, solver: Solver, truth: Any) -> str | dict[str, Any]:
+    """Return what an answer to a scene is, held against the truth; or in a word why there is none."""
+    try:
+        run = solver(scene)
+    except NumericsError as error:
+        return type(error).__name__
+    if not getattr(run, "certain", True):
+        return "left open"
+    if (*run.modes, run.final_mode) != (*truth.modes, truth.final_mode):
+        return {"wrong": True, "scene": repr(scene)}
+    rows = list(zip(figures(run), figures(truth), strict=True))
+    pairs = [pair for one, two in rows for pair in zip(one, two, strict=True)]
+    numbers = 1 + 4 * getattr(scene.pair, "axes", 1)
+    floats = [
+        [(float(x), float(abs(x - true)), float(bound or 0)) for (x, bound), (true, _) in zip(*row, strict=True)]
+        for row in ((one[:numbers], two[:numbers]) for one, two in rows)
+    ]
+    with run.context():
+        return {
+            "wrong": False,
+            "error/bound": max(excess(abs(x - true) - (radius or 0), bound) for (x, bound), (true, radius) in pairs),
+            "bound/error": slack(scene.pair, *np.array(floats).transpose(2, 0, 1)),
+            "residual": relative_residual(run),
+            "digits": run.accuracy.digits if getattr(run, "accuracy", None) else run.digits or 0,
+            "asked": getattr(scene.pair, "shape", "") == "ellipsoid" or len(getattr(scene.pair, "parts", ())) == 1,
+            "scene": repr(scene),
+        }
 
 
-def sequence(trajectory: Any) -> tuple[Any, ...]:
-    """Return the modes, on a line by the signs of v1 - v2; with the one after the last event."""
-    if isinstance(trajectory, PlaneTrajectory):
-        return tuple(trajectory.modes)
-    return (*(event.before.sign for event in trajectory.events), trajectory.final_mode.sign)
-
-
-def held(found: Any, truth: Any) -> tuple[float, float]:
-    """Return the largest |error|/bound, and the largest bound by the largest error of times, places or velocities."""
-    worst, sizes = 0.0, defaultdict[str, list[Fraction]](lambda: [Fraction(0)] * 2)
-    for (name, value, bound), (_, true, radius) in zip(figures(found), figures(truth), strict=True):
-        error = max(abs(value - true) - (radius or 0), Fraction(0))
-        if bound is not None:
-            worst = max(worst, float(error / bound) if bound else math.inf if error else 0.0)
-            kind = name[0]
-            sizes[kind] = [max(pair) for pair in zip(sizes[kind], (bound, abs(value - true)), strict=True)]
-    return worst, max((float(b / e) for kind, (b, e) in sizes.items() if e and kind in "txv"), default=0.0)
-
-
-def figures(trajectory: Any) -> Iterator[Figure]:
-    """Yield t and the state of every event and the state at the end; energies on a line, direction and load off it."""
-    accuracy: Any = getattr(trajectory, "accuracy", None)
-    off_line = isinstance(trajectory, PlaneTrajectory)
-    for index, event in enumerate(trajectory.events):
-        yield _figure("t", event.t, accuracy and accuracy.t[index])
-        yield from _state(event.y, accuracy and accuracy.y[index])
-        if off_line:
-            yield from (_figure("direction", x, None) for x in event.direction)
-            yield from (_figure("load", x, None) for x in event.load)
-    yield from _state(trajectory.final_state, accuracy and accuracy.final)
-    if not off_line:
-        yield _figure("energy", trajectory.final_energy, accuracy and accuracy.energy)
-        yield _figure("excess", trajectory.final.w, accuracy and accuracy.energy_excess)
-
-
-def _state(state: Any, bounds: Any) -> Iterator[Figure]:
-    for name, part, bound in zip(STATE, state, [None] * 4 if bounds is None else bounds, strict=True):
-        yield from (_figure(name, x, bound) for x in (part if isinstance(part, tuple) else (part,)))
-
-
-def _figure(name: str, value: Any, bound: Any) -> Figure:
-    if isinstance(value, arb):
-        return name, exact_middle(value), exact_middle(value.rad())
-    return name, as_fraction(value), None if bound is None or not math.isfinite(bound) else Fraction(bound)
-
-
-def relative_residual(trajectory: Any) -> float:
-    """Return |residual| over all the energy that there was, came and went, less its radius; 0 on a surface."""
-    if isinstance(trajectory, PlaneTrajectory):
+def excess(error: Fraction, bound: Fraction | None) -> float:
+    """Return an error by its bound; 0 where there is none."""
+    if bound is None or error <= 0:
         return 0.0
-    with trajectory.arithmetic.context():
-        books = trajectory.ledger
-        parts = (books.residual, books.initial, books.final, books.friction, books.viscous, books.work)
-        if not all(math.isfinite(trajectory.arithmetic.to_float(part)) for part in parts):
-            return math.inf
-        (_, residual, radius), *rest = (_figure("", part, None) for part in parts)
-    whole = sum((abs(size) for _, size, _ in rest), Fraction(0))
-    return float(max(abs(residual) - (radius or 0), Fraction(0)) / whole) if whole else 0.0
+    return float(error / bound) if bound else math.inf
 
 
-def counted(cases: int, what: str, progress: Progress) -> Iterator[int]:
-    """Yield 0, ..., cases - 1, and say now and then how many of what were tried."""
-    for case in range(cases):
-        if case % 100 == 0:
-            progress(f"{what}, {case + 1} of {cases}")
-        yield case
+def figures(run: Any) -> Iterator[list[Figure]]:
+    """Yield t and state of each event, on a surface direction and load too; then the end, with the energies."""
+    known: Any = getattr(run, "accuracy", None)
+    for k, event in enumerate(run.events):
+        more = (event.direction, event.load) if isinstance(run, PlaneTrajectory) else ()
+        yield _figures((event.t, *event.y, *more), known and (known.t[k], *known.y[k]))
+    bounds = known and (0.0, *known.final, known.energy, known.energy_excess)
+    yield _figures((run.scene.until, *run.end_numbers()), bounds)
+
+
+def _figures(values: Sequence[Any], bounds: Sequence[float] | None) -> list[Figure]:
+    found = list[Figure]()
+    for value, bound in zip(values, bounds or [math.inf] * len(values), strict=True):
+        for x in value if isinstance(value, tuple) else (value,):
+            if isinstance(x, arb):
+                found.append((exact_middle(x), exact_middle(x.rad())))
+            else:
+                found.append((as_fraction(x), Fraction(bound) if math.isfinite(bound) else None))
+    return found
+
+
+def relative_residual(run: Any) -> float:
+    """Return |residual| over all the energy that there was, came and went, less its radius; 0 on a surface."""
+    if isinstance(run, PlaneTrajectory):
+        return 0.0
+    books = run.ledger
+    parts = [books.residual, books.initial, books.final, books.friction, books.viscous, books.work]
+    if not np.isfinite(run.floats(parts)).all():
+        return math.inf
+    (residual, radius), *rest = _figures(parts, None)
+    return excess(abs(residual) - (radius or 0), sum((abs(size) for size, _ in rest), Fraction(0)))
+
+
+def _row(kind: str, arithmetic: str, answers: Sequence[str | dict[str, Any]]) -> Row:
+    """Return what the answers in one arithmetic are; a kind of which no scene was compared has not passed."""
+    found, most = [one for one in answers if isinstance(one, dict)], MOST_RESIDUAL[arithmetic]
+    right = [one for one in found if not one["wrong"]]
+    beyond = [one for one in right if one["error/bound"] > 1]
+    failed = [one for one in right if (one["asked"] and one["bound/error"] > MOST_SLACK) or one["residual"] > most]
+    failed += [one for one in found if one["wrong"]] + beyond
+    measured: dict[str, Any] = {"wrong": len(found) - len(right), "beyond": len(beyond)}
+    for name in ("error/bound", "bound/error", "residual"):
+        measured[name] = max((one[name] for one in right), default=0.0)
+    measured |= {"digits": median([one["digits"] for one in right] or [0])}
+    measured |= Counter(one for one in answers if isinstance(one, str))
+    last = f"bound/error <= {MOST_SLACK:g}" if kind in SURFACES else f"residual <= {most:g}"
+    required, passed = f"no sequence wrong, none beyond a bound, {last}", bool(found) and not failed
+    return Row(f"{kind}, {arithmetic}", len(found), measured, required, passed, failed[:5])
 
 
 def as_record(rows: Sequence[Row], seed: int, size: str) -> dict[str, Any]:
     """Return the audit as the JSON object of the interface; `passed` is whether every row has. JSON has no infinity."""
-    finite = [{name: str(x) if x in {math.inf} else x for name, x in row.measured.items()} for row in rows]
-    shown = [row._asdict() | {"measured": measured} for row, measured in zip(rows, finite, strict=True)]
+
+    def finite(found: Mapping[str, Any]) -> dict[str, Any]:
+        return {name: str(x) if x in {math.inf} else x for name, x in found.items()}
+
+    shown = [row._asdict() | {"measured": finite(row.measured), "details": [*map(finite, row.details)]} for row in rows]
     return {"seed": seed, "size": size, "passed": all(row.passed for row in rows), "rows": shown}
 
 

@@ -62,7 +62,7 @@ def answer_of(found: Any) -> PeerRun:
         return found
     if isinstance(found, PlaneTrajectory):
         final = tuple(x for part in found.final_state for x in part)
-        return PeerRun(found.modes, tuple(one.t for one in found.events), final, None)
+        return PeerRun(found.modes, tuple(one.t for one in found.events), final)
     with found.arithmetic.context():
         off_line = found.scene.friction.weakening is not None
         lost = None if off_line else found.ledger.friction + found.ledger.viscous

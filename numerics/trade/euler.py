@@ -53,7 +53,7 @@ def euler_figure(scene: Scene, steps: Sequence[float] = STEPS) -> EulerFigure:
     for step in steps:
         with np.errstate(over="ignore", invalid="ignore"):
             run = forward_euler(scene, step)
-            found = judge(read(pair, run), truth, scene)
+            found = judge(read(pair.mode, run), truth, scene)
         digits = -np.inf if found.digits is None else found.digits
         outcomes.append(EulerOutcome(step, found.difference is None, digits, run.chatter))
     return EulerFigure(len(truth.times), tuple(outcomes))

@@ -19,7 +19,7 @@ from numerics.errors import NumericsError
 from numerics.scene import Scene, State
 from numerics.solver.many import solve_many
 from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
-from numerics.trade.comparisons.peer import PeerFailed, PeerRun, Unsupported
+from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.comparisons.switched import SwitchedPair, run
 from numerics.trade.contenders import CONTENDERS, Call, Contender, answer_of, contender
 from numerics.trade.judge import judge, proved
@@ -107,11 +107,7 @@ def runs_on(
     for one in everyone:
         for setting in (one for one in one.settings if one <= most):
             progress(f"{name}: {one.label} {setting:g}")
-            try:
-                ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
-            except Unsupported as error:
-                yield Run(name, one.label, setting, None, None, f"{NONE}{error}")
-                break
+            ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
             yield Run(name, one.label, setting, ratio and ratio * unit, digits, note)
             if name.startswith(LONG) and ratio and ratio * unit > SLOW:
                 break
@@ -120,15 +116,12 @@ def runs_on(
 def judged_and_timed(
     one: Contender, setting: float, scene: Any, truth: PeerRun, base: Call, budget: float
 ) -> tuple[float | None, float | None, str]:
-    """Judge a contender and time it in turns with `base`: its time by that, its digits, and what is wrong with it.
-
-    Raises Unsupported.
-    """
+    """Judge a contender and time it in turns with `base`: its time by that, its digits, and what is wrong with it."""
     digits = int(setting) if one.label in OURS else 0
     try:
         call = one.prepare(scene, setting)
         found = answer_of(call())
-    except (NumericsError, PeerFailed) as error:
+    except NumericsError as error:
         return None, None, f"{NONE}{error}"
     verdict = judge(found, proved(scene, digits) if digits > 20 else truth, scene, digits)
     ratio = 1.0 if (one.label, setting) == ("solve", 0) else in_turns(base, call, budget)

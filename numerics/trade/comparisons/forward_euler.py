@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.scene import Law, Scene
-from numerics.trade.comparisons.peer import Call, Extra, PeerFailed, PeerRun, Unsupported
+from numerics.trade.comparisons.peer import Call, PeerFailed, PeerRun
 from numerics.trade.comparisons.switched import SwitchedPair
 from numerics.trajectory.curve import energy_of
 
@@ -36,17 +36,24 @@ class EulerRun:
     """Samples of a forward Euler run: t (n,) s, y (4, n) with rows x1, v1, x2, v2 in SI units; approximate."""
 
     scene: Scene
-    step: float
-    t: NDArray[np.float64]
-    y: NDArray[np.float64]
+    t: Vector
+    y: Vector
+
+    @property
+    def sign(self) -> Vector:
+        """Return sgn(v1 - v2) at every step."""
+        return np.sign(self.y[1] - self.y[3])
+
+    @property
+    def load(self) -> Vector:
+        """Return a2 x1 + a1 v1 by the largest one that stick holds, at every step."""
+        pair = self.scene.pair
+        return (float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1]) / float(pair.a2 * pair.half_width)
 
     @property
     def chatter(self) -> int:
         """Return how often sgn(v1 - v2) flips between consecutive steps that both lie in |a2 x1 + a1 v1| <= a2 L."""
-        pair = self.scene.pair
-        sign = np.sign(self.y[1] - self.y[3])
-        load = np.abs(float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1])
-        inside = load <= float(pair.a2 * pair.half_width)
+        sign, inside = self.sign, np.abs(self.load) <= 1
         return int(np.count_nonzero((sign[1:] * sign[:-1] < 0) & inside[1:] & inside[:-1]))
 
     @property
@@ -55,32 +62,12 @@ class EulerRun:
         return int(np.count_nonzero(self.y[1] == self.y[3]))
 
     @property
-    def energy(self) -> NDArray[np.float64]:
+    def energy(self) -> Vector:
         """Return E at every step, J."""
         return energy_of(self.scene.pair, self.y)
 
 
-def forward_euler(scene: Scene, step: float, loop: Callable[..., None] | None = None) -> EulerRun:
-    """Integrate a scene with the explicit Euler method of the given step (s) > 0. Raises ValueError.
-
-    Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (11)-(12), generalised to any
-    masses; the law `filippov` uses it inside the sliding region only, and the slip field that leads away outside.
-    `loop` may be a compiled `march`.
-    """
-    steps = round(float(scene.until) / step) if step > 0 else 0
-    if steps < 1:
-        raise ValueError(f"step = {step:g} s must lie between 0 and the horizon {float(scene.until):g} s")
-    pair, at = scene.pair, scene.initial
-    y = np.empty((4, steps + 1))
-    y[:, 0] = float(at.x1), float(at.v1), float(at.x2), float(at.v2)
-    m1, m2, a1, a2, b = (float(value) for value in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
-    (loop or march)(y, step, m1, m2, a1, a2, b, scene.law is Law.THREE_VALUED_SGN)
-    return EulerRun(scene, step, np.linspace(0.0, step * steps, steps + 1), y)
-
-
-def march(
-    y: NDArray[np.float64], step: float, m1: float, m2: float, a1: float, a2: float, b: float, literal: bool
-) -> None:
+def march(y: Vector, step: float, m1: float, m2: float, a1: float, a2: float, b: float, literal: bool) -> None:
     """Fill the columns of y, (4, n), from the first one on: plain arithmetic, fit for a compiler."""
     held = b * (m1 + m2) / m2
     x1, v1, x2, v2 = float(y[0, 0]), float(y[1, 0]), float(y[2, 0]), float(y[3, 0])
@@ -97,12 +84,29 @@ def march(
         y[0, n], y[1, n], y[2, n], y[3, n] = x1, v1, x2, v2
 
 
+def forward_euler(scene: Scene, step: float, loop: Callable[..., None] = march) -> EulerRun:
+    """Integrate a scene with the explicit Euler method of the given step (s) > 0. Raises ValueError.
+
+    Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (11)-(12), generalised to any
+    masses; the law `filippov` uses it inside the sliding region only, and the slip field that leads away outside.
+    `loop` may be a compiled `march`.
+    """
+    steps = round(float(scene.until) / step) if step > 0 else 0
+    if steps < 1:
+        raise ValueError(f"step = {step:g} s must lie between 0 and the horizon {float(scene.until):g} s")
+    pair, at = scene.pair, scene.initial
+    y = np.empty((4, steps + 1))
+    y[:, 0] = [float(one) for one in (at.x1, at.v1, at.x2, at.v2)]
+    numbers = [float(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b)]
+    loop(y, step, *numbers, scene.law is Law.THREE_VALUED_SGN)
+    return EulerRun(scene, np.linspace(0.0, step * steps, steps + 1), y)
+
+
 def euler_peer(scene: Scene, step: float) -> Call:
-    """Compile the loop, where numba is installed. Raises Unsupported; PeerFailed for too many steps."""
+    """Compile the loop, where numba is installed. Raises PeerFailed for a force, or too many steps."""
     if scene.is_forced:
-        raise Unsupported("the paper's forward Euler is for free pairs")
-    loop: Extra = march
-    pair, steps = SwitchedPair(scene), float(scene.until) / step
+        raise PeerFailed("the paper's forward Euler is for free pairs")
+    first, steps, loop = SwitchedPair(scene).mode, float(scene.until) / step, march
     if steps > MAX_STEPS:
         raise PeerFailed(f"{steps:.0f} steps do not fit the memory; the cap is {MAX_STEPS}")
     if find_spec("numba"):
@@ -112,35 +116,29 @@ def euler_peer(scene: Scene, step: float) -> Call:
 
     def run() -> PeerRun:
         with np.errstate(over="ignore", invalid="ignore"):  # a coarse step may blow up, and says so by its result
-            return read(pair, forward_euler(scene, step, loop))
+            return read(first, forward_euler(scene, step, loop))
 
     return run
 
 
-def read(pair: SwitchedPair, euler: EulerRun) -> PeerRun:
-    """Return what a forward Euler run says, read by the rules above."""
-    x1, v1, _, v2 = euler.y
-    steps = _events(np.sign(v1 - v2), pair.a2 * x1 + pair.a1 * v1, pair.spans[0].held, pair.mode)
-    events = [(mode, float(euler.t[step])) for mode, step in steps]
-    return PeerRun.of(pair.mode, events, euler.y[:, -1].tolist(), float(euler.energy[0] - euler.energy[-1]))
+def read(first: int, euler: EulerRun) -> PeerRun:
+    """Return what a forward Euler run says, its first mode known, read by the rules above."""
+    events, energy = list(events_of(euler.sign, euler.load, first)), euler.energy
+    times, modes = [float(euler.t[step]) for step, _ in events], [first, *(mode for _, mode in events)]
+    return PeerRun(modes, times, euler.y[:, -1].tolist(), float(energy[0] - energy[-1]))
 
 
-def _events(sign: Vector, load: Vector, held: float, mode: int) -> Iterator[tuple[int, int]]:
-    """Yield the mode after each event and its step; a mode is the sign of the slip, 0 in stick."""
-    inside = np.abs(load) <= held
-    outside = np.flatnonzero(~inside)
-    other = {one: np.flatnonzero(sign != one) for one in (-1, 1)}
-    begun = {one: np.flatnonzero((sign == one) | inside) for one in (-1, 1)}
-    step: int | None = 0
-    while True:
-        step = _next(outside, step) if mode == 0 else _next(other[mode], _next(begun[mode], step))
-        if step is None:
-            return
-        mode = (-1 if load[step] > 0 else 1) if mode == 0 else 0 if inside[step] else -mode
-        yield mode, step
-
-
-def _next(steps: NDArray[np.intp], after: int | None) -> int | None:
-    """Return the first of the sorted steps that is not before `after`, or None."""
-    index = len(steps) if after is None else int(np.searchsorted(steps, after))
-    return int(steps[index]) if index < len(steps) else None
+def events_of(sign: Vector, load: Vector, mode: int) -> Iterator[tuple[int, int]]:
+    """Yield the step of each event and the mode after it; a mode is the sign of the slip, 0 in stick."""
+    inside, begun = np.abs(load) <= 1, False
+    changes = np.flatnonzero((sign[1:] != sign[:-1]) | (inside[1:] != inside[:-1])) + 1
+    for step in (0, *changes.tolist()):  # between them nothing can begin or end
+        begun = begun or bool(inside[step]) or sign[step] == mode
+        if mode == 0 and not inside[step]:
+            mode = -1 if load[step] > 0 else 1
+            begun = sign[step] == mode
+            yield step, mode
+        elif mode != 0 and begun and sign[step] != mode:
+            mode = 0 if inside[step] else -mode
+            begun = sign[step] == mode
+            yield step, mode

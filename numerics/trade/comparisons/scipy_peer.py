@@ -10,44 +10,42 @@ from __future__ import annotations
 import numpy as np
 
 from numerics.trade.comparisons.peer import Extra, PeerFailed
-from numerics.trade.comparisons.switched import Arc, Asked, Ended, Number, SwitchedPair
+from numerics.trade.comparisons.switched import Arc, Number, Span, SwitchedPair
+
+NOTHING = 1e-300
+"""Keeps a load that does not change from turning back."""
 
 
-def scipy_arcs(pair: SwitchedPair, rtol: float, method: str = "DOP853") -> Arc:
+def scipy_arcs(pair: SwitchedPair, rtol: float) -> Arc:
     """Return the arcs of a pair; absolute tolerances are rtol times the pair's own sizes."""
-    import scipy.integrate
+    from scipy.integrate import solve_ivp
 
-    options: Extra = {"method": method, "rtol": rtol, "atol": rtol * np.array(pair.sizes)}
+    options: Extra = {"method": "DOP853", "rtol": rtol, "atol": rtol * np.array(pair.sizes)}
 
-    def arc(asked: Asked) -> tuple[Ended, Number, list[Number]]:
-        slip, span, s, t, start, until, still = asked
-        held = span.held
-
+    def arc(slip: bool, span: Span, s: int, t: Number, start: list[Number]) -> tuple[bool, Number, list[Number]]:
         def field(since: float, y: Extra) -> list[float]:
-            return pair.rates(slip, span, s, pair.u(span, t + since, 1) if pair.driven else 0.0, y.tolist())
+            return pair.rates(slip, span, s, pair.u(span, t + since, 1), y.tolist())
 
         def guards(since: float, y: Extra) -> tuple[float, float]:
             """Return what falls to 0 at the event, and where the load turns."""
             if slip:
                 return y[2], np.inf
-            return min(y[0], 2 * held - y[0]), np.inf if still else -pair.quick * field(since, y)[0]
+            return min(y[0], 2 * span.held - y[0]), NOTHING - pair.quick * field(since, y)[0]
 
         def watched(since: float, y: Extra) -> float:
             return min(guards(since, y))
 
         watched.terminal, watched.direction = True, -1  # type: ignore[attr-defined]
-        first = None
+        left, first = span.end - t, None
         if slip and start[2] == 0:
-            first = min(pair.first_step(span, s, t, start[0], start[1])[0], until - t)
-        found = scipy.integrate.solve_ivp(
-            field, (0, until - t), np.array(start), events=watched, first_step=first, **options
-        )
+            first = min(pair.first_step(span, s, t, start[0], start[1])[0], left)
+        found = solve_ivp(field, (0, left), np.array(start), events=watched, first_step=first, **options)
+        since, end = float(found.t[-1]), found.y[:, -1]
         if found.status == -1:
-            raise PeerFailed(f"SciPy at t = {t + found.t[-1]:.9g} s: {found.message}")
-        end, since = found.y[:, -1], float(found.t[-1])
+            raise PeerFailed(f"SciPy at t = {t + since:.9g} s: {found.message}")
         if found.status == 0:
-            return Ended.TIME, until, end.tolist()
+            return False, span.end, end.tolist()
         met, turning = guards(since, end)
-        return (Ended.TURNED if turning < met else Ended.MET), t + since, end.tolist()
+        return met <= turning, t + since, end.tolist()
 
     return arc
