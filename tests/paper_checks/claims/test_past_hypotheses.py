@@ -1,6 +1,6 @@
 """Where a stronger sentence would be false: what is said there keeps its hypothesis, and a motion shows why it has it.
 
-What a row, a clause or a theorem says is signed (`python -m paper_checks sign`); these are reasons and pages, which are not.
+What a row, a clause or a theorem says is signed (`python -m paper_checks sign`); these are reasons and pages: they are not.
 """
 
 import math
@@ -10,8 +10,24 @@ from pathlib import Path
 
 import pytest
 
-from numerics import Force, Friction, InvalidScene, Mode, Pair, PlanePair, PlaneScene, Scene, State
-from numerics import fastest_transfer, load_reference, load_scene, solve, solve_many, solve_scenes, track
+from numerics import (
+    Force,
+    Friction,
+    InvalidScene,
+    Mode,
+    Pair,
+    PlanePair,
+    PlaneScene,
+    Scene,
+    State,
+    fastest_transfer,
+    load_reference,
+    load_scene,
+    solve,
+    solve_many,
+    solve_scenes,
+    track,
+)
 from numerics.control.tracking import stuck_force
 
 ROOT = Path(__file__).parents[3]
