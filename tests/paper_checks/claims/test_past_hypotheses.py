@@ -1,6 +1,6 @@
 """Where a stronger sentence would be false: what is said there keeps its hypothesis, and a motion shows why it has it.
 
-What a row, a clause or a theorem says is signed (`python -m paper_checks sign`); these are reasons and pages: they are not.
+What a row, a clause or a theorem says is signed (`python -m paper_checks sign`); reasons and pages are not.
 """
 
 import math
