@@ -1,9 +1,8 @@
-"""Where a stronger sentence would be false: what is said there keeps its hypothesis, and a motion shows why it has it.
+"""Where a stronger sentence would be false, what is said keeps its hypothesis; and two things that once were not so.
 
 What a row, a clause or a theorem says is signed (`python -m paper_checks sign`); reasons and pages are not.
 """
 
-import math
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -16,8 +15,6 @@ from numerics import (
     InvalidScene,
     Mode,
     Pair,
-    PlanePair,
-    PlaneScene,
     Scene,
     State,
     fastest_transfer,
@@ -58,44 +55,6 @@ PLUS, MINUS, STICK = Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK
 )
 def test_what_is_said_keeps_what_it_once_left_out(place, words):
     assert words in " ".join(re.sub(r'"\s+f?"', "", (ROOT / place).read_text("utf-8")).split())
-
-
-HEAVY_DAMPER = Pair(m1=1, m2=1, a1=1000, a2=1, b=1)
-LARGE_CIRCLE = {"x1": ["1.02", 0], "v1": [0, "1.02"], "v2": [0, "1.02"]}
-MOTIONS = {
-    "a short slip follows another slip": (Scene(ONES, State("2.02", -1, 0, -1), 1), (MINUS, STICK)),
-    "a short slip starts no stick": (Scene(ONES, State(v1="1e-6"), 1), (PLUS, STICK)),
-    "a circle that is 2 % too large slips twice": (
-        PlaneScene(PlanePair(m1="0.05", m2="0.95", a2=1, b="0.95"), 10, **LARGE_CIRCLE),
-        ("slip", "stick", "slip", "stick"),
-    ),
-    "body 2 at rest is met before a heavy damper settles": (Scene(HEAVY_DAMPER, State("2.1"), 2), (MINUS, STICK)),
-    "the first slip under a heavy damper crosses": (Scene(HEAVY_DAMPER, State(v1=1), 1), (PLUS, MINUS, STICK)),
-    "an oscillation grows until the bodies synchronise": (
-        Scene(Pair(1, 1, 200, "0.5"), State(v2="-0.03"), 3),
-        (PLUS, STICK),
-    ),
-    "a heavy body 1 merges by a slip from beside S": (load_scene("itinerary-that-merges"), (PLUS, STICK)),
-    "body 2 follows a reference while the pair slips": (Scene(ONES, State(), 1, force=Force.step(0, 10)), (PLUS,)),
-}
-
-
-@pytest.mark.parametrize("what", MOTIONS)
-def test_a_motion_of_which_a_stronger_sentence_would_be_false(what):
-    scene, modes = MOTIONS[what]
-    assert solve(scene).modes == modes
-
-
-def test_no_level_of_the_energy_decides_under_a_friction_that_varies_in_time():
-    """Omega = 1, L = b; b is 2 N near each half turn of the stuck pair, else 1 N: of one energy, one start sticks."""
-    half_turns = [str(round(n * math.pi + side, 6)) for n in range(12) for side in (1.1, math.pi - 1.1)]
-    friction = Friction(list(zip(half_turns, 12 * [1, 2], strict=True)))
-    pair = Pair(m1=1, m2=1, a2=2, b=2)
-    sticks, slips = (
-        solve(Scene(pair, start, 37, friction=friction)) for start in (State("1.5"), State(v1="1.5", v2="1.5"))
-    )
-    assert sticks.energy[0] == slips.energy[0] == 2.25
-    assert (sticks.modes, len(slips.modes) > 6) == ((STICK,), True)
 
 
 def test_read_literally_friction_gives_what_a_reference_asks():
