@@ -29,19 +29,11 @@ def execute(notebook):
     return client.execute()
 
 
-def outputs(notebook):
-    """Return the outputs of all cells."""
-    return [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
-
-
-def shows_something(notebook):
-    """Return whether some cell shows a figure or a formula."""
-    return any(SHOWN & set(output.get("data", {})) for output in outputs(notebook))
-
-
-def complaints(notebook):
-    """Return what the cells wrote to stderr: warnings, above all."""
-    return [output.text for output in outputs(notebook) if output.get("name") == "stderr"]
+def seen(notebook):
+    """Return whether some cell shows a figure or a formula, and what the cells wrote to stderr: warnings, above all."""
+    outputs = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
+    shown = any(SHOWN & set(output.get("data", {})) for output in outputs)
+    return shown, [output.text for output in outputs if output.get("name") == "stderr"]
 
 
 def definitions(source):
@@ -70,18 +62,12 @@ def test_the_notebooks_of_the_house_are_there():
 @pytest.mark.long
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_notebook_runs_and_shows_something(name, fresh_kernel):
-    notebook = execute(jupytext.read(FOLDER / name))
-    assert shows_something(notebook)
-    assert complaints(notebook) == []
+    assert seen(execute(jupytext.read(FOLDER / name))) == (True, [])
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
-def test_notebook_imports_and_never_defines(name):
+def test_notebook_imports_and_never_defines_and_is_a_bare_percent_source(name):
     assert definitions((FOLDER / name).read_text("utf-8")) == []
-
-
-@pytest.mark.parametrize("name", NOTEBOOKS)
-def test_notebook_is_a_bare_percent_source(name):
     notebook = jupytext.read(FOLDER / name)
     assert notebook.metadata.kernelspec.name == "python3"
     assert notebook.metadata.jupytext.text_representation.format_name == "percent"
@@ -96,7 +82,6 @@ def test_faults_are_seen(fresh_kernel):
     ]
     assert definitions(f"f = lambda: {' + '.join('x' * LONGEST_LAMBDA)}")
     silent = execute(jupytext.reads("# %%\nimport sys\nprint(1)\nprint('!', file=sys.stderr)\n", fmt="py:percent"))
-    assert not shows_something(silent)
-    assert complaints(silent) == ["!\n"]
+    assert seen(silent) == (False, ["!\n"])
     with pytest.raises(CellExecutionError):
         execute(jupytext.reads("# %%\n1 / 0\n", fmt="py:percent"))

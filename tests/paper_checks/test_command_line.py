@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from planted_trades import MACHINE, planted
@@ -65,19 +64,13 @@ def test_an_unknown_id_gets_one_line_that_suggests(small, capsys):
     assert captured.out == ""
 
 
-def test_list_prints_every_claim(capsys):
-    assert main(["list"]) == 0
-    out = capsys.readouterr().out
-    assert all(claim.id in out for claim in CLAIMS)
-    assert main(["list", "--json"]) == 0
-    printed = {claim["id"]: claim["recorded"] for claim in json.loads(capsys.readouterr().out)}
-    assert printed == {claim.id: claim.recorded.value for claim in CLAIMS}
-
-
-def test_list_in_a_pipe_has_one_line_for_each_claim(capsys):
+def test_list_prints_every_claim_in_a_pipe_on_a_line_of_its_own(capsys):
     assert main(["list"]) == 0
     lines = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
     assert lines[1 : 1 + len(CLAIMS)] == [claim.id for claim in CLAIMS]
+    assert main(["list", "--json"]) == 0
+    printed = {claim["id"]: claim["recorded"] for claim in json.loads(capsys.readouterr().out)}
+    assert printed == {claim.id: claim.recorded.value for claim in CLAIMS}
 
 
 def test_report_writes_and_complains(small, capsys, tmp_path):
@@ -98,13 +91,6 @@ def test_the_report_tells_some_rows_or_the_whole(small, capsys, tmp_path):
     assert "did you mean stiction-bracket?" in capsys.readouterr().err
 
 
-def test_without_tex_a_pdf_is_refused_before_anything_runs(monkeypatch, capsys):
-    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
-    monkeypatch.setattr(latex, "missing", lambda: latex.REMEDY)
-    assert main(["report", "--format", "html,pdf"]) == 3
-    assert capsys.readouterr().err == f"paper_checks: {latex.REMEDY}\n"
-
-
 def test_a_file_is_compared_with_the_source(capsys, tmp_path):
     (tmp_path / "other.tex").write_text("another paper", encoding="utf-8")
     assert main(["source", str(tmp_path / "other.tex")]) == 1
@@ -113,22 +99,34 @@ def test_a_file_is_compared_with_the_source(capsys, tmp_path):
     assert "cannot be read: No such file or directory" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("command", [["report", "--out", "file"], ["report", "--out", "file/in"]])
-def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(monkeypatch, capsys, tmp_path, command):
+WRITTEN = "the report cannot be written: 'file' is a file; choose another folder with --out"
+
+
+@pytest.mark.parametrize(
+    ("words", "without", "code", "told"),
+    [
+        (["--out", "file"], None, 2, WRITTEN),
+        (["--out", "file/in"], None, 2, WRITTEN),
+        (["--trade", "nowhere.json"], None, 2, "nowhere.json cannot be read: No such file or directory"),
+        (["--format", "html,pdf"], "pdflatex", 3, latex.REMEDY),
+        *(([], module, 3, f"this needs {module}") for module in ("sympy", "rich", "matplotlib")),
+    ],
+)
+def test_what_cannot_be_reported_is_one_line_before_anything_runs(
+    monkeypatch, capsys, tmp_path, words, without, code, told
+):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("")
     monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
-    assert main(command) == 2
-    told = "the report cannot be written: 'file' is a file; choose another folder with --out"
-    assert capsys.readouterr().err == f"paper_checks: {told}\n"
-
-
-@pytest.mark.parametrize("module", ["sympy", "rich", "matplotlib"])
-def test_a_missing_tool_is_named_before_anything_runs(monkeypatch, capsys, module):
-    monkeypatch.setitem(sys.modules, module, None)
-    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
-    assert main(["report"]) == 3
-    assert f"this needs {module}" in capsys.readouterr().err
+    if without == "pdflatex":
+        monkeypatch.setattr(latex, "missing", lambda: latex.REMEDY)
+    elif without:
+        monkeypatch.setitem(sys.modules, without, None)
+    assert main(["report", *words]) == code
+    said = capsys.readouterr().err
+    assert said.startswith("paper_checks: ")
+    assert told in said
+    assert said.count("\n") == 1
 
 
 def test_the_report_takes_another_trade(small, capsys, tmp_path):
@@ -138,13 +136,6 @@ def test_the_report_takes_another_trade(small, capsys, tmp_path):
     assert "Without a force, nobody was measured beside ours." in (tmp_path / "pages" / "questions.html").read_text(
         "utf-8"
     )
-
-
-def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
-    nowhere = tmp_path / "nowhere.json"
-    assert main(["report", "--trade", str(nowhere)]) == 2
-    assert capsys.readouterr().err == f"paper_checks: {nowhere} cannot be read: No such file or directory\n"
 
 
 @pytest.mark.parametrize(
@@ -179,17 +170,15 @@ def test_an_interruption_is_130(monkeypatch, capsys):
     assert capsys.readouterr().err == "paper_checks: interrupted\n"
 
 
-def test_a_closed_pipe_is_no_error():
-    command = f"{sys.executable} -m paper_checks list | head -n 1"
+@pytest.mark.parametrize(
+    ("output", "code", "errors"),
+    [
+        ("| head -n 1", 0, ""),
+        ("> /dev/full", 2, "paper_checks: cannot read or write the output: No space left on device\n"),
+    ],
+)
+def test_a_closed_pipe_is_no_error_and_an_output_that_takes_nothing_is_told_in_one_line(output, code, errors):
+    command = f"{sys.executable} -m paper_checks list {output}"
     result = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
-    assert result.stderr == ""
-    assert result.stdout.startswith("claim")
-
-
-def test_an_output_that_takes_nothing_is_told_in_one_line():
-    with Path("/dev/full").open("w", encoding="utf-8") as full:
-        result = subprocess.run(
-            [sys.executable, "-m", "paper_checks", "list"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
-        )
-    assert result.returncode == 2
-    assert result.stderr == "paper_checks: cannot read or write the output: No space left on device\n"
+    assert (result.returncode, result.stderr) == (code, errors)
+    assert code or result.stdout.startswith("claim")

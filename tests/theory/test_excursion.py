@@ -1,22 +1,12 @@
-"""The slip excursion: exact identities, and signs on the whole range of angles."""
+"""One excursion: it solves the reduced field, and its series against 100 digits of the closed form typed here."""
 
-from sympy import Integer, Rational, S, cos, diff, expand, limit, pi, simplify, sin, sqrt
+import mpmath
+import pytest
+from sympy import Rational, S, diff, expand, simplify, sqrt
 
 from theory import excursion as exc
-from theory import scaling
-from theory.symbols import V1, V2, X, a2, epsilon, h_value, m1, overshoot, q, r, tau, theta
-
-ANGLES = [Rational(1, 1000), Rational(1, 2), S(2), S(3), Rational(9, 2), S(6), Rational(628, 100)]
-
-
-def identical(left, right):
-    """Equality by the decision procedure, confirmed in 40 digits at angles of the range."""
-    difference = left - right
-    exact = exc.half_tangent_form(difference) == 0
-    numbers = [{theta: angle, q: Rational(1, 3), epsilon: Rational(2, 7), h_value: S(2)} for angle in ANGLES[1:4]]
-    numeric = all(abs(difference.subs(point).evalf(40)) < 1e-30 for point in numbers)
-    assert exact == numeric
-    return exact
+from theory import near_critical, return_map, scaling
+from theory.symbols import V1, V2, X, epsilon, overshoot, q, tau, theta
 
 
 def test_the_slip_solves_the_reduced_field():
@@ -31,48 +21,36 @@ def test_the_slip_solves_the_reduced_field():
     assert [expand(entry) for entry in start] == [1 + overshoot, epsilon, epsilon]
 
 
-def test_the_guard_and_its_factors():
-    guard = exc.slip_from_ray().guard
-    square, simple = exc.guard_factors()
-    assert identical(guard, square * simple)
-    assert not identical(guard, square * (simple + 2 * epsilon / sqrt(q)))
-    assert [limit(diff(square, theta, n), theta, 0) for n in (0, 1)] == [0, 0]
-    assert identical(exc.guard_of_u(), theta - sin(theta) - h_value * (1 - cos(theta)))
+def exact_excursion(fraction, angle):
+    """(eps, X, V, w', stick duration) at a slip angle, from typed formulas in mpmath."""
+    height = (angle - mpmath.sin(angle)) / (1 - mpmath.cos(angle))
+    start = mpmath.sqrt(fraction) * height
+    position = 1 - fraction * (1 - mpmath.cos(angle)) + fraction * height * mpmath.sin(angle)
+    velocity = mpmath.sqrt(fraction) * (height - angle)
+    after = position**2 + velocity**2 - 1
+    stick = mpmath.atan2(mpmath.sqrt(after), -1) - mpmath.atan2(-velocity, position)
+    return start, position, velocity, after, stick
 
 
-def test_the_end_of_the_excursion():
-    one = exc.excursion()
-    height = exc.h()
-    assert identical(one.start_velocity, sqrt(q) * height)
-    assert identical(one.position, 1 - q * (1 - cos(theta)) + q * height * sin(theta))
-    assert identical(one.velocity, sqrt(q) * (height - theta))
-    assert identical(one.excess, q * height**2)
-    assert not identical(one.position, 1 - q * (1 - cos(theta)) - q * height * sin(theta))
-    # Both bodies end with the same velocity.
-    slip = exc.slip_from_ray()
-    assert identical(slip.V1.subs(epsilon, one.start_velocity), slip.V2.subs(epsilon, one.start_velocity))
+def value(expression, **numbers):
+    point = {symbol: Rational(numbers[symbol.name]) for symbol in expression.free_symbols if symbol.name in numbers}
+    return mpmath.mpf(str(S(expression).subs(point).evalf(100)))
 
 
-def test_displacement_and_energy():
-    one = exc.excursion()
-    printed = (theta - sin(theta)) ** 2 / (1 - cos(theta)) - theta**2 / 2 + 1 - cos(theta)
-    assert identical(exc.displacement_of_angle(), printed)
-    assert exc.energy_balance() == 0
-    assert identical(one.next_excess, exc.next_excess())
-    assert identical(exc.next_excess(), exc.h() ** 2 * q - 2 * r * q * printed)
-    assert not identical(one.next_excess, exc.h() ** 2 * q - r * q * printed)
-    assert not identical(one.next_excess, exc.h() ** 2 * q - 2 * q * q * printed)
-
-
-def test_the_duration_in_si(same):
-    assert same(exc.duration_in_si(), theta * sqrt(m1 / a2))
-    in_units = scaling.to_si(exc.excursion().duration) / scaling.stick_frequency()
-    assert same(in_units, exc.duration_in_si())
-
-
-def test_the_half_tangent_form_decides():
-    assert exc.half_tangent_form(sin(theta) ** 2 + cos(theta) ** 2 - 1) == 0
-    assert exc.half_tangent_form(sin(2 * theta) - 2 * sin(theta) * cos(theta)) == 0
-    assert exc.half_tangent_form(sin(theta) - theta) != 0
-    assert exc.half_tangent_form(Integer(1) - cos(theta)) != 0
-    assert limit(exc.h(), theta, pi) == pi / 2
+@pytest.mark.parametrize("fraction", ["0.5", "0.2", "0.9"])
+def test_every_series_has_its_order(fraction):
+    """Halving the angle divides the error by 2^order or more: the coefficients kept are all right."""
+    found = near_critical.cycle()
+    excess = {n: q * return_map.return_map_series(n).subs(return_map.scaled_excess, epsilon**2 / q) for n in (2, 3, 8)}
+    series = [found.slip_angle, found.position, found.velocity, found.next_excess, found.stick_duration]
+    with mpmath.workdps(100):
+        errors = []
+        for angle in (mpmath.mpf("1e-3"), mpmath.mpf("5e-4")):
+            start, *rest = exact_excursion(mpmath.mpf(fraction), angle)
+            at = {"q": fraction, epsilon.name: mpmath.nstr(start, 100)}
+            exact = [angle, *rest, *[rest[2]] * len(excess)]
+            errors.append([abs(value(s, **at) - e) for s, e in zip((*series, *excess.values()), exact, strict=True)])
+        orders = [mpmath.log(coarse / fine, 2) for coarse, fine in zip(*errors, strict=True)]
+    order = near_critical.ORDER
+    least = [order] * 4 + [order - 1] + [2 * n + 2 for n in excess]
+    assert all(order > expected - 0.1 for order, expected in zip(orders, least, strict=True))

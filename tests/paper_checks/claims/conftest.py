@@ -11,8 +11,6 @@ import pytest
 from paper_checks.claims import CLAIMS
 from paper_checks.decide import smt
 from paper_checks.evidence.claim import Claim
-from paper_checks.evidence.finding import Finding
-from paper_checks.report.mathematics import prose
 
 CHECKS: dict[str, Claim] = {claim.id: claim for claim in CLAIMS}
 """Each claim by its id."""
@@ -55,10 +53,3 @@ def plant() -> Iterator[Callable[..., None]]:
 
     yield planted
     patch.undo()
-
-
-def unreadable(finding: Finding) -> list[str]:
-    """Return the texts of a finding whose mathematics the report could not set."""
-    evidence = [text for item in finding.evidence for text in (item.statement, item.value, *item.assumptions)]
-    texts = [finding.reason, finding.corrected or "", finding.counterexample or "", *finding.derivation, *evidence]
-    return [text for text in texts if "<code>" in prose.html(text) or text.count("$") % 2]

@@ -37,36 +37,25 @@ def other_sign(original: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def confused(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
-    """Return the fault for a module's name `prove`: a relation is another one, in these of its uses or in all.
+    """Return the fault for a name `prove` or `signed`: a relation is another one, in these of its uses or in all.
 
-    They are counted from the first proof on, in each the assumptions before the conclusion.
+    They are counted from the first call on, in each proof the assumptions before the conclusion.
     """
 
     def planted(original: Any) -> Any:
         seen = itertools.count()
 
-        def read(formula: Any) -> Any:
-            if isinstance(formula, sp.And):
-                return sp.And(*map(read, formula.args))
-            wrong = isinstance(formula, RELATIONAL[relation]) and (next(seen) in uses or not uses)
-            return RELATIONAL[read_as](formula.lhs, formula.rhs, evaluate=False) if wrong else formula
+        def read(given: Any) -> Any:
+            if isinstance(given, sp.And):
+                return sp.And(*map(read, given.args))
+            if isinstance(given, list):
+                return [*map(read, given)]
+            named = given == relation if isinstance(given, str) else isinstance(given, RELATIONAL[relation])
+            if not named or (uses and next(seen) not in uses):
+                return given
+            return read_as if isinstance(given, str) else RELATIONAL[read_as](given.lhs, given.rhs, evaluate=False)
 
-        return lambda statement, given, conclusion: original(statement, [*map(read, given)], read(conclusion))
-
-    return planted
-
-
-def mistaken(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
-    """Return the fault for a module's name `signed`: a relation is another one, in these of its uses or in all."""
-
-    def planted(original: Any) -> Any:
-        seen = itertools.count()
-
-        def signed(expression: Any, said: str) -> Any:
-            wrong = said == relation and (next(seen) in uses or not uses)
-            return original(expression, read_as if wrong else said)
-
-        return signed
+        return lambda *given: original(*map(read, given))
 
     return planted
 

@@ -36,7 +36,7 @@ FAULTS = {
     },
     "return-map-expansion": {
         "return_map.quarter_rim": lambda rim: lambda: (acb(4), *rim()),
-        "return_map.printed_depth_coefficients": (entry(1, lambda one: -one), entry(2, raised)),
+        "return_map.printed_depth_coefficients": entry(2, raised),
         "return_map.depth_series": entry(6, raised),
         "return_map.lost_coefficients": entry(6, raised),
     },

@@ -1,15 +1,74 @@
-"""Identities pass, near misses fail at a point, and a silent simplifier is no pass."""
+"""Identities pass, near misses fail at a point, and a silent simplifier is no pass; values at points are sympy's."""
+
+from fractions import Fraction
 
 import pytest
 import sympy as sp
+from flint import acb, fmpq
+from hypothesis import example, given
+from hypothesis import strategies as st
+from strategies import elementary_expressions
 
 from paper_checks.decide import exact
+from paper_checks.decide.at_point import NotEvaluatedError, at_point
+from paper_checks.decide.balls import precision
 from paper_checks.decide.exact import identity
+from paper_checks.decide.normal_form import is_zero
 from paper_checks.evidence.evidence import EvidenceKind
 
-x, y = sp.symbols("x y", real=True)
-m = sp.Symbol("m", positive=True)
+x, y, m, n = *sp.symbols("x y", real=True), *sp.symbols("m n", positive=True)
 k = sp.Symbol("k", integer=True)
+root = sp.sqrt(m + n)
+
+ZEROS = [
+    sp.sin(2 * m) - 2 * sp.sin(m) * sp.cos(m),
+    sp.cos(m - 3 * n) - sp.cos(m) * sp.cos(3 * n) - sp.sin(m) * sp.sin(3 * n),
+    sp.sin(m / 2) ** 2 - (1 - sp.cos(m)) / 2,
+    sp.tan(m) * sp.cos(m) - 1 / sp.cot(m) * sp.cos(m),
+    1 / root - root / (m + n),
+    root**3 - (m + n) * root,
+    sp.sqrt(1 + root) ** 2 - 1 - root,
+    (sp.Min(m, n) + 1) ** 2 - sp.Min(m, n) ** 2 - 2 * sp.Min(m, n) - 1,
+    sp.sin(root) ** 2 / m + sp.cos(root) ** 2 / m - 1 / m,
+    m * sp.Abs(n / m - 1) - sp.Abs(m - n),
+]
+
+
+@pytest.mark.parametrize("zero", ZEROS, ids=str)
+def test_what_is_0_by_the_rules_is_found_and_a_fault_in_any_part_of_it(zero):
+    assert is_zero(zero)
+    for place, part in enumerate(zero.args):
+        for fault in (-part, 2 * part, part**2, part + sp.Rational(1, 10**9)):
+            wrong = sp.Add(*zero.args[:place], fault, *zero.args[place + 1 :])
+            assert not is_zero(wrong), wrong
+
+
+@given(st.data())
+def test_the_same_expression_written_in_another_way_is_the_same(data):
+    expression = data.draw(elementary_expressions())
+    for rewritten in (sp.expand(expression), sp.together(expression), sp.expand_trig(expression)):
+        assert is_zero(sp.Add(expression, -rewritten, evaluate=False))
+
+
+@given(elementary_expressions(), elementary_expressions())
+def test_it_is_not_0_where_a_value_is_not(first, second):
+    """Also where both differ in little: the first with a part of it doubled."""
+    one, other = sp.symbols("x y", positive=True)
+    for difference in (
+        first - second,
+        first - first.xreplace({one: 2 * one}),
+        first - first.xreplace({sp.sin(one): sp.cos(one)}),
+    ):
+        with precision(60):
+            value = at_point(difference, {one: sp.Rational(7, 5), other: sp.Rational(3, 11)})
+        vanishes = value == 0 if isinstance(value, fmpq) else value.contains(0)
+        assert is_zero(difference) == bool(vanishes)
+
+
+def test_two_letters_of_one_name_are_two():
+    other = sp.Symbol(m.name, complex=True)
+    assert not is_zero(m - other)
+    assert not is_zero(other - m)
 
 
 @pytest.mark.parametrize(
@@ -17,7 +76,6 @@ k = sp.Symbol("k", integer=True)
     [
         ((x + y) ** 2, x**2 + 2 * x * y + y**2),
         (1 / (1 - x) - 1, x / (1 - x)),
-        (sp.sin(x) ** 2, 1 - sp.cos(x) ** 2),
         (sp.sqrt(m**2), m),
         (sp.cos(sp.pi * k) ** 2, 1),
         (sp.Matrix([x * (x + 1), 0]), sp.Matrix([x**2 + x, 0])),
@@ -65,20 +123,17 @@ def test_one_entry_that_the_simplifier_does_not_settle_leaves_the_matrix_open(mo
 def test_a_simplifier_without_a_point_is_no_pass(nowhere, monkeypatch):
     monkeypatch.setattr(exact, "simplifies_to_zero", lambda difference: True)
     evidence = identity("matrix", sp.Matrix([x, nowhere]), sp.Matrix([x, 0]))
-    assert evidence.passed is None
-    assert evidence.value == "1 of the differences could be evaluated nowhere"
+    assert (evidence.passed, evidence.value) == (None, "1 of the differences could be evaluated nowhere")
 
 
-@pytest.mark.parametrize(
-    ("left", "right"), [(sp.sqrt(m**2 + 2 * m + 1), m + 1), (sp.atan(m) + sp.atan(1 / m), sp.pi / 2)]
-)
-def test_what_neither_normal_form_nor_sympy_decides_is_undecided(left, right):
-    evidence = identity("true", left, right)
-    assert evidence.passed is None
-    assert evidence.value == "the simplifier does not reach 0"
+@pytest.mark.parametrize("true", [sp.sqrt(m**2 + 2 * m + 1) - m - 1, sp.atan(m) + sp.atan(1 / m) - sp.pi / 2], ids=str)
+def test_what_neither_normal_form_nor_sympy_decides_is_undecided(true):
+    assert not is_zero(true)
+    assert (identity("", true).passed, identity("", true).value) == (None, "the simplifier does not reach 0")
 
 
-def test_lists_of_two_lengths_are_not_compared():
+def test_what_has_no_value_is_not_0_and_lists_of_two_lengths_are_not_compared():
+    assert not is_zero(sp.Pow(0, -1, evaluate=False))
     with pytest.raises(ValueError, match="zip"):
         identity("short", [x], [x, y])
 
@@ -93,9 +148,40 @@ def test_points_meet_the_assumptions():
     assert identity("sign", sp.Abs(negative) + m + sp.Abs(k), -negative + sp.Abs(m) + sp.Abs(k)).passed is True
 
 
-def test_a_function_that_is_only_named_tells_different_arguments_apart():
-    c, x = sp.Function("c"), sp.Symbol("x", positive=True)
-    assert identity("the same", c(x) + 1, 1 + c(x)).passed is True
-    assert identity("twice", sp.Min(c(x), 1), 2 * sp.Min(c(x), 1)).passed is False
-    assert identity("elsewhere", c(x), c(2 * x)).passed is False
-    assert identity("another function", c(x), sp.Function("d")(x)).passed is False
+C, D = map(sp.Function, "cd")
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "passed"),
+    [
+        (C(m) + 1, 1 + C(m), True),
+        (sp.Min(C(m), 1), 2 * sp.Min(C(m), 1), False),
+        (C(m), C(2 * m), False),
+        (C(m), D(m), False),
+    ],
+)
+def test_a_function_that_is_only_named_tells_different_arguments_apart(left, right, passed):
+    assert identity("named", left, right).passed is passed
+
+
+@given(elementary_expressions())
+@example(sp.Min(sp.sin(m), sp.cos(n)) + 2 * sp.Max(sp.sin(m), sp.cos(n)))
+def test_a_value_at_a_point_is_the_one_of_sympy(expression):
+    point = {one: sp.Rational(7, 5) if one.name in "xm" else sp.Rational(3, 11) for one in expression.free_symbols}
+    with precision(30):
+        value = at_point(expression, point)
+    value = Fraction(int(value.p), int(value.q)) if isinstance(value, fmpq) else value.mid()
+    assert complex(value) == pytest.approx(complex(expression.subs(point).evalf(30)), rel=1e-12, abs=1e-12)
+
+
+def test_a_value_is_exact_while_it_can_be():
+    point = {m: sp.Rational(9, 4), n: sp.Rational(7, 4)}
+    exactly = at_point(1 / sp.sqrt(m) + sp.Min(m, n) - sp.Abs(n - m) + root**3, point)
+    assert exactly == fmpq(2, 3) + fmpq(37, 4)
+    assert (at_point(sp.sqrt(m), {m: sp.Rational(4, 3)}) ** 2).contains(fmpq(4, 3))
+    assert at_point(sp.floor(-m / 3) + sp.ceiling(sp.sqrt(n)), point) == 1
+    assert at_point(sp.sqrt(m - 2), {m: sp.Rational(1)}) == acb(0, 1)
+    with pytest.raises(ZeroDivisionError):
+        at_point(1 / (m - sp.Rational(9, 4)), point)
+    with pytest.raises(NotEvaluatedError):
+        at_point(sp.erf(m / 3), point)

@@ -2,7 +2,7 @@
 
 import argparse
 from dataclasses import replace
-from pathlib import Path
+from itertools import count
 
 import pytest
 
@@ -10,20 +10,6 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.report.output import command_line, files, finished
 from paper_checks.report.output.finished import Finished, name_of
 from paper_checks.running.graph import proofs
-
-
-@pytest.fixture
-def cache(tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setenv("PATH", "")  # no kernel: asking for its version takes a while
-    return tmp_path / "cache"
-
-
-@pytest.fixture
-def drawable(rows):
-    """Rows whose only figure is the one of the first screen."""
-    found = [replace(row, finding=replace(row.finding, figure=None)) for row in rows]
-    return [replace(row, proofs=proofs(row.claim, row.finding)) for row in found]
 
 
 def test_a_name_knows_rows_form_and_options_and_not_how_long_it_took(rows):
@@ -72,29 +58,31 @@ def test_a_damaged_form_is_not_read(tmp_path, place):
     assert kept.files("one.html") is None
 
 
-def reported(rows, out, *, fresh=False, program=True, form=("html",)):
-    options = argparse.Namespace(trade=None, format=form, program=program, steps=False, fresh=fresh, out=out, jobs=1)
-    complaints = []
-    code = command_line.report(options, rows, lambda claims: rows, complaints.append)
-    assert complaints == []
-    return code, {path.name: path.read_bytes() for path in Path(out).rglob("*.*")}
+def test_a_second_report_draws_and_sets_nothing(rows, tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setenv("PATH", "")  # no kernel: asking for its version takes a while
+    rows = [replace(row, finding=replace(row.finding, figure=None)) for row in rows]
+    rows = [replace(row, proofs=proofs(row.claim, row.finding)) for row in rows]
+    numbers = count()
 
-
-@pytest.mark.usefixtures("cache")
-def test_a_second_report_draws_and_sets_nothing(drawable, tmp_path, monkeypatch):
-    first = reported(drawable, tmp_path / "one")
+    def reported(rows=rows, *, fresh=False, program=True):
+        out = tmp_path / str(next(numbers))
+        options = {"trade": None, "format": ("html",), "steps": False, "jobs": 1}
+        options |= {"program": program, "fresh": fresh, "out": out}
+        complaints = []
+        code = command_line.report(argparse.Namespace(**options), rows, lambda claims: rows, complaints.append)
+        assert complaints == []
+        return code, {path.name: path.read_bytes() for path in out.rglob("*.*")}
 
     def never(*_):
         raise AssertionError("made again")
 
+    first = reported()
     with monkeypatch.context() as patch:
         patch.setattr(files, "made", never)
-        assert reported(drawable, tmp_path / "two") == first
-        with pytest.raises(AssertionError, match="made again"):
-            reported(drawable, tmp_path / "three", fresh=True)
-        with pytest.raises(AssertionError, match="made again"):
-            reported(drawable, tmp_path / "four", program=False)
-        with pytest.raises(AssertionError, match="made again"):
-            reported([row for row in drawable if row.finding.verdict is not Verdict.REFUTED], tmp_path / "five")
-    assert reported(drawable, tmp_path / "six", fresh=True) == first
-    assert reported(drawable, tmp_path / "seven", program=False) == first
+        assert reported() == first
+        some = [row for row in rows if row.finding.verdict is not Verdict.REFUTED]
+        for another in ({"fresh": True}, {"program": False}, {"rows": some}):
+            with pytest.raises(AssertionError, match="made again"):
+                reported(**another)
+    assert reported(fresh=True) == reported(program=False) == first

@@ -8,7 +8,6 @@ from html import unescape
 import pytest
 from elements import Elements
 
-from paper_checks.report.content import notation
 from paper_checks.report.content.document import document
 from paper_checks.report.content.phrases import place
 from paper_checks.report.formats import html, vector
@@ -100,16 +99,16 @@ def test_each_row_tells_the_statement_the_decisive_step_and_then_the_rest_folded
     assert "<math" in row
 
 
-def test_what_is_not_settled_has_no_decisive_step(files):
-    assert "Decisive step" not in behind(files, "rate-one-over-t")
-    assert "Missing for a proof" in behind(files, "rate-one-over-t")
+def test_what_is_not_settled_has_no_decisive_step_and_what_differs_or_was_not_drawn_is_said(files):
+    row = behind(files, "rate-one-over-t")
+    assert "Decisive step" not in row
+    for said in (
+        "Missing for a proof",
+        "differs from the verdict on record, holds",
+        "The figure lost was not drawn.",
+    ):
+        assert said in row
     assert "a proof of" in files["pages/open.html"]
-
-
-def test_symbols_of_a_row_are_told_on_its_page(files):
-    row = behind(files, "stiction-bracket")
-    assert notation.SYMBOLS["b"].meaning.partition("(")[0] in row
-    assert notation.SYMBOLS["d"].meaning.partition(":")[0] not in row
 
 
 def test_a_step_of_several_rows_stands_once(files, rows):
@@ -149,12 +148,6 @@ def test_hostile_texts_are_escaped(files):
         assert "<script>alert" not in text
         assert "<b>100%" not in text
     assert "&lt;script&gt;alert" in behind(files, "hostile")
-
-
-def test_what_differs_and_what_was_not_drawn_is_said(files):
-    row = behind(files, "rate-one-over-t")
-    assert "differs from the verdict on record, holds" in row
-    assert "The figure lost was not drawn." in row
 
 
 def test_the_page_has_a_language_and_rows_have_words_to_search_for(front, rows):

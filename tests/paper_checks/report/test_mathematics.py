@@ -7,11 +7,12 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from fontTools.ttLib import TTFont
 
 import paper_checks
 from paper_checks.claims import CLAIMS
+from paper_checks.report.mathematics import font, unicode
 from paper_checks.report.mathematics import mathml as mathml_module
-from paper_checks.report.mathematics import unicode
 from paper_checks.report.mathematics.mathml import objection_to, tree
 from paper_checks.report.mathematics.prose import (
     Piece,
@@ -32,13 +33,30 @@ ARRANGED = {
 """Commands that are structure, of which a line of text keeps nothing or a sign."""
 
 
+@pytest.fixture(scope="module")
+def glyphs():
+    with TTFont(font.FILE) as found:
+        assert "MATH" in found
+        return set(map(chr, found.getBestCmap()))
+
+
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
-def test_every_statement_can_be_read_in_every_form(claim):
-    for text in (claim.statement, claim.where):
+def test_every_statement_can_be_read_in_every_form(claim, glyphs):
+    """An index is no product either, as sympy would make of a name that it splits at its underscore."""
+    for text in (claim.statement, claim.corrected or "", claim.where):
         assert "<code>" not in html(text)
-        assert "\\" not in plain(text)
-        assert "$" not in plain(text)
+        assert not {"\\", "$"} & set(plain(text))
         assert "U+" not in latex(text)
+        for content in (content for kind, content in pieces(text) if kind is not Piece.PROSE):
+            assert set("".join(tree(content).itertext())) <= glyphs
+            assert not any("·" in "".join(node[1].itertext()) for node in tree(content).iter("msub"))
+
+
+def test_the_font_has_what_it_promises_and_is_embedded_under_a_name_of_its_own(glyphs):
+    assert set(font.CHARACTERS) <= glyphs
+    assert font.face().startswith('@font-face { font-family: "Report Math"; src: url(data:font/woff;base64,')
+    with TTFont(font.FILE) as found:
+        assert {str(record) for record in found["name"].names if record.nameID != 0} == {"Report Math", "ReportMath"}
 
 
 @pytest.mark.parametrize(("mathematics", "line"), MADE["terminal"])
@@ -96,15 +114,11 @@ def test_mathematics_becomes_mathml():
     assert '<mo form="prefix">' not in mathml("|a|-b")
 
 
-@pytest.mark.parametrize(("source", "element"), MADE["spaced"])
-def test_space_stands_beside_a_function_and_never_among_its_arguments(source, element):
+@pytest.mark.parametrize(("source", "element"), MADE["spaced"] + MADE["set"])
+def test_a_browser_sets_it_as_tex_does(source, element):
+    """Space stands beside a function and never among its arguments."""
     assert element in mathml(source)
     assert objection_to(tree(source)) is None
-
-
-@pytest.mark.parametrize(("source", "element"), MADE["set"])
-def test_a_browser_sets_it_as_tex_does(source, element):
-    assert element in mathml(source)
 
 
 def test_no_line_begins_with_the_comma_after_a_formula():
@@ -112,15 +126,6 @@ def test_no_line_begins_with_the_comma_after_a_formula():
     assert re.sub(r"<math.*?</math>", "M", written) == (
         'for <span class="glued">(M),</span> or <span class="glued">M:</span> <span class="glued">[M]</span> and M'
     )
-
-
-@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
-def test_an_index_is_a_letter_or_a_word_and_no_product(claim):
-    """As sympy would make of a name that it splits at its underscore."""
-    for kind, content in pieces(claim.statement):
-        if kind is not Piece.PROSE:
-            for node in tree(content).iter("msub"):
-                assert "·" not in "".join(node[1].itertext())
 
 
 @pytest.mark.parametrize("name", ["msup", "mfrac", "msubsup"])

@@ -1,11 +1,10 @@
-"""What the pages are made of: font, dark colours, notation, what stands first, provenance, the kernel's words."""
+"""What the pages are made of: dark colours, notation, what stands first, provenance, the kernel's words."""
 
 import re
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from fontTools.ttLib import TTFont
 
 from paper_checks.claims import CLAIMS, claim_named, source
 from paper_checks.evidence.claim import Kind
@@ -16,36 +15,8 @@ from paper_checks.report.content import kernel, notation, opening, trust
 from paper_checks.report.content.blocks import Cards, Code, Heading, Table
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import colours, html
-from paper_checks.report.mathematics import font
-from paper_checks.report.mathematics.mathml import tree
-from paper_checks.report.mathematics.prose import Piece, pieces
 from paper_checks.running.graph import proofs
 from paper_checks.running.runner import Row
-
-
-@pytest.fixture(scope="module")
-def glyphs():
-    with TTFont(font.FILE) as found:
-        assert "MATH" in found
-        return set(found.getBestCmap())
-
-
-def test_the_font_has_every_character_that_it_promises(glyphs):
-    assert set(map(ord, font.CHARACTERS)) <= glyphs
-
-
-@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
-def test_the_font_has_every_character_of_a_statement(claim, glyphs):
-    for kind, content in pieces(f"{claim.statement} {claim.corrected or ''}"):
-        if kind is not Piece.PROSE:
-            assert set("".join(tree(content).itertext())) <= set(map(chr, glyphs))
-
-
-def test_the_font_is_embedded_under_a_name_of_its_own():
-    assert font.face().startswith('@font-face { font-family: "Report Math"; src: url(data:font/woff;base64,')
-    with TTFont(font.FILE) as found:
-        names = {str(record) for record in found["name"].names if record.nameID != 0}
-    assert names == {"Report Math", "ReportMath"}
 
 
 def lightness(colour):
@@ -90,12 +61,9 @@ def test_what_a_theorem_assumes_is_said_of_theorems_only_and_of_other_laws_as_su
     assert "surface" in opening.hypotheses("stuck-ellipses")
 
 
-def test_the_counts_are_those_of_the_rows(rows):
+def test_the_counts_are_those_of_the_rows_and_results_are_shown_only_with_the_verdict_on_record(rows):
     assert opening.counts(rows[:1]) == "The claim holds as written."
     assert opening.counts(rows[:2]) == "Of the paper's 2 claims 1 holds as written and 1 is refuted."
-
-
-def test_results_are_shown_only_with_the_verdict_on_record(rows):
     assert not [block for one in opening.front(rows) for block in one.blocks if isinstance(block, Cards)]
 
 
@@ -108,14 +76,18 @@ def settled(name):
     return Row(claim, Finding(claim.recorded, "It is not so. And more.", both, "It is so.", "$1\\neq 0$."))
 
 
+def cards(names, section):
+    """The texts of the cards of a section of the first page."""
+    (found,) = [one for one in opening.front([*map(settled, names)]) if one.id == section]
+    return [text for block in found.blocks if isinstance(block, Cards) for _, text, _ in block.items]
+
+
 def test_the_numbers_of_the_first_page_are_computed():
     failed = {"synchronisation-time": "2.31 mm/s", "start-at-6mm-sticks": "takes 0.6 N; friction gives at most 0.5 N"}
-    (section,) = [one for one in opening.front([*map(settled, failed)]) if one.id == "refuted"]
-    (cards,) = [block for block in section.blocks if isinstance(block, Cards)]
-    assert all(number in text for number, (_, text, _) in zip(failed.values(), cards.items, strict=True))
+    told = cards(failed, "refuted")
+    assert all(number in text for number, text in zip(failed.values(), told, strict=True))
     assert "0.79263" not in Path(opening.__file__).read_text(encoding="utf-8")
-    (section,) = [one for one in opening.front([*map(settled, opening.NEW)]) if one.id == "results"]
-    told = " ".join(text for block in section.blocks if isinstance(block, Cards) for _, text, _ in block.items)
+    told = " ".join(cards(opening.NEW, "results"))
     assert "0.79263" in told
     assert "E_{cr} m_{1}" in told
     assert "«" not in told

@@ -32,11 +32,6 @@ def test_a_process_that_ends_costs_its_own_figure_only(trade, alone, monkeypatch
     assert found == alone | {DRAWINGS[0]: lost}
 
 
-def test_a_figure_that_is_not_known_is_told_so(trade):
-    (found,) = dict(parts.made([parts.Drawing("lost", "svg")], trade)).values()
-    assert found == Undrawn("the figure lost is not known")
-
-
 def test_what_takes_longest_stands_at_the_ends(trade):
     assert set(parts.LONGEST) <= set(parts.figures(trade))
     some = [*map(parts.Drawing, parts.figures(trade), ["svg"] * 99), *map(parts.Chapter, parts.chapters(trade))]

@@ -22,8 +22,7 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.running import kept, plain, processes, workers
 from paper_checks.running import rows as running
 from paper_checks.running.kept import Kept
-from paper_checks.running.runner import Context, decide
-from paper_checks.store import digest as hashed
+from paper_checks.running.runner import Context
 
 QUICK = ("energy-rate", "stiction-bracket", "vector-fields")
 ROOT = Path(kept.__file__).parents[2]
@@ -40,10 +39,6 @@ def store(tmp_path):
     return Kept(0, tmp_path)
 
 
-def entries(folder):
-    return sorted(folder.rglob("*.json"))
-
-
 def test_a_row_comes_back_as_it_was(rows, store, settled):
     for row in rows:
         assert plain.row(row.claim, plain.plain(row)) == row
@@ -53,9 +48,13 @@ def test_a_row_comes_back_as_it_was(rows, store, settled):
         assert plain.row(row.claim, store.row(row.claim.id)) == row
 
 
-def test_a_row_is_not_another_claim_s(rows):
+def test_a_row_of_another_claim_or_of_other_clauses_is_refused(rows, settled):
     with pytest.raises(ValueError, match="energy-rate"):
         plain.row(rows[1].claim, plain.plain(rows[0]))
+    row = plain.plain(settled[0])
+    for proofs in (row.proofs * 2, row.proofs[:-1] or row.proofs * 3):
+        with pytest.raises(ValueError, match="zip"):
+            plain.row(settled[0].claim, replace(row, proofs=proofs))
 
 
 def test_a_solver_without_an_answer_is_asked_again(settled, store, tmp_path):
@@ -64,14 +63,7 @@ def test_a_solver_without_an_answer_is_asked_again(settled, store, tmp_path):
     store.keep(plain.plain(replace(settled[-1], finding=finding)))
     row = plain.plain(settled[0])  # and one whose clause a solver left open
     store.keep(replace(row, proofs=(*row.proofs, ((), (), (silent,)))))
-    assert entries(tmp_path) == []
-
-
-def test_a_row_of_other_clauses_is_refused(settled):
-    row = plain.plain(settled[0])
-    for proofs in (row.proofs * 2, row.proofs[:-1] or row.proofs * 3):
-        with pytest.raises(ValueError, match="zip"):
-            plain.row(settled[0].claim, replace(row, proofs=proofs))
+    assert not list(tmp_path.rglob("*.json"))
 
 
 @pytest.mark.parametrize("fresh", [False, True])
@@ -84,17 +76,6 @@ def test_fresh_rows_are_decided_though_others_are_kept(store, fresh):
     assert again.finding == row.finding
 
 
-@pytest.mark.parametrize("place", [0, 30, 70, 200, -1])
-def test_a_damaged_entry_is_not_read(settled, store, tmp_path, place):
-    store.keep(plain.plain(settled[0]))
-    (entry,) = entries(tmp_path)
-    content = bytearray(entry.read_bytes())
-    content[place] ^= 1
-    for damaged in (bytes(content), bytes(content[:place])):
-        entry.write_bytes(damaged)
-        assert store.row(settled[0].claim.id) is None
-
-
 class Shell:
     """What a pickle runs when it is read."""
 
@@ -102,110 +83,55 @@ class Shell:
         return os.system, ("touch ran",)
 
 
-def test_a_planted_entry_runs_nothing_and_is_no_row(settled, store, tmp_path, monkeypatch):
-    """@example of a found fault: the cache was pickles, and one that was planted ran a shell command."""
+def outcome(passed):
+    return lambda data: [step.update(passed=passed) for step in data["steps"]]
+
+
+def test_what_was_planted_runs_nothing_and_a_forged_verdict_is_judged_as_any_other(
+    settled, store, tmp_path, monkeypatch
+):
+    """@example of a found fault: the cache was pickles, and one that was planted ran a shell command.
+
+    Its steps must carry a row: what was found false or left open, or rests on nothing, does not.
+    """
     monkeypatch.chdir(tmp_path)
-    true = plain.as_json(plain.plain(settled[0]))
-    for planted in (pickle.dumps(Shell()), b"{}", b"[]", b"null", b"\xff", true.encode()[:-2]):
-        store._store.put(f"{settled[0].claim.id}.json", planted)
-        assert store.row(settled[0].claim.id) is None
-    assert not (tmp_path / "ran").exists()
-
-
-def forged(row, *changes):
-    data = json.loads(plain.as_json(plain.plain(row)))
-    for change in changes:
-        change(data)
-    return json.dumps(data)
-
-
-def test_a_forged_verdict_is_judged_as_any_other(settled, store):
-    """Its steps must carry it: what was found false or left open, or rests on nothing, does not."""
     row = next(one for one in settled if one.finding.verdict is Verdict.HOLDS)
+    true = plain.as_json(plain.plain(row))
 
-    def outcome(passed):
-        return lambda data: [step.update(passed=passed) for step in data["steps"]]
+    def forged(change):
+        data = json.loads(true)
+        change(data)
+        return json.dumps(data).encode()
 
     changes = [outcome(None), outcome(False), lambda data: data["finding"].update(evidence=[])]
     changes += [lambda data: data["finding"].update(verdict="refuted"), lambda data: data.update(claim="another")]
     changes += [lambda data: data.update(proofs=[[[], [], []] for _ in data["proofs"]])]
     changes += [lambda data: data["steps"][0].update(rests_on=[0])]
-    for change in changes:
-        store._store.put(f"{row.claim.id}.json", forged(row, change).encode())
+    planted = [pickle.dumps(Shell()), b"{}", b"[]", b"null", b"\xff", true.encode()[:-2], *map(forged, changes)]
+    for body in planted:
+        store._store.put(f"{row.claim.id}.json", body)
         assert running.kept([row.claim], store) == {}
-    store._store.put(f"{row.claim.id}.json", forged(row).encode())
+    assert not (tmp_path / "ran").exists()
+    store._store.put(f"{row.claim.id}.json", true.encode())
     assert running.kept([row.claim], store) == {row.claim.id: row}
-
-
-def test_an_entry_under_another_name_or_of_another_state_is_not_read(settled, store, tmp_path):
-    store.keep(plain.plain(settled[0]))
-    (entry,) = entries(tmp_path)
-    entry.with_name("stiction-bracket.json").write_bytes(entry.read_bytes())
-    assert store.row("stiction-bracket") is None
-    other = Kept(1, tmp_path)
-    folder = tmp_path / kept.state(1)
-    folder.mkdir()
-    (folder / entry.name).write_bytes(entry.read_bytes())
-    assert other.row(settled[0].claim.id) is None
-
-
-def test_a_cache_that_cannot_be_written_keeps_nothing(settled, tmp_path):
-    (tmp_path / "file").write_text("")
-    store = Kept(0, tmp_path / "file")
-    store.keep(plain.plain(settled[0]))
-    store.forget_old()
-    assert store.row(settled[0].claim.id) is None
-
-
-def test_forgetting_before_anything_was_kept_stands_in_nobodys_way(settled, store, tmp_path):
-    store.forget_old()
-    store.keep(plain.plain(settled[0]))
-    assert store.row(settled[0].claim.id) is not None
-
-
-def test_the_oldest_states_are_forgotten(store, settled, tmp_path):
-    for number in range(12):
-        (tmp_path / f"old{number}").mkdir()
-    store.keep(plain.plain(settled[0]))
-    store.forget_old()
-    assert len(list(tmp_path.iterdir())) == 8
-    assert store.row(settled[0].claim.id) is not None
 
 
 def test_the_state_knows_seed_kernel_versions_and_sources(monkeypatch, tmp_path):
     source = tmp_path / "one.py"
     source.write_text("1")
     monkeypatch.setattr(kept, "sources", lambda: [source])
+    monkeypatch.setattr(kept.kernel, "why_not", lambda _: "")
     states = [kept.state(0), kept.state(1)]
     source.write_text("2")
     states.append(kept.state(0))
-    monkeypatch.setattr(kept, "version", lambda name: "0.0")
-    states.append(kept.state(0))
-    for kernel in ("1 of a kind", "2 of a kind"):
-        monkeypatch.setattr(kept.kernel, "why_not", lambda _: "")
-        monkeypatch.setattr(kept.kernel, "identity", lambda _, kernel=kernel: kernel)
+    changes = [(kept, "version", "0.0"), (kept.kernel, "identity", "1 of a kind")]
+    changes += [(kept.kernel, "identity", "2 of a kind"), (kept.platform, "python_version", "another")]
+    changes += [(kept.platform, "machine", "another"), (kept.kernel, "why_not", "kernel not run: gone")]
+    for place, name, answer in changes:
+        monkeypatch.setattr(place, name, lambda *_, answer=answer: answer)
         states.append(kept.state(0))
-    for name in ("python_version", "machine"):
-        monkeypatch.setattr(kept.platform, name, lambda: "another")
-        states.append(kept.state(0))
-    monkeypatch.setattr(kept.kernel, "why_not", lambda _: "kernel not run: gone")
-    states.append(kept.state(0))
-    assert len(set(states)) == 9
+    assert len(set(states)) == len(states)
     assert kept.state(0) == states[-1]
-
-
-def test_the_hash_of_files_tells_what_stands_where(tmp_path):
-    """@example of a found fault: a file that moves to another folder, its name kept, left the hash as it was."""
-
-    def digest(**texts):
-        for name, text in texts.items():
-            (tmp_path / name).parent.mkdir(exist_ok=True)
-            (tmp_path / name).write_text(text)
-        return hashed([tmp_path / name for name in texts], [])
-
-    found = [digest(a="12", b="3"), digest(a="1", b="23"), digest(a="12", c="3"), digest(b="12", a="3")]
-    found += [digest(**{"one/a": "12", "b": "3"}), digest(**{"two/a": "12", "b": "3"})]
-    assert len(set(found)) == len(found)
 
 
 def test_what_rows_can_depend_on_is_in_the_state():
@@ -214,6 +140,7 @@ def test_what_rows_can_depend_on_is_in_the_state():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     declared = project["dependencies"] + project["optional-dependencies"]["checks"]
     assert {re.split("[>=]", line)[0] for line in declared} - SHOWN_WITH <= set(kept.DEPENDENCIES)
+    assert all((ROOT / "paper_checks" / "claims" / f"{name}.py").exists() for name in workers.SHARING + workers.ALONE)
 
 
 def imported_by(path):
@@ -234,10 +161,6 @@ def test_what_shows_rows_is_reached_from_no_check():
             waiting += imported_by(path)
     assert len(reached) > 60
     assert [path for path in reached if path.relative_to(package).parts[0] in kept.SHOWING] == []
-
-
-def test_the_subjects_that_have_a_place_are_there():
-    assert all((ROOT / "paper_checks" / "claims" / f"{name}.py").exists() for name in workers.SHARING + workers.ALONE)
 
 
 def test_a_process_that_ends_costs_its_own_row_only():
@@ -263,7 +186,7 @@ def test_the_bytes_are_the_same_from_one_process_from_two_and_from_the_cache(tmp
     assert (one.returncode, one.stderr) == (0, b"")
     assert one.stdout == two.stdout == again.stdout
     assert {row["id"] for row in json.loads(one.stdout)} == set(QUICK)
-    assert len(entries(tmp_path)) == len(QUICK)
+    assert len(list(tmp_path.rglob("*.json"))) == len(QUICK)
 
 
 def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path):
@@ -271,21 +194,15 @@ def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path):
     assert (code, errors) == (130, "paper_checks: interrupted\n")
 
 
-@pytest.fixture(params=["as here", "as on Windows"])
-def started(request, monkeypatch):
-    """Start processes as this system can, and each anew."""
-    if request.param == "as on Windows":
-        monkeypatch.setattr(processes.multiprocessing, "get_all_start_methods", lambda: ["spawn"])
-    return processes.method().get_start_method()
-
-
-def test_ctrl_c_is_not_heard_by_a_process_that_still_loads_the_checks(started):
-    claims = [claim_named(name) for name in QUICK[:2]]
+@pytest.mark.parametrize("methods", [None, ["spawn"]], ids=["as here", "as on Windows"])
+def test_ctrl_c_is_not_heard_by_a_process_that_still_loads_the_checks(methods, monkeypatch):
+    if methods:
+        monkeypatch.setattr(processes.multiprocessing, "get_all_start_methods", lambda: methods)
     before = signal.getsignal(signal.SIGINT)
+    claims = [claim_named(name) for name in QUICK[:2]]
     assert list(workers.found(claims, Context(), 1, tells_what_ctrl_c_does)) == [True, True]
     assert signal.getsignal(signal.SIGINT) is before
     assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
-    assert started in {"forkserver", "spawn"}
 
 
 @pytest.mark.parametrize("elsewhere", [False, True])
@@ -303,12 +220,3 @@ def test_ctrl_c_while_a_process_is_started_is_not_lost(elsewhere, monkeypatch):
             list(processes.answers(["energy-rate"], 1, tells_what_ctrl_c_does, Context()))
     finally:
         signal.signal(signal.SIGINT, before)
-
-
-def test_what_fails_prints_its_traceback_where_that_is_asked_for(capsys):
-    def case():
-        raise ZeroDivisionError("by 0")
-
-    for debug in (False, True):
-        assert decide(replace(claim_named(QUICK[0]), case=case), Context(debug=debug)).verdict is Verdict.UNDECIDED
-        assert ("Traceback" in capsys.readouterr().err) is debug

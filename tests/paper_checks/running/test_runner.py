@@ -27,15 +27,11 @@ def holds():
     return because("So it is.", PASSED)
 
 
-def test_rows_come_in_the_claims_order_with_their_findings(rows):
-    found = run([row.claim for row in rows], Context())
+def test_rows_come_in_the_claims_order_with_their_findings_and_progress_is_told(rows):
+    told = []
+    found = run([row.claim for row in rows], Context(), told.append)
     assert [(row.claim, row.finding) for row in found] == [(row.claim, row.finding) for row in rows]
     assert all(row.seconds >= 0 for row in found)
-
-
-def test_progress_is_told_before_each_claim(rows):
-    told = []
-    run([row.claim for row in rows], Context(), told.append)
     assert told == [row.claim for row in rows]
 
 
@@ -65,6 +61,12 @@ def test_a_formula_whose_decision_raises_makes_its_row_undecided():
     (row,) = run([claim("a", holds, said)], Context())
     assert row.finding.verdict is Verdict.UNDECIDED
     assert "no inverse" in row.finding.reason
+
+
+@pytest.mark.parametrize("debug", [False, True])
+def test_what_fails_prints_its_traceback_where_that_is_asked_for(debug, capsys):
+    decide(claim("a", raising(ZeroDivisionError("by 0"))), Context(debug=debug))
+    assert ("Traceback" in capsys.readouterr().err) is debug
 
 
 @pytest.mark.parametrize("answer", [None, True, "holds", PASSED])

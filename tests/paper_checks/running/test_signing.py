@@ -69,22 +69,16 @@ def test_a_theorem_that_is_weakened_and_pinned_again_turns_itself_and_its_rows(a
             assert (verdict is Verdict.UNDECIDED) is turns, name
 
 
-def test_so_does_a_sentence_that_is_changed_alone(accepting, monkeypatch):
+def test_so_do_a_sentence_and_the_words_of_a_clause_that_are_changed_alone(accepting, findings, monkeypatch):
+    accepting()
+    claim = claim_named("tolerance-ring")
+    said = tuple(replace(one, text=one.text.replace("no smaller", "no larger")) for one in claim.clauses)
+    turned = row(replace(claim, said=said), findings[claim.id], 0.0).finding
+    assert turned.verdict is Verdict.UNDECIDED
+    assert "the words of the clause ring were read beside what the theorems ring-factor say" in turned.reason
     name, sentence = library.CITED[THEOREM]
     monkeypatch.setitem(library.CITED, THEOREM, (name, sentence.replace("no smaller", "no larger")))
     assert accepting().theorem(THEOREM).holds is False
-
-
-def test_and_the_words_of_a_clause(accepting, findings):
-    accepting()
-    claim = claim_named("tolerance-ring")
-
-    def changed(clause):
-        return Clause(clause.id, clause.text.replace("no smaller", "no larger"), clause.formulas, clause.kernel)
-
-    turned = row(replace(claim, said=tuple(map(changed, claim.clauses))), findings[claim.id], 0.0)
-    assert turned.finding.verdict is Verdict.UNDECIDED
-    assert "the words of the clause ring were read beside what the theorems ring-factor say" in turned.finding.reason
 
 
 def test_a_definition_beneath_is_part_of_what_is_signed():
