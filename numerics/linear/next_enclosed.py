@@ -18,7 +18,7 @@ from numerics.linear.coupled import FORCE as FORCE_ROW
 from numerics.linear.coupled import PLACE, SPEED, filled
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
 from numerics.linear.path_enclosed import AWAY, At, Path
-from numerics.linear.scan import CLEAR, UNKNOWN, Guard, Split, scan, sharpest, splits
+from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, sharpest, splits
 from numerics.linear.ties import MARGINAL
 
 _LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
@@ -180,37 +180,29 @@ def scanned(
     return (since, h) if since * _FINE > reach else None
 
 
-def long_step(path: Path, at: At, flow: Flow, z: list[Any], h: arb) -> arb | None:
-    """Return a time of many radians, up to h, in which no guard vanishes, None if none is found."""
-    for split in splits(flow, path.pieces[at.piece], at.mode, at.local, z) if at.orders[0] == 0 else ():
-        found = longest(path, at, flow, split, h)
-        if found is not None:
-            return found
-    return None
-
-
-def longest(path: Path, at: At, flow: Flow, split: Split, h: arb) -> arb | None:
-    """Return the longest of h, about h/2, ... in which the guards exceed an amplitude; long ones only."""
-    row, rest, slow, amplitude = split
-    count = len(row)
-    if slow is not None:
-        polynomial, row = row, flow.few(slow, path.numbers.bits)
-        for k, c in enumerate(polynomial):
-            row[k] += c
-    guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, [row])]
-    if not all(one.offset + one.sign * row[0] > one.margin for one in guards):
-        return None
-    for sign, offset, _, margin, *_ in guards:
-        # up to next to where the slow part comes down to the amplitude, if it does
-        above = arb_poly(row[:count]) * sign + (offset - 4 * margin)
-        if above(0) > 0 and above(h) < 0:
-            h = _newton(above, above.derivative(), arb(0), h, h / 2, arb.mid, h * _NEAR)
-    while flow.fastest * h > _LONG:
+def long_step(path: Path, at: At, flow: Flow, z: list[Any], most: arb) -> arb | None:
+    """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
+    for split in () if at.orders[0] else splits(flow, path.pieces[at.piece], at.mode, at.local, z):
+        (row, rest, slow, amplitude), h = split, most
+        count = len(row)
         if slow is not None:
-            count, rest = sharpest(flow, row, slow, h)
-        if scan([row[:count]], guards, [rest], h) == CLEAR:
-            return h
-        h = (h * _RATIO).mid()
+            polynomial, row = row, flow.few(slow, path.numbers.bits)
+            for k, c in enumerate(polynomial):
+                row[k] += c
+        guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, [row])]
+        if not all(one.value([row]) > one.margin for one in guards):
+            continue
+        for sign, offset, _, margin, *_ in guards:
+            # up to next to where the slow part comes down to the amplitude, if it does
+            above = arb_poly(row[:count]) * sign + (offset - 4 * margin)
+            if above(0) > 0 and above(h) < 0:
+                h = _newton(above, above.derivative(), arb(0), h, h / 2, arb.mid, h * _NEAR)
+        while flow.fastest * h > _LONG:
+            if slow is not None:
+                count, rest = sharpest(flow, row, slow, h)
+            if scan([row[:count]], guards, [rest], h) == CLEAR:
+                return h
+            h = (h * _RATIO).mid()
     return None
 
 

@@ -6,9 +6,9 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, under
+from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, same, under
 from flint import arb
-from scipy.linalg import expm
+from scipy.linalg import eigh, expm
 from sixty_digits import forced_scene
 
 from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
@@ -19,6 +19,8 @@ from numerics.linear.cells import Branch, cells_of
 from numerics.linear.coupled import CoupledExpansion, CoupledFlow
 from numerics.linear.enclosed import Run
 from numerics.linear.flow import FEW, Drive, Expansion, Flow, numbers_of
+from numerics.linear.next_enclosed import guards_of
+from numerics.linear.path_enclosed import At
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
@@ -55,6 +57,35 @@ def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkey
     assert 0.02 < max(float((abs(b - a.mid()) / a.rad()).mid()) for a, b in pairs if a.rad() > 0) < 1 + 1e-9
 
 
+@pytest.mark.parametrize("name", SCENES)
+def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monkeypatch):
+    """So few that what they leave out is nearly all of the bounds, also of the time of each event on the path."""
+    scene = SCENES[name]
+    exact = run(scene, 60, 12)
+
+    def next_event(path, at, found=enclosed.next_event):
+        at, root = found(path, at)
+        if root is not None:
+            flow, z = path.here(at)
+            row, A = rows_of(flow)[root.guard.row], flow.mode.generator()
+
+            def guard(t):
+                return root.guard.offset + root.guard.sign * value(row, BALLS.exponential(A, t, z))
+
+            assert not abs(guard(root.tau)) > root.value
+            assert not guard(root.tau - root.window) < 0
+            assert not guard(root.tau + root.window) > 0
+        return at, root
+
+    monkeypatch.setattr(enclosed, "next_event", next_event)
+    monkeypatch.setattr("numerics.linear.flow._terms", lambda _: 0)
+    monkeypatch.setattr("numerics.linear.path_enclosed.flow_of", Flow)
+    monkeypatch.setattr("numerics.linear.path_enclosed.coupled_flow_of", CoupledFlow)
+    found = run(scene, 40, 12)
+    assert same((scene, found), (scene, exact))
+    assert max(one.rad() for one in numbers(scene, found.end)) > 1e-60
+
+
 PAIRS = Pair("0.3", 2, 50, 1), Pair("0.3", 2, 50, 1, "0.5"), Pair(2, "0.3", 50, 1, 60)
 BALLS = numbers_of("ball", 40)
 CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
@@ -83,6 +114,13 @@ def value(row, z):
     return sum((Ball.number(c) * z[n] for n, c in row), arb(0))
 
 
+def rows_of(flow):
+    """The rows of which there are guards."""
+    if isinstance(flow, CoupledFlow):
+        return W, ((X1, 1), (X2, -1)), flow.mode.friction
+    return (W if flow.slips else flow.mode.load,)
+
+
 def _holds(flow, motion, z, t, coupled):
     """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
     A = [tuple(enumerate(row)) for row in flow.mode.generator()]
@@ -90,9 +128,8 @@ def _holds(flow, motion, z, t, coupled):
     rate = [value(row, there) for row in A]
     assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
     assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
-    rows, apart = flow.rows(z, 128), ((X1, 1), (X2, -1))
-    guards = (W, apart, flow.mode.friction) if coupled else (W if flow.slips else flow.mode.load,)
-    for which, (row, rest) in enumerate(zip(guards, flow.rests(rows, z, t), strict=True)):
+    rows = flow.rows(z, 128)
+    for which, (row, rest) in enumerate(zip(rows_of(flow), flow.rests(rows, z, t), strict=True)):
         curve, true = motion.row(which), value(row, there)
         assert abs(curve(t) - true) < motion.row_off(which, t, 0) + OFF
         assert abs(curve.derivative()(t) - value(row, rate)) < motion.row_off(which, t, 1) + OFF
@@ -134,19 +171,48 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
 @pytest.mark.parametrize("slope", [Fraction(1, 2), Fraction(-1, 2)])
 def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
     """At once, where one is worst: N of a cell, and that of derivatives, which has the same g everywhere."""
-    pair, t = PAIRS[0], 1e-6
+    pair, apart = PAIRS[0], np.array([1, 0, -1, 0])
     scene = Scene(pair, State(), 1, friction=Friction((), Weakening((), slope, place)))
     cells, piece = cells_of(scene), pieces_of(scene)[0]
     for j in range(len(cells.by_place)):
         mode, branch = cells.mode(piece, 1, (0, j)), cells.branch(piece, 1, (0, j))
-        flow = expm(np.array(mode.generator(), dtype=float)[:4, :4] * t)
         for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, cells.growth(branch))):
-            weights = np.sqrt([float(one) for one in (pair.a2, pair.m1, pair.m2, g)])
-            norm = (np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 0, -1, 0]]) * weights[:, None])[
-                : 4 if g else 3
-            ]
-            rate = math.log(np.linalg.norm(norm @ flow @ np.linalg.pinv(norm), 2)) / t
-            assert 0.5 * float(most) - 1e-3 < rate < float(most) + 1e-3
+            kept = [X1, V1, X2, V2] if g else [X1, V1, V2]
+            N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g) * np.outer(apart, apart)
+            A, N2 = (np.array(one, dtype=float)[np.ix_(kept, kept)] for one in (mode.generator(), N2))
+            rate = eigh(A.T @ N2 + N2 @ A, 2 * N2, eigvals_only=True)[-1]  # of N'/N the greatest
+            assert 0.5 * float(most) - 1e-9 < rate < float(most) + 1e-9
+
+
+@pytest.mark.parametrize("order", range(4))
+@pytest.mark.parametrize(
+    "weakening", [None, Weakening([(1, 1)], -2, [(0, 0), (1, -20)]), Weakening((), 3, [(0, 0), (1, 9)])]
+)
+def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(weakening, order):
+    """N = 1: the worst of all differences, by the inverse of the matrix of N^2; up to the end of a step."""
+    for pair in PAIRS:
+        path = Run(Scene(pair, State(v1=2), 1, friction=Friction((), weakening)), Ball(40), BALLS)
+        cells = [(1, (k, 1)) for k in range(len(path.cells.speeds))] if weakening else [(0, (0, 0)), (1, (0, 0))]
+        for mode, cell in cells:
+            one, zero = arb(1), arb(0)
+            at = At(mode, (order,) * 4, 0, zero, (one, one, zero, one - mode), one, zero, one, zero, cell)
+            flow, z = path.here(at)
+            g, apart = path.weight(at), np.array([1, 0, -1, 0])
+            at = at._replace(place=1 / g) if g > 0 else at
+            N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g**2) * np.outer(apart, apart)
+            onto = np.diag([1, 1, 0, 1])
+            if mode == 0:  # body 2 goes with body 1
+                onto[3], N2[1, 1], N2[3, 3] = onto[1], float(pair.mass), 0
+            A = np.array(flow.mode.generator(), dtype=float)[:4, :4]
+            for guard in guards_of(path, at, flow.rows(z, 128)):
+                row = np.zeros(5)
+                for place, factor in rows_of(flow)[guard.row]:
+                    row[min(place, 4)] = factor
+                for t in np.linspace(0, float(flow.reach), 5):
+                    there = (
+                        row[:4] @ np.linalg.matrix_power(A, guard.order) @ expm(A * t) @ (np.eye(4) if g > 0 else onto)
+                    )
+                    assert (there @ np.linalg.pinv(N2) @ there) ** 0.5 <= float(guard.margin.upper()) * (1 + 1e-9)
 
 
 @pytest.mark.parametrize("a1", [1, 14, 100])

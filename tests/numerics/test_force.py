@@ -32,25 +32,25 @@ def test_a_piece_that_is_moved_is_the_same_function_exactly(f):
         assert piece.moved(piece.start + Fraction(7, 3)).moved(piece.start) == piece
 
 
-def test_the_ready_made_forces():
-    half = Fraction(1, 2)
-    step, ramp = Force.step(1, 2), Force.ramp(1, 3, "0.4")
-    assert [step(t) for t in (0, half, 1, 9)] == [0, 0, 2, 2]
-    assert (step(1, -1), ramp(1), ramp(2)) == (0, 0, Fraction(1, 5))
-    assert ramp(3, -1) == ramp(3) == ramp(9) == Fraction(2, 5)
-    hill = Force.trapezoid(1, 2, 1, "0.5", 3)
-    assert [hill(t) for t in (1, 2, 3, half + 3, 4, 4 + half / 2, 4 + half, 5)] == [
-        0,
-        half * 3,
-        3,
-        3,
-        3,
-        half * 3,
-        0,
-        0,
-    ]
-    pulse = Force.trapezoid(0, 0, 1, 0, 3)
-    assert [pulse(t) for t in (0, half, 1)] == [3, 3, 0]
+@pytest.mark.parametrize(
+    ("force", "values"),
+    [
+        (Force.step(1, 2), {0: (0, 0), "1/2": (0, 0), 1: (0, 2), 9: (2, 2)}),
+        (Force.ramp(1, 3, "0.4"), {1: (0, 0), 2: ("0.2", "0.2"), 3: ("0.4", "0.4"), 9: ("0.4", "0.4")}),
+        (
+            Force.trapezoid(1, 2, 1, "0.5", 3),
+            {1: (0, 0), 2: ("1.5", "1.5"), 3: (3, 3), 4: (3, 3), "4.25": ("1.5", "1.5"), 5: (0, 0)},
+        ),
+        (Force.trapezoid(0, 0, 1, 0, 3), {0: (0, 3), "0.5": (3, 3), 1: (3, 0)}),
+    ],
+)
+def test_a_ready_made_force_is_what_it_says_on_both_sides_of_a_time(force, values):
+    assert {t: tuple(force(t, side) for side in (-1, 1)) for t in values} == {
+        t: tuple(map(Fraction, both)) for t, both in values.items()
+    }
+
+
+def test_a_sweep_goes_on_without_a_jump_and_sines_have_a_common_frequency():
     sweep = Force.sweep(2, [3, 5, "1/3"], 1, "0.5")
     for at in (Fraction(3, 2), Fraction(5, 2)):
         assert sweep(at, -1) == pytest.approx(sweep(at), abs=1e-12)
