@@ -109,26 +109,25 @@ class Slip:
         drive, n, top = self.drive, system.n, system.degree + _MORE
         known, pairs, rate, period = constants(system, drive)
         self.n, self.start = n, [*at.s, *at.v2, *at.q1, at.t, *chain(*drive.swing(at.t))]
-        clock, powers = 5 * n + 1, len(drive.polynomial)
+        count, powers = len(self.start), len(drive.polynomial)
         self.unit = two_to(-round(log2(rate + drive.friction(at.s)[1] / period)))
         sizes = n, system.degree, top, powers, len(drive.sines)
-        places = [*range(3 * n), *range(clock, clock + len(self.start) - 3 * n)]
-        column = [arb(0)] * (places[-1] + 1 + max(0, powers - 2))
-        for place, x in zip(places, self.start, strict=True):
-            column[place] = x.mid()
+        column = [x.mid() for x in self.start] + [arb(0)] * (2 * n + 1 + max(0, powers - 2))
         shown: Any = np.zeros((2, len(column), top + 1))
         if pairs is not None and _in_range(begin := halves([[x] for x in column])):
             shown[..., :1] = begin
             compiled(expand)(shown, *(*pairs, *sizes, float(self.unit)))
         if shown.any() and np.isfinite(shown).all():
-            shown, (high, low) = shown[0], shown.tolist()
-            self.polynomials = [arb_poly(high[place]) + arb_poly(low[place]) for place in places]
+            self.polynomials = [
+                arb_poly(high) + arb_poly(low) for high, low in zip(*shown[:, :count].tolist(), strict=True)
+            ]
+            shown = shown[0]
         else:
             shown = [[x, *[arb(0)] * top] for x in column]
             expand(shown, *(*known, *sizes, self.unit))
-            self.polynomials = [arb_poly(shown[place]) for place in places]
+            self.polynomials = [*map(arb_poly, shown[:count])]
         s, v2, q1 = ([row[: system.degree + 1] for row in shown[k : k + n]] for k in (0, n, 2 * n))
-        self.rows = s, q1, v2, [shown[clock][: system.degree + 1]]
+        self.rows = s, q1, v2, [shown[3 * n][: system.degree + 1]]
 
     def drawn(self, h: arb) -> Curve:
         """Return a step sigma = h x, 0 <= x <= 1."""
@@ -217,14 +216,14 @@ def expand(
 ) -> None:
     """Fill a table of top + 1 columns whose column 0 has s, v2, q1, t, sines and cosines; the rest is 0.
 
-    A column k has the coefficients of (sigma/unit)^k. Rows are n of s, v2, q1, v1 and the push u - A2 q1 - A1 v1 each,
-    those of h(s) and t, a sine and a cosine for each phase, and t^2, t^3, ... Beyond the degree s ends, and all else
-    goes on with that. `masses`: rows m1, m2, m1 + m2, b^2; `held`: A2, A1 side by side; `polynomial`: rows of u by
+    A column k has the coefficients of (sigma/unit)^k. Rows are n of s, v2 and q1 each, that of t, a sine and a cosine
+    for each phase, n of v1 and of the push u - A2 q1 - A1 v1, h(s), and t^2, t^3, ... Beyond the degree s ends, and all
+    else goes on with that. `masses`: rows m1, m2, m1 + m2, b^2; `held`: A2, A1 side by side; `polynomial`: rows of u by
     powers of t; `waves`: by phases, the amplitudes, then omega.
     """
-    second, place, first, push, rate = n, 2 * n, 3 * n, 4 * n, 5 * n
-    clock, wave = rate + 1, rate + 2
-    still = wave + 2 * phases - 2  # t^p is row still + p
+    second, place, clock, wave = n, 2 * n, 3 * n, 3 * n + 1
+    first, push, rate = wave + 2 * phases, wave + 2 * phases + n, wave + 2 * phases + 2 * n
+    still = rate - 1  # t^p is row still + p
     one = like(number(table, clock, 0), 1.0)
     for k in range(top):
         step = one * unit / float(k + 1)

@@ -2,14 +2,15 @@
 
 from fractions import Fraction
 
+import flint
 import pytest
+from flint import arb
 from hypothesis import example, given, settings
 from strategies import plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.solve import followed
-from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 
 LIMITS = {"max_events": 1000, "progress": None}
@@ -74,23 +75,15 @@ def test_coupled_axes_with_one_event_time_are_not_decided():
         solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=10)
 
 
-def test_friction_by_pieces_and_a_jump_let_several_axes_go():
-    found = solve(load_scene("plane-box"), digits=15)
-    assert found.success
-    jump = PlaneScene(
-        PlanePair(1, 1, [[200, 1], [1, 200]], "0.5", shape="box"), 1, force=[Force.step("0.5", 4), Force.step("0.5", 3)]
-    )
-    first = solve(jump, digits=12).events[0]
-    assert (first.before, first.after, first.cause, float(first.t)) == ("00", "++", "jump", 0.5)
-
-
-@pytest.mark.parametrize("at", ["0.5", "0.3", "1/3"])
-def test_axes_that_one_jump_lets_go_slip_at_once_and_know_the_load_behind_it(at):
-    """Without couplings too, and where no binary number is the time of the jump."""
-    scene = PlaneScene(PlanePair(1, 1, 200, "0.5", shape="box"), 1, force=[Force.step(at, 4), Force.step(at, 3)])
-    first = solve(scene, digits=12).events[0]
+@pytest.mark.parametrize("coupling", [0, 1])
+@pytest.mark.parametrize("at", ["0.5", "1/3"])
+def test_axes_that_one_jump_lets_go_slip_at_once_and_know_the_load_behind_it(at, coupling):
+    """With couplings and without, and where no binary number is the time of the jump."""
+    pair = PlanePair(1, 1, [[200, coupling], [coupling, 200]], "0.5", shape="box")
+    first = solve(PlaneScene(pair, 1, force=[Force.step(at, 4), Force.step(at, 3)]), digits=12).events[0]
     assert (first.before, first.after, first.cause) == ("00", "++", "jump")
     assert [float(x) for x in first.load] == [2, 1.5]
+    assert first.t.overlaps(arb(flint.fmpq(*Fraction(at).as_integer_ratio())))
 
 
 @pytest.mark.parametrize(("v", "modes"), [("0.1", ["-0", "00"]), ("-0.1", ["00", "+0"])])

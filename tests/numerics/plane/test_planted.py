@@ -157,20 +157,22 @@ def test_when_a_stick_ends_is_off_as_much_as_the_worst_start_makes_it_and_not_mu
     assert 0.25 < shift(1) < 1
 
 
-@pytest.mark.parametrize(("error", "off"), [("0.01", None), ("0.004", 0.004)])
-def test_a_root_counts_where_the_function_surely_falls_below_0(error, off):
-    """1 - 1.005 x comes to -0.005: what it gives to 0.01 may stay positive."""
-    found = first_root(arb_poly([1, arb("-1.005")]), arb(error))
-    assert found is False if off is None else found[1] >= off / 1.005
+@pytest.mark.parametrize(
+    ("coefficients", "error", "found"),
+    [
+        ((1, "-1.005"), "0.01", False),  # it comes to -0.005, and may stay positive
+        (("1e-30", "1e-16", 1), "0.9e-30", None),  # it rises from a little more than its error
+        (("1e-30", "1e-16", 1), "1.1e-30", False),
+    ],
+)
+def test_a_root_counts_where_the_function_surely_falls_below_0(coefficients, error, found):
+    assert first_root(arb_poly([*map(arb, coefficients)]), arb(error)) is found
 
 
-@pytest.mark.parametrize(("error", "found"), [("0.9e-30", None), ("1.1e-30", False)])
-def test_what_rises_from_a_little_more_than_its_error_has_no_root(error, found):
-    assert first_root(arb_poly([arb("1e-30"), arb("1e-16"), 1]), arb(error)) is found
-
-
-def test_where_a_root_is_counts_what_it_is_rounded_by():
-    x, off = first_root(arb_poly([1, -3]), arb(0))
+@pytest.mark.parametrize("error", ["0", "0.004"])
+def test_where_a_root_is_counts_the_error_and_what_it_is_rounded_by(error):
+    x, off = first_root(arb_poly([1, -3]), arb(error))
+    assert arb(error) / 3 <= off < arb(error) + 1e-12
     assert (x + arb(0, off)).contains(arb(1) / 3)
 
 
@@ -208,7 +210,7 @@ def expanded_with(spoil):
 @settings(max_examples=20)
 @given(st.integers(0, 40), st.none() | st.integers(0, 27), st.integers(-70, 20))
 @example(0, None, -40)  # s
-@example(11, None, -50)  # t, whose beginning is that of the step
+@example(6, None, -50)  # t, whose beginning is that of the step
 def test_wrong_digits_of_a_series_are_in_the_bound_or_end_in_doubt(row, k, power):
     """A series proves nothing: wrong numbers make bounds larger, steps shorter, or the end undecided."""
 
@@ -227,7 +229,7 @@ def test_wrong_digits_of_a_series_are_in_the_bound_or_end_in_doubt(row, k, power
 
 
 @pytest.mark.parametrize(("digits", "bits"), [(19, 36), (30, 72)])  # compiled double-double where numba is, and balls
-@pytest.mark.parametrize("row", [0, 2, 4, 11, 12, 13])  # s, v2, q1, t, a sine and its cosine along x
+@pytest.mark.parametrize("row", [0, 2, 4, 6, 7, 8])  # s, v2, q1, t, a sine and its cosine along x
 def test_wrong_digits_of_a_series_are_seen_in_the_bound(row, digits, bits):
     """One coefficient, off by 2^-bits of itself, is worth far more than what is left out: N is that much larger."""
 

@@ -36,21 +36,17 @@ def test_each_row_is_what_solve_says_of_its_scene(drawn):
             continue
         one = solve(scene, arithmetic="float64")
         kept = min(keep, len(one.events))
-        assert found.status[row] == one.status
-        assert found.events[row] == len(one.events)
-        assert found.mode[row] == one.final_mode
-        assert found.digits[row] == one.digits
-        assert found.t[row] == one.t[-1]
-        assert found.energy[row] == one.final_energy
+        answers = {"status": one.status, "events": len(one.events), "mode": one.final_mode, "digits": one.digits}
+        answers |= {"t": one.t[-1], "energy": one.final_energy, "energy_error": one.final_energy_error}
+        assert {name: getattr(found, name)[row] for name in answers} == answers
         assert found.event_mode[row].tolist() == [event.after for event in one.events[:kept]] + [""] * (keep - kept)
-        assert np.array_equal(found.event_t[row, :kept], one.event_times[:kept])
-        for whole, parts, own in (
-            (found.y, found.event_y, one.y),
-            (found.y_error, found.event_y_error, one.y_error),
-        ):
-            assert np.array_equal(whole[:, row].ravel(), own[:, -1])
-            events = parts[:, row].swapaxes(1, 2).reshape(-1, keep)
-            assert np.array_equal(events[:, :kept], own[:, 1 : 1 + kept])
+        for last in ("", "_error"):
+            y, event_t, event_y = (getattr(found, name + last) for name in ("y", "event_t", "event_y"))
+            times, states = getattr(one, "t" + last)[1 : 1 + kept], getattr(one, "y" + last)
+            assert np.array_equal(event_t[row], [*times, *[np.nan] * (keep - kept)], equal_nan=True)
+            assert np.array_equal(y[:, row].ravel(), states[:, -1])
+            events = event_y[:, row].swapaxes(1, 2).reshape(-1, keep)
+            assert np.array_equal(events[:, :kept], states[:, 1 : 1 + kept])
             assert np.isnan(events[:, kept:]).all()
 
 
