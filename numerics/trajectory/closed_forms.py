@@ -13,11 +13,29 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, NamedTuple
 
+from mpmath.ctx_iv import MPIntervalContext
+
+from numerics.linear.modes import Mode
 from numerics.linear.pieces import particular
 from numerics.scene import Pair, Scene
 
 SHORT = 2.0**-11
 """How long an interval is at most whose sine the kernel bounds by its middle and its slope."""
+SIGN_BITS = (20, 28, 44, 60, 92, 124)
+"""In what precisions it is tried to see that nothing happens in a phase; the kernel takes `SPARE_SIGN_BITS` more."""
+SPARE_SIGN_BITS = 4
+DEPTH = 60
+"""How often an interval is halved for that."""
+PARTS = 1000
+"""Into how many parts a phase is cut at most for that: a file has to be judged in minutes."""
+
+
+class TooCoarse(Exception):
+    """The boxes have grown too large: more bits are needed."""
+
+
+class Unseen(TooCoarse):
+    """It is not seen that the pair keeps its mode until the next event."""
 
 
 class Tone(NamedTuple):
@@ -168,25 +186,31 @@ class Wave(NamedTuple):
         return self._replace(still=still, drift=drift, even=even, odd=odd, answer=answer)
 
 
-class ClosedForms:
-    """What a pair does in one spell of force and friction, over `on`: a context of intervals."""
+class Forms:
+    """What a pair does in one spell of force and friction after another, over `on`: a context of intervals."""
 
-    def __init__(self, on: Any, pair: Pair, spell: Spell) -> None:
-        """Read the exact parameters; whether damping is below its critical value is decided exactly."""
-        self.on, self.spell = on, spell
+    def __init__(self, pair: Pair, most: int) -> None:
+        """Compute with so many bits at most."""
+        self.sign_bits, self.parts = SIGN_BITS[0], PARTS
+        self.pair, self.bits, self.on = pair, most, MPIntervalContext()
+        self.on.prec = most
+
+    def begin(self, spell: Spell) -> None:
+        """Read the exact parameters of a spell; whether damping is below its critical value is decided exactly."""
+        pair, self.spell = self.pair, spell
         self.a1, self.a2, self.b = (self.number(one) for one in (pair.a1, pair.a2, spell.friction))
         self.mass = self.number(pair.mass)
         self.gained = self.number(spell.friction / pair.m2)
         self.edge_load = self.number(spell.friction * pair.mass / pair.m2)
-        self.alone, self.together = (self._swing(pair, mass) for mass in (pair.m1, pair.mass))
+        self.alone, self.together = (self._swing(mass) for mass in (pair.m1, pair.mass))
 
     def number(self, value: Fraction) -> Value:
         """Return an exact number in the context."""
         return exactly(self.on, value)
 
-    def _swing(self, pair: Pair, mass: Fraction) -> Swing:
-        decay = pair.a1 / (2 * mass)
-        square = pair.a2 / mass - decay * decay
+    def _swing(self, mass: Fraction) -> Swing:
+        decay = self.pair.a1 / (2 * mass)
+        square = self.pair.a2 / mass - decay * decay
         root = self.on.sqrt(self.number(abs(square)))
         return Swing(self.number(decay), self.number(square), (square > 0) - (square < 0), root)
 
@@ -204,17 +228,15 @@ class ClosedForms:
         """Return body 2's velocity in a slip, m/s."""
         return v2 + k * self.gained * u
 
-    def guard(self, k: int, at: State) -> Wave:
-        """Return k (v1 - v2) in a slip, m/s: positive until it ends."""
-        return self.slide(k, at).slope()._replace(still=-(k * at.v2), drift=-self.gained, sign=k)
-
     def stuck(self, at: State) -> Wave:
         """Return body 1's place in a stick, m."""
         return self._about(self.on.mpf(0), at, self.together, self.spell.together)
 
-    def grip(self, k: int, at: State) -> Wave:
-        """Return what friction has left in a stick towards a slip k, m/s^2: positive until it ends."""
-        return self.stuck(at).slope().slope()._replace(still=self.gained, sign=-k)
+    def guard(self, mode: Mode, k: int, at: State) -> Wave:
+        """Return what is positive until a mode ends: k (v1 - v2) of a slip, m/s; m/s^2 that friction has left for k."""
+        if mode is Mode.STICK:
+            return self.stuck(at).slope().slope()._replace(still=self.gained, sign=-k)
+        return self.slide(k, at).slope()._replace(still=-(k * at.v2), drift=-self.gained, sign=k)
 
     def edge(self, k: int, t: Value, v: Value) -> Value:
         """Return the place where a stick ends towards k at the time t with the velocity v, m."""
@@ -225,3 +247,51 @@ class ClosedForms:
         away = self.a2 * at.x1 - self.spell.force(self.on, at.t)
         reach = (away**2 / self.a2 + self.mass * at.v1**2) * (self.a2 + self.a1**2 / self.mass)
         return self.edge_load**2 - reach
+
+    def narrow(self, bits: int) -> None:
+        """Compute with no more bits than these."""
+        self.bits = self.on.prec = min(self.bits, bits)
+
+    def keeps(self, wave: Wave, zeros: int, end: Fraction) -> None:
+        """See that a wave is positive after 0 until an end, as the kernel does; it and its slope may be zero at 0.
+
+        Raises Unseen.
+        """
+        before = self.sign_bits
+        for self.sign_bits in (one for one in SIGN_BITS if one >= before):
+            self.on.prec, self.parts = self.sign_bits, PARTS
+            waves = wave, wave.slope(), wave.slope().slope()
+            begins = Fraction(0) if not zeros else self._early(waves[zeros], end / 2)
+            seen = begins is not None and (not begins or waves[0](self.number(begins)) > 0)
+            seen = seen and self._stays(waves, begins or Fraction(0), end, DEPTH)
+            self.on.prec = self.bits
+            if seen and (zeros or wave(self.number(Fraction(0))) > 0):
+                return
+        self.sign_bits = before
+        raise Unseen
+
+    def _early(self, wave: Wave, end: Fraction) -> Fraction | None:
+        """Return a time until which a wave is positive by its bounds."""
+        for _ in range(DEPTH):
+            if wave(self.hull(Fraction(0), end)) > 0:
+                return end
+            end /= 2
+        return None
+
+    def _stays(self, waves: tuple[Wave, Wave, Wave], low: Fraction, high: Fraction, depth: int) -> bool:
+        """Whether a wave that is positive at both ends is seen to be so between: by bounds, slope, bend or halves."""
+        between, middle = self.hull(low, high), (low + high) / 2
+        self.parts -= 1
+        if waves[0](between) > 0:
+            return True
+        slope = waves[1](between)
+        bend = waves[2](between)
+        if slope >= 0 or slope <= 0 or bend <= 0 or (bend >= 0 and waves[1](self.number(low)) >= 0):
+            return True
+        if not depth or self.parts <= 0 or not waves[0](self.number(middle)) > 0:
+            return False
+        return all(self._stays(waves, *part, depth - 1) for part in ((low, middle), (middle, high)))
+
+    def hull(self, low: Fraction, high: Fraction) -> Value:
+        """Return the interval from one number to another."""
+        return self.on.mpf([self.number(low).a, self.number(high).b])

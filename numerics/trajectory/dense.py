@@ -200,18 +200,19 @@ def require_side(side: Any) -> None:
 
 def require_times(t_eval: Any, until: Fraction) -> None:
     """Raise ValueError unless these are times (s) of a run, in order; balls and mpmath's are looked at later."""
-    if _depth(t_eval) != 1:
+    try:
+        is_list = np.ndim(t_eval) == 1
+    except ValueError:  # rows that differ in length
+        is_list = False
+    if not is_list:
         raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
-    end = max(until, Fraction(float(until))) if until < 10**300 else until
+    last = float(until) if until < 10**300 else math.inf
     given = np.asarray(t_eval)
-    if given.dtype.kind in "fiu":  # all at once; only the first wrong one is looked at exactly
+    if given.dtype.kind in "fiu":  # all at once; only a wrong one is looked for exactly
         times = given.astype(float)
-        wrong = ~((times >= 0) & (times <= (float(until) if until < 10**300 else np.inf)))
-        wrong[1:] |= times[1:] < times[:-1]
-        if not wrong.any():
+        if ((times >= 0) & (times <= last)).all() and (times[1:] >= times[:-1]).all():
             return
-        t_eval = given[: int(np.argmax(wrong)) + 1]
-    asked = list(t_eval)
+    asked, end = list(t_eval), until if last == math.inf else max(until, Fraction(last))
     points = [one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]") for k, one in enumerate(asked)]
     for k, one in enumerate(points):
         if isinstance(one, Fraction) and not 0 <= one <= end:
@@ -220,11 +221,3 @@ def require_times(t_eval: Any, until: Fraction) -> None:
     for k, (one, two) in enumerate(pairwise(points), start=1):
         if type(one) is type(two) and two < one:
             raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
-
-
-def _depth(values: Any) -> int:
-    """Return the number of dimensions; 2 for rows that differ in length."""
-    try:
-        return np.ndim(values)
-    except ValueError:
-        return 2

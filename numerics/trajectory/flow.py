@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
@@ -22,11 +21,8 @@ _TERMS = 14
 """Terms of Taylor for matrices of norm 1/2: the next one is below 2^-53 of their size."""
 
 
-class Begun(NamedTuple):
-    """Where n motions in one mode begin: the times in its piece (s), and x1, v1, x2, v2, shape (4, n)."""
-
-    local: Floats
-    y: Floats
+Begun = tuple[Floats, Floats]
+"""Where n motions in one mode begin: the times in its piece (s), and x1, v1, x2, v2, shape (4, n)."""
 
 
 class _Numbers:
@@ -52,7 +48,7 @@ class _Numbers:
 
 def _system(mode: LinearMode, at: Begun, tau: Floats, own: bool, chosen: slice) -> tuple[Floats, Floats]:
     """Return J tau (n, k, k) and z (n, k): the bodies with b and the polynomial, or at rest; and some of the sines."""
-    of, piece = _Numbers(mode), mode.piece
+    of, piece, (local, y) = _Numbers(mode), mode.piece, at
     terms, sines = (piece.polynomial if own else ()), piece.sines[chosen]
     constant, first = of.bodies, of.bodies + 1
     size = first + len(terms) + 2 * len(sines)
@@ -66,18 +62,18 @@ def _system(mode: LinearMode, at: Begun, tau: Floats, own: bool, chosen: slice) 
         A[2, 3], A[3, :4], A[3, constant] = of.omega, of.friction / of.m2, of.reach * of.mass / of.m2
     unit = 1.0 / (of.mass * of.reach)
     if own:
-        x1, v1, x2, v2 = at.y
+        x1, v1, x2, v2 = y
         bodies = of.omega * x1, v1 + of.slow * x1, of.omega * x2, v2
         z[:, :constant], z[:, constant] = np.transpose(bodies[:constant]), of.held * unit
     span, coefficients = np.where(tau > 0, tau, 1.0), np.array([float(one) for one in terms])
     for k in range(len(terms)):
-        value = np.polynomial.polynomial.polyval(at.local, coefficients) * unit
+        value = np.polynomial.polynomial.polyval(local, coefficients) * unit
         for _ in range(k):  # one by one, so that no power of a time leaves the range
             value = value * span
         z[:, first + k], coefficients = value, np.polynomial.polynomial.polyder(coefficients)
     for place, sine in zip(range(first + len(terms), size, 2), sines, strict=True):
         omega, height = float(sine.omega), float(sine.amplitude) * unit
-        phase = omega * at.local + float(sine.omega * piece.start + sine.phase)
+        phase = omega * local + float(sine.omega * piece.start + sine.phase)
         z[:, place], z[:, place + 1] = height * np.sin(phase), height * np.cos(phase)
         A[1, place], A[place, place + 1], A[place + 1, place] = of.reach, omega, -omega
     J = A * tau[:, None, None]
@@ -92,12 +88,9 @@ def _halvings(A: Floats) -> Counts:
     return np.asarray(np.maximum(np.frexp(np.where(np.isfinite(norm), norm, 0.0))[1] + 1, 0), dtype=np.int64)
 
 
-def _halved(A: Floats, halvings: Counts) -> Floats:
-    return np.asarray(np.ldexp(A, -halvings[:, None, None]))
-
-
-def _less_one(A: Floats) -> Floats:
-    """Return exp(A) - 1 by Taylor, for norms of 1/2 at most."""
+def _less_one(A: Floats, halvings: Counts) -> Floats:
+    """Return exp(A/2^halvings) - 1 by Taylor, for norms of 1/2 at most."""
+    A = np.ldexp(A, -halvings[:, None, None])
     E, one = A / _TERMS, np.eye(A.shape[-1])
     for k in range(_TERMS - 1, 0, -1):
         E = A @ (one + E) / k
@@ -107,7 +100,7 @@ def _less_one(A: Floats) -> Floats:
 def exponential_less_one(A: Floats) -> Floats:
     """Return exp(A) - 1 of a stack of matrices: what is small keeps its digits."""
     halvings = _halvings(A)
-    E = _less_one(_halved(A, halvings))
+    E = _less_one(A, halvings)
     for k in range(int(halvings.max(initial=0))):
         E = np.where((k < halvings)[:, None, None], 2 * E + E @ E, E)
     return E
@@ -118,7 +111,7 @@ def _gramian(A: Floats, Q: Floats) -> Floats:
     n, halvings = A.shape[-1], _halvings(A)
     block = np.zeros((len(A), 2 * n, 2 * n))
     block[:, :n, :n], block[:, :n, n:], block[:, n:, n:] = -A.swapaxes(1, 2), Q, A
-    E = _less_one(_halved(block, halvings))
+    E = _less_one(block, halvings)
     flow = E[:, n:, n:] + np.eye(n)
     found = flow.swapaxes(1, 2) @ E[:, :n, n:]
     for k in range(int(halvings.max(initial=0))):
@@ -141,7 +134,7 @@ def moved(mode: LinearMode, at: Begun, tau: Floats) -> Floats:
     if not mode.side:
         return np.stack([x1, v1, x1, v1])
     gained = of.held / of.m2 * tau
-    return np.stack([x1, v1, (at.y[3] + gained / 2) * tau, gained])
+    return np.stack([x1, v1, (at[1][3] + gained / 2) * tau, gained])
 
 
 def losses(mode: LinearMode, at: Begun, tau: Floats) -> Floats:
@@ -172,5 +165,5 @@ def over_rows(function: Callable[..., Floats], run: Rows, rows: Counts, tau: Flo
     parts = np.split(np.argsort(which, kind="stable"), np.cumsum(counts)[:-1])
     for mode, chosen in zip(modes, parts, strict=False):  # of no rows there is one part, and no mode
         at = rows[chosen]
-        found[:, chosen] = function(run.row_mode(mode), Begun(local[at], y[:, at]), tau[chosen])
+        found[:, chosen] = function(run.row_mode(mode), (local[at], y[:, at]), tau[chosen])
     return found

@@ -7,27 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mpmath.ctx_iv import MPIntervalContext
-
 from numerics.linear.modes import Mode
-from numerics.scene import Pair
-from numerics.trajectory.closed_forms import ClosedForms, Spell, State, Value, Wave
-
-SIGN_BITS = (20, 28, 44, 60, 92, 124)
-"""In what precisions it is tried to see that nothing happens in a phase; the kernel takes `SPARE_SIGN_BITS` more."""
-SPARE_SIGN_BITS = 4
-DEPTH = 60
-"""How often an interval is halved for that."""
-PARTS = 1000
-"""Into how many parts a phase is cut at most for that: a file has to be judged in minutes."""
-
-
-class TooCoarse(Exception):
-    """The boxes have grown too large: more bits are needed."""
-
-
-class Unseen(TooCoarse):
-    """It is not seen that the pair keeps its mode until the next event."""
+from numerics.trajectory.closed_forms import Forms, State, TooCoarse, Unseen, Value, Wave
 
 
 class Known(NamedTuple):
@@ -35,68 +16,6 @@ class Known(NamedTuple):
 
     touches: bool
     k: int = 0
-
-
-class Forms:
-    """The closed forms of a pair in a spell, over intervals."""
-
-    def __init__(self, pair: Pair, most: int) -> None:
-        """Compute with so many bits at most."""
-        self.sign_bits, self.parts = SIGN_BITS[0], PARTS
-        self.pair, self.bits, self.boxes = pair, most, MPIntervalContext()
-        self.boxes.prec = most
-
-    def begin(self, spell: Spell) -> None:
-        """Begin a spell."""
-        self.wide = ClosedForms(self.boxes, self.pair, spell)
-
-    def narrow(self, bits: int) -> None:
-        """Compute with no more bits than these."""
-        self.bits = self.boxes.prec = min(self.bits, bits)
-
-    def keeps(self, wave: Wave, zeros: int, end: Fraction) -> None:
-        """See that a wave is positive after 0 until an end, as the kernel does; it and its slope may be zero at 0.
-
-        Raises Unseen.
-        """
-        before = self.sign_bits
-        for self.sign_bits in (one for one in SIGN_BITS if one >= before):
-            self.boxes.prec, self.parts = self.sign_bits, PARTS
-            waves = wave, wave.slope(), wave.slope().slope()
-            begins = Fraction(0) if not zeros else self._early(waves[zeros], end / 2)
-            seen = begins is not None and (not begins or waves[0](self.wide.number(begins)) > 0)
-            seen = seen and self._stays(waves, begins or Fraction(0), end, DEPTH)
-            self.boxes.prec = self.bits
-            if seen and (zeros or wave(self.wide.number(Fraction(0))) > 0):
-                return
-        self.sign_bits = before
-        raise Unseen
-
-    def _early(self, wave: Wave, end: Fraction) -> Fraction | None:
-        """Return a time until which a wave is positive by its bounds."""
-        for _ in range(DEPTH):
-            if wave(self.hull(Fraction(0), end)) > 0:
-                return end
-            end /= 2
-        return None
-
-    def _stays(self, waves: tuple[Wave, Wave, Wave], low: Fraction, high: Fraction, depth: int) -> bool:
-        """Whether a wave that is positive at both ends is seen to be so between: by bounds, slope, bend or halves."""
-        between, middle = self.hull(low, high), (low + high) / 2
-        self.parts -= 1
-        if waves[0](between) > 0:
-            return True
-        slope = waves[1](between)
-        bend = waves[2](between)
-        if slope >= 0 or slope <= 0 or bend <= 0 or (bend >= 0 and waves[1](self.wide.number(low)) >= 0):
-            return True
-        if not depth or self.parts <= 0 or not waves[0](self.wide.number(middle)) > 0:
-            return False
-        return all(self._stays(waves, *part, depth - 1) for part in ((low, middle), (middle, high)))
-
-    def hull(self, low: Fraction, high: Fraction) -> Value:
-        """Return the interval from one number to another."""
-        return self.boxes.mpf([self.wide.number(low).a, self.wide.number(high).b])
 
 
 @dataclass
@@ -110,7 +29,7 @@ class Run:
     @classmethod
     def start(cls, forms: Forms, numbers: tuple[Fraction, ...], k: int = 0) -> Run:
         """Return the run from an exact state, t, x1, v1, x2, v2; with k at the edge towards a slip of that sign."""
-        return cls(forms, State(*map(forms.wide.number, numbers)), Known(numbers[2] == numbers[4], k))
+        return cls(forms, State(*map(forms.number, numbers)), Known(numbers[2] == numbers[4], k))
 
     @property
     def time(self) -> float:
@@ -125,12 +44,11 @@ class Run:
 
     def guard(self, mode: Mode, k: int) -> Wave:
         """Return what is positive until a phase ends."""
-        wide = self.forms.wide
-        return wide.grip(k, self.at) if mode is Mode.STICK else wide.guard(k, self.at)
+        return self.forms.guard(mode, k, self.at)
 
     def hit(self, mode: Mode, k: int, time: float, places: int) -> tuple[Fraction, Fraction]:
         """Go to the next event, near the time; return bounds of the time since, to so many places, or TooCoarse."""
-        wide, guard = self.forms.wide, self.guard(mode, k)
+        guard = self.guard(mode, k)
         if mode is not Mode.STICK and self.known.k not in (0, k):
             raise Unseen
         low, high = self._bracket(time - self.time, places, guard)
@@ -138,31 +56,31 @@ class Run:
         if mode is Mode.STICK:
             self._keeps(mode, -k, self.guard(mode, -k), high)
         between = self.forms.hull(low, high)
-        self.at = moved(wide, mode, k, self.at, between, ends=True)
+        self.at = moved(self.forms, mode, k, self.at, between, ends=True)
         self.known = Known(touches=True, k=k if mode is Mode.STICK else 0)
         return low, high
 
     def rest(self, mode: Mode, time: Fraction) -> tuple[Fraction, Value]:
         """Go on in a mode to a time; return for how long it surely lasts, and v1 - v2 then. Raises TooCoarse."""
-        wide = self.forms.wide
-        left = wide.number(time) - self.at.t
+        number = self.forms.number
+        left = number(time) - self.at.t
         if not left > 0:  # the last event may be at the end
             raise TooCoarse
         least = outward(left, int(self.forms.bits * 0.3))[1]
         signs = ends_of(mode)
         guards = [self.guard(mode, k) for k in signs]
-        if not all(guard(wide.number(least)) > 0 for guard in guards):
+        if not all(guard(number(least)) > 0 for guard in guards):
             raise TooCoarse
         for k, guard in zip(signs, guards, strict=True):
             self._keeps(mode, k, guard, least)
         relative = mode.sign * guards[0](left)
-        self.at = moved(wide, mode, mode.sign, self.at, left, ends=False)._replace(t=wide.number(time))
+        self.at = moved(self.forms, mode, mode.sign, self.at, left, ends=False)._replace(t=number(time))
         self.known = Known(touches=mode is Mode.STICK)
         return least, relative
 
     def _bracket(self, guess: float, shown: int, guard: Wave) -> tuple[Fraction, Fraction]:
         """Return decimals around the root of a falling wave, sure for every state of the box."""
-        number, slope, root = self.forms.wide.number, guard.slope(), Fraction(guess)
+        number, slope, root = self.forms.number, guard.slope(), Fraction(guess)
         places = int(self.forms.bits * 0.301) - math.floor(math.log10(guess))
         for _ in range(60):
             value = guard(number(root))
@@ -186,7 +104,7 @@ def ends_of(mode: Mode) -> tuple[int, ...]:
     return (mode.sign,) if mode.sign else (1, -1)
 
 
-def moved(forms: ClosedForms, mode: Mode, k: int, at: State, u: Value, *, ends: bool) -> State:
+def moved(forms: Forms, mode: Mode, k: int, at: State, u: Value, *, ends: bool) -> State:
     """Return the state a time later; both velocities are equal where a mode ends."""
     t = at.t + u
     if mode is Mode.STICK:

@@ -19,9 +19,9 @@ from numerics.linear.modes import Mode
 from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
 from numerics.trajectory import gallina
-from numerics.trajectory.closed_forms import State, Value, spells
+from numerics.trajectory.closed_forms import SPARE_SIGN_BITS, Forms, State, TooCoarse, Unseen, Value, spells
 from numerics.trajectory.export import arrays
-from numerics.trajectory.phases import SPARE_SIGN_BITS, Forms, Run, TooCoarse, Unseen, ends_of, moved, outward
+from numerics.trajectory.phases import Run, ends_of, moved, outward
 from numerics.trajectory.solution import Solution
 from numerics.trajectory.status import Status
 
@@ -172,9 +172,9 @@ class _Writer:
 
     def _norm(self, at: State) -> Value:
         """Return the energy norm of a difference, sqrt(J)."""
-        pair, wide = self.scene.pair, self.forms.wide
+        pair, number = self.scene.pair, self.forms.number
         parts = (pair.a2, at.x1), (pair.m1, at.v1), (pair.m2, at.v2)
-        return self.forms.boxes.sqrt(sum(wide.number(weight) * one**2 for weight, one in parts) / 2)
+        return self.forms.on.sqrt(sum(number(weight) * one**2 for weight, one in parts) / 2)
 
     def _size(self) -> float:
         """Return how large the box is, and what rounding adds, in the energy norm."""
@@ -189,17 +189,17 @@ class _Writer:
             least = max(one.rest(mode, time)[0] for one in (run, other))
         except TooCoarse:
             return False
-        wide, box = self.forms.wide, (other.at.x1, other.at.v1, other.at.v2)
+        number, box = self.forms.number, (other.at.x1, other.at.v1, other.at.v2)
         places = 1 - math.floor(math.log10(min(float(one.delta.b) for one in box) or 2.0**-self.most))
         x1, v1, v2 = (sum(outward(one, places), Fraction(0)) / 2 for one in box)
         centre = Run.start(self.forms, (time, x1, v1, Fraction(0), v2))
         away = self._norm(State(*(one - at for one, at in zip(other.at, centre.at, strict=True))))
         radius = self.radius + Fraction(f"{1.25 * float(away.b):.2e}")
         weights = self.scene.pair.a2, self.scene.pair.m1, self.scene.pair.m2
-        arms = [wide.number(radius) * self.forms.boxes.sqrt(2 / wide.number(one)) for one in weights]
-        x, v, w = (arm * self.forms.boxes.mpf([-1, 1]) for arm in arms)
+        arms = [number(radius) * self.forms.on.sqrt(2 / number(one)) for one in weights]
+        x, v, w = (arm * self.forms.on.mpf([-1, 1]) for arm in arms)
         run.at = run.at._replace(x1=centre.at.x1 + x, v1=centre.at.v1 + v, v2=centre.at.v2 + w)
-        if not all(run.guard(mode, k)(wide.number(Fraction(0))) > 0 for k in ends_of(mode)):
+        if not all(run.guard(mode, k)(number(Fraction(0))) > 0 for k in ends_of(mode)):
             return False
         new = " ".join(map(gallina.number, (time, x1, v1, v2, radius)))
         until, lasting = gallina.number(time), gallina.number(least)
@@ -211,14 +211,14 @@ class _Writer:
 
     def _for_ever(self) -> bool:
         """Go on in a stick that does not end until its energy shows that; return whether that is shown."""
-        scene, force, wide = self.scene, self.spells[self.index].force, self.forms.wide
+        scene, force, forms = self.scene, self.spells[self.index].force, self.forms
         changes = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0)) >= scene.until
         if changes or force.tones or any(force.polynomial[1:]):
             return False
         least = Fraction(f"{math.sqrt(scene.pair.mass / scene.pair.a2) / 8:.1g}")
         for doubling in range(DOUBLINGS if scene.pair.a1 else 1):
             left = least * 2**doubling
-            if wide.spare(moved(wide, Mode.STICK, 0, self.run.at, wide.number(left), ends=False)) > 0:
+            if forms.spare(moved(forms, Mode.STICK, 0, self.run.at, forms.number(left), ends=False)) > 0:
                 self._rest(Mode.STICK, scene.until + left, "Ever {bits} {until} {least}")
                 return True
         return False

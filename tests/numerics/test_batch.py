@@ -27,6 +27,7 @@ from numerics import (
     Scene,
     Sine,
     State,
+    Weakening,
     solve,
     solve_many,
     solve_scenes,
@@ -179,6 +180,21 @@ def test_one_friction_by_pieces_beside_sines_is_what_the_scenes_are_by_themselve
             force = Force.sine(*(Fraction(float(one)) for one in (amplitude[k], 5, phase[k])))
             start, end = State(x1=Fraction(float(x1[k]))), Fraction(float(until[k]))
             require_alone(found, k, Scene(pair, start, end, force=force, friction=friction), within=1e-9)
+
+
+def test_friction_of_the_state_is_solved_in_balls_whose_radii_are_the_bounds():
+    friction = Friction([("0.3", "0.7")], Weakening([("0.1", "0.4")], 0))
+    scene = Scene(Pair(1, 1, 200, "0.5", 1), State(v1="0.3"), 2, force=Force.sine("0.4", 5), friction=friction)
+    found, truth = solve_scenes([scene], keep_events=3), solve(scene, arithmetic="ball", digits=40)
+    assert (found.events[0], found.status[0]) == (len(truth.events), truth.status)
+    with truth.arithmetic.context():
+        lost = truth.ledger.friction + truth.ledger.viscous
+        numbers = [(found.y[:, 0], truth.final_state, found.y_error[:, 0])]
+        numbers.append((found.event_t[0], truth.event_times[:3], found.event_t_error[0]))
+        numbers.append((found.dissipated, [lost], found.dissipated_error))
+        numbers += zip(found.event_y[:, 0].T, truth.event_states.T[:3], found.event_y_error[:, 0].T, strict=True)
+        for x, y, bound in (one for three in numbers for one in zip(*three, strict=True)):
+            assert distance(float(x), y) <= float(bound) <= 1e-14 * max(1, abs(float(x)))
 
 
 @pytest.mark.parametrize("piece", [("1e-400", "0.02"), (1, "1e-400"), (1, "1e400")])

@@ -31,6 +31,15 @@ def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
     plt.close("all")
 
 
+def test_events_are_marked_where_they_are():
+    run = solve(DAMPED)
+    for kind, rows in (("velocities", (0, 2)), ("phase", (1, 2))):
+        marked = [line.get_xydata() for line in run.plot(kind).lines if line.get_marker() in set("o^x")]
+        events = [np.column_stack([t, y])[:, rows] for t, y in zip(run.t_events, run.y_events, strict=True) if len(t)]
+        assert [one.tolist() for one in marked] == [one.tolist() for one in events]
+    plt.close("all")
+
+
 def overview_of(scene):
     figure = overview(solve(scene))
     FigureCanvasAgg(figure).draw()

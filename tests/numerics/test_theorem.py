@@ -5,16 +5,23 @@ from fractions import Fraction
 
 import pytest
 
-from numerics import Force, Law, Pair, Scene, State, solve
+from numerics import Force, Law, Pair, Scene, State, load_scene, solve
 from numerics.errors import NoProof
 from numerics.trajectory.theorem import theorem
 
 PAIR, MOVING = Pair(1, 1, 200, "0.5"), State(v1="0.15")
 
 
-@pytest.mark.parametrize("size", [1, 10**20])
-def test_every_event_is_within_its_bounds(size):
-    scene = Scene(Pair(1, 1, 200, Fraction(size, 2)), State(v1=Fraction(3 * size, 20)), until=2)
+@pytest.mark.parametrize(
+    "scene",
+    [
+        Scene(PAIR, MOVING, 2),
+        Scene(Pair(1, 1, 200, 10**20), State(v1=3 * 10**19), 1),
+        *(Scene(Pair(1, 1, 200, "0.05", a1), MOVING, 1, force=Force.sine("0.3", 5, "0.2")) for a1 in (1, 40)),
+        load_scene("forced-resonance"),
+    ],
+)
+def test_every_event_is_within_its_bounds(scene):
     trajectory = solve(scene, digits=30, arithmetic="ball")
     table = re.findall(r"^  Event .*?\)\.?[;\]]", theorem(trajectory), re.DOTALL | re.MULTILINE)
     assert len(table) == len(trajectory.events) > 0
