@@ -11,7 +11,7 @@ from paper_checks.claims import euler
 from paper_checks.claims.itineraries import never_merges
 from paper_checks.decide import euler_in_balls as decide_euler
 from paper_checks.decide.enclosure import solved
-from paper_checks.decide.euler_in_balls import STEPS, euler_in_balls, run
+from paper_checks.decide.euler_in_balls import euler_in_balls, run
 from paper_checks.evidence.finding import Verdict
 
 
@@ -44,12 +44,7 @@ def test_many_steps_at_once_are_as_many_steps(name, monkeypatch):
     assert jumped.energy_ratio.rad() < single.energy_ratio.rad()  # it has rounded less often
 
 
-@pytest.mark.parametrize("changed", [{"b": "0.05", "m2": 2}])
-def test_the_argument_for_endless_slips_refuses_a_heavier_driven_body(changed):
-    scene = replace(load_scene("velocities"), pair=Pair(m1=1, a2=200, **changed))
+def test_the_argument_for_endless_slips_refuses_a_heavier_driven_body():
+    scene = replace(load_scene("velocities"), pair=Pair(m1=1, m2=2, a2=200, b="0.05"))
     with pytest.raises(ValueError, match="m2 <= m1"):
         never_merges(solved(scene), "heavier")
-
-
-def test_the_steps_of_euler_reach_over_three_decades():
-    assert max(STEPS) / min(STEPS) == 1000

@@ -3,16 +3,12 @@
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from itertools import islice
 
 import pytest
 import sympy as sp
 from flint import arb
 
 from numerics import Mode, Pair, Scene, State, load_scene, solve
-from numerics.arithmetic.ball import Ball
-from numerics.free.excursions import excursions as excursions_in
-from numerics.free.frame import Frame
 from numerics.trajectory.status import Status
 from paper_checks.claims import (
     CLAIMS,
@@ -31,7 +27,6 @@ from paper_checks.claims import (
     uniform_rate,
     velocities,
 )
-from paper_checks.claims.points import EDGE
 from paper_checks.decide import samples
 from paper_checks.decide.balls import precision
 from paper_checks.decide.enclosure import solved
@@ -140,11 +135,6 @@ def test_the_same_ray_is_not_the_opposite_one_and_there_is_no_window_below_the_t
         merging.window(arb("0.5578"))
 
 
-def test_at_the_edge_the_printed_strict_inequality_fails_too():
-    """The counterexample needs |x1''| >= b/m2 only; the row shows the stronger >."""
-    assert onset.exhibit("", EDGE, (sp.Abs(onset.case_study_mode(0)[0]), ">=", b)).passed is True
-
-
 def test_a_peak_that_is_not_proved_is_not_passed_over():
     """A slip that ends before x1 comes to the centre of its oscillation."""
     short = Scene(Pair(m1=1, m2=5, a2=200, b="0.5"), State(v1="0.144", v2="0.048"), until=2)
@@ -189,22 +179,6 @@ ROOT = sp.sqrt(Y)
 def test_bounds_of_the_error_next_to_the_edge(relation, right, passed):
     found = uniform_rate.bounds_error(Formula("R_n", relation, right, uniform_rate.bounds_error)).passed
     assert found is passed or (passed is None and not found)
-
-
-@pytest.mark.parametrize("share", [Fraction(1, 5), Fraction(1, 2), Fraction(9, 10)])
-def test_a_run_is_within_the_error(share):
-    """The law with its error along 200 excursions in balls, from the largest start."""
-    arithmetic = Ball(40)
-    with arithmetic.context():
-        frame = Frame(arithmetic, Pair(m1=1 - share, m2=share, a2=1, b=1))
-        y = (arb.pi() / 2 - 1) ** 2
-        r, time, first = frame.r, arb(0), frame.q * y
-        law, weight = 4 * arb.pi() * frame.q / (9 * r), 1 - 2 / (5 * r)
-        for one in islice(excursions_in(frame, first), 200):
-            time += one.slip + one.stick
-            rest = law / one.w_after + arb.pi() * weight * (one.w_after / first).log() - law / first - time
-            assert rest < (5 * y + y.sqrt() / 10) / r
-            assert rest > -(y + y.sqrt()) * 9 / 20 / r
 
 
 # samples, and what is cited or open

@@ -156,14 +156,7 @@ def test_the_kernel_itself_finds_the_same_lemmas_below_a_theorem(tmp_path):
 
 
 @pytest.mark.usefixtures("needs_kernel")
-def test_a_statement_that_is_not_the_pinned_one_turns_that_theorem_alone(planted):
-    turned = planted("printed", "Law.sharp_law", lambda said: said.replace("t * (", "2 * t * ("))
-    assert turned.problems == ("Law.sharp_law does not say what is pinned",)
-    assert [one.id for one in turned.theorems.values() if not one.holds] == ["sharp-law"]
-
-
-@pytest.mark.usefixtures("needs_kernel")
-def test_a_definition_that_is_not_the_pinned_one_turns_all_that_rest_on_it(planted):
+def test_a_definition_that_is_not_the_pinned_one_turns_all_that_rest_on_it_and_no_other(planted):
     turned = planted("printed", "Sharp.rate", lambda said: said.replace("9", "8"))
     assert "Law.sharp_law rests on Sharp.rate, which is not defined as pinned" in turned.problems
     assert turned.theorem("trichotomy").holds is False
@@ -217,16 +210,17 @@ def test_what_the_kernel_did_not_check_counts_as_an_axiom():
 
 
 def test_what_nobody_read_turns_a_theorem():
-    """A sentence, a definition, and an axiom wherever it stands."""
+    """A statement, a sentence, a definition, and an axiom wherever it stands."""
     there, fine = pins.pinned(), sorted(questions.CLASSICAL_REALS)
     pin = there.theorems["capture"]
     definitions = {name: there.definitions[name] for name in pin.definitions}
 
-    def problem(axioms, one="capture", **more):
+    def problem(axioms, one="capture", found=pin, **more):
         known = dataclasses.replace(there, theorems={one: pin})
-        return library._problem("Stick.capture", pin, definitions | more, axioms, known, one)
+        return library._problem("Stick.capture", found, definitions | more, axioms, known, one)
 
     assert not problem(fine)
+    assert "does not say what is pinned" in problem(fine, found=dataclasses.replace(pin, statement="True"))
     assert "not signed" in problem(fine, "sharp-law")
     assert problem(fine, another="fun x => x")
     for wrong in ("Critical.easy", "Classical_Prop.another", "bad is assumed to be guarded."):
