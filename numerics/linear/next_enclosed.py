@@ -7,6 +7,7 @@ An event is off by the guard's error over its slope.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import zip_longest
 from typing import Any, NamedTuple
 
 from flint import arb, arb_poly, ctx
@@ -183,23 +184,20 @@ def scanned(
 def long_step(path: Path, at: At, flow: Flow, z: list[Any], most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
     for split in () if at.orders[0] else splits(flow, path.pieces[at.piece], at.mode, at.local, z):
-        (row, rest, slow, amplitude), h = split, most
-        count = len(row)
-        if slow is not None:
-            polynomial, row = row, flow.few(slow, path.numbers.bits)
-            for k, c in enumerate(polynomial):
-                row[k] += c
+        (polynomial, rest, slow, amplitude), h = split, most
+        swing = [] if slow is None else flow.few(slow, path.numbers.bits)
+        row, count = [a + b for a, b in zip_longest(swing, polynomial, fillvalue=arb(0))], len(polynomial)
         guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, [row])]
         if not all(one.value([row]) > one.margin for one in guards):
             continue
         for sign, offset, _, margin, *_ in guards:
             # up to next to where the slow part comes down to the amplitude, if it does
-            above = arb_poly(row[:count]) * sign + (offset - 4 * margin)
+            above = arb_poly(row) * sign + (offset - 4 * margin)
             if above(0) > 0 and above(h) < 0:
                 h = _newton(above, above.derivative(), arb(0), h, h / 2, arb.mid, h * _NEAR)
         while flow.fastest * h > _LONG:
-            if slow is not None:
-                count, rest = sharpest(flow, row, slow, h)
+            if slow is not None:  # all of the polynomial stays: what is cut off the swing does not bound it
+                count, rest = sharpest(flow, swing, slow, h, len(polynomial))
             if scan([row[:count]], guards, [rest], h) == CLEAR:
                 return h
             h = (h * _RATIO).mid()

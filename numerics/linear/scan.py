@@ -98,15 +98,10 @@ def scan(
     return hit
 
 
-def sharpest(flow: Flow, row: Sequence[arb], z: Sequence[Any], h: arb) -> tuple[int, arb]:
-    """Return the order at which a polynomial leaves out least, where fast rates make derivatives grow, and R."""
-    best, found = None, (FEW, arb(0))
-    for order in (3, 5, 8, FEW):
-        rest = flow.guard_rest(row, order, z, h)
-        size = rest * h**order
-        if best is None or size < best:
-            best, found = size, (order, rest)
-    return found
+def sharpest(flow: Flow, row: Sequence[arb], z: Sequence[Any], h: arb, least: int) -> tuple[int, arb]:
+    """Return the order, from `least` on, at which a polynomial leaves out least, and R; fast rates raise high ones."""
+    rests = [(order, flow.guard_rest(row, order, z, h)) for order in (3, 5, 8, FEW) if order >= least]
+    return min(rests, key=lambda one: (one[1] * h ** one[0]).mid())
 
 
 class Split(NamedTuple):
