@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
+from operator import or_
 from typing import Any
 
 import numpy as np
@@ -24,17 +26,16 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
     The final state has those of x1, v1, x2, v2 and energy. Decimal strings as in the record: radii beside balls, else
     the digits that are right.
     """
-    in_floats, in_balls = (trajectory.arithmetic.name == name for name in ("float64", "ball"))
-    digits = trajectory.digits or (17 if in_floats else trajectory.arithmetic.digits)
+    name_of = trajectory.arithmetic.name
+    digits = trajectory.digits or (17 if name_of == "float64" else trajectory.arithmetic.digits)
 
     def written(name: str, value: arb) -> Written:
-        if in_balls:
+        if name_of == "ball":
             return with_radius(name, value, digits)
         return {name: right_digits_text(exact_middle(value), value.rad(), digits)}
 
-    rows = [*record["events"], record["final"]]
-    for row, derivatives in zip(rows, _records(trajectory, written), strict=True):
-        row["sensitivity"] = derivatives
+    for row, found in zip((*record["events"], record["final"]), _records(trajectory, written), strict=True):
+        row["sensitivity"] = found
 
 
 def sensitivity_arrays(trajectory: Trajectory) -> dict[str, Array]:
@@ -60,12 +61,6 @@ def sensitivity_table(trajectory: Trajectory) -> str:
 def _records(trajectory: Trajectory, written: Callable[[str, arb], Written]) -> list[dict[str, Written]]:
     """Return one record of derivatives for every event, and then that of the final state."""
     found = enclosures(trajectory)
-    events = [(("t", t), *zip(STATE, y, strict=True)) for t, y in zip(found.t, found.y, strict=True)]
-    final = (*zip(STATE, found.final, strict=True), ("energy", found.energy))
-
-    def record(values: Any) -> Written:
-        return {
-            key: one for name, value in zip(found.wrt, values, strict=True) for key, one in written(name, value).items()
-        }
-
-    return [{name: record(values) for name, values in row} for row in (*events, final)]
+    rows = [{"t": t, **dict(zip(STATE, y, strict=True))} for t, y in zip(found.t, found.y, strict=True)]
+    rows.append({**dict(zip(STATE, found.final, strict=True)), "energy": found.energy})
+    return [{name: reduce(or_, map(written, found.wrt, values)) for name, values in row.items()} for row in rows]

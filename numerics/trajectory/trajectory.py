@@ -11,6 +11,7 @@ from numerics.arithmetic.by_name import arithmetic_named
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.trajectory.answer import Kept
+from numerics.trajectory.columns import Columns
 from numerics.trajectory.saved import plain
 from numerics.trajectory.solution import Solution
 
@@ -117,20 +118,19 @@ class Trajectory(Solution):
 
 def _record(header: dict[str, Any], arrays: dict[str, Any], pieces: int) -> Record:
     """Return what a run wrote. Raises ValueError, and what else a file that nobody saved can bring about."""
+    events, certain, *lost = header["rest"]
     if arrays:
         rows, end = arrays["rows"], arrays["end"]
         if rows.dtype != float or rows.shape[1:] != (ROW,) or end.dtype != float or end.shape != (END_ROW,):
             raise ValueError("its arrays have other shapes")
-        codes = rows[:, [0, 4]]
     else:
         *rows, end = (Knot(*one) for one in header["knots"])
-        codes = np.array([(one.mode, one.piece) for one in rows], dtype=float)
-    modes, indices = codes.T
-    if not len(codes) or not np.isin(modes, (-1, 0, 1)).all() or not np.isin(indices, range(pieces)).all():
+    found = Record(rows, end, How(header["how"]), events, certain, *lost)
+    modes, indices = (Columns(found, wide=False).code(name) for name in ("mode", "piece"))
+    if not len(modes) or not np.isin(modes, (-1, 0, 1)).all() or not np.isin(indices, range(pieces)).all():
         raise ValueError("its rows are not those of a run of its scene")
-    events, certain, *lost = header["rest"]
-    if not isinstance(events, int) or not 0 <= events < len(codes) or not isinstance(certain, bool):
+    if not isinstance(events, int) or not 0 <= events < len(modes) or not isinstance(certain, bool):
         raise ValueError("its count of events is not that of its rows")
     if any(isinstance(one, (str, dict)) for one in lost):
         raise ValueError("what friction took is no number")
-    return Record(rows, end, How(header["how"]), events, certain, *lost)
+    return found

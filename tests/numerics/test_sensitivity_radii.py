@@ -73,6 +73,15 @@ def chain(request):
         return Chain(scene, legs(trajectory), tuple(parameters(scene)))
 
 
+@pytest.mark.parametrize("row", range(4))
+def test_what_is_carried_as_points_keeps_its_radii(chain, row):
+    with Ball(30).context():
+        y, zeros = chain.starts[0].y + arb(0), chain.starts[0].norm * 0
+        y[row] += arb(0, 1)
+        again = chain._enclosed(chain._pointed(Carried(y, zeros, zeros)))
+        assert all(one.contains(two) for one, two in zip(again.ravel(), y.ravel(), strict=True))
+
+
 @pytest.mark.parametrize("off", [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (1, 1, 0, 1)], ids=str)
 def test_a_bound_holds_what_starts_within_it(chain, off):
     """Of every leg: in it, at the event that ends it, and after that."""
