@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -24,7 +24,7 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
 from numerics.control.answers import Claim, not_negative, number, require_digits, rounded
 from numerics.errors import InvalidScene
-from numerics.linear.pieces import pieces_of, polynomial_at
+from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.sine_form import SineForm
 from numerics.scene import Force, Pair, Piece, Scene, Sine
@@ -107,7 +107,8 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     require_kind("track", scene, Scene, BUILD)
     require_digits(digits, max_digits=max_digits)
     _require(scene, reference)
-    parts = list(_parts(scene, reference))
+    starts, pieces = [one.start for one in reference], pieces_of(replace(scene, force=Force(reference)))
+    parts = [(bisect_right(starts, one.start), one) for one in pieces]  # cut where b jumps, too
 
     def attempt(_: Ball) -> tuple[tuple[Demand, ...], list[arb]]:
         found = tuple(_demand(scene.pair.m2, *part, digits) for part in parts)
@@ -117,14 +118,14 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     share = max((one.force / number(one.b) for one in demands), key=float)
     if not all(one.possible for one in demands):
         return Tracking(reference, demands, None, share, 0.0, digits)
-    pieces, error, apart = {}, 0.0, scene.initial.x1 - scene.initial.x2
-    for index, _, end, _ in parts:
+    forces, error, apart = {}, 0.0, scene.initial.x1 - scene.initial.x2
+    for index, one in parts:
         piece = reference[index - 1]
         first, *others = piece.polynomial or (Fraction(0),)
-        pieces[index] = stuck_force(scene.pair, Piece(piece.start, (first + apart, *others), piece.sines))
-        rounded_away = sum(abs(float(scene.pair.a1 * one.omega * one.amplitude)) for one in piece.sines)
-        error += rounded_away * 10.0 ** (1 - _PHASE_DIGITS) * float(end - piece.start)
-    return Tracking(reference, demands, replace(scene, force=Force(pieces.values())), share, error, digits)
+        forces[index] = stuck_force(scene.pair, Piece(piece.start, (first + apart, *others), piece.sines))
+        rounded_away = sum(abs(float(scene.pair.a1 * sine.omega * sine.amplitude)) for sine in piece.sines)
+        error += rounded_away * 10.0 ** (1 - _PHASE_DIGITS) * float(one.start + one.length - piece.start)
+    return Tracking(reference, demands, replace(scene, force=Force(forces.values())), share, error, digits)
 
 
 def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
@@ -154,21 +155,13 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
                 )
 
 
-def _parts(scene: Scene, reference: tuple[Piece, ...]) -> Iterator[tuple[int, Piece, Fraction, Fraction]]:
-    """Yield the pieces up to the horizon, cut where b jumps: number, piece from there on, its end (s) and b (N)."""
-    starts = [one.start for one in reference]
-    for one in pieces_of(replace(scene, force=Force(reference))):
-        piece = Piece(one.start, one.polynomial, one.sines)
-        yield bisect_right(starts, one.start), piece, one.start + one.length, one.b
-
-
-def _demand(m2: Fraction, index: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
-    acceleration, limit = Derivative(piece, 2), b / m2
+def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
+    acceleration, limit, end = Derivative(piece, 2), piece.b / m2, piece.start + piece.length
     peak, where = largest_size(acceleration, piece.start, end, digits + 2)
-    possible = acceleration.is_within(limit, end - piece.start)
+    possible = acceleration.is_within(limit, piece.length)
     if possible is None:
         possible = not_negative(number(limit) - peak, "is the acceleration within the limit of friction?")
-    return Demand(index, piece.start, end, b, number(m2) * peak, where, possible)
+    return Demand(index, piece.start, end, piece.b, number(m2) * peak, where, possible)
 
 
 def stuck_force(pair: Pair, path: Piece) -> Piece:
@@ -191,7 +184,7 @@ def stuck_force(pair: Pair, path: Piece) -> Piece:
 class Derivative:
     """A derivative of a piece: a polynomial in t - start, and sines A sin(omega t + phase + order pi/2); exact."""
 
-    piece: Piece
+    piece: Piece | ExactPiece
     order: int = 0
 
     @cached_property
@@ -200,26 +193,27 @@ class Derivative:
         return [c * math.perm(k, self.order) for k, c in enumerate(self.piece.polynomial)][self.order :]
 
     @cached_property
-    def sines(self) -> list[tuple[Fraction, Fraction, Fraction]]:
-        """Return A, omega and phase of each."""
-        return [(one.amplitude * one.omega**self.order, one.omega, one.phase) for one in self.piece.sines]
+    def sines(self) -> list[tuple[Fraction, Fraction, Fraction, Fraction]]:
+        """Return the coefficients of sine and cosine, omega and phase of each."""
+        sine, cosine = ((1, 0), (0, 1), (-1, 0), (0, -1))[self.order % 4]
+        sizes = [one.amplitude * one.omega**self.order for one in self.piece.sines]
+        return [(sine * A, cosine * A, one.omega, one.phase) for A, one in zip(sizes, self.piece.sines, strict=True)]
 
     def __call__(self, t: arb) -> arb:
         """Return an enclosure over a ball of times (s)."""
         since, total = t - number(self.piece.start), arb(0)
         for c in reversed(self.polynomial):
             total = total * since + number(c)
-        for amplitude, omega, phase in self.sines:
+        for one, other, omega, phase in self.sines:
             sine, cosine = (number(omega) * t + number(phase)).sin_cos()
-            total += number(amplitude) * (sine, cosine, -sine, -cosine)[self.order % 4]
+            total += number(one) * sine + number(other) * cosine
         return total
 
     def at(self, t: Fraction) -> SineForm:
         """Return the value at t, exact."""
         value = SineForm(polynomial_at(self.polynomial, t - self.piece.start))
-        for amplitude, omega, phase in self.sines:
-            sine, cosine = ((1, 0), (0, 1), (-1, 0), (0, -1))[self.order % 4]
-            value += SineForm.turned(omega * t + phase, sine * amplitude, cosine * amplitude)
+        for sine, cosine, omega, phase in self.sines:
+            value += SineForm.turned(omega * t + phase, sine, cosine)
         return value
 
     def is_within(self, limit: Fraction, length: Fraction) -> bool | None:
@@ -227,7 +221,7 @@ class Derivative:
 
         For a polynomial it always is; with sines only where sum |A| + max |polynomial| <= limit.
         """
-        left = limit - sum(abs(amplitude) for amplitude, _, _ in self.sines)
+        left = limit - sum(abs(sine + cosine) for sine, cosine, _, _ in self.sines)
         first, *others = self.polynomial or [Fraction(0)]
         sides = ([left + first, *others], [left - first, *(-c for c in others)])
         is_small = left >= 0 and all(is_never_negative(one, length) for one in sides)
