@@ -56,15 +56,3 @@ def test_fewer_digits_and_other_steps_come_to_the_same_and_the_energy_balances(n
     turned = abs(found.work) + abs(found.viscous) + found.rubbed + found.initial_energy
     assert found.rubbed >= 0
     assert abs(left) <= turned * arb(10) ** -50
-
-
-def test_the_rule_for_ties_is_needed(monkeypatch):
-    """A mode that the derivatives do not allow cannot begin: its guard is negative at once."""
-    right = Reference.decided
-
-    def blind(self):
-        return right(self) if self.t == 0 else 0
-
-    monkeypatch.setattr(Reference, "decided", blind)
-    with pytest.raises(ArithmeticError, match="cannot begin"):
-        run(tables("tie-by-second-derivative-slips"))

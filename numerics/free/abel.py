@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import flint
 from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_series
@@ -43,14 +43,14 @@ class AbelFunctions:
         with _series_terms(2 * order + 8):
             self._compute_series()
         self.radius, *self._rims = self._bound_on_rim()
+        # a y up to which all is certified: a lower bound of h(radius)^2, as h(theta) >= theta/3
+        self.largest_argument = (self.radius / 3) ** 2
+        with precision(_RIM_BITS):  # y_k - y_{k+1} = r c^2 >= decay y_k^2: c is concave in y, and c(0) = 0
+            height, deep = height_and_depth(acb(Ball.number(self.radius)))
+            self._decay = Ball.number(self.r) * (deep / (height * height)).real.lower() ** 2
         # the zeros at theta = 0 of alpha(F) - alpha - 1 and of slide(F) + slide - y + F, which begin at y^(order + 2),
         # and of beta(F) - beta - pi - t, whose part beyond pi alpha begins at epsilon^(2 order + 3)
         self.alpha_zero_order, self.beta_zero_order = 2 * order + 4, 2 * order + 3
-
-    @cached_property
-    def largest_argument(self) -> Fraction:
-        """Return a y up to which all is certified: a lower bound of h(radius)^2, as h(theta) >= theta/3."""
-        return (self.radius / 3) ** 2
 
     def _compute_series(self) -> None:
         q, r = fmpq(self.q.numerator, self.q.denominator), fmpq(self.r.numerator, self.r.denominator)
@@ -119,15 +119,7 @@ class AbelFunctions:
         """Return a bound of sum_k |defect(y_k)| over all later iterates: rim (theta_k/radius)^n, theta <= 3 sqrt(y)."""
         half = arb(zero_order) / 2
         scale = 9 * y / Ball.number(self.radius) ** 2
-        decay = Ball.number(self.r) * self._depth_ratio**2  # y_k - y_{k+1} = r c^2 >= decay y_k^2, c being concave in y
-        return rim * scale**half * (1 + 1 / (y * decay * (half - 1)))
-
-    @cached_property
-    def _depth_ratio(self) -> arb:
-        """Return a lower bound of c(y)/y on the disc: its value at the rim, as c is concave in y with c(0) = 0."""
-        with precision(_RIM_BITS):
-            height, deep = height_and_depth(acb(Ball.number(self.radius)))
-            return (deep / (height * height)).real.lower()
+        return rim * scale**half * (1 + 1 / (y * self._decay * (half - 1)))
 
     def _bound_on_rim(self) -> tuple[Fraction, arb, arb, arb]:
         """Return the largest disc on which everything is proved analytic, and the sup of each defect on its rim."""

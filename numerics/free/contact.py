@@ -7,9 +7,7 @@ c(theta) = 2 - theta cot(theta/2), the slip ends at the one angle in (0, 2 pi) w
     d' = -(d + c),   u' = u - theta,   w' = w - q r c (c + 2 d)
 
 The left side falls strictly from +infinity (or u > 0, if d = 0) to -infinity: there is one root and it is the first.
-Close to a full turn (u > 1) the angle eta that is missing to 2 pi is the variable, which theta would round away:
-
-    2 pi + d sin eta - u (1 - cos eta) - (eta - sin eta) = 0,        c = 2 + theta cot(eta/2)
+Close to a full turn (u > 1) the angle eta that is missing to 2 pi is the variable, which theta would round away.
 
 Binary64 solves it in contact_binary64.py. A finer arithmetic takes steps of Halley's method from there, each of which
 triples the right digits: double-double takes one. Balls do so up to half of the bits asked for, the precision tripled
@@ -21,7 +19,6 @@ that it is the only one in (0, 2 pi), hence the first, is a theorem.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 from flint import arb, ctx
@@ -47,8 +44,8 @@ _SMALLEST_SEED = 1e-90
 _SPARE_BITS = 12
 
 
-class EarlyPoint(NamedTuple):
-    """The equation at an angle theta: cot(theta/2), h, 1/(1 - cos), its value, and its slope with the sign turned."""
+class Point(NamedTuple):
+    """The equation at an angle: c, k = cot(theta/2), h, 1/(1 - cos), its value, and its slope with the sign turned."""
 
     gap: Number
     theta: Number
@@ -60,35 +57,16 @@ class EarlyPoint(NamedTuple):
     steepness: Number
 
 
-class LatePoint(NamedTuple):
-    """The equation at an angle eta: half its sine and cosine, sin eta, 1 - cos eta, its value, and minus its slope."""
-
-    gap: Number
-    push: Number
-    eta: Number
-    half_sine: Number
-    half_cosine: Number
-    sine: Number
-    versine: Number
-    value: Number
-    steepness: Number
-
-
 @compilable
 def _refined_contact(gap: Pair, push: Pair) -> tuple[Pair, Pair, Pair]:
     """Return the contact in double-double, by one step from the root of binary64."""
     if push.high > 1.0:
-        late = late_point(gap, push, Pair(late_angle(gap.high, push.high), 0.0))
-        # dc/d eta = -h, h' = 1 - h cot(theta/2) = 1 + h cot(eta/2)
-        shift, theta = late_shift(late), two_pi(gap) - late.eta
-        depth, rise = 2 + (theta * late.half_cosine) / late.half_sine, (theta + late.sine) / late.versine
-        slope = 1 + rise * late.half_cosine / late.half_sine
-        return theta - shift, depth - (shift * rise - shift * shift * slope / 2), late.versine + shift * late.sine
-    theta, _, _ = binary64_contact(gap.high, push.high)
-    early = early_point(gap, push, Pair(theta, 0.0))
-    shift = early_shift(early)  # c' = h, h' = 1 - h cot
-    grown = shift * early.rise + shift * shift * (1 - early.rise * early.cotangent) / 2
-    return early.theta + shift, early.depth + grown, 1 / early.reciprocal
+        at = late_point(gap, push, Pair(late_angle(gap.high, push.high), 0.0))
+    else:
+        at = early_point(gap, push, Pair(binary64_contact(gap.high, push.high)[0], 0.0))
+    shift = halley_shift(at)  # c' = h, h' = 1 - h k
+    grown = shift * at.rise + shift * shift * (1 - at.rise * at.cotangent) / 2
+    return at.theta + shift, at.depth + grown, 1 / at.reciprocal
 
 
 @by_type(binary64_contact, _refined_contact)
@@ -107,58 +85,46 @@ def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
 
 
 @compilable
-def early_point(gap: Number, push: Number, theta: Number) -> EarlyPoint:
-    """Return the equation for push <= 1 at an angle; from one sine and cosine."""
+def early_point(gap: Number, push: Number, theta: Number) -> Point:
+    """Return the equation at an angle; from one sine and cosine."""
     depth, cotangent = depth_and_cotangent(theta)
     # the Riccati equation of the depth c: in h = c' = ((theta^2 + c^2)/2 - c)/theta at most one bit cancels
     rise = ((theta * theta + depth * depth) / 2 - depth) / theta
     reciprocal = (1 + cotangent * cotangent) / 2
-    value, steepness = (push + gap * cotangent) - rise, (gap + depth) * reciprocal
-    return EarlyPoint(gap, theta, depth, cotangent, rise, reciprocal, value, steepness)
+    value = (push + gap * cotangent) - rise
+    return Point(gap, theta, depth, cotangent, rise, reciprocal, value, (gap + depth) * reciprocal)
 
 
 @compilable
-def early_shift(at: EarlyPoint) -> Number:
-    """Return the step of Halley's method from a point next to the root."""
+def late_point(gap: Number, push: Number, eta: Number) -> Point:
+    """Return the equation at an angle that is missing to a full turn; from one sine and cosine."""
+    theta, (sine, cosine) = two_pi(gap) - eta, sine_cosine(eta / 2)
+    cotangent, reciprocal = -cosine / sine, 1 / (2 * (sine * sine))
+    depth, rise = 2 - theta * cotangent, theta * reciprocal - cotangent
+    value = (push + gap * cotangent) - rise
+    return Point(gap, theta, depth, cotangent, rise, reciprocal, value, (gap + depth) * reciprocal)
+
+
+@compilable
+def halley_shift(at: Point) -> Number:
+    """Return the step of Halley's method, in theta, from a point next to the root."""
     shift = at.value / at.steepness
     bend = ((at.gap + at.depth) * at.cotangent - at.rise) * at.reciprocal
     return shift + shift * shift * (bend / at.steepness) / 2
 
 
-@compilable
-def late_point(gap: Number, push: Number, eta: Number) -> LatePoint:
-    """Return the equation for push > 1 at an angle missing to a full turn; from one sine and cosine."""
-    half_sine, half_cosine = sine_cosine(eta / 2)
-    sine, drop = 2 * (half_sine * half_cosine), 2 * (half_sine * half_sine)
-    value = (two_pi(gap) + gap * sine) - (push * drop + (eta - sine))
-    steepness = (push * sine + drop) - gap * (1 - drop)
-    return LatePoint(gap, push, eta, half_sine, half_cosine, sine, drop, value, steepness)
-
-
-@compilable
-def late_shift(at: LatePoint) -> Number:
-    """Return the step of Halley's method from a point next to the root."""
-    shift = at.value / at.steepness
-    bend = -(at.gap + 1) * at.sine - at.push * (1 - at.versine)
-    return shift + shift * shift * (bend / at.steepness) / 2
-
-
 def bracketed_contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
     """Return the contact without binary64's root: by a bracket, for arguments of any size (see early_bracket)."""
+    is_late = as_float(push) > 1.0
+    lower, upper = (like(gap, 0.0), late_bound(gap, push)) if is_late else early_bracket(gap, push)
+    point_at = late_point if is_late else early_point
 
-    def root(point_at: Callable[..., EarlyPoint | LatePoint], lower: Number, upper: Number) -> Number:
-        def value_and_slope(at: tuple[Number, Number], x: Number) -> tuple[Number, Number]:
-            point = point_at(*at, x)
-            return point.value, -point.steepness
+    def value_and_slope(_: None, x: Number) -> tuple[Number, Number]:
+        point = point_at(gap, push, x)
+        return -point.value if is_late else point.value, -point.steepness
 
-        return falling_root(lower, upper, value_and_slope, (gap, push))
-
-    if as_float(push) > 1.0:
-        eta = root(late_point, like(gap, 0.0), late_bound(gap, push))
-        point, theta = late_point(gap, push, eta), two_pi(gap) - eta
-        return theta, 2 + theta * point.half_cosine / point.half_sine, point.versine
-    theta = root(early_point, *early_bracket(gap, push))
-    return theta, depth_and_cotangent(theta)[0], versine(theta)
+    at = point_at(gap, push, falling_root(lower, upper, value_and_slope, None))
+    return at.theta, at.depth, 1 / at.reciprocal
 
 
 @compilable
@@ -213,7 +179,7 @@ def contact_next_to_binary64(gap: arb, push: arb) -> tuple[arb, arb, arb] | None
     while right < half:
         right = min(3 * right - 4, half)
         with precision(right + spare):
-            x = (x + early_shift(early_point(gap, push, x))).mid()
+            x = (x + halley_shift(early_point(gap, push, x))).mid()
     with precision(bits + spare):
         at = early_point(gap, push, x)
         # a first guess of the distance: half the bits are right, more where the inputs are wide

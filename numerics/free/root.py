@@ -7,6 +7,7 @@ interval Newton step: it exists, and is the only one in the bracket.
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import flint
@@ -71,16 +72,12 @@ def falling_root(lower: Number, upper: Number, function: Function, at: Any) -> N
         value, slope = function(at, x)
         return value.mid(), slope.mid()
 
-    bits, failure = flint.ctx.prec, None
-    for right in (min(bits, _START_BITS), bits):
-        with precision(right):
-            near = _searched(lower.mid(), upper.mid(), points, None).mid()
-        try:
-            if lower < near < upper:
-                return _enclosed(_refined(near, function, at), lower, upper, function, at)
-        except EventUndecided as error:
-            failure = error
-    raise failure or undecided("existence of the guard's root in its bracket", near)
+    middles = lower.mid(), upper.mid(), points, None
+    with precision(min(flint.ctx.prec, _START_BITS)):
+        near = _searched(*middles).mid()
+    with suppress(EventUndecided):
+        return _enclosed(_refined(near, function, at), lower, upper, function, at)
+    return _enclosed(_searched(*middles).mid(), lower, upper, function, at)
 
 
 def _refined(x: arb, function: Function, at: Any) -> arb:
