@@ -8,10 +8,17 @@ MACHINE = {"processor": "Abacus", "cores": 2, "load": 0.1, "python": "3.11", "pa
 SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 
-def run(who: str, scene: str, seconds: float | None, digits: float | None = None, right: bool | None = True) -> Run:
+def run(
+    who: str,
+    scene: str,
+    seconds: float | None,
+    digits: float | None = None,
+    right: bool | None = True,
+    asked: float = 0,
+) -> Run:
     """Return a run of a peer, or of ours; its note where the events are wrong or there is no answer."""
     note = {True: "", False: "1 events, not 24", None: f"{NONE}stopped"}[right]
-    return Run(scene, who, 0.0 if who == "solve" else 15.0, seconds, digits, note)
+    return Run(scene, who, asked if who == "solve" else 15.0, seconds, digits, note)
 
 
 def trade_of(*runs: Run, **more: object) -> Trade:

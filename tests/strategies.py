@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
+from operator import add, mul
 from typing import Any
 
 import numpy as np
@@ -148,23 +149,17 @@ def trigonometric_quotients(draw):
     return top * theta ** (2 * zeros) / ((1 - cos(theta)) ** zeros * unit)
 
 
-@st.composite
-def elementary_expressions(draw, depth: int = 3):
+def elementary_expressions() -> st.SearchStrategy[Any]:
     """Sums, products and whole powers of two positive symbols, rationals, square roots, sines and cosines; no pole."""
     from sympy import Rational, cos, sin, sqrt, symbols
 
     x, y = symbols("x y", positive=True)
-    if depth == 0:
-        return draw(st.sampled_from([x, y, x + 2 * y, sin(x), cos(2 * x), sin(x + y), sqrt(x), sqrt(x + y)]))
-    smaller = elementary_expressions(depth=depth - 1)
-    kind = draw(st.sampled_from(["sum", "product", "square", "inverse", "scaled"]))
-    one = draw(smaller)
-    if kind == "sum":
-        return one + draw(smaller)
-    if kind == "product":
-        return one * draw(smaller)
-    if kind == "square":
-        return one**2
-    if kind == "inverse":
-        return 1 / (1 + one**2)
-    return Rational(draw(st.integers(-9, 9)), draw(st.integers(1, 9))) * one
+    ratios = st.builds(Rational, st.integers(-9, 9), st.integers(1, 9))
+
+    def larger(some: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
+        powers = some.map(lambda one: one**2) | some.map(lambda one: 1 / (1 + one**2))
+        return st.builds(add, some, some) | st.builds(mul, some | ratios, some) | powers
+
+    return st.recursive(
+        st.sampled_from([x, y, x + 2 * y, sin(x), cos(2 * x), sin(x + y), sqrt(x), sqrt(x + y)]), larger, max_leaves=6
+    )

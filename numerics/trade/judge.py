@@ -16,11 +16,11 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import MODES
-from numerics.scene.plane import PlaneScene
 from numerics.solver.solve import solve
 from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.contenders import MAX_EVENTS, answer_of
@@ -50,7 +50,7 @@ def judge(found: PeerRun, truth: PeerRun, scene: Any, digits: int = 0) -> Verdic
     """Hold a run against the `proved` reference of as many digits."""
     difference = first_difference(found, truth) if found.modes else None
     with Ball(working_digits(digits)).context():
-        parts = list(zip(found.final, truth.final, scales(scene), strict=True))
+        parts = list(zip(found.final, truth.final, scales(scene.pair), strict=True))
         if difference is None:
             parts += [(one, true, truth.times[-1]) for one, true in zip(found.times, truth.times, strict=False)]
         if found.lost is not None and as_arb(truth.lost) > 0:
@@ -64,32 +64,24 @@ def judge(found: PeerRun, truth: PeerRun, scene: Any, digits: int = 0) -> Verdic
         return Verdict(difference, float((worst + arb(10) ** -(10**6)).log().mid()) / -math.log(10))
 
 
-def scales(scene: Any) -> list[arb]:
+def scales(pair: Any) -> list[arb]:
     """Return L, L Omega, L, L Omega, each by axes."""
-    pair, number = scene.pair, Ball.number
-    if isinstance(scene, PlaneScene):
-        rows = zip(pair.m1, pair.m2, (pair.a2[i][i] for i in range(pair.axes)), pair.b, strict=True)
-    else:
-        rows = zip(*[[one] for one in (pair.m1, pair.m2, pair.a2, pair.b)], strict=True)
-    pairs = [(number(b * (m1 + m2) / (a2 * m2)), number(a2 / (m1 + m2)).sqrt()) for m1, m2, a2, b in rows]
-    return [*(length for length, _ in pairs), *(length * omega for length, omega in pairs)] * 2
+    m1, m2, b = (np.atleast_1d(np.array(one, dtype=object)) for one in (pair.m1, pair.m2, pair.b))
+    a2 = np.diag(np.atleast_2d(np.array(pair.a2, dtype=object)))
+    lengths = [*map(Ball.number, b * (m1 + m2) / (a2 * m2))]
+    speeds = [x * Ball.number(square).sqrt() for x, square in zip(lengths, a2 / (m1 + m2), strict=True)]
+    return [*lengths, *speeds] * 2
 
 
 def as_arb(value: Any) -> arb:
-    """Return a number of any arithmetic exactly, an enclosure as it is, parts as their sum."""
-    if isinstance(value, arb):
-        return value
-    if isinstance(value, tuple):
-        return sum(map(as_arb, value), arb(0))
-    if not math.isfinite(value):
-        return arb("nan")
-    return as_ball(value)
+    """Return a number of any arithmetic exactly, an enclosure as it is."""
+    return as_ball(value) if isinstance(value, arb) or math.isfinite(value) else arb("nan")
 
 
 def first_difference(found: PeerRun, truth: PeerRun) -> str | None:
     """Return in words where the itinerary first departs from the reference's, None if it does not."""
     # the modes first: from an exchanged one on, times are compared with another event's
-    for number, (one, other) in enumerate(zip(found.modes or (), truth.modes or (), strict=False)):
+    for number, (one, other) in enumerate(zip(found.modes, truth.modes, strict=False)):
         if one != other:
             is_one, is_other = (MODES[mode].value if mode in MODES else mode for mode in (one, other))
             return f"segment {number + 1} is {is_one}, not {is_other}"

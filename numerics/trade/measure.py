@@ -6,17 +6,20 @@ only their ratio is kept. Everything is warm, and an answer is read as a user re
 
 from __future__ import annotations
 
+import math
 import statistics
 import time
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+import timeit
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from numerics.errors import NumericsError
-from numerics.scene import Scene, State
+from numerics.scene import State
 from numerics.solver.many import solve_many
 from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
 from numerics.trade.comparisons.peer import PeerRun
@@ -41,7 +44,6 @@ SIZES = {
     "large": Size(NAMES, 5.0, 1000),
 }
 SWEPT = ("velocities", "relative-motion-b02", HEADLINE, "forced-stick-slip", "forced-friction")
-DIGITS = 10_000
 SLOW, BATCH = 2.0, 0.01
 """One call that takes so long (s) is timed once; quick ones are timed in batches that last at least so long.
 
@@ -65,52 +67,43 @@ def trade(
     """
     size, of = SIZES[size_name], machine()
     solve_many(1, 1, 200, 0.5, v1=[0.15], until=1, jobs=1)  # brings up what is compiled
-    everyone, scenes = selected(only, size.scenes, contenders)
+    everyone, scenes = selected(only, contenders, size.scenes)
     left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
-    runs, sweeps = list[Run](), list[Sweep]()
-    for scene in scenes:
-        slow = {one.who for one in runs if one.scene.startswith(LONG) and (one.seconds or 0) > SLOW}
-        some = [one for one in everyone if one.label not in left_out and kind(scene) in one.kinds]
-        some = [one for one in some if not (scene.startswith(LONG) and one.label in slow)]
-        runs += runs_on(scene, some, size.budget, progress)
-    if contender("heyoka") in everyone and "heyoka" not in left_out:
-        for scene in (one for one in SWEPT if one in scenes):
-            progress(f"{scene}: {size.sweep} at once")
-            sweeps.append(swept(scene, size.sweep, size.budget))
+    runs, sweeps, slow = list[Run](), list[Sweep](), set[str]()
+    for name in scenes:
+        scene, is_long = benchmark(name), name.startswith(LONG)
+        truth, base = proved(scene), contender("solve").prepare(scene, 0)
+        base()  # compiles what is not compiled yet
+        unit = min(total_time(base, 1) for _ in range(3))
+        for one in everyone:
+            for setting in one.settings if one.label not in left_out and kind(name) in one.kinds else ():
+                if (is_long and one.label in slow) or (setting > 100 and (is_long or kind(name) == "forced")):
+                    break  # coarse to fine: the next one is slower
+                progress(f"{name}: {one.label} {setting:g}")
+                ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, size.budget)
+                runs.append(Run(name, one.label, setting, ratio and ratio * unit, digits, note))
+                if is_long and ratio and ratio * unit > SLOW:
+                    slow.add(one.label)
+        if name in SWEPT and contender("heyoka") in everyone and "heyoka" not in left_out:
+            progress(f"{name}: {size.sweep} at once")
+            sweeps.append(swept(name, size.sweep, size.budget))
     return Trade(of, left_out, {name: why(name) for name in scenes}, tuple(runs), tuple(sweeps))
 
 
 def selected(
-    only: Sequence[str], scenes: Sequence[str], contenders: Sequence[Contender]
+    only: Sequence[str], contenders: Sequence[Contender], scenes: Sequence[str]
 ) -> tuple[list[Contender], list[str]]:
     """Return the contenders and the scenes that `only` names, all of a kind of which it names none."""
-    names = [one.label for one in contenders] + [f"{kind(name)}: {name}" for name in scenes]
-    kept: set[str] = set()
+    labels, titles = [one.label for one in contenders], [f"{kind(name)}: {name}" for name in scenes]
+
+    def fitting(words: Sequence[str], names: Sequence[str]) -> list[str]:
+        return [name for name in names if any(word.lower() in name.lower() for word in words)]
+
     for word in only:
-        fits = {name for name in names if word.strip() and word.lower() in name.lower()}
-        if not fits:
-            raise NoSuchContender(f"--only {word[:40]!r} fits no contender and no scene; they are: {'; '.join(names)}")
-        kept |= fits
-    some = [one for one in contenders if one.label in kept] or list(contenders)
-    return some, [name for name in scenes if f"{kind(name)}: {name}" in kept] or list(scenes)
-
-
-def runs_on(
-    name: str, everyone: Sequence[Contender], budget: float, progress: Callable[[str], None] = lambda _: None
-) -> Iterator[Run]:
-    """Yield a run at every setting of each contender, from coarse to fine; on a long scene none after a slow one."""
-    scene, most = benchmark(name), 100 if kind(name) == "forced" or name.startswith(LONG) else DIGITS
-    truth, base = proved(scene), contender("solve").prepare(scene, 0)
-    base()  # compiles what is not compiled yet
-    unit = total_time(base, 1)
-    unit = unit if unit > SLOW / 10 else total_time(base, 5) / 5
-    for one in everyone:
-        for setting in (one for one in one.settings if one <= most):
-            progress(f"{name}: {one.label} {setting:g}")
-            ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
-            yield Run(name, one.label, setting, ratio and ratio * unit, digits, note)
-            if name.startswith(LONG) and ratio and ratio * unit > SLOW:
-                break
+        if not fitting([word], known := [*labels, *titles]):
+            raise NoSuchContender(f"--only {word[:40]!r} fits no contender and no scene; they are: {'; '.join(known)}")
+    some, named = fitting(only, labels) or labels, fitting(only, titles) or titles
+    return [one for one in contenders if one.label in some], [title.partition(": ")[2] for title in named]
 
 
 def judged_and_timed(
@@ -130,55 +123,43 @@ def judged_and_timed(
 
 def total_time(call: Call, loops: int) -> float:
     """Return the processor time of so many calls, s, of all threads of this process."""
-    start = time.process_time()
-    for _ in range(loops):
-        call()
-    return time.process_time() - start
+    return timeit.timeit(call, timer=time.process_time, number=loops)
 
 
 def in_turns(ours: Call, theirs: Call, budget: float) -> float:
     """Return the median time of a call of `theirs` by that of `ours`, both warm and in turns: they share the noise."""
-    taken, spent = ([], []), 0.0  # type: tuple[list[float], list[float]], float
     once = [max(total_time(call, 1), 1e-9) for call in (ours, theirs)]
     loops = [max(1, round(BATCH / one)) for one in once]
-    least = 1 if max(once) > SLOW else 3 if max(once) > budget else 5
-    while len(taken[0]) < least or spent < budget:
-        for call, count, times in zip((ours, theirs), loops, taken, strict=True):
-            spent += (found := total_time(call, count))
-            times.append(found / count)
-    mine, other = map(statistics.median, taken)
+    turn = sum(one * count for one, count in zip(once, loops, strict=True))
+    turns = max(1 if max(once) > SLOW else 5, math.ceil(budget / turn))
+    taken = [[total_time(*one) / one[1] for one in zip((ours, theirs), loops, strict=True)] for _ in range(turns)]
+    mine, other = map(statistics.median, zip(*taken, strict=True))
     return other / mine
 
 
 def swept(name: str, size: int, budget: float) -> Sweep:
-    """Compare `solve_many` with heyoka on a scene with so many amplitudes of its force, or speeds at its start."""
-    scene, scenes = benchmark(name), list[Scene]()
-    pair, at = scene.pair, scene.initial
-    for factor in (Fraction(size + k, 2 * size) for k in range(1, size + 1)):
-        start = at if scene.is_forced else State(at.x1, factor * at.v1, at.x2, at.v2)
-        scenes.append(replace(scene, force=factor * scene.force, initial=start))
-    numbers: Any = {name: float(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
-    numbers |= {name: [float(getattr(one.initial, name)) for one in scenes] for name in ("x1", "v1", "x2", "v2")}
-    if scene.friction.pieces:
-        numbers["friction"] = scene.friction
+    """Compare `solve_many` with heyoka on a scene with so many amplitudes of its sine, or speeds at its start."""
+    scene, factors = benchmark(name), [Fraction(size + k, 2 * size) for k in range(1, size + 1)]
+    pair = scene.pair
+    numbers: dict[str, Any] = {part: float(one) for part, one in asdict(pair).items()}
     if scene.is_forced:
-        waves = [[(s.amplitude, s.omega, s.phase) for s in one.force.pieces[0].sines] for one in scenes]
-        numbers["sines"] = np.array(waves, dtype=float).transpose(1, 2, 0)
-    pairs = [SwitchedPair(one) for one in scenes]
-    arc, until = heyoka_arcs(pairs[0], 1e-15), float(scene.until)
+        scenes = [replace(scene, force=factor * scene.force) for factor in factors]
+        waves = [one.force.pieces[0].sines[0] for one in scenes]
+        numbers["sines"] = [tuple(np.array([(one.amplitude, one.omega, one.phase) for one in waves], dtype=float).T)]
+        numbers |= {"friction": scene.friction} if scene.friction.pieces else {}
+    else:
+        scenes = [replace(scene, initial=State(v1=factor * scene.initial.v1)) for factor in factors]
+        numbers["v1"] = [float(one.initial.v1) for one in scenes]
+    solved, pairs = partial(solve_many, **numbers, until=float(scene.until), jobs=1), [*map(SwitchedPair, scenes)]
+    arc = heyoka_arcs(pairs[0], 1e-15)
 
-    def ours() -> Any:
-        found = solve_many(**numbers, until=until, jobs=1)
-        return found if found.y is not None else None
+    def theirs() -> Any:
+        return [run(one, arc).final for one in pairs]
 
-    def theirs() -> list[PeerRun]:
-        return [run(one, arc) for one in pairs]
-
-    batch, others = ours(), np.array([one.final for one in theirs()], dtype=float).T
-    length = float(pair.half_width)
+    batch, length = solved(), float(pair.half_width)
     sizes = np.array([[length], [length * float(pair.a2 / pair.mass) ** 0.5]] * 2)
-    apart = np.max(np.abs(others - batch.y) / sizes, axis=0)
-    wrong = apart > 1e-3
-    reached = -np.log10(max(apart[~wrong].max(initial=0.0), 1e-16))
-    ratio, digits = short(in_turns(ours, theirs, budget)), float(batch.digits.min())
-    return Sweep(name, ratio or 0.0, size, digits, short(reached) or 0.0, int(wrong.sum()))
+    apart = np.max(np.abs(np.array(theirs(), dtype=float).T - batch.y) / sizes, axis=0)
+    right = apart <= 1e-3
+    reached = -np.log10(max(apart[right].max(initial=0.0), 1e-16))
+    ratio = short(in_turns(lambda: solved().y, theirs, budget))
+    return Sweep(name, ratio, size, float(batch.digits.min()), short(float(reached)), int(np.sum(~right)))

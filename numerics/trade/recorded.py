@@ -20,6 +20,7 @@ import json
 import os
 import platform
 import re
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from importlib.util import find_spec
@@ -50,10 +51,10 @@ class Run(NamedTuple):
     scene: str
     who: str
     setting: float
-    seconds: float | None
-    """None where none was taken."""
-    digits: float | None
-    """None where the run gave no number."""
+    seconds: Any
+    """A float; None where none was taken."""
+    digits: Any
+    """A float; None where the run gave no number."""
     note: str
     """Where the itinerary departs from the true one, or why there is no answer."""
 
@@ -110,39 +111,45 @@ class Trade:
         Of each of its arithmetics that is its cheapest run with these digits, or with ours, or else its most accurate
         one; and of those that have the digits asked for the fastest.
         """
-        some = [(one.seconds, one.digits, one) for one in self.of(scene) if one.right and one.seconds and one.digits]
-        ours = next((one for one in some if one[2].who == "solve" and one[2].setting == asked), None)
-        best = []
-        for peer in PEERS:
-            runs = [one for one in some if one[2].who == peer]
-            enough = [one for one in runs if ours and one[1] >= (asked or ours[1])]
-            best += [min(enough)] if enough else [max(runs, key=lambda one: one[1])] if runs else []
-        if not (ours and best):
+        some = [one for one in self.of(scene) if one.right and one.seconds and one.digits]
+        ours = next((one for one in some if (one.who, one.setting) == ("solve", asked)), None)
+        if ours is None:
             return None
-        enough = [one for one in best if one[1] >= asked]
-        seconds, _, one = min(enough) if enough else max(best, key=lambda one: one[1])
-        return Lead(seconds / ours[0], one, ours[2])
+        kinds = [[one for one in some if one.who == peer] for peer in PEERS]
+        best = [nearest(runs, asked or ours.digits) for runs in kinds if runs]
+        return Lead(one.seconds / ours.seconds, one, ours) if best and (one := nearest(best, asked)) else None
 
     def ratios(self) -> dict[str, dict[str, float]]:
         """Return how many times as fast as heyoka each setting of ours is, by kinds of scenes, and many at once."""
-        found: dict[str, dict[str, float]] = {}
-        for which, words in KINDS.items():
-            for asked, what in ASKED.items():
-                names = [name for name in self.scenes if kind(name) == which]
-                leads = {name: lead.ratio for name in names if (lead := self.beside(name, asked))}
-                found |= {f"{what}, {words}": leads} if leads else {}
-        return found | ({"`solve_many`, one core each": {s.scene: s.ratio for s in self.sweeps}} if self.sweeps else {})
+        leads = {
+            f"{what}, {words}": {
+                name: lead.ratio for name in self.scenes if kind(name) == which and (lead := self.beside(name, asked))
+            }
+            for which, words in KINDS.items()
+            for asked, what in ASKED.items()
+        } | {"`solve_many`, one core each": {one.scene: one.ratio for one in self.sweeps}}
+        return {what: ratios for what, ratios in leads.items() if ratios}
 
     def text(self) -> str:
         """Return the trade as JSON, a line for each run."""
         head = {"command": COMMAND} | {name: part for name, part in asdict(self).items() if name != "runs"}
-        rows = ",\n".join(json.dumps([*run[:3], short(run.seconds), short(run.digits), run.note]) for run in self.runs)
+        runs = (
+            [*run[:3], run.seconds and short(run.seconds), run.digits and short(run.digits), run.note]
+            for run in self.runs
+        )
+        rows = ",\n".join(map(json.dumps, runs))
         return f'{json.dumps(head, indent=1)[:-2]},\n "runs": [\n{rows}]}}\n'
 
 
-def short(value: float | None) -> float | None:
-    """Return three digits of a number."""
-    return None if value is None else float(f"{value:.3g}" if value < 100 else f"{value:.0f}")
+def nearest(runs: Sequence[Run], digits: float) -> Run:
+    """Return the cheapest run with so many digits, or else the most accurate one."""
+    enough = [one for one in runs if one.digits >= digits]
+    return min(enough, key=lambda one: one.seconds) if enough else max(runs, key=lambda one: one.digits)
+
+
+def short(value: Any) -> Any:
+    """Return three digits of a number, None for none."""
+    return value and float(f"{value:.3g}" if value < 100 else f"{value:.0f}")
 
 
 def recorded(file: Path | None = None) -> Trade:

@@ -26,20 +26,17 @@ class Direct:
     """The numbers of a scene on n axes; one axis is the line."""
 
     def __init__(self, scene: Any) -> None:
-        """Convert. Raises PeerFailed."""
+        """Convert a scene of one piece: sines from t = 0 on, one b, and on a line perhaps one slope of it by speed."""
         pair, line = scene.pair, isinstance(scene, Scene)
-        forces, at, pieces = (scene.force, scene, scene.friction)
-        weakening = None
-        if line:
-            forces, at, pieces, weakening = (scene.force,), scene.initial, pieces.pieces, pieces.weakening
-        if pieces or any(start for one in forces for start in one.starts):
-            raise PeerFailed("only one piece of force from t = 0 on and one b are written down for this integrator")
-        if weakening and (weakening.speed or weakening.place):
-            raise PeerFailed("friction is written down for this integrator as one slope of the speed")
+        forces, at = ((scene.force,), scene.initial) if line else (scene.force, scene)
+        weakening = scene.friction.weakening if line else None
         self.m1, self.m2, self.b = (np.atleast_1d(np.array(one, float)) for one in (pair.m1, pair.m2, pair.b))
         self.a1, self.a2 = (np.atleast_2d(np.array(one, float)) for one in (pair.a1, pair.a2))
         self.start = np.hstack([np.array(one, float) for one in (at.x1, at.v1, at.x2, at.v2)])
-        self.pieces, self.until = [one.piece_at(0) for one in forces], float(scene.until)
+        self.waves, self.until = (
+            [[wave for piece in one.pieces for wave in piece.sines] for one in forces],
+            float(scene.until),
+        )
         mass, springs = self.m1 + self.m2, np.diag(self.a2)
         self.share, self.time = self.m2 / mass, math.sqrt(max(mass / springs))
         self.speed = max(self.b / self.share / springs) / self.time
@@ -50,9 +47,8 @@ class Direct:
         """Return Lam."""
         q, v, *_ = np.split(y, 4)
         u = [
-            sum((float(c) * t**k for k, c in enumerate(one.polynomial)), 0 * t)
-            + sum(float(w.amplitude) * sin(float(w.omega) * t + float(w.phase)) for w in one.sines)
-            for one in self.pieces
+            sum((float(one.amplitude) * sin(float(one.omega) * t + float(one.phase)) for one in waves), 0 * t)
+            for waves in self.waves
         ]
         return self.share * (np.array(u) - self.a2 @ q - self.a1 @ v)
 
@@ -114,10 +110,8 @@ def smoothed(scene: Any, eps: float, integrator: str) -> Call:
 
 
 def by_events(scene: Any, rtol: float) -> Call:
-    """Prepare SciPy's DOP853 from event to event of an ellipsoid. Raises PeerFailed."""
+    """Prepare SciPy's DOP853 from event to event of an ellipsoid."""
     pair = Direct(scene)
-    if len(pair.b) == 1:
-        raise PeerFailed("from event to event it is written down for a surface only")
 
     def stick(t: float, y: Vector) -> Vector:
         load = pair.load(t, y)
@@ -141,26 +135,23 @@ def by_events(scene: Any, rtol: float) -> Call:
         if slip(y).any() or inside(t, y) < 0:
             modes = ["slip"]
         while True:
-            if modes[-1] == "stick":
-                found = arc(pair, "DOP853", rtol, t, pair.until, y, stick, events=inside)
-                t, y = float(found.t[-1]), found.y[:, -1]
-            else:
-                if not slip(y).any():
-                    begun, along = min(t + 0.01 * math.cbrt(rtol) * pair.time, pair.until), pair.load(t, y) / pair.b**2
-                    y = arc(pair, "DOP853", rtol, t, begun, y, sliding, args=(along,)).y[:, -1]
-                    t = begun
-                found = arc(pair, "DOP853", rtol, t, pair.until, y, sliding, events=ends)
-                t, y = float(found.t[-1]), found.y[:, -1]
+            sticks = modes[-1] == "stick"
+            if not (sticks or slip(y).any()):
+                begun, along = min(t + 0.01 * math.cbrt(rtol) * pair.time, pair.until), pair.load(t, y) / pair.b**2
+                t, y = begun, arc(pair, "DOP853", rtol, t, begun, y, sliding, args=(along,)).y[:, -1]
+            field, guard = (stick, inside) if sticks else (sliding, ends)
+            found = arc(pair, "DOP853", rtol, t, pair.until, y, field, events=guard)
+            t, y = float(found.t[-1]), found.y[:, -1]
             if found.status == 0:
                 return PeerRun(modes, times, y)
-            if modes[-1] == "slip":
+            if not sticks:
                 rate, across = sliding(t, y), pair.b**2 * slip(y)
                 left = -float(across @ slip(y) / (across @ slip(rate)))
                 q1, v1, q2, v2 = np.split(y + left * rate, 4)
                 v = (1 - pair.share) * v1 + pair.share * v2
                 bend = [left**2 / 2 * one for one in np.split(rate, 4)]
                 t, y = t + left, np.concatenate([q1 + bend[1], v, q2 + bend[3], v])
-            modes.append("stick" if modes[-1] == "slip" else "slip")
+            modes.append("slip" if sticks else "stick")
             times.append(t)
 
     return run

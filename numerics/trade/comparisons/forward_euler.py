@@ -103,9 +103,7 @@ def forward_euler(scene: Scene, step: float, loop: Callable[..., None] = march) 
 
 
 def euler_peer(scene: Scene, step: float) -> Call:
-    """Compile the loop, where numba is installed. Raises PeerFailed for a force, or too many steps."""
-    if scene.is_forced:
-        raise PeerFailed("the paper's forward Euler is for free pairs")
+    """Compile the loop for a free pair, where numba is installed. Raises PeerFailed for too many steps."""
     first, steps, loop = SwitchedPair(scene).mode, float(scene.until) / step, march
     if steps > MAX_STEPS:
         raise PeerFailed(f"{steps:.0f} steps do not fit the memory; the cap is {MAX_STEPS}")

@@ -33,4 +33,4 @@ Extra = Any
 
 
 class PeerFailed(NumericsError):
-    """A scene that is not written down for a peer, too many steps or events, or an error; the message says which."""
+    """A run that does not get to the horizon: too many steps or events, or its own error."""

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.linear.pieces import pieces_of
-from numerics.scene import Law, Scene
+from numerics.scene import Scene
 from numerics.trade.comparisons.peer import Call, PeerFailed, PeerRun
 
 Number = Any
@@ -66,9 +66,7 @@ class SwitchedPair:
     """A scene in an integrator's own numbers, SI units."""
 
     def __init__(self, scene: Scene, kind: type = float) -> None:
-        """Convert; the mode at t = 0 is decided on exact numbers. Raises PeerFailed."""
-        if scene.law is not Law.FILIPPOV:
-            raise PeerFailed(f"only the law {Law.FILIPPOV.value} is written down for this integrator")
+        """Convert a scene of Filippov's law; the mode at t = 0 is decided on exact numbers."""
         pair, at, self.kind, self.zero = scene.pair, scene.initial, kind, kind(0)
         self.m1, self.mass, self.a1, self.a2 = self.numbers(pair.m1, pair.mass, pair.a1, pair.a2)
         self.waves: Any = (math.sin, math.cos) if kind is float else (np.sin, np.cos)

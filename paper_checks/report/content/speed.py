@@ -57,30 +57,25 @@ def section(trade: Trade) -> Section:
     return Section(ID, TITLE, tuple(blocks))
 
 
-def answers(trade: Trade) -> tuple[str, ...]:
+def answers(trade: Trade) -> Iterator[str]:
     """Say for each kind of scene who is faster where no digits are asked for, how right both are, and where that turns."""
-    found = []
+    ratios = trade.ratios()
     for which, words in KINDS.items():
-        names = [name for name in trade.scenes if kind(name) == which]
-        leads = {name: lead for name in names if (lead := trade.beside(name, 0))}
-        if leads or which in {"free", "forced"}:
-            found.append(f"{words.capitalize()}, {told({name: one.ratio for name, one in leads.items()})}")
-        if leads and which not in {"free", "forced"}:
-            peers, ours = ([getattr(lead, side).digits for lead in leads.values()] for side in ("peer", "ours"))
-            found[-1] += (
-                f" Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
+        free, *asked = (ratios.get(f"{setting}, {words}", {}) for setting in ASKED.values())
+        leads = [lead for name in trade.scenes if kind(name) == which and (lead := trade.beside(name, 0))]
+        said = [f"{words.capitalize()}, {told(free)}"]
+        if which in {"free", "forced"}:
+            for digits, some in zip([*ASKED][1:], asked, strict=True):
+                if lost := sum(one < 1 for one in some.values()):
+                    scenes = f"{lost} of {len(some)} scenes"
+                    said.append(f"Asked for {digits} digits, {PEER} wins on {scenes}; {_typical(some)}.")
+        elif leads:
+            peers, ours = ([getattr(lead, side).digits for lead in leads] for side in ("peer", "ours"))
+            said.append(
+                f"Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
             )
-        elif lost := [text for asked in sorted(ASKED.keys() - {0}) if (text := _asked_and_lost(trade, names, asked))]:
-            found[-1] += f" {' '.join(lost)}"
-    return tuple(found)
-
-
-def _asked_and_lost(trade: Trade, names: Sequence[str], asked: int) -> str:
-    """Say on how many scenes the peer is faster where so many digits are asked for; nothing where it is on none."""
-    ratios = {name: lead.ratio for name in names if (lead := trade.beside(name, asked))}
-    lost = sum(ratio < 1 for ratio in ratios.values())
-    scenes = f"{lost} of {len(ratios)} scenes"
-    return f"Asked for {asked} digits, {PEER} wins on {scenes}; {_typical(ratios)}." if lost else ""
+        if leads or which in {"free", "forced"}:
+            yield " ".join(said)
 
 
 def _typical(ratios: Mapping[str, float]) -> str:

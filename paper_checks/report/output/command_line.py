@@ -129,7 +129,7 @@ def _made(
         for part, made in parts.made([*chapters, *drawings], trade, jobs):
             told(part.name)
             found[part] = made
-    report = report or document(rows, [found[one] for one in chapters], speed.answers(trade))
+    report = report or document(rows, [found[one] for one in chapters], [*speed.answers(trade)])
     for form in wanted:
         kind = files.FIGURES_OF[form]
         pictures = {
