@@ -112,7 +112,6 @@ def test_json_has_the_shape_of_the_design(rows, theorem):
     assert data[-1]["evidence"][0]["value"] == "y = x**2"
 
 
-
 # theorems past the paper
 
 
@@ -127,7 +126,6 @@ def test_theorems_are_counted_apart_filtered_listed_and_told_as_ours(rows, theor
     assert r"\textbf{Theorem.} $x=1$ for all $q$." in paper
     assert r"\textbf{The paper says (eq. (4)).}" in paper
     assert "Theorem, past the paper: x=1 for all q." in printed([theorem])
-
 
 
 def test_a_correction_has_a_paragraph_for_each_clause_that_ends_a_sentence_and_a_line_for_a_long_formula():
