@@ -43,6 +43,7 @@ def small(monkeypatch, tmp_path_factory, rows, figures):
         (["rate-one-over-t"], 1),
         (["hostile"], 3),
         ([], 1),
+        (["--json", "stiction-bracket", "energy-rate"], 0),
     ],
 )
 def test_run_is_the_default_and_the_exit_code_tells(small, capsys, arguments, code):
@@ -50,11 +51,8 @@ def test_run_is_the_default_and_the_exit_code_tells(small, capsys, arguments, co
     captured = capsys.readouterr()
     assert "\x1b" not in captured.out
     assert captured.err == ""
-
-
-def test_json_comes_in_ledger_order(small, capsys):
-    main(["--json", "stiction-bracket", "energy-rate"])
-    assert [item["id"] for item in json.loads(capsys.readouterr().out)] == ["energy-rate", "stiction-bracket"]
+    if "--json" in arguments:
+        assert [item["id"] for item in json.loads(captured.out)] == ["energy-rate", "stiction-bracket"]
 
 
 def test_an_unknown_id_gets_one_line_that_suggests(small, capsys):
@@ -73,14 +71,11 @@ def test_list_prints_every_claim_in_a_pipe_on_a_line_of_its_own(capsys):
     assert printed == {claim.id: claim.recorded.value for claim in CLAIMS}
 
 
-def test_report_writes_and_complains(small, capsys, tmp_path):
-    assert main(["report", "--out", str(tmp_path), "--format", "html,latex"]) == 1
+def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tmp_path):
+    assert main(["report", "--out", str(tmp_path / "all"), "--format", "html,latex"]) == 1
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
     assert captured.err == "paper_checks: the figure lost is not known\n"
-
-
-def test_the_report_tells_some_rows_or_the_whole(small, capsys, tmp_path):
     assert main(["report", "stiction-bracket", "--out", str(tmp_path)]) == 0
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert 'data-row="stiction-bracket"' in page
@@ -105,11 +100,10 @@ WRITTEN = "the report cannot be written: 'file' is a file; choose another folder
 @pytest.mark.parametrize(
     ("words", "without", "code", "told"),
     [
-        (["--out", "file"], None, 2, WRITTEN),
         (["--out", "file/in"], None, 2, WRITTEN),
         (["--trade", "nowhere.json"], None, 2, "nowhere.json cannot be read: No such file or directory"),
         (["--format", "html,pdf"], "pdflatex", 3, latex.REMEDY),
-        *(([], module, 3, f"this needs {module}") for module in ("sympy", "rich", "matplotlib")),
+        ([], "sympy", 3, "this needs sympy"),
     ],
 )
 def test_what_cannot_be_reported_is_one_line_before_anything_runs(
@@ -133,9 +127,6 @@ def test_the_report_takes_another_trade(small, capsys, tmp_path):
     planted(tmp_path)  # writes the file
     main(["report", "--out", str(tmp_path), "--trade", str(tmp_path / "planted.json")])
     assert "Measured once: Abacus" in (tmp_path / "pages" / "speed-and-accuracy.html").read_text("utf-8")
-    assert "Without a force, nobody was measured beside ours." in (tmp_path / "pages" / "questions.html").read_text(
-        "utf-8"
-    )
 
 
 @pytest.mark.parametrize(
@@ -144,9 +135,7 @@ def test_the_report_takes_another_trade(small, capsys, tmp_path):
         ["run", "--nonsense"],
         ["report", "--format", "html,docx"],
         ["--seed", "x"],
-        ["--jobs", "x"],
         ["--jobs", "0"],
-        ["--jobs", "-1"],
         ["source"],
         ["report", "--out", ""],
     ],

@@ -82,15 +82,12 @@ def test_a_vacuous_statement_proves_nothing(given):
     "conclusion",
     [
         sp.sin(x) <= 1,
-        sp.exp(x) > 0.5,
         x > 0.1,
         1 / x < 2,
         sp.sqrt(m) > 2,
-        x**m > 1,
         sp.pi * x > 1,
         sp.Symbol("c") > 0,
         sp.Symbol("k", integer=True) > 0,
-        sp.Symbol("a|b", real=True) > 0,
         sp.Symbol("x", positive=True) < x,
         sp.And(x**2 >= 0, y**2 >= 0, evaluate=False),  # sympy decides it alone, so the solvers are not asked
         sp.true,
@@ -102,26 +99,15 @@ def test_what_is_not_an_exact_polynomial_over_the_reals_is_refused(conclusion):
         prove("foreign", [], conclusion)
 
 
-@pytest.mark.parametrize("solver", ["z3", "cvc5"])
-@pytest.mark.parametrize("negation", ["unknown", "sat"])
-def test_one_solver_alone_proves_nothing(monkeypatch, solver, negation):
-    def ask(name, *_):
-        return Answers("sat", negation if name == solver else "unsat")
-
-    monkeypatch.setattr(smt, "ask", ask)
-    evidence = prove("a square", [x > 1], x**2 > 1)
-    assert evidence.passed is None
-    assert f"{negation} ({solver})" in evidence.value
-
-
+@pytest.mark.parametrize("other", [Answers("sat", "unknown"), Answers("sat", "sat"), Answers("unknown", "unsat")])
 @pytest.mark.parametrize("silent", [("z3",), ("cvc5",), ("z3", "cvc5")])
-@pytest.mark.parametrize("control", ["unknown", "unsat"])
-def test_a_control_without_answer_proves_nothing(monkeypatch, silent, control):
-    monkeypatch.setattr(smt, "ask", lambda name, *_: Answers(control if name in silent else "sat", "unsat"))
+def test_what_one_solver_leaves_open_is_not_proved(monkeypatch, silent, other):
+    """Of the negation, or of the control; only what both refute is false."""
+    monkeypatch.setattr(smt, "ask", lambda name, *_: other if name in silent else Answers("sat", "unsat"))
     evidence = prove("a square", [x > 1], x**2 > 1)
-    assert evidence.passed is None
-    assert not evidence.decides
-    assert f"{control} ({silent[0]})" in evidence.value
+    both_refute = len(silent) == 2 and "unknown" not in (other.control, other.negation)
+    assert evidence.passed is (False if both_refute else None)
+    assert both_refute or f" ({silent[0]})" in evidence.value
 
 
 def test_a_solver_that_fails_is_an_error():
@@ -148,16 +134,3 @@ def test_what_a_solver_has_no_time_for_is_unknown():
     hard = sum(letter**7 for letter in letters) <= sp.prod(letters) ** 3
     for text in (GIVEN_UP, script([sp.Eq(sum(letter**5 for letter in letters), 1), hard])):
         assert smt.ask("cvc5", text, text, 0.05).negation == "unknown"
-
-
-def test_each_solver_answers_by_itself():
-    """z3 alone is asked for its model."""
-    text = script([x > 1])
-    assert [smt.ask(solver, text, text, 20.0).model for solver in ("z3", "cvc5")] == ["x = 2", ""]
-
-
-def test_the_text_is_exact_and_the_same_for_both():
-    assert script([sp.Rational(-1, 3) * x**2 < m - x]) == (
-        "(set-logic QF_NRA)\n(declare-const |m_1| Real)\n(declare-const |x| Real)\n(assert (> |m_1| 0.0))\n"
-        "(assert (< (* (- (/ 1.0 3.0)) (* |x| |x|)) (+ |m_1| (* (- 1.0) |x|))))\n"
-    )

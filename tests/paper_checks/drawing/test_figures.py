@@ -1,6 +1,5 @@
 """The report's figures: axes with units, legends, event markers, and bytes that depend on nothing else."""
 
-import inspect
 import re
 
 import matplotlib as mpl
@@ -8,11 +7,9 @@ import pytest
 
 from numerics import load_scene, solve
 from numerics.linear.modes import EventKind
-from paper_checks.claims import CLAIMS
 from paper_checks.drawing.captions import CAPTIONS, caption
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.drawing.style import MARKERS
-from paper_checks.evidence.claim import Kind
 from paper_checks.report.formats import vector
 
 PAPER = (
@@ -41,14 +38,6 @@ def test_every_figure_has_a_title_and_a_caption_that_says_what_to_see():
     for title, text in map(caption, FIGURES):
         assert title[0].isupper()
         assert (title[-1] == ".", text[-1]) == (False, ".")
-
-
-def test_every_theorem_past_the_paper_has_its_picture():
-    """The case for a theorem names a figure; what it names is drawn."""
-    with_a_chapter = ("forced-", "entrainment", "trackable", "minimum", "tolerance", "damping")  # on forces
-    ours = [one for one in CLAIMS if one.kind is Kind.THEOREM and not one.id.startswith(with_a_chapter)]
-    named = [re.search(r'figure="([^"]+)"', inspect.getsource(one.case)) for one in ours]
-    assert {found and found[1] for found in named} <= set(FIGURES)
 
 
 def test_the_line_of_the_critical_share_touches_the_curve_of_the_window():

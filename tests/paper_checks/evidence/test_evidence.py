@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from paper_checks.decide import deciders, kernel
+from paper_checks.decide import kernel
 from paper_checks.decide.deciders import equals
 from paper_checks.evidence.claim import Claim, because, claim, correction, counterexample
 from paper_checks.evidence.clause import Formula, clause
@@ -46,80 +46,85 @@ def test_vacuous_evidence_and_a_value_that_is_not_finite_are_no_pass(told, passe
     assert Evidence(EvidenceKind.ENCLOSURE, "arb", "s", True, **told).passed is passed
 
 
-def test_an_outcome_is_a_truth_value_or_none():
+HOLDS, AMENDED, REFUTED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED
+UNDECIDED, UNCHECKED = Verdict.UNDECIDED, Verdict.UNCHECKED
+BOTH = (COUNTER, CORRECTION)
+
+
+@pytest.mark.parametrize(
+    ("verdict", "steps", "more"),
+    [
+        (HOLDS, (EXACT,), {}),
+        (REFUTED, (EXACT, *BOTH), CORRECTED),
+        (AMENDED, BOTH, CORRECTED),
+        (UNDECIDED, (SAMPLE,), {"missing": "a proof"}),
+        (UNCHECKED, (), {"missing": "a proof"}),
+    ],
+)
+def test_a_supported_finding_of_each_verdict_can_be_built(verdict, steps, more):
+    assert conclude(verdict, "r", *steps, **more) == Finding(verdict, "r", steps, **more)
+
+
+@pytest.mark.parametrize(
+    ("verdict", "steps", "more"),
+    [
+        (HOLDS, (), {}),
+        (HOLDS, (SAMPLE,), {}),
+        (HOLDS, (EXACT.as_support(),), {}),
+        (HOLDS, (EXACT, FAILED), {}),
+        (HOLDS, (EXACT, SILENT), {}),
+        (HOLDS, (EXACT,), {"counterexample": "c"}),
+        (HOLDS, (CORRECTION,), {}),  # about something else
+        (REFUTED, BOTH, {"corrected": "c"}),
+        (REFUTED, BOTH, {"counterexample": "c"}),
+        (REFUTED, (CORRECTION,), CORRECTED),
+        (AMENDED, (COUNTER,), CORRECTED),
+        (AMENDED, (COUNTER, SAMPLE.as_correction()), CORRECTED),
+        (AMENDED, (*BOTH, FAILED.as_correction()), CORRECTED),
+        (AMENDED, (FAILED, *BOTH), CORRECTED),
+        (REFUTED, (*BOTH, SILENT.as_counterexample()), CORRECTED),
+    ],
+)
+def test_an_overreaching_finding_cannot_be_built_and_is_concluded_undecided(verdict, steps, more):
+    with pytest.raises(InvalidFindingError, match=verdict.value):
+        Finding(verdict, "r", steps, **more)
+    found = conclude(verdict, "r", *steps, **more)
+    assert (found.verdict, found.evidence) == (UNDECIDED, steps)
+    for said in (found.reason, found.missing):
+        assert all(one.statement in said for one in steps if one is FAILED)
+
+
+def test_a_finding_has_a_reason_or_says_what_is_missing_and_an_outcome_is_a_truth_value_or_none():
+    for verdict, reason in ((HOLDS, " "), (UNDECIDED, "r")):
+        with pytest.raises(InvalidFindingError):
+            Finding(verdict, reason, (EXACT,))
     with pytest.raises(TypeError, match="True, False or None"):
         Evidence(EvidenceKind.EXACT, "sympy", "s", 1)  # type: ignore[arg-type]
-
-
-def test_a_supported_finding_of_each_verdict_can_be_built():
-    assert conclude(Verdict.HOLDS, "r", EXACT) == Finding(Verdict.HOLDS, "r", (EXACT,))
-    for verdict in (Verdict.REFUTED, Verdict.HOLDS_CORRECTED):
-        assert Finding(verdict, "r", (EXACT, COUNTER, CORRECTION), **CORRECTED).verdict is verdict
-    for verdict in (Verdict.UNDECIDED, Verdict.UNCHECKED):
-        assert Finding(verdict, "r", (SAMPLE,), missing="a proof").verdict is verdict
-
-
-OVERREACHING = {
-    "no reason": (Verdict.HOLDS, " ", (EXACT,), {}),
-    "no evidence": (Verdict.HOLDS, "r", (), {}),
-    "only samples": (Verdict.HOLDS, "r", (SAMPLE,), {}),
-    "a failed step": (Verdict.HOLDS, "r", (EXACT, FAILED), {}),
-    "holds with a counterexample": (Verdict.HOLDS, "r", (EXACT,), {"counterexample": "c"}),
-    "decisive evidence about something else": (Verdict.HOLDS, "r", (CORRECTION,), {}),
-    "refuted without counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION), {"corrected": "c"}),
-    "refuted without correction": (Verdict.REFUTED, "r", (COUNTER, CORRECTION), {"counterexample": "c"}),
-    "unchecked counterexample": (Verdict.REFUTED, "r", (CORRECTION,), CORRECTED),
-    "unchecked correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER,), CORRECTED),
-    "sampled correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER, SAMPLE.as_correction()), CORRECTED),
-    "failed correction": (Verdict.HOLDS_CORRECTED, "r", (COUNTER, CORRECTION, FAILED.as_correction()), CORRECTED),
-    "a failed step beside both": (Verdict.HOLDS_CORRECTED, "r", (FAILED, COUNTER, CORRECTION), CORRECTED),
-    "silent counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION, SILENT.as_counterexample()), CORRECTED),
-    "undecided without what is missing": (Verdict.UNDECIDED, "r", (SAMPLE,), {}),
-}
-
-
-@pytest.mark.parametrize("case", OVERREACHING)
-def test_an_overreaching_finding_cannot_be_built(case):
-    verdict, reason, evidence, texts = OVERREACHING[case]
-    with pytest.raises(InvalidFindingError, match=verdict.value):
-        Finding(verdict, reason, evidence, **texts)
-
-
-def test_only_a_step_that_passed_and_can_settle_a_claim_decides():
-    assert [one.decides for one in (EXACT, FAILED, SILENT, SAMPLE, EXACT.as_support())] == [True, *[False] * 4]
-
-
-def test_conclude_turns_undecided_and_keeps_the_evidence():
-    finding = conclude(Verdict.HOLDS, "r", EXACT, FAILED, figure="f")
-    assert (finding.verdict, finding.evidence) == (Verdict.UNDECIDED, (EXACT, FAILED))
-    assert "a = c" in finding.reason
-    assert "a = c" in (finding.missing or "")
 
 
 @pytest.mark.parametrize(
     ("steps", "verdict"),
     [
-        ((WAITING,), Verdict.UNCHECKED),
-        ((WAITING, SILENT), Verdict.UNDECIDED),
-        ((WAITING, FAILED), Verdict.UNDECIDED),
-        ((replace(WAITING, passed=False),), Verdict.UNDECIDED),
-        ((SILENT,), Verdict.UNDECIDED),
+        ((WAITING,), UNCHECKED),
+        ((WAITING, SILENT), UNDECIDED),
+        ((WAITING, FAILED), UNDECIDED),
+        ((replace(WAITING, passed=False),), UNDECIDED),
     ],
 )
 def test_only_what_waits_for_the_kernel_alone_is_unchecked(steps, verdict):
-    assert conclude(Verdict.HOLDS, "r", EXACT, argument("So it is.", EXACT, *steps)).verdict is verdict
+    assert conclude(HOLDS, "r", EXACT, argument("So it is.", EXACT, *steps)).verdict is verdict
 
 
 @pytest.mark.parametrize("about", ["said", "correction"])
 def test_steps_of_a_corrected_claim_speak_about_what_they_carry(about):
     said, corrected = clause("said", "$a$ is $b$."), clause("correction", "$a$ is not $b$.")
 
-    @claim("a", "II", "w", Verdict.HOLDS_CORRECTED, said, correction=(corrected,))
+    @claim("a", "II", "w", AMENDED, said, correction=(corrected,))
     def one():
         return because("r", counterexample("c", EXACT), carried(about, EXACT), correction(EXACT))
 
     found = one.decide()
-    assert found.verdict is Verdict.HOLDS_CORRECTED
+    assert found.verdict is AMENDED
     (steps,) = (part.steps for part in found.carried)
     assert steps[0].about is (Subject.CORRECTION if about == "correction" else Subject.CLAIM)
 
@@ -128,7 +133,7 @@ def test_steps_of_a_corrected_claim_speak_about_what_they_carry(about):
 
 
 def said(*clauses, **more):
-    return Claim("a-claim", "III", "(8)", clauses or "All is well.", Verdict.HOLDS, **more)
+    return Claim("a-claim", "III", "(8)", clauses or "All is well.", HOLDS, **more)
 
 
 def of(finding, *clauses, **more):
@@ -162,36 +167,29 @@ def test_the_weakest_step_counts_however_deep_and_what_supports_does_not(steps, 
         ((SMT, FAILED), False),
         ((SMT, SILENT), None),
         ((SILENT, FAILED), False),
-        ((SMT, SAMPLE), True),
+        ((SMT, FAILED.as_support()), True),
         ((BY_HAND,), True),
     ],
 )
-def test_an_argument_is_as_good_as_what_it_rests_on(steps, passed):
-    assert argument("so", *steps).passed is passed
+def test_an_argument_and_a_clause_by_reason_are_as_good_as_all_they_rest_on(steps, passed):
+    finding = Finding(HOLDS, "So it is.", (SMT,))
+    for some in (steps, steps[::-1]):
+        one = argument("so", *some)
+        assert one.passed is passed
+        assert set(closure([one, SMT])) == {one, *some, SMT}
+        assert closure([one, SMT])[: len(some)] == some
+        object.__setattr__(finding, "evidence", some)  # not judged
+        (proof,) = proofs(said(), finding)
+        assert proof.steps[0].rests_on == some
+        assert proof.established_by is (EvidenceKind.ARGUMENT if passed else None)
     with pytest.raises(ValueError, match="rests on steps, or cites"):
         argument("so")
 
 
-def test_what_others_rest_on_comes_first_and_once():
-    low = argument("low", SMT)
-    assert closure([argument("top", low, SMT), low]) == (SMT, low, argument("top", low, SMT))
-
-
 def test_a_row_is_as_strong_as_its_weakest_clause_and_one_whose_steps_are_not_named_is_an_argument():
-    assert of(conclude(Verdict.HOLDS, "So it is.", EXACT)).established_by is EvidenceKind.ARGUMENT
-    finding = conclude(Verdict.HOLDS, "r", carried("one", SMT), carried("two", BALL))
+    assert of(conclude(HOLDS, "So it is.", EXACT)).established_by is EvidenceKind.ARGUMENT
+    finding = conclude(HOLDS, "r", carried("one", SMT), carried("two", BALL))
     assert of(finding, clause("one", "A,"), clause("two", "B.")).established_by is EvidenceKind.ENCLOSURE
-
-
-@pytest.mark.parametrize("weak", [BALL, BY_HAND, SILENT])
-def test_a_clause_by_reason_needs_every_step(weak):
-    """Each of them, wherever it stands; what another clause is carried by is not among them."""
-    for steps in ((SMT, weak), (weak, SMT), (EXACT, weak, SMT)):
-        finding = Finding(Verdict.HOLDS, "So it is.", (SMT,))
-        object.__setattr__(finding, "evidence", steps)  # not judged
-        (proof,) = proofs(said(), finding)
-        assert set(proof.steps[0].rests_on) == set(steps)
-        assert proof.established_by is (None if weak is SILENT else EvidenceKind.ARGUMENT)
 
 
 def formula(letter, decide=None):
@@ -201,35 +199,24 @@ def formula(letter, decide=None):
 @pytest.mark.parametrize(
     ("verdict", "steps", "more"),
     [
-        (Verdict.HOLDS, (EXACT,), {}),
-        (Verdict.HOLDS_CORRECTED, (COUNTER, SMT.as_correction()), CORRECTED),  # quoted beside its counterexample
+        (HOLDS, (EXACT,), {}),
+        (AMENDED, (COUNTER, SMT.as_correction()), CORRECTED),  # quoted beside its counterexample
+        (UNCHECKED, (), {"missing": "the proof kernel"}),
     ],
 )
-def test_a_wrong_formula_turns_the_row(verdict, steps, more):
+def test_a_formula_that_is_wrong_or_not_decided_turns_the_row(verdict, steps, more):
     finding = conclude(verdict, "r", *steps, **more)
     assert of(finding, clause("c", "«e».", e=formula("m1"))).finding.verdict is verdict
-    turned = of(finding, clause("c", "«e».", e=formula("m2")))
-    assert (turned.finding.verdict, turned.established_by) == (Verdict.UNDECIDED, None)
-    assert "$E=m_{2}$" in (turned.finding.missing or "")
-
-
-def test_a_formula_that_is_not_decided_turns_the_row_too():
-    """One that waits for the kernel, too."""
-    silent = clause("c", "«e».", e=formula("m2", lambda _: SILENT))
-    for finding in (conclude(Verdict.HOLDS, "r", EXACT), Finding(Verdict.UNCHECKED, "r", missing="the proof kernel")):
-        turned = of(finding, silent).finding
-        assert (turned.verdict, turned.missing) == (Verdict.UNDECIDED, SILENT.statement)
+    for wrong, missing in ((formula("m2"), "$E=m_{2}$, as derived"), (formula("m1", lambda _: SILENT), "a = d")):
+        turned = of(finding, clause("c", "«e».", e=wrong))
+        assert (turned.finding.verdict, turned.established_by) == (UNDECIDED, None)
+        assert turned.finding.missing == missing
 
 
 @pytest.mark.parametrize("relation", ["!=", "<", "<=", ">", ">="])
 def test_what_derives_an_equality_passes_no_other_relation(relation):
     m1 = sp.Symbol("m1", positive=True)
     assert Formula("E", relation, m1, equals(lambda: m1)).evidence().passed is not True
-
-
-def test_what_is_not_settled_at_a_point_does_not_fail_there(monkeypatch):
-    monkeypatch.setattr(deciders, "holds_at", lambda *_: lambda _: SILENT)
-    assert Formula("E", "=", 1, deciders.fails_at({}), false=True).evidence().passed is None
 
 
 def test_a_clause_whose_formula_does_not_pass_is_not_established():
@@ -243,16 +230,16 @@ def test_a_clause_whose_formula_does_not_pass_is_not_established():
 
 def test_what_is_quoted_beside_its_counterexample_needs_no_step_and_its_correction_does():
     parts = (BALL.as_counterexample(), carried("right", SMT.as_correction()))
-    finding = conclude(Verdict.HOLDS_CORRECTED, "r", *parts, corrected="B.", counterexample="x = 1")
+    finding = conclude(AMENDED, "r", *parts, corrected="B.", counterexample="x = 1")
     quoted, right, more = clause("said", "A."), clause("right", "B,"), clause("more", "C.")
     assert of(finding, quoted, correction=(right,)).established_by is EvidenceKind.ENCLOSURE
     for corrected in ((right, more), ()):  # without a clause, B. has no step left
-        assert of(finding, quoted, correction=corrected).finding.verdict is Verdict.UNDECIDED
+        assert of(finding, quoted, correction=corrected).finding.verdict is UNDECIDED
 
 
 # theorems of the kernel
 
-HOLDS = {name: passed for passed, name in kernel.STATUS.items()}
+PASSED = {name: passed for passed, name in kernel.STATUS.items()}
 
 
 @pytest.fixture
@@ -261,8 +248,8 @@ def theorems(monkeypatch):
     monkeypatch.setattr(signed, "is_signed", lambda *_: True)
 
     def plant(status, ties=(), uses=(), others=kernel.PROVED):
-        other = Proved("", "Law.sharp_law", "It is so.", "forall x, x = x", {}, (), (), (), HOLDS[others])
-        top = replace(other, uses=uses, ties=ties, holds=HOLDS[status])
+        other = Proved("", "Law.sharp_law", "It is so.", "forall x, x = x", {}, (), (), (), PASSED[others])
+        top = replace(other, uses=uses, ties=ties, holds=PASSED[status])
         monkeypatch.setattr(kernel, "theorem", lambda name: replace(top if name == "sharp-law" else other, id=name))
         kernel.step.cache_clear()
 
@@ -273,19 +260,19 @@ def theorems(monkeypatch):
 @pytest.mark.parametrize(
     ("status", "verdict", "kind"),
     [
-        (kernel.PROVED, Verdict.HOLDS, EvidenceKind.KERNEL),
-        (kernel.NOT_RUN, Verdict.HOLDS, EvidenceKind.ARGUMENT),
-        (kernel.FAILED, Verdict.UNDECIDED, None),
+        (kernel.PROVED, HOLDS, EvidenceKind.KERNEL),
+        (kernel.NOT_RUN, HOLDS, EvidenceKind.ARGUMENT),
+        (kernel.FAILED, UNDECIDED, None),
     ],
 )
 def test_the_kernel_carries_a_clause_or_leaves_it_to_the_other_steps(theorems, status, verdict, kind):
     theorems(status)
-    finding = conclude(Verdict.HOLDS, "r", carried("c", argument("so", EXACT)))
+    finding = conclude(HOLDS, "r", carried("c", argument("so", EXACT)))
     found = of(finding, clause("c", "All.", kernel="sharp-law"))
     assert (found.finding.verdict, found.established_by, found.kernel) == (verdict, kind, status)
     assert status != kernel.FAILED or "sharp-law" in found.finding.reason
     theorems(kernel.PROVED, ties=("tie-ray",), others=status)  # one about something else than the theory
-    assert kernel.step("sharp-law").passed is HOLDS[status]
+    assert kernel.step("sharp-law").passed is PASSED[status]
     assert ("tie-ray" in kernel.step("sharp-law").value) == (status != kernel.PROVED)
 
 
@@ -306,15 +293,15 @@ def test_one_theorem_of_two_does_not_carry_a_clause():
 
 def test_a_clause_that_nothing_carries_is_not_settled(theorems):
     """Carried by the kernel alone, and the kernel was not run: unchecked; one of both by nothing at all: undecided."""
-    finding = conclude(Verdict.HOLDS, "r", carried("one", EXACT))
+    finding = conclude(HOLDS, "r", carried("one", EXACT))
     clauses = clause("one", "A,"), clause("two", "B.", kernel="sharp-law")
     theorems(kernel.NOT_RUN)
     waiting = of(finding, *clauses)
-    assert (waiting.finding.verdict, waiting.established_by) == (Verdict.UNCHECKED, None)
+    assert (waiting.finding.verdict, waiting.established_by) == (UNCHECKED, None)
     assert "two" in waiting.finding.missing
     assert waiting.open == ("The clause `two` is not established.",)
     assert exit_code([waiting]) == 3
     bare = of(finding, *clauses, clause("three", "C."))
-    assert (bare.finding.verdict, exit_code([bare])) == (Verdict.UNDECIDED, 1)
+    assert (bare.finding.verdict, exit_code([bare])) == (UNDECIDED, 1)
     theorems(kernel.PROVED)
-    assert of(finding, *clauses).finding.verdict is Verdict.HOLDS
+    assert of(finding, *clauses).finding.verdict is HOLDS

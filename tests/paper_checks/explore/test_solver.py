@@ -1,9 +1,7 @@
 """The page's solver, in headless Chromium: against `numerics.solve`, and against answers in 60 digits."""
 
-from pathlib import Path
-
 import pytest
-from chromium import asked, faults, planted
+from chromium import faults, planted
 from explored_scenes import FORCED_NAMES, SCENES, explored
 
 from numerics import solve
@@ -14,14 +12,11 @@ FAULTS = faults("solver")
 
 
 @pytest.fixture(scope="module")
-def answers(whole, tmp_path_factory) -> dict:
+def answers(ask) -> dict:
     """What the page's solver says of every scene, and the first one of which it says something else with a fault."""
     program, scenes = source(SOLVER), [one.for_page() for one in SCENES]
-    question, folder = Path(__file__).with_name("solve.js"), tmp_path_factory.mktemp("solver")
     forced = [explored(name)[0] for name in FORCED_NAMES]
-    return asked(
-        whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS), FORCED=forced
-    )
+    return ask("solve", PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS), FORCED=forced)
 
 
 def differs(found, run) -> bool:

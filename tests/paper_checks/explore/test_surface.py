@@ -6,7 +6,7 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
-from chromium import asked, faults, planted
+from chromium import faults, planted
 
 from numerics import PlanePair, solve
 from numerics.plane.rotating import rotating_response
@@ -24,10 +24,9 @@ FAULTS = faults("surface")
 
 
 @pytest.fixture(scope="module")
-def answers(whole, tmp_path_factory) -> dict:
+def answers(ask) -> dict:
     program, scenes = source((*SOLVER, "scene_file")), [asdict(one) for one in SCENES]
-    question, folder = Path(__file__).with_name("solve_above.js"), tmp_path_factory.mktemp("above")
-    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS))
+    return ask("solve_above", PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS))
 
 
 @pytest.fixture(scope="module")

@@ -1,10 +1,8 @@
 """The thresholds of a sine that the page tells, against those of `numerics`, which are those of `theory`."""
 
 from itertools import product
-from pathlib import Path
 
 import pytest
-from chromium import asked
 
 from numerics import Pair, thresholds
 
@@ -14,9 +12,8 @@ HARMONIC = (1.0, 0.0, 0.2)
 
 
 @pytest.fixture(scope="module")
-def told(whole, tmp_path_factory) -> list[list[float]]:
-    question = Path(__file__).with_name("thresholds.js")
-    return asked(whole, question, tmp_path_factory.mktemp("thresholds"), POINTS=[*POINTS, HARMONIC])
+def told(ask) -> list[list[float]]:
+    return ask("thresholds", POINTS=[*POINTS, HARMONIC])
 
 
 def right(ratio: float, zeta: float, omega: float) -> list[float | None]:

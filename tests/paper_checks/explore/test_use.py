@@ -1,21 +1,16 @@
 """The interactive page in use, in headless Chromium: buttons, sliders, keys, phone, dark mode, print."""
 
 from dataclasses import asdict
-from pathlib import Path
 
 import pytest
-from chromium import asked
 
 from numerics import load_scene
 from paper_checks.explore.scenes import reduced
 
-HERE = Path(__file__).parent
-
 
 @pytest.fixture(scope="module")
-def found(whole, tmp_path_factory) -> dict:
-    dark = "--blink-settings=preferredColorScheme=0"
-    answer = asked(whole, HERE / "use.js", tmp_path_factory.mktemp("use"), dark)
+def found(ask) -> dict:
+    answer = ask("use", "--blink-settings=preferredColorScheme=0")  # dark
     assert "error" not in answer, answer
     return answer
 
@@ -89,15 +84,15 @@ def test_the_second_tab_is_reached_and_used_by_the_keyboard(found):
 
 
 @pytest.mark.parametrize("last", [False, True], ids=["line", "surface"])
-def test_nothing_overflows_on_a_phone(whole, tmp_path, last):
+def test_nothing_overflows_on_a_phone(ask, whole, last):
     empty = "<!DOCTYPE html><html><body></body></html>"
-    width, out, picture = asked(empty, HERE / "phone.js", tmp_path, WHOLE=whole, LAST=last)
+    width, out, picture = ask("phone", on=empty, WHOLE=whole, LAST=last)
     assert width <= 390
     assert out == []
     assert picture > 320
 
 
-def test_less_motion_goes_from_event_to_event(whole, tmp_path):
-    seen, times = asked(whole, HERE / "calm.js", tmp_path, "--force-prefers-reduced-motion")
+def test_less_motion_goes_from_event_to_event(ask):
+    seen, times = ask("calm", "--force-prefers-reduced-motion")
     for text, time in zip(seen, times, strict=False):
         assert float(text.split("=")[1].split(":")[0]) == pytest.approx(float(time), rel=1e-3)

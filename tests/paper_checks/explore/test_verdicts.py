@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 from math import pi
-from pathlib import Path
 
 import pytest
-from chromium import asked, faults, planted
+from chromium import faults, planted
 
 from numerics import Force, Pair, Scene, State, solve
 from paper_checks.explore.page import SOLVER, source
@@ -49,12 +48,11 @@ TIES = [  # p' = 0 at the edge: p'' = f'' - p decides
 
 
 @pytest.fixture(scope="module")
-def answers(whole, tmp_path_factory) -> dict:
+def answers(ask) -> dict:
     program = source((*SOLVER, "regimes"))
     scenes = [vars(one) for one in (*EXPECTED, *SETTLING)]
-    question, folder = Path(__file__).with_name("verdicts.js"), tmp_path_factory.mktemp("verdicts")
     ties = [one for one, _ in TIES]
-    return asked(whole, question, folder, PROGRAM=program, FAULTY=planted(program, FAULTS), SCENES=scenes, TIES=ties)
+    return ask("verdicts", PROGRAM=program, FAULTY=planted(program, FAULTS), SCENES=scenes, TIES=ties)
 
 
 @pytest.fixture(scope="module")

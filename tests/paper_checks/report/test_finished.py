@@ -13,14 +13,9 @@ from paper_checks.running.graph import proofs
 
 
 def test_a_name_knows_rows_form_and_options_and_not_how_long_it_took(rows):
-    first = name_of(rows, "html", (False,))
-    others = [
-        name_of(rows[:-1], "html", (False,)),
-        name_of(rows[::-1], "html", (False,)),
-        name_of(rows, "pdf", (False,)),
-        name_of(rows, "html", (True,)),
-        name_of([replace(rows[0], finding=replace(rows[0].finding, reason="Another.")), *rows[1:]], "html", (False,)),
-    ]
+    first, another = name_of(rows, "html", (False,)), replace(rows[0], finding=rows[1].finding)
+    others = [name_of(some, "html", (False,)) for some in (rows[:-1], rows[::-1], [another, *rows[1:]])]
+    others += [name_of(rows, "pdf", (False,)), name_of(rows, "html", (True,))]
     assert len({first, *others}) == 6
     assert name_of([replace(row, seconds=row.seconds + 1) for row in rows], "html", (False,)) == first
 
@@ -38,10 +33,9 @@ def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch)
 
     seen()
     seen(trade)
-    trade.write_text("{ }")
-    seen(trade)
-    source.write_text("2")
-    seen()
+    for path in (trade, source):
+        path.write_text("[]")
+        seen(trade)
     monkeypatch.setattr(finished, "version", lambda name: "0.0")
     seen()
     seen()

@@ -97,6 +97,7 @@ def test_a_false_formula_fails_at_a_point_and_its_negation_does_not():
     false = Formula(b, "<=", m1, fails_at({b: 2, m1: 1}), false=True)
     assert false.evidence().passed is True
     assert [wrong.evidence().passed for _, wrong in faults(false)] == [False]
+    assert Formula(b, "<=", m1, fails_at({m1: 1}), false=True).evidence().passed is None
 
 
 @pytest.mark.parametrize(

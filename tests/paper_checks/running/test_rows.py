@@ -121,6 +121,7 @@ def test_the_state_knows_seed_kernel_versions_and_sources(monkeypatch, tmp_path)
     source.write_text("1")
     monkeypatch.setattr(kept, "sources", lambda: [source])
     monkeypatch.setattr(kept.kernel, "why_not", lambda _: "")
+    monkeypatch.setattr(kept.kernel, "identity", lambda _: "a kind")
     states = [kept.state(0), kept.state(1)]
     source.write_text("2")
     states.append(kept.state(0))
