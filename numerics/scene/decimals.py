@@ -55,6 +55,14 @@ def exact_decimal(value: object, name: str) -> Fraction:
     raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; {remedy}")
 
 
+def positive(value: object, name: str, remedy: str = "") -> Fraction:
+    """Return an exact number > 0; raises InvalidScene, with what to do instead."""
+    found = exact_decimal(value, name)
+    if found <= 0:
+        raise InvalidScene(f"{name} = {short(found)} must be > 0; {remedy or f'give a positive {name}'}")
+    return found
+
+
 def keep(record: object, **values: Exact) -> None:
     """Store values in a frozen record, as exact rationals."""
     put(record, **{name: exact_decimal(value, name) for name, value in values.items()})
@@ -102,10 +110,10 @@ def require_whole(name: str, value: Any, least: int) -> None:
         raise ValueError(f"{name} = {str(value)[:40]} must be at least {least} and at most 2^62")
 
 
-def listed(name: str, values: Any) -> Iterable[Any]:
+def listed(name: str, values: Any, of: str = "") -> Iterable[Any]:
     """Return what an argument lists; raises InvalidScene for a number, and for a text, whose letters nobody means."""
     if isinstance(values, str) or not isinstance(values, Iterable):
-        raise InvalidScene(f"{name} = {str(values)[:40]!r} must be a list; write [...], also around one")
+        raise InvalidScene(f"{name} = {str(values)[:40]!r} must be a list{of}; write [...], also around one")
     return values
 
 

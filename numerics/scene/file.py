@@ -6,7 +6,7 @@ import difflib
 import os
 import sys
 import tomllib
-from collections.abc import Callable, Set
+from collections.abc import Callable
 from contextlib import nullcontext
 from importlib import resources
 from pathlib import Path
@@ -14,27 +14,27 @@ from typing import Any, cast
 
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
-from numerics.scene.decimals import exact_decimal
+from numerics.scene.decimals import exact_decimal, listed
 from numerics.scene.plane import PlaneScene, plane_scene
 from numerics.scene.weakening import two_coefficients
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
-_PIECE = {"from", "polynomial", "sines"}
-_REFERENCE = {"reference": _PIECE}
+_PIECE = "from polynomial sines"
+_REFERENCE = {"reference": ("", _PIECE)}
 _SCENE = {
-    "pair": {"m1", "m2", "a1", "a2", "b", "shape"},
-    "initial": {"x1", "v1", "x2", "v2"},
-    "run": {"law", "until"},
-    "weakening": {"speed", "last_slope", "place"},
-    "force": {*_PIECE, "axis"},
-    "friction": {"from", "b"},
+    "pair": ("m1 m2 a2 b", "a1 shape"),
+    "initial": ("", "x1 v1 x2 v2"),
+    "run": ("until", "law"),
+    "weakening": ("", "speed last_slope place"),
+    "force": ("", f"{_PIECE} axis"),
+    "friction": ("from b", ""),
 }
+"""The keys of each table: those that it must have, and others."""
+_SINE = ("amplitude omega", "phase")
 _REPEATED = {"force", "friction", "reference"}
 """Tables of which there may be many."""
 _TWO_COEFFICIENTS = {"b_s", "b_k", "b_static", "b_kinetic", "mu_s", "mu_k"}
-_SINE = {"amplitude", "omega", "phase"}
-_REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("run", "until"))
 _FOLDER = resources.files("numerics") / "scene"
 
 
@@ -129,9 +129,6 @@ def parse_scene(text: str, file: str = "") -> Scene:
     Raises InvalidScene.
     """
     tables = _tables(text, "scene", file, _SCENE)
-    for table, key in _REQUIRED:
-        if key not in tables.get(table, {}):
-            raise InvalidScene(f"missing key {key} in [{table}]; every scene must give it")
     pair, run = tables["pair"], tables["run"]
     initial, weakening, force = (tables.get(name, {}) for name in ("initial", "weakening", "force"))
     lists = [one for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
@@ -141,7 +138,7 @@ def parse_scene(text: str, file: str = "") -> Scene:
         pieces = [
             (one.get("axis", "x"), read) for one, read in zip(force, _read("force", tables, _force_piece), strict=True)
         ]
-        changes = _read("friction", tables, _start_and_b)
+        changes = [(one["from"], one["b"]) for one in tables.get("friction", ())]
         return cast("Scene", plane_scene(pair, initial, run, pieces, changes))
     return Scene(
         Pair(**pair),
@@ -150,14 +147,14 @@ def parse_scene(text: str, file: str = "") -> Scene:
         law=run.get("law", Law.FILIPPOV),
         force=Force(_read("force", tables, _force_piece)),
         friction=Friction(
-            _read("friction", tables, lambda one: Friction([_start_and_b(one)]).pieces[0]),
+            _read("friction", tables, lambda one: Friction([(one["from"], one["b"])]).pieces[0]),
             Weakening(**weakening) if "weakening" in tables else None,
         ),
     )
 
 
-def _tables(text: str, what: str, file: str, known: dict[str, set[str]]) -> dict[str, Any]:
-    """Return the tables of a text, whose names and keys are known."""
+def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) -> dict[str, Any]:
+    """Return the tables of a text, whose names and keys are known, with all keys that they must have."""
     try:
         # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
         tables = tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
@@ -165,17 +162,18 @@ def _tables(text: str, what: str, file: str, known: dict[str, set[str]]) -> dict
         reason = " ".join(str(error).split())[:200]
         raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}") from None
     shown = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
-    for name, content in tables.items():
+    for name in tables:
         if name not in known:
             raise InvalidScene(f"unknown table or key [{name[:40]!r}]; a {what} has {', '.join(shown.values())}")
-        if name in _REPEATED and not isinstance(content, list):
+    for name, keys in known.items():
+        if name not in _REPEATED:
+            _require_keys(tables.get(name, {}), keys, shown[name])
+        elif not isinstance(tables.get(name, []), list):
             raise InvalidScene(
                 f"{name} must be tables of its pieces; write {shown[name]} on a line of its own for each"
             )
-        for one in content if name in _REPEATED else [content]:
-            if not isinstance(one, dict):
-                raise InvalidScene(f"{name} must be a table; write {shown[name]} on a line of its own")
-            _require_known(one, known[name], shown[name])
+        for number, one in enumerate(tables.get(name, ()) if name in _REPEATED else (), start=1):
+            _require_keys(one, keys, f"{shown[name]} number {number}")
     return tables
 
 
@@ -191,35 +189,23 @@ def _read(name: str, tables: dict[str, Any], read: Callable[[dict[str, Any]], An
 
 
 def _force_piece(table: dict[str, Any]) -> Piece:
-    sines = []
-    for one in _list(table, "sines"):
-        if not isinstance(one, dict):
-            raise InvalidScene("a sine must be { amplitude = A, omega = W, phase = P }")
-        _require_known(one, _SINE, "a sine")
-        sines.append(Sine(_given(one, "amplitude", "a sine"), _given(one, "omega", "a sine"), one.get("phase", 0)))
-    return Piece(exact_decimal(table.get("from", 0), "from"), _list(table, "polynomial"), sines)
+    sines = listed("sines", table.get("sines", ()))
+    for one in sines:
+        _require_keys(one, _SINE, "a sine { amplitude = A, omega = W, phase = P }")
+    start = exact_decimal(table.get("from", 0), "from")
+    return Piece(start, table.get("polynomial", ()), [Sine(**one) for one in sines])
 
 
-def _start_and_b(table: dict[str, Any]) -> tuple[Any, Any]:
-    return _given(table, "from", "friction"), _given(table, "b", "friction")
-
-
-def _list(table: dict[str, Any], key: str) -> list[Any]:
-    found = table.get(key, [])
-    if not isinstance(found, list):
-        raise InvalidScene(f"{key} must be a list; write {key} = [...]")
-    return found
-
-
-def _given(table: dict[str, Any], key: str, where: str) -> Any:
-    if key not in table:
-        raise InvalidScene(f"missing key {key} in {where}; give it")
-    return table[key]
-
-
-def _require_known(content: dict[str, Any], keys: Set[str], where: str) -> None:
+def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
+    """Raise InvalidScene unless a table has the keys that it must have, and no unknown ones."""
+    required, known = keys[0].split(), " ".join(sorted(" ".join(keys).split()))
+    if not isinstance(content, dict):
+        raise InvalidScene(f"{where} must be a table with the keys {known}, each table on a line of its own")
     for key in content:
         if key in _TWO_COEFFICIENTS:
             raise two_coefficients(key)
-        if key not in keys:
-            raise InvalidScene(f"unknown key {key[:40]!r} in {where}; it takes {', '.join(sorted(keys))}")
+        if key not in known.split():
+            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; it takes {known}")
+    for key in required:
+        if key not in content:
+            raise InvalidScene(f"{where}: missing key {key}; give it")

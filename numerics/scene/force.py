@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import zip_longest
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, listed, put, short
+from numerics.scene.decimals import Exact, exact_decimal, listed, positive, put, short
 from numerics.scene.pieces import Piece, Sine, require_order
 from numerics.scene.short_repr import ShortRepr
 
@@ -82,7 +82,7 @@ class Force(ShortRepr):
     @classmethod
     def sweep(cls, amplitude: Exact, omegas: Iterable[Exact], duration: Exact, start: Exact = 0) -> Force:
         """Return a staircase of sines, `duration` (s) each, whose phase goes on without a jump; the last one stays."""
-        length = _length(exact_decimal(duration, "duration"), "duration")
+        length = _length(duration, "duration")
         at, phase, before, pieces = exact_decimal(start, "start"), Fraction(0), Fraction(0), []
         for one in listed("omegas", omegas):
             omega = exact_decimal(one, "omega")
@@ -163,7 +163,5 @@ def _summed(one: Piece, two: Piece) -> Piece:
     return Piece(one.start, coefficients, [Sine(amplitude, *key) for key, amplitude in sines.items()])
 
 
-def _length(value: Fraction, name: str) -> Fraction:
-    if value <= 0:
-        raise InvalidScene(f"{name} = {short(value)} must be > 0; give a duration in seconds")
-    return value
+def _length(value: Exact, name: str) -> Fraction:
+    return positive(value, name, "give a duration in seconds")

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, keep, put, short
+from numerics.scene.decimals import Exact, keep, positive, put, short
 from numerics.scene.force import Force
 from numerics.scene.pieces import Friction
 from numerics.scene.short_repr import ShortRepr
@@ -52,10 +52,9 @@ class Pair(ShortRepr):
 
     def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0) -> None:
         """Read every parameter as an exact decimal and check its bound."""
-        keep(self, m1=m1, m2=m2, a2=a2, b=b, a1=a1)
-        for name in ("m1", "m2", "a2", "b"):
-            if getattr(self, name) <= 0:
-                raise InvalidScene(f"{name} = {short(getattr(self, name))} must be > 0; give a positive {name}")
+        keep(self, a1=a1)
+        for name, value in (("m1", m1), ("m2", m2), ("a2", a2), ("b", b)):
+            put(self, **{name: positive(value, name)})
         if self.a1 < 0:
             raise InvalidScene(f"a1 = {short(self.a1)} must be >= 0; leave it out for an undamped pair")
 
@@ -107,6 +106,7 @@ def require_kind(asking: str, value: object, kind: type, remedy: str) -> None:
         raise TypeError(f"{asking} takes a {kind.__name__}, not {type(value).__name__}; {remedy}")
 
 
+HORIZON = "give the horizon in seconds"
 BUILD = "build Scene(Pair(...), State(...), until=...), or take load_scene(...)"
 NO_FORCE, SAME_FRICTION = Force(), Friction()
 
@@ -153,9 +153,7 @@ class Scene(ShortRepr):
                 given = f"{str(part)[:40]!r}, {type(part).__name__}"
                 raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
-        keep(self, until=until)
-        if self.until <= 0:
-            raise InvalidScene(f"until = {short(self.until)} must be > 0; give the horizon in seconds")
+        put(self, until=positive(until, "until", HORIZON))
 
     @classmethod
     def of(

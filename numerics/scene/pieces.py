@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, keep, listed, put, short
+from numerics.scene.decimals import Exact, exact_decimal, keep, listed, positive, put, short
 from numerics.scene.short_repr import ShortRepr
 from numerics.scene.weakening import Weakening
 
@@ -32,11 +32,8 @@ class Sine(ShortRepr):
 
     def __init__(self, amplitude: Exact, omega: Exact, phase: Exact = 0) -> None:
         """Read the numbers; raises InvalidScene unless omega > 0."""
-        keep(self, amplitude=amplitude, omega=omega, phase=phase)
-        if self.omega <= 0:
-            raise InvalidScene(
-                f"omega = {short(self.omega)} of a sine must be > 0; write a constant as polynomial = [u]"
-            )
+        keep(self, amplitude=amplitude, phase=phase)
+        put(self, omega=positive(omega, "omega", "write a constant as polynomial = [u]"))
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
@@ -104,9 +101,7 @@ class Friction(ShortRepr):
         kept = []
         for one in listed("pieces", pieces):
             start, b = two_of(one)
-            kept.append((not_before_zero("a piece of friction", start), exact_decimal(b, "b")))
-            if kept[-1][1] <= 0:
-                raise InvalidScene(f"b = {short(kept[-1][1])} must be > 0; give a positive b")
+            kept.append((not_before_zero("a piece of friction", start), positive(b, "b")))
         require_order("friction", [start for start, _ in kept])
         put(self, pieces=tuple(kept), weakening=weakening)
 

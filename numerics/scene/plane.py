@@ -7,7 +7,7 @@ on the axes x, y and, with three, the angle phi (rad; its m are moments of inert
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -16,9 +16,10 @@ from typing import Any
 from flint import fmpq, fmpq_mat
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
+from numerics.scene import decimals
+from numerics.scene.decimals import Exact, exact_decimal, listed, put, short
 from numerics.scene.force import Force
-from numerics.scene.model import NO_FORCE, Law, read_law
+from numerics.scene.model import HORIZON, NO_FORCE, Law, read_law
 from numerics.scene.pieces import Piece, not_before_zero, require_order, two_of
 from numerics.scene.short_repr import ShortRepr
 
@@ -130,16 +131,14 @@ class PlaneScene(ShortRepr):
         """Check the parts; raises InvalidScene."""
         if not isinstance(pair, PlanePair):
             raise InvalidScene(f"pair must be a PlanePair, not {type(pair).__name__}; build it first")
-        n, forces = pair.axes, _sequence(force, "force", "one Force for each axis, as [Force.sine(1, 5), Force()]")
+        n, forces = pair.axes, tuple(listed("force", force, " of one Force for each axis"))
         if not all(isinstance(one, Force) for one in forces):
             raise InvalidScene("force must be a list of one Force for each axis; build them first")
         if len(forces) > n:
             raise InvalidScene(f"{len(forces)} forces for {n} axes; give one Force for each axis")
-        keep(self, until=until)
-        if self.until <= 0:
-            raise InvalidScene(f"until = {short(self.until)} must be > 0; give the horizon in seconds")
+        put(self, until=decimals.positive(until, "until", HORIZON))
         state = {name: vector(one, name, n) for name, one in (("x1", x1), ("v1", v1), ("x2", x2), ("v2", v2))}
-        pairs = map(two_of, _sequence(friction, "friction", 'pairs (start, b), as [("0.5", "0.4")]'))
+        pairs = map(two_of, listed("friction", friction, " of pairs (start, b)"))
         changes = tuple((not_before_zero("a piece of friction", start), positive(b, "b", n)) for start, b in pairs)
         require_order("friction", [start for start, _ in changes])
         put(self, pair=pair, force=forces + (NO_FORCE,) * (n - len(forces)), friction=changes, **state)
@@ -164,13 +163,6 @@ def _listed(given: Any) -> Any:
     """Return a list for a tuple or an array, and everything else as it is."""
     made = given.tolist() if hasattr(given, "tolist") else given
     return list(made) if isinstance(made, tuple) else made
-
-
-def _sequence(given: Any, name: str, of: str) -> tuple[Any, ...]:
-    """Return the parts of what is a sequence of them, no text and no table."""
-    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
-        raise InvalidScene(f"{name} = {str(given)[:40]!r} must be a list of {of}")
-    return tuple(given)
 
 
 def vector(given: Any, name: str, n: int) -> Vector:
