@@ -14,7 +14,7 @@ from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.columns import Array
 from numerics.trajectory.dense import Dense, Side
-from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
+from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
@@ -60,23 +60,15 @@ class Solution(Rows):
             damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
         return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
 
-    @property
+    @cached_property
     def accuracy(self) -> Accuracy | None:
         """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
-        return self._accuracy if self.bounded else None
-
-    @cached_property
-    def _judged(self) -> tuple[Any, float, float, int]:
-        return judged(self)
-
-    @cached_property
-    def _accuracy(self) -> Accuracy:
-        return accuracy_of(self, self._judged)
+        return accuracy_of(self) if self.bounded else None
 
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
-        return self._judged[3] if self.bounded else 0
+        return self.accuracy.digits if self.accuracy else 0
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
@@ -92,12 +84,12 @@ class Solution(Rows):
     @property
     def t(self) -> Array:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return self._table[0] if self.t_eval is None else self._asked_times
+        return self._table[1][0] if self.t_eval is None else self._asked_times
 
     @property
     def y(self) -> Array:
         """Return the states at `t`, shape (4, m)."""
-        return self._table[1:] if self.t_eval is None else self._asked_states
+        return self._table[1][1:] if self.t_eval is None else self._asked_states
 
     @cached_property
     def _asked_states(self) -> Array:
@@ -114,7 +106,7 @@ class Solution(Rows):
         return self._by_kind(self.event_states.T)
 
     def _by_kind(self, events: Array) -> tuple[Array, ...]:
-        sticks = self.columns.code("mode")[self._starts] == 0
+        sticks = self.columns.code("mode")[self._table[0]] == 0
         before, after = sticks[:-1], sticks[1:]
         return events[after], events[before], events[~(before | after)]
 
@@ -138,7 +130,7 @@ class Solution(Rows):
 
     def end_bounds(self) -> tuple[float, ...]:
         """Return bounds on the errors of time, state, energy and excess at the end, of numbers that have them."""
-        found, late = self._accuracy, abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
+        found, late = accuracy_of(self), abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
         late += 0.0 if self.reached else float(found.t[-1])
         return late, *found.final, found.energy, found.energy_excess
 
@@ -192,7 +184,7 @@ class Solution(Rows):
     def segments(self) -> tuple[Segment, ...]:
         """Return the segments."""
         first = [0, *self.event_rows.tolist(), *([len(self.record.rows)] if self.reached else [])]
-        t, lengths = [*self._table[0].tolist(), self.end_time], self.row_lengths
+        t, lengths = [*self._table[1][0].tolist(), self.end_time], self.row_lengths
         found = []
         with self.context():
             for k, (mode, start, after) in enumerate(zip(self.modes, first, first[1:], strict=False)):
