@@ -35,69 +35,76 @@ _STATE = tuple(((place, Fraction(1)),) for place in range(4))
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 
-class Dense:
-    """The dense evaluation of one trajectory; to be used in its arithmetic's context."""
+class Evaluated(Rows):
+    """A run at any time."""
 
-    def __init__(self, trajectory: Rows) -> None:
-        """Evaluate this trajectory."""
-        self.of, self.arithmetic = trajectory, trajectory.arithmetic
-        self.in_floats, self.is_ball = self.arithmetic.name == "float64", self.arithmetic.name == "ball"
-        self.motion = cache(self._motion)
-        """The motion of a row's segment; not for binary64."""
-
-    def times(self, t: Any) -> Array:
+    def _times(self, t: Any) -> Array:
         """Return times (s) as numbers of the arithmetic, in their shape. Raises ValueError outside [0, end]."""
         try:
             given = np.asarray(t)
         except ValueError:
             raise ValueError("t must be a time in seconds or an array of times; its rows differ in length") from None
-        if self.in_floats and given.dtype.kind in "fiu" and ((given >= 0) & (given <= self.of.end_time)).all():
+        if self._in_floats and given.dtype.kind in "fiu" and ((given >= 0) & (given <= self.end_time)).all():
             return given.astype(float)
-        each = np.vectorize(self.time, otypes=[float if self.in_floats else object])
+        each = np.vectorize(self._time, otypes=[float if self._in_floats else object])
         return np.asarray(each(np.asarray(t, dtype=object)))
 
-    def time(self, t: Any) -> Number:
+    def _time(self, t: Any) -> Number:
         """Return a time as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
-        own, to_float = not self.in_floats and isinstance(t, type(self.of.end_time)), self.arithmetic.to_float
-        end, until = to_float(self.of.end_time), self.of.scene.until if self.of.reached else Fraction(0)
+        own, to_float = not self._in_floats and isinstance(t, type(self.end_time)), self.arithmetic.to_float
+        end, until = to_float(self.end_time), self.scene.until if self.reached else Fraction(0)
         exact: Any = to_float(t) if own else exact_time(t)
         if not 0 <= exact <= max(until, Fraction(end)):
             shown = self.arithmetic.text(t) if own else str(t)[:40]
             raise ValueError(f"t = {shown} s is outside the solved time [0, {end:g}] s; solve further")
         return t if own else self.arithmetic.number(exact)
 
-    def middles(self, times: Array) -> Array:
+    def _middles(self, times: Array) -> Array:
         """Return times themselves, or midpoints of balls: floats would not tell the ends of a short slip apart."""
-        return np.array([one.mid() for one in times], dtype=object) if self.is_ball else times
+        return np.array([one.mid() for one in times], dtype=object) if self._is_ball else times
 
     @cached_property
-    def starts(self) -> Array:
+    def _row_points(self) -> Array:
         """Return when each row's segment begins, s, as points: those of the events, so that each finds its segments."""
-        return self.middles(self.of.row_times)
+        return self._middles(self.row_times)
 
-    def rows(self, times: Array, side: Side) -> Counts:
+    def _rows(self, times: Array, side: Side) -> Counts:
         """Return the row whose segment holds each time; at an event that on the given side."""
         require_side(side)
-        return np.maximum(np.searchsorted(self.starts, self.middles(times), side=side) - 1, 0)
+        return np.maximum(np.searchsorted(self._row_points, self._middles(times), side=side) - 1, 0)
 
-    def states(self, t: Any, side: Side) -> Array:
-        """Return (x1, v1, x2, v2) at the times, shape (4, ...)."""
-        given = self.times(t)
-        return self._at(self.flow, given.ravel(), side).reshape(4, *given.shape)
+    def sol(self, t: Any, side: Side = "right") -> Array:
+        """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
 
-    def excess(self, t: Any, side: Side) -> Number:
+        t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
+        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
+        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
+        outside [0, end].
+        """
+        with self.context():
+            given = self._times(t)
+            return self._at(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
+
+    def mode_at(self, t: Any, side: Side = "right") -> Any:
+        """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
+        with self.context():
+            given = self._times(t)
+            found = [MODES[sign] for sign in self.row_signs[self._rows(given.ravel(), side)]]
+        return np.array(found, dtype=object).reshape(given.shape)[()]
+
+    def _excess(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
 
         What friction and viscosity took since the last event is subtracted from what it was there.
         """
-        times, unit = self.times(t).reshape(1), self.of.frame.critical_energy
-        carried = self.of.columns.numbers("excess")
-        first = carried[self.rows(times, side)[0]]
-        if first is None or (self.of.bounded and math.isnan(first)):
+        times, unit = self._times(t).reshape(1), self.frame.critical_energy
+        carried = self.columns.numbers("excess")
+        first = carried[self._rows(times, side)[0]]
+        if first is None or (self.bounded and math.isnan(first)):
             return None
 
         def left(rows: Counts, since: Array) -> Array:
-            friction, viscous, _ = self.losses(rows, since)
+            friction, viscous, _ = self.row_losses(rows, since)
             return np.asarray(carried[rows] - (friction + viscous) / unit)
 
         found: Number = self._at(left, times, side).tolist()[0]
@@ -108,9 +115,9 @@ class Dense:
 
         Where balls leave open which segment holds a time, all that may hold it answer.
         """
-        rows, starts, found = self.rows(times, side), self.of.row_times, []
-        if not self.is_ball:
-            return function(rows, self.since(times, rows))
+        rows, starts, found = self._rows(times, side), self.row_times, []
+        if not self._is_ball:
+            return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
             while first > 0 and not starts[first] < time:
@@ -121,48 +128,35 @@ class Dense:
             found.append(reduce(_union, function(held, time - starts[held]).T))
         return _columns(found)
 
-    def since(self, times: Array, rows: Counts) -> Array:
+    def _since(self, times: Array, rows: Counts) -> Array:
         """Return how long after the starts of their rows times are, s."""
-        if not self.in_floats:
-            return np.asarray(times - self.of.row_times[rows])
-        starts = np.array([float(piece.start) for piece in self.of.pieces])
-        local, low = self.of.record.rows[rows, AT["local"] : AT["length"]].T  # low halves keep short slips apart
-        return np.asarray(np.maximum((times - starts[self.of.row_pieces[rows]]) - local - low, 0.0))
+        if not self._in_floats:
+            return np.asarray(times - self.row_times[rows])
+        starts = np.array([float(piece.start) for piece in self.pieces])
+        local, low = self.record.rows[rows, AT["local"] : AT["length"]].T  # low halves keep short slips apart
+        return np.asarray(np.maximum((times - starts[self.row_pieces[rows]]) - local - low, 0.0))
 
-    def flow(self, rows: Counts, since: Array) -> Array:
-        """Return the states at times (s) after the starts of rows, shape (4, n)."""
-        if self.in_floats:
-            return np.asarray(self.of.row_states[:, rows] + over_rows(moved, self.of, rows, since))
-        return _columns([self.motion(row).after(tau) for row, tau in zip(rows.tolist(), since, strict=True)])
+    def row_flow(self, rows: Counts, since: Array) -> Array:
+        """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
+        if self._in_floats:
+            return np.asarray(self.row_states[:, rows] + over_rows(moved, self, rows, since))
+        return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows.tolist(), since, strict=True)])
 
-    def losses(self, rows: Counts, since: Array) -> Array:
+    def row_losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
-        if self.in_floats:
-            return over_rows(losses, self.of, rows, since)
-        return _columns([self.motion(row).losses(tau) for row, tau in zip(rows.tolist(), since, strict=True)])
+        if self._in_floats:
+            return over_rows(losses, self, rows, since)
+        return _columns([self.row_motion(row).losses(tau) for row, tau in zip(rows.tolist(), since, strict=True)])
 
-    def _motion(self, row: int) -> Moving:
-        of = self.of
-        mode, start = of.row_mode(of.row_modes[1][row]), of.row_times[row]
-        return Moving(self.arithmetic, mode, of.row_states[:, row].tolist(), start)
+    @cached_property
+    def row_motion(self) -> Callable[[int], Moving]:
+        """Return what gives the motion of a row's segment; not for binary64."""
 
-    def after(self, rows: range, since: Number) -> tuple[Number, Number, Number, Number]:
-        """Return the state at `since` (s) after the start of a segment that consists of rows."""
-        row = rows[0]
-        for later in rows[1:]:  # pieces of force begin within
-            before = self.of.row_lengths[row]
-            here, last = self.middles(np.array([since, before]))
-            if here <= last:
-                break
-            row, since = later, since - before
-        x1, v1, x2, v2 = self.flow(np.array([row]), np.array([since]))[:, 0].tolist()
-        return x1, v1, x2, v2
+        def motion(row: int) -> Moving:
+            mode, state = self.row_mode(self.row_modes[1][row]), self.row_states[:, row].tolist()
+            return Moving(self.arithmetic, mode, state, self.row_times[row])
 
-    def mode(self, t: Any, side: Side) -> Any:
-        """Return the modes at the times: a Mode, or an object array."""
-        given = self.times(t)
-        found = [MODES[sign] for sign in self.of.row_signs[self.rows(given.ravel(), side)]]
-        return np.array(found, dtype=object).reshape(given.shape)[()]
+        return cache(motion)
 
 
 def _columns(found: list[Any]) -> Array:

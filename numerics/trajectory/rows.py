@@ -28,6 +28,7 @@ class Rows(Answer):
         """Keep what a run wrote."""
         self._given, self.arithmetic, self.record = scene, arithmetic, record
         self.bounded = arithmetic.name in {"float64", "double-double"}
+        self._in_floats, self._is_ball = arithmetic.name == "float64", arithmetic.name == "ball"
 
     @property
     def scene(self) -> Scene:
@@ -91,7 +92,7 @@ class Rows(Answer):
         local = self.columns.numbers("local")
         if not self.row_pieces.any():
             return local
-        if self.arithmetic.name == "float64":
+        if self._in_floats:
             return np.asarray(starts_of(self.scene)[self.row_pieces] + local)
         with self.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
@@ -117,7 +118,7 @@ class Rows(Answer):
     def _table(self) -> tuple[Counts, Array]:
         """Return the rows at which segments start, and t, x1, v1, x2, v2 there and at a horizon that was reached."""
         record, count = self.record, self.record.events + 1
-        if self.arithmetic.name == "float64":
+        if self._in_floats:
             read = compiled(tabulate) if compiles_now() else tabulate
             return read(record.rows, record.end, count, starts_of(self.scene), float(self.scene.until), self.reached)
         at = np.append(0, self.event_rows)

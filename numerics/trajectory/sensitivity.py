@@ -196,11 +196,9 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     until = math.inf if trajectory.reached else arithmetic.to_float(trajectory.event_times[-1])
     if scene.is_forced and (what := corner(scene, pieces_of(scene), until)) is not None:
         raise NotDifferentiable(f"this scene has no derivatives: {what}; move it by a little")
-    balls: Trajectory | None = None
-    wanted: int | None = 17 if arithmetic.name == "float64" else arithmetic.digits
-    digits = arithmetic.digits + 17
-    if arithmetic.name == "ball":
-        wanted, balls, digits = trajectory.digits, trajectory, arithmetic.digits
+    balls = trajectory if arithmetic.name == "ball" else None
+    wanted = (trajectory.digits or 0) if balls else 17 if arithmetic.name == "float64" else arithmetic.digits
+    digits = arithmetic.digits + (0 if balls else 17)
     for attempt in range(_TRIES):
         try:
             # one event more than were found shows a lost one
@@ -215,12 +213,11 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
         with precision(Ball(digits).bits + _GUARD_BITS):
             found = asked(balls, Chain(scene, legs(balls), tuple(parameters(scene))))
             right = _right_digits(found, digits)
-        if wanted is None or right >= wanted:
+        if right >= wanted:
             break
         balls, digits = None, max(digits + wanted - right + 3, 2 * digits if attempt else 0)
-    for one in (one for array in found for one in array.flat):
-        if not one.is_finite():
-            raise EventUndecided("has the scene this derivative?", str(one), digits)
+    if wrong := [one for array in found for one in array.flat if not one.is_finite()]:
+        raise EventUndecided("has the scene this derivative?", str(wrong[0]), digits)
     return found
 
 

@@ -13,21 +13,20 @@ from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.columns import Array
-from numerics.trajectory.dense import Dense, Side
+from numerics.trajectory.dense import Evaluated, Side
 from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
-from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
 
 
-class Solution(Rows):
+class Solution(Evaluated):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
 
     def look_up_times(self) -> None:
         """Raise ValueError for times in t_eval that are outside the run."""
         if self.t_eval is not None:
             with self.context():
-                self._asked_times = self.dense.times(self.t_eval)
+                self._asked_times = self._times(self.t_eval)
 
     @property
     def status(self) -> Status:  # type: ignore[override]
@@ -52,7 +51,7 @@ class Solution(Rows):
     @property
     def phase_lost(self) -> bool:
         """Return whether the last segment of a free motion turns through more radians than points have digits for."""
-        if self.arithmetic.name == "ball" or self.scene.is_forced:
+        if self._is_ball or self.scene.is_forced:
             return False
         with self.context():
             angle = self.frame.rate * self.columns.last("length")[0]
@@ -167,7 +166,7 @@ class Solution(Rows):
     def ledger(self) -> EnergyLedger:
         """Return the energy ledger of the whole run, with the work of u."""
         with self.context():
-            return ledger_of(self.dense)
+            return ledger_of(self)
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
@@ -189,31 +188,10 @@ class Solution(Rows):
         with self.context():
             for k, (mode, start, after) in enumerate(zip(self.modes, first, first[1:], strict=False)):
                 length = sum(lengths[start + 1 : after], lengths[start])
-                found.append(Segment(mode, t[k], t[k + 1], length, range(start, after), self.dense))
+                found.append(Segment(mode, t[k], t[k + 1], length, range(start, after), self))
         return tuple(found)
-
-    @cached_property
-    def dense(self) -> Dense:
-        """Return the evaluation at any time."""
-        return Dense(self)
-
-    def sol(self, t: Any, side: Side = "right") -> Array:
-        """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
-
-        t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
-        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
-        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
-        outside [0, end].
-        """
-        with self.context():
-            return self.dense.states(t, side)
 
     def reduced(self, t: Any, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
         with self.context():
-            return self._reduced(self.dense.states(t, side), self.dense.excess(t, side))
-
-    def mode_at(self, t: Any, side: Side = "right") -> Any:
-        """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
-        with self.context():
-            return self.dense.mode(t, side)
+            return self._reduced(self.sol(t, side), self._excess(t, side))
