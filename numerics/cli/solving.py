@@ -44,7 +44,7 @@ def solve_scene(options: argparse.Namespace) -> int:
         print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
     if options.npz is not None:
         from numerics.trajectory.export import write_npz
-        from numerics.trajectory.sensitivity_export import sensitivity_arrays
+        from numerics.trajectory.sensitivity import sensitivity_arrays
 
         write_npz(trajectory, options.npz, sensitivity_arrays(trajectory) if options.sensitivity else None)
     elif options.proof is not None:
@@ -108,7 +108,7 @@ def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) ->
     elif options.json:
         found = record(trajectory)
         if options.sensitivity:
-            from numerics.trajectory.sensitivity_export import add_sensitivities
+            from numerics.trajectory.sensitivity import add_sensitivities
 
             add_sensitivities(found, trajectory)
         print(json.dumps(found, indent=1))
@@ -116,7 +116,7 @@ def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) ->
         whole = options.all or not sys.stdout.isatty()
         print("\n".join(_table(trajectory, _of_a_surface if on_surface else _of_a_line, whole=whole)))
         if options.sensitivity:
-            from numerics.trajectory.sensitivity_export import sensitivity_table
+            from numerics.trajectory.sensitivity import sensitivity_table
 
             print(sensitivity_table(trajectory))
 

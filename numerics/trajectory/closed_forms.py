@@ -8,9 +8,8 @@ a slip, and that of the slip which follows a stick.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
-from functools import partial
 from typing import Any, NamedTuple
 
 from mpmath.ctx_iv import MPIntervalContext
@@ -19,6 +18,8 @@ from numerics.linear.modes import Mode
 from numerics.linear.pieces import particular
 from numerics.scene import Pair, Scene
 
+INTERVALS = MPIntervalContext()
+"""In which all of it is formed; its precision is that of the file which is written."""
 SHORT = 2.0**-11
 """How long an interval is at most whose sine the kernel bounds by its middle and its slope."""
 SIGN_BITS = (20, 28, 44, 60, 92, 124)
@@ -61,16 +62,16 @@ class Steady(NamedTuple):
     polynomial: tuple[Fraction, ...] = ()
     tones: tuple[Tone, ...] = ()
 
-    def __call__(self, on: Any, t: Any) -> Any:
-        """Return the value at t, over a context of intervals of mpmath."""
-        number = partial(exactly, on)
-        value, after = on.mpf(0), t - number(self.since)
+    def __call__(self, t: Any) -> Any:
+        """Return the value at t."""
+        value, after = INTERVALS.mpf(0), t - number(self.since)
         for coefficient in reversed(self.polynomial):
             value = number(coefficient) + after * value
         for tone in self.tones:
-            angle = number(tone.turn) * t + number(tone.phase)
-            value += (number(tone.in_sine) + number(tone.rise_sine) * t) * bounded(on.sin, angle)
-            value += (number(tone.in_cosine) + number(tone.rise_cosine) * t) * bounded(on.cos, angle)
+            in_sine, in_cosine, rise_sine, rise_cosine, turn, phase = map(number, tone)
+            sine, cosine = sine_cosine(turn * t + phase)
+            value += (in_sine + rise_sine * t) * sine
+            value += (in_cosine + rise_cosine * t) * cosine
         return value
 
     def slope(self) -> Steady:
@@ -79,14 +80,20 @@ class Steady(NamedTuple):
         return Steady(self.since, slope, tuple(tone.slope() for tone in self.tones))
 
 
-def exactly(on: Any, one: Fraction) -> Any:
-    """Return an exact number in a context of intervals of mpmath."""
-    return on.mpf(one.numerator) / on.mpf(one.denominator)
+def number(one: Fraction) -> Any:
+    """Return the interval of an exact number."""
+    return INTERVALS.mpf(one.numerator) / INTERVALS.mpf(one.denominator)
 
 
-def bounded(function: Callable[[Any], Any], angle: Any) -> Any:
-    """Return a sine or cosine over an interval, a short one by its middle and its slope, as the kernel does."""
-    return function(angle) if angle.delta > SHORT else function(angle.mid) + (angle - angle.mid)
+def hull(low: Fraction, high: Fraction) -> Any:
+    """Return the interval from one number to another."""
+    return INTERVALS.mpf([number(low).a, number(high).b])
+
+
+def sine_cosine(angle: Any) -> Any:
+    """Yield sine and cosine over an interval, a short one by its middle and its slope, as the kernel does."""
+    for function in (INTERVALS.sin, INTERVALS.cos):
+        yield function(angle) if angle.delta > SHORT else function(angle.mid) + (angle - angle.mid)
 
 
 class Spell(NamedTuple):
@@ -153,7 +160,6 @@ class Wave(NamedTuple):
     C'' = -square C and S' = C.
     """
 
-    on: Any
     still: Value
     drift: Value
     even: Value
@@ -165,18 +171,17 @@ class Wave(NamedTuple):
 
     def __call__(self, u: Value) -> Value:
         """Return the value at u."""
-        on, (decay, _, side, root) = self.on, self.swing
+        exp, (decay, _, side, root) = INTERVALS.exp, self.swing
         if side > 0:
-            phase = root * u
-            cosine, sine = (bounded(function, phase) for function in (on.cos, on.sin))
-            swung = on.exp(-(decay * u)) * (self.even * cosine + self.odd * (sine / root))
+            sine, cosine = sine_cosine(root * u)
+            swung = exp(-(decay * u)) * (self.even * cosine + self.odd * (sine / root))
         elif side == 0:
-            swung = on.exp(-(decay * u)) * (self.even + self.odd * u)
+            swung = exp(-(decay * u)) * (self.even + self.odd * u)
         else:
             other = self.odd / root
-            swung = (self.even + other) / 2 * on.exp(-((decay - root) * u))
-            swung += (self.even - other) / 2 * on.exp(-((decay + root) * u))
-        return self.still + self.drift * u + self.sign * swung + self.sign * self.answer(self.on, self.clock + u)
+            swung = (self.even + other) / 2 * exp(-((decay - root) * u))
+            swung += (self.even - other) / 2 * exp(-((decay + root) * u))
+        return self.still + self.drift * u + self.sign * swung + self.sign * self.answer(self.clock + u)
 
     def slope(self) -> Wave:
         """Return the derivative, a wave."""
@@ -187,70 +192,61 @@ class Wave(NamedTuple):
 
 
 class Forms:
-    """What a pair does in one spell of force and friction after another, over `on`: a context of intervals."""
+    """What a pair does in one spell of force and friction after another."""
 
     def __init__(self, pair: Pair, most: int) -> None:
         """Compute with so many bits at most."""
         self.sign_bits, self.parts = SIGN_BITS[0], PARTS
-        self.pair, self.bits, self.on = pair, most, MPIntervalContext()
-        self.on.prec = most
+        self.pair, self.bits, INTERVALS.prec = pair, most, most
 
     def begin(self, spell: Spell) -> None:
         """Read the exact parameters of a spell; whether damping is below its critical value is decided exactly."""
         pair, self.spell = self.pair, spell
-        self.a1, self.a2, self.b = (self.number(one) for one in (pair.a1, pair.a2, spell.friction))
-        self.mass = self.number(pair.mass)
-        self.gained = self.number(spell.friction / pair.m2)
-        self.edge_load = self.number(spell.friction * pair.mass / pair.m2)
+        self.a1, self.a2, self.b, self.mass = map(number, (pair.a1, pair.a2, spell.friction, pair.mass))
+        self.gained = number(spell.friction / pair.m2)
+        self.edge_load = number(spell.friction * pair.mass / pair.m2)
         self.alone, self.together = (self._swing(mass) for mass in (pair.m1, pair.mass))
-
-    def number(self, value: Fraction) -> Value:
-        """Return an exact number in the context."""
-        return exactly(self.on, value)
 
     def _swing(self, mass: Fraction) -> Swing:
         decay = self.pair.a1 / (2 * mass)
         square = self.pair.a2 / mass - decay * decay
-        root = self.on.sqrt(self.number(abs(square)))
-        return Swing(self.number(decay), self.number(square), (square > 0) - (square < 0), root)
+        root = INTERVALS.sqrt(number(abs(square)))
+        return Swing(number(decay), number(square), (square > 0) - (square < 0), root)
 
-    def _about(self, centre: Value, at: State, swing: Swing, answer: Steady) -> Wave:
-        """Return the swing about a place from a state."""
-        away = at.x1 - centre - answer(self.on, at.t)
-        odd = at.v1 - answer.slope()(self.on, at.t) + swing.decay * away
-        return Wave(self.on, centre, self.on.mpf(0), away, odd, swing, at.t, answer)
+    def path(self, mode: Mode, at: State) -> Wave:
+        """Return body 1's place from a state on, m."""
+        swing, answer = (self.alone, self.spell.alone) if mode.sign else (self.together, self.spell.together)
+        centre = -mode.sign * self.b / self.a2
+        away = at.x1 - centre - answer(at.t)
+        odd = at.v1 - answer.slope()(at.t) + swing.decay * away
+        return Wave(centre, INTERVALS.mpf(0), away, odd, swing, at.t, answer)
 
-    def slide(self, k: int, at: State) -> Wave:
-        """Return body 1's place in a slip, m."""
-        return self._about(-k * self.b / self.a2, at, self.alone, self.spell.alone)
-
-    def driven(self, k: int, v2: Value, u: Value) -> Value:
-        """Return body 2's velocity in a slip, m/s."""
-        return v2 + k * self.gained * u
-
-    def stuck(self, at: State) -> Wave:
-        """Return body 1's place in a stick, m."""
-        return self._about(self.on.mpf(0), at, self.together, self.spell.together)
+    def moved(self, mode: Mode, at: State, u: Value, ends: int = 0) -> State:
+        """Return the state a time later; where a mode ends, a stick towards `ends`, both velocities are equal."""
+        t, path = at.t + u, self.path(mode, at)
+        x1, v1 = path(u), path.slope()(u)
+        if mode is Mode.STICK:
+            edge = (self.spell.force(t) - ends * self.edge_load - self.a1 * v1) / self.a2 if ends else x1
+            return State(t, edge, v1, at.x2 + (x1 - at.x1), v1)
+        v2 = at.v2 + mode.sign * self.gained * u
+        return State(t, x1, v2 if ends else v1, at.x2 + (at.v2 + v2) / 2 * u, v2)
 
     def guard(self, mode: Mode, k: int, at: State) -> Wave:
         """Return what is positive until a mode ends: k (v1 - v2) of a slip, m/s; m/s^2 that friction has left for k."""
+        slope = self.path(mode, at).slope()
         if mode is Mode.STICK:
-            return self.stuck(at).slope().slope()._replace(still=self.gained, sign=-k)
-        return self.slide(k, at).slope()._replace(still=-(k * at.v2), drift=-self.gained, sign=k)
-
-    def edge(self, k: int, t: Value, v: Value) -> Value:
-        """Return the place where a stick ends towards k at the time t with the velocity v, m."""
-        return (self.spell.force(self.on, t) - k * self.edge_load - self.a1 * v) / self.a2
+            return slope.slope()._replace(still=self.gained, sign=-k)
+        return slope._replace(still=-(k * at.v2), drift=-self.gained, sign=k)
 
     def spare(self, at: State) -> Value:
         """Return what no stick under a constant force uses up from a state on, N^2: for ever, if it is not negative."""
-        away = self.a2 * at.x1 - self.spell.force(self.on, at.t)
+        away = self.a2 * at.x1 - self.spell.force(at.t)
         reach = (away**2 / self.a2 + self.mass * at.v1**2) * (self.a2 + self.a1**2 / self.mass)
         return self.edge_load**2 - reach
 
     def narrow(self, bits: int) -> None:
         """Compute with no more bits than these."""
-        self.bits = self.on.prec = min(self.bits, bits)
+        self.bits = INTERVALS.prec = min(self.bits, bits)
 
     def keeps(self, wave: Wave, zeros: int, end: Fraction) -> None:
         """See that a wave is positive after 0 until an end, as the kernel does; it and its slope may be zero at 0.
@@ -259,13 +255,13 @@ class Forms:
         """
         before = self.sign_bits
         for self.sign_bits in (one for one in SIGN_BITS if one >= before):
-            self.on.prec, self.parts = self.sign_bits, PARTS
+            INTERVALS.prec, self.parts = self.sign_bits, PARTS
             waves = wave, wave.slope(), wave.slope().slope()
             begins = Fraction(0) if not zeros else self._early(waves[zeros], end / 2)
-            seen = begins is not None and (not begins or waves[0](self.number(begins)) > 0)
+            seen = begins is not None and (not begins or wave(number(begins)) > 0)
             seen = seen and self._stays(waves, begins or Fraction(0), end, DEPTH)
-            self.on.prec = self.bits
-            if seen and (zeros or wave(self.number(Fraction(0))) > 0):
+            INTERVALS.prec = self.bits
+            if seen and (zeros or wave(number(Fraction(0))) > 0):
                 return
         self.sign_bits = before
         raise Unseen
@@ -273,25 +269,21 @@ class Forms:
     def _early(self, wave: Wave, end: Fraction) -> Fraction | None:
         """Return a time until which a wave is positive by its bounds."""
         for _ in range(DEPTH):
-            if wave(self.hull(Fraction(0), end)) > 0:
+            if wave(hull(Fraction(0), end)) > 0:
                 return end
             end /= 2
         return None
 
     def _stays(self, waves: tuple[Wave, Wave, Wave], low: Fraction, high: Fraction, depth: int) -> bool:
         """Whether a wave that is positive at both ends is seen to be so between: by bounds, slope, bend or halves."""
-        between, middle = self.hull(low, high), (low + high) / 2
+        between, middle = hull(low, high), (low + high) / 2
         self.parts -= 1
         if waves[0](between) > 0:
             return True
         slope = waves[1](between)
         bend = waves[2](between)
-        if slope >= 0 or slope <= 0 or bend <= 0 or (bend >= 0 and waves[1](self.number(low)) >= 0):
+        if slope >= 0 or slope <= 0 or bend <= 0 or (bend >= 0 and waves[1](number(low)) >= 0):
             return True
-        if not depth or self.parts <= 0 or not waves[0](self.number(middle)) > 0:
+        if not depth or self.parts <= 0 or not waves[0](number(middle)) > 0:
             return False
         return all(self._stays(waves, *part, depth - 1) for part in ((low, middle), (middle, high)))
-
-    def hull(self, low: Fraction, high: Fraction) -> Value:
-        """Return the interval from one number to another."""
-        return self.on.mpf([self.number(low).a, self.number(high).b])

@@ -63,17 +63,14 @@ def sampled(trajectory: Rows) -> Curve:
 
     At a jump of u or b, as at an event, there are two points.
     """
-    cells = cells_of(trajectory.scene)
-    pair, number = trajectory.scene.pair, trajectory.floats
+    pair, number, cells = trajectory.scene.pair, trajectory.floats, cells_of(trajectory.scene)
     with trajectory.arithmetic.context():
-        lengths = number(trajectory.row_lengths)
-        rows = np.arange(len(lengths))
-        starts, excess = number(trajectory.row_times)[rows], trajectory.columns.numbers("excess")[rows]
-        pieces = trajectory.row_pieces[rows]
+        lengths, excess = number(trajectory.row_lengths), trajectory.columns.numbers("excess")
+        pieces = trajectory.row_pieces[: len(lengths)]
     fastest = [max([float(pair.a2 / pair.m1) ** 0.5, *(float(s.omega) for s in p.sines)]) for p in trajectory.pieces]
     radians = lengths * np.array(fastest)[pieces]
     parts = _parts(radians)
-    at = np.repeat(rows, parts + 1)
+    at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
     since, (local, y) = lengths[at] * share, trajectory.row_numbers
     y, taken = y[:, at] + over_rows(moved, trajectory, at, since), over_rows(losses, trajectory, at, since)[:2]
@@ -83,15 +80,15 @@ def sampled(trajectory: Rows) -> Curve:
         u[chosen], b[chosen] = force_of(acting, (local[at] + since)[chosen]), float(acting.b)
     if cells is not None:
         b *= cells.relative(y[1] - y[3], y[0] - y[2])
-    before = np.cumsum(taken[:, np.cumsum(parts + 1) - 1], axis=1)
-    lost = np.concatenate([np.zeros((2, 1)), before], axis=1)[:, at] + taken
-    segment, t = np.searchsorted(trajectory.event_rows, at, side="right"), starts[at] + since
-    curve = Curve(t, y, t, lost, segment, (parts >= _FEWEST * radians)[at], trajectory.row_signs[at] == 0, u, b)
+    ends = np.cumsum(parts + 1) - 1
+    lost = np.insert(np.cumsum(taken[:, ends], axis=1), 0, 0.0, axis=1)[:, at] + taken
+    segment = np.searchsorted(trajectory.event_rows, at, side="right")
+    t = number(trajectory.row_times)[at] + since
     unit = float(pair.critical_energy)
-    w = curve.energy(pair) / unit - 1
+    w = energy_of(pair, y) / unit - 1
     if not trajectory.scene.is_forced and excess[0] is not None and excess[0] == excess[0]:
         w = number(excess)[at] - taken.sum(axis=0) / unit  # keeps its digits where E/E_cr - 1 cancels
-    return curve._replace(w=w)
+    return Curve(t, y, w, lost, segment, (parts >= _FEWEST * radians)[at], trajectory.row_signs[at] == 0, u, b)
 
 
 def _parts(radians: Floats) -> Counts:

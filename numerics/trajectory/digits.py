@@ -22,7 +22,6 @@ from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
-from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
@@ -86,29 +85,16 @@ class Accuracy(ShortRepr):
         return self.certain and bool(np.all(np.isfinite(bounds)))
 
 
-def _weights(scene: Scene) -> tuple[tuple[float, float, float], float]:
-    """Return a2, m1, m2, and E_cr (J); made once and kept with the scene."""
-    if "weights" not in scene.made:
-        pair = scene.pair
-        scene.made["weights"] = (float(pair.a2), float(pair.m1), float(pair.m2)), float(pair.critical_energy)
-    found: tuple[tuple[float, float, float], float] = scene.made["weights"]
-    return found
-
-
-def judged(trajectory: Rows) -> tuple[Floats, float, float, int]:
-    """Return bounds on the times of its events (s), its last energy (J) and excess, and how many digits are right."""
-    record, name = trajectory.record, trajectory.arithmetic.name
+def accuracy_of(trajectory: Rows) -> Accuracy:
+    """Return the bounds of a trajectory in SI units; binary64, whatever its numbers are."""
+    record, pair, name = trajectory.record, trajectory.scene.pair, trajectory.arithmetic.name
     judge = compiled(errors_of) if compiles_now() else errors_of
-    weights, critical = _weights(trajectory.scene)
-    starts = starts_of(trajectory.scene)
+    weights, starts = (float(pair.a2), float(pair.m1), float(pair.m2)), starts_of(trajectory.scene)
     with np.errstate(all="ignore"):
-        late, energy, excess, worst = judge(record.rows, record.end, starts, weights, critical, ROUNDING[name])
+        late, energy, excess, worst = judge(
+            record.rows, record.end, starts, weights, float(pair.critical_energy), ROUNDING[name]
+        )
     digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0
-    return late, energy, excess, digits if trajectory.certain else 0
-
-
-def accuracy_of(trajectory: Rows, found: tuple[Floats, float, float, int]) -> Accuracy:
-    """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
-    record, (late, energy, excess, digits) = trajectory.record, found
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["dissipated_error"]])
-    return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)
+    final, certain = record.end[_STATE_ERRORS], trajectory.certain
+    return Accuracy(late, errors, final, energy, excess, dissipated, certain, digits if certain else 0)

@@ -15,7 +15,7 @@ from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import EventKind, Mode
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.dense import Dense
+from numerics.trajectory.dense import Evaluated
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -63,16 +63,23 @@ class Segment(ShortRepr):
     end: Number
     length: Number
     rows: range = field(repr=False)
-    dense: Dense = field(repr=False, compare=False)
+    run: Evaluated = field(repr=False, compare=False)
 
     def state(self, since: Number) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at `since` (s) after the start, m and m/s; in the arithmetic's context."""
-        return self.dense.after(self.rows, since)
+        row = self.rows[0]
+        for later in self.rows[1:]:  # pieces of force begin within
+            before = self.run.row_lengths[row]
+            if self.run.arithmetic.to_float(since - before) <= 0:
+                break
+            row, since = later, since - before
+        x1, v1, x2, v2 = self.run.row_flow(np.array([row]), np.array([since]))[:, 0].tolist()
+        return x1, v1, x2, v2
 
     def losses(self) -> tuple[Number, Number]:
         """Return what friction and viscosity take in it, b int |v1 - v2| and a1 int v1^2, J."""
         rows = np.array(self.rows)
-        friction, viscous, _ = self.dense.losses(rows, self.dense.of.row_lengths[rows]).sum(axis=1)
+        friction, viscous, _ = self.run.row_losses(rows, self.run.row_lengths[rows]).sum(axis=1)
         return friction, viscous
 
 
@@ -100,10 +107,9 @@ class EnergyLedger(ShortRepr):
     work: Number = 0
 
 
-def ledger_of(dense: Dense) -> EnergyLedger:
+def ledger_of(run: Evaluated) -> EnergyLedger:
     """Return the ledger of the whole run; in the arithmetic's context."""
-    run, zero = dense.of, dense.arithmetic.number(0)
-    losses = dense.losses(np.arange(len(run.row_lengths)), run.row_lengths)
-    friction, viscous, work = (sum(part.tolist(), zero) for part in losses)
+    lengths, zero = run.row_lengths, run.arithmetic.number(0)
+    friction, viscous, work = (sum(part.tolist(), zero) for part in run.row_losses(np.arange(len(lengths)), lengths))
     initial, final = run.arithmetic.number(run.scene.energy), run.final_energy
     return EnergyLedger(initial, final, friction, viscous, initial + work - final - friction - viscous, work)

@@ -99,33 +99,32 @@ def _numbers(write: Writer, named: Iterable[tuple[str, Any]], index: int) -> dic
 
 def _writer(trajectory: Any, truth: Any) -> Writer:
     """Return a writer that cuts each number by its error bound, or where it parts from the true one."""
-    name_of, arithmetic, digits = trajectory.arithmetic.name, trajectory.arithmetic, right_digits(trajectory)
-    if name_of == "ball":
+    arithmetic, digits = trajectory.arithmetic, right_digits(trajectory)
+    if arithmetic.name == "ball":
         return lambda name, value, _: with_radius(name, value, digits)
-    enclosed, given = is_enclosed(trajectory), truth or trajectory
+    most, given = MOST_DIGITS.get(arithmetic.name, arithmetic.digits), truth or trajectory
     if truth is not None:
         require_same_sequence(trajectory, truth)
         with truth.context():
             by_event, final = (truth.event_times, *truth.event_states), (truth.end_time, *truth.end_numbers())
     elif not knows_its_digits(trajectory):
         raise ValueError(
-            f"this trajectory in {name_of} does not know which of its digits are right; "
+            f"this trajectory in {arithmetic.name} does not know which of its digits are right; "
             "give `truth`, a solve of the same scene in balls"
         )
-    elif not enclosed:
+    elif not is_enclosed(trajectory):
         by_event, final = (trajectory.accuracy.t, *trajectory.accuracy.y.T), trajectory.end_bounds()
 
     def write(name: str, value: Number, index: int) -> Written:
-        if enclosed:
-            shown = float(value.mid())
-            error = distance(shown, value).upper()
-        else:
-            shown, place = value, ("t", *END_NAMES).index(name)
-            known = final[place] if index < 0 else by_event[place][index]
-            with given.context():
-                error = arb(float(known)) if truth is None else distance(value, known)
         with given.context():
-            return {name: right_digits_text(as_fraction(shown), error, MOST_DIGITS.get(name_of, arithmetic.digits))}
+            if isinstance(value, arb):
+                shown = float(value.mid())
+                error = distance(shown, value).upper()
+            else:
+                shown, place = value, ("t", *END_NAMES).index(name)
+                known = final[place] if index < 0 else by_event[place][index]
+                error = arb(float(known)) if truth is None else distance(value, known)
+            return {name: right_digits_text(as_fraction(shown), error, most)}
 
     return write
 

@@ -190,34 +190,33 @@ def _sliding_region(pair: Any, ax: Any) -> None:
 
 def _excess(_: Any, curve: Curve, ax: Any) -> None:
     """Draw what the energy has above E_cr, or lacks below it, on whole decades."""
-    drawn = np.abs(curve.w[np.isfinite(curve.w) & (curve.w != 0)])
-    if not len(drawn):
+    sizes = np.abs(curve.w[np.isfinite(curve.w) & (curve.w != 0)])
+    if not len(sizes):
         ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
         ax.set_yticks([])
         return
-    for part, label, how in (
-        (curve.w, r"$E/E_{cr} - 1$", {"color": BLUE}),
-        (-curve.w, r"$1 - E/E_{cr}$", {"color": ORANGE, "ls": "--"}),
-    ):
+    signed = (curve.w, r"$E/E_{cr} - 1$", BLUE, "-"), (-curve.w, r"$1 - E/E_{cr}$", ORANGE, "--")
+    for part, label, color, dashes in signed:
         if (part > 0).any():
-            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, **how)
+            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color=color, ls=dashes)
     ax.set_yscale("log")
-    low, high = np.floor(np.log10(drawn.min()) - 0.05), np.ceil(np.log10(drawn.max()) + 0.05)
-    ax.set_ylim(10**low, 10**high)
+    ax.set_ylim(10 ** np.floor(np.log10(sizes.min()) - 0.05), 10 ** np.ceil(np.log10(sizes.max()) + 0.05))
 
 
 def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
     pair, energy, (friction, viscous) = trajectory.scene.pair, curve.energy(trajectory.scene.pair), curve.lost
-    parts = [("energy of the pair", energy, BLUE, "-."), ("lost to friction", friction, ORANGE, "--")]
-    if trajectory.scene.is_forced:
-        parts.insert(0, ("work of the force", energy - energy[0] + friction + viscous, "black", "-"))
-    else:
+    forced, work = trajectory.scene.is_forced, energy - energy[0] + friction + viscous
+    if not forced:
         ax.axhline(float(pair.critical_energy), color="black", lw=0.8, ls=":", label="$E_{cr}$")
-    if pair.a1 > 0:
-        parts.append(("lost to viscosity", viscous, GREEN, ":"))
-    for label, part, color, dashes in parts:
-        ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
+    for acts, label, part, color, dashes in (
+        (forced, "work of the force", work, "black", "-"),
+        (True, "energy of the pair", energy, BLUE, "-."),
+        (True, "lost to friction", friction, ORANGE, "--"),
+        (pair.a1 > 0, "lost to viscosity", viscous, GREEN, ":"),
+    ):
+        if acts:
+            ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
 
 
 _KINDS = {

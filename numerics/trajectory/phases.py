@@ -5,31 +5,25 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from numerics.linear.modes import Mode
-from numerics.trajectory.closed_forms import Forms, State, TooCoarse, Unseen, Value, Wave
-
-
-class Known(NamedTuple):
-    """What is known of a state beside bounds: a contact, and with k the edge at which a stick has ended."""
-
-    touches: bool
-    k: int = 0
+from numerics.trajectory.closed_forms import Forms, State, TooCoarse, Unseen, Value, Wave, hull, number
 
 
 @dataclass
 class Run:
-    """Where a motion surely is: in a box."""
+    """Where a motion surely is: in a box, in contact or not; with k at the edge at which a stick has ended."""
 
     forms: Forms
     at: State
-    known: Known
+    touches: bool
+    k: int = 0
 
     @classmethod
     def start(cls, forms: Forms, numbers: tuple[Fraction, ...], k: int = 0) -> Run:
         """Return the run from an exact state, t, x1, v1, x2, v2; with k at the edge towards a slip of that sign."""
-        return cls(forms, State(*map(forms.number, numbers)), Known(numbers[2] == numbers[4], k))
+        return cls(forms, State(*map(number, numbers)), numbers[2] == numbers[4], k)
 
     @property
     def time(self) -> float:
@@ -38,9 +32,8 @@ class Run:
 
     def _keeps(self, mode: Mode, k: int, wave: Wave, end: Fraction) -> None:
         """See that what is positive in a mode is so until an end."""
-        at_edge = self.known.k == k
-        zeros = at_edge if mode is Mode.STICK else self.known.touches * (1 + at_edge)
-        self.forms.keeps(wave, int(zeros), end)
+        at_edge = self.k == k
+        self.forms.keeps(wave, at_edge if mode is Mode.STICK else self.touches * (1 + at_edge), end)
 
     def guard(self, mode: Mode, k: int) -> Wave:
         """Return what is positive until a phase ends."""
@@ -49,38 +42,35 @@ class Run:
     def hit(self, mode: Mode, k: int, time: float, places: int) -> tuple[Fraction, Fraction]:
         """Go to the next event, near the time; return bounds of the time since, to so many places, or TooCoarse."""
         guard = self.guard(mode, k)
-        if mode is not Mode.STICK and self.known.k not in (0, k):
+        if mode is not Mode.STICK and self.k not in (0, k):
             raise Unseen
         low, high = self._bracket(time - self.time, places, guard)
         self._keeps(mode, k, guard, low)
         if mode is Mode.STICK:
             self._keeps(mode, -k, self.guard(mode, -k), high)
-        between = self.forms.hull(low, high)
-        self.at = moved(self.forms, mode, k, self.at, between, ends=True)
-        self.known = Known(touches=True, k=k if mode is Mode.STICK else 0)
+        self.at = self.forms.moved(mode, self.at, hull(low, high), ends=k)
+        self.touches, self.k = True, k if mode is Mode.STICK else 0
         return low, high
 
     def rest(self, mode: Mode, time: Fraction) -> tuple[Fraction, Value]:
         """Go on in a mode to a time; return for how long it surely lasts, and v1 - v2 then. Raises TooCoarse."""
-        number = self.forms.number
         left = number(time) - self.at.t
         if not left > 0:  # the last event may be at the end
             raise TooCoarse
         least = outward(left, int(self.forms.bits * 0.3))[1]
-        signs = ends_of(mode)
-        guards = [self.guard(mode, k) for k in signs]
-        if not all(guard(number(least)) > 0 for guard in guards):
+        guards = {k: self.guard(mode, k) for k in ends_of(mode)}
+        if not all(guard(number(least)) > 0 for guard in guards.values()):
             raise TooCoarse
-        for k, guard in zip(signs, guards, strict=True):
+        for k, guard in guards.items():
             self._keeps(mode, k, guard, least)
-        relative = mode.sign * guards[0](left)
-        self.at = moved(self.forms, mode, mode.sign, self.at, left, ends=False)._replace(t=number(time))
-        self.known = Known(touches=mode is Mode.STICK)
+        relative = mode.sign * guards[mode.sign or 1](left)
+        self.at = self.forms.moved(mode, self.at, left)._replace(t=number(time))
+        self.touches, self.k = mode is Mode.STICK, 0
         return least, relative
 
     def _bracket(self, guess: float, shown: int, guard: Wave) -> tuple[Fraction, Fraction]:
         """Return decimals around the root of a falling wave, sure for every state of the box."""
-        number, slope, root = self.forms.number, guard.slope(), Fraction(guess)
+        slope, root = guard.slope(), Fraction(guess)
         places = int(self.forms.bits * 0.301) - math.floor(math.log10(guess))
         for _ in range(60):
             value = guard(number(root))
@@ -102,17 +92,6 @@ class Run:
 def ends_of(mode: Mode) -> tuple[int, ...]:
     """Return the signs of the guards that may end a mode."""
     return (mode.sign,) if mode.sign else (1, -1)
-
-
-def moved(forms: Forms, mode: Mode, k: int, at: State, u: Value, *, ends: bool) -> State:
-    """Return the state a time later; both velocities are equal where a mode ends."""
-    t = at.t + u
-    if mode is Mode.STICK:
-        path = forms.stuck(at)
-        x1, v1 = path(u), path.slope()(u)
-        return State(t, forms.edge(k, t, v1) if ends else x1, v1, at.x2 + (x1 - at.x1), v1)
-    path, v2 = forms.slide(k, at), forms.driven(k, at.v2, u)
-    return State(t, path(u), v2 if ends else path.slope()(u), at.x2 + (at.v2 + v2) / 2 * u, v2)
 
 
 def outward(box: Any, places: int) -> tuple[Fraction, Fraction]:

@@ -28,6 +28,7 @@ class Rows(Answer):
         """Keep what a run wrote."""
         self._given, self.arithmetic, self.record = scene, arithmetic, record
         self.bounded = arithmetic.name in {"float64", "double-double"}
+        self._in_floats, self._is_ball = arithmetic.name == "float64", arithmetic.name == "ball"
 
     @property
     def scene(self) -> Scene:
@@ -91,7 +92,7 @@ class Rows(Answer):
         local = self.columns.numbers("local")
         if not self.row_pieces.any():
             return local
-        if self.arithmetic.name == "float64":
+        if self._in_floats:
             return np.asarray(starts_of(self.scene)[self.row_pieces] + local)
         with self.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
@@ -114,42 +115,31 @@ class Rows(Answer):
         return np.flatnonzero(self.columns.code("event") == 1.0)
 
     @cached_property
-    def _starts(self) -> Counts:
-        """Return the rows at which segments start."""
-        return self._tabulated[0]
-
-    @property
-    def _table(self) -> Array:
-        """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m)."""
-        return self._tabulated[1]
-
-    @cached_property
-    def _tabulated(self) -> tuple[Counts, Array]:
+    def _table(self) -> tuple[Counts, Array]:
+        """Return the rows at which segments start, and t, x1, v1, x2, v2 there and at a horizon that was reached."""
         record, count = self.record, self.record.events + 1
-        if self.arithmetic.name == "float64":
+        if self._in_floats:
             read = compiled(tabulate) if compiles_now() else tabulate
             return read(record.rows, record.end, count, starts_of(self.scene), float(self.scene.until), self.reached)
-        at, table = np.append(0, self.event_rows), np.empty((5, count + self.reached), dtype=object)
-        table[0, :count], table[1:, :count] = self.row_times[at], self.row_states[:, at]
-        if self.reached:
-            table[0, count], table[1:, count] = self.end_time, self.final_state
-        return at, table
+        at = np.append(0, self.event_rows)
+        table = np.vstack([self.row_times[at], self.row_states[:, at]])
+        return at, np.column_stack([table, [self.end_time, *self.final_state]]) if self.reached else table
 
     @property
     def signs(self) -> list[float]:
         """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
-        signs: list[float] = self.columns.code("mode")[self._starts].tolist()
+        signs: list[float] = self.columns.code("mode")[self._table[0]].tolist()
         return signs
 
     @property
     def event_times(self) -> Array:
         """Return the times of all events, s, shape (k,)."""
-        return self._table[0, 1 : self.record.events + 1]
+        return self._table[1][0, 1 : self.record.events + 1]
 
     @property
     def event_states(self) -> Array:
         """Return x1, v1, x2, v2 at all events, shape (4, k)."""
-        return self._table[1:, 1 : self.record.events + 1]
+        return self._table[1][1:, 1 : self.record.events + 1]
 
     @property
     def final_mode(self) -> Mode:

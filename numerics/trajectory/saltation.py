@@ -23,7 +23,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache, reduce
+from functools import cache, partial, reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -31,12 +31,13 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
-from numerics.linear.cells import PLAIN, cells_of, mode_in
+from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.ties import force_form
 from numerics.scene import Law, Scene
+from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.legs import Leg
-from numerics.trajectory.variation import Array, Variation
+from numerics.trajectory.variation import Variation
 
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
@@ -66,18 +67,16 @@ class Chain:
         pair, number = scene.pair, Ball.number
         self.a2, self.m1, self.m2, self.a1, self.mass = map(number, (pair.a2, pair.m1, pair.m2, pair.a1, pair.mass))
         self.roots = [one.sqrt() for one in (self.a2, self.m1, self.m2)]
-        self.variation = cache(lambda side, piece, cell: Variation(scene, self.pieces[piece], side, self.column, cell))
+        self.variation = cache(partial(Variation, scene, self.column))
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
         y = self._zeros(4)
-        for index, name in enumerate(("x1", "v1", "x2", "v2")):
-            y[index, self.column[name]] = arb(1)
+        y[range(4), [self.column[name] for name in STATE]] = arb(1)
         if legs[0].side == 0:  # stuck neighbours share their momentum at once
             y[1] = y[3] = (self.m1 * y[1] + self.m2 * y[3]) / self.mass
         self.starts = [self._into_piece(Carried(y, self._zeros(), self._zeros()), 0)]
-        for index in range(len(legs) - 1):
-            self.starts.append(self._crossed(index))
+        self.starts.extend(map(self._crossed, range(len(legs) - 1)))
 
     def at(self, index: int, t: arb) -> Array:
         """Return the derivatives of the state at a fixed time t (s) in a leg, enclosed, (4, p)."""
@@ -103,8 +102,7 @@ class Chain:
             return self.y[-1]
         y = self.at(len(self.legs) - 1, last.end)
         if "until" in self.column:
-            piece = self.pieces[last.piece]
-            y[:, self.column["until"]] += self._field(piece, last.end, state, last.side, last.cell)
+            y[:, self.column["until"]] += self._field(self.pieces[last.piece], last.end, state, last)
         return y
 
     def energy(self, state: Sequence[arb], y: Array) -> Array:
@@ -122,7 +120,7 @@ class Chain:
         """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
         tau = t - leg.start
-        flow, columns = self.variation(leg.side, leg.piece, leg.cell).over(leg.state, leg.start, tau)
+        flow, columns = self.variation(leg.piece, leg.side, leg.cell).over(leg.state, leg.start, tau)
         if self.cells and leg.side:
             rate = self.cells.growth(self.cells.branch(self.pieces[leg.piece], leg.side, leg.cell))
             norm = norm * (rate * tau.abs_upper()).exp()
@@ -151,50 +149,43 @@ class Chain:
         """Return the derivatives at the start of the next leg; those of an event are kept."""
         leg, after = self.legs[index], self.legs[index + 1]
         ended = self._ahead(index, after.start)
-        if after.is_event:
-            self.before.append(self._enclosed(ended))
         if after.begins_piece:
-            if after.is_event:
-                t, y = self._zeros(), +self.before[-1]
-                for name, (before, _) in self._jumps(index + 1).items():
-                    t[self.column[name]] += 1
-                    y[:, self.column[name]] += before
-                self.t.append(t)
-                self.y.append(y)
             return self._into_piece(ended, index + 1)
         return self._after_guard(leg, after, ended) if after.is_event else self._pointed(ended)
 
     def _after_guard(self, leg: Leg, after: Leg, ended: Carried) -> Carried:
         """Return the derivatives after an event by a guard."""
-        piece, motion = self.pieces[leg.piece], self.variation(leg.side, leg.piece, leg.cell)
-        at = piece, after.start, after.state
-        before, behind = (self._field(*at, one.side, one.cell) for one in (leg, after))
-        by_state, by_numbers, rate = motion.guard(after.state, after.start, before, after.side)
-        pull = arb(0)
-        if self.cells and leg.side == 0:  # what holds is not b but B(0) + C(z)
-            cell, z = (0, after.cell[1]), after.state[0] - after.state[2]
-            by_numbers[motion.by_b] -= 1
-            for name, one in self.cells.by_numbers(piece, 1, cell, motion.b_name).items():
-                by_numbers[self.column[name]] += Ball.number(one.offset) + Ball.number(one.pull) * z
-            pull = Ball.number(self.cells.branch(piece, 1, cell).pull)
-            by_state += [pull, 0, -pull, 0]
+        piece, enclosed = self.pieces[leg.piece], self._enclosed(ended)
+        before, behind = (self._field(piece, after.start, after.state, one) for one in (leg, after))
+        by_state, by_numbers, rate = self.variation(leg.piece, leg.side, leg.cell).guard(after, before)
         t = -(by_state @ ended.y + by_numbers) / rate
-        off = ended.norm * self._guard_by_norm(leg.side) + ended.place * abs(pull)
+        off = ended.norm * self._guard_by_norm(leg.side) + ended.place * abs(by_state[2])
         late = _widened(t, off / abs(rate))
-        y, total = self.before[-1] + np.outer(before, late), ended.y + np.outer(before, t)
+        y, total = enclosed + np.outer(before, late), ended.y + np.outer(before, t)
         if leg.side:
             y[1], total[1] = y[3], total[3]  # a slip ends where both velocities are one
             ended = ended._replace(y=total - np.outer(behind, t))
-        self.t.append(late)
-        self.y.append(y)
+        self._keep(late, y, enclosed)
         return self._pointed(ended)
 
     def _into_piece(self, found: Carried, index: int) -> Carried:
-        """Return the derivatives at the start of a leg that begins a piece."""
-        y = +found.y
+        """Return the derivatives at the start of a leg that begins a piece; those of an event are kept."""
+        enclosed, t, y = self._enclosed(found), self._zeros(), +found.y
+        moving = +enclosed
         for name, (before, after) in self._jumps(index).items():
-            y[:, self.column[name]] += before - after
+            place = self.column[name]
+            t[place] += 1
+            moving[:, place] += before
+            y[:, place] += before - after
+        if self.legs[index].is_event:
+            self._keep(t, moving, enclosed)
         return self._pointed(found._replace(y=y))
+
+    def _keep(self, t: Array, y: Array, before: Array) -> None:
+        """Keep the derivatives of the time and the state of an event, and of the state right before it."""
+        self.t.append(t)
+        self.y.append(y)
+        self.before.append(before)
 
     def _jumps(self, index: int) -> dict[str, tuple[Array, Array]]:
         """Return y' before and after each start at the beginning of a leg that begins a piece, by its name.
@@ -203,7 +194,7 @@ class Chain:
         out. Raises NotDifferentiable if the order of two jumps counts.
         """
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
-        here, literal = self.pieces[leg.piece], scene.law is Law.THREE_VALUED_SGN
+        here, at, literal = self.pieces[leg.piece], (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
         # before the run there is no force, and the pair's own b
         before = self.pieces[last.piece] if index else replace(here, b=scene.pair.b, polynomial=(), sines=())
         jumping = []  # with the starts of all such pieces, and the piece in front of this jump alone
@@ -211,36 +202,27 @@ class Chain:
             jumping.append(("force", scene.force.starts, replace(before, b=here.b)))
         if before.b != here.b:
             jumping.append(("friction", scene.friction.starts, replace(here, b=before.b)))
-        at = leg.start, leg.state
-        if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal)):
-            loads = ((abs(self.m2 * self._field(one, *at, 0)[1]), self._held(one, leg.state)) for *_, one in jumping)
-            if leg.is_event or not all(load < held for load, held in loads):
-                when = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
-                raise NotDifferentiable(f"this scene has no derivatives: {when} counts; move one by a little")
-        found = {}
-        for kind, starts, alone in jumping:
-            after = self._field(here, *at, leg.side, leg.cell)
+        fields = [self._field_from_contact(alone, *at) for *_, alone in jumping]
+        if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
+            when = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
+            raise NotDifferentiable(f"this scene has no derivatives: {when} counts; move one by a little")
+        found, after = {}, self._field(here, *at, leg)
+        for (kind, starts, alone), (from_contact, _) in zip(jumping, fields, strict=True):
             name = f"{kind}[{bisect_left(starts, here.start)}].from"
             if not index and scene.initial.v1 == scene.initial.v2 and not literal:
-                found[name] = self._field_from_rest(alone, *at), after
+                found[name] = from_contact, after
             elif kind == "force" or leg.side or last.side:
-                found[name] = self._field(alone, *at, last.side, last.cell), after
+                found[name] = self._field(alone, *at, last), after
         return found
 
-    def _field(
-        self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int] = PLAIN
-    ) -> Array:
-        """Return (v1, v1', v2, v2') of a state in a mode at a time, s."""
-        motion = mode_in(self.scene, piece, side, cell).motion(state, t)
+    def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> Array:
+        """Return (v1, v1', v2, v2') of a state in the mode of a leg at a time, s."""
+        motion = mode_in(self.scene, piece, leg.side, leg.cell).motion(state, t)
         return np.array(motion.rate(motion.begin).entries()[:4])
 
-    def _field_from_rest(self, piece: ExactPiece, t: arb, state: Sequence[arb]) -> Array:
-        """Return the same in the mode that follows v1 = v2."""
-        v1, rate, v2, _ = self._field(piece, t, state, 0)
-        held = self._held(piece, state)
+    def _field_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb]) -> tuple[Array, bool]:
+        """Return the same in the mode that follows v1 = v2, and whether that is surely a stick."""
+        v1, rate, v2, _ = self._field(piece, t, state, self.legs[0]._replace(side=0))
+        held = self.cells.held(piece, state[0] - state[2]) if self.cells else Ball.number(piece.b)
         push = (self.m2 * rate).min(held).max(-held)
-        return np.array([v1, (self.mass * rate - push) / self.m1, v2, push / self.m2])
-
-    def _held(self, piece: ExactPiece, state: Sequence[arb]) -> arb:
-        """Return what friction can be while the bodies stick, N."""
-        return self.cells.held(piece, state[0] - state[2]) if self.cells else Ball.number(piece.b)
+        return np.array([v1, (self.mass * rate - push) / self.m1, v2, push / self.m2]), abs(self.m2 * rate) < held

@@ -20,9 +20,11 @@ together, each is moved alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
+from operator import or_
 from typing import Any, overload
 
 import numpy as np
@@ -35,20 +37,22 @@ from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.scene import Scene
 from numerics.scene.model import require_kind
+from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.dense import Side, exact_time, require_side
 from numerics.trajectory.legs import legs
+from numerics.trajectory.rendering import right_digits_text, with_radius
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
-from numerics.trajectory.variation import Array
 
-WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
+WRT = (*STATE, "m1", "m2", "a2", "b", "a1")
 """The initial state and the parameters of a free pair, in the order of the last axis of every array."""
 _GUARD_BITS = 64
 """So many bits more than those of the trajectory are worked with."""
 _TRIES = 6
 """So many times the precision is raised at most."""
+_TABLE_DIGITS = 6
 
 
 @dataclass(frozen=True)
@@ -192,11 +196,9 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     until = math.inf if trajectory.reached else arithmetic.to_float(trajectory.event_times[-1])
     if scene.is_forced and (what := corner(scene, pieces_of(scene), until)) is not None:
         raise NotDifferentiable(f"this scene has no derivatives: {what}; move it by a little")
-    balls: Trajectory | None = None
-    wanted: int | None = 17 if arithmetic.name == "float64" else arithmetic.digits
-    digits = arithmetic.digits + 17
-    if arithmetic.name == "ball":
-        wanted, balls, digits = trajectory.digits, trajectory, arithmetic.digits
+    balls = trajectory if arithmetic.name == "ball" else None
+    wanted = (trajectory.digits or 0) if balls else 17 if arithmetic.name == "float64" else arithmetic.digits
+    digits = arithmetic.digits + (0 if balls else 17)
     for attempt in range(_TRIES):
         try:
             # one event more than were found shows a lost one
@@ -211,12 +213,11 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
         with precision(Ball(digits).bits + _GUARD_BITS):
             found = asked(balls, Chain(scene, legs(balls), tuple(parameters(scene))))
             right = _right_digits(found, digits)
-        if wanted is None or right >= wanted:
+        if right >= wanted:
             break
         balls, digits = None, max(digits + wanted - right + 3, 2 * digits if attempt else 0)
-    for one in (one for array in found for one in array.flat):
-        if not one.is_finite():
-            raise EventUndecided("has the scene this derivative?", str(one), digits)
+    if wrong := [one for array in found for one in array.flat if not one.is_finite()]:
+        raise EventUndecided("has the scene this derivative?", str(wrong[0]), digits)
     return found
 
 
@@ -253,3 +254,49 @@ def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
     if in_floats and not np.isfinite(found).all():
         raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
     return found
+
+
+def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
+    """Put derivatives beside the numbers of a JSON record: `"sensitivity": {"t": {"x1": ...}, ...}` in every event.
+
+    The final state has those of x1, v1, x2, v2 and energy. Decimal strings as in the record: radii beside balls, else
+    the digits that are right.
+    """
+    name_of, found = trajectory.arithmetic.name, enclosures(trajectory)
+    digits = trajectory.digits or (17 if name_of == "float64" else trajectory.arithmetic.digits)
+
+    def written(name: str, value: arb) -> dict[str, str]:
+        if name_of == "ball":
+            return with_radius(name, value, digits)
+        return {name: right_digits_text(exact_middle(value), value.rad(), digits)}
+
+    for row, derivatives in zip((*record["events"], record["final"]), _rows(found), strict=True):
+        row["sensitivity"] = {of: reduce(or_, map(written, found.wrt, one)) for of, one in derivatives.items()}
+
+
+def sensitivity_arrays(trajectory: Trajectory) -> dict[str, Array]:
+    """Return the derivatives in binary64, and the names that their last axis stands for, for a NumPy archive."""
+    found = sensitivities(trajectory)
+    named = {"t": found.t, "y": found.y, "final": found.final, "energy": found.energy}
+    arrays = {f"sensitivity_{name}": trajectory.floats(array) for name, array in named.items()}
+    return arrays | {"sensitivity_wrt": np.array(found.wrt)}
+
+
+def sensitivity_table(trajectory: Trajectory) -> str:
+    """Return the derivatives of the last event's time and of the final state as text: SI units, right digits only."""
+    found = enclosures(trajectory)
+    *events, final = _rows(found)
+    columns = {"the last event's t": events[-1]["t"]} if events else {}
+    columns |= {f"final {name}": one for name, one in final.items()}
+    rows = [("derivative", *(f"of {label}" for label in columns))]
+    for name, *values in zip(found.wrt, *columns.values(), strict=True):
+        rows.append((f"by {name}", *(one.str(_TABLE_DIGITS, radius=False) for one in values)))
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
+
+
+def _rows(found: Sensitivity) -> Iterator[dict[str, Array]]:
+    """Yield the derivatives of every event, and then those of the final state, by what they are of."""
+    for t, y in zip(found.t, found.y, strict=True):
+        yield {"t": t, **dict(zip(STATE, y, strict=True))}
+    yield {**dict(zip(STATE, found.final, strict=True)), "energy": found.energy}

@@ -13,21 +13,20 @@ from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.columns import Array
-from numerics.trajectory.dense import Dense, Side
-from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
+from numerics.trajectory.dense import Evaluated, Side
+from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
-from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
 
 
-class Solution(Rows):
+class Solution(Evaluated):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
 
     def look_up_times(self) -> None:
         """Raise ValueError for times in t_eval that are outside the run."""
         if self.t_eval is not None:
             with self.context():
-                self._asked_times = self.dense.times(self.t_eval)
+                self._asked_times = self._times(self.t_eval)
 
     @property
     def status(self) -> Status:  # type: ignore[override]
@@ -52,7 +51,7 @@ class Solution(Rows):
     @property
     def phase_lost(self) -> bool:
         """Return whether the last segment of a free motion turns through more radians than points have digits for."""
-        if self.arithmetic.name == "ball" or self.scene.is_forced:
+        if self._is_ball or self.scene.is_forced:
             return False
         with self.context():
             angle = self.frame.rate * self.columns.last("length")[0]
@@ -60,23 +59,15 @@ class Solution(Rows):
             damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
         return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
 
-    @property
+    @cached_property
     def accuracy(self) -> Accuracy | None:
         """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
-        return self._accuracy if self.bounded else None
-
-    @cached_property
-    def _judged(self) -> tuple[Any, float, float, int]:
-        return judged(self)
-
-    @cached_property
-    def _accuracy(self) -> Accuracy:
-        return accuracy_of(self, self._judged)
+        return accuracy_of(self) if self.bounded else None
 
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
-        return self._judged[3] if self.bounded else 0
+        return self.accuracy.digits if self.accuracy else 0
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
@@ -92,12 +83,12 @@ class Solution(Rows):
     @property
     def t(self) -> Array:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return self._table[0] if self.t_eval is None else self._asked_times
+        return self._table[1][0] if self.t_eval is None else self._asked_times
 
     @property
     def y(self) -> Array:
         """Return the states at `t`, shape (4, m)."""
-        return self._table[1:] if self.t_eval is None else self._asked_states
+        return self._table[1][1:] if self.t_eval is None else self._asked_states
 
     @cached_property
     def _asked_states(self) -> Array:
@@ -114,7 +105,7 @@ class Solution(Rows):
         return self._by_kind(self.event_states.T)
 
     def _by_kind(self, events: Array) -> tuple[Array, ...]:
-        sticks = self.columns.code("mode")[self._starts] == 0
+        sticks = self.columns.code("mode")[self._table[0]] == 0
         before, after = sticks[:-1], sticks[1:]
         return events[after], events[before], events[~(before | after)]
 
@@ -138,7 +129,7 @@ class Solution(Rows):
 
     def end_bounds(self) -> tuple[float, ...]:
         """Return bounds on the errors of time, state, energy and excess at the end, of numbers that have them."""
-        found, late = self._accuracy, abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
+        found, late = accuracy_of(self), abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
         late += 0.0 if self.reached else float(found.t[-1])
         return late, *found.final, found.energy, found.energy_excess
 
@@ -175,7 +166,7 @@ class Solution(Rows):
     def ledger(self) -> EnergyLedger:
         """Return the energy ledger of the whole run, with the work of u."""
         with self.context():
-            return ledger_of(self.dense)
+            return ledger_of(self)
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
@@ -192,36 +183,15 @@ class Solution(Rows):
     def segments(self) -> tuple[Segment, ...]:
         """Return the segments."""
         first = [0, *self.event_rows.tolist(), *([len(self.record.rows)] if self.reached else [])]
-        t, lengths = [*self._table[0].tolist(), self.end_time], self.row_lengths
+        t, lengths = [*self._table[1][0].tolist(), self.end_time], self.row_lengths
         found = []
         with self.context():
             for k, (mode, start, after) in enumerate(zip(self.modes, first, first[1:], strict=False)):
                 length = sum(lengths[start + 1 : after], lengths[start])
-                found.append(Segment(mode, t[k], t[k + 1], length, range(start, after), self.dense))
+                found.append(Segment(mode, t[k], t[k + 1], length, range(start, after), self))
         return tuple(found)
-
-    @cached_property
-    def dense(self) -> Dense:
-        """Return the evaluation at any time."""
-        return Dense(self)
-
-    def sol(self, t: Any, side: Side = "right") -> Array:
-        """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
-
-        t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
-        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
-        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
-        outside [0, end].
-        """
-        with self.context():
-            return self.dense.states(t, side)
 
     def reduced(self, t: Any, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
         with self.context():
-            return self._reduced(self.dense.states(t, side), self.dense.excess(t, side))
-
-    def mode_at(self, t: Any, side: Side = "right") -> Any:
-        """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
-        with self.context():
-            return self.dense.mode(t, side)
+            return self._reduced(self.sol(t, side), self._excess(t, side))

@@ -11,17 +11,29 @@ from a state known exactly: its radius grows only by how far that motion, when i
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
 from numerics.errors import NoProof
 from numerics.linear.modes import Mode
+from numerics.linear.pieces import polynomial_at
 from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
-from numerics.trajectory import gallina
-from numerics.trajectory.closed_forms import SPARE_SIGN_BITS, Forms, State, TooCoarse, Unseen, Value, spells
+from numerics.trajectory.closed_forms import (
+    INTERVALS,
+    SPARE_SIGN_BITS,
+    Forms,
+    State,
+    Steady,
+    TooCoarse,
+    Unseen,
+    Value,
+    number,
+    spells,
+)
 from numerics.trajectory.export import arrays
-from numerics.trajectory.phases import Run, ends_of, moved, outward
+from numerics.trajectory.phases import Run, ends_of, outward
 from numerics.trajectory.solution import Solution
 from numerics.trajectory.status import Status
 
@@ -37,6 +49,8 @@ WORN = 2.0**6
 """How many times as large a box becomes before it is replaced by a ball."""
 DOUBLINGS = 24
 """How often the time is doubled after which a damped stick is seen to be for ever."""
+DEPTH = 64
+"""How often the kernel halves an interval to show that no event was passed."""
 
 
 def theorem(trajectory: Solution) -> str:
@@ -50,19 +64,17 @@ def theorem(trajectory: Solution) -> str:
     table = arrays(trajectory)
     greatest = float(scene.until), abs(table["y"][[0, 2]]).max(), abs(table["y"][[1, 3]]).max()
     places = [SHOWN - (math.ceil(math.log10(size)) if size else 0) for size in greatest]
-    times = [float(one) for one in table["t"][1:]]
+    times = table["t"][1:].tolist()
     for bits, renewing in TRIES:
         writer = _Writer(scene, places, bits, renewing=renewing)
         try:
             return writer.text(trajectory, times)
         except TooCoarse as error:
-            unseen = isinstance(error, Unseen)
-    if unseen:
-        since = f"after t = {writer.run.time:.6g} s the checker does not see that the pair keeps its mode"
-        raise NoProof(
-            f"no theorem is written: {since}, as it does not at a graze, or exactly at an edge or the critical energy"
-        )
-    raise NoProof(f"no theorem is written: {TRIES[-1][0]} bits are too few for {len(times)} events; shorten until")
+            reason = f"{TRIES[-1][0]} bits are too few for {len(times)} events; shorten until"
+            if isinstance(error, Unseen):
+                since = f"after t = {writer.run.time:.6g} s the checker does not see that the pair keeps its mode"
+                reason = f"{since}, as it does not at a graze, or exactly at an edge or the critical energy"
+    raise NoProof(f"no theorem is written: {reason}")
 
 
 def _uncovered(trajectory: Solution) -> str:
@@ -81,6 +93,30 @@ def _uncovered(trajectory: Solution) -> str:
     return ""
 
 
+def _written(*values: Mode | bool | Fraction) -> str:
+    """Return modes, truth values and exact numbers in the words of the kernel."""
+    found = []
+    for one in values:
+        if isinstance(one, Mode):
+            found.append("Stick" if one is Mode.STICK else f"(Slip {_written(one is Mode.SLIP_PLUS)})")
+        elif isinstance(one, bool):
+            found.append(str(one).lower())
+        elif "/" in (text := decimal_text(one)):
+            found.append(f"({one.numerator} # {one.denominator})")
+        else:
+            found.append(f"({text})" if one < 0 else text)
+    return " ".join(found)
+
+
+def _list(items: Iterable[str], between: str = ";\n  ") -> str:
+    return f"[{between.join(items)}]"
+
+
+def _steady(force: Steady) -> str:
+    tones = _list((f"Tone {_written(*one)}" for one in force.tones), "; ")
+    return f"Steady {_written(force.since)} {_list(map(_written, force.polynomial), '; ')} {tones}"
+
+
 class _Writer:
     """The proof file of a scene, from event to event; `most` are the bits of the first state.
 
@@ -88,7 +124,8 @@ class _Writer:
     """
 
     def __init__(self, scene: Scene, places: list[int], most: int, *, renewing: bool) -> None:
-        self.scene, self.places, self.most, self.renewing = scene, places, most, renewing
+        self.scene, self.most, self.renewing = scene, most, renewing
+        self.places = dict(zip("txv", places, strict=True))
         self.spells, self.hints = list(spells(scene)), list[str]()
         self.forms = Forms(scene.pair, most)
         self._begin(0)
@@ -107,13 +144,13 @@ class _Writer:
         pair, at, force, friction = self.scene.pair, self.scene.initial, self.spells[0].force, self.spells[0].friction
         if at.v1 != at.v2 or any(one.phase for one in force.tones):
             return 0
-        pushed = sum((one * (-force.since) ** n for n, one in enumerate(force.polynomial)), Fraction(0))
-        load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed - sum(one.in_cosine for one in force.tones))
+        pushed = polynomial_at(force.polynomial, -force.since) + sum(one.in_cosine for one in force.tones)
+        load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed)
         return {-friction * pair.mass: 1, friction * pair.mass: -1}.get(load, 0)
 
     def text(self, trajectory: Solution, times: list[float]) -> str:
         """Return the file; the last of the times is the end."""
-        events, last, (time_shown, place, speed) = [], trajectory.final_mode, self.places
+        events, last = [], trajectory.final_mode
         for event, time in zip(trajectory.events, times, strict=False):
             jump = event.cause == "jump"
             self._rest_before(time, event.before, jump=jump)
@@ -123,16 +160,25 @@ class _Writer:
             else:
                 self._hit(event.before, event.before.sign or event.after.sign, time)
             t, x1, v1, x2, _ = self.run.at
-            bounds = self._bounds((t, x1, x2, v1), (time_shown, place, place, speed))
-            events.append(f"Event {gallina.mode(event.before)} {bounds}")
+            events.append(f"Event {_written(event.before)} {self._bounds((t, x1, x2, v1), 'txxv')}")
         self._rest_before(math.inf, last, jump=False)
         relative = self._rest(last, self.scene.until, "Last {bits} {least}")
-        _, x1, v1, x2, v2 = self.run.at
-        ends = self._bounds((x1, v1, x2, v2, relative), (place, speed, place, speed, speed))
-        ever = gallina.truth(trajectory.status is Status.STUCK_FOR_EVER and self._for_ever())
-        ending = f"Ending {gallina.mode(last)} {gallina.number(self.scene.until)} {ends} {ever}"
-        bits = self.most + KERNEL_BITS, self.forms.sign_bits + SPARE_SIGN_BITS
-        return gallina.proof_file(self.scene, self.spells, events, ending, self.hints, bits)
+        ends = self._bounds((*self.run.at[1:], relative), "xvxvv")
+        ever = trajectory.status is Status.STUCK_FOR_EVER and self._for_ever()
+        pair, at, table = self.scene.pair, self.scene.initial, ";\n  ".join(events)
+        acting = [f"(Spell {_written(one.since, one.friction)} ({_steady(one.force)}))" for one in self.spells]
+        return TEXT.format(
+            scene=_written(pair.m1, pair.m2, pair.a1, pair.a2, at.x1, at.v1, at.x2, at.v2),
+            first=acting[0],
+            later=_list(acting[1:]),
+            events=f"[\n  {table}]" if table else "[]",
+            ending=f"Ending {_written(last, self.scene.until)} {ends} {_written(ever)}",
+            answers=_list(f"({_steady(one.alone)}, {_steady(one.together)})" for one in self.spells),
+            hints=";\n  ".join(self.hints),
+            state=self.most + KERNEL_BITS,
+            sign=self.forms.sign_bits + SPARE_SIGN_BITS,
+            depth=DEPTH,
+        )
 
     def _rest_before(self, time: float, mode: Mode, *, jump: bool) -> None:
         """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
@@ -142,39 +188,37 @@ class _Writer:
                 self._rest(mode, since, "Rest {bits} {until} {least} Goes")
             self._begin(self.index + 1)
 
-    def _narrow(self) -> None:
-        """Compute with no more bits than the state deserves."""
+    def _narrow(self) -> int:
+        """Compute with no more bits than the state deserves; return with how many the kernel does."""
         widths = [(float(one.delta.b), float(abs(one).b)) for one in self.run.at]
         known = min((-math.log2(width / size) for width, size in widths if width and size), default=math.inf)
         self.forms.narrow(STEP_BITS * math.ceil((min(known, self.most) + SPARE_BITS) / STEP_BITS))
+        return self.forms.bits + KERNEL_BITS
 
     def _hit(self, mode: Mode, k: int, time: float) -> None:
         """Go to the next event, with the motion that is close."""
         if self.renewing and self._size() > WORN * self.fresh:
             now = self.run.time
             self._renewed(mode, Fraction(f"{(now + time) / 2:.{max(0, 2 - math.floor(math.log10(time - now)))}f}"))
-        self._narrow()
-        bits, ahead = self.forms.bits + KERNEL_BITS, gallina.truth(k > 0)
-        low, high = map(gallina.number, self.run.hit(mode, k, time, self.places[0]))
-        self.hints.append(f"Hit {bits} {low} {high} {ahead}")
+        bits = self._narrow()
+        self.hints.append(f"Hit {bits} {_written(*self.run.hit(mode, k, time, self.places['t']), k > 0)}")
         if self.close:
-            low, high = map(gallina.number, self.close.hit(mode, k, time, self.places[0]))
-            self.steps.append(f"({gallina.mode(mode)}, {low}, {high}, {ahead})")
+            low, high = self.close.hit(mode, k, time, self.places["t"])
+            self.steps.append(f"({_written(mode)}, {_written(low)}, {_written(high)}, {_written(k > 0)})")
 
     def _rest(self, mode: Mode, time: Fraction, hint: str) -> Value:
         """Go on in a mode to a time, and return v1 - v2 there."""
-        self._narrow()
+        bits = self._narrow()
         least, relative = self.run.rest(mode, time)
-        until, lasting = gallina.number(time), gallina.number(least)
-        self.hints.append(hint.format(bits=self.forms.bits + KERNEL_BITS, until=until, least=lasting))
+        self.hints.append(hint.format(bits=bits, until=_written(time), least=_written(least)))
         self.close, self.radius, self.steps = None, Fraction(0), []
         return relative
 
     def _norm(self, at: State) -> Value:
         """Return the energy norm of a difference, sqrt(J)."""
-        pair, number = self.scene.pair, self.forms.number
+        pair = self.scene.pair
         parts = (pair.a2, at.x1), (pair.m1, at.v1), (pair.m2, at.v2)
-        return self.forms.on.sqrt(sum(number(weight) * one**2 for weight, one in parts) / 2)
+        return INTERVALS.sqrt(sum(number(weight) * one**2 for weight, one in parts) / 2)
 
     def _size(self) -> float:
         """Return how large the box is, and what rounding adds, in the energy norm."""
@@ -183,52 +227,90 @@ class _Writer:
 
     def _renewed(self, mode: Mode, time: Fraction) -> bool:
         """Go on to a time and replace the box by a ball about a new motion; return whether that is possible there."""
-        self._narrow()
+        bits = self._narrow()
         run, other = replace(self.run), replace(self.close or self.run)
         try:
             least = max(one.rest(mode, time)[0] for one in (run, other))
         except TooCoarse:
             return False
-        number, box = self.forms.number, (other.at.x1, other.at.v1, other.at.v2)
+        box = other.at.x1, other.at.v1, other.at.v2
         places = 1 - math.floor(math.log10(min(float(one.delta.b) for one in box) or 2.0**-self.most))
         x1, v1, v2 = (sum(outward(one, places), Fraction(0)) / 2 for one in box)
         centre = Run.start(self.forms, (time, x1, v1, Fraction(0), v2))
         away = self._norm(State(*(one - at for one, at in zip(other.at, centre.at, strict=True))))
-        radius = self.radius + Fraction(f"{1.25 * float(away.b):.2e}")
-        weights = self.scene.pair.a2, self.scene.pair.m1, self.scene.pair.m2
-        arms = [number(radius) * self.forms.on.sqrt(2 / number(one)) for one in weights]
-        x, v, w = (arm * self.forms.on.mpf([-1, 1]) for arm in arms)
-        run.at = run.at._replace(x1=centre.at.x1 + x, v1=centre.at.v1 + v, v2=centre.at.v2 + w)
+        radius, pair = self.radius + Fraction(f"{1.25 * float(away.b):.2e}"), self.scene.pair
+        for name, weight in (("x1", pair.a2), ("v1", pair.m1), ("v2", pair.m2)):
+            arm = number(radius) * INTERVALS.sqrt(2 / number(weight)) * INTERVALS.mpf([-1, 1])
+            run.at = run.at._replace(**{name: getattr(centre.at, name) + arm})
         if not all(run.guard(mode, k)(number(Fraction(0))) > 0 for k in ends_of(mode)):
             return False
-        new = " ".join(map(gallina.number, (time, x1, v1, v2, radius)))
-        until, lasting = gallina.number(time), gallina.number(least)
-        renews = f"(Renews [{'; '.join(self.steps)}]\n    (Close {new}))"
-        self.hints.append(f"Rest {self.forms.bits + KERNEL_BITS} {until} {lasting} {renews}")
+        renews = f"(Renews {_list(self.steps, '; ')}\n    (Close {_written(time, x1, v1, v2, radius)}))"
+        self.hints.append(f"Rest {bits} {_written(time, least)} {renews}")
         self.run, self.close, self.radius, self.steps = run, centre, radius, []
         self.fresh = self._size()
         return True
 
     def _for_ever(self) -> bool:
         """Go on in a stick that does not end until its energy shows that; return whether that is shown."""
-        scene, force, forms = self.scene, self.spells[self.index].force, self.forms
+        scene, force = self.scene, self.spells[self.index].force
         changes = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0)) >= scene.until
         if changes or force.tones or any(force.polynomial[1:]):
             return False
         least = Fraction(f"{math.sqrt(scene.pair.mass / scene.pair.a2) / 8:.1g}")
         for doubling in range(DOUBLINGS if scene.pair.a1 else 1):
             left = least * 2**doubling
-            if forms.spare(moved(forms, Mode.STICK, 0, self.run.at, forms.number(left), ends=False)) > 0:
+            if self.forms.spare(self.forms.moved(Mode.STICK, self.run.at, number(left))) > 0:
                 self._rest(Mode.STICK, scene.until + left, "Ever {bits} {until} {least}")
                 return True
         return False
 
-    def _bounds(self, boxes: tuple[Value, ...], places: tuple[int, ...]) -> str:
-        """Return decimal bounds of each box; raises _TooCoarse for one wider than the last place shown."""
+    def _bounds(self, boxes: tuple[Value, ...], kinds: str) -> str:
+        """Return decimal bounds of each box, a time, place or velocity; raises TooCoarse for one that is too wide."""
         found = []
-        for box, shown in zip(boxes, places, strict=True):
-            low, high = outward(box, shown)
-            if high - low > 3 * Fraction(10) ** -shown:
+        for box, kind in zip(boxes, kinds, strict=True):
+            low, high = outward(box, self.places[kind])
+            if high - low > 3 * Fraction(10) ** -self.places[kind]:
                 raise TooCoarse
             found.append(f"({decimal_text(low)}, {decimal_text(high)})")
         return "\n    ".join((" ".join(found[:2]), " ".join(found[2:])))
+
+
+TEXT = """(** Written by `python -m numerics solve --proof`: the events of a scene, proved for every motion of it. *)
+From Coq Require Import Reals QArith List.
+From Interval.Float Require Import Specific_ops Specific_stdz.
+From Interval.Interval Require Import Float_full.
+From InertialPair Require Import Waves Trajectory.
+Import ListNotations.
+Module F := SpecificFloat StdZRadix2.
+Module I := FloatIntervalFull F.
+Module C := Check I.
+Local Open Scope Q_scope.
+
+(** m1, m2, a1 and a2; x1, v1, x2 and v2 at the time 0; from when on what friction and what force act *)
+Definition the_scene := Scene {scene}
+  {first} {later}.
+
+(** its events: the mode until then; bounds of the time, of both places, and of the common velocity *)
+Definition the_events : list event := {events}.
+
+(** its end: the mode and the time; bounds of x1, v1, x2 and v2, and of v1 - v2; whether it sticks for ever *)
+Definition the_ending := {ending}.
+
+(** how body 1 and both bodies answer to the force *)
+Definition answers := {answers}.
+
+(** what helps the program: in how many bits to compute, bounds of the time since the event before, which way a stick
+    ends; until when a mode lasts, for how long at least, and which motion is close then; until when a stick that is for
+    ever is followed *)
+Definition hints := [
+  {hints}].
+
+(** the program accepts it *)
+Lemma accepted :
+  C.check F.PtoP (F.PtoP {sign}) {depth} the_scene {state} answers the_events the_ending hints = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+(** so every motion of the scene runs through these events *)
+Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2 -> unfolds x v1 x2 v2 0 the_events the_ending.
+Proof. exact (C.sound _ _ _ _ _ _ _ _ _ accepted x v1 x2 v2). Qed.
+"""

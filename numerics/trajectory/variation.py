@@ -21,21 +21,19 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 import flint
 import numpy as np
 from flint import arb, arb_mat
-from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball, magnitude_bits, precision
-from numerics.linear.cells import PLAIN, Branch, cells_of, mode_in
-from numerics.linear.pieces import ExactPiece
+from numerics.linear.cells import Branch, cells_of, mode_in
+from numerics.linear.pieces import pieces_of
 from numerics.linear.system import LinearMode
 from numerics.scene import Piece, Scene
+from numerics.trajectory.columns import Array
+from numerics.trajectory.legs import Leg
 
-Array = NDArray[Any]
-"""Of balls."""
 _BITS_PER_SQUARING = 5
 """What an exponential may lose each time that it is squared: entries are sums of a few products."""
 
@@ -50,24 +48,18 @@ class Variation:
     sin, cos, t sin, t cos. `system` is A, (n, n); `inputs` what all numbers do to each body, (1 or 2, n, p), N.
     """
 
-    def __init__(
-        self,
-        scene: Scene,
-        piece: ExactPiece,
-        side: int,
-        column: dict[str, int],
-        cell: tuple[int, int] = PLAIN,
-    ) -> None:
-        """Take the numbers of the scene."""
-        pair, number, cells = scene.pair, Ball.number, cells_of(scene) if side else None
-        place, began = (bisect_right(of.starts, piece.start) - 1 for of in (scene.friction, scene.force))
-        b, name = "b" if place < 0 else f"friction[{place}].b", f"force[{began}]"
+    def __init__(self, scene: Scene, column: dict[str, int], index: int, side: int, cell: tuple[int, int]) -> None:
+        """Take the numbers of the scene, in the piece of this index."""
+        pair, number, self.cells, self.piece = scene.pair, Ball.number, cells_of(scene), pieces_of(scene)[index]
+        place, began = (bisect_right(of.starts, self.piece.start) - 1 for of in (scene.friction, scene.force))
+        name = f"force[{began}]"
+        self.b = "b" if place < 0 else f"friction[{place}].b"
+        """The name of the friction that acts."""
         self.force = scene.force.pieces[began] if began >= 0 else Piece(0)
-        self.side, self.column, self.mode = side, column, mode_in(scene, piece, side, cell)
-        self.b_name, self.by_b = b, column[b]
-        self.m2, self.mass, self.b = map(number, (pair.m2, self.mode.mass, self.mode.b))
+        self.side, self.column, self.mode = side, column, mode_in(scene, self.piece, side, cell)
+        self.m2, self.mass = number(pair.m2), number(self.mode.mass)
         terms, sines = self.force.polynomial or (Fraction(0),), self.force.sines
-        n = self.size = 2 if cells is None else 4
+        n = self.size = 4 if side and self.cells else 2
         size = n + len(terms) + 4 * len(sines)
         self.system = system = np.full((size, size), arb(0))
         self.inputs = inputs = np.full((n // 2, size, len(column)), arb(0))
@@ -91,14 +83,19 @@ class Variation:
         friction = self._friction(self.mode)
         system[1] = (system[1] - friction) / self.mass
         inputs[0, :, column["m1"]], inputs[0, :, column["m2"]] = -system[1], -system[1] * (side == 0)
-        if cells is not None:
+        if n == 4:
             system[2, 3], system[3] = arb(1), friction / self.m2
             inputs[1, :, column["m2"]] = -system[3]
-        branches = {b: Branch(Fraction(1), Fraction(0), Fraction(0))} if side else {}
-        for name, (offset, slope, pull) in (cells.by_numbers(piece, side, cell, b) if cells else branches).items():
+        for name, (offset, slope, pull) in self._by_numbers(side, cell).items() if side else ():
             acting = self._friction(replace(self.mode, b=offset, slope=slope, pull=pull))
             inputs[0, :, column[name]] -= acting
             inputs[1:, :, column[name]] += acting
+
+    def _by_numbers(self, side: int, cell: tuple[int, int]) -> dict[str, Branch]:
+        """Return the derivatives of the friction of a slip by the numbers in it."""
+        if self.cells:
+            return self.cells.by_numbers(self.piece, side, cell, self.b)
+        return {self.b: Branch(Fraction(1), Fraction(0), Fraction(0))}
 
     def _friction(self, mode: LinearMode) -> Array:
         """Return friction on body 2 over z; of a stick none."""
@@ -134,27 +131,32 @@ class Variation:
         if self.side:
             flow[2:, 2:] = [[arb(1), tau], [arb(0), arb(1)]]
             slid = np.array([tau * tau / 2, tau]) * self.side / self.m2
-            columns[2:, self.by_b] = slid
-            columns[2:, self.column["m2"]] = -slid * self.b / self.m2
+            columns[2:, self.column[self.b]] = slid
+            columns[2:, self.column["m2"]] = -slid * Ball.number(self.mode.b) / self.m2
         else:
             flow[2:, :2], columns[2:] = flow[:2, :2], columns[:2]
             flow[2] += [-1, 0, 1, 0]
         return flow, columns
 
-    def guard(self, state: Sequence[arb], t: arb, field: Array, exit_side: int) -> tuple[Array, Array, arb]:
+    def guard(self, after: Leg, field: Array) -> tuple[Array, Array, arb]:
         """Return the derivatives of the guard by the state (4,) and by the numbers (p,), and its rate, where it is 0.
 
-        The guard of a slip is v1 - v2; that of a stick which ends in the slip s = `exit_side` is b - s m2 x1''. `field`
-        is (v1, v1', v2, v2') there.
+        The guard of a slip is v1 - v2; that of a stick which ends in the slip s of the leg `after` is F - s m2 x1'',
+        F = b, or B(0) + C(x1 - x2). `field` is (v1, v1', v2, v2') there.
         """
+        (x1, _, x2, _), exit_side, cell = after.state, after.side, (0, after.cell[1])
         by_state, by_numbers = np.full(4, arb(0)), np.full(len(self.column), arb(0))
         if self.side:
             return np.array([0, 1, 0, -1]), by_numbers, field[1] - field[3]
-        z, load = self._begun(state, t), -exit_side * self.m2 * self.system[1]
+        z, load = self._begun(after.state, after.start), -exit_side * self.m2 * self.system[1]
         by_numbers += -exit_side * self.m2 / self.mass * (z @ self.inputs[0])
         by_numbers[self.column["m2"]] -= exit_side * field[1]
-        by_numbers[self.by_b] += 1
         by_state[:2] = load[:2]
+        for name, one in self._by_numbers(1, cell).items():
+            by_numbers[self.column[name]] += Ball.number(one.offset) + Ball.number(one.pull) * (x1 - x2)
+        if self.cells:
+            pull = Ball.number(self.cells.branch(self.piece, 1, cell).pull)
+            by_state += [pull, 0, -pull, 0]
         return by_state, by_numbers, load @ (self.system @ z)
 
 

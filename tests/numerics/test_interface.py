@@ -65,7 +65,6 @@ FOR_THE_HOUSE = {
     "but",
     "columns",
     "context",
-    "dense",
     "energy_of",
     "event_rows",
     "floats",
@@ -75,9 +74,7 @@ FOR_THE_HOUSE = {
     "pieces",
     "row",
 }
-FOR_THE_HOUSE |= {
-    f"row_{name}" for name in ("lengths", "mode", "modes", "numbers", "pieces", "signs", "states", "times")
-}
+FOR_THE_HOUSE |= {name for name in public(numerics.Trajectory) if name.startswith("row_")}
 FOR_THE_HOUSE |= {"require_filippov", "require_one_b", "signs"}
 FOR_THE_HOUSE |= {"ARITHMETICS", "COLUMNS", "EVENT_COLUMNS", "FORMAT"}
 FOR_THE_HOUSE |= {"end_bounds", "end_numbers", "kept", "look_up_times", "restored"}

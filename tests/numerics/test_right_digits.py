@@ -118,14 +118,11 @@ def test_a_sequence_in_doubt_is_settled_by_the_next_arithmetic_and_nothing_is_ca
     assert solve(scene).tried == ""
 
 
-def test_float64_that_is_asked_for_never_climbs():
-    scene = next_to_an_event(PAPER)
-    run = solve(scene, arithmetic="float64")
+def test_an_open_sequence_is_a_status_and_no_success():
+    """Float64 that is asked for never climbs, and a batch does not, either."""
+    run = solve(next_to_an_event(PAPER), arithmetic="float64")
     assert (run.arithmetic.name, run.status, run.success) == ("float64", Status.SEQUENCE_OPEN, False)
     assert run.accuracy.digits == 0
-
-
-def test_an_open_sequence_is_a_status_of_a_batch_and_no_success():
     third = float(solve(PAPER).events[2].t)
     found = solve_many(1, 1, 200, 0.5, v1=0.15, until=[third, 3.0])
     assert found.status.tolist() == [Status.SEQUENCE_OPEN, Status.REACHED_HORIZON]

@@ -1,6 +1,7 @@
 """Sensitivities as the command line tells them: digits that are right, an archive, a table, refusals."""
 
 from dataclasses import replace
+from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -27,15 +28,10 @@ def test_json_carries_them(arithmetic, scene_file, record):
 def check_row(row, true, arithmetic):
     with Ball(70).context():
         for name, value in zip(WRT, true, strict=True):
-            exact = row[name] in {"0", "1"}
-            place = row[f"{name}_radius"] if arithmetic == "ball" else "0" if exact else f"1e{exponent(row[name])}"
+            exact, exponent = row[name] in {"0", "1"}, Decimal(row[name]).as_tuple().exponent
+            place = row[f"{name}_radius"] if arithmetic == "ball" else "0" if exact else f"1e{exponent}"
             assert arb(row[name], arb(place)).overlaps(value), (name, row[name])
             assert arb(place) <= arb("1e-10") * (1 + abs(value))
-
-
-def exponent(text):
-    digits, _, power = text.lower().partition("e")
-    return int(power or 0) - len(digits.partition(".")[2])
 
 
 def test_the_archive_and_the_table_carry_them(scene_file, tmp_path, output):

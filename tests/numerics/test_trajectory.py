@@ -23,7 +23,7 @@ ARITHMETICS = ["float64", "double-double", "mpmath", "ball"]
 
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_shapes_and_names_of_scipy(arithmetic):
+def test_shapes_and_names_are_those_of_scipy_and_the_columns_of_y_are_sol_at_t(arithmetic):
     run = solve(PAPER, arithmetic=arithmetic)
     m = len(run.events) + 2
     assert run.t.shape == (m,) == run.energy.shape
@@ -38,11 +38,6 @@ def test_shapes_and_names_of_scipy(arithmetic):
     assert run.y.dtype == (float if arithmetic == "float64" else object)
     for kind, times in zip(EventKind, run.t_events, strict=True):
         assert len(times) == run.event_kinds.count(kind)
-
-
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_the_columns_of_y_are_sol_at_t(arithmetic):
-    run = solve(PAPER, arithmetic=arithmetic)
     with run.arithmetic.context():
         for one, two in zip(run.sol(run.t).ravel(), run.y.ravel(), strict=True):
             assert abs(run.arithmetic.to_float(one) - run.arithmetic.to_float(two)) < 1e-14
