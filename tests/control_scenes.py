@@ -1,6 +1,5 @@
-"""Scenes and answers of numerics/control; both handed to the independent reference, which shares no code with it."""
+"""Scenes and answers of numerics/control; both handed to the independent reference, which shares no equation."""
 
-import tomllib
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 from forced_reference import Reference
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response, scene_text, solve
+from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
 from numerics.control.attraction import passage_at
@@ -44,9 +43,8 @@ def two_that_attract() -> tuple[Any, ...]:
 
 
 def referred(scene: Scene, digits: int = 36) -> Reference:
-    """The scene solved by the independent reference, through its text."""
-    tables = tomllib.loads(scene_text(scene), parse_float=str)
-    return Reference(tables, digits=digits).run()
+    """The scene solved by the independent reference."""
+    return Reference(scene, digits).run()
 
 
 def middle(orbit: Orbit, number: int = 0) -> Fraction:

@@ -1,6 +1,6 @@
 """Scenes in reduced coordinates, for the page as numbers and for `numerics.solve` as exact rationals."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from fractions import Fraction
 from itertools import product
 from typing import NamedTuple
@@ -54,7 +54,6 @@ DRIVEN = [
         (("0", "1.5", "0.7"), ("0", "3", "1"), ("0.4", "-8", "2.3")),
     )
 ]
-UNTIL = Fraction(40)
 
 
 class Answer(NamedTuple):
@@ -70,37 +69,16 @@ class Answer(NamedTuple):
         return Answer([-mode for mode in self.modes], turned)
 
 
-@dataclass(frozen=True)
-class GridScene:
-    """A scene of the grid: mass ratio m1/m2, damping ratio, X, V1, V2, the force over b, and the reading of the law."""
-
-    ratio: Fraction
-    zeta: Fraction
-    X: Fraction
-    V1: Fraction
-    V2: Fraction
-    constant: Fraction = Fraction(0)
-    amplitude: Fraction = Fraction(0)
-    omega: Fraction = Fraction(1)
-    literal: bool = False
-
-    def for_page(self) -> dict[str, float | bool]:
-        numbers = {name: float(value) for name, value in asdict(self).items() if name != "literal"}
-        return numbers | {"until": float(UNTIL), "literal": self.literal}
-
-    def scene(self) -> Scene:
-        """The pair with L = Omega = M = 1: its SI numbers are the reduced ones."""
-        q = self.ratio / (1 + self.ratio)
-        pair = Pair(q, 1 - q, 1, 1 - q, 2 * self.zeta)
-        law = "three-valued-sgn" if self.literal else "filippov"
-        force = Force([Piece(0, [pair.b * self.constant], [Sine(pair.b * self.amplitude, self.omega)])])
-        driven = force if self.constant or self.amplitude else Force()
-        return Scene(pair, State(self.X, self.V1, 0, self.V2), UNTIL, law, force=driven)
+def scene_of(ratio, zeta, X, V1, V2, constant=0, amplitude=0, omega=1, law="filippov") -> Scene:
+    """The pair with L = Omega = M = 1: its SI numbers are the reduced ones. The force is over b."""
+    q = ratio / (1 + ratio)
+    pair = Pair(q, 1 - q, 1, 1 - q, 2 * zeta)
+    force = Force([Piece(0, [pair.b * constant], [Sine(pair.b * amplitude, omega)])])
+    return Scene(pair, State(X, V1, 0, V2), 40, law, force=force if constant or amplitude else Force())
 
 
-SCENES = [GridScene(*row) for row in (*GRID, *TIES, *EDGES, *CRITICAL, *DRIVEN, *DRIVEN_EDGES)] + [
-    GridScene(*GRID[0], literal=True),
-    GridScene(*TIES[-1], literal=True),
+SCENES = [scene_of(*row) for row in (*GRID, *TIES, *EDGES, *CRITICAL, *DRIVEN, *DRIVEN_EDGES)] + [
+    scene_of(*row, law="three-valued-sgn") for row in (GRID[0], TIES[-1])
 ]
 
 FORCED_NAMES = (
@@ -126,6 +104,11 @@ FORCED_NAMES = (
 where binary64 has few digits, and one that is above the threshold by 1e-20."""
 
 
+def for_page(scene: Scene) -> dict[str, float | bool]:
+    """A scene as the page reads it."""
+    return asdict(reduced(scene))
+
+
 def explored(name: str) -> tuple[dict[str, float | bool], Answer]:
     """One of them for the page, and the events that it must find, reduced."""
     scene, answer = forced_scene(name), FORCED[name]
@@ -135,4 +118,4 @@ def explored(name: str) -> tuple[dict[str, float | bool], Answer]:
         event["n"]: [float(one) * unit for one, unit in zip(event["row"], units, strict=False)]
         for event in answer["events"]
     }
-    return asdict(reduced(scene)), Answer([{"0": 0, "+": 1, "-": -1}[mode] for mode in answer["modes"]], rows)
+    return for_page(scene), Answer([{"0": 0, "+": 1, "-": -1}[mode] for mode in answer["modes"]], rows)

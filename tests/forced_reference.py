@@ -1,4 +1,4 @@
-"""An independent solver of every scene: Taylor steps of the linear equations, and nothing of numerics/.
+"""An independent solver of every scene: Taylor steps of the linear equations; of numerics/ it has the scene alone.
 
 From eqs (2)-(4), with b the friction in force at the time, beta = b/m2 and M = m1 + m2:
   slip s   m1 x1'' + a1 x1' + a2 x1 = u - s b,  v2' = s beta         stick   M x1'' + a1 x1' + a2 x1 = u,  v2 = v1
@@ -17,12 +17,12 @@ different digits and steps say how good it is. Units: SI. The law is Filippov's.
 """
 
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb, arb_poly, ctx
 from forced.first_roots import Zeros
 
-NAMES = {0: "stick", 1: "slip+", -1: "slip-"}
+from numerics import Law, Scene
 
 
 class Event(NamedTuple):
@@ -35,23 +35,19 @@ class Event(NamedTuple):
     y: tuple[arb, arb, arb, arb]
 
 
-def number(value: Any) -> arb:
-    exact = Fraction(value)
+def number(exact: Fraction) -> arb:
     return arb(exact.numerator) / exact.denominator
 
 
 class Force:
-    """u(t) of the tables [[force]]: the normalised Taylor coefficients u^(k) h^k/k!, and the sizes of their terms."""
+    """u(t): the normalised Taylor coefficients u^(k) h^k/k!, and the sizes of their terms."""
 
-    def __init__(self, tables: list[dict]):
-        self.starts = [Fraction(one["from"]) for one in tables]
-        self.polynomials = [[number(c) for c in one.get("polynomial", [])] for one in tables]
+    def __init__(self, scene: Scene):
+        pieces = scene.force.pieces
+        self.starts = [one.start for one in pieces]
+        self.polynomials = [[number(c) for c in one.polynomial] for one in pieces]
         self.sines = [
-            [
-                tuple(number(sine.get(key, 0)) for key in ("amplitude", "omega", "phase"))
-                for sine in one.get("sines", [])
-            ]
-            for one in tables
+            [(number(sine.amplitude), number(sine.omega), number(sine.phase)) for sine in one.sines] for one in pieces
         ]
 
     def piece(self, at: Fraction) -> int:
@@ -80,22 +76,19 @@ class Force:
 
 
 class Motion(NamedTuple):
-    """One step on the unit interval: x1, v1, v2 and u as polynomials, and the guards with their leading zeros gone."""
+    """One step on the unit interval: x1, v1 and v2 as polynomials, and the guards with their leading zeros gone."""
 
     x1: arb_poly
     v1: arb_poly
     v2: arb_poly
-    u: arb_poly
     guards: list[Zeros]
 
 
 class Reference:
-    """Runs a scene, given as the tables of its file."""
+    """Runs a scene."""
 
-    def __init__(self, tables: dict, digits: int = 120, radians: float = 2, balance: bool = False):
-        self.literal = tables["run"].get("law", "filippov") != "filippov"
-        self.digits, self.radians, self.balance = digits, radians, balance
-        self.tables = tables
+    def __init__(self, scene: Scene, digits: int = 120, radians: float = 2):
+        self.scene, self.digits, self.radians = scene, digits, radians
 
     def run(self) -> "Reference":
         before, ctx.dps = ctx.dps, self.digits
@@ -107,20 +100,16 @@ class Reference:
         return self
 
     def _begin(self) -> None:
-        pair, start, tables = self.tables["pair"], self.tables.get("initial", {}), self.tables
-        self.m1, self.m2, self.a1, self.a2 = (number(pair.get(key, 0)) for key in ("m1", "m2", "a1", "a2"))
-        self.M, self.b = self.m1 + self.m2, number(pair["b"])
-        self.force = Force(tables.get("force", []))
-        self.until = Fraction(tables["run"]["until"])
-        self.friction = {Fraction(one["from"]): number(one["b"]) for one in tables.get("friction", [])}
+        pair, start, self.until = self.scene.pair, self.scene.initial, self.scene.until
+        self.m1, self.m2, self.a1, self.a2, self.b = map(number, (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
+        self.x1, self.v1, self.x2, self.v2 = map(number, (start.x1, start.v1, start.x2, start.v2))
+        self.M, self.force = self.m1 + self.m2, Force(self.scene)
+        self.friction = {at: number(b) for at, b in self.scene.friction.pieces}
         jumps = {*self.force.starts, *self.friction, Fraction(0)}
         self.times = [*sorted(at for at in jumps if 0 <= at < self.until), self.until]
-        self.x1, self.v1, self.x2, self.v2 = (number(start.get(key, 0)) for key in ("x1", "v1", "x2", "v2"))
         self.far, self.fast = max(abs(self.x1), abs(self.x2)), max(abs(self.v1), abs(self.v2))
         self.tie = arb(10) ** (-5 * self.digits // 8)
-        self.t, self.mode, self.events, self.touches = arb(0), None, [], []
-        self.work = self.viscous = self.rubbed = arb(0)
-        self.initial_energy = self.energy()
+        self.t, self.mode, self.events = arb(0), None, []
         reach, self.terms = arb(1), 0
         while reach > arb(10) ** (-10 - self.digits) or self.terms < 12:
             self.terms += 1
@@ -128,13 +117,10 @@ class Reference:
         self.terms = max(self.terms, *(len(one) + 3 for one in [[], *self.force.polynomials]))
 
     @property
-    def modes(self) -> list[str]:
-        """The names of the modes in their order."""
+    def modes(self) -> list[int]:
+        """The modes in their order, the sign of v1 - v2."""
         first = self.events[0].before if self.events else self.mode
-        return [NAMES[mode] for mode in (first, *(event.after for event in self.events))]
-
-    def energy(self) -> arb:
-        return (self.a2 * self.x1**2 + self.m1 * self.v1**2 + self.m2 * self.v2**2) / 2
+        return [first, *(event.after for event in self.events)]
 
     def rate(self, mode: int) -> arb:
         """No mode of the motion, and no sine of the force, is faster, 1/s."""
@@ -170,21 +156,17 @@ class Reference:
                 self.change("guard")
 
     def change(self, cause: str) -> None:
-        """Decide the mode on v1 = v2; keep an event, or a touch, if it is one."""
+        """Decide the mode on v1 = v2; keep an event if it is one."""
         before, self.mode = self.mode, self.decided()
-        if before is None:
-            return
-        if before != self.mode:
+        if before is not None and before != self.mode:
             self.events.append(Event(self.t, before, self.mode, cause, self.state()))
-        elif cause != "jump":
-            self.touches.append(self.t)
 
     def state(self) -> tuple[arb, arb, arb, arb]:
         return self.x1, self.v1, self.x2, self.v2
 
     def decided(self) -> int:
         """The mode right after t where v1 = v2: slip s if the first coefficient of s p that is not zero is positive."""
-        if self.literal:
+        if self.scene.law is not Law.FILIPPOV:
             return 0
         h = arb(self.radians) / self.rate(1)
         u, sizes = self.force.series(self.piece, self.t, h, self.terms)
@@ -223,8 +205,12 @@ class Reference:
         else:
             v2, load = v1, v1.derivative() * (self.m2 / h)
             scale = self.b + self.m2 / self.M * (sum(sizes, arb(0)) + self.a2 * self.far + self.a1 * self.fast)
-            guards = [] if self.literal else [(arb_poly([self.b]) - load, scale), (arb_poly([self.b]) + load, scale)]
-        return Motion(x1, v1, v2, arb_poly(u), [self.guard(one, scale) for one, scale in guards])
+            guards = (
+                []
+                if self.scene.law is not Law.FILIPPOV
+                else [(arb_poly([self.b]) - load, scale), (arb_poly([self.b]) + load, scale)]
+            )
+        return Motion(x1, v1, v2, [self.guard(one, scale) for one, scale in guards])
 
     def guard(self, polynomial: arb_poly, scale: arb) -> Zeros:
         """Its zeros after the start: a zero at the start, of any order, is divided out."""
@@ -232,20 +218,12 @@ class Reference:
         while k < len(values) and abs(values[k].mid()) <= self.tie * scale:
             k += 1
         if k < len(values) and not values[k].mid() > 0:
-            raise ArithmeticError(f"mode {NAMES[self.mode]} cannot begin at t = {self.t.str(20, radius=False)}")
+            raise ArithmeticError(f"mode {self.mode} cannot begin at t = {self.t.str(20, radius=False)}")
         return Zeros(arb_poly(values[k:]), self.tie * scale)
 
     def move(self, motion: Motion, to: arb, h: arb) -> None:
-        """Go to the point `to` of the unit interval, and count what goes in and out."""
+        """Go to the point `to` of the unit interval."""
         x1, v1, v2 = (polynomial(to).mid() for polynomial in motion[:3])
-        if self.balance:
-            apart = motion.v1 - motion.v2
-            for name, power in (
-                ("work", motion.u * motion.v1),
-                ("viscous", motion.v1 * motion.v1 * self.a1),
-                ("rubbed", apart * (self.b * self.mode)),
-            ):
-                setattr(self, name, (getattr(self, name) + power.integral()(to) * h).mid())
         self.x2 = (self.x2 + motion.v2.integral()(to) * h).mid() if self.mode else (self.x2 + x1 - self.x1).mid()
         self.x1, self.v1, self.v2, self.t = x1, v1, v2, (self.t + to * h).mid()
         self.far = max(self.far, abs(self.x1), abs(self.x2))

@@ -2,6 +2,7 @@
 
 import math
 from fractions import Fraction
+from operator import add
 from random import Random
 from typing import NamedTuple
 
@@ -57,18 +58,9 @@ def _with_distance(carried: Carried, scene: Scene, other: Scene) -> Carried:
     x1, v1, _, v2 = (abs(float(getattr(scene.initial, name) - getattr(other.initial, name))) for name in COORDINATES)
     slides = abs(float((scene.initial.x1 - scene.initial.x2) - (other.initial.x1 - other.initial.x2)))
     q, w = float(scene.pair.share), abs(float(scene.energy_excess - other.energy_excess))
-    late, gap, push, w_error, slide, place, shift, norm = carried.errors
     distance = math.sqrt(x1**2 + q * v1**2 + (1 - q) * v2**2)
-    errors = Errors(
-        late,
-        gap + x1 / q,
-        push + max(v1, v2) / math.sqrt(q),
-        w_error + w,
-        slide,
-        place + slides,
-        shift,
-        norm + distance,
-    )
+    planted = Errors(0, x1 / q, max(v1, v2) / math.sqrt(q), w, 0, slides, 0, distance)
+    errors = Errors(*map(add, carried.errors, planted))
     return without_linear(Parameters(q, 1 - q, math.sqrt(q), False), errors)
 
 

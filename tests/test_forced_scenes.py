@@ -98,7 +98,7 @@ def require_agreement(scene):
     with ctx.workdps(110):
         rows = [(event.t, *event.y) for event in found.events] + [(found.end_time, *found.final_state)]
         right = [(event.t, *event.y) for event in truth.events] + [(truth.t, *truth.state())]
-        assert [mode.value for mode in found.modes] == truth.modes
+        assert found.signs == truth.modes
         far, fast = truth.far, truth.fast
         for got, true in zip(rows, right, strict=True):
             for one, two, scale in zip(got, true, (abs(true[0]), far, fast, far, fast), strict=True):

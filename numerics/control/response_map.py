@@ -25,7 +25,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number
 from numerics.control.thresholds import NonStop, entrainment_threshold, flattest_peak
 from numerics.errors import InvalidMap
-from numerics.free.quadtree import CellMap, Progress, Side, Sides, Verdicts, map_of
+from numerics.free.quadtree import CellMap, Progress, Side, Sides, map_of
 from numerics.scene import Pair
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.model import require_kind
@@ -71,11 +71,11 @@ def response_map(
     sides = {"amplitude": _side("amplitude", amplitude), "omega": _side("omega", omega)}
     numbers = {name: decimal_text(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
     title = {"map": "response", "pair": numbers} | {name: [*map(str, side)] for name, side in sides.items()}
-    verdicts = Verdicts(partial(decide, pair), Regimes, Regimes.UNDECIDED)
     return map_of(
         (sides["omega"], sides["amplitude"]),
         depth,
-        verdicts,
+        partial(decide, pair),
+        Regimes.UNDECIDED,
         title,
         jobs=jobs,
         dask=dask,

@@ -40,7 +40,7 @@ class AbelFunctions:
     def __init__(self, q: Fraction, order: int = ORDER) -> None:
         """Compute the series to `order` and the bounds of what they miss."""
         self.q, self.r, self.order = q, 1 - q, order
-        with _series_terms(2 * order + 8):
+        with _series_terms(2 * order + 12):
             self._compute_series()
         self.radius, *self._rims = self._bound_on_rim()
         # a y up to which all is certified: a lower bound of h(radius)^2, as h(theta) >= theta/3
@@ -56,13 +56,13 @@ class AbelFunctions:
         q, r = fmpq(self.q.numerator, self.q.denominator), fmpq(self.r.numerator, self.r.denominator)
         x, one = fmpq_series([0, 1]), fmpq_series([1])
         # theta(u) = h^-1(u) and c(u) as series in u: c' = h, so dc = u dtheta
-        height = _over(x - x.sin(), 2) / _over(1 - x.cos(), 2)
+        height = (x - x.sin()) / (1 - x.cos())
         angle = height.reversion()
         depth = (x * angle.derivative()).integral()
         # a power u^k is epsilon^k q^(-k/2): odd series keep one factor 1/sqrt(q), which the definitions below absorb
         slip = _scaled(angle, q, shift=1)  # sqrt(q) theta
         deep = _scaled(depth, q, shift=0)  # c
-        falls = _over(deep * deep * (r * q), 2)  # G = r c^2/y in epsilon
+        falls = deep * deep * (r * q) / (x * x)  # G = r c^2/y in epsilon
         after = x * (one - falls).sqrt()
         self.time = slip - after.atan() - ((slip - x) / (one - deep * q)).atan()  # t(epsilon)
         self.a = fmpq(9, 4) * r
@@ -70,7 +70,7 @@ class AbelFunctions:
             raise ArithmeticError("the time of a cycle must be pi up to the third order in epsilon")
         self.beta_coefficients = _solved(-self.time, after, -1, 2, 2 * self.order)
         falls = fmpq_series([falls[2 * k] * q**k for k in range((falls.length() + 1) // 2)])  # in y = epsilon^2/q
-        left = _over(falls / (one - falls), 1) / self.a - 1  # (1/F - 1/y)/a - 1
+        left = falls / (one - falls) / (x * self.a) - 1  # (1/F - 1/y)/a - 1
         if left[0] != 0:
             raise ArithmeticError("the return map must be y - a y^2 to second order")
         self.log_coefficient = left[1] / self.a
@@ -212,11 +212,6 @@ def _scaled(series: fmpq_series, q: fmpq, shift: int) -> fmpq_series:
     """Return sum s_k q^((shift - k)/2) eps^k of a series whose powers all have the parity of `shift`."""
     terms = [series[k] * (q ** ((shift - k) // 2) if series[k] else 0) for k in range(series.length())]
     return fmpq_series(terms)
-
-
-def _over(series: fmpq_series, power: int) -> fmpq_series:
-    """Return the series divided by this power of its variable, its first coefficients being 0."""
-    return fmpq_series([series[k] for k in range(power, series.length())])
 
 
 def _polynomial(coefficients: list[fmpq]) -> arb_poly:

@@ -18,7 +18,8 @@ from numerics.arithmetic import elementary
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, rounding
 from numerics.arithmetic.protocol import Number
-from numerics.free.motion import RAY, STICK, SURFACE, Landing, Parameters, Start, State, stick_reach
+from numerics.free.motion import RAY, STICK, SURFACE, Landing, Parameters, State, stick_reach
+from numerics.free.slip import Start
 
 UNDERFLOW = 1e-290
 """What products below the normal numbers may have dropped from a sum."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -22,9 +23,10 @@ from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
 from numerics.free.bounds import Carried, initial
 from numerics.free.excursions import left_range, motions
-from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
-from numerics.free.rows import UNKNOWN, solve_row, solve_start
-from numerics.free.start import SI, Begun, begin, in_si, narrowing, wide
+from numerics.free.motion import event_state, mode_of, order_of, state_at
+from numerics.free.rows import solve_row, solve_start
+from numerics.free.slip import Start
+from numerics.free.start import Begun, begin, in_si, narrowing, wide
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.scene import Law, Scene
 
@@ -43,18 +45,22 @@ _runs = [0]
 
 def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
-    by_rows = arithmetic.name in {"float64", "double-double"}
-    return (_run_in_rows if by_rows else _run_exactly)(scene, arithmetic, max_events, progress)
+    if arithmetic.name not in {"float64", "double-double"}:
+        return _run_exactly(scene, arithmetic, max_events, progress)
+    found = _run_in_rows(scene, arithmetic, max_events)
+    if progress is not None:
+        progress(found.events, 1.0)
+    return found
 
 
-def si_numbers(scene: Scene) -> SI:
-    """Return the SI numbers of a scene, exact. Raises NoForceHere."""
+def si_numbers(scene: Scene) -> tuple[Fraction, ...]:
+    """Return m1, m2, a2, b, x1, v1, x2, v2, until and a1 = 0 of a scene, exact, in SI units. Raises NoForceHere."""
     if scene.is_forced or scene.pair.a1:
         raise NoForceHere(
             "this scene has a force, a damper, or a friction that changes in time; solve it up to the time asked for"
         )
     pair, at = scene.pair, scene.initial
-    return SI(pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
+    return pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
 
 
 def begin_exactly(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, tuple[Number, ...]]:
@@ -63,8 +69,8 @@ def begin_exactly(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, tuple[Nu
     Every sign is decided on exact rationals. Raises OutOfRange.
     """
     si = si_numbers(scene)
-    given = tuple(arithmetic.number(one) for one in (si.x1, si.v1, si.x2, si.v2, si.until))
-    return begin(SI(*map(wide, si)), scene.law is Law.THREE_VALUED_SGN, narrowing(arithmetic)), given
+    given = tuple(map(arithmetic.number, si[4:9]))
+    return begin(tuple(map(wide, si[:9])), scene.law is Law.THREE_VALUED_SGN, narrowing(arithmetic)), given
 
 
 def scene_row(scene: Scene) -> NDArray[np.float64] | None:
@@ -77,7 +83,7 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
         try:
             halves = [half for number in si for half in nearest(number)]
             # the halves may make two velocities equal that are not
-            row = np.array(halves) if (halves[10:12] == halves[14:16]) == (si.v1 == si.v2) else None
+            row = np.array(halves) if (halves[10:12] == halves[14:16]) == (si[5] == si[7]) else None
         except OverflowError:
             row = None
         scene.made["row"] = row
@@ -85,28 +91,28 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
     return found
 
 
-def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: Progress | None) -> Record | None:
+def run_row(row: NDArray[np.float64], literal: bool, max_events: int) -> Record | None:
     """Solve ten SI numbers as halves in compiled binary64; None where they must be converted exactly."""
-    solve, end = compiled(solve_row), np.empty(END_ROW)
-    angle = row.item(16) * math.sqrt(row.item(4) / row.item(0))
-    rows = _with_room(angle, max_events, lambda rows: solve(row, literal, max_events, rows, end))
-    return None if rows is None else _record(rows, end, Float64(), progress)
+    room = _room_for(row.item(16) * math.sqrt(row.item(4) / row.item(0)), max_events)
+    rows, end = _with_room(compiled(solve_row), (row, literal), room, max_events)
+    return _record(rows, end, Float64()) if len(rows) else None
 
 
-def _with_room(angle: float, most: int, solve: Callable[[NDArray[np.float64]], int]) -> NDArray[np.float64] | None:
-    """Return the rows of a run in which body 1 alone turns by so many radians; None for UNKNOWN.
-
-    It is made again where there is no room for all its events.
-    """
-    room = int(min(most, 16 + _EVENTS_PER_TURN * min(angle / math.pi, 1e6)))
-    while True:
-        rows = np.empty((room + 1, ROW))
-        room = solve(rows)
-        if room < len(rows):
-            return rows[: room + 1] if room != UNKNOWN else None
+def _room_for(angle: float, most: int) -> int:
+    """Return how many events are given room for at first, in a run in which body 1 alone turns by so many radians."""
+    return int(min(most, 16 + _EVENTS_PER_TURN * min(angle / math.pi, 1e6)))
 
 
-def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
+def _with_room(solve: Callable[..., int], given: tuple[Any, ...], room: int, most: int) -> tuple[Any, Any]:
+    """Return the rows of a run, none for UNKNOWN, and its end; it is made again where all its events had no room."""
+    end, rows = np.empty(END_ROW), np.empty((0, ROW))
+    while room >= len(rows):
+        rows = np.empty((room + 1, ROW))  # memory that no event reaches is never touched
+        room = solve(*given, most, rows, end)
+    return rows[: room + 1], end
+
+
+def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int) -> Record:
     """Run in binary64, by its row where it can be, or in double-double.
 
     A short run is made by Python, which would wait for numba longer than it runs.
@@ -115,23 +121,29 @@ def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
     _runs[0] += _WIDE_RUN if is_wide else 1
     fast = compiles_now() or (_runs[0] > _MANY and can_compile())
     row = scene_row(scene) if fast and not is_wide else None
-    found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
+    found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events)
     if found is not None:
         return found
-    begun, carried, given = begin_in_rows(scene, arithmetic)
-    end, rows = np.empty(END_ROW), None
+    given = begin_in_rows(scene, arithmetic)
     if not fast:
         few = min(_FEW, max_events) if can_compile() else max_events
-        room = np.empty((few + 1, ROW))  # memory that no event reaches is never touched
         try:
-            count = solve_start(begun, carried, given, few, room, end)
+            rows, end = _with_room(solve_start, given, few, few)
         except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
             raise left_range(arithmetic) from None
-        rows = room[: count + 1].copy() if count < few or few == max_events else None
-    if rows is None:
-        solve, angle = compiled(solve_start), as_float(begun.horizon) / as_float(begun.at.sqrt_q)
-        rows = _with_room(angle, max_events, lambda rows: solve(begun, carried, given, max_events, rows, end))
-    return _record(rows, end, arithmetic, progress)
+        if len(rows) <= few or few == max_events:
+            return _record(rows.copy(), end, arithmetic)
+    room = _room_for(as_float(given[0].horizon) / as_float(given[0].at.sqrt_q), max_events)
+    return _record(*_with_room(compiled(solve_start), given, room, max_events), arithmetic)
+
+
+def _record(rows: Any, end: NDArray[np.float64], arithmetic: Arithmetic) -> Record:
+    """Return the record of a run with bounds. Raises OutOfRange."""
+    how, events, certain, high, low, *_, off = end[ROW:].tolist()
+    if how == How.OUT_OF_RANGE:
+        raise left_range(arithmetic)
+    friction = high if arithmetic.name == "float64" else Pair(high, low)
+    return Record(rows, end, _HOWS[int(how)], int(events), certain == 1.0, friction, 0, off)
 
 
 def begin_in_rows(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, Carried, tuple[Number, ...]]:
@@ -156,17 +168,6 @@ def _in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
     return type(record)(*made) if hasattr(record, "_fields") else tuple(made)
 
 
-def _record(rows: Any, end: NDArray[np.float64], arithmetic: Arithmetic, progress: Progress | None) -> Record:
-    """Return the record of a run with bounds. Raises OutOfRange."""
-    how, events, certain, high, low, *_, off = end[ROW:].tolist()
-    if how == How.OUT_OF_RANGE:
-        raise left_range(arithmetic)
-    if progress is not None:
-        progress(int(events), 1.0)
-    friction = high if arithmetic.name == "float64" else Pair(high, low)
-    return Record(rows, end, _HOWS[int(how)], int(events), certain == 1.0, friction, 0, off)
-
-
 def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
     """Run in mpmath or balls, one Knot an event."""
     with arithmetic.context():
@@ -176,29 +177,30 @@ def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
         length = zero = begun.start.tau
         for start, duration in motions(arithmetic, at, begun.start):
             here = in_si(units, event_state(at, start)) if knots else given[:4]
-            knots.append(_knot(start, start.tau / units.rate, length, here)._replace(event=bool(knots)))
+            knots.append(_knot(start, bool(knots), start.tau / units.rate, length, here, start.w))
             if progress is not None and len(knots) % 1000 == 0:
                 progress(len(knots), arithmetic.to_float(start.tau / horizon))
-            if duration is None:
-                how = How.STUCK
-                break
-            if sign(start.tau + duration - horizon, BEFORE_HORIZON) > 0:
-                how = How.REACHED
-                break
-            if len(knots) > max_events:
-                how = How.EVENT_LIMIT
+            is_last = duration is None or sign(start.tau + duration - horizon, BEFORE_HORIZON) > 0
+            if is_last or len(knots) > max_events:
                 break
             length = duration / units.rate
-        if how is How.EVENT_LIMIT:
-            end, spent = knots[-1]._replace(length=zero), start.spent
-        else:
-            left = nonnegative((horizon - start.tau) - start.rest)
-            last = state_at(at, start, left)
-            end = _knot(start, given[4], left / units.rate, in_si(units, last))._replace(excess=last.w)
-            spent = last.spent
-        return Record(knots, end, how, len(knots) - 1, True, units.energy * spent, zero)
+        if not is_last:
+            return Record(
+                knots,
+                knots[-1]._replace(length=zero),
+                How.EVENT_LIMIT,
+                max_events,
+                True,
+                units.energy * start.spent,
+                zero,
+            )
+        left = nonnegative((horizon - start.tau) - start.rest)
+        last = state_at(at, start, left)
+        end = _knot(start, False, given[4], left / units.rate, in_si(units, last), last.w)
+        how = How.STUCK if duration is None else How.REACHED
+        return Record(knots, end, how, len(knots) - 1, True, units.energy * last.spent, zero)
 
 
-def _knot(start: Start, t: Number, length: Number, state: tuple[Number, ...]) -> Knot:
+def _knot(start: Start, event: bool, t: Number, length: Number, state: Any, w: Number) -> Knot:
     x1, v1, x2, v2 = state
-    return Knot(mode_of(start), order_of(start), False, False, 0, t, length, x1, v1, x2, v2, start.w)
+    return Knot(mode_of(start), order_of(start), event, False, 0, t, length, x1, v1, x2, v2, w)

@@ -14,7 +14,8 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import QUESTIONS, SIDE_OF_ZERO
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.frame import Frame
-from numerics.free.motion import OUT_OF_RANGE, RAY, STICK, STUCK, Parameters, Start, next_event, on_ray, resolve
+from numerics.free.motion import OUT_OF_RANGE, RAY, STICK, STUCK, Parameters, next_event, on_ray, resolve
+from numerics.free.slip import Start
 
 
 def motions(arithmetic: Arithmetic, at: Parameters, start: Start) -> Iterator[tuple[Start, Number | None]]:

@@ -12,10 +12,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from flint import fmpq
-
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.start import SI, constants, narrowing, wide
+from numerics.free.start import constants, narrowing, wide
 from numerics.scene import Pair
 
 
@@ -39,8 +37,8 @@ class Frame:
     def __init__(self, arithmetic: Arithmetic, pair: Pair) -> None:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
         self.arithmetic, self.pair, narrow = arithmetic, pair, narrowing(arithmetic)
-        si = SI(*map(wide, (pair.m1, pair.m2, pair.a2, pair.b)), *[fmpq(0)] * 6)
-        (self.q, self.r, self.sqrt_q, _), self.units = constants(si, False, narrow)
+        m1, m2, a2, b = map(wide, (pair.m1, pair.m2, pair.a2, pair.b))
+        (self.q, self.r, self.sqrt_q, _), self.units = constants(m1, m2, a2, b, False, narrow)
         self.length, self.rate, self.critical_energy = self.units
         self.speed = self.length * self.rate
         self.two_zeta = arithmetic.number(pair.a1 / pair.mass) / self.rate
@@ -51,10 +49,6 @@ class Frame:
         X, V1, V2 = x1 / self.length, v1 / self.speed, v2 / self.speed
         w = self.energy_ratio(X, V1, V2) - 1 if excess is None else excess
         return ReducedState(X, V1, V2, (x1 - x2) / self.length, w)
-
-    def si_time(self, tau: Number) -> Number:
-        """Return t = tau/Omega in s."""
-        return tau / self.rate
 
     def energy(self, state: Any) -> Number:
         """Return E in J, formed from the state."""

@@ -19,7 +19,6 @@ from __future__ import annotations
 
 from enum import Enum
 from fractions import Fraction
-from typing import NamedTuple
 
 from flint import arb, arb_mat
 
@@ -41,20 +40,8 @@ class Verdict(Enum):
     UNDECIDED = "u"
 
 
-class _Start(NamedTuple):
-    """Start of a slip: gap d, push u and scaled excess y; on a ray the gap is exactly 0."""
-
-    gap: Centred
-    push: Centred
-    excess: Centred
-
-
-class _End(NamedTuple):
-    """End of a slip: angle theta, depth c(theta) and scaled excess y'."""
-
-    theta: Centred
-    depth: Centred
-    excess: Centred
+_Start = tuple[Centred, Centred, Centred]
+"""Start of a slip: gap d, push u and scaled excess y; on a ray the gap is exactly 0."""
 
 
 def verdict(sides: tuple[Side, Side]) -> Verdict:
@@ -91,30 +78,32 @@ class _CellRun:
         for _ in range(MAX_SLIPS):
             if start is None:
                 break
-            if start.excess.value <= level:
+            gap, push, excess = start
+            if excess.value <= level:
                 return Verdict.CREEPS
             end = self._slip(start)
             if end is None:
-                start = self._short_slip(start.gap.value.upper(), start.push.value, start.excess)
+                start = self._short_slip(gap.value.upper(), push.value, excess)
                 continue
-            if end.excess.value < 0:
+            theta, depth, after = end
+            if after.value < 0:
                 return Verdict.MERGES
-            if not end.excess.value > 0:
+            if not after.value > 0:
                 break
-            if start.gap.value.is_zero() and end.theta.value <= arb.pi():
+            if gap.value.is_zero() and theta.value <= arb.pi():
                 return Verdict.CREEPS
-            start = self._next(start, end)
+            start = self._next(gap + depth - self.one_over_q - self.one_over_q, theta - push, after)
         return Verdict.UNDECIDED
 
     def _on_ray(self, excess: Centred) -> _Start:
-        return _Start(excess.constant(arb(0)), excess.sqrt(), excess)
+        return excess.constant(arb(0)), excess.sqrt(), excess
 
-    def _slip(self, start: _Start) -> _End | None:
-        """Return the end of a slip from S; None if it is not enclosed over the whole cell.
+    def _slip(self, start: _Start) -> tuple[Centred, Centred, Centred] | None:
+        """Return theta, c(theta) and y' at the end of a slip from S; None if it is not enclosed over the whole cell.
 
         dtheta = (du + cot(theta/2) dd) (1 - cos theta)/(c + d), and c' = h = u + d cot(theta/2).
         """
-        gap, push = start.gap, start.push
+        gap, push, before = start
         at_centre = contact_next_to_binary64(gap.centre, push.centre)
         over_cell = contact_next_to_binary64(gap.value, push.value)
         if at_centre is None or over_cell is None:
@@ -124,21 +113,20 @@ class _CellRun:
         theta = Centred(angle, (push.slopes + gap.slopes * (angles / 2).cot()) * rate, angles, gap.cell)
         depths, rise = _depth_and_rise(theta.value)
         depth = Centred(deep, theta.slopes * rise, depths, gap.cell)
-        excess = start.excess - self.r * depth * (depth + gap + gap)
+        excess = before - self.r * depth * (depth + gap + gap)
         if gap.value.is_zero():  # of y - r c^2 the slope in y is 1 - r (1 - cos theta), which lies in [-1, 1]
             in_y, in_r = 1 - 2 * self.r.value * (theta.value / 2).sin() ** 2, -(depth.value * depth.value)
-            slopes = start.excess.slopes * in_y + self.r.slopes * in_r
+            slopes = before.slopes * in_y + self.r.slopes * in_r
             excess = Centred(excess.centre, slopes, excess.value, gap.cell)
-        return _End(theta, depth, excess)
+        return theta, depth, excess
 
-    def _next(self, start: _Start, end: _End) -> _Start | None:
+    def _next(self, beyond: Centred, push: Centred, excess: Centred) -> _Start | None:
         """Return the start of the next slip, wherever the last one ended; None if that is too uncertain."""
-        beyond, push = start.gap + end.depth - self.one_over_q - self.one_over_q, end.theta - start.push
         if beyond.value < 0:
-            return self._on_ray(end.excess)
+            return self._on_ray(excess)
         if beyond.value > 0:
-            return _Start(beyond, push, end.excess)
-        return self._short_slip(beyond.value.upper(), push.value, end.excess)
+            return beyond, push, excess
+        return self._short_slip(beyond.value.upper(), push.value, excess)
 
     def _short_slip(self, reach: arb, push: arb, excess: Centred) -> _Start | None:
         """Return the ray after a slip from a gap d in [0, reach] that moves inwards (u < 0), known by bounds only.

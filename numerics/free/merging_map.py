@@ -11,7 +11,7 @@ from typing import Any
 
 from numerics.errors import InvalidMap
 from numerics.free.merging import CRITICAL_SHARE, Verdict, verdict
-from numerics.free.quadtree import CellMap, Sides, Verdicts, map_of
+from numerics.free.quadtree import CellMap, Sides, map_of
 from numerics.scene.decimals import decimal_text
 
 COLOURS = {Verdict.CREEPS: "#f3e6c4", Verdict.UNDECIDED: "#d1603d", Verdict.MERGES: "#1f3a5f"}
@@ -56,8 +56,7 @@ def merging_cells(window: Window, depth: int, **roads: Any) -> CellMap:
     (joblib or distributed is not installed).
     """
     sides = {name: [str(one) for one in getattr(window, name)] for name in ("ratio", "energy")}
-    verdicts = Verdicts(verdict, Verdict, Verdict.UNDECIDED)
-    return map_of(window.sides, depth, verdicts, {"map": "merging", **sides}, (0, 1), **roads)
+    return map_of(window.sides, depth, verdict, Verdict.UNDECIDED, {"map": "merging", **sides}, (0, 1), **roads)
 
 
 def draw_map(cells: CellMap) -> Any:

@@ -13,8 +13,7 @@ from numerics.arithmetic.functions import as_float, atan2, like, resolved, sign,
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import ABOVE_CRITICAL, ENDS_INSIDE, LEAVES_AT_ONCE, WHICH_WAY
 from numerics.free.contact import contact, ray_contact
-from numerics.free.crossing import first_contact
-from numerics.free.slip import Variables, guard_and_gap, push_at, slid_at
+from numerics.free.slip import Start, first_contact, guard_and_gap, push_at, slid_at
 
 STICK, RAY, SURFACE, FREE = 0, 1, 2, 3
 """Kinds of motion: stick; slips from an exit ray, from elsewhere on the switching surface, from off it."""
@@ -29,28 +28,6 @@ class Parameters(NamedTuple):
     r: Number
     sqrt_q: Number
     literal: bool
-
-
-class Start(NamedTuple):
-    """The start of a mode of motion. In stick X = side (1 + gap) and V = push; in a slip the variables of slip.py.
-
-    `driven` is side V2/sqrt(q); `turns` belongs to a free slip; tau (with its rounding `rest`) is the reduced time;
-    `spent` is what friction has taken from E/E_cr so far, a sum of positive terms that never cancels.
-    """
-
-    kind: int
-    side: float
-    X: Number
-    guard: Number
-    gap: Number
-    push: Number
-    driven: Number
-    turns: bool
-    Z: Number
-    w: Number
-    tau: Number
-    rest: Number
-    spent: Number
 
 
 class Landing(NamedTuple):
@@ -145,13 +122,13 @@ def landing(at: Parameters, start: Start) -> Landing:
     if start.kind == RAY:
         theta, depth, w, drop = ray_contact(start.w, start.push, at.q, at.r, at.sqrt_q)
         return Landing(theta, -depth, depth * depth / 2, w, as_float(drop), math.inf)
-    q, r, variables = at.q, at.r, Variables(start.guard, start.gap, start.push)
+    q, r = at.q, at.r
     if start.kind == SURFACE:
         theta, depth, drop = contact(start.gap, start.push)
         gap, slid, versine, spared = -(start.gap + depth), depth * (depth / 2 + start.gap), as_float(drop), math.inf
     else:
-        theta, spared = first_contact(variables, start.turns)
-        gap, slid, versine = guard_and_gap(variables, theta)[1], slid_at(theta, variables), 0.0
+        theta, spared = first_contact(start)
+        gap, slid, versine = guard_and_gap(start, theta)[1], slid_at(theta, start), 0.0
     if as_float(start.w) <= 1.0:
         w = start.w - 2 * r * q * slid
     else:
@@ -204,9 +181,8 @@ def state_at(at: Parameters, start: Start, tau: Number) -> State:
         X, V = start.X * cosine + start.push * sine, start.push * cosine - start.X * sine
         return State(X, V, V, start.Z, start.w, start.spent)
     q, side, theta = at.q, start.side, tau / at.sqrt_q
-    variables = Variables(start.guard, start.gap, start.push)
-    slid, turned = slid_at(theta, variables), start.driven - theta
-    gap, push = guard_and_gap(variables, theta)[1], push_at(variables, theta)
+    slid, turned = slid_at(theta, start), start.driven - theta
+    gap, push = guard_and_gap(start, theta)[1], push_at(start, theta)
     X, V1 = signed(side, 1 + q * gap), signed(side, at.sqrt_q * push)
     V2, Z, lost = signed(side, at.sqrt_q * turned), start.Z - signed(side, q * slid), 2 * at.r * q * slid
     return State(X, V1, V2, Z, start.w - lost, start.spent + lost)

@@ -2,7 +2,7 @@
 
 It is cut into quarters, at geometric means rounded to exact rationals, until a cell is decided or `depth` cuts are
 made. Its 64 blocks are independent tasks: run in turn, by joblib or by Dask, the map is the same. A block's quadtree is
-written as text: + for a cell that was cut, followed by its quarters in their order, or else the letter of its verdict.
+written as text: the letter of each cell's verdict, followed by those of its quarters where it was cut.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -26,11 +27,15 @@ from numerics.tasks import run_tasks
 BLOCK_DEPTH = 3
 """Cuts from the window to a block: 4^3 tasks keep a cluster busy, and a checkpoint short."""
 MAX_DEPTH = 14
-CUT = "+"
 Progress = Callable[[int, int], None]
 Side = tuple[Fraction, Fraction]
 Sides = tuple[Side, Side]
 """Ranges of both quantities, ends included."""
+Decide = Callable[[Sides], Any]
+"""What decides a cell: it answers with a member of an Enum of letters, one of which says that it is undecided.
+
+It must be importable, alone or under functools.partial: it is sent to other processes.
+"""
 
 
 class Leaf(NamedTuple):
@@ -43,20 +48,9 @@ class Leaf(NamedTuple):
     verdict: Any
 
     @property
-    def share(self) -> Fraction:
-        """Return its share of the window's area on logarithmic axes."""
-        return Fraction(1, 4**self.level)
-
-
-class Verdicts(NamedTuple):
-    """What decides a cell: a function of its sides that answers with an Enum of letters, and its answer for a refusal.
-
-    The function must be importable, alone or under functools.partial: it is sent to other processes.
-    """
-
-    decide: Callable[[Sides], Any]
-    kinds: type[Enum]
-    undecided: Any
+    def share(self) -> float:
+        """Return its share of the window's area on logarithmic axes, exact."""
+        return 4.0**-self.level
 
 
 @dataclass(frozen=True, repr=False)
@@ -69,13 +63,13 @@ class CellMap(ShortRepr):
     title: dict[str, Any]
     window: Sides
     depth: int
-    kinds: type[Enum]
     leaves: tuple[Leaf, ...]
     added: tuple[int, int] = (0, 0)
 
     def shares(self) -> dict[Any, float]:
         """Return the share of each verdict in the window's area on logarithmic axes."""
-        return {one: float(sum(cell.share for cell in self.leaves if cell.verdict is one)) for one in self.kinds}
+        kinds = type(self.leaves[0].verdict)
+        return {one: sum(cell.share for cell in self.leaves if cell.verdict is one) for one in kinds}
 
     def raster(self, order: Iterable[Any]) -> Any:
         """Return the verdicts on the finest grid as places in `order`, (2^depth, 2^depth), the second side upwards."""
@@ -115,7 +109,8 @@ class CellMap(ShortRepr):
 def map_of(
     window: Sides,
     depth: int,
-    verdicts: Verdicts,
+    decide: Decide,
+    undecided: Enum,
     title: dict[str, Any],
     added: tuple[int, int] = (0, 0),
     *,
@@ -124,7 +119,7 @@ def map_of(
     resume: Path | None = None,
     progress: Progress | None = None,
 ) -> CellMap:
-    """Return the map of a window.
+    """Return the map of a window; a cell of which `decide` answers `undecided` is cut.
 
     `jobs` processes by joblib, or the Dask cluster at the address `dask`; neither changes the result. `resume` is a
     checkpoint of finished blocks, which must agree with `title`. `progress` is called with (blocks done, all).
@@ -133,57 +128,52 @@ def map_of(
     title = {**title, "depth": depth}
     if not 1 <= depth <= MAX_DEPTH:
         raise InvalidMap(f"depth {depth}: give 1 to {MAX_DEPTH} cuts of each side in two")
-    blocks = [Leaf(window, 0, 0, 0, verdicts.undecided)]
-    for _ in range(min(BLOCK_DEPTH, depth)):
-        blocks = [quarter for block in blocks for quarter in _quarters(block)]
-    trees = _finished(resume, title) if resume is not None else {}
-    leaves = {
-        number: _decode(trees[number], block, depth, verdicts) for number, block in enumerate(blocks) if number in trees
-    }
-    tasks = [(number, block, depth, verdicts) for number, block in enumerate(blocks) if number not in leaves]
-    for number, tree in run_tasks(_compute_block, tasks, jobs=jobs, dask=dask):
+    whole = Leaf(window, 0, 0, 0, undecided)
+    blocks = list(_leaves(whole, min(BLOCK_DEPTH, depth), lambda _: undecided))
+    texts = _finished(resume, title) if resume is not None else {}
+    leaves = {number: _read(text, blocks[number], depth) for number, text in texts.items()}
+    tasks = [(number, block, depth, decide) for number, block in enumerate(blocks) if number not in leaves]
+    for number, text in run_tasks(_compute_block, tasks, jobs=jobs, dask=dask):
         if resume is not None:
             with resume.open("a", encoding="utf-8") as file:
-                file.write(_line({"part": str(number), "result": tree}))
-        leaves[number] = _decode(tree, blocks[number], depth, verdicts)
+                file.write(_line({"part": str(number), "result": text}))
+        leaves[number] = _read(text, blocks[number], depth)
         if progress is not None:
             progress(len(leaves), len(blocks))
-    every = tuple(cell for number in range(len(blocks)) for cell in leaves[number])
-    return CellMap(title, window, depth, verdicts.kinds, every, added)
+    return CellMap(title, window, depth, tuple(cell for number in range(len(blocks)) for cell in leaves[number]), added)
 
 
-def _compute_block(task: tuple[int, Leaf, int, Verdicts]) -> tuple[int, str]:
+def _leaves(cell: Leaf, depth: int, decide: Decide) -> Iterator[Leaf]:
+    """Yield the cells into which an undecided one is cut; the verdict of each is asked before that of its quarters."""
+    verdict = decide(cell.sides)
+    if verdict is cell.verdict and cell.level < depth:
+        for quarter in _quarters(cell):
+            yield from _leaves(quarter, depth, decide)
+    else:
+        yield cell._replace(verdict=verdict)
+
+
+def _compute_block(task: tuple[int, Leaf, int, Decide]) -> tuple[int, str]:
     """Return a block's number and the text of its quadtree."""
-    number, block, depth, verdicts = task
+    number, block, depth, decide = task
+    asked = []
 
-    def tree(cell: Leaf) -> str:
-        found = verdicts.decide(cell.sides)
-        if found is verdicts.undecided and cell.level < depth:
-            return CUT + "".join(map(tree, _quarters(cell)))
-        return str(found.value)
+    def told(sides: Sides) -> Any:
+        asked.append(decide(sides))
+        return asked[-1]
 
-    return number, tree(block)
+    list(_leaves(block, depth, told))
+    return number, "".join(verdict.value for verdict in asked)
 
 
-def _decode(tree: str, block: Leaf, depth: int, verdicts: Verdicts) -> list[Leaf]:
+def _read(text: str, block: Leaf, depth: int) -> list[Leaf]:
     """Return the cells that a block's text stands for. Raises InvalidMap if it is damaged."""
-    letters = iter(tree)
-
-    def cells(cell: Leaf) -> Iterator[Leaf]:
-        letter = next(letters, "")
-        if letter == CUT and cell.level < depth:
-            for quarter in _quarters(cell):
-                yield from cells(quarter)
-        else:
-            yield cell._replace(verdict=verdicts.kinds(letter))
-
-    try:
-        found = list(cells(block))
-    except ValueError:
-        found = []
-    if not found or next(letters, None) is not None:
-        raise InvalidMap(f"the checkpoint holds a damaged block ({tree[:40]!r}...); remove its line")
-    return found
+    letters = iter(text)
+    with suppress(ValueError):
+        found = list(_leaves(block, depth, lambda _: type(block.verdict)(next(letters, ""))))
+        if next(letters, None) is None:
+            return found
+    raise InvalidMap(f"the checkpoint holds a damaged block ({text[:40]!r}...); remove its line")
 
 
 def _quarters(cell: Leaf) -> Iterator[Leaf]:

@@ -18,7 +18,6 @@ from numerics.free.bounds import Carried, Off, after_event, at_horizon, at_start
 from numerics.free.motion import (
     MOVING,
     OUT_OF_RANGE,
-    Start,
     State,
     event_state,
     mode_of,
@@ -27,7 +26,8 @@ from numerics.free.motion import (
     resolve,
     state_at,
 )
-from numerics.free.start import SI, Begun, Units, begin, in_si
+from numerics.free.slip import Start
+from numerics.free.start import Begun, Units, begin, in_si
 from numerics.linear.record import AT, How
 
 REACHED, EVENT_LIMIT = int(How.REACHED), int(How.EVENT_LIMIT)
@@ -174,13 +174,13 @@ def _wide(row: Any, index: int) -> Pair:
 
 @compilable
 def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
-    """Solve ten SI numbers (start.SI), each as its halves, in binary64: write the first rows and the end.
+    """Solve ten SI numbers (engine.si_numbers), each as its halves, in binary64: write the first rows and the end.
 
     Returns the number of events; UNKNOWN where the numbers must be converted exactly.
     """
     if not _in_range(row):
         return UNKNOWN
-    si = SI(
+    si = (
         _wide(row, 0),
         _wide(row, 1),
         _wide(row, 2),
@@ -190,13 +190,12 @@ def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
         _wide(row, 6),
         _wide(row, 7),
         _wide(row, 8),
-        _wide(row, 9),
     )
     begun = begin(si, literal, as_float)
     if not begun.known or not math.isfinite(begun.start.w + begun.horizon):
         return UNKNOWN
     carried = initial(begun.at, begun.start, begun.V1, begun.V2)
-    given = si.x1.high, si.v1.high, si.x2.high, si.v2.high, si.until.high
+    given = row[8], row[10], row[12], row[14], row[16]
     return solve_start(begun, carried, given, most, rows, end)
 
 

@@ -10,30 +10,68 @@ Then (1 + d, u) turns on a circle and, with versine = 1 - cos and sine_deficit =
     u(theta)  = u - u versine - (1 + d) sin
     K(theta)  = g theta + d versine + u sine_deficit - (theta^2/2 - versine)
 where K is the integral of k: the bodies have slid q K (in units of L) and E/E_cr has dropped by 2 r q K.
+
+The first contact of a slip that starts off the switching surface is certified. k' = A cos(theta - phase) - 1 vanishes
+at phase +- lean + 2 pi j, so the pieces on which the guard k is monotone are explicit; its local minima fall by 2 pi
+from one to the next, so the first one below zero is known without visiting the others. The root lies on the decreasing
+piece before it, and is the first. A minimum that is not proved to be above or below zero is a graze.
 """
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from flint import arb
 
 from numerics.arithmetic.ball import mean_value
 from numerics.arithmetic.compiled import by_type, compilable
-from numerics.arithmetic.functions import cosine_deficit, sin, sine_cosine, sine_deficit, versine
+from numerics.arithmetic.functions import (
+    as_float,
+    atan2,
+    ceiling,
+    cosine_deficit,
+    finite,
+    like,
+    resolved,
+    sign,
+    sin,
+    sine_cosine,
+    sine_deficit,
+    sqrt,
+    two_pi,
+    versine,
+)
 from numerics.arithmetic.protocol import Number
+from numerics.arithmetic.questions import GRAZES, GUARD_TURNS, MINIMUM_BEFORE_START
+from numerics.free.root import falling_root
 
 
-class Variables(NamedTuple):
-    """Guard, gap and push at the start of a slip, dimensionless."""
+class Start(NamedTuple):
+    """The start of a mode of motion. In stick X = side (1 + gap) and V = push; in a slip the variables above.
 
+    `driven` is side V2/sqrt(q); `turns` belongs to a free slip: the guard has extrema, A^2 = (1 + d)^2 + u^2 > 1,
+    decided on exact rationals where A may be 1. tau (with its rounding `rest`) is the reduced time; `spent` is what
+    friction has taken from E/E_cr so far, a sum of positive terms that never cancels.
+    """
+
+    kind: int
+    side: float
+    X: Number
     guard: Number
     gap: Number
     push: Number
+    driven: Number
+    turns: bool
+    Z: Number
+    w: Number
+    tau: Number
+    rest: Number
+    spent: Number
 
 
 @compilable
-def guard_and_gap(at: Variables, theta: Number) -> tuple[Number, Number]:
+def guard_and_gap(at: Start, theta: Number) -> tuple[Number, Number]:
     """Return k(theta) and its slope d(theta)."""
     sine, drop = sin(theta), versine(theta)
     guard = (at.gap * sine + at.push * drop - sine_deficit(theta)) + at.guard
@@ -41,21 +79,48 @@ def guard_and_gap(at: Variables, theta: Number) -> tuple[Number, Number]:
 
 
 @compilable
-def push_at(at: Variables, theta: Number) -> Number:
+def push_at(at: Start, theta: Number) -> Number:
     """Return u(theta)."""
     sine, cosine = sine_cosine(theta)
     return at.push * cosine - (1 + at.gap) * sine
 
 
 @compilable
-def _slid_of_points(theta: Number, at: Variables) -> Number:
+def _slid_of_points(theta: Number, at: Start) -> Number:
     grown = at.gap * versine(theta) + at.push * sine_deficit(theta)
     return (grown - cosine_deficit(theta)) + at.guard * theta
 
 
 @by_type(_slid_of_points, _slid_of_points)
-def slid_at(theta: Number, at: Variables) -> Number:
+def slid_at(theta: Number, at: Start) -> Number:
     """Return K(theta); its slope is the guard, so at a contact, where a ball of angles is centred, it is stationary."""
     if type(theta) is arb:
         return mean_value(lambda x: _slid_of_points(x, at), lambda x: guard_and_gap(at, x)[0], theta)
     return _slid_of_points(theta, at)
+
+
+@compilable
+def first_contact(at: Start) -> tuple[Number, float]:
+    """Return the first theta > 0 with k = 0, k(0) > 0, and how far above 0 the lowest minimum before it lies.
+
+    nan where a number left the range.
+    """
+    g, d, u = at.guard, at.gap, at.push
+    excess, zero = d * (2 + d) + u * u, like(g, 0.0)  # A^2 - 1
+    if not finite(excess):
+        return like(g, math.nan), 0.0
+    if not at.turns or sign(excess, GUARD_TURNS) <= 0:
+        return falling_root(zero, g + u + 3, guard_and_gap, at), math.inf  # monotone: k <= g + u + A - theta, A <= 1
+    turn, height = two_pi(g), sqrt(excess)
+    lean, phase = atan2(height, like(g, 1.0)), atan2(u, 1 + d)
+    count = (g + u - height + (lean - phase)) / turn  # k at the minimum phase - lean, in full turns
+    if not finite(count) or (as_float(count) > 1.0 and not resolved(count)):
+        return like(g, math.nan), 0.0
+    index, first = ceiling(count, GRAZES), phase - lean
+    if index < 1:
+        index = 1 if sign(first, MINIMUM_BEFORE_START) <= 0 else 0
+    minimum = first + turn * index
+    maximum = minimum - turn + 2 * lean
+    least = 1 if as_float(first) <= 0.0 else 0
+    spared = as_float(turn * (count - (index - 1))) if index > least else math.inf
+    return falling_root(zero if as_float(maximum) <= 0.0 else maximum, minimum, guard_and_gap, at), spared

@@ -24,7 +24,8 @@ from flint import fmpq
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, like, signed, sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.motion import FREE, STICK, SURFACE, Parameters, Start
+from numerics.free.motion import FREE, STICK, SURFACE, Parameters
+from numerics.free.slip import Start
 
 Wide = Any
 """fmpq, or Pair."""
@@ -41,21 +42,6 @@ def wide(x: Fraction) -> fmpq:
 def narrowing(arithmetic: Arithmetic) -> Narrow:
     """Return what turns rationals of flint into numbers of an arithmetic."""
     return lambda x: arithmetic.number(Fraction(int(x.p), int(x.q)))
-
-
-class SI(NamedTuple):
-    """Parameters, initial state and horizon in SI units, wide; a1 is 0."""
-
-    m1: Wide
-    m2: Wide
-    a2: Wide
-    b: Wide
-    x1: Wide
-    v1: Wide
-    x2: Wide
-    v2: Wide
-    until: Wide
-    a1: Wide
 
 
 class Units(NamedTuple):
@@ -92,24 +78,28 @@ def _sign(x: Wide) -> int:
 
 
 @compilable
-def constants(si: SI, literal: bool, narrow: Narrow) -> tuple[Parameters, Units]:
+def constants(m1: Wide, m2: Wide, a2: Wide, b: Wide, literal: bool, narrow: Narrow) -> tuple[Parameters, Units]:
     """Return the reduced parameters and the units of a pair."""
-    mass, stiff = si.m1 + si.m2, si.a2 * si.m2
-    q, edge = narrow(si.m1 / mass), mass * si.b
-    units = Units(narrow(edge / stiff), sqrt(narrow(si.a2 / mass)), narrow(edge * edge / (2 * (stiff * si.m2))))
-    return Parameters(q, narrow(si.m2 / mass), sqrt(q), literal), units
+    mass, stiff = m1 + m2, a2 * m2
+    q, edge = narrow(m1 / mass), mass * b
+    units = Units(narrow(edge / stiff), sqrt(narrow(a2 / mass)), narrow(edge * edge / (2 * (stiff * m2))))
+    return Parameters(q, narrow(m2 / mass), sqrt(q), literal), units
 
 
 @compilable
-def begin(si: SI, literal: bool, narrow: Narrow) -> Begun:
-    """Return how a scene with a1 = 0 begins; which mode begins is the rule of linear/modes.py."""
-    at, units = constants(si, literal, narrow)
-    mass = si.m1 + si.m2
-    length, squared, q, r = mass * si.b / (si.a2 * si.m2), si.a2 / mass, si.m1 / mass, si.m2 / mass
-    x, v1, v2 = si.x1 / length, si.v1 / length, si.v2 / length  # X, and V_i Omega
+def begin(given: tuple[Wide, ...], literal: bool, narrow: Narrow) -> Begun:
+    """Return how a scene with a1 = 0 begins, given m1, m2, a2, b, x1, v1, x2, v2 and until in SI units, wide.
+
+    Which mode begins is the rule of linear/modes.py.
+    """
+    m1, m2, a2, b, x1, v1, x2, v2, until = given
+    at, units = constants(m1, m2, a2, b, literal, narrow)
+    mass = m1 + m2
+    length, squared, q, r = mass * b / (a2 * m2), a2 / mass, m1 / mass, m2 / mass
+    x, v1, v2 = x1 / length, v1 / length, v2 / length  # X, and V_i Omega
     X, V1, V2 = narrow(x), narrow(v1) / units.rate, narrow(v2) / units.rate
-    Z, w = narrow((si.x1 - si.x2) / length), narrow(x * x + (q * v1 * v1 + r * v2 * v2) / squared - 1)
-    horizon, zero = units.rate * narrow(si.until), like(X, 0.0)
+    Z, w = narrow((x1 - x2) / length), narrow(x * x + (q * v1 * v1 + r * v2 * v2) / squared - 1)
+    horizon, zero = units.rate * narrow(until), like(X, 0.0)
     mode, near = _sign(v1 - v2), 1 if _sign(x) >= 0 else -1
     on_surface, outside = mode == 0, _sign(near * x - 1)
     # on the edge the pair leaves by the side to which it moves

@@ -71,7 +71,7 @@ class Solver:
         halves = _halves(state)
         if self._row is not None and halves is not None:
             self._row[_STATE], self._row[_UNTIL] = halves, self._until[2]
-            found = run_row(self._row, self.law is Law.THREE_VALUED_SGN, self.max_events, None)
+            found = run_row(self._row, self.law is Law.THREE_VALUED_SGN, self.max_events)
             if found is not None:
                 return Trajectory(partial(self._scene, state, self._until[1]), _FLOAT64, found)
         return run_scene(self._scene(state, self._until[1]), _FLOAT64, self.max_events)

@@ -161,7 +161,7 @@ def test_a_short_slip_loses_no_more_than_its_bound(share, reach, push, excess):
         start = run._short_slip(arb(reach), arb(push), run.w.constant(arb(excess)))
         for gap in (reach / 3, reach) if start else ():
             deep = depth(slip_angle(gap, push))
-            assert holds(start.excess.value, excess - share * deep * (deep + 2 * gap))
+            assert holds(start[2].value, excess - share * deep * (deep + 2 * gap))
 
 
 hundredths = st.integers(1, 300).map(lambda n: n / 100)
@@ -188,7 +188,7 @@ def test_the_excess_after_a_slip_from_a_ray_is_enclosed_in_a_cell_and_in_a_ball(
         ball = ray_contact(w, arb(0), 1 - r, r, (1 - r).sqrt())[2]
         for r, w in product(*([low, (low + high) / 2, high] for low, high in ends)):
             deep = depth(slip_angle(0, mpmath.sqrt(w / (1 - r))))
-            assert end is None or holds(end.excess.value, w / (1 - r) - r * deep**2)
+            assert end is None or holds(end[2].value, w / (1 - r) - r * deep**2)
             assert r != share or holds(ball, w - r * (1 - r) * deep**2)
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from numerics.errors import InvalidMap, MissingTool
 from numerics.free import quadtree as tree
-from numerics.free.quadtree import Verdicts, _decode, map_of
+from numerics.free.quadtree import _read, map_of
 
 WINDOW = ((Fraction(1), Fraction(16)), (Fraction(1), Fraction(256)))
 
@@ -25,11 +25,8 @@ def left_or_right(sides):
     return Letter.LEFT if high <= 4 else Letter.RIGHT if low >= 4 else Letter.OPEN
 
 
-VERDICTS = Verdicts(left_or_right, Letter, Letter.OPEN)
-
-
 def charted(depth=4, **roads):
-    return map_of(WINDOW, depth, VERDICTS, {}, **roads)
+    return map_of(WINDOW, depth, left_or_right, Letter.OPEN, {}, **roads)
 
 
 def test_a_raster_has_the_first_quantity_to_the_right_and_the_second_upwards():
@@ -41,12 +38,12 @@ def test_a_raster_has_the_first_quantity_to_the_right_and_the_second_upwards():
     assert found.shares() == {Letter.LEFT: 0.5, Letter.RIGHT: 0.5, Letter.OPEN: 0.0}
 
 
-@pytest.mark.parametrize("text", ["", "+lr", "+lrlrl", "ll", "x", "+lr+lrl", "+lr+lr+lrlrll"])
+@pytest.mark.parametrize("text", ["", "ulr", "ulrlrl", "ll", "x", "ulrulr", "ulrulrulrlrll"])
 def test_a_text_that_is_not_one_tree_is_refused(text):
-    block, *_ = map_of(WINDOW, 1, Verdicts(lambda _: Letter.OPEN, Letter, Letter.OPEN), {}).leaves
+    block, *_ = map_of(WINDOW, 1, lambda _: Letter.OPEN, Letter.OPEN, {}).leaves
     with pytest.raises(InvalidMap, match="damaged block"):
-        _decode(text, block, 3, VERDICTS)
-    assert len(_decode("+lr+lrlrl", block, 3, VERDICTS)) == 7
+        _read(text, block, 3)
+    assert len(_read("ulrulrlrl", block, 3)) == 7
 
 
 @pytest.mark.parametrize(("module", "road"), [("joblib", {"jobs": 2}), ("distributed", {"dask": "tcp://127.0.0.1:1"})])

@@ -2,7 +2,7 @@
 
 import pytest
 from chromium import faults, planted
-from explored_scenes import FORCED_NAMES, SCENES, explored
+from explored_scenes import FORCED_NAMES, SCENES, explored, for_page
 
 from numerics import solve
 from paper_checks.explore.page import SOLVER, source
@@ -14,7 +14,7 @@ FAULTS = faults("solver")
 @pytest.fixture(scope="module")
 def answers(ask) -> dict:
     """What the page's solver says of every scene, and the first one of which it says something else with a fault."""
-    program, scenes = source(SOLVER), [one.for_page() for one in SCENES]
+    program, scenes = source(SOLVER), [*map(for_page, SCENES)]
     forced = [explored(name)[0] for name in FORCED_NAMES]
     return ask("solve", PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS), FORCED=forced)
 
@@ -29,7 +29,7 @@ def differs(found, run) -> bool:
 
 def test_events_and_states_are_those_of_the_exact_integrator(answers):
     found = answers["right"][: len(SCENES)]
-    assert not [scene for scene, one in zip(SCENES, found, strict=True) if differs(one, solve(scene.scene()))]
+    assert not [scene for scene, one in zip(SCENES, found, strict=True) if differs(one, solve(scene))]
     assert sum(len(one["modes"]) for one in found) > 1900
 
 
@@ -61,7 +61,7 @@ def test_what_points_the_other_way_moves_the_other_way(answers, forced):
 def test_a_fault_in_the_program_is_seen(answers, forced, number):
     place, found = answers["faulty"][number]
     if place < len(SCENES):
-        assert differs(found, solve(SCENES[place].scene()))
+        assert differs(found, solve(SCENES[place]))
         return
     rights = [*forced.values(), *(one.mirrored for one in forced.values())]
     assert is_off(found, rights[place - len(SCENES)])
