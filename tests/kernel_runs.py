@@ -10,7 +10,7 @@ import numpy as np
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.compiled import compiled
-from numerics.linear.columns import make_room
+from numerics.linear.columns import Now, Problem, make_room
 from numerics.linear.kernel import follow
 from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, END_ROW, ROW
@@ -44,9 +44,12 @@ class Run(NamedTuple):
         return np.array([starts[int(row[AT["piece"]])] + row[AT["local"]] for row in self.events])
 
 
-def room_for(tables):
-    """Room for the columns of tables."""
-    return make_room(tables.rows.shape[4], tables.rows.shape[5])
+def begun(scene, mode=0, wide=False):
+    """A problem, room in which a run of it begins in a mode, without errors, and where it is."""
+    pair, drive, tables, start, *_ = prepare(scene, wide=wide)
+    room = make_room(tables.rows.shape[4], tables.rows.shape[5])
+    room.scale[:], room.y[:, 0] = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), start[STATE]
+    return Problem(pair, drive, tables, wide, False), room, Now(0, mode, 0, 1, 1e300, 0.0)
 
 
 def run(scene, by=NOTHING, wide=False, most=60):

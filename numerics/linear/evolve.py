@@ -102,8 +102,8 @@ def end_step(pair: Constants, room: Room, mode: int, time: Pair, reach: float, t
     if mode == 0:
         put(room.y[3], pair_of(room.y[1]))
         own[3] = own[1]
-    for clock in room.clock:
-        put(clock, plus(pair_of(clock), time))
+    for i in range(2):
+        put(room.clock[i], plus(pair_of(room.clock[i]), time))
     added = own[0] * scale[0] + own[1] * scale[1] + own[3] * scale[3]
     carry(room.E, room.R, pair, mode, time.high, (reach, turn), added, own[2] * scale[2])
     return added

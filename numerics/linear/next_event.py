@@ -55,8 +55,10 @@ def form_guard(room: Room, mode: int, order: int, side: int, edge: float) -> Non
         g[terms - 2] = g[terms - 1] = 0.0
         g[0] += edge
     g[:order] = 0.0
-    for k in range(terms):
-        q[k] = g[k + order] if k + order < terms else 0.0
+    rest = g[order:]
+    for k in range(rest.shape[0]):
+        q[k] = rest[k]
+    q[rest.shape[0] :] = 0.0
 
 
 @compilable

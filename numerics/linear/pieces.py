@@ -38,9 +38,21 @@ def pieces_of(scene: Scene, known: Known | None = None) -> Sequence[ExactPiece]:
 
     `known`: what was made of scenes before this one.
     """
-    if "pieces" not in scene.made:
-        scene.made["pieces"] = _pieces(scene, known or Known())
-    found: Sequence[ExactPiece] = scene.made["pieces"]
+    if "pieces" in scene.made:
+        return scene.made["pieces"]
+    found: list[ExactPiece] = []
+    grid = (known.of if known else at_once)(_grid, scene.friction, scene.until, *scene.force.starts)
+    for start, length, forces, frictions in grid:
+        b = scene.friction.pieces[frictions - 1][1] if frictions else scene.pair.b
+        polynomial, sines = (), ()  # type: tuple[Fraction, ...], tuple[Sine, ...]
+        if forces:
+            piece = scene.force.pieces[forces - 1]
+            polynomial, sines = piece.polynomial, piece.sines
+            if polynomial and piece.start != start:
+                polynomial = shifted(polynomial, start - piece.start)
+        jumps = not found or _may_jump(found[-1], b, polynomial, sines)
+        found.append(ExactPiece(start, length, b, polynomial, sines, jumps))
+    scene.made["pieces"] = found
     return found
 
 
@@ -50,8 +62,12 @@ def starts_of(scene: Scene) -> NDArray[np.float64]:
         return _AT_ONCE
     if "starts" not in scene.made:
         scene.made["starts"] = np.array([float(piece.start) for piece in pieces_of(scene)])
-    found: NDArray[np.float64] = scene.made["starts"]
-    return found
+    return scene.made["starts"]
+
+
+def at_once(make: Callable[..., Any], *given: object) -> Any:
+    """Return make(*given): a single scene has few numbers twice."""
+    return make(*given)
 
 
 class Known:
@@ -79,21 +95,6 @@ def _grid(friction: Friction, until: Fraction, *forces: Fraction) -> list[tuple[
         (start, end - start, bisect_right(forces, start), bisect_right(frictions, start))
         for start, end in pairwise([*starts, until])
     ]
-
-
-def _pieces(scene: Scene, known: Known) -> Sequence[ExactPiece]:
-    found: list[ExactPiece] = []
-    for start, length, forces, frictions in known.of(_grid, scene.friction, scene.until, *scene.force.starts):
-        b = scene.friction.pieces[frictions - 1][1] if frictions else scene.pair.b
-        polynomial, sines = (), ()  # type: tuple[Fraction, ...], tuple[Sine, ...]
-        if forces:
-            piece = scene.force.pieces[forces - 1]
-            polynomial, sines = piece.polynomial, piece.sines
-            if polynomial and piece.start != start:
-                polynomial = shifted(polynomial, start - piece.start)
-        jumps = not found or _may_jump(found[-1], b, polynomial, sines)
-        found.append(ExactPiece(start, length, b, polynomial, sines, jumps))
-    return found
 
 
 def polynomial_at(polynomial: Sequence[Fraction], t: Fraction) -> Fraction:

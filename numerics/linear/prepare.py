@@ -6,10 +6,10 @@ Units of mass, time and length are powers of 2, so that they change no bit of wh
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb, ctx
@@ -19,7 +19,7 @@ from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, constants
-from numerics.linear.pieces import ExactPiece, Known, pieces_of
+from numerics.linear.pieces import ExactPiece, Known, at_once, pieces_of
 from numerics.linear.record import AT, ROW
 from numerics.linear.table import FIRST, Tables, form, make_tables
 from numerics.scene import Law, Pair, Scene
@@ -130,31 +130,28 @@ def prepare(scene: Scene, *, wide: bool, known: Known | None = None) -> Prepared
 
     `known`: what scenes before this one have had converted.
     """
-    found: Prepared | None = scene.made.get(wide)
-    if found is None:
-        found = scene.made[wide] = _prepared(scene, known or Known(), wide=wide)
-    return found
-
-
-def _prepared(scene: Scene, known: Known, *, wide: bool) -> Prepared:
-    bodies: Bodies = known.of(bodies_of, scene.pair, scene.law)
+    if wide in scene.made:
+        return scene.made[wide]
+    of = known.of if known else at_once
+    bodies: Bodies = of(bodies_of, scene.pair, scene.law)
     pair, numbers, units = bodies
     pieces = pieces_of(scene, known)
-    drive, kinds, longest = _drive(pieces, units, known)
+    drive, kinds, longest = _drive(pieces, units, of)
     tables = _tables(numbers, tuple(kinds), longest, wide)
     at, start = scene.initial, np.zeros(ROW)
     for name, exponent in (("x1", 0), ("v1", -1), ("x2", 0), ("v2", -1)):
-        value = known.of(halves, getattr(at, name), units.of(length=1, time=exponent))
+        value = of(halves, getattr(at, name), units.of(length=1, time=exponent))
         start[AT[name] : AT[name] + 2] = value
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
-    return Prepared(pair, drive, tables, start, gap != 0, units, pieces)
+    scene.made[wide] = found = Prepared(pair, drive, tables, start, gap != 0, units, pieces)
+    return found
 
 
 Kind = tuple[int, tuple[Halves, ...]]
 """The number of coefficients of the polynomial, and the frequencies."""
 
 
-def _drive(pieces: Sequence[ExactPiece], units: Units, known: Known) -> tuple[Drive, dict[Kind, int], float]:
+def _drive(pieces: Sequence[ExactPiece], units: Units, of: Callable[..., Any]) -> tuple[Drive, dict[Kind, int], float]:
     """Return the table of the pieces, the kinds of force in it, and the length of the longest piece."""
     force, second = units.of(mass=1, length=1, time=-2), units.time
     places: list[tuple[int, ...]] = []
@@ -164,15 +161,15 @@ def _drive(pieces: Sequence[ExactPiece], units: Units, known: Known) -> tuple[Dr
     sines: list[tuple[Halves, Halves, Halves]] = []
     kinds: dict[Kind, int] = {}
     for one in pieces:
-        omegas = tuple([known.of(halves, sine.omega, -second) for sine in one.sines])
+        omegas = tuple([of(halves, sine.omega, -second) for sine in one.sines])
         index = kinds.setdefault((len(one.polynomial), omegas), len(kinds))
         places.append((len(coefficients), len(one.polynomial), len(sines), len(one.sines), index, int(one.is_jump)))
-        b.append(known.of(halves, one.b, force))
-        length.append(known.of(halves, one.length, second))
-        coefficients += [known.of(halves, c, force - k * second) for k, c in enumerate(one.polynomial)]
+        b.append(of(halves, one.b, force))
+        length.append(of(halves, one.length, second))
+        coefficients += [of(halves, c, force - k * second) for k, c in enumerate(one.polynomial)]
         for sine, omega in zip(one.sines, omegas, strict=True):
-            phase = known.of(_phase_at, sine.omega, sine.phase, one.start)
-            sines.append((known.of(halves, sine.amplitude, force), omega, phase))
+            phase = of(_phase_at, sine.omega, sine.phase, one.start)
+            sines.append((of(halves, sine.amplitude, force), omega, phase))
     numbers = np.array(coefficients).reshape(-1, 2), np.array(sines).reshape(-1, 3, 2)
     drive = Drive(np.array(places, dtype=np.int64), np.array(b), np.array(length), *numbers)
     return drive, kinds, max(length)[0]

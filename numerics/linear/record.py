@@ -57,11 +57,12 @@ def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
     # a power may be too large for a float, its root is not
     root, rest = np.ldexp(1.0, exponents // 2), np.ldexp(1.0, (exponents + 1) // 2)
     for table in (rows, end.reshape(1, -1)):
-        for row in table:
-            for k in range(row.shape[0]):
-                row[k] = row[k] * root[DIMENSION[k]] * rest[DIMENSION[k]]
-                may_miss = _EXCESS <= k < _EXCESS + 2 or k >= _FRICTION
-                is_finite = is_finite and (math.isfinite(row[k]) or (may_miss and math.isnan(row[k])))
+        for k in range(table.shape[1]):
+            one, two, may_miss = root[DIMENSION[k]], rest[DIMENSION[k]], _EXCESS <= k < _EXCESS + 2 or k >= _FRICTION
+            for n in range(table.shape[0]):
+                number = table[n, k] * one * two
+                is_finite = is_finite and (math.isfinite(number) or (may_miss and math.isnan(number)))
+                table[n, k] = number
     return is_finite
 
 

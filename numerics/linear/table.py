@@ -89,18 +89,20 @@ def form(
 
     `pair` (5, 2): m1, m1 + m2, m2, a1, a2 as pairs. A step is `reach` over the fastest rate, or `longest`.
     """
-    n, made_of = FIRST + terms + 2 * omegas.shape[0], np.zeros(tables.made_of.shape[1])
-    made_of[:5] = pair[:, 0]
+    n, made_of, is_new = FIRST + terms + 2 * omegas.shape[0], tables.made_of[kind], False
+    for k in range(5):
+        is_new = differs(made_of, k, pair[k, 0]) or is_new
     for side in range(2):
         rate = pair[3, 0] / pair[side, 0] + math.sqrt(pair[4, 0] / pair[side, 0])
         for k in range(omegas.shape[0]):
             rate = max(rate, omegas[k, 0])
-            made_of[7 + k] = omegas[k, 0]
+            is_new = differs(made_of, 7 + k, omegas[k, 0]) or is_new
         fraction, exponent = math.frexp(min(longest, reach / rate))  # of 20 bits: steps of it add up exactly
-        made_of[5 + side] = math.ldexp(math.floor(math.ldexp(fraction, 20)), exponent - 20)
-    if np.array_equal(made_of, tables.made_of[kind]):
+        h = math.ldexp(math.floor(math.ldexp(fraction, 20)), exponent - 20)
+        is_new = differs(made_of, 5 + side, h) or is_new
+    if not is_new:
         return
-    tables.made_of[kind], tables.count[kind] = made_of, n
+    tables.count[kind] = n
     for side in range(2):
         at, h = (kind, side), made_of[5 + side]
         tables.h[at] = h
@@ -108,6 +110,13 @@ def form(
         count_roundings(tables, kind, side, cut, wide)
         if pair[3, 0] > 0.0:
             square(tables.rows[at][0, 0], h, n, tables.squares[at])
+
+
+@compilable
+def differs(numbers: Any, k: int, number: float) -> bool:
+    """Write a number, and return whether another one stood there."""
+    before, numbers[k] = numbers[k], number
+    return before != number
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -142,7 +151,7 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
     z, after, total, cut = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2)), np.zeros(count)
     for e in range(len(places)):
         to, of = places[e, 0], places[e, 1]
-        put(A[to, of], times(pair_of(A[to, of]), h))
+        A[to, of, 0], A[to, of, 1] = times(Pair(A[to, of, 0], A[to, of, 1]), h)
     for j in range(count):
         z[:, :] = 0.0
         z[j, 0] = 1.0
@@ -157,12 +166,14 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
             for e in range(len(places)):
                 to, of = places[e, 0], places[e, 1]
                 if z[of, 0] != 0.0:
-                    put(after[to], plus(pair_of(after[to]), product(pair_of(A[to, of]), pair_of(z[of]))))
+                    term = product(Pair(A[to, of, 0], A[to, of, 1]), Pair(z[of, 0], z[of, 1]))
+                    after[to, 0], after[to, 1] = plus(Pair(after[to, 0], after[to, 1]), term)
             z[:, :] = 0.0
             for i in range(count):
                 if after[i, 0] != 0.0:  # most are 0, and divisions take half of the time
-                    put(z[i], ratio(pair_of(after[i]), Pair(k + 1.0, 0.0)))
-                    put(total[i], plus(pair_of(total[i]), pair_of(z[i])))
+                    one = ratio(Pair(after[i, 0], after[i, 1]), Pair(k + 1.0, 0.0))
+                    z[i, 0], z[i, 1] = one
+                    total[i, 0], total[i, 1] = plus(Pair(total[i, 0], total[i, 1]), one)
         for i in range(count):
             end[0, i, j], end[1, i, j] = total[i, 0], total[i, 1]
     return cut

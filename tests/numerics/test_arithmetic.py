@@ -1,58 +1,35 @@
-"""Functions of wide balls hold the values at their points; what is no number decides nothing; roots."""
+"""Operations and functions in every arithmetic against balls; wide balls, what is no number, roots and contacts."""
 
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-import flint
 import pytest
-from flint import arb, fmpq
-from hypothesis import example, given, settings
+from flint import arb
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals, near_quarter_turns, wide_numbers
 
 from numerics import EventUndecided, OutOfRange
 from numerics.arithmetic import functions
-from numerics.arithmetic.ball import Ball, proved_sign
+from numerics.arithmetic.ball import Ball, precision, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.arithmetic.pair import Pair, two_sum
+from numerics.arithmetic.pair import UNIT, Pair, two_sum
 from numerics.arithmetic.questions import GRAZES
 from numerics.free.contact import contact, ray_contact
 from numerics.free.root import falling_root
 
-DEFICITS = {
-    "versine": lambda x: 1 - x.cos(),
-    "sine_deficit": lambda x: x - x.sin(),
-    "cosine_deficit": lambda x: x * x / 2 - 1 + x.cos(),
-}
-TRUTH_BITS = 8000
-
-
-def ball(value: Fraction) -> arb:
-    return arb(fmpq(value.numerator, value.denominator))
-
-
-class Bits:
-    """The precision of the truth, restored."""
-
-    def __init__(self, bits: int = TRUTH_BITS):
-        self.bits = bits
-
-    def __enter__(self):
-        self.before, flint.ctx.prec = flint.ctx.prec, self.bits
-
-    def __exit__(self, *_):
-        flint.ctx.prec = self.before
-
-
+BITS = 8000
+"""Of the truth."""
+more = settings(max_examples=4 * settings().max_examples)
 FUNCTIONS = {
     "sqrt": (functions.sqrt, lambda x: x.sqrt(), (-830, 830)),
     "sin": (functions.sin, lambda x: x.sin(), (-830, 30)),
     "cos": (lambda x: functions.sine_cosine(x)[1], lambda x: x.cos(), (-830, 30)),
     "atan2(x, 1)": (lambda x: functions.atan2(x, functions.like(x, 1.0)), lambda x: x.atan(), (-660, 660)),
-    "versine": (functions.versine, DEFICITS["versine"], (-400, 30)),
-    "sine_deficit": (functions.sine_deficit, DEFICITS["sine_deficit"], (-265, 30)),
-    "cosine_deficit": (functions.cosine_deficit, DEFICITS["cosine_deficit"], (-200, 30)),
+    "versine": (functions.versine, lambda x: 1 - x.cos(), (-400, 30)),
+    "sine_deficit": (functions.sine_deficit, lambda x: x - x.sin(), (-265, 30)),
+    "cosine_deficit": (functions.cosine_deficit, lambda x: x * x / 2 - 1 + x.cos(), (-200, 30)),
     "depth": (lambda x: functions.depth_and_cotangent(x)[0], lambda x: 2 - x * (x / 2).cot(), (-400, 2)),
 }
 """Each with its definition in balls, and the powers of 2 between which its value is normal."""
@@ -67,12 +44,12 @@ def is_right(value, truth, x):
     """Whether a function is as accurate as is claimed; of balls it must hold the true value."""
     if isinstance(x, arb):
         return value(x).overlaps(truth(x))
-    with Bits():
+    with precision(BITS):
         true = truth(exactly(x))
         return abs(exactly(value(x)) - true) <= MOST[type(x)] * abs(true)
 
 
-@settings(max_examples=4 * settings().max_examples)
+@more
 @given(name=st.sampled_from(sorted(FUNCTIONS)), data=st.data())
 def test_functions_are_accurate_relative_to_themselves_in_every_arithmetic(name, data):
     value, truth, (low, high) = FUNCTIONS[name]
@@ -96,25 +73,40 @@ def test_functions_are_accurate_on_both_sides_of_where_a_series_ends(name):
             assert is_right(value, truth, x)
 
 
-def test_a_sum_of_pairs_whose_high_parts_cancel_keeps_its_digits():
-    one, two = Pair(1.0, 2.0**-54 * (1 + 2.0**-30)), Pair(-1.0, 2.0**-100 * (1 + 2.0**-40))
-    with Bits():
-        assert exactly(one + two) == exactly(one) + exactly(two)
+@more
+@given(wide_numbers(-300, 300), wide_numbers(-300, 300), st.booleans())
+@example(Pair(1.0, 2.0**-54 * (1 + 2.0**-30)), Pair(-1.0, 2.0**-100 * (1 + 2.0**-40)), False)
+def test_operations_of_pairs_are_accurate_relative_to_their_results(a, b, close):
+    if close:
+        b = two_sum(a.high * (1 + 2.0**-50), -a.low)
+    with Ball(700).context():
+        one, two = exactly(a), exactly(b)
+        for found, truth, units in (
+            (a + b, one + two, 1.5),
+            (a - b, one - two, 1.5),
+            (a * b, one * two, 2.5),
+            (a / b, one / two, 5),
+            (3 - a * 5, 3 - one * 5, 1.5 + 2.5),
+            (7 / a + 1, 7 / one + 1, 5 + 1.5),
+        ):
+            # a difference below the normal numbers has fewer digits
+            size = abs(truth) if units <= 5 and found.high else abs(truth) + 5 * one + 7 / one
+            assert truth.contains(0) or abs(exactly(found) - truth) <= units * UNIT * size
 
 
-@pytest.mark.parametrize("name", DEFICITS)
+@pytest.mark.parametrize("name", ["versine", "sine_deficit", "cosine_deficit"])
 @given(x=decimals(-40, -1, 10), relative=st.integers(3, 25), part=st.floats(-1, 1))
 @example(x=Fraction(1, 3), relative=3, part=1.0)
 @example(x=Fraction(1, 3), relative=3, part=-1.0)
 def test_a_wide_ball_encloses_every_point_of_it(name, x, relative, part):
     radius = x / 10**relative
     inside = x + radius * Fraction(part) * Fraction(99_999, 100_000)
-    arithmetic = Ball(30)
-    with Bits():
-        truth, wide = DEFICITS[name](ball(inside)), arb(ball(x).mid(), ball(radius).upper())
-    with arithmetic.context():
-        value = getattr(functions, name)(wide)
-    with Bits():
+    function, definition, _ = FUNCTIONS[name]
+    with precision(BITS):
+        truth, wide = definition(Ball.number(inside)), arb(Ball.number(x).mid(), Ball.number(radius).upper())
+    with Ball(30).context():
+        value = function(wide)
+    with precision(BITS):
         assert value.overlaps(truth)
         if relative > 5:  # x^4 moves four times as much as x, relatively
             assert value.rad() <= 8 * abs(truth) * arb(10) ** -relative
@@ -195,3 +187,18 @@ def test_a_contact_in_floats_is_that_of_balls_and_a_wide_ball_holds_those_of_its
                 at = (w + end * radius).mid()
                 point = ray_contact(at, (at / q).sqrt(), q, 1 - q, q.sqrt())
                 assert all(one.contains(two.mid()) for one, two in zip(wide[:3], point[:3], strict=True))
+
+
+@more
+@given(wide_numbers(-100, 20), wide_numbers(-100, 20), st.sampled_from(["ray", "outwards", "inwards"]))
+def test_a_contact_in_pairs_is_that_of_balls(gap, push, kind):
+    if kind == "ray":
+        gap = Pair(0.0, 0.0)
+    if kind == "inwards":
+        push = -push
+        assume(abs(push.high) < 2.0**30 * gap.high)  # else theta is gap/push next to nothing
+    ours = contact(gap, push)
+    with Ball(200).context():
+        truth = contact(exactly(gap), exactly(push))
+        for found, true, units in zip(ours[:2], truth[:2], (32, 64), strict=True):
+            assert abs(exactly(found) - true) <= units * UNIT * abs(true)

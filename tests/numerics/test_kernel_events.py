@@ -3,7 +3,7 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from kernel_runs import a_scene, room_for
+from kernel_runs import a_scene, begun
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
@@ -12,7 +12,6 @@ from numerics.linear.error_set import box, carry, norm_of, take_in, width
 from numerics.linear.first_root import ROOT
 from numerics.linear.modes import UNDECIDED
 from numerics.linear.next_event import Next
-from numerics.linear.prepare import prepare
 from numerics.linear.resolve import errors_after_slip, errors_after_stick, lateness, mode_after
 
 seeds = st.integers(0, 2**32 - 1)
@@ -52,8 +51,8 @@ def test_bounds_hold_for_the_members_of_a_set_and_are_reached(seed, columns, par
 @given(seeds, st.sampled_from([-1, 0, 1]))
 def test_errors_are_carried_by_the_flow_of_a_mode(seed, mode):
     random = np.random.default_rng(seed)
-    pair = prepare(a_scene(random), wide=False).pair
-    scale = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2])
+    problem, room, _ = begun(a_scene(random))
+    pair, scale = problem.pair, room.scale
     E, R, time = random.normal(size=(4, 4)), random.uniform(0, 1, 2), random.uniform(0, 2)
     if mode == 0:  # both bodies have one velocity
         E[3] = E[1] * scale[3] / scale[1]
@@ -68,8 +67,8 @@ def test_errors_are_carried_by_the_flow_of_a_mode(seed, mode):
 @given(seeds, st.tuples(*[st.sampled_from([0.0, 1.0])] * 3))
 def test_in_stick_an_error_of_one_velocity_may_be_a_column_and_a_rest_of_two(seed, part):
     random = np.random.default_rng(seed)
-    pair = prepare(a_scene(random), wide=False).pair
-    scale, (x, v, apart) = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), random.normal(size=3)
+    problem, room, _ = begun(a_scene(random))
+    pair, scale, (x, v, apart) = problem.pair, room.scale, random.normal(size=3)
     error = scale * [x, v, apart, v]
     rest, time, E = error * [*part[:2], 0.0, part[2]], random.choice([0.0, 0.1, 1.0]), np.zeros((4, 4))
     E[:, 0], R = error - rest, np.array([np.linalg.norm(rest), 0.0])
@@ -94,11 +93,11 @@ class Event:
     """A pair at an event at t = 0 under u + u' t, and one column of errors that move the event by little."""
 
     def __init__(self, random, mode, load):
-        prepared = prepare(a_scene(random), wide=False)
-        pair, tables = prepared.pair._replace(literal=False), prepared.tables
+        problem, self.room, _ = begun(a_scene(random))
+        pair, scale = problem.pair._replace(literal=False), self.room.scale
         v, b = random.normal(), random.uniform(0.3, 2)
         self.mode, self.pair, self.b, self.load = mode, pair, b, load * b
-        scale, unit = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), 1 / (1 + pair.a1 / pair.m1 + pair.m1**-0.5)
+        unit = 1 / (1 + pair.a1 / pair.m1 + pair.m1**-0.5)
         rising = random.normal() if mode else load * random.uniform(0.3, 1) / unit
         speeding = self.load / pair.m2 if mode == 0 else (self.load * pair.mass / pair.m2 - mode * b) / pair.m1
         turning = b * rising * pair.mass / pair.m2 + pair.a2 * v + pair.a1 * speeding
@@ -113,8 +112,7 @@ class Event:
         if mode:  # what is found of the event is off
             self.y[1] += random.choice([0.0, 0.0, 0.3]) * self.slope * late
         self.begun, self.is_exact = self.y, self.y[1] == self.y[3]
-        self.room = room_for(tables)
-        self.room.scale[:], self.room.y[:, 0], self.room.E[:, 2] = scale, self.y, self.column
+        self.room.y[:, 0], self.room.E[:, 2] = self.y, self.column
         ahead = Next(ROOT, Pair(0.5, 0.0), 1, 0.1, slope=self.slope, window=0.0, own=0.0)
         self.late, self.off, _ = lateness(pair, self.room, ahead, mode, b, 1e300, 1e300)
         self.y = self.room.y[:, 0].copy()

@@ -8,17 +8,15 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from kernel_runs import BOUNDS, STATE, a_scene, errors, exact, in_stick, moved, room_for, run
+from kernel_runs import BOUNDS, STATE, a_scene, begun, errors, exact, in_stick, moved, run
 from scene_files import scenes_in
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.pair import Pair as Wide
-from numerics.linear.columns import Now, Problem
 from numerics.linear.first_root import CLEAR, ROOT
 from numerics.linear.modes import UNDECIDED
 from numerics.linear.next_event import Next, Step, next_event
-from numerics.linear.prepare import prepare
 from numerics.linear.record import AT
 from numerics.linear.resolve import lateness, mode_after
 from numerics.trajectory.comparison import distance
@@ -233,9 +231,10 @@ def test_a_jump_of_the_force_to_just_below_b_is_in_doubt_if_the_errors_reach_b(b
 def test_a_mode_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(mode, order, since, low, high):
     """N takes kappa N at most of w, kappa1 N of its slope, and lam N of the load, here of either side."""
     scene = Scene(Pair("0.9", "0.1", 1, "0.1", "0.3"), State(1, 1, 0, 0), 9)
-    pair, drive, tables, *_ = prepare(scene, wide=False)
-    room, h, N = room_for(tables), float(tables.h[0, int(mode == 0)]), 1e-3
-    problem, now = Problem(pair, drive, tables, False, False), Now(0, mode, order * mode, 1, since * h, N)
+    problem, room, now = begun(scene, mode)
+    (pair, drive, tables, *_), N = problem, 1e-3
+    h = float(tables.h[0, int(mode == 0)])
+    now = now._replace(order=order * mode, since=since * h, N=N)
     unit = N * h * (pair.kappa if order == 0 and since > 9 else pair.kappa1 * h)
     for factor, is_clear in ((low, False), (high, True)):
         if mode:
@@ -248,10 +247,8 @@ def test_a_mode_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(mode, ord
 
 def at_contact(u=1.0):
     """A pair in room for the kernel, at rest at v1 = v2 = 0, errors 0, and what the force and its rate are."""
-    pair, _, tables, *_ = prepare(Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(1, 1, 0, 0), 9), wide=False)
-    room = room_for(tables)
-    room.scale[:] = 1.0
-    return pair, room, (u, 1.0, abs(u))
+    problem, room, _ = begun(Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(), 9))
+    return problem.pair, room, (u, 1.0, abs(u))
 
 
 @pytest.mark.parametrize("mode", [0, 1, -1])
