@@ -92,9 +92,10 @@ def judged(trajectory: Rows) -> tuple[Floats, float, float, int]:
     if "weights" not in scene.made:  # with E_cr, J
         pair = scene.pair
         scene.made["weights"] = (float(pair.a2), float(pair.m1), float(pair.m2)), float(pair.critical_energy)
+    weights, critical = scene.made["weights"]
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(
-            record.rows, record.end, starts_of(scene), *scene.made["weights"], ROUNDING[name]
+            record.rows, record.end, starts_of(scene), weights, critical, ROUNDING[name]
         )
     digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0
     return late, energy, excess, digits if trajectory.certain else 0
