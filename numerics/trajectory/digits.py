@@ -85,16 +85,24 @@ class Accuracy(ShortRepr):
         return self.certain and bool(np.all(np.isfinite(bounds)))
 
 
-def accuracy_of(trajectory: Rows) -> Accuracy:
-    """Return the bounds of a trajectory in SI units; binary64, whatever its numbers are."""
-    record, pair, name = trajectory.record, trajectory.scene.pair, trajectory.arithmetic.name
+def judged(trajectory: Rows) -> tuple[Floats, float, float, int]:
+    """Return bounds on the times of its events (s), its last energy (J) and excess, and how many digits are right."""
+    record, name, scene = trajectory.record, trajectory.arithmetic.name, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
-    weights, starts = (float(pair.a2), float(pair.m1), float(pair.m2)), starts_of(trajectory.scene)
+    if "weights" not in scene.made:  # with E_cr, J
+        pair = scene.pair
+        scene.made["weights"] = (float(pair.a2), float(pair.m1), float(pair.m2)), float(pair.critical_energy)
+    weights, critical = scene.made["weights"]
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(
-            record.rows, record.end, starts, weights, float(pair.critical_energy), ROUNDING[name]
+            record.rows, record.end, starts_of(scene), weights, critical, ROUNDING[name]
         )
     digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0
+    return late, energy, excess, digits if trajectory.certain else 0
+
+
+def accuracy_of(trajectory: Rows, found: tuple[Floats, float, float, int]) -> Accuracy:
+    """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
+    record, (late, energy, excess, digits) = trajectory.record, found
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["dissipated_error"]])
-    final, certain = record.end[_STATE_ERRORS], trajectory.certain
-    return Accuracy(late, errors, final, energy, excess, dissipated, certain, digits if certain else 0)
+    return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)

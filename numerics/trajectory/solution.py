@@ -14,7 +14,7 @@ from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.columns import Array
 from numerics.trajectory.dense import Evaluated, Side
-from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of
+from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
 from numerics.trajectory.status import Status
 
@@ -62,12 +62,16 @@ class Solution(Evaluated):
     @cached_property
     def accuracy(self) -> Accuracy | None:
         """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
-        return accuracy_of(self) if self.bounded else None
+        return accuracy_of(self, self._judged) if self.bounded else None
+
+    @cached_property
+    def _judged(self) -> tuple[Any, float, float, int]:
+        return judged(self)
 
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
-        return self.accuracy.digits if self.accuracy else 0
+        return self._judged[3] if self.bounded else 0
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
@@ -129,7 +133,7 @@ class Solution(Evaluated):
 
     def end_bounds(self) -> tuple[float, ...]:
         """Return bounds on the errors of time, state, energy and excess at the end, of numbers that have them."""
-        found, late = accuracy_of(self), abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
+        found, late = accuracy_of(self, self._judged), abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
         late += 0.0 if self.reached else float(found.t[-1])
         return late, *found.final, found.energy, found.energy_excess
 
