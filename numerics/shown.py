@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -44,11 +45,17 @@ def write_figure(figure: Any, path: Path) -> None:
 
 @contextmanager
 def shown_steps() -> Iterator[Callable[[str], None]]:
-    """Yield what shows on stderr what is being done, one line that goes away at the end; on a terminal only."""
+    """Show on stderr what is logged, in one line that goes away at the end; on a terminal only. Yield the log."""
+    log, shown = logging.getLogger("numerics"), logging.StreamHandler()
     if not sys.stderr.isatty():
-        yield lambda _: None
+        yield log.info
         return
+    shown.terminator = ""
+    shown.setFormatter(logging.Formatter("\r\033[K%(message)s"))
+    log.addHandler(shown)
+    log.setLevel(logging.INFO)
     try:
-        yield lambda what: print(f"\r\033[K{what}", end="", file=sys.stderr, flush=True)
+        yield log.info
     finally:
-        print("\r\033[K", end="", file=sys.stderr, flush=True)
+        log.info("")
+        log.removeHandler(shown)

@@ -49,8 +49,7 @@ def referred(scene: Scene, digits: int = 36) -> Reference:
 
 def middle(orbit: Orbit, number: int = 0) -> Fraction:
     """A time in the middle of a leg of a periodic motion."""
-    leg, after = orbit.turns[number]
-    return rounded((leg.t + after.t) / 2)
+    return rounded((orbit.legs[number].start + orbit.legs[number].end) / 2)
 
 
 def started(orbit: Orbit, begin: Fraction) -> list[Fraction]:
@@ -71,6 +70,12 @@ def one_period(orbit: Orbit, moved: Sequence[Fraction] = (Fraction(0),) * 3, beg
     return Scene(
         orbit.drive.pair, State(x1, v1, 0, v2), until=period, force=Force((Piece(0, piece.polynomial, sines),))
     )
+
+
+def moved(orbit: Orbit, by: object) -> Orbit:
+    """The orbit with x1 off by so much at the start of every leg."""
+    legs = (one._replace(state=(one.state[0] + by, *one.state[1:])) for one in orbit.legs)
+    return Orbit(orbit.drive, tuple(legs))
 
 
 def outside(found: Any, until: float, points: int = 4_001) -> np.ndarray:

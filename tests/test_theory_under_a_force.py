@@ -87,8 +87,9 @@ def test_the_two_stop_motion_meets_theorys_conditions(part):
     found = forced_response_of(Scene(HEAVY, State(), 1, force=force), digits=20)
     exit_, *others = found.orbit.legs
     assert [exit_.side, *(one.side for one in others)] == [1, 0, -1, 0]
-    cosine = force(Fraction(float(exit_.t)))
-    at = {response.exit_place: exit_.x, response.exit_speed: exit_.v, response.cosine_part: cosine}
+    cosine = force(Fraction(float(exit_.start)))
+    x1, v1, *_ = exit_.state
+    at = {response.exit_place: x1, response.exit_speed: v1, response.cosine_part: cosine}
     terms = sp.lambdify(list(at), response.two_stop_conditions()[0].subs(letters(HEAVY, omega)))
     assert abs(float(terms(*(float(one) for one in at.values())))) < 1e-12
 

@@ -30,7 +30,7 @@ def print_response(options: argparse.Namespace) -> int:
     from numerics.scene.file import load_scene
 
     with shown_steps() as say:
-        found: Any = response(load_scene(options.scene), **asked(options, "amplitude", "omega", "max_events"), tell=say)
+        found: Any = response(load_scene(options.scene), **asked(options, "amplitude", "omega", "max_events"))
         if isinstance(found, RotatingResponse):
             record, lines = _of_rotating(found)
         else:
@@ -106,7 +106,7 @@ def _of_response(found: Response) -> Shown:
         lines.append(f"  multiplier {one.str(digits, radius=False)}, size {abs(one).str(digits, radius=False)}")
     record["events"] = []
     for leg in found.orbit.events if found.orbit is not None else ():
-        event = {"to": MODES[leg.side].value, **numbers(digits, t=leg.t, x1=leg.x, v1=leg.v)}
+        event = {"to": MODES[leg.side].value, **numbers(digits, t=leg.start, x1=leg.state[0], v1=leg.state[1])}
         record["events"].append(event)
         lines.append(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
     return record, lines
@@ -205,8 +205,8 @@ def print_ring(options: argparse.Namespace) -> int:
     from numerics.control.ring import ring_entry
     from numerics.scene.file import load_line
 
-    with shown_steps() as say:
-        found = ring_entry(load_line(options.scene), options.radius, **asked(options, "rate"), tell=say)
+    with shown_steps():
+        found = ring_entry(load_line(options.scene), options.radius, **asked(options, "rate"))
     draw(options, "draw_ring", found)
     shown = numbers(found.digits, entry=found.entry, centre=found.centre)
     around, less = ("limit", "") if found.orbit is None else ("periodic motion", " less that of the periodic motion")

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 from flint import arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS
 from numerics.arithmetic.ball import Ball, undecided
-from numerics.errors import NumericsError
+from numerics.errors import InvalidScene, NumericsError
 from numerics.scene import Scene
-from numerics.scene.decimals import require_whole
+from numerics.scene.decimals import Exact, exact_decimal, require_whole, short
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
@@ -23,8 +22,6 @@ KEPT_DIGITS, TIME_DIGITS = 40, 20
 
 number = Ball.number
 """An exact rational as a ball, in the arithmetic's context."""
-Tell = Callable[[str], None]
-"""It hears what is being done, for who waits."""
 
 
 def not_negative(x: arb, question: str) -> bool:
@@ -34,8 +31,12 @@ def not_negative(x: arb, question: str) -> bool:
     raise undecided(question, x)
 
 
-def silent(_: str) -> None:
-    """Hear nothing."""
+def positive(value: Exact, name: str, remedy: str) -> Fraction:
+    """Return a number > 0, exact. Raises InvalidScene with the remedy."""
+    exact = exact_decimal(value, name)
+    if exact <= 0:
+        raise InvalidScene(f"{name} = {short(exact)} must be > 0; {remedy}")
+    return exact
 
 
 def require_digits(digits: Any, **caps: Any) -> None:
@@ -81,19 +82,12 @@ class Claim(NamedTuple):
     digits: int
 
 
-class Claiming(Protocol):
-    """An answer of this room."""
-
-    def claim(self) -> Claim | None:
-        """Return what it says of a scene, None if it gives none."""
-
-
-def solved_again(answer: Claiming) -> Trajectory | None:
-    """Return the scene of an answer solved by events in balls, None if it has none.
+def solved_again(answer: Any) -> Trajectory | None:
+    """Return the scene that an answer claims something of (its `claim`) solved by events in balls, None if none.
 
     Raises SecondSolveDiffers unless it does what the answer says, to 15 digits where it has more.
     """
-    claim = answer.claim()
+    claim: Claim | None = answer.claim()
     if claim is None:
         return None
     solved = solve(claim.scene, digits=claim.digits, arithmetic="ball")

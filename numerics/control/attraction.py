@@ -44,9 +44,9 @@ def passages(orbit: Orbit, start: arb, end: arb) -> Iterator[Passage]:
     x2 is 0 at the first event of the orbit.
     """
     period = orbit.drive.period
-    for turn in count(math.floor(float((start - orbit.legs[0].t) / period)) - 1):
-        for place, (leg, after) in zip(orbit.places, orbit.turns, strict=False):
-            begin, until = leg.t + turn * period, after.t + turn * period
+    for turn in count(math.floor(float((start - orbit.legs[0].start) / period)) - 1):
+        for place, leg in zip(orbit.places, orbit.legs, strict=False):
+            begin, until = leg.start + turn * period, leg.end + turn * period
             if begin > end:
                 return
             if until > start:

@@ -17,15 +17,15 @@ signs, and a w* that is never there keeps F >= b, or F <= -b, for ever, while th
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 
 from flint import arb
 
 from numerics.arithmetic.ball import Ball, undecided, working_digits
-from numerics.control.answers import Tell, number, rounded
+from numerics.control.answers import number, rounded
 from numerics.control.attraction import passage_at
 from numerics.control.orbit import Drive, Orbit, State3, in_order, solve_from, within
 from numerics.control.stuck import next_to_the_stuck_response, stuck_state
@@ -33,6 +33,7 @@ from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
 from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
 
+_log = logging.getLogger(__name__)
 MAX_EVENTS, _SHARE = 10_000, 5
 """Cap on events, and which part of it a period may have: its equations take longer than a run."""
 _PERIODS, _MANY = (4, 12, 48), (16, 64, 256)
@@ -45,7 +46,7 @@ _PHASE, _DIGITS = Fraction(1234567, 10**7), 20
 """At this part of a period motions are compared; that many digits of a state are followed from period to period."""
 
 
-def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[list[Orbit], int]:
+def search(drive: Drive, *, sticks: bool, max_events: int) -> tuple[list[Orbit], int]:
     """Return periodic motions with events, proved and all different, and how many starts were tried.
 
     One, unless there may be several that matter; `sticks`: the stuck response exists. Raises NotSettled where a period
@@ -61,7 +62,7 @@ def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[
             return
         starts += 1
         try:
-            one = _followed(drive, begin, at, periods, (max_events // _SHARE, tell), sticks=sticks)
+            one = _followed(drive, begin, at, periods, max_events // _SHARE, sticks=sticks)
         except _LOST as error:
             failures.append(error)
             return
@@ -102,9 +103,10 @@ def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[
 def mirrored(orbit: Orbit) -> Orbit:
     """Return the motion opposite to one under a force that is odd but for a constant, half a period later."""
     late, centre = orbit.drive.period / 2, 2 * number(orbit.drive.rest)
-    turned = [
-        replace(one, side=-one.side, t=one.t + late, x=centre - one.x, v=-one.v, v2=-one.v2) for one in orbit.legs
-    ]
+    turned = []
+    for leg in orbit.legs:
+        x1, v1, x2, v2 = leg.state
+        turned.append(leg._replace(side=-leg.side, start=leg.start + late, state=(centre - x1, -v1, -x2, -v2)))
     return Orbit(orbit.drive, in_order(turned, orbit.drive.period))
 
 
@@ -125,7 +127,7 @@ def _followed(
     begin: Fraction,
     at: Sequence[arb],
     periods: Sequence[int],
-    work: tuple[int, Tell],
+    most: int,
     *,
     sticks: bool,
 ) -> Orbit:
@@ -133,12 +135,11 @@ def _followed(
 
     The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing. A
     period without an event ends the search if the pair may stick for ever (`sticks`); else it breaks later, but a whole
-    batch of them takes too long. `work`: the most events of a period, and who hears of it.
+    batch of them takes too long. `most`: the most events of a period.
     """
-    most, tell = work
     for count in periods:
         guess = None if count else (begin, at)
-        tell(f"following {count} periods of {float(drive.period):.4g} s")
+        _log.info("following %d periods of %.4g s", count, drive.period)
         for _ in range(count):
             at, found = _one_period(drive, begin, at, most)
             guess = found or guess
@@ -148,7 +149,7 @@ def _followed(
         if guess is None:
             raise undecided("has a period an event?", "none")
         try:
-            return solve_from(drive, *guess, most, tell)
+            return solve_from(drive, *guess, most)
         except _LOST as error:
             lost = error
     raise lost

@@ -7,6 +7,7 @@ each over all states there, encloses the derivative of the map over the box.
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -17,15 +18,16 @@ from typing import NamedTuple
 from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, undecided, working_digits
-from numerics.control.answers import KEPT_DIGITS, Claim, Tell, number, rounded, rounded_up, silent
+from numerics.control.answers import KEPT_DIGITS, Claim, number, rounded, rounded_up
 from numerics.linear.cells import PLAIN, Cells, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import V1, V2, X1, X2, Motion
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.legs import legs
+from numerics.trajectory.legs import Leg, legs
 from numerics.trajectory.run import run_scene
 
+_log = logging.getLogger(__name__)
 _STEPS = 20
 """Newton steps from a guess before it counts as none."""
 STATE = X1, V1, V2
@@ -92,49 +94,31 @@ class Drive(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class Leg(ShortRepr):
-    """One mode of a periodic motion: its side (0 sticks), when it begins (s), x1 and v1 there; v2 is v1 at an event.
-
-    Where friction depends on the speed a leg is in one `cell`, and some begin at a knot of that, which is no event.
-    """
-
-    side: int
-    t: arb
-    x: arb
-    v: arb
-    v2: arb
-    cell: tuple[int, int] = PLAIN
-
-
-@dataclass(frozen=True, repr=False)
 class Orbit(ShortRepr):
-    """A periodic motion by its legs in order of time; the first begins again a period after it began."""
+    """A periodic motion by its legs in order of time; when the last ends the first begins again. Their x2 say nothing.
+
+    Where friction depends on the speed some begin at a knot of that, which is no event.
+    """
 
     drive: Drive
     legs: tuple[Leg, ...]
 
     @property
-    def turns(self) -> list[tuple[Leg, Leg]]:
-        """Return each leg with the one after it; that of the last one begins a period later than the first."""
-        first = self.legs[0]
-        after = (*self.legs[1:], replace(first, t=first.t + self.drive.period))
-        return list(zip(self.legs, after, strict=True))
-
-    @property
     def events(self) -> list[Leg]:
         """Return the legs that begin with an event."""
-        return _begun_by_events(self.legs)
+        return [leg for leg in self.legs if leg.is_event]
 
     def motion(self, leg: Leg, x2: int | arb = 0) -> Motion:
         """Return the motion of a leg from a place of body 2 (m) on."""
-        return self.drive.motion(leg.side, (leg.x, leg.v, arb(x2), leg.v2), leg.t, leg.cell)
+        x1, v1, _, v2 = leg.state
+        return self.drive.motion(leg.side, (x1, v1, arb(x2), v2), leg.start, leg.cell)
 
     @cached_property
     def places(self) -> list[arb]:
         """Return x2 where each leg begins, and a period after the first, counted from that one, m."""
         found = [arb(0)]
-        for leg, after in self.turns:
-            found.append(found[-1] + self.motion(leg).at(after.t - leg.t)[X2, 0])
+        for leg in self.legs:
+            found.append(found[-1] + self.motion(leg).at(leg.end - leg.start)[X2, 0])
         return found
 
     @property
@@ -144,10 +128,13 @@ class Orbit(ShortRepr):
 
     def multipliers(self) -> list[acb]:
         """Return the Floquet multipliers of (x1, v1, v2), largest first. Raises EventUndecided."""
-        turns = self.turns
+        again = (*self.legs[1:], self.legs[0]._replace(start=self.legs[-1].end))
+        maps = [
+            across(self.motion(leg), leg.end - leg.start, self.motion(after))
+            for leg, after in zip(self.legs, again, strict=True)
+        ]
         first = next((k for k, leg in enumerate(self.legs) if leg.side == 0), 0)
-        order = (*turns[first:], *turns[:first])
-        total = _product([across(self.motion(leg), after.t - leg.t, self.motion(after)) for leg, after in order])
+        total = _product([*maps[first:], *maps[:first]])
         if self.legs[first].side:
             return _eigenvalues(total)
         # where the pair sticks v2 goes with v1: w dies in a finite time
@@ -160,16 +147,15 @@ class Orbit(ShortRepr):
         """
         kept, leg = max(digits + 12, KEPT_DIGITS), self.legs[0]
         with Ball(2 * digits + 20).context():
-            begin, at = self.middle(self.turns[0])
+            begin, at = self.middle(leg)
             scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
             ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.events]
             return Claim(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side), digits)
 
-    def middle(self, turn: tuple[Leg, Leg]) -> tuple[Fraction, State3]:
-        """Return a time (s) in the middle of a leg, given with the one after it, and (x1, v1, v2) there."""
-        leg, after = turn
-        t = rounded((leg.t + after.t) / 2)
-        return t, within(self.motion(leg), number(t) - leg.t)
+    def middle(self, leg: Leg) -> tuple[Fraction, State3]:
+        """Return a time (s) in the middle of a leg, and (x1, v1, v2) there."""
+        t = rounded((leg.start + leg.end) / 2)
+        return t, within(self.motion(leg), number(t) - leg.start)
 
 
 def within(motion: Motion, t: arb) -> State3:
@@ -239,7 +225,10 @@ class Box(Ball):
 
 
 class Round(NamedTuple):
-    """A period of all motions of a box: the mode it begins in and the legs after it; its end, and that by its start."""
+    """A period of all motions of a box: the mode it begins in and the legs after it; its end, and that by its start.
+
+    Legs begin at times of the drive; `in_order` says when they end.
+    """
 
     side: int
     legs: list[Leg]
@@ -263,20 +252,17 @@ def one_round(drive: Drive, begin: Fraction, start: Sequence[Fraction], radius: 
     ended = zip(parts, motions, motions[1:], strict=False)
     maps = [across(one, part.end - part.start, two) for part, one, two in ended]
     maps.append(state_part(motions[-1].flow(left)))
-    found = []
-    for one in parts[1:]:
-        x1, v1, _, v2 = one.state
-        found.append(Leg(one.side, number(begin) + one.start, x1, v1, v2, one.cell))
+    found = [one._replace(start=number(begin) + one.start) for one in parts[1:]]
     return Round(parts[0].side, found, within(motions[-1], left), _product(maps))
 
 
-def solve_orbit(guess: Orbit, tell: Tell = silent) -> Orbit:
+def solve_orbit(guess: Orbit) -> Orbit:
     """Return the proved enclosure of a periodic motion near a guess. Raises EventUndecided."""
-    longest = max(guess.turns, key=lambda one: float(one[1].t - one[0].t))
-    return solve_from(guess.drive, *guess.middle(longest), 2 * len(guess.legs), tell)
+    longest = max(guess.legs, key=lambda one: float(one.end - one.start))
+    return solve_from(guess.drive, *guess.middle(longest), 2 * len(guess.legs))
 
 
-def solve_from(drive: Drive, begin: Fraction, at: Sequence[arb], most: int, tell: Tell = silent) -> Orbit:
+def solve_from(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> Orbit:
     """Return a periodic motion near (x1, v1, v2) at a time (s), proved; a period has at most so many events.
 
     By Newton's method on the period map, then an interval Newton step over a box that the engine follows as a whole:
@@ -286,14 +272,14 @@ def solve_from(drive: Drive, begin: Fraction, at: Sequence[arb], most: int, tell
     for _ in range(_STEPS):
         start = [rounded(one, working_digits()) for one in at]
         once = one_round(drive, begin, start, arb(0), most)
-        tell(f"solving a periodic motion of {len(once.legs)} events to {working_digits()} digits")
+        _log.info("solving a periodic motion of %d events to %d digits", len(once.legs), working_digits())
         missed = [end - number(one) for end, one in zip(once.end, start, strict=True)]
         step = _newton_step(once, missed)
         at, size = [number(one) + move for one, move in zip(start, step, strict=True)], _largest(step)
         if size <= tiny or (size >= before and size < 10 * tiny.sqrt()):
             break
         before = size
-    tell(f"proving the modes between {len(once.legs)} events")
+    _log.info("proving the modes between %d events", len(once.legs))
     for factor in (4, 64, 4096):
         wide = one_round(drive, begin, start, factor * size, most)
         if _largest(_newton_step(wide, missed)) < factor * size:
@@ -303,15 +289,12 @@ def solve_from(drive: Drive, begin: Fraction, at: Sequence[arb], most: int, tell
 
 def in_order(legs: Sequence[Leg], period: arb) -> tuple[Leg, ...]:
     """Return the legs of a period from the first slip + (else any leg) on that begins in [0, period)."""
-    early = [replace(one, t=one.t - period * math.floor(float(one.t / period))) for one in legs]
-    first = min(_begun_by_events(early), key=lambda one: (one.side != 1, float(one.t)))
-    late = [one if float(one.t) >= float(first.t) else replace(one, t=one.t + period) for one in early]
-    return tuple(sorted(late, key=lambda one: float(one.t)))
-
-
-def _begun_by_events(legs: Sequence[Leg]) -> list[Leg]:
-    """Return the legs of a period, in their order, whose mode is not that of the leg before."""
-    return [leg for before, leg in zip((legs[-1], *legs), legs, strict=False) if before.side != leg.side]
+    early = [one._replace(start=one.start - period * math.floor(float(one.start / period))) for one in legs]
+    first = min((one for one in early if one.is_event), key=lambda one: (one.side != 1, float(one.start)))
+    late = [one if float(one.start) >= float(first.start) else one._replace(start=one.start + period) for one in early]
+    late.sort(key=lambda one: float(one.start))
+    ends = *(one.start for one in late[1:]), first.start + period
+    return tuple(one._replace(end=end) for one, end in zip(late, ends, strict=True))
 
 
 def _newton_step(over: Round, missed: Sequence[arb]) -> list[arb]:

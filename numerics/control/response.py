@@ -17,7 +17,7 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, require_digits, rounded, silent
+from numerics.control.answers import KEPT_DIGITS, Claim, most_digits, number, positive, require_digits, rounded
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.stuck import (
@@ -31,7 +31,7 @@ from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
 from numerics.plane.rotating import rotating_force, rotating_response
 from numerics.scene import Force, Pair, Piece, Scene, Sine, Weakening
-from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.decimals import Exact, exact_decimal
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
@@ -148,14 +148,13 @@ def response(
     digits: int = 15,
     max_digits: int | None = None,
     max_events: int = MAX_EVENTS,
-    tell: Tell = silent,
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
     For a scene without a force both together are its force, amplitude sin(omega t). On a surface the force goes round,
     and the answer is a RotatingResponse (plane/rotating.py). With a [weakening] by speed there may be several periodic
-    motions, and the answer is PeriodicMotions: those found, each proved. A period
-    may have a fifth of `max_events` events; `tell` hears what is being done.
+    motions, and the answer is PeriodicMotions: those found, each proved. A period may have a fifth of `max_events`
+    events. What is being done is logged.
 
     Raises InvalidScene (a force that is not periodic, friction by place), EventUndecided (nothing was proved at the cap
     on digits, by default 16 times as many as are asked for), NotSettled (a period has too many events),
@@ -186,9 +185,9 @@ def response(
             return [grows], [growth]
         sticks = entrained(drive) or others_stick(drive, known)
         if orbits:
-            orbits = [solve_orbit(one, tell) for one in orbits]
+            orbits = [solve_orbit(one) for one in orbits]
         elif not (sticks and (drive.weakening is None or drive.has_one_motion)):
-            orbits, starts = search(drive, sticks=sticks, max_events=max_events, tell=tell)
+            orbits, starts = search(drive, sticks=sticks, max_events=max_events)
         found = [_entrained(drive, known, digits)] if sticks else []
         found += [_of_orbit(one, known, digits) for one in orbits]
         return found, [one for motion in found for one in _numbers(motion)]
@@ -209,14 +208,13 @@ def _numbers(found: Response) -> list[arb]:
     sizes = [abs(one) for one in found.multipliers or ()]
     if found.orbit is None:
         return sizes if found.drive.pair.a1 > 0 else []
-    return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.events for one in (leg.t, leg.x, leg.v))]
+    return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.events for one in (leg.start, *leg.state[:2]))]
 
 
 def _drive_under(scene: Scene, **given: Exact | None) -> Drive:
     """Return what acts in the long run, its one sine as it is given. Raises InvalidScene for what no sine can have."""
     asked = {name: exact_decimal(one, name) for name, one in given.items() if one is not None}
-    if asked.get("omega", 1) <= 0:
-        raise InvalidScene(f"omega = {short(asked['omega'])} must be > 0; give a frequency in rad/s")
+    positive(asked.get("omega", 1), "omega", "give a frequency in rad/s")
     if asked.get("amplitude") == 0:
         raise InvalidScene("amplitude = 0 must not be 0; without a force there is no response")
     if not scene.force.pieces:
@@ -307,8 +305,8 @@ def _attraction(orbit: Orbit, sizes: Sequence[arb]) -> str:
     if weakening is not None:
         return _NEXT if all(one < 1 for one in sizes) else "whether motions next to it tend to it is open"
     rate = number(pair.a2 / pair.m1).sqrt()
-    for before, (leg, after) in zip((orbit.legs[-1], *orbit.legs[:-1]), orbit.turns, strict=True):
-        turns = rate * (after.t - leg.t) / (2 * arb.pi())
+    for before, leg in zip((orbit.legs[-1], *orbit.legs), orbit.legs, strict=False):
+        turns = rate * (leg.end - leg.start) / (2 * arb.pi())
         if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:
             return f"{_EVERY}: a slip after a stick phase is no whole number of turns of body 1"
     return f"{_NEXT} if all multipliers are below 1"

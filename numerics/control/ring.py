@@ -12,6 +12,7 @@ in balls for it; after that time the motion is inside by what is proved of all l
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -22,7 +23,7 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
-from numerics.control.answers import Tell, most_digits, not_negative, number, require_digits, silent
+from numerics.control.answers import most_digits, not_negative, number, positive, require_digits
 from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
@@ -30,7 +31,7 @@ from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.resting_place import creeping_place
 from numerics.linear.system import X1, X2, Row, W
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.decimals import Exact, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.legs import legs
@@ -38,6 +39,7 @@ from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
+_log = logging.getLogger(__name__)
 Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
 """The relative place z = x1 - x2."""
 _FREE, _FORCED = (24, 100_000), (7, 2_000)
@@ -77,11 +79,10 @@ def ring_entry(
     rate: Exact = 1,
     digits: int = 15,
     max_digits: int | None = None,
-    tell: Tell = silent,
 ) -> Ring:
     """Return when the relative motion enters for good the ring of a radius (m) > 0; w counts as w/rate, rate (1/s) > 0.
 
-    `tell` hears what is being done. Raises InvalidScene, EventUndecided (the motion touches the ring), NotSettled (it
+    What is being done is logged. Raises InvalidScene, EventUndecided (the motion touches the ring), NotSettled (it
     settles too late, or not for certain), PrecisionExhausted, TypeError, ValueError. max_digits is as in `response`.
 
     >>> from numerics import load_scene
@@ -90,10 +91,7 @@ def ring_entry(
     """
     require_kind("ring_entry", scene, Scene, BUILD)
     require_digits(digits, max_digits=max_digits)
-    size, per = exact_decimal(radius, "radius"), exact_decimal(rate, "rate")
-    for name, one in (("radius", size), ("rate", per)):
-        if one <= 0:
-            raise InvalidScene(f"{name} = {short(one)} must be > 0; give a positive {name}")
+    size, per = positive(radius, "radius", "give a positive radius"), positive(rate, "rate", "give a positive rate")
     scene.require_one_b("a tolerance ring")
     drive = last_drive(scene)
     if drive is None:
@@ -102,11 +100,11 @@ def ring_entry(
     def attempt(arithmetic: Ball) -> tuple[Ring, list[arb]]:
         orbit = None
         if drive.piece.sines:
-            found = response(scene, digits=arithmetic.digits, tell=tell)
+            found = response(scene, digits=arithmetic.digits)
             if found.growth > 0:
                 raise InvalidScene(f"{found.regime.value}; no ring is entered for good")
             orbit = found.orbit
-        trajectory, known = _settled(scene, drive, orbit, (size, per), (arithmetic.digits, tell))
+        trajectory, known = _settled(scene, drive, orbit, (size, per), arithmetic)
         entry = _last_on_ring(trajectory, known, size, per)
         return Ring(scene, size, per, known.limit, entry, orbit, known.why, digits), [known.limit, entry]
 
@@ -126,18 +124,18 @@ class Settled(NamedTuple):
 
 
 def _settled(
-    scene: Scene, drive: Drive, orbit: Orbit | None, ring: tuple[Fraction, Fraction], work: tuple[int, Tell]
+    scene: Scene, drive: Drive, orbit: Orbit | None, ring: tuple[Fraction, Fraction], arithmetic: Ball
 ) -> tuple[Trajectory, Settled]:
     """Return a trajectory that is long enough to know the limit, and what is known; `ring`: its radius and rate."""
-    (digits, tell), (doublings, most) = work, _FORCED if scene.is_forced else _FREE
+    doublings, most = _FORCED if scene.is_forced else _FREE
     # so near the limit, in m and in m/s for w, the motion is inside its ring
     near = float(ring[0]) * min(1.0, float(ring[1])) / 2
     last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(-1))
     until = max(scene.until, last + 1)
     for _ in range(doublings):
-        tell(f"following the motion to t = {float(until):.6g} s in {digits} digits")
+        _log.info("following the motion to t = %.6g s in %d digits", until, arithmetic.digits)
         longer = replace(scene, until=until)
-        trajectory = run_scene(longer, Ball(digits), most)
+        trajectory = run_scene(longer, arithmetic, most)
         if orbit is not None:
             found = periodic_settled(trajectory, orbit, near)
         elif trajectory.status is Status.STUCK_FOR_EVER:

@@ -26,12 +26,11 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import number, require_digits
-from numerics.errors import InvalidScene
+from numerics.control.answers import number, positive, require_digits
 from numerics.linear.system import is_positive_on
 from numerics.plane.rotating import rotating_threshold
 from numerics.scene import Pair
-from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.decimals import Exact
 from numerics.scene.model import require_kind
 from numerics.scene.plane import PlanePair
 from numerics.scene.short_repr import ShortRepr
@@ -77,9 +76,7 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
     if not isinstance(pair, PlanePair):
         require_kind("thresholds", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
     require_digits(digits, max_digits=max_digits)
-    rate = exact_decimal(omega, "omega")
-    if rate <= 0:
-        raise InvalidScene(f"omega = {short(rate)} must be > 0; give a frequency in rad/s")
+    rate = positive(omega, "omega", "give a frequency in rad/s")
     if isinstance(pair, PlanePair):  # under a force that goes round both are one
         both = rotating_threshold(pair, rate, digits)
         return Thresholds(rate, both, both, None, digits)

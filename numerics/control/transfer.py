@@ -28,6 +28,7 @@ from numerics.control.answers import (
     Claim,
     not_negative,
     number,
+    positive,
     require_digits,
     rounded,
     rounded_up,
@@ -118,12 +119,14 @@ def fastest_transfer(
     require_kind("fastest_transfer", scene, Scene, BUILD)
     require_digits(digits, max_digits=max_digits)
     by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
-    most = None if amplitude is None else exact_decimal(amplitude, "amplitude")
-    _require(scene, by, most, part)
+    most = None
+    if amplitude is not None:
+        most = positive(amplitude, "amplitude", "leave it out for a force without bound")
+    _require(scene, by, part)
     return to_digits(lambda _: _transfer(scene, by, most, part, digits), max(digits, KEPT_DIGITS), max_digits)
 
 
-def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margin: Fraction) -> None:
+def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
     at = scene.initial
     if distance == 0:
         raise InvalidScene("distance = 0 must not be 0; give a distance in metres")
@@ -131,8 +134,6 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
         raise InvalidScene(
             f"margin = {short(margin)} must be at least 0 and below 1; give the part of b that stays free"
         )
-    if amplitude is not None and amplitude <= 0:
-        raise InvalidScene(f"amplitude = {short(amplitude)} must be > 0; leave it out for a force without bound")
     if any((at.x1, at.v1, at.v2)):
         raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
     scene.require_one_b("a transfer")

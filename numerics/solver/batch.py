@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from numerics.free import start
 from numerics.linear.record import AT, BOUNDS, How
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
-SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
-"""The numbers of a scene, a high and a low half each in a row of SI numbers."""
-_UNIT = ROUNDING["float64"]
+SI = start.SI._fields
+"""The numbers of a scene."""
+_UNIT, _LARGEST = ROUNDING["float64"], 2**1023
+
+
+def near(x: Fraction) -> float:
+    """Return the float next to an exact number, nan beyond their range."""
+    return float(x) if abs(x) < _LARGEST else math.nan
 
 
 class Ends:
@@ -95,18 +102,18 @@ class Batch(Ends):
 
     def __init__(
         self,
-        table: Floats,
+        numbers: Floats,
         ends: Floats,
         kept: Floats,
         shape: tuple[int, ...],
         form_ledgers: Callable[[Floats], None] | None = None,
     ) -> None:
-        """Keep SI numbers, and what the runs wrote (linear/record.py): a row for each end, for start and first events.
+        """Keep SI numbers (n, 10), and rows that the runs wrote (linear/record.py): of ends, of start and first events.
 
-        In these rows the time counts from the start of the run, whatever piece of force it is in. `form_ledgers` writes
-        to the ends what friction and viscosity took, where that is nan.
+        In these the time counts from the start of the run, whatever piece of force it is in. `form_ledgers` writes to
+        the ends what friction and viscosity took, where that is nan.
         """
-        self.table, self.ends, self.kept, self.shape, self._form_ledgers = table, ends, kept, shape, form_ledgers
+        self.numbers, self.ends, self.kept, self.shape, self._form_ledgers = numbers, ends, kept, shape, form_ledgers
 
     @property
     def inputs(self) -> dict[str, Floats]:
@@ -114,7 +121,7 @@ class Batch(Ends):
         return {name: self._given(name) for name in SI}
 
     def _given(self, name: str) -> Floats:
-        return self.table[:, 2 * SI.index(name)].reshape(self.shape)
+        return self.numbers[:, SI.index(name)].reshape(self.shape)
 
     def _end(self, *names: str) -> Floats:
         """Return columns of the ends, a line each."""

@@ -18,15 +18,24 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
-from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
+from numerics.free.rows import UNKNOWN
+from numerics.linear.pieces import Known
 from numerics.linear.record import AT, END_ROW, ROW, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
-from numerics.scene.decimals import exact_decimal, require_function, require_whole
+from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
-from numerics.solver.batch import SI, Batch
-from numerics.solver.rows import Columns, form_ledgers, frictions_of, of_one_kind, solve_chunk
+from numerics.solver.batch import SI, Batch, near
+from numerics.solver.rows import (
+    Columns,
+    form_ledgers,
+    frictions_of,
+    of_one_kind,
+    solve_columns,
+    solve_one,
+    solve_prepared,
+)
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.run import MAX_EVENTS
@@ -105,12 +114,9 @@ def solve_many(
     ([1, 32], [0, 0], True)
     """
     named = dict(zip(SI, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
-    for name, given in (("polynomial", polynomial), ("sines", sines)):
-        if not _is_list(given):
-            raise InvalidScene(f"{name} = {str(given)[:40]!r} must be a list: of coefficients, or of triples of a sine")
-    named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
-    for k, sine in enumerate(sines):
-        if not _is_list(sine) or len(sine) != 3:
+    named |= {f"polynomial[{k}]": one for k, one in enumerate(listed("polynomial", polynomial))}
+    for k, sine in enumerate(listed("sines", sines)):
+        if not isinstance(sine, Sequence | np.ndarray) or len(sine) != 3:
             raise InvalidScene(f"sines[{k}] must be a triple: amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
     for name, values in named.items():
@@ -123,16 +129,21 @@ def solve_many(
     if exact or not in_columns:
         return _solve_objects(named, terms, (force, friction), law, limits, binary=not exact)
     flat, shape = _numbers_of(named)
-    table = np.zeros((len(flat), 2 * len(SI)))
-    table[:, ::2] = flat[:, : len(SI)]
+    numbers = flat[:, : len(SI)]
     waves = flat[:, len(SI) + terms :].reshape(len(flat), len(sines), 3)
-    columns = Columns(table, flat[:, len(SI) : len(SI) + terms], waves, frictions_of(friction))
+    halves = np.stack((numbers, np.zeros_like(numbers)), axis=-1).reshape(len(flat), 2 * len(SI))
+    columns = Columns(halves, flat[:, len(SI) : len(SI) + terms], waves, frictions_of(friction))
+    how = law is Law.THREE_VALUED_SGN, max_events
 
     def scene_of(row: int) -> Scene:
-        return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {}, friction=friction)
+        return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, Known(), friction=friction)
 
-    later = flat[:, SI.index("until")] <= float(max(friction.starts, default=0))
-    return _solved(columns, scene_of, table, shape, law, limits, later)
+    def run(part: slice, kept: Floats, ends: Floats) -> None:
+        solve_columns(columns.part(part), *how, kept, ends)
+
+    later = numbers[:, SI.index("until")] <= float(max(friction.starts, default=0))
+    kept, ends = _solved(run, scene_of, later, limits)
+    return Batch(numbers, ends, kept, shape, partial(_form_ledgers, columns, how, jobs))
 
 
 @overload
@@ -162,21 +173,20 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
     [24, 0]
     """
-    kept, limits = of_one_kind(scenes), _Limits(max_events, keep_events, jobs, progress).checked()
-    if kept and isinstance(kept[0], PlaneScene):
+    given, limits = of_one_kind(scenes), _Limits(max_events, keep_events, jobs, progress).checked()
+    if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
-        return solve_surfaces(kept, *limits)
-    laws = {scene.law for scene in kept}
-    if any(scene.friction.weakening for scene in kept):
+        return solve_surfaces(given, *limits)
+    if any(scene.friction.weakening for scene in given):
         limits = limits._replace(jobs=1)  # they are solved in balls, whose precision all threads share
-    plain = len(laws) <= 1 and not any(scene.is_forced for scene in kept)
-    table = np.array([_halves(scene, lows=plain) for scene in kept]).reshape(len(kept), 2 * len(SI))
-    columns = Columns(table, np.zeros((len(kept), 0)), np.zeros((len(kept), 0, 3)), frictions_of(SAME_FRICTION))
-    later = np.array([scene.changes_later for scene in kept], bool)
-    held = columns if plain and np.isfinite(table).all() else None
-    law = next(iter(laws), Law.FILIPPOV)
-    return _solved(held, kept.__getitem__, table, (len(kept),), law, limits, later)
+
+    def run(part: slice, kept: Floats, ends: Floats) -> None:
+        solve_prepared(given[part], max_events, kept, ends)
+
+    numbers = np.array([[near(one) for one in _numbers_in(scene)] for scene in given])
+    kept, ends = _solved(run, given.__getitem__, np.array([scene.changes_later for scene in given], bool), limits)
+    return Batch(numbers.reshape(-1, len(SI)), ends, kept, (len(given),))
 
 
 def _fits_in_columns(friction: Any) -> bool:
@@ -189,39 +199,30 @@ def _fits_in_columns(friction: Any) -> bool:
     return is_held and all(end < 2**80 * one for end, one in zip(starts[1:], lengths, strict=True))
 
 
-def _halves(scene: Scene, *, lows: bool) -> list[float]:
-    """Return the SI numbers of a scene as halves, or high halves and 0; nan where one is beyond binary64."""
+def _numbers_in(scene: Scene) -> tuple[Fraction, ...]:
+    """Return the SI numbers of a scene, exact."""
     pair, at = scene.pair, scene.initial
-    numbers = (pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
-    try:
-        halves = [half for one in numbers for half in (nearest(one) if lows else (float(one), 0.0))]
-    except OverflowError:
-        return [np.nan] * 20
-    # halves must not make two velocities equal that are not
-    is_lost = lows and (halves[10:12] == halves[14:16]) != (at.v1 == at.v2)
-    return [np.nan] * 20 if is_lost else halves
+    return pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
 
 
 def _scene(
     numbers: Sequence[Any],
     terms: int,
     law: Law,
-    pairs: dict[tuple[int, ...], Pair],
+    known: Known,
     force: Any = NO_FORCE,
     friction: Any = SAME_FRICTION,
 ) -> Scene:
     """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too.
 
-    `pairs` keeps the pair of the very same numbers, which most scenes of a batch share.
+    `known` keeps the pair of the very same numbers, which most scenes of a batch share.
     """
     m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
-    same = (id(m1), id(m2), id(a2), id(b), id(a1))
-    pair = pairs[same] if same in pairs else pairs.setdefault(same, Pair(m1, m2, a2, b, a1))
     waves = [Sine(*rest[k : k + 3]) for k in range(terms, len(rest), 3)]
     if any(rest[:terms]) or any(s.amplitude for s in waves):
         own = Force((Piece(0, rest[:terms], waves),))
         force = own if force is NO_FORCE else own + force
-    return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
+    return Scene(known.of(Pair, m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force, friction)
 
 
 def _solve_objects(
@@ -240,36 +241,38 @@ def _solve_objects(
         if wrong := [one for one in arrays[name].flat if not isinstance(one, kind)]:
             what = kind.__name__
             raise InvalidScene(f"{name} holds {str(wrong[0])[:40]!r}; give a {what}([...]), or a list of them")
-    shape, pairs = _common_shape(arrays), dict[tuple[int, ...], Pair]()
+    shape, known = _common_shape(arrays), Known()
     rows = zip(*(np.broadcast_to(one, shape).ravel() for one in arrays.values()), strict=True)
-    found = solve_scenes([_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows], **limits._asdict())
-    return Batch(found.table, found.ends, found.kept, shape)
+    found = solve_scenes([_scene(row[:-2], terms, law, known, *row[-2:]) for row in rows], **limits._asdict())
+    found.shape = shape
+    return found
 
 
 def _solved(
-    columns: Columns | None,
-    scene_of: Callable[[int], Scene],
-    table: Floats,
-    shape: tuple[int, ...],
-    law: Law,
-    limits: _Limits,
-    later: Any,
-) -> Batch:
-    """Solve rows in chunks; `later`: where another piece begins at the horizon or after it, no stick is for ever."""
-    count, done, how = len(table), 0, (law is Law.THREE_VALUED_SGN, limits.max_events)
+    run: Callable[[slice, Floats, Floats], None], scene_of: Callable[[int], Scene], later: Any, limits: _Limits
+) -> tuple[Floats, Floats]:
+    """Solve rows in chunks, those that `run` leaves one by one; return the rows of first events and those of ends.
+
+    `later`: where another piece begins at the horizon or after it, no stick is for ever.
+    """
+    count, done = len(later), 0
     ends, kept = np.zeros((count, END_ROW)), np.full((count, limits.keep_events + 1, ROW), np.nan)
 
     def solve(part: slice) -> int:
-        own = None if columns is None else columns.part(part)
-        return solve_chunk(own, lambda row: scene_of(part.start + row), *how, kept[part], ends[part])
+        hows = ends[part, AT["how"]]
+        hows[:] = UNKNOWN
+        if can_compile():
+            run(part, kept[part], ends[part])
+        for row in part.start + np.flatnonzero(hows == UNKNOWN):
+            solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row])
+        return len(hows)
 
     for some in _in_chunks(solve, count, limits.jobs):
         done += some
         if limits.progress is not None:
             limits.progress(done, count)
     ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
-    form = None if columns is None else partial(_form_ledgers, columns, how, limits.jobs)
-    return Batch(table, ends, kept, shape, form)
+    return kept, ends
 
 
 def _form_ledgers(columns: Columns, how: tuple[bool, int], jobs: int | None, ends: Floats) -> None:
@@ -317,13 +320,6 @@ def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
     except ValueError:
         given = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
         raise ValueError(f"these shapes do not broadcast together: {given}; give arrays of one shape") from None
-
-
-def _is_list(given: Any) -> bool:
-    """Return whether an argument lists something; a text does not, whose letters nobody means."""
-    if isinstance(given, np.ndarray):
-        return given.ndim > 0
-    return isinstance(given, Sequence) and not isinstance(given, str | bytes)
 
 
 def _has_truth_values(values: Any) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from functools import partial
 from importlib.util import find_spec
 from typing import Any
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.plane.solve import solve_plane
 from numerics.scene.plane import AXES, PlaneScene
-from numerics.solver.batch import Ends
+from numerics.solver.batch import Ends, near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
 from numerics.trajectory.columns import STATE
@@ -22,9 +21,6 @@ from numerics.trajectory.status import Status
 
 _FEW = 8
 """So many scenes are solved before other processes have started."""
-
-
-_LARGEST = 2**1023
 
 
 class PlaneBatch(Ends):
@@ -74,12 +70,7 @@ class PlaneBatch(Ends):
                 named[f"{name} {AXES[k]}"] = [getattr(one.pair, name)[k] for one in self.scenes]
             for name in STATE:
                 named[f"{name} {AXES[k]}"] = [getattr(one, name)[k] for one in self.scenes]
-        return {name: np.array([_near(x) for x in given]) for name, given in named.items()}
-
-
-def _near(x: Fraction) -> float:
-    """Return the float next to an exact number, nan beyond their range."""
-    return float(x) if abs(x) < _LARGEST else np.nan
+        return {name: np.array([near(x) for x in given]) for name, given in named.items()}
 
 
 def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, dict[str, Any]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
@@ -11,16 +11,17 @@ from typing import Any
 import numpy as np
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.compiled import can_compile, compiled
+from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.pair import nearest
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.free.rows import UNKNOWN, solve_rows
+from numerics.free.engine import scene_row
+from numerics.free.rows import solve_rows
 from numerics.linear.batch import run_prepared, run_rows
 from numerics.linear.pieces import Known, starts_of
-from numerics.linear.prepare import Prepared, prepare
+from numerics.linear.prepare import prepare
 from numerics.linear.record import AT, ROW, How
-from numerics.scene import Friction, Scene
+from numerics.scene import Friction, Law, Scene
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.columns import STATE, Floats
 from numerics.trajectory.run import free_scene, run_scene
@@ -78,30 +79,38 @@ def frictions_of(friction: Friction) -> Floats:
     return np.array([*first, *pieces])
 
 
-def solve_chunk(
-    columns: Columns | None,
-    scene_of: Callable[[int], Scene],
-    literal: bool,
-    max_events: int,
-    kept: Floats,
-    ends: Floats,
-) -> int:
-    """Solve a chunk of scenes, and return how many there are: by columns, if there are any, else one by one.
+def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
+    """Solve rows by compiled code, each by the engine that it needs; what is in doubt keeps the `how` that it had."""
+    free = columns.free
+    for its in (free, ~free):
+        if its.any():
+            rows = slice(None) if its.all() else its
+            own = columns.part(rows)
+            if its is free:
+                _on(rows, kept, ends, partial(compiled(solve_rows), own.table, literal, max_events))
+            else:
+                _on(rows, kept, ends, partial(run_rows, own, literal, max_events, False))
 
-    `scene_of(i)` is the scene of row i. What is in doubt there is solved by itself, too.
-    """
-    ends[:, AT["how"]] = UNKNOWN
-    if columns is not None and can_compile():
-        free = columns.free
-        for its, run in ((free, _free_rows), (~free, _rows_without_ledger)):
-            if its.any():
-                rows = slice(None) if its.all() else its
-                _on(rows, kept, ends, partial(run, columns.part(rows), literal, max_events))
-    elif can_compile():
-        _solve_linear(scene_of, max_events, kept, ends)
-    for row in np.flatnonzero(ends[:, AT["how"]] == UNKNOWN):
-        _solve_one(scene_of(int(row)), max_events, kept[row], ends[row])
-    return len(ends)
+
+def solve_prepared(scenes: Sequence[Scene], max_events: int, kept: Floats, ends: Floats) -> None:
+    """Do the same for scenes: those of the free pair at once, and those of one pair under like forces."""
+    alike: dict[object, list[tuple[int, Any]]] = {}
+    known = Known()
+    for row, scene in enumerate(scenes):
+        if free_scene(scene):
+            numbers = scene_row(scene)
+            if numbers is not None:
+                alike.setdefault(scene.law, []).append((row, numbers))
+        elif not scene.friction.weakening:
+            with suppress(OutOfRange):
+                one = prepare(scene, wide=False, known=known)
+                alike.setdefault((id(one.pair), id(one.tables)), []).append((row, one))
+    for kind, group in alike.items():
+        rows, given = zip(*group, strict=True)
+        run = partial(run_prepared, given)
+        if isinstance(kind, Law):
+            run = partial(compiled(solve_rows), np.array(given), kind is Law.THREE_VALUED_SGN)
+        _on([*rows], kept, ends, partial(run, max_events))
 
 
 def _on(rows: Any, kept: Floats, ends: Floats, run: Callable[[Floats, Floats], None]) -> None:
@@ -109,29 +118,6 @@ def _on(rows: Any, kept: Floats, ends: Floats, run: Callable[[Floats, Floats], N
     own = kept[rows], ends[rows]
     run(*own)
     kept[rows], ends[rows] = own
-
-
-def _free_rows(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
-    compiled(solve_rows)(columns.table, literal, max_events, kept, ends)
-
-
-def _rows_without_ledger(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
-    run_rows(columns, literal, max_events, False, kept, ends)
-
-
-def _solve_linear(scene_of: Callable[[int], Scene], max_events: int, kept: Floats, ends: Floats) -> None:
-    """Solve the scenes that the linear engine solves in float64: those of one pair, and of like forces, at once."""
-    alike: dict[tuple[int, int], list[tuple[int, Prepared]]] = {}
-    known = Known()
-    for row in range(len(ends)):
-        scene = scene_of(row)
-        if not free_scene(scene) and not scene.friction.weakening:
-            with suppress(OutOfRange):
-                one = prepare(scene, wide=False, known=known)
-                alike.setdefault((id(one.pair), id(one.tables)), []).append((row, one))
-    for group in alike.values():
-        rows, prepared = zip(*group, strict=True)
-        _on(list(rows), kept, ends, partial(run_prepared, prepared, max_events))
 
 
 def form_ledgers(columns: Columns, literal: bool, max_events: int, ends: Floats) -> int:
@@ -144,7 +130,7 @@ def form_ledgers(columns: Columns, literal: bool, max_events: int, ends: Floats)
     return len(rows)
 
 
-def _solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
+def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
     """Solve one scene, and write its first events and its end; their times count from the start of the run."""
     in_balls = bool(scene.friction.weakening)
     try:

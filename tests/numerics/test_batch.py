@@ -68,12 +68,29 @@ def require_alone(found: Batch, k, scene, most=MAX_EVENTS, within=1e-13, bounds=
     np.testing.assert_allclose(found.energy_excess[k], one.final.w, atol=max(within, 1e-13) * (1 + abs(one.final.w)))
     near(found.dissipated[k], one.dissipated, atol=1e-300)
     # of a batch those count that are kept
-    assert count < len(one.events) or one.accuracy.digits - 1 <= found.digits[k] <= one.accuracy.digits + 1
+    right = min(one.accuracy.digits, 16)  # of a pair at rest a single solve knows all
+    assert count < len(one.events) or right - 1 <= found.digits[k] <= right + 1
     if bounds is not None:
         near = partial(np.testing.assert_allclose, rtol=bounds)
         near(found.event_y_error[:, k, :count].T, one.accuracy.y[:count])
         near(found.y_error[:, k], one.accuracy.final)
         near(found.dissipated_error[k], one.accuracy.dissipated)
+
+
+def against_balls(found: Batch, scene):
+    """Each number of a batch of one scene, with its first three events, how far it is off, and its bound."""
+    truth = solve(scene, digits=40, arithmetic="ball")
+    assert (found.events[0], found.status[0]) == (len(truth.events), truth.status)
+    with truth.arithmetic.context():
+        numbers = [
+            (found.y, truth.final_state, found.y_error),
+            (found.event_t[0], truth.event_times[:3], found.event_t_error[0]),
+            (found.dissipated, [truth.ledger.friction + truth.ledger.viscous], found.dissipated_error),
+            (found.event_y[:, 0], truth.event_states[:, :3], found.event_y_error[:, 0]),
+        ]
+        for three in numbers:
+            for x, y, bound in zip(*map(np.ravel, three), strict=True):
+                yield float(x), distance(float(x), y), float(bound)
 
 
 def test_the_batch_has_the_results_of_solve():
@@ -105,18 +122,8 @@ def test_the_bounds_of_a_batch_are_those_of_a_single_solve_and_hold(scene):
     sines = [(float(s.amplitude), float(s.omega), 0.0) for piece in scene.force.pieces for s in piece.sines]
     found = solve_many(**numbers, until=[float(scene.until)], sines=sines, keep_events=3)
     require_alone(found, 0, scene, within=1e-11, bounds=0.1)
-    truth = solve(scene, digits=30, arithmetic="ball")
-    with truth.arithmetic.context():
-        states = [
-            (found.event_y[:, 0, k], event.y, found.event_y_error[:, 0, k]) for k, event in enumerate(truth.events[:3])
-        ]
-        lost = truth.ledger.friction + truth.ledger.viscous
-        states += [
-            (found.y[:, 0], truth.final_state, found.y_error[:, 0]),
-            (found.dissipated, [lost], found.dissipated_error),
-        ]
-        for x, y, bound in (one for three in states for one in zip(*three, strict=True)):
-            assert distance(float(x), y) <= float(bound)
+    for _, off, bound in against_balls(found, scene):
+        assert off <= bound
     if scene is SLIDING:
         assert found.event_y_error[2, 0, 0] > 10 * found.event_y_error[0, 0, 0]  # x2 has a bound of its own
 
@@ -185,16 +192,9 @@ def test_one_friction_by_pieces_beside_sines_is_what_the_scenes_are_by_themselve
 def test_friction_of_the_state_is_solved_in_balls_whose_radii_are_the_bounds():
     friction = Friction([("0.3", "0.7")], Weakening([("0.1", "0.4")], 0))
     scene = Scene(Pair(1, 1, 200, "0.5", 1), State(v1="0.3"), 2, force=Force.sine("0.4", 5), friction=friction)
-    found, truth = solve_scenes([scene], keep_events=3), solve(scene, arithmetic="ball", digits=40)
-    assert (found.events[0], found.status[0]) == (len(truth.events), truth.status)
-    with truth.arithmetic.context():
-        lost = truth.ledger.friction + truth.ledger.viscous
-        numbers = [(found.y[:, 0], truth.final_state, found.y_error[:, 0])]
-        numbers.append((found.event_t[0], truth.event_times[:3], found.event_t_error[0]))
-        numbers.append((found.dissipated, [lost], found.dissipated_error))
-        numbers += zip(found.event_y[:, 0].T, truth.event_states.T[:3], found.event_y_error[:, 0].T, strict=True)
-        for x, y, bound in (one for three in numbers for one in zip(*three, strict=True)):
-            assert distance(float(x), y) <= float(bound) <= 1e-14 * max(1, abs(float(x)))
+    found = solve_scenes([scene], keep_events=3)
+    for x, off, bound in against_balls(found, scene):
+        assert off <= bound <= 1e-14 * max(1, abs(x))
 
 
 @pytest.mark.parametrize("piece", [("1e-400", "0.02"), (1, "1e-400"), (1, "1e400")])
@@ -229,7 +229,7 @@ def test_shapes_broadcast():
     assert found.event_y.shape == (4, 2, 3, 4)
     assert solve_many(**PAPER, v1=0.1, until=2).t.shape == ()
     assert solve_many(**PAPER, v1=[], until=2).t.shape == (0,)
-    with pytest.raises(ValueError, match="shape"):
+    with pytest.raises(ValueError, match=r"x1 \(3,\), v1 \(2,\)"):
         solve_many(**PAPER, v1=[1.0, 2.0], x1=[1.0, 2.0, 3.0], until=2)
 
 

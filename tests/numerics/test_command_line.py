@@ -129,15 +129,26 @@ map --energy x 2
 map --out map.txt
 map --out no/m.png
 response velocities
-response velocities --omega 0
+response velocities --omega 0 | omega = 0
+response velocities --omega 3 | no force
+response velocities --omega 3 --amplitude 0 | amplitude = 0
+response forced-step | not periodic
 response none-such
-move at-rest --distance 0
-move at-rest --distance 1 --margin 2
-move velocities --distance 1
+move at-rest --distance 0 | distance = 0
+move at-rest --distance x | distance
+move at-rest --distance 1 --margin 1 | margin = 1
+move at-rest --distance 1 --margin -1 | margin = -1
+move at-rest --distance 1 --amplitude 0 | amplitude = 0
+move velocities --distance 1 | starts at rest
+move forced-step --distance 1 | brings its own force
+move start-at-6mm-literal --distance 1
 move at-rest --distance 1 --out no/where.toml
 track at-rest --reference none-such
 track at-rest --reference s-curve --plot x.txt
-ring velocities --radius x
+ring velocities --radius x | radius
+ring velocities --radius 0 | radius = 0
+ring velocities --radius 1 --rate -1 | rate = -1
+ring velocities --radius 1 --rate 0 | rate = 0
 response-map at-rest --amplitude 1 1 --omega 1 2
 response-map at-rest --amplitude 1 2 --omega 0 2
 response-map at-rest --amplitude 1 2 --omega 1 2 --depth 40

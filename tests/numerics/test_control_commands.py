@@ -1,10 +1,11 @@
 """The commands for control engineers: each answer solved again, printed, written, drawn; bad input in one line."""
 
+import sys
 from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from control_scenes import DAMPED, FALLING, FREE, LIGHTLY, answer, under
+from control_scenes import DAMPED, FALLING, FREE, LIGHTLY, answer, moved, under
 
 from numerics import Force, Mode, fastest_transfer, scene_text, solve, track
 from numerics.arithmetic.ball import Ball
@@ -67,6 +68,15 @@ def test_response_tells_every_motion_of_a_falling_friction(monkeypatch, output, 
     assert [line[:2] for line in lines.splitlines() if line[1] == ":"] == ["1:", "2:", "3:"]
 
 
+def test_a_terminal_sees_what_is_being_done(run, monkeypatch):
+    words = "ring", "start-with-speed", "--radius", 1
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    code, _, err = run(*words)
+    assert (code, "following the motion to t = " in err, err[-4:]) == (0, True, "\r\033[K")
+    monkeypatch.undo()
+    assert run(*words)[2] == ""
+
+
 WINDOW = ("--amplitude", "0.1", 10, "--omega", 4, 40, "--depth", 3)
 
 
@@ -115,11 +125,11 @@ def test_track_prints_the_scene_and_names_what_is_too_much(run, record):
 
 def test_an_answer_whose_scene_does_something_else_is_refused_by_the_second_solve():
     scene, found = load_scene("at-rest"), answer(DAMPED, "0.5")
-    legs = tuple(replace(leg, x=leg.x + Ball.number(Fraction(1, 10**9))) for leg in found.orbit.legs)
-    moved, followed = fastest_transfer(scene, "0.01"), track(scene, load_reference("s-curve"))
-    wrong = [("after a period", replace(found, orbit=replace(found.orbit, legs=legs)))]
+    off = moved(found.orbit, Ball.number(Fraction(1, 10**9)))
+    transfer, followed = fastest_transfer(scene, "0.01"), track(scene, load_reference("s-curve"))
+    wrong = [("after a period", replace(found, orbit=off))]
     for named, one, force in (
-        ("x2 at the end", moved, Fraction(99, 100) * moved.scene.force),
+        ("x2 at the end", transfer, Fraction(99, 100) * transfer.scene.force),
         ("signs of v1 - v2", followed, Force.step(0, 5)),
         ("x2 at the horizon", followed, Force()),
     ):

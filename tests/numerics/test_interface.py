@@ -167,7 +167,6 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
         (lambda: solve(PAPER).animate(duration=1e9), "frames"),
         (lambda: Solver(PAPER.pair)(State(), until=None), "until must be a decimal number"),
         (lambda: Pair(m1=[1, 2], m2=1, a2=1, b=1), r"not \[1, 2\]; give arrays to solve_many"),
-        (lambda: solve_many(1, 1, 200, [1, 2], v1=[1, 2, 3], until=5), r"b \(2,\), v1 \(3,\)"),
         (lambda: many(progress=3), "progress = 3 must be a function"),
         (lambda: many(sines=[1]), "must be a triple"),
         (lambda: many(sines=3), "must be a list"),

@@ -38,7 +38,7 @@ ORBITS = {
 def test_the_slopes_of_a_period_hold_over_the_whole_box(of):
     """The difference of two runs of a box is a slope in between times that of their starts (mean value)."""
     orbit, radius = ORBITS[of](), Fraction(1, 10**5)
-    legs = sorted(range(len(orbit.legs)), key=lambda k: float(orbit.turns[k][1].t - orbit.turns[k][0].t))
+    legs = sorted(range(len(orbit.legs)), key=lambda k: float(orbit.legs[k].end - orbit.legs[k].start))
     for t in (middle(orbit, k) for k in legs[-2:]):
         start = started(orbit, t)
         with Ball(25).context():
@@ -59,8 +59,8 @@ def test_a_box_of_which_a_part_has_left_its_mode_or_cell_is_not_followed(of):
     """Just before a leg ends."""
     orbit = ORBITS[of]()
     with Ball(25).context():
-        for _, after in orbit.turns:
-            t = rounded(after.t - arb("1e-5"))
+        for leg in orbit.legs:
+            t = rounded(leg.end - arb("1e-5"))
             assert one_round(orbit.drive, t, started(orbit, t), arb("1e-9"), 8).slopes.nrows() == 3
             with pytest.raises(EventUndecided):
                 one_round(orbit.drive, t, started(orbit, t), arb("1e-3"), 8)

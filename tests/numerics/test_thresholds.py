@@ -74,10 +74,10 @@ def test_the_edge_of_entrainment_is_decided_exactly(k, side):
     assert load_margin(pair, edge + Fraction(side, 10**30), omega) * side < 0
 
 
-def test_bad_frequencies_are_refused():
-    for omega in (0, -1, "x", True):
-        with pytest.raises(InvalidScene, match="omega"):
-            thresholds(PAIR, omega)
+@pytest.mark.parametrize("omega", [0, -1])
+def test_bad_frequencies_are_refused(omega):
+    with pytest.raises(InvalidScene, match=f"omega = {omega}"):
+        thresholds(PAIR, omega)
 
 
 # the edge of the non-stop regime

@@ -51,7 +51,7 @@ SHAKEN = {
 def of_response(scene: Scene) -> dict[str, Any]:
     """Regime, events of the period (mode that begins, t, x1, v), multipliers, drift, growth."""
     found = response(scene, digits=DIGITS)
-    legs = [] if found.orbit is None else [[one.side, one.t, one.x, one.v] for one in found.orbit.legs]
+    legs = [] if found.orbit is None else [[one.side, one.start, *one.state[:2]] for one in found.orbit.legs]
     multipliers = None if found.multipliers is None else list(found.multipliers)
     return {
         "regime": found.regime.name,
