@@ -98,14 +98,11 @@ def is_first_start(scene: Scene, name: str) -> bool:
     return name.endswith("from") and parameters(scene)[name] == 0
 
 
-def numbers(trajectory: Any, units: tuple[Any, ...], events: int) -> list[arb]:
+def numbers(trajectory: Any, events: int) -> list[arb]:
     """The final state, its energy and the last so many events."""
-    length, speed, rate, energy = units
-    scales = (length, speed, length, speed)
-    found = [value / unit for value, unit in zip(trajectory.final_state, scales, strict=True)]
-    found.append(trajectory.final_energy / energy)
+    found = [*trajectory.final_state, trajectory.final_energy]
     for event in trajectory.events[len(trajectory.events) - events :]:
-        found += [event.t * rate, *(value / unit for value, unit in zip(event.y, scales, strict=True))]
+        found += [event.t, *event.y]
     return found
 
 
@@ -140,15 +137,15 @@ def deviation(base: Any, direction: Mapping[str, Fraction], digits: int, step: F
     weights, side = chosen or next(one for one in ways if all(solved(k * one[1]) is not None for k in one[0]))
     events, frame = len(base.events) if chosen else 0, base.frame
     with base.arithmetic.context():
-        units = (frame.length, frame.speed, frame.rate, frame.critical_energy)
-        state = (frame.length, frame.speed, frame.length, frame.speed)
-        rows = [*zip(found.final, state, strict=True), (found.energy, frame.critical_energy)]
+        state = frame.length, frame.speed, frame.length, frame.speed
+        scales = [*state, frame.critical_energy, *(1 / frame.rate, *state) * events]
+        rows = [*found.final, found.energy]
         for t, y in list(zip(found.t, found.y, strict=True))[len(found.t) - events :]:
-            rows += [(t, 1 / frame.rate), *zip(y, state, strict=True)]
+            rows += [t, *y]
         terms = [(found.wrt.index(name), ball(one)) for name, one in way.items()]
-        ours = [sum((row[k] * one for k, one in terms), arb(0)) / unit for row, unit in rows]
-        ends = [(ball(w / step * side), numbers(solved(k * side), units, events)) for k, w in weights.items()]
-        theirs = [sum((w * row[i] for w, row in ends), arb(0)) for i in range(len(ours))]
+        ours = [sum((row[k] * one for k, one in terms), arb(0)) / u for row, u in zip(rows, scales, strict=True)]
+        ends = [(ball(w / step * side), numbers(solved(k * side), events)) for k, w in weights.items()]
+        theirs = [sum((w * row[i] for w, row in ends), arb(0)) / unit for i, unit in enumerate(scales)]
         largest = max(float(abs(one).upper()) for one in ours)
         size = max(float(abs(one - two).upper()) for one, two in zip(ours, theirs, strict=True))
     return Deviation(size / max(largest, SMALLEST), chosen is not None)
