@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from paper_checks.claims import CLAIMS, SUBJECTS, in_order
+from paper_checks.drawing.figures import FIGURES
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.finding import Verdict
@@ -21,6 +22,7 @@ def test_the_verdict_is_the_one_on_record_and_every_formula_can_be_set(claim_id)
     found = CHECKS[claim_id].decide()
     waits = CHECKS[claim_id].kind is Kind.THEOREM and found.missing == "the proof kernel"
     assert waits or found.verdict.value == CHECKS[claim_id].recorded.value, found.missing
+    assert found.figure is None or found.figure in FIGURES
     evidence = [text for item in found.evidence for text in (item.statement, item.value, *item.assumptions)]
     texts = [found.reason, found.corrected or "", found.counterexample or "", *found.derivation, *evidence]
     assert [text for text in texts if "<code>" in prose.html(text) or text.count("$") % 2] == []
