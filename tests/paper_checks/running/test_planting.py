@@ -1,14 +1,12 @@
 """Every formula of every clause: a changed sign, factor, exponent or relation turns its row."""
 
 from dataclasses import replace
-from functools import cache
 
 import pytest
 import sympy as sp
 from flint import arb
 
 from paper_checks.claims import CLAIMS, claim_named
-from paper_checks.decide import smt
 from paper_checks.decide.deciders import condition, decimal, equals, fails_at, implied
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.claim import Claim
@@ -21,14 +19,7 @@ from theory.symbols import b, m1, m2, v1
 WITH_FORMULAS = sorted({claim.id for claim, *_ in places(CLAIMS)})
 
 
-ask_once = cache(smt.ask)
-
-
-@pytest.fixture(autouse=True)
-def the_solvers_remember(monkeypatch):
-    monkeypatch.setattr(smt, "ask", ask_once)
-
-
+pytestmark = pytest.mark.usefixtures("the_solvers_remember")
 LENGTHY = {"uniform-rate", "forced-no-zeno", "entrainment-threshold"}
 """Rows with many faults, each slow to decide; the `long` tests plant them."""
 
