@@ -1,10 +1,12 @@
 """A small ledger with a finding of every verdict, heavy mathematics and hostile texts."""
 
 from dataclasses import dataclass, replace
+from functools import cache
 
 import pytest
 from matplotlib.figure import Figure
 
+from paper_checks.decide import smt
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
@@ -69,6 +71,15 @@ class Decided(Claim):
 
 def claim(name, recorded=Verdict.HOLDS, section="III", where="after (8)", statement="$E$ decreases."):
     return Decided(name, section, where, statement, recorded)
+
+
+ask_once = cache(smt.ask)
+
+
+@pytest.fixture
+def the_solvers_remember(monkeypatch):
+    """A solver is asked the same text once."""
+    monkeypatch.setattr(smt, "ask", ask_once)
 
 
 @pytest.fixture(scope="session")

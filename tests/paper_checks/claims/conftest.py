@@ -9,20 +9,15 @@ from typing import Any
 import pytest
 
 from paper_checks.claims import CLAIMS
-from paper_checks.decide import smt
 from paper_checks.evidence.claim import Claim
 
 CHECKS: dict[str, Claim] = {claim.id: claim for claim in CLAIMS}
 """Each claim by its id."""
 
 
-ask_once = cache(smt.ask)
-
-
 @pytest.fixture(autouse=True)
-def the_solvers_remember(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A solver is asked the same text once: a fault that reaches a proof changes the text, so it is asked anew."""
-    monkeypatch.setattr(smt, "ask", ask_once)
+def remembering(the_solvers_remember: None) -> None:
+    """A fault that reaches a proof changes the text, so a solver is asked anew."""
 
 
 def forgetful(patch: pytest.MonkeyPatch, target: str) -> None:

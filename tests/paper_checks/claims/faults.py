@@ -82,15 +82,8 @@ reversed_contact = part("second", lambda one: -one)
 """A slip that touches S and curves back into the half-space that it came from."""
 crossing_contact = changed(lambda contact: replace(contact, first=contact.second))
 """A guard without the double root."""
-other_weight = changed(lambda one: 1 - one)
-"""The weight of Phi_- in the place of that of Phi_+."""
 
 
 def unbounded_sign(_):
     """Friction that may exceed b on S."""
     return lambda value, velocity: sp.And(sp.Le(sp.Abs(value), 2), sp.Lt(sp.Abs(velocity), 1))
-
-
-def not_strict(beyond):
-    """The edge of the strip counted with S_+ and S_-."""
-    return lambda side, strict=True: beyond(side, strict=False)

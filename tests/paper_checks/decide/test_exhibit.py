@@ -31,19 +31,16 @@ def test_one_false_relation_is_enough_to_fail_and_an_open_one_to_stay_open():
 def test_an_inexact_value_is_refused():
     with pytest.raises(TypeError, match="not a rational"):
         exhibit("float", {x: 0.006}, (x, ">", 0))
+    with pytest.raises(ValueError, match="no rational value"):
+        value_at(x, {})
 
 
 @pytest.mark.parametrize(
     ("value", "text"),
-    [("3/5", "0.6"), ("-1/200", "-0.005"), ("7", "7"), ("1/3", "1/3"), ("-12", "-12"), ("1/8", "0.125")],
+    [("-1/200", "-0.005"), ("-12", "-12"), ("1/3", "1/3")],
 )
 def test_a_value_is_shown_exactly(value, text):
     assert value_at(x, {x: sp.Rational(value)}) == text
-
-
-def test_a_value_that_is_not_rational_is_refused():
-    with pytest.raises(ValueError, match="no rational value"):
-        value_at(x, {})
 
 
 def test_a_point_and_its_scene_are_the_same_state():

@@ -40,13 +40,6 @@ def test_every_figure_has_a_title_and_a_caption_that_says_what_to_see():
         assert (title[-1] == ".", text[-1]) == (False, ".")
 
 
-def test_the_line_of_the_critical_share_touches_the_curve_of_the_window():
-    axes = FIGURES["merging-window"]().axes[0]
-    curve, below, critical, above = (line.get_ydata() for line in axes.lines[:4])
-    assert min(curve) == pytest.approx(critical[0], abs=1e-5)
-    assert below[0] < critical[0] < above[0]
-
-
 @pytest.mark.parametrize("name", [name for name in FIGURES if name not in WORDLESS])
 def test_axes_have_labels_with_units_and_a_legend(name):
     figure = FIGURES[name]()
@@ -70,13 +63,6 @@ def test_bytes_depend_on_the_figure_alone(name, monkeypatch):
     assert (vector.svg(FIGURES[name]()), vector.pdf(FIGURES[name]())) == first
     assert b"CreationDate" not in first[1]
     assert "<dc:date>" not in first[0]
-
-
-@pytest.mark.parametrize("name", ["start-at-6mm", "start-with-speed", "velocities", "relative-motion"])
-def test_the_exact_solution_stands_beside_euler_with_its_step(name):
-    titles = [axes.get_title() for axes in FIGURES[name]().axes]
-    assert any(title.startswith("exact") for title in titles)
-    assert any("forward Euler" in title and "$10^{-4}$ s" in title for title in titles)
 
 
 @pytest.mark.parametrize("name", PAPER)

@@ -221,7 +221,8 @@ def test_what_derives_an_equality_passes_no_other_relation(relation):
 
 def test_a_clause_whose_formula_does_not_pass_is_not_established():
     proof = Proof(clause("c", "All."), Subject.CLAIM, (SMT,), (), ())
-    assert established_by([proof]) is EvidenceKind.SMT
+    for quoted in (False, True):  # what is quoted counts where steps carry it
+        assert established_by([replace(proof, quoted=quoted)]) is EvidenceKind.SMT
     assert established_by([replace(proof, bindings=(BALL,))]) is EvidenceKind.ENCLOSURE
     assert established_by([replace(proof, steps=(), bindings=(BALL,))]) is None
     for binding in (FAILED, SILENT):

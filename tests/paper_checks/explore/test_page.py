@@ -55,19 +55,17 @@ def test_the_papers_scenes_are_those_of_the_files(whole):
     assert 0.792631 < data["criticalRatio"] < 0.792633
 
 
-def test_the_literal_reading_and_damping_survive_the_reduction():
+def test_what_the_page_knows_survives_the_reduction_and_other_forces_are_refused():
+    scene = load_scene("velocities")
+    found = reduced(
+        replace(scene, pair=Pair(1, 1, 200, "0.05", a1=20), force=Force.step(0, "0.1") + Force.sine("0.2", 20))
+    )
+    assert (found.zeta, found.constant, found.amplitude, found.omega) == pytest.approx((0.5, 2, 4, 2))
     assert reduced(load_scene("velocities-literal")).literal
-    damped = replace(load_scene("velocities"), pair=Pair(1, 1, 200, "0.05", a1=20))
-    assert reduced(damped).zeta == pytest.approx(0.5)
-
-
-TWO_SINES = Force.sine(1, 1) + Force.sine(1, 2)
-
-
-@pytest.mark.parametrize("force", [Force.step(1, 1), Force.ramp(0, 1, 1), Force.sine(1, 1, 1), TWO_SINES])
-def test_a_force_that_the_page_does_not_know_is_refused(force):
-    with pytest.raises(ValueError, match="one sine of phase 0"):
-        reduced(replace(load_scene("velocities"), force=force))
+    two = Force.sine(1, 1) + Force.sine(1, 2)
+    for force in (Force.step(1, 1), Force.ramp(0, 1, 1), Force.sine(1, 1, 1), two):
+        with pytest.raises(ValueError, match="one sine of phase 0"):
+            reduced(replace(scene, force=force))
 
 
 def test_the_rows_that_it_names_are_in_the_ledger():

@@ -10,14 +10,11 @@ import pytest
 from rich.console import Console
 
 from paper_checks.evidence.claim import Claim, Kind
-from paper_checks.evidence.clause import Clause, Formula
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.report.content import opening
-from paper_checks.report.content.blocks import Paragraph
 from paper_checks.report.content.document import document
 from paper_checks.report.content.phrases import kind
-from paper_checks.report.content.story import story
 from paper_checks.report.formats import html, latex
 from paper_checks.report.formats import json as json_report
 from paper_checks.report.formats.terminal import print_claims, print_rows
@@ -74,6 +71,13 @@ def test_the_table_fits_80_columns_and_keeps_the_ids(rows):
     assert ["example-stiction-never-violated", "refuted", "argument"] in [line[:3] for line in table]
     assert "\x1b" not in text
     assert ("seconds" in text, "1.2" in printed(rows, times=True)) == (False, True)
+    row, listed = rows[1], io.StringIO()
+    both = (*row.finding.evidence, row.finding.evidence[-1].as_counterexample())
+    shared = printed([replace(row, finding=replace(row.finding, evidence=both))])
+    assert shared.count("- smt (z3 and cvc5)") == 1  # a step that two parts share
+    print_claims(console(listed, 100), [row.claim for row in rows], {rows[0].claim.id: rows[0]})
+    lines = {line.split()[0]: line for line in listed.getvalue().splitlines() if line.strip()}
+    assert [f" {kind(rows[0])} " in lines[one.claim.id] for one in rows] == [True] + [False] * 4
 
 
 def test_rows_are_counted_and_those_that_differ_from_the_record_are_named(rows):
@@ -81,23 +85,6 @@ def test_rows_are_counted_and_those_that_differ_from_the_record_are_named(rows):
     assert "differs from the record: rate-one-over-t is undecided, recorded holds" in text
     assert "not what the record says, as a tool is missing: hostile" in text
     assert "1 holds, 1 holds-corrected, 1 refuted, 1 undecided, 1 unchecked" in text
-
-
-def test_a_step_that_two_parts_share_is_told_once(rows):
-    row = rows[1]
-    both = (*row.finding.evidence, row.finding.evidence[-1].as_counterexample())
-    shared = " ".join(printed([replace(row, finding=replace(row.finding, evidence=both))]).split())
-    assert "- smt (z3 and cvc5), correction and counterexample, passed" in shared
-    assert shared.count("- smt (z3 and cvc5)") == 1
-
-
-def test_the_list(rows):
-    stream = io.StringIO()
-    print_claims(console(stream, 100), [row.claim for row in rows], {rows[0].claim.id: rows[0]})
-    lines = {line.split()[0]: line for line in stream.getvalue().splitlines() if line.strip()}
-    assert all(row.claim.id in lines for row in rows)
-    assert f" {kind(rows[0])} " in lines[rows[0].claim.id]
-    assert " – " in lines[rows[1].claim.id]
 
 
 def test_json_has_the_shape_of_the_design(rows, theorem):
@@ -126,16 +113,6 @@ def test_theorems_are_counted_apart_filtered_listed_and_told_as_ours(rows, theor
     assert r"\textbf{Theorem.} $x=1$ for all $q$." in paper
     assert r"\textbf{The paper says (eq. (4)).}" in paper
     assert "Theorem, past the paper: x=1 for all q." in printed([theorem])
-
-
-def test_a_correction_has_a_paragraph_for_each_clause_that_ends_a_sentence_and_a_line_for_a_long_formula():
-    long, short = (Formula(left, "=", 1, lambda _: PROVED) for left in ("x+" * 40, "x"))
-    parts = Clause("a", "One, «far»;", {"far": long}), Clause("b", "«near».", {"near": short}), Clause("c", "Three.")
-    claim = Claim("wrong", "III", "(1)", "All.", Verdict.HOLDS_CORRECTED, correction=parts)
-    steps = PROVED.as_counterexample(), PROVED.as_correction()
-    found = Finding(Verdict.HOLDS_CORRECTED, "No.", steps, claim.corrected, "None.")
-    told = [(one.label, one.text) for one in story(Row(claim, found), {}) if isinstance(one, Paragraph)]
-    assert told[-2:] == [("What is true", f"One, $${'x+' * 40}=1;$$ $x=1$."), ("", "Three.")]
 
 
 def test_the_count_says_how_strong_they_are(rows, theorem):

@@ -10,7 +10,6 @@ from elements import Elements
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import html, vector
 from paper_checks.report.output import pictures
-from paper_checks.report.output.files import FIGURES_OF, made
 
 
 @pytest.fixture(scope="module")
@@ -132,17 +131,6 @@ def test_hostile_texts_are_escaped(files):
         assert "<script>alert" not in text
         assert "<b>100%" not in text
     assert "&lt;script&gt;alert" in behind(files, "hostile")
-
-
-@pytest.mark.parametrize("form", ["html", "latex"])
-def test_two_runs_give_the_same_bytes_and_no_date(rows, figures, form):
-    kind = FIGURES_OF[form]
-    one, two = (
-        made(form, document(rows), {name: pictures.drawn(figures, name, kind) for name in figures}) for _ in "12"
-    )
-    assert one == two
-    assert {"html": {"report.html", "pages/sine.svg"}, "latex": {"report.tex", "sine.pdf"}}[form] <= set(one)
-    assert not re.search(rb"CreationDate|dc:date|\b20\d\d-\d\d-\d\d", b"".join(one.values()))
 
 
 def test_a_figure_that_fails_costs_only_itself(figures):

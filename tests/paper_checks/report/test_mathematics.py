@@ -107,13 +107,6 @@ def test_a_browser_sets_it_as_tex_does(source, element):
     assert objection_to(tree(source)) is None
 
 
-def test_no_line_begins_with_the_comma_after_a_formula():
-    written = html("for ($a$), or $b$: [$c$] and $d$")
-    assert re.sub(r"<math.*?</math>", "M", written) == (
-        'for <span class="glued">(M),</span> or <span class="glued">M:</span> <span class="glued">[M]</span> and M'
-    )
-
-
 def test_what_is_mended_wrongly_is_refused(monkeypatch):
     def space_among_arguments(element):
         for node in element.iter("msup"):

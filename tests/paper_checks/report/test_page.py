@@ -44,15 +44,6 @@ def test_every_symbol_has_an_anchor_and_is_found_where_it_is_used():
     assert "force" not in notation.used([r"$\mu+\tau u'$"])
 
 
-def test_a_letter_that_a_row_uses_for_something_else_is_not_explained_as_the_usual_one():
-    for row, names in notation.OWN.items():
-        texts = [claim_named(row).statement]
-        assert not {*names.split()} & {*notation.used(texts, row)}
-        assert notation.used(texts, row) != ()
-    reason = "where $w=v_1-v_2$ is"
-    assert ("w" in notation.used([reason]), "w" in notation.used([reason], "return-alternatives")) == (True, False)
-
-
 def settled(name):
     """A row that holds as recorded."""
     claim, step = claim_named(name), Evidence(EvidenceKind.EXACT, "sympy", "$1=1$", True)

@@ -30,11 +30,3 @@ def test_a_process_that_ends_costs_its_own_figure_only(trade, alone, monkeypatch
     found = dict(parts.made(DRAWINGS, trade, jobs=2))
     lost = Undrawn("the figure two-bodies was not drawn: its process ended with exit code 7")
     assert found == alone | {DRAWINGS[0]: lost}
-
-
-def test_what_takes_longest_stands_at_the_ends(trade):
-    assert set(parts.LONGEST) <= set(parts.figures(trade))
-    some = [*map(parts.Drawing, parts.figures(trade), ["svg"] * 99), *map(parts.Chapter, parts.chapters(trade))]
-    placed = sorted(some, key=parts._place)
-    assert {one.name for one in placed[:2]} == set(parts.chapters(trade))
-    assert placed[-1].name == parts.LONGEST[0]

@@ -27,57 +27,40 @@ def holds():
     return because("So it is.", PASSED)
 
 
-def test_rows_come_in_the_claims_order_with_their_findings_and_progress_is_told(rows):
-    told = []
-    found = run([row.claim for row in rows], Context(), told.append)
-    assert [(row.claim, row.finding) for row in found] == [(row.claim, row.finding) for row in rows]
-    assert all(row.seconds >= 0 for row in found)
-    assert told == [row.claim for row in rows]
+def drawing(seed):
+    assert seed == 7
+    return holds()
 
 
-def test_a_case_that_draws_at_random_sees_the_seed():
-    seen = []
-
-    def case(seed):
-        seen.append(seed)
-        return holds()
-
-    assert decide(claim("a", case), Context(seed=7)).verdict is Verdict.HOLDS
-    assert seen == [7]
-
-
-def test_an_exception_is_undecided_and_isolated():
-    first, second = run([claim("a", raising(ZeroDivisionError("by $0$"))), claim("b", holds)], Context())
-    assert first.finding.verdict is Verdict.UNDECIDED
-    assert r"ZeroDivisionError: by \$0\$" in first.finding.reason
-    assert second.finding.verdict is Verdict.HOLDS
-
-
-def test_a_formula_whose_decision_raises_makes_its_row_undecided():
-    def decided(formula):
-        raise ZeroDivisionError("no inverse")
-
-    said = (clause("whole", "«it».", it=Formula("E", "=", 0, decided)),)
-    (row,) = run([claim("a", holds, said)], Context())
-    assert row.finding.verdict is Verdict.UNDECIDED
-    assert "no inverse" in row.finding.reason
+def undecidable(formula):
+    raise ZeroDivisionError("by $0$")
 
 
 @pytest.mark.parametrize("debug", [False, True])
-def test_what_fails_prints_its_traceback_where_that_is_asked_for(debug, capsys):
-    decide(claim("a", raising(ZeroDivisionError("by 0"))), Context(debug=debug))
+def test_each_claim_is_decided_whatever_becomes_of_the_others(debug, capsys):
+    """An exception is undecided, in a formula too; a missing tool and a missing case are unchecked; else it holds."""
+    formula = clause("whole", "«it».", it=Formula("E", "=", 0, undecidable))
+    claims = [
+        claim("raises", raising(ZeroDivisionError("by $0$"))),
+        claim("drawn", drawing),
+        claim("formula", holds, (formula,)),
+        claim("tool", raising(ToolMissingError("z3 is not installed"))),
+        claim("nothing"),
+    ]
+    told = []
+    found = run(claims, Context(seed=7, debug=debug), told.append)
+    assert [row.claim for row in found] == told == claims
+    assert all(row.seconds >= 0 for row in found)
+    bad, fine, missing = Verdict.UNDECIDED, Verdict.HOLDS, Verdict.UNCHECKED
+    assert [row.finding.verdict for row in found] == [bad, fine, bad, missing, missing]
+    assert all(r"ZeroDivisionError: by \$0\$" in row.finding.reason for row in found if row.finding.verdict is bad)
+    assert found[3].finding.missing == "z3 is not installed"
     assert ("Traceback" in capsys.readouterr().err) is debug
 
 
 @pytest.mark.parametrize("answer", [None, True, "holds", PASSED])
 def test_an_answer_that_makes_no_case_is_undecided(answer):
     assert decide(claim("a", lambda: answer), Context()).verdict is Verdict.UNDECIDED
-
-
-def test_a_missing_tool_and_a_missing_case_are_unchecked():
-    missing = decide(claim("a", raising(ToolMissingError("z3 is not installed"))), Context())
-    assert (missing.verdict, missing.missing) == (Verdict.UNCHECKED, "z3 is not installed")
-    assert decide(claim("a"), Context()).verdict is Verdict.UNCHECKED
 
 
 @pytest.mark.parametrize("interruption", [KeyboardInterrupt, SystemExit])

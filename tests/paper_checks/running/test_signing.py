@@ -81,16 +81,6 @@ def test_so_do_a_sentence_and_the_words_of_a_clause_that_are_changed_alone(accep
     assert accepting().theorem(THEOREM).holds is False
 
 
-def test_a_definition_beneath_is_part_of_what_is_signed():
-    one = pins.pinned().theorems[THEOREM]
-    there = {name: pins.pinned().definitions[name] for name in one.definitions}
-    sentence, said = library.CITED[THEOREM][1], one.statement
-    assert signed.is_signed(THEOREM, signed.of_theorem(sentence, said, there))
-    changed = {name: text.replace("2", "3") for name, text in there.items()}
-    assert changed != there
-    assert not signed.is_signed(THEOREM, signed.of_theorem(sentence, said, changed))
-
-
 def test_all_that_a_row_says_is_signed():
     """@example of found faults: a bound that is weakened with what derives it, words without a theorem."""
     claim = claim_named("tolerance-ring")
