@@ -65,9 +65,9 @@ def test_functions_are_accurate_relative_to_themselves_in_every_arithmetic(name,
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_functions_are_accurate_all_along_and_on_both_sides_of_where_a_series_ends(name):
+def test_functions_are_accurate_on_both_sides_of_where_a_series_ends(name):
     value, truth, _ = FUNCTIONS[name]
-    for end in (1 / 32, 0.25, 1.0, 1.2, 1.5, 2.0, 3.0, *(k / 23 for k in range(1, 69))):
+    for end in (1 / 32, 0.25, 1.0, 1.2, 1.5, 2.0, 3.0):
         for x in (two_sum(end, side * end * 2.0**-30) for side in (-1, 1)):
             assert is_right(value, truth, x.high)
             assert is_right(value, truth, x)
