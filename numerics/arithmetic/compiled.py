@@ -88,25 +88,19 @@ def compiles_now() -> bool:
     return "numba" in sys.modules and can_compile()
 
 
-_ENTRIES: dict[Any, Any] = {}
-
-
 def compiled(function: _Function) -> _Function:
     """Return a function, compiled when it is first called, without the lock of Python; as it stands without numba."""
-    if function in _ENTRIES:
-        return _ENTRIES[function]
     if not can_compile():
         return function
     with _ONE_AT_A_TIME:
-        if function not in _ENTRIES:
-            _declare()
-            _ENTRIES[function] = _kept(function)
-    return _ENTRIES[function]
+        return _kept(function)
 
 
+@cache
 def _kept(function: Any) -> Any:
     import numba
 
+    _declare()
     options = {"nogil": True, "error_model": "numpy", **_OPTIONS.get(function, {})}
     with _folder_of_these_sources(numba.config):
         try:
@@ -237,19 +231,22 @@ def _declare_operators() -> None:
     def _as_pair(x):  # type: ignore[no-untyped-def]
         return (lambda x: x) if _is_pair(x) else lambda x: Pair(float(x), 0.0)
 
-    def of_two(function: Any, of_pairs: Any) -> None:
+    def of_two(function: Any, method: Any) -> None:
+        of_pairs = register_jitable(**_INNER)(method)
+
         @overload(function, jit_options=_INNER)
         def _operator(a, b):  # type: ignore[no-untyped-def]
             are_numbers = all(_is_pair(one) or isinstance(one, types.Number) for one in (a, b))
             is_ours = are_numbers and (_is_pair(a) or _is_pair(b))
             return (lambda a, b: of_pairs(as_pair(a), as_pair(b))) if is_ours else None
 
-    def of_one(function: Any, of_pair: Any) -> None:
+    def of_one(function: Any, method: Any) -> None:
+        of_pair = register_jitable(**_INNER)(method)
         overload(function, jit_options=_INNER)(lambda a: (lambda a: of_pair(a)) if _is_pair(a) else None)
 
-    of_two(operator.add, pair.add)
-    of_two(operator.sub, pair.subtract)
-    of_two(operator.mul, pair.product)
-    of_two(operator.truediv, pair.divide)
-    of_one(operator.neg, pair.negative)
-    of_one(abs, pair.absolute)
+    of_two(operator.add, Pair.__add__)
+    of_two(operator.sub, Pair.__sub__)
+    of_two(operator.mul, Pair.__mul__)
+    of_two(operator.truediv, Pair.__truediv__)
+    of_one(operator.neg, Pair.__neg__)
+    of_one(abs, Pair.__abs__)

@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.pair import two_product, two_sum
 
 UNIT = 2.0**-53
 """What errors are counted in, relative to the result."""
@@ -113,7 +114,7 @@ def cosine_deficit(x: float) -> float:
     if abs(x) >= _COSINE_SERIES_BELOW:
         return (0.5 * square - 1.0) + math.cos(x)
     fourth, lower = square * square, square * horner(_COSINE_TERMS, square)
-    return (fourth - (fourth * lower - 2.0 * square * rounding_of_square(x, square))) / 24.0
+    return (fourth - (fourth * lower - 2.0 * square * two_product(x, x).low)) / 24.0
 
 
 @compilable
@@ -149,21 +150,10 @@ def depth_and_cotangent(x: float) -> tuple[float, float]:
 
 
 @compilable
-def rounding_of_square(x: float, square: float) -> float:
-    """Return x^2 - square for square = x * x rounded: exact, by Dekker's product of 26-bit halves."""
-    scaled = 134217729.0 * x
-    high = scaled - (scaled - x)
-    low = x - high
-    return ((high * high - square) + 2.0 * high * low) + low * low
-
-
-@compilable
 def clock(total: float, rest: float, term: float) -> tuple[float, float]:
-    """Return total + rest + term, rounded, and what the rounding left out (Knuth's two-sum)."""
-    term = term + rest
-    new = total + term
-    back = new - total
-    return new, (total - (new - back)) + (term - back)
+    """Return total + rest + term, rounded, and what the rounding left out."""
+    total, rest = two_sum(total, term + rest)
+    return total, rest
 
 
 @compilable

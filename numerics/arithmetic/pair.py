@@ -37,11 +37,11 @@ class Pair(NamedTuple):
 
     def __sub__(self, other: Any) -> Pair:
         """Return the difference."""
-        return subtract(self, as_pair(other))
+        return add(self, -as_pair(other))
 
     def __rsub__(self, other: Any) -> Pair:
         """Return other - self."""
-        return subtract(as_pair(other), self)
+        return as_pair(other) - self
 
     def __mul__(self, other: Any) -> Pair:
         """Return the product; with a power of 2 it is exact."""
@@ -53,19 +53,22 @@ class Pair(NamedTuple):
 
     def __truediv__(self, other: Any) -> Pair:
         """Return the quotient."""
-        return divide(self, as_pair(other))
+        by = as_pair(other)
+        first = self.high / by.high
+        back = times(by, first)
+        return fast_two_sum(first, ((self.high - back.high) + (self.low - back.low)) / by.high)
 
     def __rtruediv__(self, other: Any) -> Pair:
         """Return other / self."""
-        return divide(as_pair(other), self)
+        return as_pair(other) / self
 
     def __neg__(self) -> Pair:
         """Return the negative."""
-        return negative(self)
+        return Pair(-self.high, -self.low)
 
     def __abs__(self) -> Pair:
         """Return the absolute value."""
-        return absolute(self)
+        return -self if self.high < 0.0 else self
 
 
 def as_pair(x: Any) -> Pair:
@@ -127,26 +130,6 @@ def plus(a: Pair, b: Pair) -> Pair:
     return fast_two_sum(total.high, total.low + (a.low + b.low))
 
 
-def subtract(a: Pair, b: Pair) -> Pair:
-    """Return a - b."""
-    return add(a, Pair(-b.high, -b.low))
-
-
-def negative(a: Pair) -> Pair:
-    """Return -a."""
-    return Pair(-a.high, -a.low)
-
-
-def absolute(a: Pair) -> Pair:
-    """Return |a|."""
-    return Pair(-a.high, -a.low) if a.high < 0.0 else a
-
-
-def scaled(a: Pair, factor: float) -> Pair:
-    """Return a times a power of two (or 0, or -1): exact."""
-    return Pair(factor * a.high, factor * a.low)
-
-
 def times(a: Pair, b: float) -> Pair:
     """Return a b for a binary64 number b."""
     product = two_product(a.high, b)
@@ -157,13 +140,6 @@ def product(a: Pair, b: Pair) -> Pair:
     """Return a b."""
     high = two_product(a.high, b.high)
     return fast_two_sum(high.high, high.low + (a.high * b.low + a.low * b.high))
-
-
-def divide(a: Pair, b: Pair) -> Pair:
-    """Return a/b."""
-    first = a.high / b.high
-    back = times(b, first)
-    return fast_two_sum(first, ((a.high - back.high) + (a.low - back.low)) / b.high)
 
 
 def ratio(a: Pair, b: Pair) -> Pair:

@@ -14,13 +14,9 @@ from numerics.arithmetic.elementary import DEPTH_SERIES, horner
 from numerics.arithmetic.pair import (
     UNIT,
     Pair,
-    add,
-    divide,
     fast_two_sum,
     nearest,
     product,
-    scaled,
-    subtract,
     two_product,
     two_sum,
 )
@@ -155,8 +151,8 @@ def atan2(y: Pair, x: Pair) -> Pair:
 @compilable
 def versine(x: Pair) -> Pair:
     """Return 1 - cos x = 2 sin^2(x/2)."""
-    sine, _ = sine_cosine(scaled(x, 0.5))
-    return scaled(sine * sine, 2.0)
+    sine, _ = sine_cosine(x * 0.5)
+    return sine * sine * 2.0
 
 
 @compilable
@@ -173,7 +169,7 @@ def cosine_deficit(x: Pair) -> Pair:
     """Return x^2/2 - 1 + cos x; by its series for |x| < 2."""
     square = x * x
     if abs(x.high) >= _COSINE_SERIES_BELOW:
-        return scaled(square, 0.5) - versine(x)
+        return square * 0.5 - versine(x)
     return square * square * _polynomial(_COSINE, square)
 
 
@@ -188,10 +184,10 @@ def depth_and_cotangent(x: Pair) -> tuple[Pair, Pair]:
     elif x.high < _DEPTH_SERIES_BELOW:
         depth = square * _polynomial(_DEPTH_BELOW_1_5, square)
     else:
-        sine, cosine = sine_cosine(scaled(x, 0.5))
-        cotangent = divide(cosine, sine)
+        sine, cosine = sine_cosine(x * 0.5)
+        cotangent = cosine / sine
         return Pair(2.0, 0.0) - x * cotangent, cotangent
-    return depth, divide(Pair(2.0, 0.0) - depth, x)
+    return depth, (Pair(2.0, 0.0) - depth) / x
 
 
 @compilable
@@ -258,6 +254,6 @@ def tolerance(x: Pair) -> Pair:  # noqa: ARG001
 @compilable
 def clock(total: Pair, rest: Pair, term: Pair) -> tuple[Pair, Pair]:
     """Return total + rest + term, and what its rounding left out: so many sums are as accurate as one."""
-    term = add(term, rest)
-    new = add(total, term)
-    return new, subtract(term, subtract(new, total))
+    term = term + rest
+    new = total + term
+    return new, term - (new - total)

@@ -23,7 +23,8 @@ import mpmath
 from flint import arb, arb_mat, arb_poly
 from numpy.polynomial import Polynomial
 
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic import multiprecision
+from numerics.arithmetic.ball import Ball, widened
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.system import FIRST, X1, X2, LinearMode, Row, W
 from numerics.scene import Pair, Piece, Sine
@@ -42,17 +43,12 @@ class BallNumbers:
     def __init__(self, digits: int) -> None:
         """Work with so many decimal digits, and some bits more."""
         self.bits = math.ceil(digits * math.log2(10)) + _EXTRA_BITS
-        self.number = Ball.number
-        self.sine_cosine, self.curve = arb.sin_cos, arb_poly
-        self.middle, self.point, self.radius = arb.mid, arb.mid, arb.rad
+        self.number, self.sine_cosine, self.curve = Ball.number, arb.sin_cos, arb_poly
+        self.middle, self.point, self.radius, self.within = arb.mid, arb.mid, arb.rad, widened
 
     def context(self, bits: int = 0) -> AbstractContextManager[Any]:
         """Set the working precision, or another one."""
         return flint.ctx.workprec(bits or self.bits)
-
-    def within(self, x: arb, by: arb) -> arb:
-        """Return a ball that holds all points within `by` of x."""
-        return x + arb(0, by.abs_upper())
 
     @staticmethod
     def products(rows: list[list[arb]]) -> Callable[[list[arb]], list[arb]]:
@@ -75,15 +71,12 @@ class PointNumbers:
     def __init__(self, digits: int) -> None:
         """Work with so many decimal digits, and some bits more."""
         self.bits = math.ceil(digits * math.log2(10)) + _EXTRA_BITS
+        self.number, self.sine_cosine = multiprecision.Multiprecision.number, multiprecision.sine_cosine
         self.curve = _Curve
 
     def context(self, bits: int = 0) -> AbstractContextManager[Any]:
         """Set the working precision, or another one."""
         return mpmath.workprec(bits or self.bits)
-
-    def number(self, value: Fraction | int) -> Any:
-        """Return the number nearest to an exact rational."""
-        return mpmath.mpf(value.numerator) / value.denominator
 
     def point(self, x: arb) -> Any:
         """Return the midpoint of a ball."""
@@ -101,10 +94,6 @@ class PointNumbers:
     def within(self, x: Any, by: arb) -> Any:  # noqa: ARG002
         """Return the number."""
         return x
-
-    def sine_cosine(self, x: Any) -> tuple[Any, Any]:
-        """Return sine and cosine."""
-        return mpmath.sin(x), mpmath.cos(x)
 
     def products(self, rows: list[list[Any]]) -> Callable[[list[Any]], list[Any]]:
         """Return what multiplies a matrix by a vector."""

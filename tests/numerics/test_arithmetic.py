@@ -82,6 +82,7 @@ def test_operations_of_pairs_are_accurate_relative_to_their_results(a, b, close)
     with Ball(700).context():
         one, two = exactly(a), exactly(b)
         for found, truth, units in (
+            (abs(a), abs(one), 0),
             (a + b, one + two, 1.5),
             (a - b, one - two, 1.5),
             (a * b, one * two, 2.5),

@@ -41,6 +41,11 @@ def quotients(one, two):
     return np.column_stack([late, at_events]), end, lost
 
 
+def beside(scene, by):
+    """A scene whose start is elsewhere, in stick where it was."""
+    return moved(scene, in_stick(scene, by))
+
+
 def near_an_event(random, scene, first):
     """The scene, or one that ends next to one of its events."""
     if random.random() < 0.3 and len(first.times):
@@ -61,7 +66,7 @@ def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp(wi
         if one.modes is None:
             continue
         corner = random.choice([-1, 1], 4) if random.random() < 0.7 else random.uniform(-1, 1, 4)
-        two = run(moved(scene, in_stick(scene, [a * float(b) for a, b in zip(corner, by, strict=True)])), wide=wide)
+        two = run(beside(scene, corner * np.array(by, float)), wide=wide)
         events, end, lost = quotients(one, two)
         found = np.array([*events.max(0, initial=0), *end, lost])
         assert found.max() <= 1, (found, scene, by)
@@ -70,45 +75,36 @@ def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp(wi
     assert largest[:9] == pytest.approx(1, abs=0.25)
 
 
-def off(scene, place, by):
-    """Differences of the start by its number at `place`; by both velocities where the scene begins in stick."""
-    is_stick = scene.initial.v1 == scene.initial.v2
-    return [exact(by, 15) * (n == place or (is_stick and {n, place} == {1, 3})) for n in range(4)]
-
-
-def at(scene, place, by):
-    return moved(scene, off(scene, place, by))
-
-
 def border(random, scene, place):
-    """How far a number of the start may be moved before other modes follow, bisected; None if none do within 3."""
-    modes, sign = run(scene).modes, random.choice([-1, 1])
+    """By how much a number of the start may be moved before other modes follow, bisected; None if none do within 3."""
+    modes, way = run(scene).modes, random.choice([-1, 1]) * np.eye(4)[place]
     for far in 10.0 ** np.arange(-4, 0.6, 0.5):
-        if run(at(scene, place, sign * far)).modes != modes:
+        if run(beside(scene, far * way)).modes != modes:
             break
     else:
         return None
     low = 0.0
     while far - low > 1e-9:
         middle = (low + far) / 2
-        same = run(at(scene, place, sign * middle)).modes == modes
+        same = run(beside(scene, middle * way)).modes == modes
         low, far = (middle, far) if same else (low, middle)
-    return sign * low
+    return low * way
 
 
 def test_next_to_other_modes_a_run_that_may_be_off_by_more_is_in_doubt():
     """And two hundred times as far away seldom is."""
     random, doubts, decided = np.random.default_rng(23), 0, 0
     while doubts < BORDERS:
-        scene, place = a_scene(random), int(random.choice([0, 1, 3]))
+        scene, place = a_scene(random), random.choice([0, 1, 3])
         if run(scene).modes is None or (end := border(random, scene, place)) is None:
             continue
-        away = math.copysign(10 ** random.uniform(-7, -5), end)
-        by = off(scene, place, 1.2 * away)
-        if abs(end) < 400 * abs(away) or run(at(scene, place, end - away)).modes is None:
+        away = 10 ** random.uniform(-7, -5)
+        step = np.sign(end) * away
+        if abs(end[place]) < 400 * away or run(beside(scene, end - step)).modes is None:
             continue
-        assert run(at(scene, place, end - away), by, wide=doubts % 2 == 1).modes is None, (scene, place, end, away)
-        decided += run(at(scene, place, end - 200 * away), by).modes is not None
+        by = in_stick(scene, 1.2 * step)
+        assert run(beside(scene, end - step), by, wide=doubts % 2 == 1).modes is None, (scene, end, away)
+        decided += run(beside(scene, end - 200 * step), by).modes is not None
         doubts += 1
     assert decided > 0.8 * doubts
 
