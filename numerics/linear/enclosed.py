@@ -240,7 +240,7 @@ class Run(Path):
         start = self.numbers.point(arb(local).lower())
         if knot.local:  # a time that is rounded, by as much before the knot
             flow, z = self.here(at)
-            state = Expansion(flow, z).state(start - local)
+            state = Expansion(flow, z, arb(start - local).abs_upper()).state(start - local)
         return self.settled(at, state, zero)._replace(local=start)
 
     def exactly(self, knot: ExactKnot) -> list[Any]:

@@ -203,6 +203,7 @@ class Flow:
         self.own = [self.powers(place, terms) for place in places]
         self._products: dict[int, list[Callable[[list[Any]], list[Any]]]] = {}
         self.all_terms = [self.numbers.products(one) for one in self.own]
+        self._few_terms = self.numbers.products(self.own[0][:4])
 
     def powers(self, place: int, terms: int) -> list[list[Any]]:
         """Return the rows of A^k/k! at a place for so many k, as long as they do not vanish."""
@@ -229,7 +230,7 @@ class Flow:
 
     def load(self, z: list[Any]) -> list[Any]:
         """Return the load and its rate, in stick."""
-        (x, _), m2 = self.state_rows([self.numbers.products(self.own[0][:4])], z), self.numbers.number(self.pair.m2)
+        x, m2 = self._few_terms(z), self.numbers.number(self.pair.m2)
         return [2 * m2 * x[2], 6 * m2 * x[3]]
 
     def rows(self, z: list[Any], bits: int) -> list[list[arb]]:
@@ -283,12 +284,13 @@ class Flow:
 
 
 class Expansion:
-    """The motion from a point on as Taylor polynomials: x1 is `x`, x2 is `y`; `v` and `w` are their derivatives."""
+    """The motion from a point on up to h as Taylor polynomials: x1 is `x`, x2 `y`, their derivatives `v` and `w`."""
 
-    def __init__(self, flow: Flow, z: list[Any]) -> None:
+    def __init__(self, flow: Flow, z: list[Any], h: arb) -> None:
         """Form the polynomials, both cut before the same order."""
         self.flow, self.z, self.both, curve = flow, z, flow.state_rows(flow.all_terms, z), flow.numbers.curve
         self.order = len(self.both[0]) - 1
+        self.rest = flow.reached(self.both, self.order - 1, z, h) / self.order
         self.x, self.y = (curve(one[: self.order]) for one in self.both)
         self.v, self.w = self.x.derivative(), self.y.derivative()
 
@@ -303,20 +305,19 @@ class Expansion:
         apart, (slope, pull) = self.x + self.y * -1, map(numbers.number, flow.coupling or (0, 0))
         return (apart, speed * slope + apart * pull + numbers.curve([self.z[ONE]]))[which - 1]
 
-    def cut(self, h: arb, derivative: int) -> arb:
-        """Return in units of N a bound on what this derivative of x1 and x2 leaves out up to h."""
+    def cuts(self, h: arb, *derivatives: int) -> list[arb]:
+        """Return in units of N bounds on what these derivatives of x1 and x2 leave out up to h."""
         n = self.order
-        rest = self.flow.reached(self.both, n - 1, self.z, h) / n
-        return (rest * math.perm(n, derivative) * h ** (n - derivative)).upper()
+        return [(self.rest * math.perm(n, k) * h ** (n - k)).upper() for k in derivatives]
 
     def row_off(self, which: int, h: arb, derivative: int) -> arb:
         """Return a bound on what this derivative of a row leaves out up to h."""
-        return self.flow.of_rows(lambda k: self.cut(h, derivative + k))[which].upper()
+        return self.flow.of_rows(lambda k: self.cuts(h, derivative + k)[0])[which].upper()
 
     def state(self, t: Any) -> list[Any]:
         """Return the state at a time after the point."""
         within, h = self.flow.numbers.within, arb(t).abs_upper()
-        cuts, bodies = [self.cut(h, k) for k in (0, 1)], ((self.x, self.v), (self.y, self.w))
+        cuts, bodies = self.cuts(h, 0, 1), ((self.x, self.v), (self.y, self.w))
         return [
             within(one(t), size * off)
             for curves, size in zip(bodies, self.flow.norm.speeds, strict=True)
@@ -325,7 +326,7 @@ class Expansion:
 
     def bends(self, t: arb) -> list[arb]:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
-        off, ends = self.cut(t.upper(), 2), zip((self.v, self.w), self.flow.norm.speeds, strict=True)
+        [off], ends = self.cuts(t.upper(), 2), zip((self.v, self.w), self.flow.norm.speeds, strict=True)
         return [one.derivative()(t).abs_upper() + size * off for one, size in ends]
 
 

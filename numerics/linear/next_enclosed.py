@@ -111,18 +111,18 @@ def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
         return found
     found, norm = [], at.norm * path.growth(at, flow.reach)
     place = at.place + path.kappa * norm * flow.reach
-    for kind, (end, sign, order) in enumerate(zip(cells.ends(at.cell), (1, -1, 1, -1), at.orders, strict=True)):
-        if end is None:
-            continue
+    ends, may_vanish = cells.guards(at.cell)
+    for kind, sign, offset in ends:
+        order = at.orders[kind]
         if kind in {FLOOR, CEILING}:
             margin = flow.rate**order * norm
             # body 2 has a constant acceleration where friction is one number b
             margin = margin / path.root_m1 if order and not path.varies else path.kappa * margin
-            found.append(Guard(sign * side, number(-sign * end), order, margin, 0, kind))
+            found.append(Guard(sign * side, number(offset), order, margin, 0, kind))
         else:
             margin = path.kappa * flow.rate ** (order - 1) * norm if order else place
-            found.append(Guard(sign, number(-sign * end), order, margin, 1, kind))
-    if cells.may_vanish(at.cell):
+            found.append(Guard(sign, number(offset), order, margin, 1, kind))
+    if may_vanish:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
         found.append(Guard(side, arb(0), 0, margin, 2, FORCE))
@@ -209,7 +209,7 @@ def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Roo
     sign, offset, which = guard.sign, guard.offset, guard.row
     near = arb_poly(rows[which]) * sign + offset
     guess = _newton(near, near.derivative(), since, h, (since + h) / 2, arb.mid, h * _NEAR)
-    motion = Expansion(flow, z)
+    motion, until = Expansion(flow, z, 2 * h), 2 * h
     curve, edge = motion.row(which) * sign, offset if path.is_ball else numbers.point(offset)
     slope, tau, low, high = curve.derivative(), *map(numbers.point, (guess, since, h))
     for bits in reversed([numbers.bits >> k for k in range(8) if k == 0 or numbers.bits >> k > _COARSE]):
@@ -219,7 +219,6 @@ def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Roo
     if not path.is_ball:
         return Root(motion, guard, tau, arb(0), arb(0), arb(0))
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    until = 2 * h
     off = (edge + curve(tau)).abs_upper() + motion.row_off(which, h, 0)
     reached = off + guard.margin
     around = tau + arb(0, (2 * reached / abs(slope(tau))).upper())

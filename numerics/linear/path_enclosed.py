@@ -154,7 +154,7 @@ class Path:
         """Return the path at a later time in the piece, in the same mode."""
         (flow, z), t = self.here(at), local - at.local
         is_near = flow.fastest * arb(t).upper() <= 1.01 * REACH
-        state = Expansion(flow, z).state(t) if is_near else self.evolved_far(flow, z, t)
+        state = Expansion(flow, z, arb(t).abs_upper()).state(t) if is_near else self.evolved_far(flow, z, t)
         return self.settled(at, state, t)._replace(local=local, orders=AWAY)
 
     def evolved_far(self, flow: Flow, z: list[Any], t: Any) -> list[Any]:

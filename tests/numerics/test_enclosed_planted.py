@@ -103,7 +103,7 @@ def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
             z = [arb(int(k == n or (not flow.slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
             if k == V2 and not flow.slips:
                 continue
-            _holds(flow, Expansion(few, z), z, (flow.reach / 2).mid())
+            _holds(flow, z, (flow.reach / 2).mid(), Expansion(few, z, flow.reach / 2))
 
 
 def value(row, z):
@@ -117,7 +117,7 @@ def rows_of(flow):
     return (W if flow.slips else flow.mode.load,)
 
 
-def _holds(flow, motion, z, t):
+def _holds(flow, z, t, motion):
     """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
     A = [tuple(enumerate(row)) for row in flow.mode.generator()]
     there = BALLS.exponential(flow.mode.generator(), t, z)
