@@ -69,6 +69,7 @@ class Cells:
         self.pulling = max(abs(slope) for _, slope in self.by_place)
         most = max((b for _, b in scene.friction.pieces), default=self.pair.b) / self.pair.b
         self.falling, self.pulling = (one * max(Fraction(1), most) for one in (self.falling, self.pulling))
+        self._guards: dict[tuple[int, int], tuple[list[tuple[int, int, Fraction]], bool]] = {}
 
     def scale(self, piece: ExactPiece) -> Fraction:
         """Return b(t)/b of a piece."""
@@ -156,7 +157,15 @@ class Cells:
         above = self.speeds[k + 1] if k + 1 < len(self.speeds) else None
         return self.speeds[k], above, self.places[j - 1] if j else None, self.places[j] if j < last else None
 
-    def may_vanish(self, cell: tuple[int, int]) -> bool:
+    def guards(self, cell: tuple[int, int]) -> tuple[list[tuple[int, int, Fraction]], bool]:
+        """Return kind, sign and offset of the guards at the ends of a cell, and whether friction may vanish within."""
+        if cell not in self._guards:
+            ends = enumerate(zip(self.ends(cell), (1, -1, 1, -1), strict=True))
+            at = [(kind, sign, -sign * end) for kind, (end, sign) in ends if end is not None]
+            self._guards[cell] = at, self._may_vanish(cell)
+        return self._guards[cell]
+
+    def _may_vanish(self, cell: tuple[int, int]) -> bool:
         """Return whether B + C <= 0 somewhere in a cell."""
         (low, high, *sides), (p, slope), (q, pull) = self.ends(cell), self.by_speed[cell[0]], self.by_place[cell[1]]
         if high is None and slope < 0:

@@ -16,7 +16,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided
 from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, PLAIN, RIGHT
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.flow import numbers_of
+from numerics.linear.flow import Expansion, numbers_of
 from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
 from numerics.linear.path_enclosed import AWAY, At, Path
@@ -240,7 +240,7 @@ class Run(Path):
         start = self.numbers.point(arb(local).lower())
         if knot.local:  # a time that is rounded, by as much before the knot
             flow, z = self.here(at)
-            state = flow.expansion(z).state(start - local)
+            state = Expansion(flow, z, arb(start - local).abs_upper()).state(start - local)
         return self.settled(at, state, zero)._replace(local=start)
 
     def exactly(self, knot: ExactKnot) -> list[Any]:

@@ -2,9 +2,12 @@
 
 A row of z has the Taylor coefficients (row A^k/k!) z. The rows in front of z depend on masses, damping, spring,
 frequencies and the degree of the polynomial only; so they are built once and serve every start, amplitude and phase.
-What a polynomial leaves out is bounded by energy: with y the n-th derivative of x1, n >= 1,
+What a polynomial leaves out is bounded by N of a derivative of the state (LocalNorm), with m the mass on the spring:
 
-    m y'' + a1 y' + a2 y = u^(n),    so that    sqrt(a2 y^2 + m y'^2) grows by int |u^(n)| dt/sqrt(m) at most.
+    N(y) <= exp(mu h) (N(y(0)) + h |u^(n)|/sqrt(m))    up to h,    y the n-th derivative, n >= 1,
+
+and |v1| <= N/sqrt(m). Where friction is one number b, body 2 adds a polynomial only and |w| is <= N/sqrt(m), too; where
+it depends on the state |w| <= kappa N, kappa^2 = M/(m1 m2).
 
 Everything that takes many steps of that length is left to exp(A t), one sine at a time, since answers add up.
 """
@@ -16,6 +19,7 @@ from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from functools import lru_cache
+from itertools import zip_longest
 from typing import Any, NamedTuple
 
 import flint
@@ -26,7 +30,7 @@ from numpy.polynomial import Polynomial
 from numerics.arithmetic import multiprecision
 from numerics.arithmetic.ball import Ball, widened
 from numerics.linear.pieces import ExactPiece
-from numerics.linear.system import FIRST, X1, X2, LinearMode, Row, W
+from numerics.linear.system import FIRST, ONE, X1, X2, LinearMode, LocalNorm
 from numerics.scene import Pair, Piece, Sine
 
 REACH = 2
@@ -147,55 +151,53 @@ class Drive(NamedTuple):
 
 
 class Flow:
-    """The flow of stick, or of a slip, under polynomials of one degree and sines of given frequencies.
+    """The flow of stick, or of a slip in one cell of friction, under polynomials of one degree and given frequencies.
 
-    z is that of LinearMode for b = 1 and side +1, so that the constant in it is side b (0 in stick). The guard is the
-    row w = v1 - v2 in a slip, the load in stick; `few` gives its first Taylor coefficients, `x1` those of x1 and `x2`
-    those of x2 in a slip, of x2 - x1 in stick, which is a polynomial.
+    z is that of LinearMode for side b = 1, so that the constant in it is side b (0 in stick). `coupling` is slope and
+    pull of friction that depends on the state, None where it is one number b. Rows of which there are guards are the
+    load in stick, w = v1 - v2 in a slip, and where it is coupled x1 - x2 and F besides.
     """
 
-    def __init__(self, numbers: Numbers, pair: Pair, slips: bool, count: int, omegas: tuple[Fraction, ...]) -> None:
+    def __init__(
+        self,
+        numbers: Numbers,
+        pair: Pair,
+        slips: bool,
+        count: int,
+        omegas: tuple[Fraction, ...],
+        coupling: tuple[Fraction, Fraction] | None = None,
+    ) -> None:
         """Build the tables."""
         self.numbers, self.pair, self.slips, self.count, self.omegas = numbers, pair, slips, count, omegas
-        self.mode = self.mode_of(Piece(0, (1,) * count, [Sine(1, one) for one in omegas]))
-        rows, number, mass = self.mode.generator(), Ball.number, self.mode.mass
-        self.generator = [[(j, numbers.number(c)) for j, c in enumerate(row) if c] for row in rows]
+        self.coupling, number = coupling, Ball.number
+        piece = Piece(0, (1,) * count, [Sine(1, one) for one in omegas])
+        self.mode = LinearMode(pair, Fraction(1), int(slips), piece, *(coupling or ()))
+        self.norm = LocalNorm(self.mode)
+        self.generator = [[(j, numbers.number(c)) for j, c in enumerate(row) if c] for row in self.mode.generator()]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
-        self.mass, self.m2, self.root_stiff = number(mass), number(pair.m2), number(pair.a2 / mass).sqrt()
-        self.heights: dict[tuple[int, int], list[arb]] = {}
-        self.rate = self.rate_of(number(pair.a1 / mass) + self.root_stiff)
-        self.fastest = self.rate
-        for omega in omegas:
-            self.fastest = self.fastest.max(number(omega))
+        self.m2, self.root_stiff = number(pair.m2), number(pair.a2 / self.mode.mass).sqrt()
+        self.rate = self.fastest = self.norm.rate
+        self.turns = [number(one) for one in omegas]
+        for omega in self.turns:
+            self.fastest = self.fastest.max(omega)
         self.reach, self.tiny = (
             (REACH / self.fastest).lower(),
             (arb((1, -min(numbers.bits, _FINEST))) / self.fastest).mid(),
         )
-        self.terms = max(_terms(numbers.bits + 8), FEW + 2)
-        self.begin_rows()
+        self.expand(max(_terms(numbers.bits + 8), FEW + 3))
 
-    def mode_of(self, piece: Piece) -> LinearMode:
-        """Return the mode in which the constant in z is the friction force."""
-        return LinearMode(self.pair, Fraction(1), int(self.slips), piece)
+    def expand(self, terms: int) -> None:
+        """Form so many rows in front of z for x1 and x2."""
+        places = (X1, X2) if self.slips else (X1,)
+        self.own = [self.powers(place, terms) for place in places]
+        self._products: dict[int, list[Callable[[list[Any]], list[Any]]]] = {}
+        self.all_terms = [self.numbers.products(one) for one in self.own]
+        self._few_terms = self.numbers.products(self.own[0][:4])
 
-    def rate_of(self, rate: arb) -> arb:
-        """Return a bound on the mode's own rates from those of body 1 on its spring."""
-        return rate
-
-    def begin_rows(self) -> None:
-        """Form the rows in front of z."""
-        numbers, slips = self.numbers, self.slips
-        apart: Row = ((X2, Fraction(1)),) if slips else ((X2, Fraction(1)), (X1, Fraction(-1)))
-        self.x1, self.x2 = (numbers.products(self.powers(row, self.terms)) for row in (((X1, Fraction(1)),), apart))
-        self._first = self.powers(W if slips else self.mode.load, FEW + 1)
-        self.load = numbers.products(self._first[:2])
-        """Of stick: the load and its rate."""
-        self._few: dict[int, Callable[[list[arb]], list[arb]]] = {}
-
-    def powers(self, row: Row, terms: int) -> list[list[Any]]:
-        """Return row A^k/k! for so many k, as long as they do not vanish."""
+    def powers(self, place: int, terms: int) -> list[list[Any]]:
+        """Return the rows of A^k/k! at a place for so many k, as long as they do not vanish."""
         number, faded = self.numbers.number, 0.0
-        at: dict[int, Any] = {place: number(factor) for place, factor in row}
+        at: dict[int, Any] = {place: number(1)}
         zero = number(0)
         found: list[list[Any]] = []
         while len(found) < terms and at:
@@ -210,99 +212,116 @@ class Flow:
                 at = {j: one / len(found) for j, one in after.items() if one != 0}
         return found
 
-    def few(self, z: list[Any], bits: int) -> list[arb]:
-        """Return the first coefficients of the guard, one more than the degree that a scan takes, to so many bits."""
-        with flint.ctx.workprec(bits):
-            if bits not in self._few:
-                self._few[bits] = BallNumbers.products([[+arb(c) for c in row] for row in self._first])
-            return self._few[bits]([+arb(c) for c in z])
+    def state_rows(self, products: Sequence[Callable[[list[Any]], list[Any]]], z: list[Any]) -> list[list[Any]]:
+        """Return the coefficients of x1 and x2; in stick body 2 goes with body 1."""
+        one, *two = (product(z) for product in products)
+        return [one, two[0] if two else [z[X2], *one[1:]]]
+
+    def load(self, z: list[Any]) -> list[Any]:
+        """Return the load and its rate, in stick."""
+        x, m2 = self._few_terms(z), self.numbers.number(self.pair.m2)
+        return [2 * m2 * x[2], 6 * m2 * x[3]]
 
     def rows(self, z: list[Any], bits: int) -> list[list[arb]]:
-        """Return the coefficients of every row of which there are guards: here of one."""
-        return [self.few(z, bits)]
+        """Return the first coefficients of every row of which there are guards, and of x1 and x2, to so many bits."""
+        with flint.ctx.workprec(bits):
+            if bits not in self._products:
+                first = ([[+arb(c) for c in row] for row in own[: FEW + 3]] for own in self.own)
+                self._products[bits] = [BallNumbers.products(one) for one in first]
+            numbers = [+arb(c) for c in z]
+            x1, x2 = self.state_rows(self._products[bits], numbers)
+            if not self.slips:
+                return [[self.m2 * (k * (k - 1)) * c for k, c in enumerate(x1)][2:], x1, x2]
+            place = [one - two for one, two in zip_longest(x1, x2, fillvalue=arb(0))]
+            speed = [k * one for k, one in enumerate(place)][1:]
+            if self.coupling is None:
+                return [speed, x1, x2]
+            slope, pull = map(Ball.number, self.coupling)
+            force = [slope * w + pull * apart for w, apart in zip(speed, place, strict=False)]
+            force[0] += numbers[ONE]
+            return [speed, place, force, x1, x2]
 
-    def rests(self, rows: Sequence[Sequence[arb]], z: list[Any], h: arb) -> list[arb]:
-        """Return R of these rows from order FEW on, up to h."""
-        return [self.guard_rest(rows[0], FEW, z, h)]
+    def rests(self, rows: Sequence[Sequence[arb]], z: Sequence[Any], h: arb, order: int = FEW) -> list[arb]:
+        """Return R of every row of which there are guards: without its terms from t^order on it is off by R t^order."""
+        parts = {0: arb(1) / order, 1: arb(1), 2: arb(order + 1)}
+        return self.of_rows(lambda k: parts[k] * self.reached(rows[-2:], order + k - 1, z, h))
 
-    def expansion(self, z: list[Any]) -> Expansion:
-        """Return the motion from z on."""
-        return Expansion(self, z)
+    def of_rows(self, bound: Callable[[int], arb]) -> list[arb]:
+        """Return bounds on these rows from those on the k-th derivative of places, which are multiples of N."""
+        if not self.slips:
+            return [self.m2 * self.norm.speeds[0] * bound(2)]
+        speed = self.norm.apart * bound(1)
+        if self.coupling is None:
+            return [speed]
+        place, (slope, pull) = self.norm.apart * bound(0), map(Ball.number, self.coupling)
+        return [speed, place, abs(slope) * speed + abs(pull) * place]
 
-    def rest(self, last: Sequence[Any], order: int, pushed: arb) -> arb:
-        """Return R: a Taylor polynomial without its terms from t^order on is off by R t^order at most.
+    def reached(self, both: Sequence[Sequence[Any]], order: int, z: Sequence[Any], h: arb) -> arb:
+        """Return a bound on N of the order-th derivative of the state over order!, up to h, from x1 and x2."""
+        a, c, b, d = (arb(one[k]) if k < len(one) else arb(0) for one in both for k in (order, order + 1))
+        norm = self.norm.of((a, (order + 1) * c, b, (order + 1) * d))
+        return self.norm.grown(h, norm, self.pushed(z, order, h))
 
-        `last` are the coefficients of t^(order-1) and t^order; `pushed` is what the force adds to that of t^order.
-        """
-        return (self.root_stiff * abs(arb(last[0])) / order + abs(arb(last[1])) + pushed).upper()
-
-    def pushed(self, z: Sequence[Any], order: int, more: int, h: arb) -> arb:
-        """Return h/(m order!) times a bound on |u^(order + more)| from z on for a time h."""
-        derivative, total = order + more, arb(0)
-        for later in range(self.count - derivative):
-            total += abs(arb(z[FIRST + derivative + later])) * h**later / math.factorial(later)
-        if derivative < self.count:
-            total = total / (self.mass * math.factorial(order))
-        if self.places:
-            key = order, more
-            if key not in self.heights:
-                below = self.mass * math.factorial(order)
-                self.heights[key] = [Ball.number(omega) ** derivative / below for omega in self.omegas]
-            for place, height in zip(self.places, self.heights[key], strict=True):
-                total += (abs(arb(z[place])) + abs(arb(z[place + 1]))) * height
-        return h * total
-
-    def guard_rest(self, row: Sequence[Any], order: int, z: Sequence[Any], h: arb) -> arb:
-        """Return R of the guard: the equation of w has u' for u, that of the load m2 u''."""
-        pushed = self.pushed(z, order, 0, h) if self.slips else self.pushed(z, order, 1, h) * self.m2
-        return self.rest(row[order - 1 : order + 1], order, pushed)
+    def pushed(self, z: Sequence[Any], order: int, h: arb) -> arb:
+        """Return a bound on |u^(order)|/order! from z on for a time h."""
+        total, places = arb(0), range(FIRST + order, FIRST + self.count)
+        for later, place in enumerate(places):
+            total += abs(arb(z[place])) * h**later / math.factorial(later)
+        for place, omega in zip(self.places, self.turns, strict=True):
+            total += (abs(arb(z[place])) + abs(arb(z[place + 1]))) * omega**order
+        return total / math.factorial(order)
 
 
 class Expansion:
-    """The motion from a point on as Taylor polynomials: x1 is `x`, x2 is `y`; `v` and `w` are their derivatives."""
+    """The motion from a point on up to h as Taylor polynomials: x1 is `x`, x2 `y`, their derivatives `v` and `w`."""
 
-    def __init__(self, flow: Flow, z: list[Any]) -> None:
-        """Form the polynomials."""
-        one, curve = flow.x1(z), flow.numbers.curve
-        self.flow, self.z, self.last, self.order = flow, z, one[-2:], len(one) - 1
-        self.x, self.y = curve(one[:-1]), curve(flow.x2(z))
-        if not flow.slips:
-            self.y = self.x + self.y
+    def __init__(self, flow: Flow, z: list[Any], h: arb) -> None:
+        """Form the polynomials, both cut before the same order."""
+        self.flow, self.z, self.both, curve = flow, z, flow.state_rows(flow.all_terms, z), flow.numbers.curve
+        self.order = len(self.both[0]) - 1
+        self.rest = flow.reached(self.both, self.order - 1, z, h) / self.order
+        self.x, self.y = (curve(one[: self.order]) for one in self.both)
         self.v, self.w = self.x.derivative(), self.y.derivative()
 
-    def row(self, _: int) -> Any:
-        """Return a guard's row: v1 - v2 in a slip, m2 v2' in stick."""
-        if self.flow.slips:
-            return self.v + self.w * -1
-        return self.w.derivative() * self.flow.numbers.number(self.flow.pair.m2)
+    def row(self, which: int) -> Any:
+        """Return a row of which there is a guard."""
+        numbers, flow = self.flow.numbers, self.flow
+        if not flow.slips:
+            return self.w.derivative() * numbers.number(flow.pair.m2)
+        speed = self.v + self.w * -1
+        if which == 0:
+            return speed
+        apart, (slope, pull) = self.x + self.y * -1, map(numbers.number, flow.coupling or (0, 0))
+        return (apart, speed * slope + apart * pull + numbers.curve([self.z[ONE]]))[which - 1]
 
-    def row_off(self, _: int, h: arb, derivative: int) -> arb:
+    def cuts(self, h: arb, *derivatives: int) -> list[arb]:
+        """Return in units of N bounds on what these derivatives of x1 and x2 leave out up to h."""
+        n = self.order
+        return [(self.rest * math.perm(n, k) * h ** (n - k)).upper() for k in derivatives]
+
+    def row_off(self, which: int, h: arb, derivative: int) -> arb:
         """Return a bound on what this derivative of a row leaves out up to h."""
-        if self.flow.slips:
-            return self.left_out(h, 1 + derivative)
-        return self.flow.m2 * self.left_out(h, 2 + derivative)
-
-    def rest(self, h: arb) -> arb:
-        """Return R of x up to h (Flow.rest)."""
-        return self.flow.rest(self.last, self.order, self.flow.pushed(self.z, self.order, -1, h))
-
-    def left_out(self, h: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of x leaves out up to h."""
-        return (self.rest(h) * math.perm(self.order, derivative) * h ** (self.order - derivative)).upper()
+        return self.flow.of_rows(lambda k: self.cuts(h, derivative + k)[0])[which].upper()
 
     def state(self, t: Any) -> list[Any]:
         """Return the state at a time after the point."""
         within, h = self.flow.numbers.within, arb(t).abs_upper()
-        speed_off = self.rest(h) * h ** (self.order - 1)
-        off = speed_off * h
-        x, v, y, w = within(self.x(t), off), within(self.v(t), speed_off * self.order), self.y(t), self.w(t)
-        return [x, v, y, w] if self.flow.slips else [x, v, within(y, off), v]
+        cuts, bodies = self.cuts(h, 0, 1), ((self.x, self.v), (self.y, self.w))
+        return [
+            within(one(t), size * off)
+            for curves, size in zip(bodies, self.flow.norm.speeds, strict=True)
+            for one, off in zip(curves, cuts, strict=True)
+        ]
 
     def bends(self, t: arb) -> list[arb]:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
-        off = self.left_out(t.upper(), 2)
-        one = self.v.derivative()(t).abs_upper() + off
-        return [one, self.w.derivative()(t).abs_upper() if self.flow.slips else one]
+        [off], ends = self.cuts(t.upper(), 2), zip((self.v, self.w), self.flow.norm.speeds, strict=True)
+        return [one.derivative()(t).abs_upper() + size * off for one, size in ends]
+
+
+def filled(row: list[Any], count: int, zero: Any) -> list[Any]:
+    """Return coefficients, those that vanish for ever included."""
+    return [one for one, _ in zip_longest(row, range(count), fillvalue=zero)]
 
 
 @lru_cache(maxsize=64)
@@ -311,10 +330,8 @@ def numbers_of(name: str, digits: int) -> Numbers:
     return BallNumbers(digits) if name == "ball" else PointNumbers(digits)
 
 
-@lru_cache(maxsize=64)
-def flow_of(numbers: Numbers, pair: Pair, slips: bool, count: int, omegas: tuple[Fraction, ...]) -> Flow:
-    """Return a flow, built once."""
-    return Flow(numbers, pair, slips, count, omegas)
+flow_of = lru_cache(maxsize=256)(Flow)
+"""A flow, built once."""
 
 
 def _terms(bits: int) -> int:

@@ -15,9 +15,7 @@ from flint import arb, arb_poly, ctx
 from numerics.arithmetic.ball import Ball
 from numerics.errors import OutOfRange
 from numerics.linear.cells import CEILING, FLOOR, FORCE
-from numerics.linear.coupled import FORCE as FORCE_ROW
-from numerics.linear.coupled import PLACE, SPEED, filled
-from numerics.linear.flow import FEW, REACH, Expansion, Flow
+from numerics.linear.flow import FEW, REACH, Expansion, Flow, filled
 from numerics.linear.path_enclosed import AWAY, At, Path
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, sharpest, splits
 from numerics.linear.ties import MARGINAL
@@ -108,26 +106,26 @@ def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
             b, margin = b.mid(), (margin + b.rad()).upper()
         found = [Guard(-side, b, 0, margin) for side in (1, -1)]
         if order:  # derivatives of two motions of one mode part by no more than this
-            apart = flow.rate**order * at.norm * flow.rate * flow.m2 / flow.mass.sqrt()
+            apart = flow.rate**order * at.norm * flow.rate * flow.m2 * flow.norm.speeds[0]
             found[(1 - nearer) // 2] = Guard(-nearer, b, order, apart)
         return found
     found, norm = [], at.norm * path.growth(at, flow.reach)
     place = at.place + path.kappa * norm * flow.reach
-    for kind, (end, sign, order) in enumerate(zip(cells.ends(at.cell), (1, -1, 1, -1), at.orders, strict=True)):
-        if end is None:
-            continue
+    ends, may_vanish = cells.guards(at.cell)
+    for kind, sign, offset in ends:
+        order = at.orders[kind]
         if kind in {FLOOR, CEILING}:
             margin = flow.rate**order * norm
             # body 2 has a constant acceleration where friction is one number b
             margin = margin / path.root_m1 if order and not path.varies else path.kappa * margin
-            found.append(Guard(sign * side, number(-sign * end), order, margin, SPEED, kind))
+            found.append(Guard(sign * side, number(offset), order, margin, 0, kind))
         else:
             margin = path.kappa * flow.rate ** (order - 1) * norm if order else place
-            found.append(Guard(sign, number(-sign * end), order, margin, PLACE, kind))
-    if cells.may_vanish(at.cell):
+            found.append(Guard(sign, number(offset), order, margin, 1, kind))
+    if may_vanish:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
-        found.append(Guard(side, arb(0), 0, margin, FORCE_ROW, FORCE))
+        found.append(Guard(side, arb(0), 0, margin, 2, FORCE))
     return found
 
 
@@ -185,8 +183,8 @@ def long_step(path: Path, at: At, flow: Flow, z: list[Any], most: arb) -> arb | 
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
     for split in () if at.orders[0] else splits(flow, path.pieces[at.piece], at.mode, at.local, z):
         (polynomial, rest, slow, amplitude), h = split, most
-        swing = [] if slow is None else flow.few(slow, path.numbers.bits)
-        row, count = [a + b for a, b in zip_longest(swing, polynomial, fillvalue=arb(0))], len(polynomial)
+        swing = [[]] if slow is None else flow.rows(slow, path.numbers.bits)
+        row, count = [a + b for a, b in zip_longest(swing[0], polynomial, fillvalue=arb(0))], len(polynomial)
         guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, [row])]
         if not all(one.value([row]) > one.margin for one in guards):
             continue
@@ -211,7 +209,7 @@ def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Roo
     sign, offset, which = guard.sign, guard.offset, guard.row
     near = arb_poly(rows[which]) * sign + offset
     guess = _newton(near, near.derivative(), since, h, (since + h) / 2, arb.mid, h * _NEAR)
-    motion = flow.expansion(z)
+    motion, until = Expansion(flow, z, 2 * h), 2 * h
     curve, edge = motion.row(which) * sign, offset if path.is_ball else numbers.point(offset)
     slope, tau, low, high = curve.derivative(), *map(numbers.point, (guess, since, h))
     for bits in reversed([numbers.bits >> k for k in range(8) if k == 0 or numbers.bits >> k > _COARSE]):
@@ -221,7 +219,6 @@ def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Roo
     if not path.is_ball:
         return Root(motion, guard, tau, arb(0), arb(0), arb(0))
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    until = 2 * h
     off = (edge + curve(tau)).abs_upper() + motion.row_off(which, h, 0)
     reached = off + guard.margin
     around = tau + arb(0, (2 * reached / abs(slope(tau))).upper())

@@ -26,8 +26,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.coupled import CoupledFlow, coupled_flow_of
-from numerics.linear.flow import REACH, Drive, Flow, Numbers, flow_of
+from numerics.linear.flow import REACH, Drive, Expansion, Flow, Numbers, flow_of
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2
 from numerics.scene import Law, Scene
@@ -90,10 +89,8 @@ class Path:
         if key not in flows:
             count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
             branch = self.cells.branch(piece, at.mode, at.cell)
-            if at.mode and self.varies:
-                flow: Flow = coupled_flow_of(self.numbers, self.pair, count, omegas, branch)
-            else:
-                flow = flow_of(self.numbers, self.pair, at.mode != 0, count, omegas)
+            coupling = branch[1:] if at.mode and self.varies else None
+            flow = flow_of(self.numbers, self.pair, at.mode != 0, count, omegas, coupling)
             flows[key] = flow, at.mode * self.numbers.number(branch.offset)
         return flows[key]
 
@@ -131,13 +128,11 @@ class Path:
 
     def weight(self, at: At) -> arb:
         """Return sqrt(g) of the norm in the cell of a point; 0 in stick, and where friction is one number b."""
-        flow = self.flow(at)
-        return flow.norm.root_g if isinstance(flow, CoupledFlow) else arb(0)
+        return self.flow(at).norm.root_g
 
     def growth(self, at: At, t: arb) -> arb:
         """Return by which factor N may grow in a time in the mode of a point, while the true motion is in its cell."""
-        flow = self.flow(at)
-        return (flow.norm.mu * t.abs_upper()).exp().upper() if isinstance(flow, CoupledFlow) else arb(1)
+        return (self.flow(at).norm.mu * t.abs_upper()).exp().upper()
 
     def reweighed(self, at: At, root_g: arb) -> At:
         """Return a point with N of its own cell, where it is that of a cell with this sqrt(g)."""
@@ -159,7 +154,7 @@ class Path:
         """Return the path at a later time in the piece, in the same mode."""
         (flow, z), t = self.here(at), local - at.local
         is_near = flow.fastest * arb(t).upper() <= 1.01 * REACH
-        state = flow.expansion(z).state(t) if is_near else self.evolved_far(flow, z, t)
+        state = Expansion(flow, z, arb(t).abs_upper()).state(t) if is_near else self.evolved_far(flow, z, t)
         return self.settled(at, state, t)._replace(local=local, orders=AWAY)
 
     def evolved_far(self, flow: Flow, z: list[Any], t: Any) -> list[Any]:

@@ -98,9 +98,9 @@ def scan(
     return hit
 
 
-def sharpest(flow: Flow, row: Sequence[arb], z: Sequence[Any], h: arb, least: int) -> tuple[int, arb]:
+def sharpest(flow: Flow, rows: Sequence[Sequence[arb]], z: Sequence[Any], h: arb, least: int) -> tuple[int, arb]:
     """Return the order, from `least` on, at which a polynomial leaves out least, and R; fast rates raise high ones."""
-    rests = [(order, flow.guard_rest(row, order, z, h)) for order in (3, 5, 8, FEW) if order >= least]
+    rests = [(order, flow.rests(rows, z, h, order)[0]) for order in (3, 5, 8, FEW) if order >= least]
     return min(rests, key=lambda one: (one[1] * h ** one[0]).mid())
 
 

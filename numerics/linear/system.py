@@ -162,12 +162,8 @@ class Motion:
 class Stretched:
     """A motion over a ball of times: z where it begins, and enclosures of derivatives of rows over the whole of it.
 
-    The remainder is bounded by energy, not by exp(A h): with y the n-th derivative of x1, n >= 1,
-
-        m y'' + a1 y' + a2 y = u^(n),    so that    sqrt(a2 y^2 + m y'^2) grows by int |u^(n)| dt/sqrt(m) at most
-
-    (m = m1 in slip, M in stick). A light body 1, whose own rates are large, then costs no finer parts for ever. Where
-    friction depends on the state, N of all components takes its place, which may grow (LocalNorm).
+    The remainder is bounded by N of a derivative (LocalNorm), not by exp(A h): a light body 1, whose own rates are
+    large, then costs no finer parts for ever.
     """
 
     def __init__(self, mode: LinearMode, matrix: arb_mat, begin: arb_mat, h: arb) -> None:
@@ -208,8 +204,8 @@ class Stretched:
         return self.bends[order]
 
     def _bounded(self, z: arb_mat) -> arb_mat:
-        """Return an enclosure of a derivative of z over the ball of times by energy; `z` is it where that begins."""
-        mode, number, bent = self.mode, Ball.number, arb_mat(z)
+        """Return an enclosure of a derivative of z over the ball of times by its N; `z` is it where that begins."""
+        mode, norm, bent = self.mode, LocalNorm(self.mode), arb_mat(z)
         places = mode.polynomial_places
         for k, place in enumerate(places):
             powers = (z[later, 0] * (self.h**n / math.factorial(n)) for n, later in enumerate(places[k:]))
@@ -217,41 +213,43 @@ class Stretched:
         for place in mode.sine_places:
             amplitude = sqrt(z[place, 0] * z[place, 0] + z[place + 1, 0] * z[place + 1, 0]).upper()
             bent[place, 0] = bent[place + 1, 0] = arb(0, amplitude)
-        if mode.slope or mode.pull:
-            norm = LocalNorm(mode)
-            reached = norm.grown(abs(self.h).upper(), norm.of(z.entries()[:4]), abs(value(mode.force, bent)))
-            x1, v1, v2 = ((reached / one).upper() for one in (norm.root_a2, norm.root_m1, norm.root_m2))
-            apart = abs(z[X1, 0] - z[X2, 0]) + norm.kappa * reached * abs(self.h)
-            sizes = {X1: x1, V1: v1, X2: (x1 + apart).upper(), V2: v2}
-        else:
-            mass, spring = number(mode.mass), number(mode.pair.a2)
-            energy = spring * z[X1, 0] * z[X1, 0] + mass * z[V1, 0] * z[V1, 0]
-            grown = sqrt(energy) + abs(self.h) * abs(value(mode.force, bent)) / mass.sqrt()
-            x1, v1 = ((grown / one.sqrt()).upper() for one in (spring, mass))
-            # in a slip body 2 has a constant acceleration, and z says all
-            sizes = {X1: x1, V1: v1} if mode.side else {X1: x1, V1: v1, X2: x1, V2: v1}
+        reached = norm.grown(abs(self.h).upper(), norm.of(z.entries()[:4]), abs(value(mode.force, bent)))
+        x1, v1, v2 = ((reached * one).upper() for one in (1 / norm.root_a2, *norm.speeds))
+        sizes = {X1: x1, V1: v1}
+        if not mode.side:
+            sizes |= {X2: x1, V2: v2}
+        elif norm.is_coupled:  # else body 2 has a constant acceleration, and z says all
+            apart = abs(z[X1, 0] - z[X2, 0]) + norm.apart * reached * abs(self.h)
+            sizes |= {X2: (x1 + apart).upper(), V2: v2}
         for place, size in sizes.items():
             bent[place, 0] = arb(0, size)
         return bent
 
 
 class LocalNorm:
-    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2, g = |pull|: how fast it grows in one cell, where u = 0.
+    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2, g = |pull|, of a derivative of a motion in one mode and cell.
 
-    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z: N grows like
-    exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa sqrt(max(0, -pull)). A itself is at most `rate` in N.
+    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z + v1 u: N grows
+    like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa sqrt(max(0, -pull)), and by int |u| dt/sqrt(m), where m
+    is the mass that the spring moves. A itself is at most `rate` in N.
+
+    `speeds` are the greatest v1 and v2 for N = 1, `apart` is that of w. Where friction is one number b, v2 has no
+    derivatives in a slip but the first.
     """
 
     def __init__(self, mode: LinearMode) -> None:
         """Form the constants, in the present precision."""
         pair, number = mode.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
-        self.root_g, self.kappa = number(abs(mode.pull)).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
-        square, coupling = self.kappa * self.kappa, self.kappa * self.root_g
+        self.root_g, kappa = number(abs(mode.pull)).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+        self.root_mass, self.is_coupled = number(mode.mass).sqrt(), bool(mode.slope or mode.pull)
+        one = 1 / self.root_mass
+        self.speeds = one, 1 / self.root_m2 if self.is_coupled else arb(0) if mode.side else one
+        self.apart = kappa if self.is_coupled else one
+        square, coupling = kappa * kappa, kappa * self.root_g
         self.mu = square * number(max(Fraction(0), -mode.slope)) + (coupling if mode.pull < 0 else 0)
-        self.rate = (
-            number(pair.a1 / pair.m1) + self.root_a2 / self.root_m1 + square * number(abs(mode.slope)) + coupling
-        )
+        own = number(pair.a1 / mode.mass) + number(pair.a2 / mode.mass).sqrt()
+        self.rate = own + square * number(abs(mode.slope)) + coupling
 
     def of(self, state: Sequence[arb]) -> arb:
         """Return N of (x1, v1, x2, v2)."""
@@ -261,7 +259,7 @@ class LocalNorm:
 
     def grown(self, h: arb, norm: arb, pushed: arb) -> arb:
         """Return a bound on N after a time up to h, under a force of `pushed` at most."""
-        return ((self.mu * h).exp() * (norm + h * pushed / self.root_m1)).upper()
+        return ((self.mu * h).exp() * (norm + h * pushed / self.root_mass)).upper()
 
 
 def value(row: Row, z: arb_mat) -> arb:

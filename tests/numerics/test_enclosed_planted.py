@@ -15,8 +15,7 @@ from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece,
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed
-from numerics.linear.cells import Branch, cells_of
-from numerics.linear.coupled import CoupledExpansion, CoupledFlow
+from numerics.linear.cells import cells_of
 from numerics.linear.enclosed import Run
 from numerics.linear.flow import FEW, Drive, Expansion, Flow, numbers_of
 from numerics.linear.next_enclosed import guards_of
@@ -47,8 +46,7 @@ def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkey
         at, root = found(path, at)
         return at, root and root._replace(tau=root.tau + by[4] + arb(0, by[4].upper()))
 
-    for motion in (Expansion, CoupledExpansion):
-        monkeypatch.setattr(motion, "state", stated(motion.state))
+    monkeypatch.setattr(Expansion, "state", stated(Expansion.state))
     monkeypatch.setattr(enclosed, "next_event", next_event)
     found = run(scene, 40, 12)
     assert itinerary(found) == itinerary(exact)
@@ -80,7 +78,6 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
     monkeypatch.setattr(enclosed, "next_event", next_event)
     monkeypatch.setattr("numerics.linear.flow._terms", lambda _: 0)
     monkeypatch.setattr("numerics.linear.path_enclosed.flow_of", Flow)
-    monkeypatch.setattr("numerics.linear.path_enclosed.coupled_flow_of", CoupledFlow)
     found = run(scene, 40, 12)
     assert same((scene, found), (scene, exact))
     assert max(one.rad() for one in numbers(scene, found.end)) > 1e-60
@@ -94,20 +91,19 @@ CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
 def flows():
     for pair in PAIRS:
         yield from (Flow(BALLS, pair, slips, 3, (Fraction(3), Fraction(11))) for slips in (False, True))
-        yield from (CoupledFlow(BALLS, pair, 3, (Fraction(3),), Branch(0, *map(Fraction, one))) for one in CELLS)
+        yield from (Flow(BALLS, pair, True, 3, (Fraction(3),), tuple(map(Fraction, one))) for one in CELLS)
 
 
 def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
     """For every number of z alone, so that no other hides it: of the state, its rates, and the rows of the guards."""
     for flow in flows():
-        few, coupled = copy(flow), isinstance(flow, CoupledFlow)
-        few.terms = 5
-        few.begin_rows()
+        few = copy(flow)
+        few.expand(5)
         for k in range(flow.size):
             z = [arb(int(k == n or (not flow.slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
             if k == V2 and not flow.slips:
                 continue
-            _holds(flow, few.expansion(z), z, (flow.reach / 2).mid(), coupled)
+            _holds(flow, z, (flow.reach / 2).mid(), Expansion(few, z, flow.reach / 2))
 
 
 def value(row, z):
@@ -116,12 +112,12 @@ def value(row, z):
 
 def rows_of(flow):
     """The rows of which there are guards."""
-    if isinstance(flow, CoupledFlow):
+    if flow.coupling:
         return W, ((X1, 1), (X2, -1)), flow.mode.friction
     return (W if flow.slips else flow.mode.load,)
 
 
-def _holds(flow, motion, z, t, coupled):
+def _holds(flow, z, t, motion):
     """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
     A = [tuple(enumerate(row)) for row in flow.mode.generator()]
     there = BALLS.exponential(flow.mode.generator(), t, z)
@@ -129,14 +125,13 @@ def _holds(flow, motion, z, t, coupled):
     assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
     assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
     rows = flow.rows(z, 128)
-    for which, (row, rest) in enumerate(zip(rows_of(flow), flow.rests(rows, z, t), strict=True)):
+    for which, row in enumerate(rows_of(flow)):
         curve, true = motion.row(which), value(row, there)
         assert abs(curve(t) - true) < motion.row_off(which, t, 0) + OFF
         assert abs(curve.derivative()(t) - value(row, rate)) < motion.row_off(which, t, 1) + OFF
-        for order in (FEW,) if coupled else (3, 5, 8, FEW):
-            most = rest if order == FEW else flow.guard_rest(rows[0], order, z, t)
+        for order in (3, 5, 8, FEW):
             off = abs(sum((c * t**n for n, c in enumerate(rows[which][:order])), arb(0)) - true)
-            assert not off > most * t**order
+            assert not off > flow.rests(rows, z, t, order)[which] * t**order
 
 
 @pytest.mark.parametrize("slips", [False, True])
