@@ -127,6 +127,14 @@ def test_a_corner_is_refused_in_one_line(name, arithmetic):
     assert str(refused.value).isprintable()
 
 
+def test_jumps_together_of_which_the_first_alone_breaks_a_stick_are_a_corner():
+    """Together they are no event: the force comes with more friction."""
+    scene = Scene(PAIR, State(), 2, force=Force.step(1, "0.2"), friction=Friction([(1, "0.5")]))
+    assert solve(scene).events == ()
+    with pytest.raises(NotDifferentiable, match="which of them comes first"):
+        sensitivities(solve(scene))
+
+
 def test_a_run_that_ends_before_a_corner_has_derivatives():
     scene = named("touch-in-slip")
     assert sensitivities(solve(Scene(scene.pair, scene.initial, "0.5", force=scene.force))).final.shape == (4, 15)
