@@ -35,13 +35,13 @@ from numerics.trajectory.variation import Variation
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
 PAPER, PAIR = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05")
 STEP, DIGITS = Fraction(1, 10**18), 70
-FREE = scenes_in("differentiated")
+FREE, WEAKENED = scenes_in("differentiated"), scenes_in("followed-in-balls")
 GIVEN = tomllib.loads((CATALOGUE.parent / "derivatives.toml").read_text("utf-8"))
 FORCED, CORNERS, TIES, LEFT_OUT = (GIVEN[one] for one in ("compared", "corners", "ties", "left_out"))
 
 
 def named(name):
-    return FREE.get(name) or load_scene(CATALOGUE / f"{name}.toml")
+    return (FREE | WEAKENED).get(name) or load_scene(CATALOGUE / f"{name}.toml")
 
 
 def in_balls(scene, digits=DIGITS, most=40):
@@ -54,7 +54,7 @@ def compared(scene):
     return deviation(base, everything(base), DIGITS, STEP)
 
 
-@pytest.mark.parametrize("name", [*FREE, *FORCED])
+@pytest.mark.parametrize("name", [*FREE, *FORCED, *WEAKENED])
 def test_differences_of_solves(name):
     found = compared(named(name))
     assert found.events_compared
@@ -212,6 +212,13 @@ def test_what_is_not_yet_there_and_what_does_nothing_are_exactly_0():
 def test_an_event_by_a_jump_moves_with_it():
     found = sensitivities(solve(Scene(PAIR, State(), 3, force=Force.step(1, "0.2"))))
     assert found.t[0].tolist() == [float(name == "force[0].from") for name in found.wrt]
+
+
+def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side():
+    found = [sensitivities(solve(Scene(PAIR, State(), 1, force=Force.step(0, one)))) for one in ("0.2", "-0.2")]
+    there, back = (one.final[:, one.wrt.index("force[0].from")] for one in found)
+    assert (there == -back).all()
+    assert (there[[1, 3]] != 0).all()
 
 
 def forgetful_guard(self, *given):

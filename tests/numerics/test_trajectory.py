@@ -119,7 +119,7 @@ def test_what_is_lost_over_a_ball_of_times_holds_what_is_lost_up_to_each(scene):
 
 
 def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
-    run = solve(Scene(Pair(1, 1, 200, "0.5", "0.001"), State(x1="0.004"), 3000), digits=20, arithmetic="ball")
+    run = solve(Scene(Pair(1, 1, 200, "0.5", "1"), State(x1="0.004"), "2999.9"), digits=20, arithmetic="ball")
     with run.context():
         residual, lost = run.ledger.residual, run.dissipated
         assert residual.contains(0)
