@@ -35,13 +35,13 @@ from numerics.trajectory.variation import Variation
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
 PAPER, PAIR = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05")
 STEP, DIGITS = Fraction(1, 10**18), 70
-FREE = scenes_in("differentiated")
+FREE, WEAKENED = scenes_in("differentiated"), scenes_in("followed-in-balls")
 GIVEN = tomllib.loads((CATALOGUE.parent / "derivatives.toml").read_text("utf-8"))
 FORCED, CORNERS, TIES, LEFT_OUT = (GIVEN[one] for one in ("compared", "corners", "ties", "left_out"))
 
 
 def named(name):
-    return FREE.get(name) or load_scene(CATALOGUE / f"{name}.toml")
+    return (FREE | WEAKENED).get(name) or load_scene(CATALOGUE / f"{name}.toml")
 
 
 def in_balls(scene, digits=DIGITS, most=40):
@@ -54,7 +54,7 @@ def compared(scene):
     return deviation(base, everything(base), DIGITS, STEP)
 
 
-@pytest.mark.parametrize("name", [*FREE, *FORCED])
+@pytest.mark.parametrize("name", [*FREE, *FORCED, *WEAKENED])
 def test_differences_of_solves(name):
     found = compared(named(name))
     assert found.events_compared
@@ -125,6 +125,14 @@ def test_a_corner_is_refused_in_one_line(name, arithmetic):
     with pytest.raises(NotDifferentiable, match=CORNERS[name]) as refused:
         sensitivities(trajectory)
     assert str(refused.value).isprintable()
+
+
+def test_jumps_together_of_which_the_first_alone_breaks_a_stick_are_a_corner():
+    """Together they are no event: the force comes with more friction."""
+    scene = Scene(PAIR, State(), 2, force=Force.step(1, "0.2"), friction=Friction([(1, "0.5")]))
+    assert solve(scene).events == ()
+    with pytest.raises(NotDifferentiable, match="which of them comes first"):
+        sensitivities(solve(scene))
 
 
 def test_a_run_that_ends_before_a_corner_has_derivatives():
@@ -204,6 +212,14 @@ def test_what_is_not_yet_there_and_what_does_nothing_are_exactly_0():
 def test_an_event_by_a_jump_moves_with_it():
     found = sensitivities(solve(Scene(PAIR, State(), 3, force=Force.step(1, "0.2"))))
     assert found.t[0].tolist() == [float(name == "force[0].from") for name in found.wrt]
+
+
+def test_a_force_from_the_start_on_breaks_a_stick_towards_either_side():
+    stronger, names = Friction([(0, "0.08")]), ("force[0].from", "friction[0].from")
+    runs = [solve(Scene(PAIR, State(), 1, force=Force.step(0, one), friction=stronger)) for one in ("0.2", "-0.2")]
+    there, back = (one.final[:, [*map(one.wrt.index, names)]] for one in map(sensitivities, runs))
+    assert (there == -back).all()
+    assert (there[[1, 3]] != 0).all()
 
 
 def forgetful_guard(self, *given):

@@ -18,12 +18,14 @@ PAIR, MOVING = Pair(1, 1, 200, "0.5"), State(v1="0.15")
         Scene(PAIR, MOVING, 2),
         Scene(Pair(1, 1, 200, 10**20), State(v1=3 * 10**19), 1),
         *(Scene(Pair(1, 1, 200, "0.05", a1), MOVING, 1, force=Force.sine("0.3", 5, "0.2")) for a1 in (1, 40)),
-        load_scene("forced-resonance"),
+        Scene(Pair(1, 1, 200, "0.05", 1), State(), 1, force=Force.sine("0.3", 5)),
+        *map(load_scene, ("forced-resonance", "forced-sine-stick-slip")),
     ],
 )
 def test_every_event_is_within_its_bounds(scene):
     trajectory = solve(scene, digits=30, arithmetic="ball")
-    table = re.findall(r"^  Event .*?\)\.?[;\]]", theorem(trajectory), re.DOTALL | re.MULTILINE)
+    written = theorem(trajectory)
+    table = re.findall(r"^  Event .*?\)\.?[;\]]", written, re.DOTALL | re.MULTILINE)
     assert len(table) == len(trajectory.events) > 0
     with trajectory.arithmetic.context():
         for event, text in zip(trajectory.events, table, strict=True):
@@ -31,6 +33,10 @@ def test_every_event_is_within_its_bounds(scene):
             for value, (low, high) in zip((event.t, event.y[0], event.y[2], event.y[1]), bounds, strict=True):
                 assert Fraction(low) <= Fraction(high)
                 assert float(Fraction(low)) <= float(value) <= float(Fraction(high))
+    # how far motions are from one another adds up
+    radii = [float(one) for one in re.findall(r"\(Close .* (\S+?)\)+;", written)]
+    assert radii == sorted(set(radii))
+    assert len(radii) > 3 or scene.pair.a1 or not scene.is_forced
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """A trajectory speaks SciPy, is evaluated anywhere from either side, and restores the precision it used."""
 
 import re
+from dataclasses import replace
 
 import flint
 import mpmath
@@ -11,7 +12,19 @@ from hypothesis import given
 from strategies import near_critical, scenes
 from three_scenes import PAPER
 
-from numerics import EventUndecided, NumericsError, Pair, PrecisionExhausted, Scene, State, load_scene, solve
+from numerics import (
+    EventUndecided,
+    Force,
+    Friction,
+    NumericsError,
+    Pair,
+    PrecisionExhausted,
+    Scene,
+    State,
+    Weakening,
+    load_scene,
+    solve,
+)
 from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
@@ -85,9 +98,33 @@ def test_segments_of_many_pieces_and_balls_of_times_say_what_sol_says_of_each_ti
                 pairs = zip(segment.state(since), run.sol(segment.start + since), strict=True)
                 assert all(one.overlaps(two) for one, two in pairs)
         for t in run.event_times:
-            wide = run.sol(t + arb(0, 0.01))
-            for by in (-0.009, 0.009):
-                assert all(one.contains(two) for one, two in zip(wide, run.sol(t.mid() + by), strict=True))
+            for middle in (-0.003, 0, 0.003):
+                wide = run.sol(t + middle + arb(0, 0.01))
+                for by in (-0.006, 0.006):
+                    assert all(one.contains(two) for one, two in zip(wide, run.sol(t.mid() + by), strict=True))
+
+
+DRIVEN = Scene(Pair(1, 1, 200, "0.05", "0.5"), State(v1="0.15"), 1, force=Force.sine("0.35", 5))
+
+
+@pytest.mark.parametrize("scene", [DRIVEN, replace(DRIVEN, friction=Friction(weakening=Weakening([(1, "0.04")])))])
+def test_what_is_lost_over_a_ball_of_times_holds_what_is_lost_up_to_each(scene):
+    run = solve(scene, digits=20, arithmetic="ball")
+    with run.context():
+        for row, length in enumerate(run.row_lengths[:3]):
+            motion = run.row_motion(row)
+            wide = motion.losses(length / 2 + arb(0, 1) * length / 4)
+            for share in (0.3, 0.5, 0.7):
+                assert all(one.contains(two) for one, two in zip(wide, motion.losses(length * share), strict=True))
+
+
+def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
+    run = solve(Scene(Pair(1, 1, 200, "0.5", "1"), State(x1="0.004"), "2999.9"), digits=20, arithmetic="ball")
+    with run.context():
+        residual, lost = run.ledger.residual, run.dissipated
+        assert residual.contains(0)
+        assert residual.rad() < lost * 1e-18
+        assert all(one.rad() < 1e-18 for one in run.sol(2999))
 
 
 @given(near_critical((3, 60)))
