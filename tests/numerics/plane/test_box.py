@@ -115,3 +115,13 @@ def test_coupled_axes_that_leave_the_edge_however_shortly_after_one_another_leav
     found = solve(PlaneScene(pair, "0.1", x1=x1, v1=v, v2=v))
     assert found.modes == ("00", "-0", "--")
     assert [float(one.t.mid()) / float(near) for one in found.events] == pytest.approx([40 / 3, 30], rel=1e-6)
+
+
+def test_floats_are_within_their_stated_bounds_which_are_no_more_than_their_rounding():
+    pair = PlanePair(1, ["0.5", 1], [200, 120], ["0.5", "0.2"], shape="box")
+    scene = PlaneScene(pair, "0.5", x1=["0.02", "0.01"], v1=["0.1", "-0.2"])
+    low, high = solve(scene), solve(scene, digits=30)
+    with high.context():
+        for x, true, bound in zip(low.y.flat, high.y.flat, low.y_error.flat, strict=True):
+            assert not abs(arb(x) - true) > bound
+            assert bound < 1e-15
