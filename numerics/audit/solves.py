@@ -25,7 +25,6 @@ from numerics.arithmetic.ball import exact_middle
 from numerics.audit.draws import KINDS
 from numerics.audit.slack import slack
 from numerics.errors import NumericsError
-from numerics.plane.trajectory import PlaneTrajectory
 from numerics.shown import print_table
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction
@@ -134,7 +133,7 @@ def figures(run: Any) -> Iterator[list[Figure]]:
     """Yield t and state of each event, on a surface direction and load too; then the end, with the energies."""
     known: Any = getattr(run, "accuracy", None)
     for k, event in enumerate(run.events):
-        more = (event.direction, event.load) if isinstance(run, PlaneTrajectory) else ()
+        more = (getattr(event, name) for name in run.EVENT_COLUMNS)
         yield _figures((event.t, *event.y, *more), known and (known.t[k], *known.y[k]))
     bounds = known and (0.0, *known.final, known.energy, known.energy_excess)
     yield _figures((run.scene.until, *run.end_numbers()), bounds)
@@ -153,9 +152,9 @@ def _figures(values: Sequence[Any], bounds: Sequence[float] | None) -> list[Figu
 
 def relative_residual(run: Any) -> float:
     """Return |residual| over all the energy that there was, came and went, less its radius; 0 on a surface."""
-    if isinstance(run, PlaneTrajectory):
+    books = getattr(run, "ledger", None)
+    if books is None:
         return 0.0
-    books = run.ledger
     parts = [books.residual, books.initial, books.final, books.friction, books.viscous, books.work]
     if not np.isfinite(run.floats(parts)).all():
         return MOST

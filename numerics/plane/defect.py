@@ -7,7 +7,6 @@ here is a polynomial, the defects too: no remainder is estimated.
 
 from __future__ import annotations
 
-from itertools import chain
 from typing import NamedTuple
 
 from flint import arb, arb_poly
@@ -19,10 +18,9 @@ from numerics.plane.vector import Vector
 
 
 class Defect(NamedTuple):
-    """What a curve adds to N and, not yet moved by springs, to (q1, v1, v2); loads along it, and what they are off."""
+    """What a curve adds to N; loads along it, and what they are off."""
 
     norm: arb
-    parts: Vector
     load: Vector
     load_error: Vector
 
@@ -41,7 +39,7 @@ def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     d2 = whole(slope2 * system.m2 - curve.impulse)
     d1 += u_off * integral_bound(rate)
     parts = whole(moved - v1 * rate), (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2
-    return Defect(system.norm(*parts), Vector(chain(*parts)), system.load(u, curve.q1, v1), system.share * u_off)
+    return Defect(system.norm(*parts), system.load(u, curve.q1, v1), system.share * u_off)
 
 
 def force_along(drive: Drive, curve: Curve) -> tuple[Vector, Vector]:
@@ -66,7 +64,7 @@ def slip_defect(system: System, curve: Curve, slip: Vector, size: arb_poly) -> t
     """
     drive, rate, smallest = system.pieces[curve.piece], curve.t.derivative(), least(size)
     if not smallest > 0:
-        return Defect(arb("inf"), system.still, system.still, system.still), arb(0)
+        return Defect(arb("inf"), system.still, system.still), arb(0)
     missing = size * size - slip * slip @ drive.b_squared
     off = drive.b * (integral_bound(missing) * total(rate) / smallest)
     off = (off + (curve.impulse * size - slip * drive.b_squared * rate).each(integral_bound)) / smallest

@@ -161,17 +161,29 @@ class LinearRun(Path):
 
     def end_of(self, k: int, curve: Curve, found: Defect, norm: arb) -> tuple[arb, arb] | None:
         """Return where a group ends to slip or to stick in a step, and how far that may be off; None if it does not."""
-        axes = self.groups[k]
+        axes, load, b_squared = self.groups[k], found.load, self.drive.b_squared
         if k in self.young or self.held:
             return None
-        if self.mode[axes[0]] == "0":
-            return self.exit(found, norm, axes, SHORT if k in self.on_edge else 0.0)
-        return self.root(
-            curve.s[k] * SIGNS[self.mode[k]], (self.system.apart[k] * norm).upper(), "does the slip turn or end"
-        )
+        if (sign := SIGNS[self.mode[axes[0]]]) != 0:
+            error = (self.system.apart[k] * norm).upper()
+            return self.root(curve.s[k] * sign, error, "does the slip turn or end")
+        off = self.system.load_error * norm + found.load_error
+        inside = arb_poly([1]) - sum(load[i] * load[i] * (1 / b_squared[i]) for i in axes)
+
+        def unsure(size: Vector) -> arb:
+            """Return what |B^-1 Lam|^2 is off, where the load is not larger."""
+            return sum((off[i] * (2 * size[i] + off[i]) / b_squared[i] for i in axes), arb(0)).upper()
+
+        root = self.root(inside, unsure(self.drive.b), OUTSIDE, SHORT if k in self.on_edge else 0.0)
+        if root is None:
+            return None
+        (x, far), there = root, root[0] + arb(0, root[1])
+        off_there = unsure(Vector(abs(one(there)) for one in load)) + abs(inside(x))
+        steep = -inside.derivative()(there)
+        return x, far.min((off_there / steep).upper()) if steep > 0 else far
 
     def change(self, i: int, late: arb) -> None:
-        """Change the mode of an axis at the point, which its event is within `late` (s) of."""
+        """Change the mode of a group at the point, which its event is within `late` (s) of."""
         before, reached = self.mode, self.norm
         self.drift(reached, late)
         if before[i] == "0":

@@ -76,17 +76,16 @@ class Path:
     @property
     def drive(self) -> Drive:
         """Return what acts at the point."""
-        pieces = self.system.pieces
-        return pieces[min(self.at.piece, len(pieces) - 1)]
+        return self.system.drive(self.at)
 
     @property
     def time(self) -> float:
         """Return the time that was reached, s, for messages."""
-        return float(self.drive.acting.start) + float(self.at.t.mid())
+        return self.system.time(self.at)
 
     def undecided(self, question: str) -> EventUndecided:
         """Return the error for a point after which these digits do not tell what happens."""
-        return EventUndecided(f"{question} near t = {self.time:.6g} s", f"N <= {self.norm.str(3)}", self.system.digits)
+        return self.system.undecided(question, self.at, self.norm)
 
     def set(self, point: Point) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
@@ -121,10 +120,7 @@ class Path:
 
     def around(self, window: arb, slips: Sequence[arb | None] = ()) -> Around:
         """Return what holds of the true motion within `window` (s) of the point, proved. Raises EventUndecided."""
-        found = around(self.system, self.at, self.norm, window, slips)
-        if found is None:
-            raise self.undecided("how far does the motion get in a window")
-        return found
+        return around(self.system, self.at, self.norm, window, slips)
 
     def rate(self, true: arb) -> arb:
         """Return a bound on the rate of N by which a path that rests at the point, until a time, leaves the motion."""
@@ -172,23 +168,6 @@ class Path:
         swing = [tuple(map(midpoints, one)) for one in self.drive.swing(arb_series([self.at.t, h], top))]
         return curve_of(self.at, t, q1, v2, s, impulse, swing)
 
-    def exit(self, found: Defect, norm: arb, of: Sequence[int], start: float) -> tuple[arb, arb] | None:
-        """Return where the load of some axes leaves K first, and how far that may be off; None if it does not."""
-        b_squared, off = self.drive.b_squared, self.system.load_error * norm + found.load_error
-        inside = arb_poly([1]) - sum(found.load[i] * found.load[i] * (1 / b_squared[i]) for i in of)
-
-        def error(load: Vector) -> arb:
-            """Return what |B^-1 Lam|^2 is off, where the load is not larger."""
-            return sum((off[i] * (2 * load[i] + off[i]) / b_squared[i] for i in of), arb(0)).upper()
-
-        root = self.root(inside, error(self.drive.b), OUTSIDE, start)
-        if root is None:
-            return None
-        (x, far), there = root, root[0] + arb(0, root[1])
-        off_there = error(Vector(abs(one(there)) for one in found.load)) + abs(inside(x))
-        steep = -inside.derivative()(there)
-        return x, far.min((off_there / steep).upper()) if steep > 0 else far
-
     def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
         """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""
         found = first_root(p, error, start)
@@ -214,5 +193,9 @@ class Path:
         """Record a change of mode, which comes before or after a piece of force, not perhaps the one or the other."""
         if late > 0 and not (late < self.at.t and self.at.t + late < self.drive.length):
             raise self.undecided("does the event come before the force changes, or the run ends")
-        found = (before, self.mode), direction, self.around(late).load, cause, self.norm, self.apart
-        self.events.append(self.states.event(self.at, late, *found))
+        states, load, along = self.states, self.around(late).load, self.states.place @ direction
+        t, length = states.pieces[self.at.piece] + self.at.t + arb(0, late.upper()), (along @ along).sqrt()
+        before, after = map(states.word, (before, self.mode))
+        y = states.enclosed(self.at, late, self.norm, self.apart)
+        unit = along / length if length > 0 else along
+        self.events.append(PlaneEvent(t, before, after, y, unit, states.force @ load, cause))

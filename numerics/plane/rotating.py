@@ -134,12 +134,11 @@ def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fract
         "the force does not go round: give each of x and y one piece from 0 on with one sine of the same amplitude and "
         "omega, phases pi/2 apart to the digits asked for"
     )
-    if scene.friction or any(len(one.pieces) != 1 or one.starts[0] != 0 for one in scene.force):
+    pieces = [piece for one in scene.force for piece in one.pieces]
+    turns = all(one.start == 0 and not one.polynomial and len(one.sines) == 1 for one in pieces)
+    if scene.friction or len(pieces) != 2 or not turns:
         raise refusal
-    sines = [one.pieces[0].sines for one in scene.force]
-    if any(one.pieces[0].polynomial for one in scene.force) or [len(one) for one in sines] != [1, 1]:
-        raise refusal
-    (x,), (y,) = sines
+    x, y = (one.sines[0] for one in pieces)
     with Ball(digits + _SPARE).context():
         turn = abs(Ball.number(x.phase - y.phase)) - arb.pi() / 2
         if x.omega != y.omega or abs(x.amplitude) != abs(y.amplitude) or not abs(turn) < arb(10) ** (-digits):

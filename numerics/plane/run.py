@@ -61,16 +61,8 @@ class Run(LinearRun):
             else:
                 self.slip_on()
 
-    def change(self, k: int, late: arb) -> None:
-        """Begin to slip at the point, where the load comes to the edge of K within `late` (s)."""
-        before = self.mode
-        self.let_go(k, self.load, 2)
-        self.drift(self.norm, late)
-        self.tell(before, late, "guard")
-
     def tell(self, before: str, late: arb, cause: str) -> None:
         """Record the beginning of a slip."""
-        self.after = late
         self.happened(before, self.first_direction(), late, cause)
 
     def slip_on(self) -> None:
@@ -102,8 +94,6 @@ class Run(LinearRun):
         end = rise(curve.t, drive.length) if ends else arb(1)
         self.stride = curve.t(end) - at.t
         self.go_on(curve, end, norm, ends=ends)
-        if not ends:
-            self.land()
 
     @property
     def narrow(self) -> arb:
@@ -111,14 +101,9 @@ class Run(LinearRun):
         return arb((1, -(self.system.bits // 6)))
 
     @property
-    def heaviest(self) -> arb:
-        """Return the largest root of a mass: N of a velocity of 1."""
-        return highest(Vector((*self.system.root_m1, *self.system.root_m2)))
-
-    @property
     def enough(self) -> arb:
         """Return what N may grow by where a slip begins or ends: a rounding of velocities, some bits larger."""
-        return self.eps * 2**12 * self.speed * self.heaviest
+        return self.eps * 2**12 * self.speed * highest(Vector((*self.system.root_m1, *self.system.root_m2)))
 
     def settled(self) -> bool:
         """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
@@ -165,26 +150,6 @@ class Run(LinearRun):
         impulse = v2.each(arb_poly.derivative) * self.system.m2
         curve = self.timed(h, q1, v2, Vector(slip) * arb_poly(weight), impulse)
         return curve, *slip_defect(self.system, curve, Vector(slip), size)
-
-    def land(self) -> None:
-        """Slip straight to s = 0, if that is a motion as good as any: with f constant s falls linearly."""
-        system, at, drive, load = self.system, self.at, self.drive, self.load
-        f, size = drive.friction(at.s)
-        fall = (f - load) @ at.s
-        if not (fall > 0 and (h := (at.s * at.s @ (1 / system.kappa) / fall).mid()) < drive.length - at.t):
-            return
-        enough = self.norm / 64 + self.enough / 2**12
-        if not highest((at.s / (system.kappa * h) + load - f) * h) < enough * self.heaviest:
-            return
-        slip, rate = [arb_poly([x]) for x in at.s], f.each(arb.mid) / system.m2
-        first, bent = at.v1, (rate - at.s / h) / 2
-        q1, v2 = ([list(row) for row in zip(*one, strict=True)] for one in ((at.q1, first, bent), (at.v2, rate)))
-        curve, found, slowest = self.along(Series(q1, v2, [], []), h, 2, slip, arb_poly([size.mid()]), [1, -1])
-        norm = (self.norm + found.norm).upper()
-        if not (found.norm < 2 * enough and 4 * drive.reach * norm < slowest * self.narrow):
-            return
-        if drive.strain(load, system.axes) < 1 or drawn_to(system, drive, load, at.s) is not None:
-            self.end(curve, norm, slip, slowest)
 
     def end(self, curve: Curve, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
         """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when |s|_{kap^-1} is N.
@@ -239,6 +204,7 @@ class Run(LinearRun):
             self.happened(before, end_direction(system, drive, self.around(late).load, drawn), late, "guard")
         else:
             self.let_go(0, self.load, 1)
+            self.after = late
             self.tell(before, late, "guard")
 
     def first_direction(self) -> Vector:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided
-from numerics.plane.answer import PlaneEvent, PlaneState
+from numerics.plane.answer import PlaneState
 from numerics.plane.polynomial import rise
 from numerics.plane.series import Curve, Point
 from numerics.plane.system import System
@@ -43,8 +41,6 @@ class States:
         """Return the true state within `late` (s) of a point of the path, by the bounds on N and on z."""
         system = self.system
         near = around(system, at, norm, late)
-        if near is None:
-            raise EventUndecided("how far does the motion get in a window", f"{late.str(3)} s", system.digits)
         first, second = norm / system.root_m1 + near.first * late, norm / system.root_m2 + near.second * late
         q1 = wide(at.q1, system.soft * norm + (abs(at.v1) + first) * late)
         v1, v2 = wide(at.v1, first), wide(at.v2, second)
@@ -53,15 +49,6 @@ class States:
             v1 = v2 = Vector(x.intersection(y) for x, y in zip(v1, v2, strict=True))
         x1 = self.place @ q1
         return PlaneState(x1, self.place @ v1, x1 - self.apart - self.place @ z, self.place @ v2)
-
-    def event(
-        self, at: Point, late: arb, modes: Sequence[str], direction: Vector, load: Vector, cause: str, *off: Any
-    ) -> PlaneEvent:
-        """Return an event within `late` (s) of a point, `off` by N and by z; direction and load by reduced axes."""
-        t, along = self.pieces[at.piece] + at.t + arb(0, late.upper()), self.place @ direction
-        length, (before, after) = (along @ along).sqrt(), map(self.word, modes)
-        unit = along / length if length > 0 else along
-        return PlaneEvent(t, before, after, self.enclosed(at, late, *off), unit, self.force @ load, cause)
 
     def word(self, mode: str) -> str:
         """Return a mode on the axes of the scene: of a box, those that do not move stick."""

@@ -11,6 +11,7 @@ import flint
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import BITS_PER_DIGIT, Ball, precision
+from numerics.errors import EventUndecided
 from numerics.plane.reduced import Acting, Reduced
 from numerics.plane.vector import Matrix, Vector, exact
 
@@ -60,6 +61,18 @@ class System:
                 yield
         finally:
             flint.ctx.cap = before
+
+    def drive(self, at: Any) -> Drive:
+        """Return what acts at a point of the path."""
+        return self.pieces[min(at.piece, len(self.pieces) - 1)]
+
+    def time(self, at: Any) -> float:
+        """Return the time at a point of the path, s, for messages."""
+        return float(self.drive(at).acting.start) + float(at.t.mid())
+
+    def undecided(self, question: str, at: Any, norm: arb) -> EventUndecided:
+        """Return the error for a point after which these digits do not tell what happens."""
+        return EventUndecided(f"{question} near t = {self.time(at):.6g} s", f"N <= {norm.str(3)}", self.digits)
 
     def push(self, u: Vector, q1: Vector, v1: Vector) -> Vector:
         """Return u - A2 q1 - A1 v1, of numbers, of polynomials or of series."""

@@ -7,6 +7,7 @@ box in parts, the header of each part's own trajectory.
 from __future__ import annotations
 
 from functools import cached_property, partial
+from itertools import chain
 from pathlib import Path
 from typing import Any, Self
 
@@ -98,42 +99,40 @@ class PlaneTrajectory(Answer):
         return self._shown([one.t for one in self.events])
 
     @cached_property
-    def _points(self) -> list[tuple[arb, PlaneState]]:
+    def _points(self) -> tuple[list[arb], list[list[arb]]]:
         """Return times and states of start, events and end, or at t_eval."""
         with self.context():
+            times, states = [arb(0), *(one.t for one in self.events), self.end_time], [one.y for one in self.events]
+            states = [self._at(0), *states, self.final_state]
             if self.t_eval is not None:
-                return [(self._time(t), self._at(t)) for t in self.t_eval]
-            return [(arb(0), self._at(0)), *((one.t, one.y) for one in self.events), (self.end_time, self.final_state)]
-
-    @property
-    def _columns(self) -> tuple[Any, ...]:
-        return [t for t, _ in self._points], [_flat(y) for _, y in self._points]
+                times, states = [*map(self._time, self.t_eval)], [*map(self._at, self.t_eval)]
+            return times, [[*chain(*y)] for y in states]
 
     @property
     def t(self) -> NDArray[Any]:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return self._shown(self._columns[0])
+        return self._shown(self._points[0])
 
     @property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4 n, m)."""
-        return self._shown(self._columns[1]).T
+        return self._shown(self._points[1]).T
 
     @property
     def t_error(self) -> NDArray[Any]:
         """Return bounds on the errors of `t`, s."""
-        return _bounds(self._columns[0])
+        return _bounds(self._points[0])
 
     @property
     def y_error(self) -> NDArray[Any]:
         """Return bounds on the errors of `y`."""
-        return _bounds(self._columns[1]).T
+        return _bounds(self._points[1]).T
 
     @property
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J, shape (m,)."""
         with self.context():
-            return self._shown([self.energy_of(y) for _, y in self._points])
+            return self._shown([*map(self.energy_of, self._points[1])])
 
     @property
     def final_energy(self) -> Any:
@@ -145,9 +144,9 @@ class PlaneTrajectory(Answer):
         """Return a bound on its error."""
         return float(_bounds(self.end_numbers()[-1]))
 
-    def energy_of(self, y: PlaneState) -> arb:
+    def energy_of(self, y: Any) -> arb:
         """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J. (A ball about 0 has no ** 2: flint answers nan.)"""
-        pair, (x, v, w) = self.scene.pair, map(Vector, (y.x1, y.v1, y.v2))
+        pair, (x, v, _, w) = self.scene.pair, map(Vector, np.reshape(np.array(y, dtype=object), (4, -1)))
         found: arb = Matrix.of(pair.a2) @ x @ x + exact(pair.m1) * v @ v + exact(pair.m2) * w @ w
         return found / 2
 
@@ -162,7 +161,7 @@ class PlaneTrajectory(Answer):
         Enclosed, or floats of an enclosure. Raises ValueError outside [0, end].
         """
         given = np.asarray(t, dtype=object)
-        states = [_flat(self._at(one)) for one in given.flat]
+        states = [[*chain(*self._at(one))] for one in given.flat]
         return self._shown(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
 
     def mode_at(self, t: Any) -> Any:
@@ -241,7 +240,7 @@ class PlaneTrajectory(Answer):
         """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
         if not isinstance(scene, PlaneScene):
             raise ValueError("its scene is on a line")
-        header, n, (name, digits) = kept[0], scene.pair.axes, kept[0]["arithmetic"]
+        header, (name, digits) = kept[0], kept[0]["arithmetic"]
         working = Working(digits, name)
         with working.context():
             motion: Any
@@ -250,16 +249,13 @@ class PlaneTrajectory(Answer):
             else:
                 kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
                 motion = Parts(scene, [saved.restored(one, {}, kinds[one["format"]]) for one in header["parts"]])
-            events = tuple(_event(one, n) for one in header["events"])
-            modes, (time, state) = tuple(map(str, header["modes"])), header["end"]
-            if len(modes) != len(events) + 1:
+            rows, modes, (time, state) = (_tuples(header[name]) for name in ("events", "modes", "end"))
+            if len(modes) != len(rows) + 1:
                 raise ValueError("its count of events is not that of its modes")
-            status, final = Status(header["status"]), _state(state, n)
-            return cls(scene, Found(working, status, events, modes, time, final, motion))
-
-
-def _flat(y: PlaneState) -> list[arb]:
-    return [x for part in y for x in part]
+            if any(len(part) != scene.pair.axes for y in (state, *(row[3] for row in rows)) for part in y):
+                raise ValueError("its states are not those of its axes")
+            events = tuple(PlaneEvent(t, one, two, PlaneState(*y), *more) for t, one, two, y, *more in rows)
+            return cls(scene, Found(working, Status(header["status"]), events, modes, time, PlaneState(*state), motion))
 
 
 @partial(np.vectorize, otypes=[float])
@@ -268,16 +264,9 @@ def _bounds(x: arb) -> float:
     return float(abs(x - arb(float(x.mid()))).upper()) * (1 + 1e-15)
 
 
-def _state(given: Any, n: int) -> PlaneState:
-    found = PlaneState(*map(tuple, given))
-    if any(len(one) != n for one in found):
-        raise ValueError(f"its states have not {n} axes")
-    return found
-
-
-def _event(given: Any, n: int) -> PlaneEvent:
-    t, before, after, y, direction, load, cause = given
-    return PlaneEvent(t, str(before), str(after), _state(y, n), tuple(direction), tuple(load), str(cause))
+def _tuples(given: Any) -> Any:
+    """Return a tuple for every list."""
+    return tuple(map(_tuples, given)) if isinstance(given, list) else given
 
 
 def _leg(given: Any) -> Leg:

@@ -33,12 +33,12 @@ class Around(NamedTuple):
     steep: Vector
 
 
-def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[arb | None] = ()) -> Around | None:
-    """Return what holds within `window` (s) of a point from which the true motion is N <= norm; None if it is too long.
+def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[arb | None] = ()) -> Around:
+    """Return what holds within `window` (s) of a point from which the true motion is N <= norm. Raises EventUndecided.
 
     `slips`: friction on axes that slip with a constant one (else None); there the rate of v1 replaces that of V.
     """
-    drive = system.pieces[min(at.piece, len(system.pieces) - 1)]
+    drive = system.drive(at)
     first = (abs(system.push(drive.force(at.t), at.q1, at.v1)) + drive.b) * 2 / system.m1
     v1 = wide(at.v1, norm / system.root_m1 + first * window)
     q1 = wide(at.q1, system.soft * norm + abs(v1) * window)
@@ -46,7 +46,7 @@ def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[ar
     u, turn = both.order(0), both.order(1)
     push = system.push(u, q1, v1)
     if not all(x < y for x, y in zip(abs(push) + drive.b * BEYOND, system.m1 * first, strict=True)):
-        return None
+        raise system.undecided("how far does the motion get in a window", at, norm)
     pull = list(push / system.mass)
     for i, f in enumerate(slips):
         if f is not None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from importlib.util import find_spec
 from typing import Any, NamedTuple
 
@@ -17,9 +16,10 @@ from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
 from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.comparisons.scipy_peer import scipy_arcs
 from numerics.trade.comparisons.switched import switched
+from numerics.trade.scenes import KINDS
 
 MAX_EVENTS = 10**7
-LINE, OFF = ("free", "forced"), ("surface", "state")
+LINE = "free", "forced"
 Call = Callable[[], Any]
 Prepare = Callable[[Any, float], Call]
 """prepare(scene, setting) builds and compiles everything; the call that it returns is timed, and solves each time."""
@@ -33,7 +33,7 @@ class Contender(NamedTuple):
     prepare: Prepare
     package: str = ""
     """What has to be installed."""
-    kinds: tuple[str, ...] = LINE + OFF
+    kinds: tuple[str, ...] = tuple(KINDS)
 
     def missing(self) -> str | None:
         """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
@@ -76,10 +76,9 @@ CONTENDERS = (
     Contender("forward Euler", (1e-3, 1e-4, 1e-5), euler_peer, kinds=("free",)),
     Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy", LINE),
     Contender("SciPy DOP853, events", (1e-4, 1e-6), by_events, "scipy", ("surface",)),
-    Contender("SciPy Radau, smoothed", (1e-2, 1e-3), partial(smoothed, integrator="SciPy"), "scipy", OFF),
     Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), "heyoka", LINE),
     Contender("heyoka long double", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), "heyoka", LINE),
-    Contender("heyoka, smoothed", (1e-3, 1e-4, 1e-5), partial(smoothed, integrator="heyoka"), "heyoka", OFF),
+    Contender("heyoka, smoothed", (1e-3, 1e-4, 1e-5), smoothed, "heyoka", ("surface", "state")),
 )
 
 

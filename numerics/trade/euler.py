@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from itertools import takewhile
 from typing import NamedTuple
 
 import numpy as np
@@ -30,8 +30,7 @@ class EulerOutcome(NamedTuple):
     """Sign changes of v1 - v2 within the sliding region, each of them a stick that was not held."""
 
 
-@dataclass(frozen=True)
-class EulerFigure:
+class EulerFigure(NamedTuple):
     """What forward Euler makes of a scene with smaller and smaller steps, and how many events it has exactly."""
 
     events: int
@@ -39,12 +38,8 @@ class EulerFigure:
 
     def right_from(self, digits: float = -np.inf) -> float | None:
         """Return the largest step from which on all have right events and so many digits; None if the last has not."""
-        kept = None
-        for one in reversed(self.outcomes):
-            if not (one.right and one.digits >= digits):
-                break
-            kept = one.step
-        return kept
+        good = list(takewhile(lambda one: one.right and one.digits >= digits, reversed(self.outcomes)))
+        return good[-1].step if good else None
 
 
 def euler_figure(scene: Scene, steps: Sequence[float] = STEPS) -> EulerFigure:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from fractions import Fraction
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -29,20 +29,12 @@ from numerics.trade.judge import judge, proved
 from numerics.trade.recorded import NONE, OURS, Run, Sweep, Trade, machine, short
 from numerics.trade.scenes import HEADLINE, LONG, NAMES, benchmark, kind, why
 
-
-class Size(NamedTuple):
-    """How much is measured: processor time for a ratio (s), and scenes that are solved at once."""
-
-    scenes: Sequence[str]
-    budget: float
-    sweep: int
-
-
-SIZES = {
-    "small": Size((HEADLINE, "near-critical-1e-6", "forced-stick-slip"), 0.1, 20),
-    "default": Size(NAMES, 0.2, 100),
-    "large": Size(NAMES, 5.0, 1000),
+SIZES: dict[str, tuple[Sequence[str], float, int]] = {
+    "small": ((HEADLINE, "near-critical-1e-6", "forced-stick-slip"), 0.1, 20),
+    "default": (NAMES, 0.2, 100),
+    "large": (NAMES, 5.0, 1000),
 }
+"""How much is measured: scenes, processor time for a ratio (s), and how many scenes are solved at once."""
 SWEPT = ("velocities", "relative-motion-b02", HEADLINE, "forced-stick-slip", "forced-friction")
 SLOW, BATCH = 2.0, 0.01
 """One call that takes so long (s) is timed once; quick ones are timed in batches that last at least so long.
@@ -65,9 +57,9 @@ def trade(
 
     "free", "forced", "surface" and "state" name kinds of scenes. Raises NoSuchContender if a word fits no name.
     """
-    size, of = SIZES[size_name], machine()
+    (names, budget, at_once), of = SIZES[size_name], machine()
     solve_many(1, 1, 200, 0.5, v1=[0.15], until=1, jobs=1)  # brings up what is compiled
-    everyone, scenes = selected(only, contenders, size.scenes)
+    everyone, scenes = selected(only, contenders, names)
     left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
     runs, sweeps, slow = list[Run](), list[Sweep](), set[str]()
     for name in scenes:
@@ -80,13 +72,13 @@ def trade(
                 if (is_long and one.label in slow) or (setting > 100 and (is_long or kind(name) == "forced")):
                     break  # coarse to fine: the next one is slower
                 progress(f"{name}: {one.label} {setting:g}")
-                ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, size.budget)
+                ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
                 runs.append(Run(name, one.label, setting, ratio and ratio * unit, digits, note))
                 if is_long and ratio and ratio * unit > SLOW:
                     slow.add(one.label)
         if name in SWEPT and contender("heyoka") in everyone and "heyoka" not in left_out:
-            progress(f"{name}: {size.sweep} at once")
-            sweeps.append(swept(name, size.sweep, size.budget))
+            progress(f"{name}: {at_once} at once")
+            sweeps.append(swept(name, at_once, budget))
     return Trade(of, left_out, {name: why(name) for name in scenes}, tuple(runs), tuple(sweeps))
 
 

@@ -1,5 +1,6 @@
 """One answer of the package held against the frozen one, through the public interface."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -8,6 +9,8 @@ from typing import Any
 from flint import acb, arb
 
 from numerics import EventUndecided, NumericsError, OutOfRange, solve
+from numerics.arithmetic.ball import Ball, precision
+from numerics.trajectory.comparison import as_ball
 from oracle.reading import scene_of
 
 WAYS: dict[str, dict[str, Any]] = {
@@ -25,10 +28,12 @@ RIGHT = {"ball": 29, "digits=12": 11, "digits=20": 19, "default": 6}
 FIXED = {"float64", "double-double", "mpmath"}
 """Those that do not climb: they may say that they are in doubt."""
 SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
+BITS = 5000
+"""Of what is compared."""
 NAMES = ("t", "x1", "v1", "x2", "v2")
-FROZEN, FROZEN_LEDGER = Fraction(1, 10**23), Fraction(1, 10**19)
+FROZEN, FROZEN_LEDGER = arb("1e-23"), arb("1e-19")
 """By how much of itself a frozen number may be off: it is rounded."""
-NOTHING, NOTHING_IN_FLOATS = Fraction(1, 10**100), Fraction(1, 10**30)
+NOTHING, NOTHING_IN_FLOATS = arb("1e-100"), arb("1e-30")
 """A frozen 0 is less than this of its scale; points are not asked for more."""
 
 
@@ -41,21 +46,15 @@ class Outcome:
     left_open: str = ""
 
 
-def exact(value: Any) -> tuple[Fraction, Fraction]:
-    """A number of any arithmetic as midpoint and radius."""
-    if isinstance(value, arb):
-        return dyadic(value.mid()), dyadic(value.rad())
-    if hasattr(value, "man_exp"):
-        mantissa, exponent = value.man_exp
-        return (-1 if value < 0 else 1) * abs(Fraction(int(mantissa))) * Fraction(2) ** int(exponent), Fraction(0)
-    if isinstance(value, tuple):  # a sum of floats
-        return sum(map(Fraction, value), Fraction(0)), Fraction(0)
-    return Fraction(value), Fraction(0)
+def near(value: Any, off: Any) -> arb:
+    """A ball about a number of any arithmetic; what has no bound may be anything."""
+    return as_ball(value) + arb(0, off if off < math.inf else math.inf)
 
 
-def dyadic(value: arb) -> Fraction:
-    mantissa, exponent = value.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+def differing(what: str, got: arb, true: arb, off: arb) -> Iterator[str]:
+    """A sentence, if a number cannot be within so much of the frozen one."""
+    if not got.overlaps(near(true, off.upper())):
+        yield f"{what}: {got.str(6)}, not {true.str(6)}"
 
 
 def held(answer: dict[str, Any], way: str) -> Outcome:
@@ -103,7 +102,9 @@ def compared(answer: dict[str, Any], found: Any, right: int) -> Iterator[str]:
         yield f"status {status}, not {frozen}"
     if (status, frozen) == ("STUCK_FOR_EVER", "REACHED_HORIZON") and not stays(scene, len(events)):
         yield "said to be stuck for ever, and slips later"
-    yield from compared_numbers(answer, found, events, right)
+    with precision(BITS):
+        yield from compared_numbers(answer, found, events, right)
+        yield from compared_energies(answer, found)
 
 
 def stays(scene: Any, events: int) -> bool:
@@ -122,74 +123,54 @@ def shown(one: str, two: str) -> str:
 
 
 def compared_numbers(answer: dict[str, Any], found: Any, events: list[Any], right: int) -> Iterator[str]:
-    rows = [(f"event {k}", int(k), [Fraction(one) for one in row]) for k, row in answer["events"].items()]
-    rows.append(("end", -1, [Fraction(one) for one in answer["final"]]))
+    rows = [(f"event {k}", int(k), numbers(row)) for k, row in answer["events"].items()]
+    rows.append(("end", -1, numbers(answer["final"])))
     tops = [max(abs(row[k]) for _, _, row in rows) for k in range(5)]
     scales = [tops[0], *(max(tops[k], tops[k + 2 if k < 3 else k - 2]) for k in range(1, 5))]
+    is_ball = found.arithmetic.name == "ball"
     for where, index, row in rows:
         got = (events[index].t, *events[index].y) if index >= 0 else (found.end_time, *found.final_state)
-        bounds = bounds_of(found, index, scales)
+        bounds = [0.0] * 5 if is_ball else bounds_of(found, index, scales)
         for name, value, true, bound, scale in zip(NAMES, got, row, bounds, scales, strict=True):
-            middle, radius = exact(value)
-            if radius > scale / 10**right:
-                yield f"{name} at {where}: radius {short(radius)}, scale {short(scale)}"
-            nothing = NOTHING if bound is None else NOTHING_IN_FLOATS
-            allowed = (radius if bound is None else bound) + abs(true) * FROZEN + scale * nothing
-            if abs(middle - true) > allowed:
-                off = short(abs(middle - true))
-                yield f"{name} at {where}: off by {off}, allowed {short(allowed)}, of {short(true)}"
-    yield from compared_energies(answer, found)
+            if as_ball(value).rad() > scale / 10**right:
+                yield f"{name} at {where}: {value.str(6)}, of a scale of {scale.str(6)}"
+            nothing = NOTHING if is_ball else NOTHING_IN_FLOATS
+            yield from differing(f"{name} at {where}", near(value, bound), true, abs(true) * FROZEN + scale * nothing)
 
 
-def bounds_of(found: Any, index: int, scales: list[Fraction]) -> list[Fraction | None]:
-    """The stated bounds of (t, x1, v1, x2, v2); None for balls, which say it themselves."""
+def numbers(texts: list[str]) -> list[arb]:
+    return [Ball.number(Fraction(one)) for one in texts]
+
+
+def bounds_of(found: Any, index: int, scales: list[arb]) -> list[Any]:
+    """The stated bounds of points t, x1, v1, x2, v2."""
     accuracy = found.accuracy
-    if found.arithmetic.name == "ball":
-        return [None] * 5
     if accuracy is None:
-        return [scale / 10**25 for scale in scales]
+        return [(scale / 10**25).upper() for scale in scales]
     if index >= 0:
-        return [bound(accuracy.t[index]), *map(bound, accuracy.y[index])]
-    last = bound(accuracy.t[-1]) if not found.reached else Fraction(0)
-    rounding = Fraction(1, 2 ** (50 if found.arithmetic.name == "float64" else 100))
-    return [last + scales[0] * rounding, *map(bound, accuracy.final)]
-
-
-def bound(value: float) -> Fraction:
-    """A bound as it is; no bound at all is a large one."""
-    return Fraction(value) if abs(value) < float("inf") else Fraction(10) ** 400
-
-
-def short(value: Fraction) -> str:
-    try:
-        return f"{float(value):.3g}"
-    except OverflowError:
-        return "more than 1e308"
+        return [accuracy.t[index], *accuracy.y[index]]
+    last = accuracy.t[-1] if not found.reached else 0.0
+    rounding = 2.0 ** (-50 if found.arithmetic.name == "float64" else -100)
+    return [(scales[0] * rounding + last).upper(), *accuracy.final]
 
 
 def compared_energies(answer: dict[str, Any], found: Any) -> Iterator[str]:
     """E/E_cr - 1 at the end, and the ledger; points have a bound of both."""
-    accuracy, balls = found.accuracy, found.arithmetic.name == "ball"
+    accuracy, kind = found.accuracy, found.arithmetic.name
     with found.arithmetic.context():
         ledger, excess = found.ledger, found.final.w
-        parts = [exact(one) for one in (ledger.friction, ledger.viscous, ledger.work)]
-    true, (middle, radius) = Fraction(answer["excess"]), exact(excess)
-    slack = radius if balls else Fraction(1, 10**25) if accuracy is None else bound(accuracy.energy_excess)
-    if abs(middle - true) > slack + abs(true) * FROZEN + NOTHING * (1 + abs(true)):
-        yield f"excess: off by {short(abs(middle - true))}, allowed {short(slack)}, of {short(true)}"
-    truths = [Fraction(one) for one in answer["ledger"]]
-    size = sum(map(abs, truths))
-    if not balls:
-        points = size / 10**9 if found.arithmetic.name == "float64" else size / 10**17
-        points = max(points, Fraction(1, 10**50)) if found.arithmetic.name == "mpmath" else points
-        points += bound(accuracy.dissipated) + bound(accuracy.energy) if accuracy is not None else 0
-        got = parts[0][0] + parts[1][0] - parts[2][0]
-        if abs(got - (truths[0] + truths[1] - truths[2])) > points:
-            yield f"ledger: {short(got)} lost, not {short(truths[0] + truths[1] - truths[2])}"
+    is_ball, (true, *truths) = kind == "ball", numbers([answer["excess"], *answer["ledger"]])
+    slack = 0.0 if is_ball else 1e-25 if accuracy is None else accuracy.energy_excess
+    yield from differing("excess", near(excess, slack), true, abs(true) * FROZEN + NOTHING * (1 + abs(true)))
+    parts, size = [as_ball(one) for one in (ledger.friction, ledger.viscous, ledger.work)], sum(map(abs, truths))
+    if is_ball:
+        for name, got, true in zip(("friction", "viscous", "work"), parts, truths, strict=True):
+            yield from differing(name, got, true, abs(true) * FROZEN_LEDGER + size * NOTHING)
         return
-    for name, (middle, radius), true in zip(("friction", "viscous", "work"), parts, truths, strict=True):
-        if abs(middle - true) > radius + abs(true) * FROZEN_LEDGER + size * NOTHING:
-            yield f"{name}: off by {short(abs(middle - true))}, radius {short(radius)}, of {short(true)}"
+    points = size / 10 ** (9 if kind == "float64" else 17) + (arb("1e-50") if kind == "mpmath" else 0)
+    known = accuracy.dissipated + accuracy.energy if accuracy is not None else 0.0
+    lost, true = (one[0] + one[1] - one[2] for one in (parts, truths))
+    yield from differing("ledger", near(lost, known), true, points)
 
 
 def same(frozen: Any, got: Any) -> bool:
@@ -197,9 +178,9 @@ def same(frozen: Any, got: Any) -> bool:
     if isinstance(got, acb):  # of two conjugates either was frozen first
         return any(same(frozen, [got.real, imag]) for imag in (got.imag, -got.imag))
     if isinstance(got, arb):
-        middle, radius = exact(got)
-        true = Fraction(frozen)
-        return abs(middle - true) <= radius + abs(true) * FROZEN_LEDGER + NOTHING
+        with precision(BITS):
+            (true,) = numbers([frozen])
+            return not [*differing("", got, true, abs(true) * FROZEN_LEDGER + NOTHING)]
     if isinstance(got, dict):
         return set(got) == set(frozen) and all(same(frozen[key], one) for key, one in got.items())
     if isinstance(got, list | tuple):

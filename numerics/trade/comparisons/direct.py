@@ -2,9 +2,10 @@
 
     f = B^2 s/h(s) (1 + slope |s|/b),  h(s) = |B s|,  s = v1 - v2,  Lam = M2 (M1 + M2)^-1 (u - A2 q1 - A1 v1)
 
-Smoothed: h(s)^2 + (b eps)^2 in the place of h(s)^2; eps is the setting, by the pair's own speed. There are no events.
-By events, on a surface: stick until |B^-1 Lam| rises to 1; slip until h(s) is down to a tenth of the root of the
-tolerance with Lam inside K, from where the time left is -h/h' but for O(h^2). A slip begins along B^-2 Lam; its
+Smoothed, by heyoka: h(s)^2 + (b eps)^2 in the place of h(s)^2; eps is the setting, by the pair's own speed, and about
+the error. There are no events.
+By events, by SciPy on a surface: stick until |B^-1 Lam| rises to 1; slip until h(s) is down to a tenth of the root of
+the tolerance with Lam inside K, from where the time left is -h/h' but for O(h^2). A slip begins along B^-2 Lam; its
 direction is frozen for a first step, since h(0) = 0.
 """
 
@@ -33,14 +34,11 @@ class Direct:
         self.m1, self.m2, self.b = (np.atleast_1d(np.array(one, float)) for one in (pair.m1, pair.m2, pair.b))
         self.a1, self.a2 = (np.atleast_2d(np.array(one, float)) for one in (pair.a1, pair.a2))
         self.start = np.hstack([np.array(one, float) for one in (at.x1, at.v1, at.x2, at.v2)])
-        self.waves, self.until = (
-            [[wave for piece in one.pieces for wave in piece.sines] for one in forces],
-            float(scene.until),
-        )
+        self.waves = [[wave for piece in one.pieces for wave in piece.sines] for one in forces]
+        self.until = float(scene.until)
         mass, springs = self.m1 + self.m2, np.diag(self.a2)
         self.share, self.time = self.m2 / mass, math.sqrt(max(mass / springs))
         self.speed = max(self.b / self.share / springs) / self.time
-        self.sizes = np.repeat([self.speed * self.time, self.speed] * 2, len(self.b))
         self.slope = float(weakening.last_slope) / self.b[0] if weakening else 0.0
 
     def load(self, t: Any, y: Vector, sin: Any = math.sin) -> Vector:
@@ -69,49 +67,38 @@ def slip(y: Vector) -> Vector:
     return v1 - v2
 
 
-def arc(pair: Direct, method: str, rtol: float, t: float, until: float, y: Vector, field: Any, **more: Any) -> Any:
-    """Return what SciPy's solve_ivp makes of y' = field(t, y). Raises PeerFailed."""
-    from scipy.integrate import solve_ivp
-
-    found = solve_ivp(field, (t, until), y, method=method, rtol=rtol, atol=rtol * pair.sizes, **more)
-    if not found.success:
-        raise PeerFailed(f"SciPy at t = {found.t[-1]:.9g} s: {found.message}")
-    return found
-
-
-def smoothed(scene: Any, eps: float, integrator: str) -> Call:
-    """Prepare SciPy's Radau or heyoka for the smoothed law; its error is about eps, Radau's tolerance eps/1000."""
-    pair = Direct(scene)
-    least = (eps * pair.speed * max(pair.b)) ** 2
-
-    def field(t: Any, y: Vector, sin: Any = math.sin, sqrt: Any = math.sqrt) -> Vector:
-        return pair.rates(pair.load(t, y, sin), y, pair.friction(slip(y), least, sqrt))
-
-    if integrator == "SciPy":
-
-        def run() -> PeerRun:
-            return PeerRun((), (), arc(pair, "Radau", eps / 1000, 0.0, pair.until, pair.start, field).y[:, -1])
-
-        return run
+def smoothed(scene: Any, eps: float) -> Call:
+    """Prepare heyoka for the smoothed law."""
     import heyoka as hy
 
+    pair = Direct(scene)
     y = np.array(hy.make_vars(*(f"y{k}" for k in range(len(pair.start)))))
-    system = list(zip(y, field(hy.time, y, hy.sin, hy.sqrt), strict=True))
+    friction = pair.friction(slip(y), (eps * pair.speed * max(pair.b)) ** 2, hy.sqrt)
+    system = list(zip(y, pair.rates(pair.load(hy.time, y, hy.sin), y, friction), strict=True))
     one = hy.taylor_adaptive(system, pair.start, tol=1e-15)  # its steps are many: coarser ones add up
 
-    def taylor() -> PeerRun:
+    def run() -> PeerRun:
         one.time, one.state[:] = 0.0, pair.start
         outcome = one.propagate_until(pair.until)[0]
         if outcome != hy.taylor_outcome.time_limit:
             raise PeerFailed(f"heyoka at t = {one.time:.9g} s: {outcome}")
         return PeerRun((), (), one.state.copy())
 
-    return taylor
+    return run
 
 
 def by_events(scene: Any, rtol: float) -> Call:
     """Prepare SciPy's DOP853 from event to event of an ellipsoid."""
+    from scipy.integrate import solve_ivp
+
     pair = Direct(scene)
+    sizes = np.repeat([pair.speed * pair.time, pair.speed] * 2, len(pair.b))
+
+    def arc(t: float, until: float, y: Vector, field: Any, **more: Any) -> Any:
+        found = solve_ivp(field, (t, until), y, method="DOP853", rtol=rtol, atol=rtol * sizes, **more)
+        if not found.success:
+            raise PeerFailed(f"SciPy at t = {found.t[-1]:.9g} s: {found.message}")
+        return found
 
     def stick(t: float, y: Vector) -> Vector:
         load = pair.load(t, y)
@@ -138,9 +125,9 @@ def by_events(scene: Any, rtol: float) -> Call:
             sticks = modes[-1] == "stick"
             if not (sticks or slip(y).any()):
                 begun, along = min(t + 0.01 * math.cbrt(rtol) * pair.time, pair.until), pair.load(t, y) / pair.b**2
-                t, y = begun, arc(pair, "DOP853", rtol, t, begun, y, sliding, args=(along,)).y[:, -1]
+                t, y = begun, arc(t, begun, y, sliding, args=(along,)).y[:, -1]
             field, guard = (stick, inside) if sticks else (sliding, ends)
-            found = arc(pair, "DOP853", rtol, t, pair.until, y, field, events=guard)
+            found = arc(t, pair.until, y, field, events=guard)
             t, y = float(found.t[-1]), found.y[:, -1]
             if found.status == 0:
                 return PeerRun(modes, times, y)

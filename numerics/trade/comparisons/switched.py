@@ -27,7 +27,7 @@ from numerics.trade.comparisons.peer import Call, PeerFailed, PeerRun
 
 Number = Any
 """A number of the integrator's format: float or numpy.longdouble."""
-MAX_EVENTS, MAX_IDLE = 300_000, 100
+MAX_ARCS = 300_000
 
 
 class Span(NamedTuple):
@@ -155,7 +155,7 @@ def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = floa
 def run(pair: SwitchedPair, arc: Arc) -> PeerRun:
     """Run from event to event and from jump to jump. Raises PeerFailed."""
     t = slipped = lost = pair.zero
-    load, v1, gap, mode, idle = pair.load, pair.v1, pair.gap, pair.mode, 0
+    load, v1, gap, mode, arcs = pair.load, pair.v1, pair.gap, pair.mode, 0
     modes, times = [mode], list[Number]()
     for before, span in zip([pair.spans[0], *pair.spans], pair.spans, strict=False):
         held, turned, after = span.held, 0, mode
@@ -172,9 +172,9 @@ def run(pair: SwitchedPair, arc: Arc) -> PeerRun:
             s = mode or turned or (1 if pair.load_rate(span, t, load, v1) > 0 else -1)
             start = [held - s * load, s * v1, s * gap, pair.zero, *pair.viscous]
             met, at, (room, v, g, z, *viscous) = arc(mode != 0, span, s, t, start)
-            idle = idle + 1 if at <= t else 0
-            if idle > MAX_IDLE or len(times) > MAX_EVENTS:
-                raise PeerFailed(f"{len(times)} events by t = {t:.9g} s, {idle} arcs on the spot")
+            arcs += 1
+            if arcs > MAX_ARCS:
+                raise PeerFailed(f"{len(times)} events by t = {t:.9g} s in {arcs} arcs")
             t, load, v1, gap, turned = at, s * (held - room), s * v, s * g, -s
             slipped, lost = slipped + s * z, lost + span.b * z + sum(pair.a1 * one for one in viscous)
             if met:

@@ -9,18 +9,15 @@ import pytest
 from flint import arb, arb_poly
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from plane_paths import agree, path_of, said
 
 from numerics import Force, NotSettled, Piece
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import compiled
 from numerics.errors import EventUndecided
 from numerics.plane import series
-from numerics.plane.linear import LinearRun
 from numerics.plane.polynomial import first_root
-from numerics.plane.reduced import reduced
-from numerics.plane.run import Run
 from numerics.plane.series import expand
-from numerics.plane.system import System
 from numerics.scene.plane import PlanePair, PlaneScene
 
 NUMBERS = ([1, 2], ["0.5", 1], [[200, 60], [60, 120]], ["0.5", "0.1"], [["0.3", "0.1"], ["0.1", "0.2"]])
@@ -28,18 +25,6 @@ START = {"x1": ["0.012", "-0.007"], "v1": ["0.1", "0.05"], "force": [Force.sine(
 BOX = PlaneScene(PlanePair(*NUMBERS, shape="box"), "0.9", **START)
 ELLIPSE = PlaneScene(PlanePair(*NUMBERS), "0.5", **START)
 ROUND = PlaneScene(PlanePair(1, 1, 200, "0.5"), "0.5", x1=["0.012", "0.002"], v1=[0, "0.06"], v2=[0, "0.05"])
-
-
-def said(scene, off=0.0, digits=16):
-    """Events, and state and mode at the end, of all that begin within `off` of a scene in N."""
-    kind = LinearRun if scene.pair.shape == "box" else Run
-    run = kind(System(reduced(scene), digits), 100, 2000)
-    with run.system.fine():
-        run.norm = arb(off)
-        run.apart = (run.system.soft * run.norm).each(arb.upper)
-    run.follow()
-    with run.system.fine():
-        return run.events, run.states.at(Ball.number(scene.until)), run.mode
 
 
 def moved(scene, name, axis, by):
@@ -53,21 +38,6 @@ def moved(scene, name, axis, by):
 def changed(scene, **new):
     parts = {name: getattr(scene, name) for name in ("x1", "v1", "x2", "v2", "until", "force", "friction")}
     return PlaneScene(scene.pair, **(parts | new))
-
-
-def agree(one, two):
-    """Whether two answers may be of the same motion."""
-    (events, end, mode), (others, other_end, other_mode) = one, two
-    if mode != other_mode or [(e.before, e.after) for e in events] != [(e.before, e.after) for e in others]:
-        return False
-    pairs = [
-        pair
-        for a, b in zip(events, others, strict=True)
-        for pair in [(a.t, b.t), *zip(a.load, b.load, strict=True), *zip(a.direction, b.direction, strict=True)]
-    ]
-    states = [(a.y, b.y) for a, b in zip(events, others, strict=True)] + [(end, other_end)]
-    pairs += [pair for a, b in states for p, q in zip(a, b, strict=True) for pair in zip(p, q, strict=True)]
-    return all(a.overlaps(b) for a, b in pairs)
 
 
 @pytest.mark.parametrize(("scene", "off"), [(BOX, 1e-9), (ELLIPSE, 1e-13), (ROUND, 1e-13)])
@@ -128,10 +98,10 @@ def test_where_a_slip_ends_with_a_load_that_may_just_be_outside_is_in_doubt():
 def test_what_slips_moves_body_2_while_an_event_is_late():
     """Body 1 is at rest: only the slip says how far body 2 gets."""
     scene = changed(ROUND, v1=[0, 0], v2=["0.3", "0.1"])
-    late, system = Fraction(1, 10**5), System(reduced(scene), 16)
-    run, (_, true, _) = Run(system, 9, 9), said(changed(scene, v1=[0, 0], v2=["0.3", "0.1"], until=late))
-    with system.fine():
-        near = run.states.enclosed(run.at, Ball.number(late), arb(0), system.still)
+    late = Fraction(1, 10**5)
+    run, (_, true, _) = path_of(scene), said(changed(scene, until=late))
+    with run.system.fine():
+        near = run.states.enclosed(run.at, Ball.number(late), arb(0), run.system.still)
         assert all(x.contains(y) for p, q in zip(near, true, strict=True) for x, y in zip(p, q, strict=True))
         assert near.x2[0].rad() < 1e-5
 
@@ -185,7 +155,7 @@ def test_with_a_damper_a_slip_from_the_edge_is_not_sure_for_long():
     """The load rises by little, and the slip itself takes some of that: to second order in the window."""
     start = {"x1": ["0.003", "0.004"], "v1": ["0.02046", "0.02728"]}
     scene = PlaneScene(PlanePair(1, 1, 200, "0.5", 10), 1, **start, v2=start["v1"])
-    run = Run(System(reduced(scene), 16), 9, 9)
+    run = path_of(scene)
     with run.system.fine():
         normal = run.load
         assert run.leaves(normal, arb(1e-6), 2)
@@ -234,7 +204,7 @@ def test_wrong_digits_of_a_series_are_seen_in_the_bound(row, digits, bits):
     """One coefficient, off by 2^-bits of itself, is worth far more than what is left out: N is that much larger."""
 
     def found(off):
-        run = Run(System(reduced(ELLIPSE), digits), 100, 2000)
+        run = path_of(ELLIPSE, digits)
 
         def spoil(table):
             table[row][3] = table[row][3] + table[row][3] * off

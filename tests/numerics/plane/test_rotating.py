@@ -17,10 +17,10 @@ PAIR = PlanePair(1, 1, 200, "0.2", 20)
 SURFACES = [name for name in shipped_scenes() if name.startswith("plane-")]
 
 
-def turning(amplitude, omega, **start):
+def turning(amplitude):
     with Ball(70).context():
         quarter = (arb.pi() / 2).str(60, radius=False)
-    return [Force((Piece(0, [], [Sine(amplitude, omega, quarter)]),)), Force.sine(amplitude, omega)], start
+    return [Force.sine(amplitude, 10, quarter), Force.sine(amplitude, 10)]
 
 
 def on_the_circle(amplitude, digits):
@@ -31,7 +31,7 @@ def on_the_circle(amplitude, digits):
             name: [part.mid().str(digits + 5, radius=False) for part in (one.real, one.imag)]
             for name, one in (("x1", found.q1), ("v1", found.v1), ("v2", found.v2))
         }
-    return found, solve(PlaneScene(PAIR, 1, force=turning(amplitude, 10)[0], **start), digits=digits)
+    return found, solve(PlaneScene(PAIR, 1, force=turning(amplitude), **start), digits=digits)
 
 
 def test_a_slip_goes_round_at_the_constant_speed_of_the_formula_to_forty_digits():
@@ -46,7 +46,7 @@ def test_a_slip_goes_round_at_the_constant_speed_of_the_formula_to_forty_digits(
 
 @pytest.mark.long
 def test_from_rest_every_motion_comes_to_it_to_forty_digits():
-    found, run = rotating_response(PAIR, 2, 10, 50), solve(PlaneScene(PAIR, 85, force=turning(2, 10)[0]), digits=41)
+    found, run = rotating_response(PAIR, 2, 10, 50), solve(PlaneScene(PAIR, 85, force=turning(2)), digits=41)
     with run.context():
         assert abs(acb(*run.final_state.v2) - found.v2 * acb(0, 850).exp()) < arb(10) ** -40
 
@@ -54,7 +54,7 @@ def test_from_rest_every_motion_comes_to_it_to_forty_digits():
 def test_from_rest_it_comes_nearer_at_the_rate_of_the_least_exponent():
     found, gaps = rotating_response(PAIR, 2, 10, 20), []
     for until in (2, 4):
-        run = solve(PlaneScene(PAIR, until, force=turning(2, 10)[0]), digits=15)
+        run = solve(PlaneScene(PAIR, until, force=turning(2)), digits=15)
         with run.context():
             gaps.append(float(abs(acb(*run.final_state.v2) - found.v2 * acb(0, 10 * until).exp())))
     assert gaps[1] / gaps[0] == pytest.approx(float((2 * found.exponents[0].real).exp()), rel=0.5)
@@ -84,8 +84,22 @@ def test_what_is_not_round_has_no_closed_form():
     for pair in (PlanePair(1, 1, 200, ["0.2", "0.3"]), PlanePair(1, 1, 200, "0.2", shape="box")):
         with pytest.raises(InvalidScene, match="only a round pair"):
             thresholds(pair, 10)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        Force.sine(2, 10),
+        Force.sine(1, 11),
+        Force.sine(1, 10, 1),
+        Force.sine(1, 10, start=1),
+        Force([Piece(0, [1], [Sine(1, 10)])]),
+        Force(),
+    ],
+)
+def test_a_force_that_does_not_go_round_has_no_closed_form(wrong):
     with pytest.raises(InvalidScene, match="does not go round"):
-        response(load_scene("plane-slip-turns"))
+        response(PlaneScene(PAIR, 1, force=[turning(1)[0], wrong]))
 
 
 def test_the_commands_know_a_surface(capsys):

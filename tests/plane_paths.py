@@ -1,0 +1,42 @@
+"""Paths on a surface, and whether two answers may be of the same motion."""
+
+from typing import Any
+
+import numpy as np
+from flint import arb
+
+from numerics import PlaneScene
+from numerics.arithmetic.ball import Ball
+from numerics.plane.linear import LinearRun
+from numerics.plane.reduced import reduced
+from numerics.plane.run import Run
+from numerics.plane.system import System
+
+
+def path_of(scene: PlaneScene, digits: int = 16, events: int = 100, legs: int = 2000) -> LinearRun:
+    """A path that nobody has followed yet."""
+    kind = LinearRun if scene.pair.shape == "box" else Run
+    return kind(System(reduced(scene), digits), events, legs)
+
+
+def said(scene: PlaneScene, off: float = 0.0, digits: int = 16) -> tuple[Any, ...]:
+    """Events, and state and mode at the end, of all that begin within `off` of a scene in N."""
+    run = path_of(scene, digits)
+    with run.system.fine():
+        run.norm = arb(off)
+        run.apart = (run.system.soft * run.norm).each(arb.upper)
+    run.follow()
+    with run.system.fine():
+        return run.events, run.states.at(Ball.number(scene.until)), run.mode
+
+
+def overlap(one: Any, two: Any) -> bool:
+    """Whether balls have points in common, all of two sequences of them; whether all else is equal."""
+    if isinstance(one, tuple | list | np.ndarray):
+        return len(one) == len(two) and all(map(overlap, one, two))
+    return bool(one.overlaps(two) if isinstance(one, arb) else one == two)
+
+
+def agree(one: tuple[Any, ...], two: tuple[Any, ...]) -> bool:
+    """Whether events, and all else that two answers say, may be of the same motion."""
+    return overlap(*([[[*vars(event).values()] for event in events], *rest] for events, *rest in (one, two)))
