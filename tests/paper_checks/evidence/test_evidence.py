@@ -121,9 +121,7 @@ def test_steps_of_a_corrected_claim_speak_about_what_they_carry(about):
 
     @claim("a", "II", "w", AMENDED, said, correction=(corrected,))
     def one():
-        return because(
-            "r", counterexample("c", EXACT), carried(about, argument("so", EXACT)), correction(EXACT)
-        )
+        return because("r", counterexample("c", EXACT), carried(about, argument("so", EXACT)), correction(EXACT))
 
     found = one.decide()
     assert found.verdict is AMENDED
