@@ -76,6 +76,9 @@ def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tm
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
     assert captured.err == "paper_checks: the figure lost is not known\n"
+    planted(tmp_path)  # writes the file
+    main(["report", "--out", str(tmp_path / "other"), "--trade", str(tmp_path / "planted.json")])
+    assert "Measured once: Abacus" in (tmp_path / "other" / "pages" / "speed-and-accuracy.html").read_text("utf-8")
     assert main(["report", "stiction-bracket", "--out", str(tmp_path)]) == 0
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert 'data-row="stiction-bracket"' in page
@@ -121,12 +124,6 @@ def test_what_cannot_be_reported_is_one_line_before_anything_runs(
     assert said.startswith("paper_checks: ")
     assert told in said
     assert said.count("\n") == 1
-
-
-def test_the_report_takes_another_trade(small, capsys, tmp_path):
-    planted(tmp_path)  # writes the file
-    main(["report", "--out", str(tmp_path), "--trade", str(tmp_path / "planted.json")])
-    assert "Measured once: Abacus" in (tmp_path / "pages" / "speed-and-accuracy.html").read_text("utf-8")
 
 
 @pytest.mark.parametrize(

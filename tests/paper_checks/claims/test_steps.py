@@ -169,13 +169,14 @@ def test_bounds_of_the_error_next_to_the_edge(relation, right, passed):
 
 
 def test_samples_that_neither_merge_nor_creep_turn_the_dichotomy(plant):
-    """An excess that grows, or one of many that does what none of them may."""
+    """An excess that grows, a slip below E_cr, or one of many that does what none of them may."""
     runs = map(solve, samples.scenes(0, 20))
     creeping = next(one for one in runs if one.status is not Status.STUCK_FOR_EVER and one.modes.count(Mode.STICK) > 2)
     assert samples._merged_or_creeping(creeping)
     backwards = creeping.but()
     backwards.__dict__["events"] = creeping.events[::-1]
     assert not samples._merged_or_creeping(backwards)
+    assert not samples._merged_or_creeping(solve(replace(MERGES, until=Fraction(1, 5))))  # 3 ms before they merge
     plant("paper_checks.decide.samples._merged_or_creeping", lambda _: lambda one: one.final.w > 0)
     assert decide(CHECKS["dichotomy"], Context()).verdict is Verdict.UNDECIDED
 

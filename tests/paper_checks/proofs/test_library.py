@@ -193,7 +193,7 @@ def test_what_nobody_read_turns_a_theorem():
     assert not problem(fine)
     assert "does not say what is pinned" in problem(fine, found=dataclasses.replace(pin, statement="True"))
     assert "not signed" in problem(fine, "sharp-law")
-    assert problem(fine, another="fun x => x")
+    assert "not defined as pinned" in problem(fine, another="fun x => x")
     for wrong in ("Critical.easy", "Classical_Prop.another", "bad is assumed to be guarded."):
         assert wrong in problem([wrong, *fine])
         assert wrong in problem([*fine, wrong])
