@@ -153,15 +153,19 @@ def holds(enclosure, truth):
 
 @given(st.integers(51, 99), st.integers(1, 50), st.integers(5, 300), st.integers(50, 400))
 def test_a_short_slip_loses_no_more_than_its_bound(share, reach, push, excess):
-    """Slips from gaps up to `reach` with push < 0, by the excess of the ray that follows."""
+    """Slips from gaps up to `reach` with push < 0, by the excess of the ray that follows; before it is known to 1/100.
+
+    @example of a weak test: what was known by bounds only before was always known exactly.
+    """
     share, reach, push, excess = (n / 100 for n in (share, reach, -push, excess))
     with Ball(16).context():
         exactly = Fraction(share).limit_denominator(100)
         run = merging_cell._CellRun((exactly, exactly), (Fraction(1, 10),) * 2)
-        start = run._short_slip(arb(reach), arb(push), run.w.constant(arb(excess)))
-        for gap in (reach / 3, reach) if start else ():
+        before = run.w.constant(arb(excess)) + run.free * run.w.constant(arb(1) / 100)
+        start = run._short_slip(arb(reach), arb(push), before)
+        for gap, off in product((reach / 3, reach), (-0.01, 0.01)) if start else ():
             deep = depth(slip_angle(gap, push))
-            assert holds(start[2].value, excess - share * deep * (deep + 2 * gap))
+            assert holds(start[2].value, excess + off - share * deep * (deep + 2 * gap))
 
 
 hundredths = st.integers(1, 300).map(lambda n: n / 100)
