@@ -10,15 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from numerics.free import start
 from numerics.linear.record import AT, BOUNDS, How
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
-SI = start.SI._fields
-"""The numbers of a scene."""
+SI = ("m1", "m2", "a2", "b", *STATE, "until", "a1")
+"""The numbers of a scene, as the compiled engines take them (free/start.py)."""
 _UNIT, _LARGEST = ROUNDING["float64"], 2**1023
 
 
