@@ -67,7 +67,7 @@ class Transfer(ShortRepr):
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
-    >>> found.least_amplitude, found.fastest, found.claim().ends["v2"][0]
+    >>> found.least_amplitude, found.fastest, found.claim().ends["v2"]
     (None, 'no control that keeps the margin is faster: friction is at it all the time', 0)
     """
 

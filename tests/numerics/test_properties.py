@@ -77,7 +77,10 @@ def test_other_units_change_a_run_within_its_bounds(scene, k, n):
         Force((force * scene.force).pieces),
         Friction([(start, b * force) for start, b in scene.friction.pieces]),
     )
-    one, two = (solve(each, arithmetic="float64", max_events=30) for each in (scene, other))
+    try:
+        one, two = (solve(each, arithmetic="float64", max_events=30) for each in (scene, other))
+    except (EventUndecided, OutOfRange):  # on a tie, or a damper that is far too steep for float64
+        raise LeftOut from None
     if not (one.certain and two.certain):
         raise LeftOut
     assert one.modes == two.modes
