@@ -19,12 +19,15 @@ from numerics.trajectory.status import Status
 
 SI = start.SI._fields
 """The numbers of a scene."""
-_UNIT, _LARGEST = ROUNDING["float64"], 2**1023
+_UNIT = ROUNDING["float64"]
 
 
 def near(x: Fraction) -> float:
     """Return the float next to an exact number, nan beyond their range."""
-    return float(x) if abs(x) < _LARGEST else math.nan
+    try:
+        return float(x)
+    except OverflowError:
+        return math.nan
 
 
 class Ends:
