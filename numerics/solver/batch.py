@@ -18,12 +18,15 @@ from numerics.trajectory.status import Status
 
 SI = ("m1", "m2", "a2", "b", *STATE, "until", "a1")
 """The numbers of a scene, as the compiled engines take them (free/start.py)."""
-_UNIT, _LARGEST = ROUNDING["float64"], 2**1023
+_UNIT = ROUNDING["float64"]
 
 
 def near(x: Fraction) -> float:
     """Return the float next to an exact number, nan beyond their range."""
-    return float(x) if abs(x) < _LARGEST else math.nan
+    try:
+        return float(x)
+    except OverflowError:
+        return math.nan
 
 
 class Ends:

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
+from numerics.free.engine import scene_row
 from numerics.free.rows import UNKNOWN
 from numerics.linear.pieces import Known
 from numerics.linear.record import AT, END_ROW, ROW, How
@@ -38,7 +39,7 @@ from numerics.solver.rows import (
 )
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import Floats
-from numerics.trajectory.run import MAX_EVENTS
+from numerics.trajectory.run import MAX_EVENTS, free_scene
 
 if TYPE_CHECKING:
     from numerics.solver.plane_batch import PlaneBatch
@@ -184,7 +185,7 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     def run(part: slice, kept: Floats, ends: Floats) -> None:
         solve_prepared(given[part], max_events, kept, ends)
 
-    numbers = np.array([[near(one) for one in _numbers_in(scene)] for scene in given])
+    numbers = np.array([_numbers_in(scene) for scene in given])
     kept, ends = _solved(run, given.__getitem__, np.array([scene.changes_later for scene in given], bool), limits)
     return Batch(numbers.reshape(-1, len(SI)), ends, kept, (len(given),))
 
@@ -199,10 +200,14 @@ def _fits_in_columns(friction: Any) -> bool:
     return is_held and all(end < 2**80 * one for end, one in zip(starts[1:], lengths, strict=True))
 
 
-def _numbers_in(scene: Scene) -> tuple[Fraction, ...]:
-    """Return the SI numbers of a scene, exact."""
+def _numbers_in(scene: Scene) -> Any:
+    """Return the SI numbers of a scene as floats, nan beyond their range."""
+    row = scene_row(scene) if free_scene(scene) else None
+    if row is not None:
+        return row[::2]
     pair, at = scene.pair, scene.initial
-    return pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
+    numbers = pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
+    return [near(one) for one in numbers]
 
 
 def _scene(

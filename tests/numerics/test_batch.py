@@ -189,6 +189,15 @@ def test_one_friction_by_pieces_beside_sines_is_what_the_scenes_are_by_themselve
             require_alone(found, k, Scene(pair, start, end, force=force, friction=friction), within=1e-9)
 
 
+def test_no_stick_is_for_ever_where_friction_changes_at_the_horizon_or_after_it():
+    for jump, ended in ((2, Status.STUCK_FOR_EVER), (5, Status.REACHED_HORIZON), (7, Status.REACHED_HORIZON)):
+        friction = Friction([(jump, "0.5")])
+        found = solve_many(**PAPER, v1=0.125, a1=3, until=[5], friction=friction)
+        scene = Scene(Pair(1, 1, 200, "0.5", 3), State(v1="0.125"), 5, friction=friction)
+        assert found.status[0] == solve_scenes([scene]).status[0] == ended
+        require_alone(found, 0, scene)
+
+
 def test_friction_of_the_state_is_solved_in_balls_whose_radii_are_the_bounds():
     friction = Friction([("0.3", "0.7")], Weakening([("0.1", "0.4")], 0))
     scene = Scene(Pair(1, 1, 200, "0.5", 1), State(v1="0.3"), 2, force=Force.sine("0.4", 5), friction=friction)

@@ -20,7 +20,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.control import attraction
 from numerics.control.answers import rounded, solved_again
 from numerics.control.attraction import passage_at, passages, slide_left
-from numerics.control.orbit import Orbit, one_round, solve_orbit
+from numerics.control.orbit import Box, Orbit, one_round, solve_orbit
 from numerics.control.response import Regime
 from numerics.linear.system import LinearMode, W
 
@@ -142,6 +142,12 @@ def test_what_is_left_holds_the_sum_of_a_map_that_shrinks_by_a_known_factor(fact
         else:
             with pytest.raises(EventUndecided, match="shrink"):
                 slide_left(orbit, t, arb(reach))
+
+
+def test_a_number_of_a_box_is_known_within_its_radius():
+    box = Box(20, arb("1e-3"))
+    with box.context():
+        assert box.number(Fraction(2)).contains(arb("2.000999"))
 
 
 def test_the_box_holds_every_state_within_reach(monkeypatch):
