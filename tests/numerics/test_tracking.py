@@ -87,12 +87,9 @@ def test_the_largest_size_bounds_samples_and_is_reached(coefficients, omega, amp
 @pytest.mark.parametrize(
     ("reference", "state", "named"),
     [
-        ((), {}, "from = 0"),
         ((Piece(1, [0]),), {}, "from = 0"),
-        ((Piece(0, [1]),), {}, r"r\(0\)"),
         ((Piece(0, [0, 1]),), {}, r"r'\(0\)"),
         ((Piece(0, [0]),), {"v1": 1}, "equal"),
-        ((Piece(0, [0]), Piece(1, [1])), {}, "jumps"),
         ((Piece(0, [0]), Piece(1, [0, 1])), {}, "r' jumps"),
         ((Piece(0, [0]), Piece(1, [0, "-0.1"], [Sine("0.1", 1)])), {}, "jumps"),
     ],

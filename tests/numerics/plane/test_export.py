@@ -70,13 +70,9 @@ def test_what_is_no_such_file_is_refused(tmp_path):
     text = kept["header"].tobytes().decode()
     for right, wrong in (
         ('"legs": [[', '"legs": [7, ['),
-        ('"digits"', '"numbers"'),
         ('"float64"', '"mpmath"'),
         ('shape = \\"box\\"', 'shape = \\"star\\"'),
         ('"modes": [', '"modes": ["slip", '),
-        ('"status": ', '"status": 77'),
-        ('"polynomial"', '"polynomials"'),
-        ('"ball"', '"bullet"'),
     ):
         assert right in text
         header = np.frombuffer(text.replace(right, wrong, 1).encode(), dtype=np.uint8)
