@@ -84,6 +84,7 @@ def test_every_number_survives_its_text(value):
         (lambda: Piece(0, 5), "polynomial = '5' must be a list"),
         (lambda: Force.ramp(1, 1, 2), "end - start"),
         (lambda: Force.trapezoid(1, -1, 2, 1, 2), "rise"),
+        (lambda: Force.trapezoid(1, 0, 0, 0, 2), "rise"),
         (lambda: Force.sweep(1, [1, 0], 2), "omega"),
         (lambda: Scene(Pair(1, 1, 1, 1), State(), 1, force=1), "Force"),
         (lambda: Force.step(0, 1) + 1, "unsupported"),

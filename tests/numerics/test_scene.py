@@ -52,7 +52,6 @@ BAD_VALUES = {
     "inf": "inf",
     "text": '"abc"',
     "expression": '"1/0"',
-    "python": '"__import__"',
     "hexadecimal text": '"0x10"',
     "text with a line": '"1\\n2"',
     "date": "1979-05-27",

@@ -55,8 +55,6 @@ TWO_SINES = (Piece(0, [0, "-0.45"], [Sine("0.3", 1), Sine("0.075", 2)]),)
 @pytest.mark.parametrize(
     ("reference", "until", "b", "possible"),
     [
-        ((Piece(0, [0, 0, "0.25"]),), 2, "0.5", True),
-        ((Piece(0, [0, 0, "0.25"]),), 2, "0.49999999999999999999", False),
         ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.5", True),
         ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.49999999999999999999", False),
         (BUMP, 1, "4/27", True),
