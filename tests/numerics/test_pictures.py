@@ -12,8 +12,6 @@ from numerics.trajectory.curve import sampled
 
 mpl.use("Agg")
 
-HOW = [*ARITHMETICS, {"max_events": 3}]
-
 
 @pytest.mark.parametrize("kind", ["velocities", "positions", "load", "force", "phase", "relative", "excess", "energy"])
 @pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK])
@@ -53,7 +51,7 @@ def test_the_load_that_is_drawn_decides_between_stick_and_slip(scene):
     assert np.abs(load[~curve.stick]).max() > curve.b.max()
 
 
-@pytest.mark.parametrize("how", HOW[:1] + HOW[2:])
+@pytest.mark.parametrize("how", [{}, *ARITHMETICS[2:], {"max_events": 3}])
 def test_what_is_drawn_under_a_force_is_the_trajectory(how):
     run = solve(FORCED, **how)
     curve, number = sampled(run), run.arithmetic.to_float

@@ -76,7 +76,8 @@ def test_bad_values_are_refused_in_one_line(name, kind):
         return
     if name == "a1" and kind == "zero":
         return
-    text = VALID.replace("[run]", "[run]\nlaw = 1").replace("[pair]", "[pair]\na1 = 1")
+    text = VALID.replace("[run]", "[run]\nlaw = 'filippov'").replace("[pair]", "[pair]\na1 = 1")
+    assert parse_scene(text)
     lines = [f"{name} = {BAD_VALUES[kind]}" if line.startswith(f"{name} =") else line for line in text.splitlines()]
     require_refusal("\n".join(lines))
 
