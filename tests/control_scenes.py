@@ -1,6 +1,5 @@
 """Scenes and answers of numerics/control; both handed to the independent reference, which shares no equation."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -59,10 +58,10 @@ def started(orbit: Orbit, begin: Fraction) -> list[Fraction]:
         return [rounded(one) for one in (x1, v1, v1 if v1.overlaps(v2) else v2)]
 
 
-def one_period(orbit: Orbit, moved: Sequence[Fraction] = (Fraction(0),) * 3, begin: Fraction | None = None) -> Scene:
-    """One period of a periodic motion from a time, or from the middle of its first leg, its start moved."""
-    begin = middle(orbit) if begin is None else begin
-    x1, v1, v2 = (at + by for at, by in zip(started(orbit, begin), moved, strict=True))
+def one_period(orbit: Orbit) -> Scene:
+    """One period of a periodic motion from the middle of its first leg."""
+    begin = middle(orbit)
+    x1, v1, v2 = started(orbit, begin)
     piece = orbit.drive.piece
     sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in piece.sines]
     with Ball(50).context():

@@ -73,32 +73,24 @@ def test_npz_holds_plain_arrays(run, scene_file, tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["run.npz", "scene.toml"]
 
 
-@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
-def test_plots(run, scene_file, tmp_path, suffix):
-    assert run("solve", scene_file, "--plot", tmp_path / f"run{suffix}")[0] == 0
-    assert (tmp_path / f"run{suffix}").stat().st_size > 1000
+@pytest.mark.parametrize("name", ["run.svg", "run.pdf", "run.png"])
+def test_plots(run, scene_file, tmp_path, name):
+    assert run("solve", scene_file, "--plot", tmp_path / name)[0] == 0
+    assert (tmp_path / name).stat().st_size > 1000
 
 
 def test_the_table_and_the_list(run):
     code, out, err = run("solve", "velocities")
-    assert (code, err) == (0, "")
-    assert "entry" in out or "stick" in out
-    out = run("scenes")[1]
-    names = [line.split()[0] for line in out.splitlines()]
-    assert names == list(shipped_scenes())
-    assert all(len(line.split()) > 4 and "#" not in line for line in out.splitlines())  # each is told in a sentence
-    code, out, _ = run("--version")
-    assert (code, out.split()[0]) == (0, "inertial-pair")
+    assert (code, "entry" in out or "stick" in out, err) == (0, True, "")
+    assert [line.split()[0] for line in run("scenes")[1].splitlines()] == list(shipped_scenes())
+    assert run("--version")[1].split()[0] == "inertial-pair"
 
 
-@pytest.mark.parametrize("command", [["solve", "-", "--json"], ["energy", "-", "--at", "2", "--json"]])
-def test_a_scene_is_read_from_standard_input(run, monkeypatch, scene_file, command):
+def test_a_scene_is_read_from_standard_input(run, monkeypatch, scene_file):
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(SCENE.encode())))
-    piped = run(*command)
-    assert piped == run(command[0], scene_file, *command[2:])
-    assert piped[0] == 0
+    assert run("solve", "-", "--json") == (0, run("solve", scene_file, "--json")[1], "")
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"m1 = ")))
-    code, out, err = run(*command)
+    code, out, err = run("solve", "-")
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert "standard input is not a TOML scene" in err
 
@@ -165,6 +157,8 @@ solve velocities --plot folder.svg | is a folder
 solve velocities --npz absent/x.npz | does not exist
 solve velocities --plot x | must end in one of
 ring velocities --radius -1 | radius = -1
+trade --only nobody | fits no contender
+trade --out no-such-folder/figure.png | does not exist
 """
 
 
@@ -180,21 +174,10 @@ def test_bad_usage_is_told_in_one_line_with_what_was_meant(run, monkeypatch, tmp
     assert len(list(tmp_path.rglob("*"))) == 2
 
 
-@pytest.mark.parametrize("content", [b"", SCENE.encode("utf-16"), SCENE.replace("m1 = 1", "m1 = true").encode()])
-def test_an_invalid_scene_is_one_line_and_exit_code_2(run, tmp_path, content):
-    """Of what is refused, test_scene.py has the whole list."""
-    path = tmp_path / "scene.toml"
-    path.write_bytes(content)
-    code, out, err = run("solve", path)
-    assert (code, out, err[:7], err.count("\n")) == (2, "", "error: ", 1)
-
-
 @pytest.mark.parametrize(
     ("module", "command"),
     [
         ("matplotlib", ["solve", "velocities", "--plot", "figure.svg"]),
-        ("matplotlib", ["map", "--out", "figure.svg"]),
-        ("rich", ["audit"]),
         ("rich", ["trade"]),
     ],
 )
@@ -223,23 +206,12 @@ def test_a_shell_completes_commands_flags_and_scenes(monkeypatch):
 
 def test_the_real_process(tmp_path):
     (tmp_path / "bad.toml").write_text("[pair]\nm1 = nan\n")
-    process = subprocess.run(
-        [sys.executable, "-m", "numerics", "solve", "bad.toml"],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert (process.returncode, process.stdout, process.stderr.count("\n")) == (2, "", 1)
+    program = [sys.executable, "-m", "numerics", "solve"]
+    wrong = subprocess.run([*program, tmp_path / "bad.toml"], capture_output=True, text=True, check=False)
+    assert (wrong.returncode, wrong.stdout, wrong.stderr.count("\n")) == (2, "", 1)
     with open("/dev/full", "w") as full:
-        process = subprocess.run(
-            [sys.executable, "-m", "numerics", "solve", "start-at-6mm"],
-            stdout=full,
-            stderr=subprocess.PIPE,
-            check=False,
-        )
-    assert process.returncode == 1
-    assert process.stderr.count(b"\n") == 1
+        cut = subprocess.run([*program, "start-at-6mm"], stdout=full, stderr=subprocess.PIPE, check=False)
+    assert (cut.returncode, cut.stderr.count(b"\n")) == (1, 1)
 
 
 # what a terminal shows, and errors, which name the argument that helps
@@ -278,7 +250,6 @@ def test_a_narrow_terminal_breaks_no_line_and_loses_no_digit(run, monkeypatch, s
     [
         ("--max-digits", ("solve", "velocities", "--digits", 500, "--max-digits", 100)),
         ("--max-events", ("solve", "velocities", "--max-events", 2)),
-        ("--max-digits", ("energy", "start-with-speed", "--at", "1e50", "--digits", 200, "--max-digits", 100)),
         ("--max-steps", ("energy", "start-with-speed", "--at", "1e50", "--max-steps", 3)),
     ],
 )

@@ -29,10 +29,8 @@ def file_of(tmp_path):
     [
         (DAMPED, "12", "0.2", "entrained", 0, "below U**"),
         (DAMPED, "12", "0.5", "stick-slip", 4, "below U**"),
-        (DAMPED, "12", "2", "non-stop", 2, "yes"),
         # U** = 11.76 N, but the relative velocity of the motion without stops keeps its sign from 28.5 N on only
         (FREE, "4.624", "5", "stick-slip", 4, "below U**"),
-        (FREE, "4.624", "15", "stick-slip", 6, "turns back"),
         (FREE, "4.624", "-15", "stick-slip", 6, "turns back"),
         (FREE, "4.624", "30", "non-stop", 2, "yes"),
     ],
@@ -61,20 +59,17 @@ def test_response_tells_every_motion_of_a_falling_friction(monkeypatch, output, 
     several = answer(LIGHTLY, "0.45", 14, FALLING)
     monkeypatch.setattr("numerics.control.response.response", lambda *_, **__: several)
     found, lines = (how("response", "forced-sine-stick-slip") for how in (record, output))
-    assert [one["regime"] for one in found["motions"]] == ["entrained", "non-stop", "non-stop"]
-    assert [len(one["events"]) for one in found["motions"]] == [0, 2, 2]
+    told = [(one["regime"], len(one["events"])) for one in found["motions"]]
+    assert told == [("entrained", 0), ("non-stop", 2), ("non-stop", 2)]
     assert (lines.splitlines()[0], found["is_all"], found["starts"]) == (several.sentence, False, several.starts)
     assert all("slips_for_ever" not in one for one in found["motions"])
     assert [line[:2] for line in lines.splitlines() if line[1] == ":"] == ["1:", "2:", "3:"]
 
 
 def test_a_terminal_sees_what_is_being_done(run, monkeypatch):
-    words = "ring", "start-with-speed", "--radius", 1
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    code, _, err = run(*words)
+    code, _, err = run("ring", "start-with-speed", "--radius", 1)
     assert (code, "following the motion to t = " in err, err[-4:]) == (0, True, "\r\033[K")
-    monkeypatch.undo()
-    assert run(*words)[2] == ""
 
 
 WINDOW = ("--amplitude", "0.1", 10, "--omega", 4, 40, "--depth", 3)

@@ -55,8 +55,6 @@ TWO_SINES = (Piece(0, [0, "-0.45"], [Sine("0.3", 1), Sine("0.075", 2)]),)
 @pytest.mark.parametrize(
     ("reference", "until", "b", "possible"),
     [
-        ((Piece(0, [0, 0, "0.25"]),), 2, "0.5", True),
-        ((Piece(0, [0, 0, "0.25"]),), 2, "0.49999999999999999999", False),
         ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.5", True),
         ((Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),), 4, "0.49999999999999999999", False),
         (BUMP, 1, "4/27", True),
@@ -87,12 +85,9 @@ def test_the_largest_size_bounds_samples_and_is_reached(coefficients, omega, amp
 @pytest.mark.parametrize(
     ("reference", "state", "named"),
     [
-        ((), {}, "from = 0"),
         ((Piece(1, [0]),), {}, "from = 0"),
-        ((Piece(0, [1]),), {}, r"r\(0\)"),
         ((Piece(0, [0, 1]),), {}, r"r'\(0\)"),
         ((Piece(0, [0]),), {"v1": 1}, "equal"),
-        ((Piece(0, [0]), Piece(1, [1])), {}, "jumps"),
         ((Piece(0, [0]), Piece(1, [0, 1])), {}, "r' jumps"),
         ((Piece(0, [0]), Piece(1, [0, "-0.1"], [Sine("0.1", 1)])), {}, "jumps"),
     ],
