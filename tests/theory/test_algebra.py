@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given, settings
 from strategies import trigonometric_quotients
-from sympy import Integer, Symbol, asin, cancel, cos, exp, expand, limit, pi, series, sin, solve, sqrt, symbols
+from sympy import Symbol, asin, cancel, cos, exp, expand, limit, pi, series, sin, solve, sqrt, symbols
 
 from theory import excursion, power_series
 from theory.fraction import factored, in_lowest_terms
@@ -13,19 +13,6 @@ from theory.symbols import a2, b, epsilon, m1, m2, q, theta, v1, x1
 
 free = Symbol("c", real=True)
 x, y = symbols("x y")
-
-
-@pytest.mark.parametrize(
-    "expression",
-    [
-        (a2**2 - b**2) / (a2 * m1 + b * m1),
-        1 / (1 / m1 + 1 / m2) - m1 * m2 / (m1 + m2),
-        (1 - cos(theta)) / (sin(theta) * (1 - cos(theta)) ** 2) + sqrt(a2) ** 3 / (a2 * sqrt(a2)),
-        Integer(6) / 4,
-    ],
-)
-def test_lowest_terms_are_written_as_cancel_writes_them(expression):
-    assert in_lowest_terms(expression) == cancel(expression)
 
 
 @given(trigonometric_quotients())
