@@ -82,6 +82,7 @@ def test_a_vacuous_statement_proves_nothing(given):
         sp.sin(x) <= 1,
         x > 0.1,
         1 / x < 2,
+        sp.sqrt(m) > 2,
         sp.Symbol("c") > 0,
         sp.Symbol("k", integer=True) > 0,
         sp.Symbol("x", positive=True) < x,
