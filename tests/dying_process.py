@@ -1,7 +1,6 @@
 """What a process that decides rows or draws figures may do wrong; importable by it, wherever it is started."""
 
 import os
-import signal
 
 from numerics.trade.recorded import Trade
 from paper_checks.report.output import parts
@@ -13,11 +12,6 @@ from paper_checks.running.runner import Context
 def dies_of_energy_rate(name: str, context: Context) -> Plain:
     """Decide a row, and end without a word when asked for the row `energy-rate`."""
     return os._exit(7) if name == "energy-rate" else workers.decided(name, context)
-
-
-def tells_what_ctrl_c_does(name: str, context: Context) -> bool:
-    """Answer each row with whether Ctrl-C is blocked, though nothing of ours has said so in this process."""
-    return signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ())
 
 
 def dies_of_two_bodies(part: parts.Part, trade: Trade) -> parts.Made:

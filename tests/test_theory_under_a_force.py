@@ -38,8 +38,9 @@ def close(found, expected, digits=12):
 
 def swing_letters(pair, omega):
     """Return decay, frequency and what half a period leaves, for a pair whose body 1 swings."""
-    lam = sp.Rational(str(pair.a1)) / (2 * sp.Rational(str(pair.m1)))
-    nu = sp.sqrt(sp.Rational(str(pair.a2)) / sp.Rational(str(pair.m1)) - lam**2)
+    values = letters(pair)
+    lam = values[a1] / (2 * values[m1])
+    nu = sp.sqrt(values[a2] / values[m1] - lam**2)
     left = sp.exp(-sp.pi * lam / sp.Rational(str(omega)))
     return {response.decline: lam, response.swing: nu, response.decayed: left}
 

@@ -45,17 +45,6 @@ def test_a_cache_that_cannot_be_written_keeps_nothing(tmp_path):
     assert store.get("one.json") is None
 
 
-def test_the_oldest_states_are_forgotten(tmp_path):
-    store = Store("rows", "now", tmp_path)
-    store.forget_old()  # before anything was kept
-    for number in range(12):
-        (tmp_path / f"old{number}").mkdir()
-    store.put("one.json", b"")
-    store.forget_old()
-    assert len(list(tmp_path.iterdir())) == 8
-    assert store.get("one.json") == b""
-
-
 def test_the_hash_of_files_tells_what_stands_where(tmp_path):
     """@example of a found fault: a file that moves to another folder, its name kept, left the hash as it was."""
 

@@ -35,14 +35,6 @@ def test_an_inexact_value_is_refused():
         value_at(x, {})
 
 
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [("-1/200", "-0.005"), ("-12", "-12"), ("1/3", "1/3")],
-)
-def test_a_value_is_shown_exactly(value, text):
-    assert value_at(x, {x: sp.Rational(value)}) == text
-
-
 def test_a_point_and_its_scene_are_the_same_state():
     for point in (START_AT_6MM, EDGE):
         scene = scene_at(point, "5")

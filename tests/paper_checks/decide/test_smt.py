@@ -57,8 +57,6 @@ def test_a_sign_that_sympy_leaves_open_is_left_open():
     ("given", "conclusion"),
     [
         ([x >= 1], x**2 > 1),
-        ([], x**3 >= 0),
-        ([x < y], x**2 < y**2),
         ([], sp.false),
         ([sp.Eq(x, 2)], x**5 <= 31),
         ([sp.Eq(x**2, 2)], x > 0),
@@ -85,7 +83,6 @@ def test_a_vacuous_statement_proves_nothing(given):
         x > 0.1,
         1 / x < 2,
         sp.sqrt(m) > 2,
-        sp.pi * x > 1,
         sp.Symbol("c") > 0,
         sp.Symbol("k", integer=True) > 0,
         sp.Symbol("x", positive=True) < x,

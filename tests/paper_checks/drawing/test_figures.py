@@ -7,7 +7,6 @@ import pytest
 
 from numerics import load_scene, solve
 from numerics.linear.modes import EventKind
-from paper_checks.drawing.captions import CAPTIONS, caption
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.drawing.style import MARKERS
 from paper_checks.report.formats import vector
@@ -31,13 +30,6 @@ def texts(figure):
     """All texts of all legends."""
     legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes)]
     return {text.get_text() for legend in legends if legend for text in legend.get_texts()}
-
-
-def test_every_figure_has_a_title_and_a_caption_that_says_what_to_see():
-    assert set(PAPER) <= set(FIGURES) <= set(CAPTIONS)
-    for title, text in map(caption, FIGURES):
-        assert title[0].isupper()
-        assert (title[-1] == ".", text[-1]) == (False, ".")
 
 
 @pytest.mark.parametrize("name", [name for name in FIGURES if name not in WORDLESS])

@@ -54,20 +54,6 @@ BOTH = (COUNTER, CORRECTION)
 @pytest.mark.parametrize(
     ("verdict", "steps", "more"),
     [
-        (HOLDS, (EXACT,), {}),
-        (REFUTED, (EXACT, *BOTH), CORRECTED),
-        (AMENDED, BOTH, CORRECTED),
-        (UNDECIDED, (SAMPLE,), {"missing": "a proof"}),
-        (UNCHECKED, (), {"missing": "a proof"}),
-    ],
-)
-def test_a_supported_finding_of_each_verdict_can_be_built(verdict, steps, more):
-    assert conclude(verdict, "r", *steps, **more) == Finding(verdict, "r", steps, **more)
-
-
-@pytest.mark.parametrize(
-    ("verdict", "steps", "more"),
-    [
         (HOLDS, (), {}),
         (HOLDS, (SAMPLE,), {}),
         (HOLDS, (EXACT.as_support(),), {}),

@@ -5,7 +5,6 @@ import signal
 import subprocess
 import sys
 import time
-from contextlib import ExitStack
 
 import pytest
 
@@ -31,30 +30,6 @@ def test_what_is_compiled_is_compiled_once(tmp_path):
     again = compiled(tmp_path)
     assert (again.anew, again.broken) == (0, {})
     assert compiled(tmp_path, high=HIGH + "(* changed *)").anew == 1
-
-
-def test_what_was_used_longest_ago_is_forgotten(tmp_path, monkeypatch):
-    monkeypatch.setattr(kernel, "_FOLDERS", 2)
-    compiled(tmp_path)
-    (tmp_path / ".compiling-killed").mkdir()
-    for one in tmp_path.iterdir():
-        os.utime(one, (0, 0))
-    with kernel.locked(tmp_path):
-        assert compiled(tmp_path, high=HIGH + "(* changed *)").anew == 1  # `Low` was used just now
-    assert len([one for one in tmp_path.iterdir() if one.is_dir()]) == 2
-    assert compiled(tmp_path, high=HIGH + "(* changed *)").anew == 0
-
-
-def test_who_waits_for_another_process_says_so(tmp_path):
-    said, first = [], ExitStack()
-    first.enter_context(kernel.locked(tmp_path))
-
-    def told(*words):
-        said.append(words)
-        first.close()
-
-    with kernel.locked(tmp_path, told):
-        assert said == [(0, 0, "wait for another process that compiles them")]
 
 
 def test_a_broken_proof_is_named_and_so_is_what_rests_on_it(tmp_path):

@@ -24,7 +24,6 @@ type("no such word");
 location.hash = OPENED;
 await wait(200);
 found.targeted = [row.hidden, below().parentElement.hidden];
-found.filters = [...form.querySelectorAll("select")].map((one) => [one.id, [...one.options].map(({ value }) => value)]);
 const choose = (name, value) => {
   const one = document.getElementById(`filter-${name}`);
   one.value = value;
@@ -33,6 +32,4 @@ const choose = (name, value) => {
 };
 found.chosen = [choose("verdict", "refuted"), choose("verdict", "")];
 found.shown = document.getElementById("shown").textContent;
-const spread = (one) => one.querySelectorAll("math *").length === 0 ? [] : [...one.querySelectorAll("mi, mn, mo")];
-found.smallest = Math.min(...spread(document).map((one) => parseFloat(getComputedStyle(one).fontSize)));
 return found;

@@ -97,13 +97,6 @@ def test_what_is_settled_has_a_decisive_step_before_its_reason_and_the_rest_fold
     assert "The figure lost was not drawn." in undecided
 
 
-def test_ids_that_are_mentioned_are_links():
-    writer = html.HtmlWriter({}, {"energy-rate": "pages/energy-rate.html"}, "pages/other.html")
-    for text in ("see `energy-rate`", "(see energy-rate)"):
-        assert '<a href="energy-rate.html"><code>energy-<wbr>rate</code></a>' in writer.text(text)
-    assert "<a" not in writer.text("an energy-rate-like, no-such-row, `no-such-row`")
-
-
 def test_a_step_of_several_rows_stands_once(files, rows):
     first, second = "example-stiction-never-violated", "stiction-bracket"  # both rest on the same two
     assert "negation unsat in both" in files["pages/shared-steps.html"]

@@ -6,7 +6,6 @@ import shutil
 import pytest
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.report.content import blocks
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import latex
 from paper_checks.report.output import pictures
@@ -28,17 +27,6 @@ def test_environments_and_labels_match(source, rows):
     assert set(re.findall(r"\\hyperref\[([^]]+)\]", source)) <= set(labels)
     assert r"keepaspectratio]{sine.pdf}" in source
     assert r"\textless{}b\textgreater{}100\%" in source
-
-
-def test_on_paper_steps_are_left_out_with_a_word_on_where_they_are(rows):
-    whole, paper = document(rows), document(rows).on_paper()
-    assert latex.render(paper, {}).count("Steps, each above those it rests on") == 0
-    assert latex.render(whole, {}).count("Steps, each above those it rests on") == 2  # all others are shared
-    assert "HTML form" in latex.render(paper, {})
-    assert set(paper.anchors) <= {*whole.anchors, "steps"}
-    drawn = [one.name for row in rows for one in blocks.pictures(paper.stories[row.claim.id])]
-    assert drawn.count("sine") == 1  # a picture of several rows stands at the first
-    assert paper.pictures == whole.pictures
 
 
 @TEX

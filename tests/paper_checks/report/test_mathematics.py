@@ -67,13 +67,6 @@ def test_a_terminal_reads_it(mathematics, line):
 COMMANDS = sorted({*unicode._WORDS, *unicode._FUNCTIONS.split("|")})
 
 
-@pytest.mark.parametrize("first", COMMANDS)
-def test_no_name_of_a_command_is_left_whatever_follows_it(first):
-    alone = spoken(rf"\{first}")
-    for second in COMMANDS:
-        assert spoken(rf"\{first}\{second}").replace(" ", "") == alone + spoken(rf"\{second}")
-
-
 def test_the_terminal_knows_every_command_that_a_row_is_written_with():
     """So no row's text can show the name of one: all words of the rooms in which the rows are written."""
     root = Path(paper_checks.__file__).parent
@@ -88,16 +81,6 @@ def test_the_terminal_knows_every_command_that_a_row_is_written_with():
         if name not in known
     }
     assert not unknown
-
-
-def test_mathematics_becomes_mathml():
-    assert "<msub>" in html("$x_1$")
-    assert 'display="block"' in html("$$x$$")
-    assert "<mo>⩽</mo>" in mathml(r"a\leqslant b")
-    assert '<mo form="prefix">−</mo>' in mathml("a=-b")
-    assert '<mo form="prefix">−</mo>' in mathml(r"0,\,-1")
-    assert '<mo form="prefix">' not in mathml("(a)-b")
-    assert '<mo form="prefix">' not in mathml("|a|-b")
 
 
 @pytest.mark.parametrize(("source", "element"), MADE["spaced"] + MADE["set"])
@@ -136,15 +119,3 @@ def test_prose_is_escaped():
 @pytest.mark.parametrize(("source", "text"), MADE["plain"])
 def test_plain_text(source, text):
     assert plain(f"${source}$") == text
-
-
-@pytest.mark.parametrize(
-    ("typed", "set_as"),
-    [
-        ("put to -1 and to (-1)", "put to −1 and to (−1)"),
-        ("1e-25, pages 5-8, Fig. 5-b, --at -1", "1e-25, pages 5-8, Fig. 5-b, --at −1"),
-        ("a -b", "a -b"),
-    ],
-)
-def test_a_hyphen_before_a_number_is_a_minus_in_prose(typed, set_as):
-    assert plain(typed) == html(typed) == set_as

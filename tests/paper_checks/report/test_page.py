@@ -11,37 +11,12 @@ from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.proofs.pins import pinned
-from paper_checks.report.content import kernel, notation, opening, trust
-from paper_checks.report.content.blocks import Cards, Code, Heading, Table
+from paper_checks.report.content import kernel, opening, trust
+from paper_checks.report.content.blocks import Cards, Code, Heading
 from paper_checks.report.content.document import document
-from paper_checks.report.formats import colours, html
+from paper_checks.report.formats import html
 from paper_checks.running.graph import proofs
 from paper_checks.running.runner import Row
-
-
-def lightness(colour):
-    return sum(int(colour[i : i + 2], 16) for i in (1, 3, 5))
-
-
-def test_what_is_dark_on_white_is_light_in_the_dark():
-    svg = '<svg viewBox="0 0 1 1"><path style="fill: #1b4f8f; stroke: #F2F2F2"/></svg>'
-    themed = colours.themed(svg)
-    assert '<path style="fill: var(--c-1b4f8f); stroke: var(--c-f2f2f2)"/>' in themed
-    light, dark = themed.split("@media")
-    assert "--c-1b4f8f:#1b4f8f;" in light
-    (ink,) = re.findall(r"--c-1b4f8f:(#\w{6});", dark)
-    (panel,) = re.findall(r"--c-f2f2f2:(#\w{6});", dark)
-    assert lightness(ink) > 300 > lightness(panel)
-
-
-def test_every_symbol_has_an_anchor_and_is_found_where_it_is_used():
-    (table,) = [block for block in notation.section().blocks if isinstance(block, Table)]
-    assert len(table.ids) == len(set(table.ids)) == len(table.rows)
-    for name, symbol in notation.SYMBOLS.items():
-        if name not in ("d",):  # its first letter stands for derivatives too
-            assert name in notation.used([f"${symbol.latex}$"]), name
-    assert notation.used(["the word b, no formula"]) == ()
-    assert "force" not in notation.used([r"$\mu+\tau u'$"])
 
 
 def settled(name):
@@ -74,18 +49,6 @@ def test_the_numbers_of_the_first_page_are_computed():
     assert "«" not in told
 
 
-def test_who_asks_reads_which_theorem_assumes_what_and_what_fails():
-    rows = [settled(name) for name in ("sharp-rate-constant", *opening.ASKED, "synchronisation-time")]
-    (table,) = opening.questions(rows, ()).blocks
-    told = dict(table.rows)
-    law = told["Which theorem carries the 1/t law, and what does it assume?"]
-    assert "`sharp-law`" in law
-    assert "$a_1=0$" in law
-    assert "`synchronisation-time`: $1\\neq 0$." in told["Which claims fail, and what are the counterexamples?"]
-    assert all("weakest step: " in told[question] for question in opening.ASKED.values())
-    assert {*opening.ASSUMED} <= {one.id for one in CLAIMS if one.kind is Kind.THEOREM}
-
-
 @pytest.mark.parametrize("claim", [one for one in CLAIMS if one.kind is Kind.THEOREM], ids=lambda claim: claim.id)
 def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(claim):
     """What a theorem of the free pair assumes is read off from its statements: 0 in the damper's place."""
@@ -110,18 +73,6 @@ def test_every_name_of_a_statement_is_defined_and_linked():
     assert named
     assert all(f'<a href="#definition-{name}">{name}</a>' in text for name in named)
     assert Code(pinned().theorems["sharp-law"].statement) in section.blocks
-
-
-@pytest.mark.parametrize(
-    ("statement", "found"),
-    [
-        ("Pair.solution m1 m2 0 a2 b x v1 v2 s -> True", [("Pair.solution", "a_1")]),
-        ("Forced.forced m1 m2 0 a2 b U x v1 v2 s /\\ Stick.L m1 m2 a2 b < 0", [("Forced.forced", "a_1")]),
-        ("Pair.solution m1 m2 a1 a2 b x v1 v2 s -> Unknown.name 0 0 -> 0 < m1", []),
-    ],
-)
-def test_a_nought_in_the_place_of_a_letter_is_told(statement, found):
-    assert kernel.zeros(statement) == found
 
 
 def test_the_provenance_says_how_to_install_as_the_readme_does_and_names_the_paper_as_it_is_cited():

@@ -73,19 +73,6 @@ def test_wrong_events_are_counted_and_ours_are_named():
     assert "Ours is wrong: solve with 0 digits on velocities (1 events, not 24)." in text
 
 
-def test_the_machine_what_was_left_out_and_forward_euler_are_told():
-    text = text_of(speed.section(trade_of(left_out={"heyoka": "heyoka (extra)"})))
-    assert (
-        "Measured once: Abacus, 2 cores, load 0.1, Python 3.11, numpy 2. Left out: heyoka (needs heyoka (extra))."
-        in text
-    )
-    assert "2 (by theory 2.1) with 0.01 s" in text
-    line = re.search(r"<tr><th[^>]*>Fig. 9</th>.*?</tr>", text)[0]
-    assert re.sub("<[^>]*>", "|", line).replace("||", "|").strip("|").split("|") == [
-        *("Fig. 9", "7", "0.001", "0.001", "finer than tried", "0", "1,040")
-    ]
-
-
 def test_the_shipped_record_is_told_in_every_form():
     whole = speed.section(recorded())
     tables = [one for one in whole.blocks if isinstance(one, Table)]

@@ -5,9 +5,8 @@ from functools import cache
 from pathlib import Path
 
 from paper_checks.claims import CLAIMS
-from paper_checks.drawing.captions import CAPTIONS
 from paper_checks.report.content import under_a_force
-from paper_checks.report.content.blocks import Paragraph, Picture, Points, Table
+from paper_checks.report.content.blocks import Paragraph, Points, Table
 from paper_checks.report.mathematics import prose
 
 chapter = cache(under_a_force.section)
@@ -28,14 +27,6 @@ def test_it_names_rows_that_exist_and_its_mathematics_can_be_set():
     for text in texts():
         assert "<code>" not in prose.html(re.sub("`[^`]+`", "", text))
         assert text.count("$") % 2 == 0
-
-
-def test_each_picture_is_drawn_with_its_axes_and_says_what_to_see():
-    drawn = under_a_force.figures()
-    assert sorted(block.name for block in blocks(Picture)) == sorted(drawn)
-    assert set(drawn) <= set(CAPTIONS)
-    for name in ("thresholds-over-frequency", "drift-against-asymmetry"):
-        assert all(axes.get_xlabel() and axes.get_ylabel() for axes in drawn[name]().axes)
 
 
 def test_the_table_has_both_thresholds_without_and_with_a_damper():

@@ -4,7 +4,6 @@ import json
 import os
 import pickle
 import re
-import signal
 import subprocess
 import sys
 import tomllib
@@ -12,14 +11,14 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from dying_process import dies_of_energy_rate, tells_what_ctrl_c_does
+from dying_process import dies_of_energy_rate
 from imported import imported_modules
 from interruption import interrupted
 
 from paper_checks.claims import claim_named
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.running import kept, plain, processes, workers
+from paper_checks.running import kept, plain, workers
 from paper_checks.running import rows as running
 from paper_checks.running.kept import Kept
 from paper_checks.running.runner import Context
@@ -176,31 +175,3 @@ def test_the_bytes_are_the_same_from_one_process_from_two_and_from_the_cache(tmp
 def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path):
     code, _, errors = interrupted("paper_checks", ["--fresh", "--jobs", "2"], "paper_checks.running.workers", tmp_path)
     assert (code, errors) == (130, "paper_checks: interrupted\n")
-
-
-@pytest.mark.parametrize("methods", [None, ["spawn"]], ids=["as here", "as on Windows"])
-def test_ctrl_c_is_not_heard_by_a_process_that_still_loads_the_checks(methods, monkeypatch):
-    if methods:
-        monkeypatch.setattr(processes.multiprocessing, "get_all_start_methods", lambda: methods)
-    before = signal.getsignal(signal.SIGINT)
-    claims = [claim_named(name) for name in QUICK[:2]]
-    assert list(workers.found(claims, Context(), 1, tells_what_ctrl_c_does)) == [True, True]
-    assert signal.getsignal(signal.SIGINT) is before
-    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
-
-
-@pytest.mark.parametrize("elsewhere", [False, True])
-def test_ctrl_c_while_a_process_is_started_is_not_lost(elsewhere, monkeypatch):
-    def interrupts(*_):
-        if elsewhere:  # the system gave the signal to another thread, for which Python calls the handler here
-            signal.getsignal(signal.SIGINT)(signal.SIGINT, None)
-        else:
-            signal.raise_signal(signal.SIGINT)
-
-    monkeypatch.setattr(processes.ProcessPoolExecutor, "submit", interrupts)
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # it is ignored where tests run in the background
-    try:
-        with pytest.raises(KeyboardInterrupt):
-            list(processes.answers(["energy-rate"], 1, tells_what_ctrl_c_does, Context()))
-    finally:
-        signal.signal(signal.SIGINT, before)

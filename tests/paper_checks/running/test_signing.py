@@ -110,7 +110,5 @@ def test_both_sides_are_shown_and_only_what_is_named_is_signed(accepting, monkey
     assert library.CITED[THEOREM][1] in shown
     assert "0 <= c)" in shown
     assert set(signed.signatures()) == {THEOREM}
-    assert library.build().theorem(THEOREM).holds is None
     assert main(["sign"]) == 1
-    assert THEOREM not in capsys.readouterr().out.splitlines()
     signed.signatures.cache_clear()
