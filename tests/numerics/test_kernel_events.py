@@ -101,11 +101,12 @@ class Event:
         rising = random.normal() if mode else load * random.uniform(0.3, 1) / unit
         speeding = self.load / pair.m2 if mode == 0 else (self.load * pair.mass / pair.m2 - mode * b) / pair.m1
         turning = b * rising * pair.mass / pair.m2 + pair.a2 * v + pair.a1 * speeding
-        self.u = random.normal(), random.choice([0.0, turning]) if mode else turning
+        self.slope = pair.mass / (pair.m1 * pair.m2) * abs(self.load - mode * b) if mode else b * abs(rising)
+        self.u = random.normal(), random.choice([0.0, turning, 100 * pair.m1 * self.slope]) if mode else turning
         x = (self.u[0] - pair.a1 * v - self.load * pair.mass / pair.m2) / pair.a2
         self.y, self.scale = np.array([x, v, 0.0, v]), scale
-        self.slope = pair.mass / (pair.m1 * pair.m2) * abs(self.load - mode * b) if mode else b * abs(rising)
         column = random.normal(size=4)
+        column[0] *= random.choice([1, 30]) if mode else 1
         column[3] = column[3] if mode else column[1] * scale[3] / scale[1]
         late = 10 ** random.uniform(-6, -3) * unit
         self.column = column * late * self.slope / abs(self.guard(self.y + column / scale))
