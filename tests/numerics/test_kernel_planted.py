@@ -185,9 +185,10 @@ def test_a_jump_lets_go_and_a_short_stick_is_not_stuck_for_ever():
     assert run(Scene(pair, State(), "0.05", force=Force.sine(9, "0.7"))).how == 0
 
 
-def test_a_square_or_cubic_force_reaches_b_late():
-    for b, force in (("1e-5", [0, 0, 0, "1e-9"]), ("0.5", [0, 0, "0.25"]), ("0.5", [0, 0, "-0.25"])):
-        scene = Scene(Pair("0.4", "0.6", 1, b), State(), 3000, force=Force([Piece(0, force)]))
+def test_a_square_or_cubic_force_and_a_resonance_reach_b_late():
+    resonance = "0.5", [], [Sine("0.01", 1)]
+    for b, *force in (("1e-5", [0, 0, 0, "1e-9"]), ("0.5", [0, 0, "0.25"]), ("0.5", [0, 0, "-0.25"]), resonance):
+        scene = Scene(Pair("0.4", "0.6", 1, b), State(), 3000, force=Force([Piece(0, *force)]))
         assert run(scene, most=1).how != 1
 
 
@@ -289,6 +290,9 @@ def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_come
     pair, room, u = at_contact(side * (1.0 + off))
     for late, mode in ((0.0, side * after), (2e-5, side * after), (2.8e-5, UNDECIDED)):
         assert mode_after(pair, room, u, 0.6, 0.0, late) == mode
+    room.E[0, 2] = 1.2e-4 * room.scale[0]  # an error of x1
+    for N, mode in ((1e-9, side * after), (1.0, UNDECIDED)):
+        assert mode_after(pair, room, u, 0.6, N, 0.0) == mode
     pair, room, u = at_contact(side * (1.0 + 7e-11 * off))  # within the roundings of the load
     assert mode_after(pair, room, u, 0.6, 0.0, 0.0) == UNDECIDED
 
