@@ -39,6 +39,7 @@ def test_bounds_hold_for_the_members_of_a_set_and_are_reached(seed, columns, par
     nearest = E @ np.sign(w @ E) + w / np.linalg.norm(w) * R[0]
     assert w @ nearest > (1 - 1e-6) * width(E, R, w[0], w[1], w[3])
     whole, members = norm_of(E, R), [*directions(random, E, R)]
+    assert norm_of(1e-170 * E, 1e-170 * R) >= 1e-170 * whole  # its squares are no numbers
     take_in(E, R, np.zeros((4, 4)), np.zeros(4))
     assert not R.any()
     assert all((abs(np.linalg.solve(E, one)) <= 1 + 1e-9).all() for one in members)
