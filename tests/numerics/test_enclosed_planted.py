@@ -253,3 +253,15 @@ def test_what_a_row_leaves_out_counts_from_where_it_was_expanded():
     guards, row = [Guard(1, arb("-0.999"), 0, arb(0))], [arb(1)] + [arb(0)] * 13
     assert scan([row], guards, [arb("0.002")], arb("0.5")) == CLEAR
     assert scan([row], guards, [arb("0.002")], arb("0.5"), arb("0.5")) == UNKNOWN
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("at_end", ["0.3", "-0.3"])
+def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_its_row_leaves_out(sign, at_end):
+    """It falls from 1 along a line; what is left at the end of a step exceeds both together where it is known."""
+    row, h = [sign * arb(1), sign * 2 * (arb(at_end) - 1)] + [arb(0)] * 6, arb("0.5")
+    known = ("0.16", "0.13", True), ("0.16", "0.15", False), ("0.1", "0.21", False)
+    for margin, rest, is_known in (*known, ("0.05", "0.17", at_end > "0")):  # the last one's slope may be off by 2.7
+        guards = [Guard(sign, arb(0), 0, arb(margin))]
+        found = scan([row], guards, [arb(rest) * 2**8], h)
+        assert found == ((CLEAR if at_end > "0" else 0) if is_known else UNKNOWN)

@@ -39,6 +39,7 @@ def test_bounds_hold_for_the_members_of_a_set_and_are_reached(seed, columns, par
     nearest = E @ np.sign(w @ E) + w / np.linalg.norm(w) * R[0]
     assert w @ nearest > (1 - 1e-6) * width(E, R, w[0], w[1], w[3])
     whole, members = norm_of(E, R), [*directions(random, E, R)]
+    assert norm_of(1e-170 * E, 1e-170 * R) >= 1e-170 * whole  # its squares are no numbers
     take_in(E, R, np.zeros((4, 4)), np.zeros(4))
     assert not R.any()
     assert all((abs(np.linalg.solve(E, one)) <= 1 + 1e-9).all() for one in members)
@@ -101,11 +102,12 @@ class Event:
         rising = random.normal() if mode else load * random.uniform(0.3, 1) / unit
         speeding = self.load / pair.m2 if mode == 0 else (self.load * pair.mass / pair.m2 - mode * b) / pair.m1
         turning = b * rising * pair.mass / pair.m2 + pair.a2 * v + pair.a1 * speeding
-        self.u = random.normal(), random.choice([0.0, turning]) if mode else turning
+        self.slope = pair.mass / (pair.m1 * pair.m2) * abs(self.load - mode * b) if mode else b * abs(rising)
+        self.u = random.normal(), random.choice([0.0, turning, 100 * pair.m1 * self.slope]) if mode else turning
         x = (self.u[0] - pair.a1 * v - self.load * pair.mass / pair.m2) / pair.a2
         self.y, self.scale = np.array([x, v, 0.0, v]), scale
-        self.slope = pair.mass / (pair.m1 * pair.m2) * abs(self.load - mode * b) if mode else b * abs(rising)
         column = random.normal(size=4)
+        column[0] *= random.choice([1, 30]) if mode else 1
         column[3] = column[3] if mode else column[1] * scale[3] / scale[1]
         late = 10 ** random.uniform(-6, -3) * unit
         self.column = column * late * self.slope / abs(self.guard(self.y + column / scale))

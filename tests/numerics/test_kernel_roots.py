@@ -97,6 +97,7 @@ def test_a_single_root_is_found_in_either_guard_and_a_double_one_never(part, slo
     assert (how, which) == (ROOT, int(swap))
     assert abs(s - r) < 1e-9
     assert room > 0.05 * r
+    assert room * abs(2 * slope) <= 0.26 * abs(1 + slope * r)  # the slope keeps its sign there
     how, s, *_ = first_root(double, 0, NONE, (margin, 0, 0, 0), theta, ROOM)
     assert how == UNDECIDED or (how == CLEAR and s < r)
 
