@@ -253,3 +253,28 @@ def test_what_a_row_leaves_out_counts_from_where_it_was_expanded():
     guards, row = [Guard(1, arb("-0.999"), 0, arb(0))], [arb(1)] + [arb(0)] * 13
     assert scan([row], guards, [arb("0.002")], arb("0.5")) == CLEAR
     assert scan([row], guards, [arb("0.002")], arb("0.5"), arb("0.5")) == UNKNOWN
+
+
+@pytest.mark.parametrize(
+    ("row", "order", "margin", "rest", "found"),
+    [
+        (("0.5", -1), 0, 0, 0, 0),
+        (("0.5", -1), 0, "0.6", 0, UNKNOWN),  # the true guard may be positive at the end
+        (("0.5", -1), 0, 0, "0.1", UNKNOWN),  # what is left out may turn it: by 14 times as much
+        (("0.1", -1, "0.525"), 0, 0, 0, UNKNOWN),  # it rises at the very end
+        ((0, 0, 1, "-0.3"), 2, 0, 0, CLEAR),
+        ((0, 0, 1, "-0.4"), 2, 0, 0, UNKNOWN),
+    ],
+)
+def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margin, rest, found):
+    row, guard = [*map(arb, row), *[arb(0)] * (FEW - len(row))], Guard(1, arb(0), order, arb(margin))
+    assert scan([row], [guard], [arb(rest)], arb(1)) == found
+    assert scan([row], [guard, guard], [arb(rest)], arb(1)) == (found or UNKNOWN)
+
+
+def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
+    path = Run(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), Ball(40), BALLS)
+    zero, off = arb(0), arb("0.1")
+    at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
+    flow, z = path.here(at)
+    assert all(one.margin > off * 8.999 for one in guards_of(path, at, flow.rows(z, 128)))
