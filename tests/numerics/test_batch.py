@@ -32,6 +32,7 @@ from numerics import (
     solve_many,
     solve_scenes,
 )
+from numerics.linear.record import AT
 from numerics.solver import many as batch
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.run import MAX_EVENTS
@@ -304,3 +305,11 @@ def test_without_numba_the_same_numbers_come_out():
 def test_a_wrong_number_is_named(given_, said):
     with pytest.raises(ValueError, match=said):
         solve_many(**(PAPER | {"until": 5} | given_))
+
+
+def test_an_excess_is_off_by_what_its_state_is():
+    found = solve_many(1, 1, 200, 0.5, a1=1, v1=0.15, until=1)
+    found.ends[0, AT["x1_error"] : AT["v2_error"] + 1] = off = 1e-4
+    by = np.array([200, 1, 0, 1]) / 2
+    true = (by @ (abs(found.y) + off) ** 2 - by @ found.y**2) / 0.0025
+    assert true < found.energy_excess_error < 1.1 * true

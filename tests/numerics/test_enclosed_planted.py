@@ -23,7 +23,7 @@ from numerics.linear.path_enclosed import At
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
-from numerics.linear.system import V1, V2, X1, X2, LocalNorm, W
+from numerics.linear.system import V1, V2, X1, X2, LocalNorm, W, is_positive_on
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -265,3 +265,35 @@ def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_its_row
         guards = [Guard(sign, arb(0), 0, arb(margin))]
         found = scan([row], guards, [arb(rest) * 2**8], h)
         assert found == ((CLEAR if at_end > "0" else 0) if is_known else UNKNOWN)
+
+
+@pytest.mark.parametrize(
+    ("row", "order", "margin", "rest", "found"),
+    [
+        (("0.5", -1), 0, 0, 0, 0),
+        (("0.5", -1), 0, "0.6", 0, UNKNOWN),  # the true guard may be positive at the end
+        (("0.5", -1), 0, 0, "0.1", UNKNOWN),  # what is left out may turn it: by 14 times as much
+        (("0.1", -1, "0.525"), 0, 0, 0, UNKNOWN),  # it rises at the very end
+        ((0, 0, 1, "-0.3"), 2, 0, 0, CLEAR),
+        ((0, 0, 1, "-0.4"), 2, 0, 0, UNKNOWN),
+    ],
+)
+def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margin, rest, found):
+    row, guard = [*map(arb, row), *[arb(0)] * (FEW - len(row))], Guard(1, arb(0), order, arb(margin))
+    assert scan([row], [guard], [arb(rest)], arb(1)) == found
+    assert scan([row], [guard, guard], [arb(rest)], arb(1)) == (found or UNKNOWN)
+
+
+def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
+    path = Run(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), Ball(40), BALLS)
+    zero, off = arb(0), arb("0.1")
+    at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
+    flow, z = path.here(at)
+    assert all(one.margin > off * 8.999 for one in guards_of(path, at, flow.rows(z, 128)))
+
+
+@pytest.mark.parametrize(("root", "found"), [(-1, True), ("0.2", False), ("0.8", False), ("0.3", None)])
+def test_a_sign_on_an_interval_is_that_of_all_its_parts(root, found):
+    """Of (x - root)^2 but for a little beside it, or nothing where that is not decided."""
+    root, little = arb(root), arb("1e-4") if found is False else arb(0)
+    assert is_positive_on(lambda x: (x - root) ** 2 - little + arb(0, "1e-9"), arb(0), arb(1)) is found

@@ -186,6 +186,12 @@ def test_a_bound_without_growth():
     assert max(one.rad() for one in found.final.ravel()) < arb("1e-18") * max(abs(one) for one in found.final.ravel())
 
 
+def test_derivatives_have_the_digits_that_are_asked_for():
+    """Of a run with fewer they are those of another one."""
+    final = sensitivities(in_balls(named("damping-heavy"), 15).but(digits=60)).final.ravel()
+    assert max(one.rad() for one in final) < arb("1e-58") * max(abs(one) for one in final)
+
+
 def test_names_and_shapes():
     force = Force([Piece(0, (1, 2), [Sine(1, 3)]), Piece(2, (), [Sine("0.1", 3)])])
     found = sensitivities(solve(Scene(PAIR, State(), 3, force=force, friction=Friction([(1, "0.08")]))))
