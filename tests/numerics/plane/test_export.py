@@ -124,14 +124,6 @@ def test_a_run_that_was_cut_off_is_drawn_to_its_end():
         run.sol(end + 1e-5)
 
 
-def test_states_have_the_shape_of_the_times(turning):
-    times = [[0, 0.25, "1/3"], [0.5, 0.75, 1]]
-    found = turning.sol(times)
-    assert found.shape == (12, 2, 3)
-    assert all((found[:, i, j] == turning.sol(times[i][j])).all() for i in range(2) for j in range(3))
-    assert turning.sol([]).shape == (12, 0)
-
-
 def test_a_scene_that_no_file_holds_is_compared_and_pickled_all_the_same():
     run = solve(PlaneScene(ROUND.pair, 2, v1=[Fraction(6, 100) + Fraction(1, 7**1500), "0.01"]))
     assert pickle.loads(pickle.dumps(run)) == run

@@ -45,15 +45,6 @@ def test_the_creep_of_an_ellipse_sees_its_squared_eccentricity(minor):
     assert float(rests[1] - rests[0]) * squared * 4 / 9 / 2 == pytest.approx(1, rel=1e-4)
 
 
-def test_circles_merge_after_one_slip_whose_time_does_not_see_the_excess():
-    ends = []
-    for excess in ("1e-4", "1e-8"):
-        (event,) = solve(stuck_on_an_ellipse(excess, 1 + Fraction(excess), 3), digits=15).events
-        assert event.after == "stick"
-        ends.append(float(event.t))
-    assert ends[0] == pytest.approx(ends[1], rel=1e-3)
-
-
 @pytest.mark.parametrize(
     ("m1", "m2", "times"),
     [

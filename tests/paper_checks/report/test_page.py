@@ -1,7 +1,5 @@
 """What the pages are made of: dark colours, notation, what stands first, provenance, the kernel's words."""
 
-import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,10 +10,7 @@ from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.proofs.pins import pinned
 from paper_checks.report.content import kernel, opening, trust
-from paper_checks.report.content.blocks import Cards, Code, Heading
-from paper_checks.report.content.document import document
-from paper_checks.report.formats import html
-from paper_checks.running.graph import proofs
+from paper_checks.report.content.blocks import Cards
 from paper_checks.running.runner import Row
 
 
@@ -59,20 +54,6 @@ def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(clai
         assert not any("Forced.forced" in text for text in statements)
     else:
         assert any("u" in str(one.shown) for one in claim.clauses)
-
-
-def test_every_name_of_a_statement_is_defined_and_linked():
-    row = settled("sharp-rate-constant")
-    row = replace(row, proofs=proofs(row.claim, row.finding))
-    pages = html.render(document([row]), {})
-    text = pages["pages/kernel.html"]
-    section = kernel.section([row])
-    names = {block.id for block in section.blocks if isinstance(block, Heading)}
-    assert {"theorem-sharp-law", "theorem-filippov-iff", "definition-Pair.solution", "definition-Stick.Ecr"} <= names
-    named = re.findall(r"\b([A-Z]\w*\.\w+)\b", pinned().theorems["sharp-law"].statement)
-    assert named
-    assert all(f'<a href="#definition-{name}">{name}</a>' in text for name in named)
-    assert Code(pinned().theorems["sharp-law"].statement) in section.blocks
 
 
 def test_the_provenance_says_how_to_install_as_the_readme_does_and_names_the_paper_as_it_is_cited():
