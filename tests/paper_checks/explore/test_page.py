@@ -10,7 +10,7 @@ from elements import Elements
 from numerics import Force, Pair, load_scene
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
-from paper_checks.explore.page import page, source
+from paper_checks.explore.page import source
 from paper_checks.explore.scenes import PAPER, reduced
 
 
@@ -23,14 +23,6 @@ def test_it_is_one_light_file_that_needs_no_network(whole, elements):
     assert len(whole.encode()) < 150_000
     assert not [one for one in elements if {"src", "href", "srcset"} & set(one[1])]
     assert not re.search(r"https?:|//cdn|import\s|fetch\(|XMLHttp|@import|url\(|eval\(", whole)
-
-
-def test_two_pages_have_the_same_bytes_and_among_those_of_a_report_there_is_a_way_back(whole):
-    assert page() == whole
-    beside = page(["critical-mass-ratio"])
-    assert '<a href="../report.html">' in beside
-    assert '"beside": ["critical-mass-ratio"]' in beside
-    assert "report.html" not in whole
 
 
 def test_every_id_is_its_own_and_every_control_has_a_name(elements):

@@ -83,31 +83,6 @@ def test_a_reader_without_a_mouse_or_without_eyes_finds_the_way(pages):
     assert {"#main", html.EXPLORE} <= {*links(pages[html.FRONT])}
 
 
-def test_what_is_settled_has_a_decisive_step_before_its_reason_and_the_rest_folded(files):
-    row = behind(files, "example-stiction-never-violated")
-    labels = "The paper says (after eq. (12))", "Decisive step", "Why", "Counterexample", "What is true"
-    positions = [row.index(f"<strong>{label}.</strong>") for label in labels]
-    assert positions == sorted(positions)
-    assert "the slip ends at" in row[positions[1] : positions[2]].lower()  # what shows the counterexample
-    assert row.rindex('<details class="folded">') > positions[-1]
-    assert 'src="sine.svg"' in row
-    undecided = behind(files, "rate-one-over-t")
-    assert "Decisive step" not in undecided
-    assert "differs from the verdict on record, holds" in undecided
-    assert "The figure lost was not drawn." in undecided
-
-
-def test_a_step_of_several_rows_stands_once(files, rows):
-    first, second = "example-stiction-never-violated", "stiction-bracket"  # both rest on the same two
-    assert "negation unsat in both" in files["pages/shared-steps.html"]
-    for name in (first, second):
-        assert "negation unsat in both" not in behind(files, name)
-        assert 'href="shared-steps.html#step-S' in behind(files, name)
-    alone = html.render(document(rows[2:3]), {})
-    assert "negation unsat in both" in behind(alone, second)
-    assert "pages/shared-steps.html" not in alone
-
-
 def test_the_first_page_counts_names_what_fails_and_knows_the_weakest_step(front, rows):
     kinds = sorted(row.established_by.value if row.established_by else "none" for row in rows)
     assert sorted(re.findall(r'data-step="(\w+)"', front)) == kinds
