@@ -267,7 +267,7 @@ balls = Ball(40)
 with balls.context():
     frame = Frame(balls, pair)
     run = list(islice(excursions(frame, leaving.reduced.w), 1000))
-    times = [leaving.t + frame.si_time(tau) for tau in accumulate(one.slip + one.stick for one in run)]
+    times = [leaving.t + tau / frame.rate for tau in accumulate(one.slip + one.stick for one in run)]
     products = [t * frame.critical_energy * one.w_after for t, one in zip(times, run, strict=True)]
 print(f"excursions: {len(run)}, until t = {times[-1].str(20)} s")
 print(f"w from {run[0].w.str(20)} to {run[-1].w_after.str(20)}")
@@ -285,7 +285,7 @@ axes.plot(counts, np.array(products, dtype=float) / limit, label=label)
 frame = Frame(Float64(), pair)
 for start in (1.0, 0.1, 0.01, 0.001):
     run = list(islice(excursions(frame, start), 1000))
-    times = frame.si_time(np.cumsum([one.slip + one.stick for one in run]))
+    times = np.cumsum([one.slip + one.stick for one in run]) / frame.rate
     energies = frame.critical_energy * np.array([one.w_after for one in run])
     axes.plot(counts, times * energies / limit, "--", lw=1, label=f"from a ray, $w={start:g}$")
 axes.axhline(1, color="gray", lw=0.8)
