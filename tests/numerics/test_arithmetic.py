@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies import decimals, near_quarter_turns, wide_numbers
 
 from numerics import EventUndecided, OutOfRange
-from numerics.arithmetic import functions
+from numerics.arithmetic import elementary, functions
 from numerics.arithmetic.ball import Ball, precision, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
@@ -126,6 +126,10 @@ def test_balls_that_are_not_finite_decide_nothing():
         assert functions.sign(arb(0), GRAZES) == 0
         assert functions.sqrt(arb(0, 1e-30)).is_finite()
         assert functions.sqrt(arb(0, 1e-30)).contains(arb(1e-15))
+
+
+def test_a_clock_keeps_what_its_rounding_leaves_out():
+    assert elementary.clock(1.0, 2.0**-60, 2.0**-70) == (1.0, 2.0**-60 + 2.0**-70)
 
 
 def test_float64_refuses_what_it_cannot_hold():
