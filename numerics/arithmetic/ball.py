@@ -199,7 +199,7 @@ def nonnegative(x: arb) -> arb:
 
 def widened(x: arb, by: arb) -> arb:
     """Return a ball that holds all points within `by` of those of x."""
-    return x + arb(0, abs(by).upper())
+    return x + arb(0, by.abs_upper())
 
 
 def clock(total: arb, rest: arb, term: arb) -> tuple[arb, arb]:

@@ -42,6 +42,7 @@ from numerics.free.root import falling_root
 _SEED_BITS = 44
 _SMALLEST_SEED = 1e-90
 _SPARE_BITS = 12
+_NARROW_BITS = 20
 
 
 class Point(NamedTuple):
@@ -189,7 +190,7 @@ def contact_next_to_binary64(gap: arb, push: arb) -> tuple[arb, arb, arb] | None
             if not (region > 0 and region < 2 * arb.pi()):
                 return None
             with precision(half + spare):
-                steepness, bend = _over(gap, push, region)
+                steepness, bend = _over(at, push, region)
             shift = at.value / steepness
             if steepness > 0 and region.contains_interior(x + shift):
                 square = shift * shift / 2
@@ -199,8 +200,17 @@ def contact_next_to_binary64(gap: arb, push: arb) -> tuple[arb, arb, arb] | None
     return None
 
 
-def _over(gap: arb, push: arb, region: arb) -> tuple[arb, arb]:
-    """Return minus the slope of the equation and h' over a ball of angles; c, h and h' = 1 - h cot > 0 grow there."""
-    low, high = (early_point(gap, push, end) for end in (region.lower(), region.upper()))
-    steepness = (low.depth.union(high.depth) + gap) / versine(region)
-    return steepness, arb(0).union(1 - high.rise * high.cotangent)
+def _over(at: Point, push: arb, region: arb) -> tuple[arb, arb]:
+    """Return minus the slope of the equation and h' over a ball of angles about a point.
+
+    c' = h, and c, h and h' = 1 - h cot > 0 grow there. Of a narrow ball, 1 + k h >= h' bounds the growth of h from its
+    middle; of a wide one the ends say more.
+    """
+    if region.rel_accuracy_bits() > _NARROW_BITS:
+        spread, k = region.rad(), abs((region / 2).cot()).upper()
+        most = (at.rise + spread) * (k * spread).exp()
+        depth, bend = at.depth + arb(0, (most * spread).upper()), 1 + k * most
+    else:
+        low, high = (early_point(at.gap, push, end) for end in (region.lower(), region.upper()))
+        depth, bend = low.depth.union(high.depth), 1 - high.rise * high.cotangent
+    return (depth + at.gap) / versine(region), arb(0).union(bend)

@@ -64,11 +64,10 @@ class Cells:
         self.by_place: list[Line] = [(flat[0][1], Fraction(0)), *_lines(flat)]
         if weakening.place:
             self.by_place.append((flat[-1][1], Fraction(0)))
-        self.falling = max(Fraction(0), *(-slope for _, slope in self.by_speed))
-        """The greatest -B', N s/m, and the greatest |C'|, N/m."""
-        self.pulling = max(abs(slope) for _, slope in self.by_place)
-        most = max((b for _, b in scene.friction.pieces), default=self.pair.b) / self.pair.b
-        self.falling, self.pulling = (one * max(Fraction(1), most) for one in (self.falling, self.pulling))
+        most = max([self.pair.b, *(b for _, b in scene.friction.pieces)]) / self.pair.b
+        self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
+        """At any time, at most: -B', N s/m; |C'|, N/m; |B'| next to rest."""
+        self.pulling, self.steep = most * max(abs(slope) for _, slope in self.by_place), most * abs(self.by_speed[0][1])
         self._guards: dict[tuple[int, int], tuple[list[tuple[int, int, Fraction]], bool]] = {}
 
     def scale(self, piece: ExactPiece) -> Fraction:

@@ -91,11 +91,14 @@ class Run(Path):
         numbers, local = self.numbers, self.numbers.middle(at.local + root.tau)
         t = local - at.local
         moved = (arb(t) - arb(root.tau)).abs_upper()
-        late, norm = root.late + moved, at.norm * self.growth(at, arb(t))
-        reached = at.place + self.kappa * norm * (4 * late + (arb(t) if at.mode else 0))
-        # about the event both motions may be in different cells
-        norm = (2 * self.kappa**2 * self.falling * late).exp() * (norm + 4 * self.kappa * self.pulling * reached * late)
-        at = at._replace(norm=norm)
+        late, norm = root.late + moved, at.norm
+        if self.varies:
+            norm = norm * self.growth(at, arb(t))
+            reached = at.place + self.kappa * norm * (4 * late + (arb(t) if at.mode else 0))
+            # about the event both motions may be in different cells
+            norm = norm + 4 * self.kappa * self.pulling * reached * late
+            norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
+            at = at._replace(norm=norm)
         state, here = root.motion.state(t), numbers.within(local, late)
         bends = root.motion.bends(t + arb(0, late)) if self.is_ball else [arb(0), arb(0)]
         at_knot = at.mode != 0 and (root.guard.kind != FLOOR or at.cell[0] > 0)
@@ -110,42 +113,36 @@ class Run(Path):
         gaps = [(arb(state[k]) - arb(points[k])).abs_upper() for k in (V1, V2)]
         off_1, off_2 = numbers.radius(state[X1]), numbers.radius(state[X2])
         apart = self.kappa * norm * (2 * late + (arb(t) if at.mode else 0))
-        norm = norm + self.root_a2 * off_1 + self.root_m1 * gaps[0] + self.root_m2 * gaps[1] + self.kappa * bound
-        norm, place = (norm + self.weight(at) * (off_1 + off_2)).upper(), (at.place + apart + off_1 + off_2).upper()
+        norm = (norm + self.flow(at).norm.of((off_1, gaps[0], -off_2, gaps[1])) + self.kappa * bound).upper()
+        place = (at.place + apart + off_1 + off_2).upper()
         far = self.far(at, arb(t), off_1, norm)
         found = found._replace(local=local, state=points, norm=norm, far=far, place=place)
         return self.reweighed(found, self.weight(at)), here, event
 
     def switched(self, at: At, root: Root, event: list[Any], bends: list[arb], here: Any, moved: arb) -> tuple[At, arb]:
         """Return the mode that follows v1 = v2, and a bound on int |error of friction| dt about the event."""
-        late, window, kappa = root.late + moved, root.window + moved, self.kappa
-        there = at._replace(state=event, place=arb(0))
-        load, rate = self.load(there._replace(local=here))
+        late, span, kappa = root.late + moved, root.window + moved, self.kappa
+        there = at._replace(mode=0, local=here, state=event, place=arb(0))
+        (load, rate), b = self.load(there), self.edge(there)
         if at.mode:
-            b = self.edge(there)
             mode = mode_on_surface(load, b, arb(0), literal=self.literal)
             if mode in {UNDECIDED, at.mode}:
                 raise self.undecided(at)
-            after, order, off = late if mode == 0 else arb(0), abs(mode), 2 * b * window
+            after, order, off = late if mode == 0 else arb(0), abs(mode), 2 * b * span
             if self.literal:  # stick may bear more than b, and one motion sticks while the other does not
                 off = off + (abs(load) + b) * late
-            # by how much F is not B(0) + C in between
-            speed = root.value + (bends[0] + bends[1]) * window
-            off = off + 4 * speed * window * (self.slope(at) + self.pulling * window)
+            speed = root.value + (bends[0] + bends[1]) * span
         else:
-            b, mode, order, after = self.edge(at), 1 if root.guard.sign < 0 else -1, 2, arb(0)
+            mode, order, after = 1 if root.guard.sign < 0 else -1, 2, arb(0)
             bend = mode * rate * kappa * kappa
             if not bend > 0:
                 raise self.undecided(at)
             # where the load is not quite b, the slip starts a little later than here
-            span = window + 2 * kappa * kappa * (root.value + abs(rate) * moved) / bend
-            off = 2 * b * span
-            off = off + 4 * kappa**2 * b * span**2 * (self.slope(at) + self.pulling * span)
+            span = span + 2 * kappa * kappa * (root.value + abs(rate) * moved) / bend
+            off, speed = 2 * b * span, kappa**2 * b * span
+        if self.varies:  # by how much F is not B(0) + C in between
+            off = off + 4 * speed * span * (self.steep + self.pulling * span)
         return self.entered(at._replace(mode=mode, late=after), order, event), off
-
-    def slope(self, at: At) -> arb:
-        """Return |B'| next to rest, N s/m."""
-        return Ball.number(abs(self.cells.by_speed[0][1]) * self.cells.scale(self.pieces[at.piece]))
 
     def entered(self, at: At, order: int, state: Sequence[Any]) -> At:
         """Return a point at v1 = v2 in the cell in which its mode goes on."""

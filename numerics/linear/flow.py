@@ -19,7 +19,7 @@ from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from functools import lru_cache
-from itertools import zip_longest
+from itertools import islice, zip_longest
 from typing import Any, NamedTuple
 
 import flint
@@ -190,9 +190,10 @@ class Flow:
         """Form so many rows in front of z for x1 and x2."""
         places = (X1, X2) if self.slips else (X1,)
         self.own = [self.powers(place, terms) for place in places]
-        self._products: dict[int, list[Callable[[list[Any]], list[Any]]]] = {}
         self.all_terms = [self.numbers.products(one) for one in self.own]
-        self._few_terms = self.numbers.products(self.own[0][:4])
+        self._few_terms, self._guards = self.numbers.products(self.own[0][:4]), self.guard_rows()
+        self._products: dict[int, Callable[[list[arb]], list[arb]]] = {}
+        self._ends: dict[int, Callable[[list[arb]], list[arb]]] = {}
 
     def powers(self, place: int, terms: int) -> list[list[Any]]:
         """Return the rows of A^k/k! at a place for so many k, as long as they do not vanish."""
@@ -222,29 +223,38 @@ class Flow:
         x, m2 = self._few_terms(z), self.numbers.number(self.pair.m2)
         return [2 * m2 * x[2], 6 * m2 * x[3]]
 
-    def rows(self, z: list[Any], bits: int) -> list[list[arb]]:
-        """Return the first coefficients of every row of which there are guards, and of x1 and x2, to so many bits."""
+    def guard_rows(self) -> list[list[list[arb]]]:
+        """Return what stands in front of z in the first coefficients of every row of which there are guards."""
+        one, *two = ([[arb(c) for c in row] for row in own[: FEW + 3]] for own in self.own)
+        if not self.slips:
+            return [[[self.m2 * (k * (k - 1)) * c for c in row] for k, row in enumerate(one)][2:]]
+        both = zip_longest(one, *two, fillvalue=[arb(0)] * self.size)
+        place = [[a - b for a, b in zip(*rows, strict=True)] for rows in both]
+        speed = [[k * c for c in row] for k, row in enumerate(place)][1:]
+        if self.coupling is None:
+            return [speed]
+        slope, pull = map(Ball.number, self.coupling)
+        force = [
+            [slope * w + pull * apart for w, apart in zip(*rows, strict=True)]
+            for rows in zip(speed, place, strict=False)
+        ]
+        force[0][ONE] += 1
+        return [speed, place, force]
+
+    def rows(self, z: Sequence[Any], bits: int) -> list[list[arb]]:
+        """Return the first coefficients of every row of which there are guards, to so many bits."""
         with flint.ctx.workprec(bits):
             if bits not in self._products:
-                first = ([[+arb(c) for c in row] for row in own[: FEW + 3]] for own in self.own)
-                self._products[bits] = [BallNumbers.products(one) for one in first]
-            numbers = [+arb(c) for c in z]
-            x1, x2 = self.state_rows(self._products[bits], numbers)
-            if not self.slips:
-                return [[self.m2 * (k * (k - 1)) * c for k, c in enumerate(x1)][2:], x1, x2]
-            place = [one - two for one, two in zip_longest(x1, x2, fillvalue=arb(0))]
-            speed = [k * one for k, one in enumerate(place)][1:]
-            if self.coupling is None:
-                return [speed, x1, x2]
-            slope, pull = map(Ball.number, self.coupling)
-            force = [slope * w + pull * apart for w, apart in zip(speed, place, strict=False)]
-            force[0] += numbers[ONE]
-            return [speed, place, force, x1, x2]
+                self._products[bits] = BallNumbers.products(
+                    [[+c for c in row] for rows in self._guards for row in rows]
+                )
+            found = iter(self._products[bits]([+arb(c) for c in z]))
+            return [list(islice(found, len(rows))) for rows in self._guards]
 
-    def rests(self, rows: Sequence[Sequence[arb]], z: Sequence[Any], h: arb, order: int = FEW) -> list[arb]:
+    def rests(self, z: Sequence[Any], h: arb, order: int = FEW) -> list[arb]:
         """Return R of every row of which there are guards: without its terms from t^order on it is off by R t^order."""
-        parts = {0: arb(1) / order, 1: arb(1), 2: arb(order + 1)}
-        return self.of_rows(lambda k: parts[k] * self.reached(rows[-2:], order + k - 1, z, h))
+        whole = math.factorial(order)
+        return self.of_rows(lambda k: self.reached(order + k - 1, z, h) / whole)
 
     def of_rows(self, bound: Callable[[int], arb]) -> list[arb]:
         """Return bounds on these rows from those on the k-th derivative of places, which are multiples of N."""
@@ -256,20 +266,24 @@ class Flow:
         place, (slope, pull) = self.norm.apart * bound(0), map(Ball.number, self.coupling)
         return [speed, place, abs(slope) * speed + abs(pull) * place]
 
-    def reached(self, both: Sequence[Sequence[Any]], order: int, z: Sequence[Any], h: arb) -> arb:
-        """Return a bound on N of the order-th derivative of the state over order!, up to h, from x1 and x2."""
-        a, c, b, d = (arb(one[k]) if k < len(one) else arb(0) for one in both for k in (order, order + 1))
-        norm = self.norm.of((a, (order + 1) * c, b, (order + 1) * d))
+    def reached(self, order: int, z: Sequence[Any], h: arb) -> arb:
+        """Return a bound on N of the order-th derivative of the state, order >= 1, up to h."""
+        if order not in self._ends:
+            none = [arb(0)] * self.size
+            ends = ([*own[order : order + 2], none, none][:2] for own in (self.own[0], self.own[-1]))
+            self._ends[order] = BallNumbers.products([[arb(c) for c in row] for pair in ends for row in pair])
+        a, c, b, d = self._ends[order]([arb(one) for one in z])
+        norm = self.norm.of((a, (order + 1) * c, b, (order + 1) * d)) * math.factorial(order)
         return self.norm.grown(h, norm, self.pushed(z, order, h))
 
     def pushed(self, z: Sequence[Any], order: int, h: arb) -> arb:
-        """Return a bound on |u^(order)|/order! from z on for a time h."""
+        """Return a bound on |u^(order)| from z on for a time h."""
         total, places = arb(0), range(FIRST + order, FIRST + self.count)
         for later, place in enumerate(places):
             total += abs(arb(z[place])) * h**later / math.factorial(later)
         for place, omega in zip(self.places, self.turns, strict=True):
             total += (abs(arb(z[place])) + abs(arb(z[place + 1]))) * omega**order
-        return total / math.factorial(order)
+        return total
 
 
 class Expansion:
@@ -279,7 +293,7 @@ class Expansion:
         """Form the polynomials, both cut before the same order."""
         self.flow, self.z, self.both, curve = flow, z, flow.state_rows(flow.all_terms, z), flow.numbers.curve
         self.order = len(self.both[0]) - 1
-        self.rest = flow.reached(self.both, self.order - 1, z, h) / self.order
+        self.rest = flow.reached(self.order - 1, z, h) / math.factorial(self.order)
         self.x, self.y = (curve(one[: self.order]) for one in self.both)
         self.v, self.w = self.x.derivative(), self.y.derivative()
 

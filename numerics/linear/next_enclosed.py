@@ -109,8 +109,8 @@ def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
             apart = flow.rate**order * at.norm * flow.rate * flow.m2 * flow.norm.speeds[0]
             found[(1 - nearer) // 2] = Guard(-nearer, b, order, apart)
         return found
-    found, norm = [], at.norm * path.growth(at, flow.reach)
-    place = at.place + path.kappa * norm * flow.reach
+    found, norm = [], at.norm * flow.norm.growth(flow.reach)
+    place = at.place + path.kappa * norm * flow.reach if path.varies else at.place
     ends, may_vanish = cells.guards(at.cell)
     for kind, sign, offset in ends:
         order = at.orders[kind]
@@ -146,7 +146,7 @@ def scanned(
     path: Path, at: At, flow: Flow, rows: list[list[arb]], z: list[Any], reach: arb, short: arb
 ) -> tuple[arb, arb] | Bracket | None:
     """Return the same from the rows of the guards; None where their digits do not tell anything."""
-    guards, rests = guards_of(path, at, rows), flow.rests(rows, z, reach)
+    guards, rests = guards_of(path, at, rows), flow.rests(z, reach)
     used = range(len(rests))
     near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
     h = h / 4 if any(one.order for one in guards) else h
@@ -195,7 +195,7 @@ def long_step(path: Path, at: At, flow: Flow, z: list[Any], most: arb) -> arb | 
                 h = _newton(above, above.derivative(), arb(0), h, h / 2, arb.mid, h * _NEAR)
         while flow.fastest * h > _LONG:
             if slow is not None:  # all of the polynomial stays: what is cut off the swing does not bound it
-                count, rest = sharpest(flow, swing, slow, h, len(polynomial))
+                count, rest = sharpest(flow, slow, h, len(polynomial))
             if scan([row[:count]], guards, [rest], h) == CLEAR:
                 return h
             h = (h * _RATIO).mid()

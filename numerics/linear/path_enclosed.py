@@ -77,7 +77,7 @@ class Path:
         pair, number = scene.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
-        self.falling, self.pulling = number(self.cells.falling), number(self.cells.pulling)
+        self.falling, self.pulling, self.steep = map(number, (self.cells.falling, self.cells.pulling, self.cells.steep))
         self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
 
     def _moving(self, at: At) -> tuple[Flow, Any]:
@@ -104,8 +104,8 @@ class Path:
         return flow, [*at.state, friction, *self.driven[1].force(self.numbers, at.local, flow.count)]
 
     def load(self, at: At) -> list[Any]:
-        """Return the load at a point, N, and its rate in stick."""
-        flow, z = self.here(at._replace(mode=0))
+        """Return the load at a point in stick, N, and its rate."""
+        flow, z = self.here(at)
         return flow.load(z)
 
     def edge(self, at: At) -> arb:
@@ -132,10 +132,12 @@ class Path:
 
     def growth(self, at: At, t: arb) -> arb:
         """Return by which factor N may grow in a time in the mode of a point, while the true motion is in its cell."""
-        return (self.flow(at).norm.mu * t.abs_upper()).exp().upper()
+        return self.flow(at).norm.growth(t.abs_upper())
 
     def reweighed(self, at: At, root_g: arb) -> At:
         """Return a point with N of its own cell, where it is that of a cell with this sqrt(g)."""
+        if not self.varies:
+            return at
         place, more = at.place, self.weight(at) ** 2 - root_g**2
         if root_g > 0:
             place = (at.norm / root_g).upper().min(place)
@@ -184,9 +186,8 @@ class Path:
             place = place + self.kappa * norm * t
         elif self.pair.a1 and not self.varies:
             norm = self.shrunk(norm, (t - at.late).lower())
-        x1, v1, x2, v2 = (self.numbers.radius(one) for one in state)
-        norm = (norm + self.root_a2 * x1 + self.root_m1 * v1 + self.root_m2 * v2).upper()
-        norm = (norm + self.weight(at) * (x1 + x2)).upper()
+        x1, v1, x2, v2 = map(self.numbers.radius, state)
+        norm = (norm + self.flow(at).norm.of((x1, v1, -x2, v2))).upper()
         if not norm.is_finite():
             raise OutOfRange("a number of this scene left the range of its arithmetic")
         points = tuple(map(self.numbers.middle, state))

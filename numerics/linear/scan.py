@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 from typing import Any, NamedTuple
 
 import flint
@@ -69,25 +69,25 @@ def scan(
     `rows` are Taylor coefficients, `rests` what they leave out (Flow), formed at a point a time `since` before. At an
     end that counts the sign is proved, too.
     """
-    known: dict[tuple[int, int], tuple[list[arb], arb]] = {}
+    known: dict[tuple[int, int], list[arb]] = {}
     far, hit = h if since is None else h + since, CLEAR
 
-    def derived(which: int, order: int) -> tuple[list[arb], arb]:
-        if (which, order) not in known:
-            row, count = rows[which], len(rows[which])
-            off = rests[which] * (far ** (count - order) * math.perm(count, order))
-            known[which, order] = bernstein(row, h, order), off
-        return known[which, order]
+    def left_out(which: int, order: int) -> arb:
+        count = len(rows[which])
+        return rests[which] * (far ** (count - order) * math.perm(count, order))
 
     for index, (sign, offset, order, margin, which, _) in enumerate(guards):
-        values, off = derived(which, order)
+        if (which, order) not in known:
+            known[which, order] = bernstein(rows[which], h, order)
+        values, off = known[which, order], left_out(which, order)
         least = off + margin - (0 if order else offset)
         if all(one > least for one in values) if sign > 0 else all(one < -least for one in values):
             continue
         if order:
             return UNKNOWN
-        slopes, slack = derived(which, 1)
-        if not (all(one < -slack for one in slopes) if sign > 0 else all(one > slack for one in slopes)):
+        # the slope has the Bernstein coefficients n (b_k+1 - b_k)/h
+        slack, ends = left_out(which, 1) * h / (len(values) - 1), values if sign > 0 else reversed(values)
+        if not all(two - one < -slack for one, two in pairwise(ends)):
             return UNKNOWN
         end = offset + sign * values[-1]
         if end > off + margin:
@@ -98,9 +98,9 @@ def scan(
     return hit
 
 
-def sharpest(flow: Flow, rows: Sequence[Sequence[arb]], z: Sequence[Any], h: arb, least: int) -> tuple[int, arb]:
+def sharpest(flow: Flow, z: Sequence[Any], h: arb, least: int) -> tuple[int, arb]:
     """Return the order, from `least` on, at which a polynomial leaves out least, and R; fast rates raise high ones."""
-    rests = [(order, flow.rests(rows, z, h, order)[0]) for order in (3, 5, 8, FEW) if order >= least]
+    rests = [(order, flow.rests(z, h, order)[0]) for order in (3, 5, 8, FEW) if order >= least]
     return min(rests, key=lambda one: (one[1] * h ** one[0]).mid())
 
 

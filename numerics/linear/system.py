@@ -252,14 +252,18 @@ class LocalNorm:
         self.rate = own + square * number(abs(mode.slope)) + coupling
 
     def of(self, state: Sequence[arb]) -> arb:
-        """Return N of (x1, v1, x2, v2)."""
+        """Return a bound on N of (x1, v1, x2, v2): the sum of the roots of its terms."""
         x1, v1, x2, v2 = state
-        parts = self.root_a2 * x1, self.root_m1 * v1, self.root_m2 * v2, self.root_g * (x1 - x2)
-        return sum((one * one for one in parts), arb(0)).abs_upper().sqrt().upper()
+        norm = abs(self.root_a2 * x1) + abs(self.root_m1 * v1) + abs(self.root_m2 * v2)
+        return (norm + abs(self.root_g * (x1 - x2)) if self.is_coupled else norm).upper()
+
+    def growth(self, h: arb) -> arb:
+        """Return by which factor N may grow in a time h."""
+        return arb(1) if self.mu.is_zero() else (self.mu * h).exp().upper()
 
     def grown(self, h: arb, norm: arb, pushed: arb) -> arb:
         """Return a bound on N after a time up to h, under a force of `pushed` at most."""
-        return ((self.mu * h).exp() * (norm + h * pushed / self.root_mass)).upper()
+        return (self.growth(h) * (norm + h * pushed / self.root_mass)).upper()
 
 
 def value(row: Row, z: arb_mat) -> arb:

@@ -29,7 +29,8 @@ from numerics.trajectory.rows import Rows
 
 ROUNDING = {"float64": 2.0**-53, "double-double": 2.0**-105}
 """The rounding of one operation."""
-
+_ZERO_BITS = 3
+"""A ball that holds 0 has no more accurate bits than that."""
 
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 """Where the bounds of x1, v1, x2, v2 stand in a row."""
@@ -40,9 +41,9 @@ def proved_digits(trajectory: Rows) -> int:
     with trajectory.context():
         values = list(_enclosed(trajectory))
         # the count of accurate bits is within two bits of the logarithm: only the worst are measured, and all zeros
-        bits = [None if value.contains(0) else value.rel_accuracy_bits() for value, _ in values]
-        close = min((count for count in bits if count is not None), default=0) + 4
-        worst = [one for one, count in zip(values, bits, strict=True) if count is None or count <= close]
+        bits = [value.rel_accuracy_bits() for value, _ in values]
+        close = min((count for count in bits if count > _ZERO_BITS), default=0) + 4
+        worst = [one for one, count in zip(values, bits, strict=True) if count <= max(close, _ZERO_BITS)]
         return min((digits_within(value.rad(), value, scale) for value, scale in worst), default=EXACT)
 
 
