@@ -18,7 +18,7 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.engine import scene_row
 from numerics.free.rows import solve_rows
 from numerics.linear.batch import run_prepared, run_rows
-from numerics.linear.pieces import Known, starts_of
+from numerics.linear.pieces import starts_of
 from numerics.linear.prepare import prepare
 from numerics.linear.record import AT, ROW, How
 from numerics.scene import Friction, Law, Scene
@@ -95,7 +95,7 @@ def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats
 def solve_prepared(scenes: Sequence[Scene], max_events: int, kept: Floats, ends: Floats) -> None:
     """Do the same for scenes: those of the free pair at once, and those of one pair under like forces."""
     alike: dict[object, list[tuple[int, Any]]] = {}
-    known = Known()
+    before: Scene | None = None
     for row, scene in enumerate(scenes):
         if free_scene(scene):
             numbers = scene_row(scene)
@@ -103,7 +103,7 @@ def solve_prepared(scenes: Sequence[Scene], max_events: int, kept: Floats, ends:
                 alike.setdefault(scene.law, []).append((row, numbers))
         elif not scene.friction.weakening:
             with suppress(OutOfRange):
-                one = prepare(scene, wide=False, known=known)
+                one, before = prepare(scene, wide=False, before=before), scene
                 alike.setdefault((id(one.pair), id(one.tables)), []).append((row, one))
     for kind, group in alike.items():
         rows, given = zip(*group, strict=True)
