@@ -21,21 +21,14 @@ from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
 from numerics.free.engine import scene_row
 from numerics.free.rows import UNKNOWN
+from numerics.linear.batch import Columns
 from numerics.linear.record import AT, END_ROW, ROW, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch, near
-from numerics.solver.rows import (
-    Columns,
-    form_ledgers,
-    frictions_of,
-    of_one_kind,
-    solve_columns,
-    solve_one,
-    solve_prepared,
-)
+from numerics.solver.rows import form_ledgers, frictions_of, of_one_kind, solve_columns, solve_one, solve_prepared
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.run import MAX_EVENTS, free_scene
@@ -114,8 +107,9 @@ def solve_many(
     ([1, 32], [0, 0], True)
     """
     named = dict(zip(SI, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
-    named |= {f"polynomial[{k}]": one for k, one in enumerate(listed("polynomial", polynomial))}
-    for k, sine in enumerate(listed("sines", sines)):
+    polynomial, sines = list(listed("polynomial", polynomial)), list(listed("sines", sines))
+    named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
+    for k, sine in enumerate(sines):
         if not isinstance(sine, Sequence | np.ndarray) or len(sine) != 3:
             raise InvalidScene(f"sines[{k}] must be a triple: amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
