@@ -76,13 +76,19 @@ def as_pair(x: Any) -> Pair:
     return x if isinstance(x, Pair) else Pair(float(x), 0.0)
 
 
-def nearest(value: Fraction) -> Pair:
-    """Return the double-double number nearest to a rational: its binary64 number, and that of what is left.
+def nearest(value: Fraction, exponent: int = 0) -> Pair:
+    """Return the double-double number nearest to value 2^-exponent: its binary64 number, and that of what is left.
 
     Raises OverflowError beyond binary64.
     """
-    high = float(value)
-    return Pair(high, float(value - Fraction(high)))
+    n, d = value.numerator, value.denominator
+    if exponent < 0:
+        n <<= -exponent
+    else:
+        d <<= exponent
+    high = n / d  # of whole numbers: rounded once, and faster than by fractions
+    p, q = high.as_integer_ratio()
+    return Pair(high, (n * q - p * d) / (d * q))
 
 
 def pair_of(numbers: Any) -> Pair:

@@ -10,9 +10,9 @@ from flint import arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS
 from numerics.arithmetic.ball import Ball, undecided
-from numerics.errors import InvalidScene, NumericsError
+from numerics.errors import NumericsError
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, exact_decimal, require_whole, short
+from numerics.scene.decimals import require_whole
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
@@ -29,14 +29,6 @@ def not_negative(x: arb, question: str) -> bool:
     if x >= 0 or x < 0:
         return bool(x >= 0)
     raise undecided(question, x)
-
-
-def positive(value: Exact, name: str, remedy: str) -> Fraction:
-    """Return a number > 0, exact. Raises InvalidScene with the remedy."""
-    exact = exact_decimal(value, name)
-    if exact <= 0:
-        raise InvalidScene(f"{name} = {short(exact)} must be > 0; {remedy}")
-    return exact
 
 
 def require_digits(digits: Any, **caps: Any) -> None:

@@ -17,7 +17,7 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Claim, most_digits, number, positive, require_digits, rounded
+from numerics.control.answers import KEPT_DIGITS, Claim, most_digits, number, require_digits, rounded
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.stuck import (
@@ -31,7 +31,7 @@ from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
 from numerics.plane.rotating import rotating_force, rotating_response
 from numerics.scene import Force, Pair, Piece, Scene, Sine, Weakening
-from numerics.scene.decimals import Exact, exact_decimal
+from numerics.scene.decimals import Exact, exact_decimal, positive
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
@@ -256,7 +256,8 @@ def last_drive(scene: Scene) -> Drive | None:
                 "intervals: a response is not worked out for that; leave place out of [weakening]"
             )
         given = Weakening([(w, one * b / pair.b) for w, one in given.speed], given.last_slope * b / pair.b)
-    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), Piece(0, last.polynomial, last.sines), given)
+    added = Force((Piece(0, last.polynomial, last.sines),)) + Force()  # equal sines become one
+    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), added.pieces[0], given)
 
 
 def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:

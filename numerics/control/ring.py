@@ -23,7 +23,7 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
-from numerics.control.answers import most_digits, not_negative, number, positive, require_digits
+from numerics.control.answers import most_digits, not_negative, number, require_digits
 from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
@@ -31,7 +31,7 @@ from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.resting_place import creeping_place
 from numerics.linear.system import X1, X2, Row, W
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, short
+from numerics.scene.decimals import Exact, positive, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.legs import legs

@@ -28,7 +28,6 @@ from numerics.control.answers import (
     Claim,
     not_negative,
     number,
-    positive,
     require_digits,
     rounded,
     rounded_up,
@@ -37,7 +36,7 @@ from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.linear.system import V1, X1, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
-from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.decimals import Exact, exact_decimal, positive, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 

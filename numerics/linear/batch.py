@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,17 +23,23 @@ from numerics.linear.table import FIRST, Tables, form, make_tables
 _MODE, _X1, _EVENT, _PIECE, _LOCAL = (AT[name] for name in ("mode", "x1", "event", "piece", "local"))
 
 
-class Columns(Protocol):
-    """What a batch gives: the table (n, 20) of SI numbers as halves, polynomial (n, p), sines (n, s, 3).
+class Columns(NamedTuple):
+    """Rows of scenes as compiled code reads them, all numbers binary64.
 
-    `frictions` (k, 4), the same for all rows: when a piece of friction begins (s), the first one at 0, and its b (N),
-    as halves; nan for the row's own b. With more than one piece the polynomial is a constant at most.
+    `table` (n, 20): SI numbers as halves. u = sum_k polynomial[:, k] t^k + sum amplitude sin(omega t + phase), with
+    `polynomial` (n, p) and `sines` (n, s, 3). `frictions` (k, 4), the same for all rows: when a piece begins (s), the
+    first one at 0, and its b (N), as halves; nan for the row's own b. With more than one piece the polynomial is a
+    constant at most.
     """
 
     table: NDArray[np.float64]
     polynomial: NDArray[np.float64]
     sines: NDArray[np.float64]
     frictions: NDArray[np.float64]
+
+    def part(self, rows: Any) -> Columns:
+        """Return some of the rows."""
+        return Columns(self.table[rows], self.polynomial[rows], self.sines[rows], self.frictions)
 
 
 def run_rows(
@@ -49,9 +55,8 @@ def run_rows(
     Rows that are in doubt, or out of range, keep the `how` that they had. Without `has_ledger` an end says nan of what
     friction and viscosity took: that costs a fifth of the time, and not everybody asks. Releases Python's lock.
     """
-    given = columns.table, columns.polynomial, columns.sines, columns.frictions
     terms = most_terms(columns.polynomial.shape[1])
-    compiled(follow_rows)(given, literal, max_events, has_ledger, terms, kept, ends)
+    compiled(follow_rows)(columns, literal, max_events, has_ledger, terms, kept, ends)
 
 
 class Drives(NamedTuple):
@@ -133,7 +138,7 @@ def follow_one(
 
 @compilable_with(makes_arrays=True, forceinline=False)
 def follow_rows(
-    given: Any,
+    given: Columns,
     literal: bool,
     max_events: int,
     has_ledger: bool,

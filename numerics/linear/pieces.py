@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.scene import Friction, Scene, Sine
+from numerics.scene import Piece, Scene, Sine
 from numerics.scene.pieces import shifted
 
-_AT_ONCE = np.zeros(1)
+_AT_ONCE, _NO_FORCE, _START = np.zeros(1), Piece(0), Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,25 +32,26 @@ class ExactPiece:
     is_jump: bool
 
 
-def pieces_of(scene: Scene, known: Known | None = None) -> Sequence[ExactPiece]:
-    """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene.
-
-    `known`: what was made of scenes before this one.
-    """
+def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
+    """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene."""
     if "pieces" in scene.made:
         return scene.made["pieces"]
     found: list[ExactPiece] = []
-    grid = (known.of if known else at_once)(_grid, scene.friction, scene.until, *scene.force.starts)
-    for start, length, forces, frictions in grid:
-        b = scene.friction.pieces[frictions - 1][1] if frictions else scene.pair.b
-        polynomial, sines = (), ()  # type: tuple[Fraction, ...], tuple[Sine, ...]
-        if forces:
-            piece = scene.force.pieces[forces - 1]
-            polynomial, sines = piece.polynomial, piece.sines
-            if polynomial and piece.start != start:
-                polynomial = shifted(polynomial, start - piece.start)
-        jumps = not found or _may_jump(found[-1], b, polynomial, sines)
-        found.append(ExactPiece(start, length, b, polynomial, sines, jumps))
+    force, b = _NO_FORCE, scene.pair.b
+    begun: list[tuple[Fraction, Piece | Fraction]] = [(piece.start, piece) for piece in scene.force.pieces]
+    begun += scene.friction.pieces
+    changes = sorted([one for one in begun if one[0] < scene.until], key=itemgetter(0))
+    for (start, change), (end, _) in pairwise([(_START, b), *changes, (scene.until, b)]):
+        if isinstance(change, Piece):
+            force = change
+        else:
+            b = change
+        if start < end:
+            polynomial = force.polynomial
+            if len(polynomial) > 1 and force.start < start:
+                polynomial = shifted(polynomial, start - force.start)
+            jumps = not found or _may_jump(found[-1], b, polynomial, force.sines)
+            found.append(ExactPiece(start, end - start, b, polynomial, force.sines, jumps))
     scene.made["pieces"] = found
     return found
 
@@ -63,38 +63,6 @@ def starts_of(scene: Scene) -> NDArray[np.float64]:
     if "starts" not in scene.made:
         scene.made["starts"] = np.array([float(piece.start) for piece in pieces_of(scene)])
     return scene.made["starts"]
-
-
-def at_once(make: Callable[..., Any], *given: object) -> Any:
-    """Return make(*given): a single scene has few numbers twice."""
-    return make(*given)
-
-
-class Known:
-    """What was made of numbers and objects, which many pieces and scenes of a batch share: made once."""
-
-    def __init__(self) -> None:
-        """Begin with nothing."""
-        self._found: dict[tuple[object, ...], tuple[Any, object]] = {}
-
-    def of(self, make: Callable[..., Any], *given: object) -> Any:
-        """Return make(*given), as it was made of the very same objects before."""
-        key = make, *map(id, given)
-        if key not in self._found:
-            self._found[key] = make(*given), given  # what is kept keeps its id
-        return self._found[key][0]
-
-
-def _grid(friction: Friction, until: Fraction, *forces: Fraction) -> list[tuple[Fraction, Fraction, int, int]]:
-    """Return of each piece start and length, s, and how many pieces of force and of friction have begun."""
-    starts, frictions = [Fraction(0)], friction.starts
-    for t in sorted((*forces, *frictions)):
-        if starts[-1] < t < until:
-            starts.append(t)
-    return [
-        (start, end - start, bisect_right(forces, start), bisect_right(frictions, start))
-        for start, end in pairwise([*starts, until])
-    ]
 
 
 def polynomial_at(polynomial: Sequence[Fraction], t: Fraction) -> Fraction:

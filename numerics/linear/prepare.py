@@ -6,10 +6,10 @@ Units of mass, time and length are powers of 2, so that they change no bit of wh
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from flint import arb, ctx
@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
+from numerics.arithmetic.pair import nearest
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, constants
-from numerics.linear.pieces import ExactPiece, Known, at_once, pieces_of
+from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, ROW
 from numerics.linear.table import FIRST, Tables, form, make_tables
 from numerics.scene import Law, Pair, Scene
@@ -33,6 +34,10 @@ _MORE_TERMS = 14
 """So many terms more than the polynomial of u has coefficients."""
 _ROWS_PER_HALF_TURN, _MOST_HALF_TURNS = 3, 5_000
 """Events that a half turn of the fastest rate (of body 1 alone, of a sine) is given room for; so many are foreseen."""
+
+
+_STATE = slice(AT["x1"], AT["x1"] + 8)
+"""Where x1, v1, x2 and v2 stand in a row, as halves."""
 
 
 class Units(NamedTuple):
@@ -68,18 +73,10 @@ class Prepared(NamedTuple):
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
     """Return x 2^-exponent as a pair of floats. Raises OutOfRange."""
-    n, d = x.numerator, x.denominator
-    if exponent < 0:
-        n <<= -exponent
-    else:
-        d <<= exponent
     try:
-        high = n / d
-        p, q = high.as_integer_ratio()
-        low = (n * q - p * d) / (d * q)
+        return nearest(x, exponent)
     except OverflowError:
         raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"') from None
-    return high, low
 
 
 def reduced(phase: Fraction) -> Fraction:
@@ -125,33 +122,40 @@ def bodies_of(pair: Pair, law: Law) -> Bodies:
     return Bodies(constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units)
 
 
-def prepare(scene: Scene, *, wide: bool, known: Known | None = None) -> Prepared:
+def prepare(scene: Scene, *, wide: bool, before: Scene | None = None) -> Prepared:
     """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange.
 
-    `known`: what scenes before this one have had converted.
+    `before`: a scene that is prepared; where only the start differs, all else is what it is there.
     """
     if wide in scene.made:
         return scene.made[wide]
-    of = known.of if known else at_once
-    bodies: Bodies = of(bodies_of, scene.pair, scene.law)
-    pair, numbers, units = bodies
-    pieces = pieces_of(scene, known)
-    drive, kinds, longest = _drive(pieces, units, of)
-    tables = _tables(numbers, tuple(kinds), longest, wide)
-    at, start = scene.initial, np.zeros(ROW)
-    for name, exponent in (("x1", 0), ("v1", -1), ("x2", 0), ("v2", -1)):
-        value = of(halves, getattr(at, name), units.of(length=1, time=exponent))
-        start[AT[name] : AT[name] + 2] = value
+    if before is not None and _all_but_start(before) == _all_but_start(scene):
+        shared: Prepared = before.made[wide]
+        scene.made["pieces"] = shared.pieces
+    else:
+        pair, numbers, units = bodies_of(scene.pair, scene.law)
+        pieces = pieces_of(scene)
+        drive, kinds, longest = _drive(pieces, units)
+        tables = _tables(numbers, tuple(kinds), longest, wide)
+        shared = Prepared(pair, drive, tables, np.zeros(ROW), False, units, pieces)
+    at, start, units = scene.initial, np.zeros(ROW), shared.units
+    place, speed = units.length, units.of(length=1, time=-1)
+    values = halves(at.x1, place), halves(at.v1, speed), halves(at.x2, place), halves(at.v2, speed)
+    start[_STATE] = [half for value in values for half in value]
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
-    scene.made[wide] = found = Prepared(pair, drive, tables, start, gap != 0, units, pieces)
+    scene.made[wide] = found = shared._replace(start=start, is_decided=gap != 0)
     return found
+
+
+def _all_but_start(scene: Scene) -> tuple[object, ...]:
+    return scene.force, scene.friction, scene.until, scene.pair, scene.law
 
 
 Kind = tuple[int, tuple[Halves, ...]]
 """The number of coefficients of the polynomial, and the frequencies."""
 
 
-def _drive(pieces: Sequence[ExactPiece], units: Units, of: Callable[..., Any]) -> tuple[Drive, dict[Kind, int], float]:
+def _drive(pieces: Sequence[ExactPiece], units: Units) -> tuple[Drive, dict[Kind, int], float]:
     """Return the table of the pieces, the kinds of force in it, and the length of the longest piece."""
     force, second = units.of(mass=1, length=1, time=-2), units.time
     places: list[tuple[int, ...]] = []
@@ -161,23 +165,18 @@ def _drive(pieces: Sequence[ExactPiece], units: Units, of: Callable[..., Any]) -
     sines: list[tuple[Halves, Halves, Halves]] = []
     kinds: dict[Kind, int] = {}
     for one in pieces:
-        omegas = tuple([of(halves, sine.omega, -second) for sine in one.sines])
+        omegas = tuple([halves(sine.omega, -second) for sine in one.sines])
         index = kinds.setdefault((len(one.polynomial), omegas), len(kinds))
         places.append((len(coefficients), len(one.polynomial), len(sines), len(one.sines), index, int(one.is_jump)))
-        b.append(of(halves, one.b, force))
-        length.append(of(halves, one.length, second))
-        coefficients += [of(halves, c, force - k * second) for k, c in enumerate(one.polynomial)]
+        b.append(halves(one.b, force))
+        length.append(halves(one.length, second))
+        coefficients += [halves(c, force - k * second) for k, c in enumerate(one.polynomial)]
         for sine, omega in zip(one.sines, omegas, strict=True):
-            phase = of(_phase_at, sine.omega, sine.phase, one.start)
-            sines.append((of(halves, sine.amplitude, force), omega, phase))
+            phase = sine.phase + sine.omega * one.start if one.start else sine.phase
+            sines.append((halves(sine.amplitude, force), omega, halves(reduced(phase))))
     numbers = np.array(coefficients).reshape(-1, 2), np.array(sines).reshape(-1, 3, 2)
     drive = Drive(np.array(places, dtype=np.int64), np.array(b), np.array(length), *numbers)
     return drive, kinds, max(length)[0]
-
-
-def _phase_at(omega: Fraction, phase: Fraction, start: Fraction) -> Halves:
-    """Return the phase of a sine at a time."""
-    return halves(reduced(omega * start + phase))
 
 
 def most_terms(coefficients: int, least: int = TERMS) -> int:

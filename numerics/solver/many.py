@@ -21,22 +21,14 @@ from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
 from numerics.free.engine import scene_row
 from numerics.free.rows import UNKNOWN
-from numerics.linear.pieces import Known
+from numerics.linear.batch import Columns
 from numerics.linear.record import AT, END_ROW, ROW, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch, near
-from numerics.solver.rows import (
-    Columns,
-    form_ledgers,
-    frictions_of,
-    of_one_kind,
-    solve_columns,
-    solve_one,
-    solve_prepared,
-)
+from numerics.solver.rows import form_ledgers, frictions_of, of_one_kind, solve_columns, solve_one, solve_prepared
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.run import MAX_EVENTS, free_scene
@@ -115,8 +107,9 @@ def solve_many(
     ([1, 32], [0, 0], True)
     """
     named = dict(zip(SI, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
-    named |= {f"polynomial[{k}]": one for k, one in enumerate(listed("polynomial", polynomial))}
-    for k, sine in enumerate(listed("sines", sines)):
+    polynomial, sines = list(listed("polynomial", polynomial)), list(listed("sines", sines))
+    named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
+    for k, sine in enumerate(sines):
         if not isinstance(sine, Sequence | np.ndarray) or len(sine) != 3:
             raise InvalidScene(f"sines[{k}] must be a triple: amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
@@ -137,7 +130,7 @@ def solve_many(
     how = law is Law.THREE_VALUED_SGN, max_events
 
     def scene_of(row: int) -> Scene:
-        return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, Known(), friction=friction)
+        return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {}, friction=friction)
 
     def run(part: slice, kept: Floats, ends: Floats) -> None:
         solve_columns(columns.part(part), *how, kept, ends)
@@ -214,20 +207,22 @@ def _scene(
     numbers: Sequence[Any],
     terms: int,
     law: Law,
-    known: Known,
+    pairs: dict[tuple[int, ...], Pair],
     force: Any = NO_FORCE,
     friction: Any = SAME_FRICTION,
 ) -> Scene:
     """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too.
 
-    `known` keeps the pair of the very same numbers, which most scenes of a batch share.
+    `pairs` keeps the pair of the very same numbers, which most scenes of a batch share.
     """
     m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
+    same = id(m1), id(m2), id(a2), id(b), id(a1)
+    pair = pairs[same] if same in pairs else pairs.setdefault(same, Pair(m1, m2, a2, b, a1))
     waves = [Sine(*rest[k : k + 3]) for k in range(terms, len(rest), 3)]
     if any(rest[:terms]) or any(s.amplitude for s in waves):
         own = Force((Piece(0, rest[:terms], waves),))
         force = own if force is NO_FORCE else own + force
-    return Scene(known.of(Pair, m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force, friction)
+    return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
 
 
 def _solve_objects(
@@ -246,9 +241,9 @@ def _solve_objects(
         if wrong := [one for one in arrays[name].flat if not isinstance(one, kind)]:
             what = kind.__name__
             raise InvalidScene(f"{name} holds {str(wrong[0])[:40]!r}; give a {what}([...]), or a list of them")
-    shape, known = _common_shape(arrays), Known()
+    shape, pairs = _common_shape(arrays), dict[tuple[int, ...], Pair]()
     rows = zip(*(np.broadcast_to(one, shape).ravel() for one in arrays.values()), strict=True)
-    found = solve_scenes([_scene(row[:-2], terms, law, known, *row[-2:]) for row in rows], **limits._asdict())
+    found = solve_scenes([_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows], **limits._asdict())
     found.shape = shape
     return found
 

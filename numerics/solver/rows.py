@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -17,8 +16,8 @@ from numerics.arithmetic.pair import nearest
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.engine import scene_row
 from numerics.free.rows import solve_rows
-from numerics.linear.batch import run_prepared, run_rows
-from numerics.linear.pieces import Known, starts_of
+from numerics.linear.batch import Columns, run_prepared, run_rows
+from numerics.linear.pieces import starts_of
 from numerics.linear.prepare import prepare
 from numerics.linear.record import AT, ROW, How
 from numerics.scene import Friction, Law, Scene
@@ -44,34 +43,6 @@ def of_one_kind(given: Any) -> Any:
     return kept
 
 
-@dataclass
-class Columns:
-    """Rows of scenes as compiled code reads them, all numbers binary64.
-
-    `table` (n, 20): SI numbers as halves (answer.SI). u = sum_k polynomial[:, k] t^k + sum amplitude sin(omega t +
-    phase), with `polynomial` (n, p) and `sines` (n, s, 3). All have the same pieces of friction.
-    """
-
-    table: Floats
-    polynomial: Floats
-    sines: Floats
-    frictions: Floats
-    """frictions_of what friction they have."""
-
-    def part(self, rows: Any) -> Columns:
-        """Return some of the rows."""
-        return replace(self, table=self.table[rows], polynomial=self.polynomial[rows], sines=self.sines[rows])
-
-    @property
-    def free(self) -> Any:
-        """Return which rows are those of the free pair: a1 = 0 and no force."""
-        still = (self.table[:, -2] == 0) & (len(self.frictions) == 1 and bool(np.isnan(self.frictions[0, 2])))
-        for forces in (self.polynomial, self.sines[:, :, 0]):
-            if forces.size:
-                still &= ~np.any(forces, axis=1)
-        return still
-
-
 def frictions_of(friction: Friction) -> Floats:
     """Return the pieces of a friction without weakening as linear/batch.py reads them."""
     pieces = [(*nearest(start), *nearest(b)) for start, b in friction.pieces]
@@ -81,7 +52,9 @@ def frictions_of(friction: Friction) -> Floats:
 
 def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
     """Solve rows by compiled code, each by the engine that it needs; what is in doubt keeps the `how` that it had."""
-    free = columns.free
+    # those of the free pair: a1 = 0 and no force
+    free = (columns.table[:, -2] == 0) & (len(columns.frictions) == 1 and bool(np.isnan(columns.frictions[0, 2])))
+    free &= ~columns.polynomial.any(axis=1) & ~columns.sines[:, :, 0].any(axis=1)
     for its in (free, ~free):
         if its.any():
             rows = slice(None) if its.all() else its
@@ -95,7 +68,7 @@ def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats
 def solve_prepared(scenes: Sequence[Scene], max_events: int, kept: Floats, ends: Floats) -> None:
     """Do the same for scenes: those of the free pair at once, and those of one pair under like forces."""
     alike: dict[object, list[tuple[int, Any]]] = {}
-    known = Known()
+    before: Scene | None = None
     for row, scene in enumerate(scenes):
         if free_scene(scene):
             numbers = scene_row(scene)
@@ -103,7 +76,7 @@ def solve_prepared(scenes: Sequence[Scene], max_events: int, kept: Floats, ends:
                 alike.setdefault(scene.law, []).append((row, numbers))
         elif not scene.friction.weakening:
             with suppress(OutOfRange):
-                one = prepare(scene, wide=False, known=known)
+                one, before = prepare(scene, wide=False, before=before), scene
                 alike.setdefault((id(one.pair), id(one.tables)), []).append((row, one))
     for kind, group in alike.items():
         rows, given = zip(*group, strict=True)

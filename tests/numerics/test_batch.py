@@ -156,7 +156,7 @@ def test_rows_under_a_force_are_what_their_scenes_give_by_themselves_in_any_orde
 
 def test_a_sweep_of_amplitudes_may_begin_at_0():
     """There the row is one of the free pair, and so is the scene: a sine of amplitude 0 is no force."""
-    found = solve_many(1, 1, 200, "0.5", x1=0.02, until=3, sines=[([0, 1], 5, 0)])
+    found = solve_many(1, 1, 200, "0.5", x1=0.02, until=3, sines=iter([([0, 1], 5, 0)]))
     for k in range(2):
         scene = Scene(Pair(1, 1, 200, "0.5"), State(x1=Fraction(0.02)), until=3, force=Force.sine(k, 5))
         assert scene.is_forced == bool(k)

@@ -249,7 +249,7 @@ def test_a_force_that_favours_no_side_may_carry_body_2_along_for_ever_to_either_
 
 
 def test_the_last_piece_and_the_last_friction_decide():
-    late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.5", 12)])))
+    late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.2", 12), Sine("0.3", 12)])))
     scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
     assert steady_drive(scene) == answer(DAMPED, "0.5").drive
     doubled = Friction([(1, "0.5")], Weakening([("0.3", "0.3")]))
