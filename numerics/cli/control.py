@@ -186,7 +186,7 @@ def print_transfer(options: argparse.Namespace) -> int:
 
 def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherwise: str) -> int:
     """Print what is found, and write or print its scene; FAILED with a sentence if there is none."""
-    from numerics.scene.writing import scene_text
+    from numerics.scene.file import scene_text
 
     record, lines = shown
     text = "" if scene is None else scene_text(scene)

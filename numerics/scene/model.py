@@ -12,8 +12,7 @@ from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, keep, positive, put, short
-from numerics.scene.force import Force
-from numerics.scene.pieces import Friction
+from numerics.scene.pieces import Force, Friction
 from numerics.scene.short_repr import ShortRepr
 
 

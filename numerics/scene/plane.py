@@ -18,9 +18,8 @@ from flint import fmpq, fmpq_mat
 from numerics.errors import InvalidScene
 from numerics.scene import decimals
 from numerics.scene.decimals import Exact, exact_decimal, listed, put, short
-from numerics.scene.force import Force
 from numerics.scene.model import HORIZON, NO_FORCE, Law, read_law
-from numerics.scene.pieces import Piece, not_before_zero, require_order, two_of
+from numerics.scene.pieces import Force, Piece, not_before_zero, require_order, two_of
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")

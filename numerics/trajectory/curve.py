@@ -10,7 +10,7 @@ from numerics.linear.cells import cells_of
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
 from numerics.trajectory.columns import Array, Counts, Floats
-from numerics.trajectory.flow import losses, moved, over_rows
+from numerics.trajectory.flow import losses, moved
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -73,7 +73,7 @@ def sampled(trajectory: Rows) -> Curve:
     at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
     since, (local, y) = lengths[at] * share, trajectory.row_numbers
-    y, taken = y[:, at] + over_rows(moved, trajectory, at, since), over_rows(losses, trajectory, at, since)[:2]
+    y, taken = y[:, at] + trajectory.row_changes(moved, at, since), trajectory.row_changes(losses, at, since)[:2]
     u, b = np.zeros(len(at)), np.zeros(len(at))
     for piece in np.unique(pieces):
         chosen, acting = pieces[at] == piece, trajectory.pieces[piece]

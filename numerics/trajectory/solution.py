@@ -13,13 +13,13 @@ from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.columns import Array
-from numerics.trajectory.dense import Evaluated, Side
 from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
+from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.status import Status
 
 
-class Solution(Evaluated):
+class Solution(Rows):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
 
     def look_up_times(self) -> None:

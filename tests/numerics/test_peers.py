@@ -90,17 +90,6 @@ def test_the_chatter_of_forward_euler_is_read_as_sticking(sign, load, mode, even
     assert list(events_of(np.array(sign), np.array(load), mode)) == events
 
 
-# off the line the event-driven law has the events, the smoothed one comes nearer
-
-
-@pytest.mark.long
-def test_from_event_to_event_it_has_the_events():
-    scene = benchmark("surface-stick-slip")
-    found = judge(prepared("SciPy DOP853, events", scene, 1e-4)(), truth_of(scene), scene)
-    assert found.difference is None
-    assert found.digits > 1
-
-
 @pytest.mark.parametrize("name", ["surface-stick-slip", "state-weakening"])
 def test_a_smoothed_law_comes_nearer_with_less_smoothing(name):
     scene = benchmark(name)
