@@ -11,11 +11,9 @@ import numpy as np
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.comparisons.forward_euler import euler_peer
-from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
-from numerics.trade.comparisons.peer import PeerRun
-from numerics.trade.comparisons.scipy_peer import scipy_arcs
+from numerics.trade.comparisons.integrators import heyoka_arcs, scipy_arcs
 from numerics.trade.comparisons.smoothed import smoothed
-from numerics.trade.comparisons.switched import switched
+from numerics.trade.comparisons.switched import PeerRun, switched
 from numerics.trade.scenes import KINDS
 
 MAX_EVENTS = 10**7

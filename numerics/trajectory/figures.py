@@ -211,8 +211,9 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
 
 def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
-    pair, energy, (friction, viscous) = trajectory.scene.pair, curve.energy(trajectory.scene.pair), curve.lost
-    forced, work = trajectory.scene.is_forced, energy - energy[0] + friction + viscous
+    pair, (friction, viscous), forced = trajectory.scene.pair, curve.lost, trajectory.scene.is_forced
+    energy = pair.energy(curve.y, float)
+    work = energy - energy[0] + friction + viscous
     if not forced:
         ax.axhline(float(pair.critical_energy), color="black", lw=0.8, ls=":", label="$E_{cr}$")
     for acts, label, part, color, dashes in (

@@ -167,19 +167,13 @@ class Rows(Answer):
     def final_energy(self) -> Number:
         """Return the energy at the end, J, formed from the state."""
         with self.context():
-            return self.energy_of(self.final_state)
+            return self.scene.pair.energy(self.final_state, self.arithmetic.number)
 
     @cached_property
     def end_time(self) -> Number:
         """Return the time at the end, s."""
         with self.context():
             return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
-
-    def energy_of(self, y: Any) -> Any:
-        """Return (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 of states (4, ...), J."""
-        pair, number = self.scene.pair, self.arithmetic.number
-        x1, v1, _, v2 = y
-        return (x1 * x1 * number(pair.a2) + v1 * v1 * number(pair.m1) + v2 * v2 * number(pair.m2)) / 2
 
     @cached_property
     def frame(self) -> Frame:

@@ -117,7 +117,7 @@ class Solution(Rows):
     def energy(self) -> Array:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
         with self.context():
-            return np.asarray(self.energy_of(self.y))
+            return np.asarray(self.scene.pair.energy(self.y, self.arithmetic.number))
 
     @cached_property
     def energy_excess(self) -> Array:

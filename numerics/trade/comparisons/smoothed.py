@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from numerics.scene import Scene
-from numerics.trade.comparisons.peer import Call, PeerFailed, PeerRun
+from numerics.trade.comparisons.switched import Call, PeerFailed, PeerRun
 
 
 def smoothed(scene: Any, eps: float) -> Call:
