@@ -15,9 +15,9 @@ from typing import Any, cast
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import decimal_text, exact_decimal, listed
-from numerics.scene.model import BUILD, require_kind
+from numerics.scene.model import BUILD, read_law, require_kind
 from numerics.scene.pieces import two_coefficients
-from numerics.scene.plane import AXES, PlaneScene, plane_scene
+from numerics.scene.plane import AXES, PlanePair, PlaneScene
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
@@ -130,28 +130,26 @@ def parse_scene(text: str, file: str = "") -> Scene:
     Raises InvalidScene.
     """
     tables = _tables(text, "scene", file, _SCENE)
-    pair, run = tables["pair"], tables["run"]
-    initial, weakening, force = (tables.get(name, {}) for name in ("initial", "weakening", "force"))
-    lists = [one for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
-    if lists or "shape" in pair or any("axis" in one for one in force):  # what is asked of a Scene is refused by type
-        if weakening:
-            raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
-        pieces = [
-            (one.get("axis", "x"), read) for one, read in zip(force, _read("force", tables, _force_piece), strict=True)
-        ]
-        changes = [(one["from"], one["b"]) for one in tables.get("friction", ())]
-        return cast("Scene", plane_scene(pair, initial, run, pieces, changes))
-    return Scene(
-        Pair(**pair),
-        State(**initial),
-        until=run["until"],
-        law=run.get("law", Law.FILIPPOV),
-        force=Force(_read("force", tables, _force_piece)),
-        friction=Friction(
-            _read("friction", tables, lambda one: Friction([(one["from"], one["b"])]).pieces[0]),
-            Weakening(**weakening) if "weakening" in tables else None,
-        ),
-    )
+    pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
+    lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
+    law, pieces = read_law(run.get("law", Law.FILIPPOV)), _read("force", tables, _force_piece)
+    if not (lists or "shape" in pair or any("axis" in one for one in force)):
+        changes = _read("friction", tables, lambda one: Friction([(one["from"], one["b"])]).pieces[0])
+        friction = Friction(changes, Weakening(**tables["weakening"]) if "weakening" in tables else None)
+        return Scene(Pair(**pair), State(**initial), run["until"], law, Force(pieces), friction)
+    if tables.get("weakening"):
+        raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
+    if law is not Law.FILIPPOV:
+        raise InvalidScene("on a surface the law is filippov; a sign that is 0 at 0 says nothing of a direction")
+    axes = [one.get("axis", "x") for one in force]
+    for axis in axes:
+        if axis not in AXES:
+            raise InvalidScene(f"axis = {str(axis)[:40]!r} is not one of {', '.join(AXES)}")
+    n = max([2, *lists, *(AXES.index(axis) + 1 for axis in axes)])
+    along = [Force(piece for axis, piece in zip(axes, pieces, strict=True) if axis == own) for own in AXES[:n]]
+    changes = [(one["from"], one["b"]) for one in tables.get("friction", ())]
+    surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along, friction=changes)
+    return cast("Scene", surface)  # what is asked of a Scene is refused by type
 
 
 def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) -> dict[str, Any]:

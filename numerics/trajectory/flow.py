@@ -228,17 +228,16 @@ class Moving:
         """
         if not one:
             return arb(0)
-        A, halvings, over = self.mode.generator(), self._halvings(tau), motion.over(tau)
-        n = len(A)
-        Q = [[Fraction(0)] * n for _ in range(n)]
+        A, halvings, over = np.array(self.mode.generator()), self._halvings(tau), motion.over(tau)
+        n, Q = len(A), 0 * A
         for place, f in one:
             for other, g in two:
-                Q[place][other] += f * g / 2
-                Q[other][place] += f * g / 2
-        rows = [[*(-A[c][r] for c in range(n)), *Q[r]] for r in range(n)] + [[Fraction(0)] * n + row for row in A]
-        E = (matrix(rows) * (tau.mid() / (arb(2) ** halvings))).exp()
-        flow = arb_mat([[E[n + r, n + c] for c in range(n)] for r in range(n)])
-        found = flow.transpose() * arb_mat([[E[r, n + c] for c in range(n)] for r in range(n)])
+                Q[place, other] += f * g / 2
+                Q[other, place] += f * g / 2
+        block = matrix(np.block([[-A.T, Q], [0 * A, A]]).tolist()) * (tau.mid() / (arb(2) ** halvings))
+        E = np.array(block.exp().tolist())
+        flow = arb_mat(E[n:, n:].tolist())
+        found = flow.transpose() * arb_mat(E[:n, n:].tolist())
         for _ in range(halvings):
             found += flow.transpose() * found * flow
             flow = flow * flow

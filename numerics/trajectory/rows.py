@@ -283,13 +283,16 @@ class Rows(Answer):
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self._in_floats:
             return np.asarray(self.row_states[:, rows] + self.row_changes(moved, rows, since))
-        return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows.tolist(), since, strict=True)])
+        return self._each(Moving.after, rows, since)
 
     def row_losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
         if self._in_floats:
             return self.row_changes(losses, rows, since)
-        return _columns([self.row_motion(row).losses(tau) for row, tau in zip(rows.tolist(), since, strict=True)])
+        return self._each(Moving.losses, rows, since)
+
+    def _each(self, function: Callable[[Moving, Number], Any], rows: Counts, since: Array) -> Array:
+        return _columns([function(self.row_motion(row), tau) for row, tau in zip(rows.tolist(), since, strict=True)])
 
     @cached_property
     def row_motion(self) -> Callable[[int], Moving]:

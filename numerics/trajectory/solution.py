@@ -76,13 +76,17 @@ class Solution(Rows):
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return tuple(map(MODES.__getitem__, self.signs))[: self.record.events + self.reached]
+        return self._all_modes[: self.record.events + self.reached]
+
+    @cached_property
+    def _all_modes(self) -> tuple[Mode, ...]:
+        """Return also the mode after the last event, where the cap on events ended the run."""
+        return tuple(map(MODES.__getitem__, self.signs))
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        modes = [MODES[sign] for sign in self.signs]
-        return tuple(map(event_kind, modes, modes[1:]))
+        return tuple(map(event_kind, self._all_modes, self._all_modes[1:]))
 
     @property
     def t(self) -> Array:
@@ -175,7 +179,7 @@ class Solution(Rows):
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
-        rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
+        rows, modes = self.event_rows, self._all_modes
         causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
         states, excesses = self.event_states, self.columns.numbers("excess")[rows]
         with self.context():
