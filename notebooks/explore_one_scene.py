@@ -31,13 +31,13 @@ from IPython.display import Latex, Markdown, display
 from numerics import Pair, Scene, State, sensitivities, solve
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
-from numerics.cli.plot import overview
 from numerics.errors import EventUndecided, PrecisionExhausted
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.export import as_record
+from numerics.trajectory.figures import overview
 from paper_checks.evidence.formula import equation
 from theory.near_critical import rate_constant
 from theory.symbols import a2, b, m1, m2

@@ -78,9 +78,9 @@ if TYPE_CHECKING:
     from numerics.scene import Weakening as Weakening
     from numerics.scene.file import load_reference as load_reference
     from numerics.scene.file import load_scene as load_scene
+    from numerics.scene.file import scene_text as scene_text
     from numerics.scene.plane import PlanePair as PlanePair
     from numerics.scene.plane import PlaneScene as PlaneScene
-    from numerics.scene.writing import scene_text as scene_text
     from numerics.solver.batch import Batch as Batch
     from numerics.solver.many import solve_many as solve_many
     from numerics.solver.many import solve_scenes as solve_scenes
@@ -93,9 +93,8 @@ if TYPE_CHECKING:
 # without __all__, in whose presence help() would print every method of every class here
 _NAMES = {
     "scene": "Force Friction Law Pair Piece Scene Sine State Weakening",
-    "scene.file": "load_reference load_scene",
+    "scene.file": "load_reference load_scene scene_text",
     "scene.plane": "PlanePair PlaneScene",
-    "scene.writing": "scene_text",
     "solver.solve": "solve",
     "solver.prepared": "Solver",
     "solver.many": "solve_many solve_scenes",

@@ -3,8 +3,17 @@
 The sequence of events, every number of events and end against its stated bound, and what the energy ledger leaves. A
 typed refusal is an answer, and so is a run that says of itself that its bounds leave the sequence open; an event that
 is missed or invented without a word, and a bound that is exceeded, is not. How much larger bounds are than what the
-run's errors can do (slack.py) is shown, and on a surface it must be below 10^4: a bound that is always true may say
+run's errors can do (slack) is shown, and on a surface it must be below 10^4: a bound that is always true may say
 nothing. (Not of a box in parts: such a part may be a pair on a line.)
+
+N^2 = x1.A2 x1 + v1.M1 v1 + v2.M2 v2 of an error never grows of itself, and every bound follows from one on N. A single
+error may be far below its own: it passes through 0, an event does not feel the axis that is off, friction forgets. So a
+bound is held against what E, the largest N of an error of its run, can do to the same number:
+
+    |x1_i| <= E sqrt((A2^-1)_ii),  |v_i| <= E/sqrt(m_i),  |x1_i - x2_i| <= t E sqrt(1/m1_i + 1/m2_i),
+
+and a time: in E/(W Y) a motion of the run's largest N, Y, at its slowest rate W goes as far as E; or the largest error
+of a time, if that is more. What is not asked: whether a bound knows on which axis an error is, and from when on.
 """
 
 from __future__ import annotations
@@ -20,10 +29,10 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from flint import arb
+from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import exact_middle
 from numerics.audit.draws import KINDS
-from numerics.audit.slack import slack
 from numerics.errors import NumericsError
 from numerics.shown import print_table
 from numerics.solver.solve import solve
@@ -160,6 +169,27 @@ def relative_residual(run: Any) -> float:
         return MOST
     (residual, radius), *rest = _figures(parts, None)
     return excess(abs(residual) - (radius or 0), sum((abs(size) for size, _ in rest), Fraction(0)))
+
+
+def slack(pair: Any, values: NDArray[np.float64], errors: NDArray[np.float64], bounds: NDArray[np.float64]) -> float:
+    """Return the largest bound over what the largest error in N can do.
+
+    A row of each is t, x1, v1, x2, v2, each by axes, at an event or the end of a run of a pair on a line or a surface.
+    """
+    m1, m2 = (np.atleast_1d(np.array(given, dtype=float)) for given in (pair.m1, pair.m2))
+    a2 = np.atleast_2d(np.array(pair.a2, dtype=float))
+    soft, apart = np.sqrt(np.diag(np.linalg.inv(a2))), np.sqrt(1 / m1 + 1 / m2)
+    slowest = np.sqrt(np.linalg.eigvalsh(a2 / np.sqrt(np.outer(m1 + m2, m1 + m2)))[0])
+
+    def norm(rows: NDArray[np.float64]) -> float:
+        x1, v1, _, v2 = np.split(rows[:, 1:], 4, axis=1)
+        return float(np.sqrt(np.max(np.sum(x1 @ a2 * x1 + m1 * v1**2 + m2 * v2**2, axis=1))))
+
+    most, off = norm(values), norm(errors)
+    late = max(off / (slowest * most) if most else 0.0, errors[:, 0].max())
+    able = np.array([[late, *soft * off, *off / np.sqrt(m1), *(soft + apart * t) * off, *off / np.sqrt(m2)]
+                     for t in values[:, 0]])  # fmt: skip
+    return float(np.max(bounds[able > 0] / able[able > 0], initial=0.0))
 
 
 def _row(kind: str, arithmetic: str, answers: Sequence[str | dict[str, Any]]) -> Row:

@@ -45,7 +45,7 @@ def print_response(options: argparse.Namespace) -> int:
 
 
 def _of_motions(found: PeriodicMotions) -> Shown:
-    edge, motions = numbers(found.digits, entrainment=found.entrainment), [_of_response(one) for one in found.motions]
+    edge, motions = numbers(found, "entrainment"), [_of_response(one) for one in found.motions]
     record = {name: getattr(found, name) for name in ("sentence", "is_all", "starts", "digits")}
     lines = [found.sentence, *number_lines(edge)]
     for number, (_, (first, *others)) in enumerate(motions, start=1):
@@ -81,7 +81,7 @@ def _slips_for_ever(found: Response) -> str:
 def _of_response(found: Response) -> Shown:
     from numerics.linear.modes import MODES
 
-    digits, multipliers = found.digits, found.multipliers or ()
+    digits, multipliers, known = found.digits, found.multipliers or (), found.thresholds
     record: dict[str, Any] = {
         "regime": found.regime.name.lower().replace("_", "-"),
         "sentence": found.regime.value,
@@ -89,24 +89,20 @@ def _of_response(found: Response) -> Shown:
         "digits": digits,
     }
     lines, grows = [f"{found.regime.value}; {found.attraction}"], found.growth > 0
-    if found.thresholds is not None and not grows:
+    if known is not None and not grows:
         record["slips_for_ever"] = _slips_for_ever(found)
-    record |= numbers(
-        digits,
-        **{name: getattr(found.thresholds, name, None) for name in ("entrainment", "exception", "non_stop")},
-        drift=found.drift,
-        growth=found.growth if grows else None,
-        decay=abs(multipliers[0]) if multipliers else None,
-    )
+    decay = abs(multipliers[0]) if multipliers else None
+    record |= {} if known is None else numbers(known, "entrainment", "exception", "non_stop")
+    record |= numbers(found, "drift", growth=found.growth if grows else None, decay=decay)
     lines += number_lines(record)
     if "slips_for_ever" in record:
         lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
-    record["multipliers"] = [numbers(digits, re=one.real, im=one.imag, size=abs(one)) for one in multipliers]
+    record["multipliers"] = [numbers(found, re=one.real, im=one.imag, size=abs(one)) for one in multipliers]
     for one in multipliers:
         lines.append(f"  multiplier {one.str(digits, radius=False)}, size {abs(one).str(digits, radius=False)}")
     record["events"] = []
     for leg in found.orbit.events if found.orbit is not None else ():
-        event = {"to": MODES[leg.side].value, **numbers(digits, t=leg.start, x1=leg.state[0], v1=leg.state[1])}
+        event = {"to": MODES[leg.side].value, **numbers(found, t=leg.start, x1=leg.state[0], v1=leg.state[1])}
         record["events"].append(event)
         lines.append(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
     return record, lines
@@ -114,12 +110,12 @@ def _of_response(found: Response) -> Shown:
 
 def _of_rotating(found: RotatingResponse) -> Shown:
     """Return the motion that goes round with a force; vectors are complex, with the force along x at t = 0."""
-    values: dict[str, Any] = {"threshold": found.threshold, "speed": found.speed}
+    values: dict[str, Any] = {}
     for name in ("friction", "q1", "v1", "v2"):
         value = getattr(found, name)
         values |= {f"{name}_along": value.real, f"{name}_across": value.imag}
     record: dict[str, Any] = {name: getattr(found, name) for name in ("sentence", "attracts", "digits")}
-    record |= numbers(found.digits, **values)
+    record |= numbers(found, "threshold", "speed", **values)
     record["exponents"] = [
         [str(part.mid().str(found.digits, radius=False)) for part in (one.real, one.imag)] for one in found.exponents
     ]
@@ -143,7 +139,7 @@ def print_tracking(options: argparse.Namespace) -> int:
     draw(options, "draw_tracking", found, scene.pair)
     demands, lines = [], []
     for one in found.demands:
-        shown = numbers(found.digits, asked=one.force, at=one.at)
+        shown = numbers(found, asked=one.force, at=one.at)
         start, end, b = (decimal_text(exact) for exact in (one.start, one.end, one.b))
         verdict = "within"
         if not one.possible:
@@ -169,8 +165,7 @@ def print_transfer(options: argparse.Namespace) -> int:
     solved = solved_again(found)
     if solved is not None:
         draw(options, "draw_transfer", found, solved)
-    names = ("bound", "time", "stuck_amplitude", "least_amplitude")
-    shown = numbers(found.digits, **{name: getattr(found, name) for name in names})
+    shown = numbers(found, "bound", "time", "stuck_amplitude", "least_amplitude")
     lines = [f"{found.road.value}; {found.fastest}" if found.scene else found.fastest, *number_lines(shown)]
     if found.road is Road.SLIP:
         slips = "the written decimals leave slips of about 10^-20 m where the bodies stick"
@@ -186,7 +181,7 @@ def print_transfer(options: argparse.Namespace) -> int:
 
 def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherwise: str) -> int:
     """Print what is found, and write or print its scene; FAILED with a sentence if there is none."""
-    from numerics.scene.writing import scene_text
+    from numerics.scene.file import scene_text
 
     record, lines = shown
     text = "" if scene is None else scene_text(scene)
@@ -208,7 +203,7 @@ def print_ring(options: argparse.Namespace) -> int:
     with shown_steps():
         found = ring_entry(load_line(options.scene), options.radius, **asked(options, "rate"))
     draw(options, "draw_ring", found)
-    shown = numbers(found.digits, entry=found.entry, centre=found.centre)
+    shown = numbers(found, "entry", "centre")
     around, less = ("limit", "") if found.orbit is None else ("periodic motion", " less that of the periodic motion")
     record = {**shown, "around": around, "why": found.why, "digits": found.digits}
     lines = [

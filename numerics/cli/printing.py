@@ -41,20 +41,20 @@ def asked(options: argparse.Namespace, *names: str) -> dict[str, Any]:
     return {name: getattr(options, name) for name in ("digits", "max_digits", *names)}
 
 
-def numbers(digits: int, **values: Any) -> dict[str, str]:
-    """Return enclosures as decimal text with their radii beside them, `name` and `name_radius`; None is left out.
+def numbers(found: Any, *names: str, **values: Any) -> dict[str, str]:
+    """Return numbers of an answer, and other enclosures, as decimal text to its digits, their radii beside them.
 
-    What is exactly infinite is "inf".
+    `name` and `name_radius`; None is left out, what is exactly infinite is "inf".
     """
     from numerics.arithmetic.ball import Ball
     from numerics.trajectory.rendering import with_radius
 
-    found: dict[str, str] = {}
-    with Ball(digits + _SPARE).context():
-        for name, value in values.items():
+    shown: dict[str, str] = {}
+    with Ball(found.digits + _SPARE).context():
+        for name, value in (*((name, getattr(found, name)) for name in names), *values.items()):
             if value is not None:
-                found |= with_radius(name, value, digits) if value.is_finite() else {name: "inf"}
-    return found
+                shown |= with_radius(name, value, found.digits) if value.is_finite() else {name: "inf"}
+    return shown
 
 
 def number_lines(shown: Mapping[str, Any], **names: str) -> list[str]:

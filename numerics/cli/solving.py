@@ -52,10 +52,10 @@ def solve_scene(options: argparse.Namespace) -> int:
 
         write_text(theorem(trajectory), options.proof)
     elif options.plot is not None:
-        from numerics.cli import plot
         from numerics.plane import pictures
+        from numerics.trajectory import figures
 
-        write_figure((pictures if on_surface else plot).overview(trajectory), options.plot)
+        write_figure((pictures if on_surface else figures).overview(trajectory), options.plot)
     else:
         _print(trajectory, options, on_surface=on_surface)
     return OK if trajectory.success else refuse(trajectory.message, FAILED)

@@ -30,8 +30,8 @@ from numerics.control.attraction import passage_at
 from numerics.control.orbit import Drive, Orbit, State3, in_order, solve_from, within
 from numerics.control.stuck import next_to_the_stuck_response, stuck_state
 from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
-from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
+from numerics.trajectory.variation import legs
 
 _log = logging.getLogger(__name__)
 MAX_EVENTS, _SHARE = 10_000, 5

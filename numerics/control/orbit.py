@@ -24,8 +24,8 @@ from numerics.linear.pieces import pieces_of
 from numerics.linear.system import V1, V2, X1, X2, Motion
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.legs import Leg, legs
 from numerics.trajectory.run import run_scene
+from numerics.trajectory.variation import Leg, legs
 
 _log = logging.getLogger(__name__)
 _STEPS = 20

@@ -34,10 +34,10 @@ from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.variation import legs
 
 _log = logging.getLogger(__name__)
 Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))

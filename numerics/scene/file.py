@@ -1,4 +1,4 @@
-"""Scene files: TOML in, a Scene out, nothing evaluated. The paper's examples are found by a short name."""
+"""Scene files: TOML in, a Scene out, nothing evaluated, and back. The paper's examples are found by a short name."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import difflib
 import os
 import sys
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import nullcontext
 from importlib import resources
 from pathlib import Path
@@ -14,9 +14,10 @@ from typing import Any, cast
 
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
-from numerics.scene.decimals import exact_decimal, listed
-from numerics.scene.plane import PlaneScene, plane_scene
-from numerics.scene.weakening import two_coefficients
+from numerics.scene.decimals import decimal_text, exact_decimal, listed
+from numerics.scene.model import BUILD, read_law, require_kind
+from numerics.scene.pieces import two_coefficients
+from numerics.scene.plane import AXES, PlanePair, PlaneScene
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
@@ -129,28 +130,26 @@ def parse_scene(text: str, file: str = "") -> Scene:
     Raises InvalidScene.
     """
     tables = _tables(text, "scene", file, _SCENE)
-    pair, run = tables["pair"], tables["run"]
-    initial, weakening, force = (tables.get(name, {}) for name in ("initial", "weakening", "force"))
-    lists = [one for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
-    if lists or "shape" in pair or any("axis" in one for one in force):  # what is asked of a Scene is refused by type
-        if weakening:
-            raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
-        pieces = [
-            (one.get("axis", "x"), read) for one, read in zip(force, _read("force", tables, _force_piece), strict=True)
-        ]
-        changes = [(one["from"], one["b"]) for one in tables.get("friction", ())]
-        return cast("Scene", plane_scene(pair, initial, run, pieces, changes))
-    return Scene(
-        Pair(**pair),
-        State(**initial),
-        until=run["until"],
-        law=run.get("law", Law.FILIPPOV),
-        force=Force(_read("force", tables, _force_piece)),
-        friction=Friction(
-            _read("friction", tables, lambda one: Friction([(one["from"], one["b"])]).pieces[0]),
-            Weakening(**weakening) if "weakening" in tables else None,
-        ),
-    )
+    pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
+    lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
+    law, pieces = read_law(run.get("law", Law.FILIPPOV)), _read("force", tables, _force_piece)
+    if not (lists or "shape" in pair or any("axis" in one for one in force)):
+        changes = _read("friction", tables, lambda one: Friction([(one["from"], one["b"])]).pieces[0])
+        friction = Friction(changes, Weakening(**tables["weakening"]) if "weakening" in tables else None)
+        return Scene(Pair(**pair), State(**initial), run["until"], law, Force(pieces), friction)
+    if tables.get("weakening"):
+        raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
+    if law is not Law.FILIPPOV:
+        raise InvalidScene("on a surface the law is filippov; a sign that is 0 at 0 says nothing of a direction")
+    axes = [one.get("axis", "x") for one in force]
+    for axis in axes:
+        if axis not in AXES:
+            raise InvalidScene(f"axis = {str(axis)[:40]!r} is not one of {', '.join(AXES)}")
+    n = max([2, *lists, *(AXES.index(axis) + 1 for axis in axes)])
+    along = [Force(piece for axis, piece in zip(axes, pieces, strict=True) if axis == own) for own in AXES[:n]]
+    changes = [(one["from"], one["b"]) for one in tables.get("friction", ())]
+    surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along, friction=changes)
+    return cast("Scene", surface)  # what is asked of a Scene is refused by type
 
 
 def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) -> dict[str, Any]:
@@ -209,3 +208,56 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
     for key in required:
         if key not in content:
             raise InvalidScene(f"{where}: missing key {key}; give it")
+
+
+def scene_text(scene: Scene | PlaneScene) -> str:
+    """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact.
+
+    >>> from numerics import load_scene
+    >>> scene_text(load_scene("at-rest")).splitlines()[:6]
+    ['[pair]', 'm1 = 1', 'm2 = 1', 'a1 = 0', 'a2 = 200', 'b = 0.5']
+    """
+    if not isinstance(scene, PlaneScene):
+        require_kind("scene_text", scene, Scene, BUILD)
+    return "\n".join(_lines(scene)) + "\n"
+
+
+def _lines(scene: Any) -> Iterator[str]:
+    """Yield the lines; on a surface numbers are lists, and a piece of force has its axis."""
+    off_line = isinstance(scene, PlaneScene)
+    yield from _table("pair", scene.pair, "m1 m2 a1 a2 b")
+    if off_line:
+        yield f'shape = "{scene.pair.shape}"'
+    yield from _table("initial", scene if off_line else scene.initial, "x1 v1 x2 v2")
+    yield from _table("run", scene, "until")
+    if not off_line and scene.law is not Law.FILIPPOV:
+        yield f'law = "{scene.law.value}"'
+    if not off_line and scene.friction.weakening is not None:
+        yield from _table("weakening", scene.friction.weakening, "last_slope speed place")
+    for axis, force in zip(AXES, scene.force if off_line else [scene.force], strict=False):
+        for piece in force.pieces:
+            yield from _force(piece, [f'axis = "{axis}"'] * off_line)
+    for start, b in scene.friction if off_line else scene.friction.pieces:
+        yield from ("[[friction]]", f"from = {_text(start)}", f"b = {_text(b)}")
+
+
+def _table(name: str, of: Any, keys: str) -> Iterator[str]:
+    yield f"[{name}]"
+    yield from (f"{key} = {_text(getattr(of, key))}" for key in keys.split())
+
+
+def _force(piece: Piece, axis: list[str]) -> Iterator[str]:
+    yield from ("[[force]]", *axis, f"from = {_text(piece.start)}", f"polynomial = {_text(piece.polynomial)}")
+    sines = (
+        f"{{ amplitude = {_text(s.amplitude)}, omega = {_text(s.omega)}, phase = {_text(s.phase)} }}"
+        for s in piece.sines
+    )
+    yield f"sines = [{', '.join(sines)}]"
+
+
+def _text(value: Any) -> str:
+    """Return a number, or a list."""
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_text, value))}]"
+    text = decimal_text(value)
+    return f'"{text}"' if "/" in text or len(text) > 18 else text  # TOML's whole numbers have 64 bits

@@ -5,6 +5,7 @@ All quantities are SI and exact rationals (see decimals.py). A scene is frozen: 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
@@ -12,8 +13,7 @@ from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, keep, positive, put, short
-from numerics.scene.force import Force
-from numerics.scene.pieces import Friction
+from numerics.scene.pieces import Force, Friction
 from numerics.scene.short_repr import ShortRepr
 
 
@@ -42,6 +42,8 @@ class Pair(ShortRepr):
     (Pair(m1=1, m2=1, a2=200, b=0.05), Fraction(0, 1), Fraction(2, 1), Fraction(1, 2))
     >>> pair.half_width, pair.critical_energy  # m, J
     (Fraction(1, 2000), Fraction(1, 40000))
+    >>> pair.energy((Fraction(1, 10), 1, 0, 2)), pair.energy((0.1, 1.0, 0.0, 2.0), float)
+    (Fraction(7, 2), 3.5)
     """
 
     m1: Fraction
@@ -77,6 +79,11 @@ class Pair(ShortRepr):
     def critical_energy(self) -> Fraction:
         """E_cr = b^2 M^2/(2 a2 m2^2), J, exact (Section III)."""
         return self.a2 * self.half_width**2 / 2
+
+    def energy(self, y: Any, number: Callable[[Fraction], Any] = Fraction) -> Any:
+        """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 of states (4, ...), J; `number` reads the exact parameters."""
+        x1, v1, _, v2 = y
+        return (x1 * x1 * number(self.a2) + v1 * v1 * number(self.m1) + v2 * v2 * number(self.m2)) / 2
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
@@ -199,9 +206,9 @@ class Scene(ShortRepr):
 
     @property
     def energy(self) -> Fraction:
-        """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 at t = 0, J, exact."""
-        pair, at = self.pair, self.initial
-        return (pair.a2 * at.x1**2 + pair.m1 * at.v1**2 + pair.m2 * at.v2**2) / 2
+        """E at t = 0, J, exact."""
+        at = self.initial
+        return Fraction(self.pair.energy((at.x1, at.v1, at.x2, at.v2)))
 
     @property
     def energy_excess(self) -> Fraction:

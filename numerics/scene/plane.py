@@ -13,14 +13,14 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
+import numpy as np
 from flint import fmpq, fmpq_mat
 
 from numerics.errors import InvalidScene
 from numerics.scene import decimals
 from numerics.scene.decimals import Exact, exact_decimal, listed, put, short
-from numerics.scene.force import Force
-from numerics.scene.model import HORIZON, NO_FORCE, Law, read_law
-from numerics.scene.pieces import Piece, not_before_zero, require_order, two_of
+from numerics.scene.model import HORIZON, NO_FORCE
+from numerics.scene.pieces import Force, not_before_zero, require_order, two_of
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")
@@ -151,12 +151,9 @@ class PlaneScene(ShortRepr):
     @property
     def energy(self) -> Fraction:
         """E = (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 at t = 0, J, exact."""
-        pair = self.pair
-        spring = sum(
-            a * x * y for row, x in zip(pair.a2, self.x1, strict=True) for a, y in zip(row, self.x1, strict=True)
-        )
-        moving = sum(m * v * v for m, v in zip((*pair.m1, *pair.m2), (*self.v1, *self.v2), strict=True))
-        return Fraction(spring + moving) / 2
+        a2, m1, m2 = (np.array(one) for one in (self.pair.a2, self.pair.m1, self.pair.m2))
+        x1, v1, v2 = (np.array(one) for one in (self.x1, self.v1, self.v2))
+        return Fraction(x1 @ a2 @ x1 + m1 * v1 @ v1 + m2 * v2 @ v2) / 2
 
 
 def _listed(given: Any) -> Any:
@@ -212,25 +209,3 @@ def _determinant(matrix: Matrix, rows: Sequence[int]) -> Fraction:
     kept = [[fmpq(*matrix[i][j].as_integer_ratio()) for j in rows] for i in rows]
     found = fmpq_mat(kept).det()
     return Fraction(int(found.p), int(found.q))
-
-
-def plane_scene(
-    pair: dict[str, Any],
-    initial: dict[str, Any],
-    run: dict[str, Any],
-    pieces: Sequence[tuple[Any, Piece]],
-    friction: Iterable[tuple[Any, Any]],
-) -> PlaneScene:
-    """Return the scene of the tables of a file, their keys checked.
-
-    `pieces` are those of force, each with its axis; `friction` are start and b of its pieces.
-    """
-    for axis, _ in pieces:
-        if axis not in AXES:
-            raise InvalidScene(f"axis = {str(axis)[:40]!r} is not one of {', '.join(AXES)}")
-    lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
-    n = max([2, *lists, *(AXES.index(axis) + 1 for axis, _ in pieces)])
-    if read_law(run.get("law", Law.FILIPPOV)) is not Law.FILIPPOV:
-        raise InvalidScene("on a surface the law is filippov; a sign that is 0 at 0 says nothing of a direction")
-    force = [Force(piece for axis, piece in pieces if axis == own) for own in AXES[:n]]
-    return PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=force, friction=friction)

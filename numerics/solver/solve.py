@@ -16,8 +16,8 @@ from numerics.scene import Scene
 from numerics.scene.decimals import require_function, require_whole
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
-from numerics.trajectory.dense import require_times
 from numerics.trajectory.digits import proved_digits
+from numerics.trajectory.rows import require_times
 from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
 

@@ -10,12 +10,10 @@ import numpy as np
 
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.solver.solve import ArithmeticName, solve
-from numerics.trade.comparisons.direct import by_events, smoothed
 from numerics.trade.comparisons.forward_euler import euler_peer
-from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
-from numerics.trade.comparisons.peer import PeerRun
-from numerics.trade.comparisons.scipy_peer import scipy_arcs
-from numerics.trade.comparisons.switched import switched
+from numerics.trade.comparisons.integrators import heyoka_arcs, scipy_arcs
+from numerics.trade.comparisons.smoothed import smoothed
+from numerics.trade.comparisons.switched import PeerRun, switched
 from numerics.trade.scenes import KINDS
 
 MAX_EVENTS = 10**7
@@ -75,7 +73,6 @@ CONTENDERS = (
     Contender("ball", (15, 100, 1000, 10_000), solved("ball"), kinds=LINE),
     Contender("forward Euler", (1e-3, 1e-4, 1e-5), euler_peer, kinds=("free",)),
     Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy", LINE),
-    Contender("SciPy DOP853, events", (1e-4, 1e-6), by_events, "scipy", ("surface",)),
     Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), "heyoka", LINE),
     Contender("heyoka long double", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), "heyoka", LINE),
     Contender("heyoka, smoothed", (1e-3, 1e-4, 1e-5), smoothed, "heyoka", ("surface", "state")),

@@ -22,7 +22,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import MODES
 from numerics.solver.solve import solve
-from numerics.trade.comparisons.peer import PeerRun
+from numerics.trade.comparisons.switched import PeerRun
 from numerics.trade.contenders import MAX_EVENTS, answer_of
 from numerics.trajectory.comparison import as_ball
 

@@ -21,9 +21,8 @@ import numpy as np
 from numerics.errors import NumericsError
 from numerics.scene import State
 from numerics.solver.many import solve_many
-from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
-from numerics.trade.comparisons.peer import PeerRun
-from numerics.trade.comparisons.switched import SwitchedPair, run
+from numerics.trade.comparisons.integrators import heyoka_arcs
+from numerics.trade.comparisons.switched import PeerRun, SwitchedPair, run
 from numerics.trade.contenders import CONTENDERS, Call, Contender, answer_of, contender
 from numerics.trade.judge import judge, proved
 from numerics.trade.recorded import NONE, OURS, Run, Sweep, Trade, machine, short

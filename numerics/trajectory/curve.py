@@ -10,7 +10,7 @@ from numerics.linear.cells import cells_of
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
 from numerics.trajectory.columns import Array, Counts, Floats
-from numerics.trajectory.flow import losses, moved, over_rows
+from numerics.trajectory.flow import losses, moved
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -47,16 +47,6 @@ class Curve(NamedTuple):
         pull = self.u - float(pair.a2) * self.y[0] - float(pair.a1) * self.y[1]
         return np.asarray(float(pair.m2 / pair.mass) * pull)
 
-    def energy(self, pair: Pair) -> Floats:
-        """Return the energy of spring and bodies, J."""
-        return energy_of(pair, self.y)
-
-
-def energy_of(pair: Pair, y: Floats) -> Floats:
-    """Return the energy of spring and bodies in states x1, v1, x2, v2, shape (4, n), J."""
-    x1, v1, _, v2 = y
-    return np.asarray((float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2)
-
 
 def sampled(trajectory: Rows) -> Curve:
     """Return points that resolve every segment, however short; of thousands of segments the first and the last.
@@ -73,7 +63,7 @@ def sampled(trajectory: Rows) -> Curve:
     at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
     since, (local, y) = lengths[at] * share, trajectory.row_numbers
-    y, taken = y[:, at] + over_rows(moved, trajectory, at, since), over_rows(losses, trajectory, at, since)[:2]
+    y, taken = y[:, at] + trajectory.row_changes(moved, at, since), trajectory.row_changes(losses, at, since)[:2]
     u, b = np.zeros(len(at)), np.zeros(len(at))
     for piece in np.unique(pieces):
         chosen, acting = pieces[at] == piece, trajectory.pieces[piece]
@@ -85,7 +75,7 @@ def sampled(trajectory: Rows) -> Curve:
     segment = np.searchsorted(trajectory.event_rows, at, side="right")
     t = number(trajectory.row_times)[at] + since
     unit = float(pair.critical_energy)
-    w = energy_of(pair, y) / unit - 1
+    w = pair.energy(y, float) / unit - 1
     if not trajectory.scene.is_forced and excess[0] is not None and excess[0] == excess[0]:
         w = number(excess)[at] - taken.sum(axis=0) / unit  # keeps its digits where E/E_cr - 1 cancels
     return Curve(t, y, w, lost, segment, (parts >= _FEWEST * radians)[at], trajectory.row_signs[at] == 0, u, b)

@@ -15,7 +15,7 @@ from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import EventKind, Mode
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.dense import Evaluated
+from numerics.trajectory.rows import Rows
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -63,7 +63,7 @@ class Segment(ShortRepr):
     end: Number
     length: Number
     rows: range = field(repr=False)
-    run: Evaluated = field(repr=False, compare=False)
+    run: Rows = field(repr=False, compare=False)
 
     def state(self, since: Number) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at `since` (s) after the start, m and m/s; in the arithmetic's context."""
@@ -107,7 +107,7 @@ class EnergyLedger(ShortRepr):
     work: Number = 0
 
 
-def ledger_of(run: Evaluated) -> EnergyLedger:
+def ledger_of(run: Rows) -> EnergyLedger:
     """Return the ledger of the whole run; in the arithmetic's context."""
     lengths, zero = run.row_lengths, run.arithmetic.number(0)
     friction, viscous, work = (sum(part.tolist(), zero) for part in run.row_losses(np.arange(len(lengths)), lengths))

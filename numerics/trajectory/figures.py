@@ -1,4 +1,4 @@
-"""Pictures of one trajectory, for a quick look: every kind in one axes, stick phases shaded. Drawn in binary64."""
+"""Pictures of one trajectory, for a quick look: every kind in one axes, or many in one figure. Drawn in binary64."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from numerics.errors import MissingTool
 from numerics.linear.modes import EventKind, Mode
+from numerics.scene import Law
 from numerics.trajectory.curve import Curve, sampled
 from numerics.trajectory.solution import Solution
 
@@ -23,6 +24,11 @@ _MOST_POINTS = 8_000
 """Curves of more points are pixels in a vector graphic too, which would take megabytes."""
 _MOST_SHADED = 1000
 """Stick phases beyond this number are narrower than a pixel: then none is shaded, and time is drawn logarithmically."""
+
+FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
+FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
+COMMON = ("body 1", "body 2", "entry", "exit", "crossing", "stick")
+"""What means the same in every picture, and is explained once, below all of them."""
 
 
 def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
@@ -205,8 +211,9 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
 
 def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
-    pair, energy, (friction, viscous) = trajectory.scene.pair, curve.energy(trajectory.scene.pair), curve.lost
-    forced, work = trajectory.scene.is_forced, energy - energy[0] + friction + viscous
+    pair, (friction, viscous), forced = trajectory.scene.pair, curve.lost, trajectory.scene.is_forced
+    energy = pair.energy(curve.y, float)
+    work = energy - energy[0] + friction + viscous
     if not forced:
         ax.axhline(float(pair.critical_energy), color="black", lw=0.8, ls=":", label="$E_{cr}$")
     for acts, label, part, color, dashes in (
@@ -231,3 +238,40 @@ _KINDS = {
     "friction": ("Friction against the relative speed", "friction on body 2 (N)", _friction),
 }
 """Title, label of what is drawn upwards, and what draws it."""
+
+
+def overview(trajectory: Solution) -> Any:
+    """Return a matplotlib figure: velocities, positions, load, phase portrait and energy, titled by the scene.
+
+    Under a force it shows u(t) too.
+    """
+    from matplotlib.figure import Figure
+
+    figure, curve = Figure(figsize=(11, 11), layout="constrained"), sampled(trajectory)
+    common: dict[str, Any] = {}
+    kinds = FORCED if trajectory.scene.is_forced else FREE
+    if trajectory.scene.friction.weakening:
+        kinds = ("friction", "relative", *FORCED[1:4], "energy")
+    for kind, ax in zip(kinds, figure.subplots(3, 2).flat, strict=True):
+        draw(trajectory, kind, ax, curve)
+        common |= _moved_out(ax)
+    chosen = {name: common[name] for name in COMMON if name in common}
+    figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
+    scene, count, law = trajectory.scene, len(trajectory.events), ""
+    if scene.law is Law.THREE_VALUED_SGN:
+        law = "; sgn(0) = 0 read literally"
+    course = f"{count} event{'' if count == 1 else 's'} in {curve.t[-1]:g} s; {trajectory.message}"
+    figure.suptitle(f"{scene.pair} from {scene.initial}{law}\n{course}", fontsize="medium")
+    return figure
+
+
+def _moved_out(ax: Any) -> dict[str, Any]:
+    """Take the common marks out of the legend of axes, and return them by their labels."""
+    handles = {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
+    own = {name: handle for name, handle in handles.items() if name not in COMMON}
+    if ax.get_legend() is not None:
+        place = ax.get_legend()._loc  # the public way to read it does not exist
+        ax.get_legend().remove()
+        if own:
+            ax.legend(own.values(), own, loc=place, fontsize="small", framealpha=0.9)
+    return {name: handle for name, handle in handles.items() if name in COMMON}

@@ -1,25 +1,34 @@
-"""The motion after a knot in binary64, for thousands of knots and times at once: exponentials of small matrices.
+"""The motion after a knot: in binary64 for thousands of knots and times at once, else one by one, enclosed.
 
-A body on its spring and what drives it form z' = J z, z = (omega x1, v1 + slow x1, drive), omega = sqrt(a2/m). With the
-oscillator's slow rate split off J is triangular where it is overdamped: a slow rate keeps its digits beside a fast one.
+In binary64 a body on its spring and what drives it form z' = J z, z = (omega x1, v1 + slow x1, drive), omega =
+sqrt(a2/m). With the slow rate of the oscillator split off J is triangular where it is overdamped: a slow rate keeps its
+digits beside a fast one.
 Body 2 has a constant acceleration in slip, and moves with body 1 in stick; where friction depends on the state it is
-part of z. Approximate, without a bound: the enclosed evaluation is that of motions.py.
+part of z: approximate, without a bound. In every other arithmetic it is the flow of LinearMode, for balls as it is, for
+mpmath and double-double its middle.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 
+import flint
+import mpmath
 import numpy as np
+from flint import arb, arb_mat
 
-from numerics.linear.system import FIRST, LinearMode
+from numerics.arithmetic.ball import Ball, exact_middle, precision
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.linear.system import FIRST, V1, LinearMode, Motion, Row, W, matrix, value
 from numerics.trajectory.columns import Counts, Floats
-from numerics.trajectory.rows import Rows
+from numerics.trajectory.comparison import as_ball
 
 _TERMS = 14
 """Terms of Taylor for matrices of norm 1/2: the next one is below 2^-53 of their size."""
-
+_SPARE_BITS = 24
+_STATE = tuple(((place, Fraction(1)),) for place in range(4))
 
 Begun = tuple[Floats, Floats]
 """Where n motions in one mode begin: the times in its piece (s), and x1, v1, x2, v2, shape (4, n)."""
@@ -157,13 +166,80 @@ def losses(mode: LinearMode, at: Begun, tau: Floats) -> Floats:
     return found
 
 
-def over_rows(function: Callable[..., Floats], run: Rows, rows: Counts, tau: Floats) -> Floats:
-    """Return `moved` or `losses` of a run's motions from its rows on, row by row for a time (s)."""
-    (local, y), found = run.row_numbers, np.zeros((3 if function is losses else 4, len(tau)))
-    which = run.row_modes[1][rows]
-    modes, counts = np.unique(which, return_counts=True)
-    parts = np.split(np.argsort(which, kind="stable"), np.cumsum(counts)[:-1])
-    for mode, chosen in zip(modes, parts, strict=False):  # of no rows there is one part, and no mode
-        at = rows[chosen]
-        found[:, chosen] = function(run.row_mode(mode), (local[at], y[:, at]), tau[chosen])
-    return found
+class Moving:
+    """One motion, enclosed: from a state (m, m/s) at a time of the run (s), in a mode."""
+
+    def __init__(self, arithmetic: Arithmetic, mode: LinearMode, state: Sequence[Number], begin: Number) -> None:
+        """Keep where it begins; to be used in the arithmetic's context."""
+        self.arithmetic, self.mode, self.is_ball = arithmetic, mode, arithmetic.name == "ball"
+        self.bits = flint.ctx.prec if self.is_ball else mpmath.mp.prec + _SPARE_BITS
+        with precision(self.bits):
+            self.start = [as_ball(one) for one in state], as_ball(begin)
+
+    def after(self, tau: Number) -> tuple[Number, ...]:
+        """Return (x1, v1, x2, v2) at tau (s) after the start; for balls at every point of tau."""
+        return self._enclosed(self._state, tau)
+
+    def losses(self, tau: Number) -> tuple[Number, ...]:
+        """Return what friction (b int |v1 - v2|) and viscosity (a1 int v1^2) took and int u v1 up to tau (s), J.
+
+        Enclosures for balls.
+        """
+        return self._enclosed(self._taken, tau)
+
+    def _enclosed(self, function: Callable[[Motion, arb], tuple[arb, ...]], tau: Number) -> tuple[Number, ...]:
+        """Return a function of the motion and of a time after its start, with the bits that squarings may lose."""
+        with precision(self.bits):
+            since = as_ball(tau)
+        with precision(self.bits + 2 * self._halvings(since)):
+            found = function(self.mode.motion(*self.start), since)
+        return tuple(+one if self.is_ball else self.arithmetic.number(exact_middle(one)) for one in found)
+
+    def _halvings(self, tau: arb) -> int:
+        """Return how often a time must be halved for the flow over it to be a small matrix."""
+        largest, upper = max(abs(one) for row in self.mode.generator() for one in row), abs(tau).upper()
+        bits = largest.numerator.bit_length() - largest.denominator.bit_length() + 8
+        if upper.is_zero() or not upper.is_finite():
+            return 0
+        mantissa, exponent = upper.man_exp()
+        return max(0, bits + int(mantissa).bit_length() + int(exponent))
+
+    def _state(self, motion: Motion, tau: arb) -> tuple[arb, ...]:
+        over = motion.over(tau)
+        x1, v1, x2, v2 = (over.range(row) for row in _STATE)
+        return x1, v1, x2, v2 if self.mode.side else v1
+
+    def _taken(self, motion: Motion, tau: arb) -> tuple[arb, ...]:
+        mode, a1 = self.mode, self.mode.pair.a1
+        if mode.slope or mode.pull:
+            friction = self._product(mode.friction, W, motion, tau)
+        else:
+            over = motion.over(tau)
+            slid = [over.range(row) - value(row, motion.begin) for row in _STATE]
+            friction = Ball.number(mode.side * mode.b) * (slid[0] - slid[2])
+        damping = ((V1, a1),) if a1 else ()
+        return friction, *(self._product(one, _STATE[V1], motion, tau) for one in (damping, mode.force))
+
+    def _product(self, one: Row, two: Row, motion: Motion, tau: arb) -> arb:
+        """Return int one two dt up to tau, of two rows: the integral of z' Q z.
+
+        Van Loan's block exponential over a short interval, then doubled: exp(-A' t) alone would grow where z decays. A
+        ball of times adds what the product may be there.
+        """
+        if not one:
+            return arb(0)
+        A, halvings, over = np.array(self.mode.generator()), self._halvings(tau), motion.over(tau)
+        n, Q = len(A), 0 * A
+        for place, f in one:
+            for other, g in two:
+                Q[place, other] += f * g / 2
+                Q[other, place] += f * g / 2
+        block = matrix(np.block([[-A.T, Q], [0 * A, A]]).tolist()) * (tau.mid() / (arb(2) ** halvings))
+        E = np.array(block.exp().tolist())
+        flow = arb_mat(E[n:, n:].tolist())
+        found = flow.transpose() * arb_mat(E[:n, n:].tolist())
+        for _ in range(halvings):
+            found += flow.transpose() * found * flow
+            flow = flow * flow
+        middle = (motion.begin.transpose() * found * motion.begin)[0, 0]
+        return middle + tau.rad() * arb(0, 1) * over.range(one) * over.range(two)

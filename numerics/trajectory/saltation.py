@@ -36,8 +36,7 @@ from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.ties import force_form
 from numerics.scene import Law, Scene
 from numerics.trajectory.columns import STATE, Array
-from numerics.trajectory.legs import Leg
-from numerics.trajectory.variation import Variation
+from numerics.trajectory.variation import Leg, Variation
 
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)

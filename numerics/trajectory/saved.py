@@ -23,8 +23,7 @@ from numerics.arithmetic.ball import precision
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
 from numerics.scene.decimals import require_whole
-from numerics.scene.file import parse_scene
-from numerics.scene.writing import scene_text
+from numerics.scene.file import parse_scene, scene_text
 
 _RADIUS_BITS = 30
 _REMEDY = "give a file that Trajectory.save has written"

@@ -39,12 +39,12 @@ from numerics.scene import Scene
 from numerics.scene.model import require_kind
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_ball
-from numerics.trajectory.dense import Side, exact_time, require_side
-from numerics.trajectory.legs import legs
 from numerics.trajectory.rendering import right_digits_text, with_radius
+from numerics.trajectory.rows import Side, exact_time, require_side
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.variation import legs
 
 WRT = (*STATE, "m1", "m2", "a2", "b", "a1")
 """The initial state and the parameters of a free pair, in the order of the last axis of every array."""

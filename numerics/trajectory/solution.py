@@ -13,13 +13,13 @@ from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.columns import Array
-from numerics.trajectory.dense import Evaluated, Side
 from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
+from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.status import Status
 
 
-class Solution(Evaluated):
+class Solution(Rows):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
 
     def look_up_times(self) -> None:
@@ -76,13 +76,17 @@ class Solution(Evaluated):
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return tuple(map(MODES.__getitem__, self.signs))[: self.record.events + self.reached]
+        return self._all_modes[: self.record.events + self.reached]
+
+    @cached_property
+    def _all_modes(self) -> tuple[Mode, ...]:
+        """Return also the mode after the last event, where the cap on events ended the run."""
+        return tuple(map(MODES.__getitem__, self.signs))
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        modes = [MODES[sign] for sign in self.signs]
-        return tuple(map(event_kind, modes, modes[1:]))
+        return tuple(map(event_kind, self._all_modes, self._all_modes[1:]))
 
     @property
     def t(self) -> Array:
@@ -117,7 +121,7 @@ class Solution(Evaluated):
     def energy(self) -> Array:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
         with self.context():
-            return np.asarray(self.energy_of(self.y))
+            return np.asarray(self.scene.pair.energy(self.y, self.arithmetic.number))
 
     @cached_property
     def energy_excess(self) -> Array:
@@ -175,7 +179,7 @@ class Solution(Evaluated):
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
-        rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
+        rows, modes = self.event_rows, self._all_modes
         causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
         states, excesses = self.event_states, self.columns.numbers("excess")[rows]
         with self.context():

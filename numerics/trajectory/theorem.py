@@ -1,6 +1,6 @@
 """A trajectory as a theorem for the proof kernel: its events, proved for every motion of the scene (`solve --proof`).
 
-Only modes and rough times are taken from the trajectory. Roots are found again and bounded by intervals (phases.py).
+Only modes and rough times are taken from the trajectory. Roots are found again, bounded by intervals (closed_forms.py).
 Nothing of it is trusted: the kernel's program (Trajectory.v) accepts the file only if all of it is true.
 
 Boxes forget how a state's numbers hang together, so they grow by some bits an event, while no two motions of a scene
@@ -24,16 +24,18 @@ from numerics.trajectory.closed_forms import (
     INTERVALS,
     SPARE_SIGN_BITS,
     Forms,
+    Run,
     State,
     Steady,
     TooCoarse,
     Unseen,
     Value,
+    ends_of,
     number,
+    outward,
     spells,
 )
 from numerics.trajectory.export import arrays
-from numerics.trajectory.phases import Run, ends_of, outward
 from numerics.trajectory.solution import Solution
 from numerics.trajectory.status import Status
 

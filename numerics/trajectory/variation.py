@@ -1,4 +1,4 @@
-"""One mode under one piece of force, differentiated: how its end moves with its start and with every number.
+"""A leg: one mode in one piece of force and friction; differentiated: how its end moves with its start and all numbers.
 
 With F = u - s b (slip, s the sign of v1 - v2, m = m1) or F = u (stick, m = m1 + m2) body 1 obeys m x'' + a1 x' + a2 x
 = F(t), and at a fixed time y = dx/dp follows
@@ -21,6 +21,8 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
 
 import flint
 import numpy as np
@@ -29,13 +31,49 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball, magnitude_bits, precision
 from numerics.linear.cells import Branch, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import LinearMode
+from numerics.linear.record import Knot
+from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Piece, Scene
 from numerics.trajectory.columns import Array
-from numerics.trajectory.legs import Leg
+from numerics.trajectory.trajectory import Trajectory
 
 _BITS_PER_SQUARING = 5
 """What an exponential may lose each time that it is squared: entries are sums of a few products."""
+
+
+class Leg(NamedTuple):
+    """A motion from `start` to `end` (s) in the mode `side` (the sign of v1 - v2; 0: stick), everything enclosed."""
+
+    side: int
+    piece: int
+    """Index in `pieces_of(scene)`."""
+    start: arb
+    end: arb
+    state: tuple[arb, arb, arb, arb]
+    """x1, v1, x2, v2 at its start."""
+    is_event: bool
+    """Whether the mode changes at its start."""
+    begins_piece: bool
+    """Whether its piece begins there."""
+    cell: tuple[int, int]
+    """Of a slip whose friction depends on the state (linear/cells.py)."""
+
+    def motion(self, scene: Scene) -> Motion:
+        """Return the motion from its start on, of the scene to which it belongs."""
+        return mode_in(scene, pieces_of(scene)[self.piece], self.side, self.cell).motion(self.state, self.start)
+
+
+def legs(trajectory: Trajectory) -> list[Leg]:
+    """Return the legs up to the horizon; else up to the event at which the run was cut off, and one of length 0."""
+    knots: list[Knot] = trajectory.record.rows
+    starts = trajectory.row_times.tolist()
+    with trajectory.arithmetic.context():  # a time is known, whatever a box of starts is
+        last = Ball.number(trajectory.scene.until) if trajectory.reached else starts[-1]
+    begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
+    return [
+        Leg(one.mode, one.piece, start, end, (one.x1, one.v1, one.x2, one.v2), one.event, first, one.cell)
+        for one, start, end, first in zip(knots, starts, [*starts[1:], last], begins, strict=True)
+    ]
 
 
 class Variation:

@@ -35,7 +35,7 @@ def first_loss(drop: int, power: int) -> float:
     pair = replace(scene.pair, b=scene.pair.b * (100 - drop) / 100)
     lost = solve(Scene(pair, State(-edge, -speed, 0, -speed), until=1), digits=30)
     with lost.arithmetic.context():
-        paid = lost.energy_of(lost.y[:, 0]) - lost.energy_of(lost.y[:, 1])
+        paid = lost.energy[0] - lost.energy[1]
     return float(paid) / float(scene.pair.critical_energy)
 
 

@@ -11,8 +11,7 @@ from sixty_digits import forced_scene
 from numerics import Force, Pair, Scene, State, load_scene
 from numerics.trade.comparisons import switched
 from numerics.trade.comparisons.forward_euler import events_of
-from numerics.trade.comparisons.peer import PeerFailed
-from numerics.trade.comparisons.switched import SwitchedPair
+from numerics.trade.comparisons.switched import PeerFailed, SwitchedPair
 from numerics.trade.contenders import answer_of, contender
 from numerics.trade.judge import judge, proved
 from numerics.trade.scenes import benchmark
@@ -88,17 +87,6 @@ def test_what_does_not_get_on_is_stopped_(monkeypatch):
 )
 def test_the_chatter_of_forward_euler_is_read_as_sticking(sign, load, mode, events):
     assert list(events_of(np.array(sign), np.array(load), mode)) == events
-
-
-# off the line the event-driven law has the events, the smoothed one comes nearer
-
-
-@pytest.mark.long
-def test_from_event_to_event_it_has_the_events():
-    scene = benchmark("surface-stick-slip")
-    found = judge(prepared("SciPy DOP853, events", scene, 1e-4)(), truth_of(scene), scene)
-    assert found.difference is None
-    assert found.digits > 1
 
 
 @pytest.mark.parametrize("name", ["surface-stick-slip", "state-weakening"])

@@ -7,8 +7,8 @@ from matplotlib import pyplot as plt
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
 from numerics import Force, Friction, Mode, Scene, solve
-from numerics.cli.plot import overview
 from numerics.trajectory.curve import sampled
+from numerics.trajectory.figures import overview
 
 mpl.use("Agg")
 

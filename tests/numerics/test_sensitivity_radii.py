@@ -11,9 +11,9 @@ from scene_files import scenes_in
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball, widened
 from numerics.trajectory import sensitivity
-from numerics.trajectory.legs import legs
 from numerics.trajectory.saltation import Carried, Chain
 from numerics.trajectory.sensitivity import parameters
+from numerics.trajectory.variation import legs
 
 SCENES = scenes_in("followed") | scenes_in("followed-in-balls")
 RADIUS = Fraction(1, 10**6)

@@ -14,7 +14,7 @@ from planted_trades import MACHINE, run, trade_of
 from numerics import OutOfRange
 from numerics.arithmetic.ball import Ball
 from numerics.trade import contenders, measure, scenes
-from numerics.trade.comparisons.peer import PeerFailed
+from numerics.trade.comparisons.switched import PeerFailed
 from numerics.trade.contenders import CONTENDERS, answer_of, contender, looked_at
 from numerics.trade.figure import draw_trade
 from numerics.trade.judge import as_arb, judge, proved

@@ -23,9 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.scene import Law, Scene
-from numerics.trade.comparisons.peer import Call, PeerFailed, PeerRun
-from numerics.trade.comparisons.switched import SwitchedPair
-from numerics.trajectory.curve import energy_of
+from numerics.trade.comparisons.switched import Call, PeerFailed, PeerRun, SwitchedPair
 
 MAX_STEPS = 20_000_000
 Vector = NDArray[np.float64]
@@ -64,7 +62,7 @@ class EulerRun:
     @property
     def energy(self) -> Vector:
         """Return E at every step, J."""
-        return energy_of(self.scene.pair, self.y)
+        return np.asarray(self.scene.pair.energy(self.y, float))
 
 
 def march(y: Vector, step: float, m1: float, m2: float, a1: float, a2: float, b: float, literal: bool) -> None:

@@ -10,24 +10,52 @@ Towards one edge of that region, s = +1 or -1 (in slip the sign of v1 - v2), the
 
 with room' = a2 v + a1 v' - s u'(t) in both; and the integral of v^2 where there is viscosity. At an exit room = g = 0
 exactly, so a slip of any length can be computed to full relative accuracy, and events are clean roots.
+
+Whoever is compared with ours is a function `prepare(scene, setting)`: it builds and compiles everything once; the call
+that it returns is what is timed, and gives a PeerRun.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from numerics.errors import NumericsError
 from numerics.linear.pieces import pieces_of
 from numerics.scene import Scene
-from numerics.trade.comparisons.peer import Call, PeerFailed, PeerRun
 
 Number = Any
 """A number of the integrator's format: float or numpy.longdouble."""
 MAX_ARCS = 300_000
+
+
+@dataclass(frozen=True)
+class PeerRun:
+    """What one run of an integrator says of a scene; SI units, approximate, in the integrator's own numbers."""
+
+    modes: Sequence[Any]
+    """The itinerary: the sign of v1 - v2 in every segment, 0 in stick; one more than there are events. On a surface
+    words; none where the law is smoothed, which has no events."""
+    times: Sequence[Any]
+    """The times of the events, s."""
+    final: Sequence[Any]
+    """x1, v1, x2, v2 at the horizon, m and m/s; each by axes on a surface."""
+    lost: Any = None
+    """The energy that friction and viscosity took from t = 0 to the horizon, J; None where nobody counts it."""
+
+
+Call = Callable[[], PeerRun]
+Extra = Any
+"""What a module of the extra `comparisons` makes; it is imported late and untyped."""
+
+
+class PeerFailed(NumericsError):
+    """A run that does not get to the horizon: too many steps or events, or its own error."""
 
 
 class Span(NamedTuple):

@@ -13,9 +13,8 @@ from numerics import load_scene, solve
 from numerics.__main__ import main
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.plane.trajectory import PlaneTrajectory
-from numerics.scene.file import parse_scene
+from numerics.scene.file import parse_scene, scene_text
 from numerics.scene.plane import PlanePair, PlaneScene
-from numerics.scene.writing import scene_text
 from numerics.trajectory.trajectory import Trajectory
 
 PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box")
