@@ -213,11 +213,6 @@ class Flow:
                 at = {j: one / len(found) for j, one in after.items() if one != 0}
         return found
 
-    def state_rows(self, products: Sequence[Callable[[list[Any]], list[Any]]], z: list[Any]) -> list[list[Any]]:
-        """Return the coefficients of x1 and x2; in stick body 2 goes with body 1."""
-        one, *two = (product(z) for product in products)
-        return [one, two[0] if two else [z[X2], *one[1:]]]
-
     def load(self, z: list[Any]) -> list[Any]:
         """Return the load and its rate, in stick."""
         x, m2 = self._few_terms(z), self.numbers.number(self.pair.m2)
@@ -291,11 +286,15 @@ class Expansion:
 
     def __init__(self, flow: Flow, z: list[Any], h: arb) -> None:
         """Form the polynomials, both cut before the same order."""
-        self.flow, self.z, self.both, curve = flow, z, flow.state_rows(flow.all_terms, z), flow.numbers.curve
-        self.order = len(self.both[0]) - 1
+        self.flow, self.z, curve = flow, z, flow.numbers.curve
+        one, *two = (product(z) for product in flow.all_terms)
+        self.order = len(one) - 1
         self.rest = flow.reached(self.order - 1, z, h) / math.factorial(self.order)
-        self.x, self.y = (curve(one[: self.order]) for one in self.both)
-        self.v, self.w = self.x.derivative(), self.y.derivative()
+        self.x = curve(one[: self.order])
+        # in stick body 2 goes with body 1
+        self.y = curve(two[0][: self.order]) if two else self.x + (z[X2] - z[X1])
+        self.v = self.x.derivative()
+        self.w = self.y.derivative() if two else self.v
 
     def row(self, which: int) -> Any:
         """Return a row of which there is a guard."""
