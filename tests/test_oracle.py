@@ -6,7 +6,9 @@ A default run takes some scenes of each kind, other ones every time; a failure n
 import json
 from random import SystemRandom
 
+import numpy as np
 import pytest
+from oracle.bounds import changed, changes
 from oracle.controls import answers as questions
 from oracle.holding import compared, held, same
 from oracle.reading import data, scene_of
@@ -105,3 +107,18 @@ def test_a_stick_at_the_horizon_that_is_said_to_last_for_ever_must_last(name, is
     assert frozen["status"] == "REACHED_HORIZON"
     monkeypatch.setattr(Trajectory, "status", Status.STUCK_FOR_EVER)
     assert ("said to be stuck for ever, and slips later" in compared(frozen, found, 0)) is is_wrong
+
+
+PARTS = 4
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_bounds_doubts_and_derivatives_are_the_frozen_ones(part):
+    assert not [*changes(part, PARTS)]
+
+
+@pytest.mark.parametrize("kind", ["floats", "balls", "answers"])
+def test_a_bound_that_became_smaller_or_larger_is_seen(kind):
+    known = np.array([3.0, 2.0])
+    for factor, seen in ((1, 0), (0.89, 1), (1.11, 1), (np.nan, 1)):
+        assert len([*changed(kind, known, known * [1, factor])]) == seen
