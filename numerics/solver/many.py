@@ -7,8 +7,7 @@ Python only hands out chunks of rows to compiled code, where numba is installed.
 from __future__ import annotations
 
 import reprlib
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache, partial
 from itertools import pairwise
@@ -28,8 +27,15 @@ from numerics.scene.decimals import exact_decimal, listed, require_function, req
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch, near
-from numerics.solver.rows import form_ledgers, frictions_of, of_one_kind, solve_columns, solve_one, solve_prepared
-from numerics.tasks import available_cores
+from numerics.solver.rows import (
+    form_ledgers,
+    frictions_of,
+    in_chunks,
+    of_one_kind,
+    solve_columns,
+    solve_one,
+    solve_prepared,
+)
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.run import MAX_EVENTS, free_scene
 
@@ -38,10 +44,6 @@ if TYPE_CHECKING:
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
 _FLOATS = np.finfo(np.float64)
-_CHUNK = 4096
-"""Scenes in a chunk at most: their rows fit into a core's cache."""
-_TOO_FEW = 256
-"""Scenes that one thread solves before another has started."""
 Progress = Callable[[int, int], None]
 
 
@@ -137,7 +139,7 @@ def solve_many(
 
     later = numbers[:, SI.index("until")] <= float(max(friction.starts, default=0))
     kept, ends = _solved(run, scene_of, later, limits)
-    return Batch(numbers, ends, kept, shape, partial(_form_ledgers, columns, how, jobs))
+    return Batch(numbers, ends, kept, shape, partial(form_ledgers, columns, how, jobs))
 
 
 @overload
@@ -267,36 +269,12 @@ def _solved(
             solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row])
         return len(hows)
 
-    for some in _in_chunks(solve, count, limits.jobs):
+    for some in in_chunks(solve, count, limits.jobs):
         done += some
         if limits.progress is not None:
             limits.progress(done, count)
     ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
     return kept, ends
-
-
-def _form_ledgers(columns: Columns, how: tuple[bool, int], jobs: int | None, ends: Floats) -> None:
-    """Form the ledgers that the runs have left out."""
-    list(_in_chunks(lambda part: form_ledgers(columns.part(part), *how, ends[part]), len(ends), jobs))
-
-
-def _in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Iterator[int]:
-    """Yield what a task says of each chunk of rows, as they finish; compiled code runs in threads, Python in turn.
-
-    There are four chunks for every core, so that all end at about the same time.
-    """
-    cores = jobs or available_cores()
-    size = max(_TOO_FEW, min(_CHUNK, -(-count // (4 * cores))))
-    parts = [slice(start, start + size) for start in range(0, count, size)]
-    if cores == 1 or len(parts) <= 1 or not can_compile():
-        yield from map(task, parts)
-        return
-    pool = ThreadPoolExecutor(min(cores, len(parts)))
-    try:
-        for future in as_completed([pool.submit(task, part) for part in parts]):
-            yield future.result()
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
 
 
 def _numbers_of(named: dict[str, ArrayLike]) -> tuple[Floats, tuple[int, ...]]:

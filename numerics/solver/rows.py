@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import suppress
 from functools import partial
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.compiled import compiled
+from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.pair import nearest
 from numerics.errors import EventUndecided, OutOfRange
@@ -22,10 +23,15 @@ from numerics.linear.prepare import prepare
 from numerics.linear.record import AT, ROW, How
 from numerics.scene import Friction, Law, Scene
 from numerics.scene.plane import PlaneScene
+from numerics.tasks import available_cores
 from numerics.trajectory.columns import STATE, Floats
 from numerics.trajectory.run import free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
 
+_CHUNK = 4096
+"""Scenes in a chunk at most: their rows fit into a core's cache."""
+_TOO_FEW = 256
+"""Scenes that one thread solves before another has started."""
 _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
@@ -93,14 +99,37 @@ def _on(rows: Any, kept: Floats, ends: Floats, run: Callable[[Floats, Floats], N
     kept[rows], ends[rows] = own
 
 
-def form_ledgers(columns: Columns, literal: bool, max_events: int, ends: Floats) -> int:
-    """Run once more the rows of which nobody has formed what friction and viscosity took; return how many there are."""
-    rows = np.flatnonzero(np.isnan(ends[:, AT["friction"]]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
-    if len(rows):
+def form_ledgers(columns: Columns, how: tuple[bool, int], jobs: int | None, ends: Floats) -> None:
+    """Run once more the rows of which nobody has formed what friction and viscosity took."""
+    left_out = np.flatnonzero(np.isnan(ends[:, AT["friction"]]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
+
+    def form(part: slice) -> int:
+        rows = left_out[part]
         own = ends[rows]
-        run_rows(columns.part(rows), literal, max_events, True, np.empty((len(rows), 1, ROW)), own)
+        run_rows(columns.part(rows), *how, True, np.empty((len(rows), 1, ROW)), own)
         ends[rows] = own
-    return len(rows)
+        return len(rows)
+
+    list(in_chunks(form, len(left_out), jobs))
+
+
+def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Iterator[int]:
+    """Yield what a task says of each chunk of rows, as they finish; compiled code runs in threads, Python in turn.
+
+    There are four chunks for every core, so that all end at about the same time.
+    """
+    cores = jobs or available_cores()
+    size = max(_TOO_FEW, min(_CHUNK, -(-count // (4 * cores))))
+    parts = [slice(start, start + size) for start in range(0, count, size)]
+    if cores == 1 or len(parts) <= 1 or not can_compile():
+        yield from map(task, parts)
+        return
+    pool = ThreadPoolExecutor(min(cores, len(parts)))
+    try:
+        for future in as_completed([pool.submit(task, part) for part in parts]):
+            yield future.result()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
 
 
 def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
