@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from numerics.trajectory.animation import film
-from numerics.trajectory.figures import BLUE, GRAY, ORANGE, axes_for
+from numerics.trajectory.figures import BLUE, GRAY, ORANGE, axes_for, film
 
 _POINTS = 60
 _TITLES = {"above": "bodies 1 (blue) and 2 (orange), m", "relative": "$v_1-v_2$, m/s"}

@@ -13,7 +13,6 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-import numpy as np
 from flint import fmpq, fmpq_mat
 
 from numerics.errors import InvalidScene
@@ -101,8 +100,8 @@ class PlaneScene(ShortRepr):
     >>> pair = PlanePair(m1=1, m2=1, a2=200, b="0.5")
     >>> along_x, softer = [Force.sine(1, 5)], [("0.5", "0.4")]
     >>> pushed = PlaneScene(pair, 1, x1=[0.012, 0.002], v1=0, x2=0, v2=0, force=along_x, friction=softer)
-    >>> pushed.pair.axes, pushed.until, pushed.is_forced, float(pushed.energy)
-    (2, Fraction(1, 1), True, 0.0148)
+    >>> pushed.pair.axes, pushed.until, pushed.is_forced
+    (2, Fraction(1, 1), True)
     >>> run = solve(PlaneScene(pair, 1, x1=[0.012, 0.002]), digits=12)
     >>> run.modes[:2], run.events[0].after, run.sol(0.5).shape
     (('slip', 'stick'), 'stick', (8,))
@@ -147,13 +146,6 @@ class PlaneScene(ShortRepr):
     def is_forced(self) -> bool:
         """Return whether anything acts in time."""
         return bool(self.friction or any(one.pieces for one in self.force))
-
-    @property
-    def energy(self) -> Fraction:
-        """E = (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 at t = 0, J, exact."""
-        a2, m1, m2 = (np.array(one) for one in (self.pair.a2, self.pair.m1, self.pair.m2))
-        x1, v1, v2 = (np.array(one) for one in (self.x1, self.v1, self.v2))
-        return Fraction(x1 @ a2 @ x1 + m1 * v1 @ v1 + m2 * v2 @ v2) / 2
 
 
 def _listed(given: Any) -> Any:

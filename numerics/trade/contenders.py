@@ -13,12 +13,11 @@ from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.comparisons.forward_euler import euler_peer
 from numerics.trade.comparisons.integrators import heyoka_arcs, scipy_arcs
 from numerics.trade.comparisons.smoothed import smoothed
-from numerics.trade.comparisons.switched import PeerRun, switched
+from numerics.trade.comparisons.switched import Call, PeerRun, switched
 from numerics.trade.scenes import KINDS
 
 MAX_EVENTS = 10**7
 LINE = "free", "forced"
-Call = Callable[[], Any]
 Prepare = Callable[[Any, float], Call]
 """prepare(scene, setting) builds and compiles everything; the call that it returns is timed, and solves each time."""
 

@@ -22,9 +22,9 @@ from numerics.errors import NumericsError
 from numerics.scene import State
 from numerics.solver.many import solve_many
 from numerics.trade.comparisons.integrators import heyoka_arcs
-from numerics.trade.comparisons.switched import PeerRun, SwitchedPair, run
-from numerics.trade.contenders import CONTENDERS, Call, Contender, answer_of, contender
-from numerics.trade.judge import judge, proved
+from numerics.trade.comparisons.switched import Call, PeerRun, SwitchedPair, run
+from numerics.trade.contenders import CONTENDERS, Contender, answer_of, contender
+from numerics.trade.judge import judge, proved, scales
 from numerics.trade.recorded import NONE, OURS, Run, Sweep, Trade, machine, short
 from numerics.trade.scenes import HEADLINE, LONG, NAMES, benchmark, kind, why
 
@@ -147,8 +147,7 @@ def swept(name: str, size: int, budget: float) -> Sweep:
     def theirs() -> Any:
         return [run(one, arc).final for one in pairs]
 
-    batch, length = solved(), float(pair.half_width)
-    sizes = np.array([[length], [length * float(pair.a2 / pair.mass) ** 0.5]] * 2)
+    batch, sizes = solved(), np.array([[float(one.mid())] for one in scales(pair)])
     apart = np.max(np.abs(np.array(theirs(), dtype=float).T - batch.y) / sizes, axis=0)
     right = apart <= 1e-3
     reached = -np.log10(max(apart[right].max(initial=0.0), 1e-16))

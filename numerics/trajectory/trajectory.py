@@ -82,7 +82,7 @@ class Trajectory(Solution):
         MP4 needs ffmpeg. A frame takes some 50 ms. Raises MissingTool, OSError, ValueError for other files or
         numbers that are not above 0.
         """
-        from numerics.trajectory.animation import animate
+        from numerics.trajectory.figures import animate
 
         return animate(self, file, duration, frames_per_second)
 

@@ -1,16 +1,20 @@
 """How many digits are right: one rule for bounds and radii, and the arithmetic that has as many as were asked for."""
 
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
 import pytest
+from hypothesis import given
+from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
 from numerics import Force, Pair, Scene, State, load_scene, solve, solve_many
-from numerics.arithmetic.ball import widened
+from numerics.arithmetic.ball import Ball, widened
 from numerics.linear.errors_of import errors_of
 from numerics.linear.record import AT, END_ROW, ROW
 from numerics.trajectory.digits import proved_digits
+from numerics.trajectory.rendering import right_digits_text
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
@@ -143,3 +147,9 @@ def test_an_open_sequence_is_a_status_and_no_success():
     assert found.status.tolist() == [Status.SEQUENCE_OPEN, Status.REACHED_HORIZON]
     assert found.success.tolist() == [False, True]
     assert found.digits[0] == 0
+
+
+@given(signed(decimals(-9, 9, 18)), decimals(-30, 5))
+def test_the_true_value_is_within_a_unit_of_the_last_place_of_a_text(value, error):
+    text = Decimal(right_digits_text(value, Ball.number(error), 17))
+    assert abs(Fraction(text) - value) + error <= Fraction(10) ** text.as_tuple().exponent

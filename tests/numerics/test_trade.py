@@ -3,12 +3,10 @@
 import math
 import re
 from dataclasses import replace
-from fractions import Fraction
 from types import SimpleNamespace
 
-import numpy as np
 import pytest
-from flint import arb, fmpq
+from flint import arb
 from planted_trades import MACHINE, run, trade_of
 
 from numerics import OutOfRange
@@ -17,7 +15,7 @@ from numerics.trade import contenders, measure, scenes
 from numerics.trade.comparisons.switched import PeerFailed
 from numerics.trade.contenders import CONTENDERS, answer_of, contender, looked_at
 from numerics.trade.figure import draw_trade
-from numerics.trade.judge import as_arb, judge, proved
+from numerics.trade.judge import judge, proved
 from numerics.trade.recorded import SHIPPED, Sweep, UnreadableTrade, recorded
 
 SCENE = scenes.benchmark(scenes.HEADLINE)
@@ -70,13 +68,6 @@ def test_errors_are_those_that_were_planted():
         assert judge(replace(TRUTH, **changed), TRUTH, SCENE).digits == pytest.approx(digits, abs=1e-3)
     wide = replace(TRUTH, final=(x1 + arb("[0 +/- 5e-6]"), v1, x2, v2))
     assert judge(TRUTH, wide, SCENE).digits == pytest.approx(3, abs=0.01)
-
-
-def test_a_number_of_any_arithmetic_is_taken_exactly():
-    for value in (0.1, np.longdouble(1) / 3):
-        exact = Fraction(*value.as_integer_ratio())
-        with Ball(80).context():
-            assert as_arb(value) == arb(fmpq(exact.numerator, exact.denominator))
 
 
 # what is timed, and how

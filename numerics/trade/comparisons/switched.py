@@ -49,7 +49,8 @@ class PeerRun:
     """The energy that friction and viscosity took from t = 0 to the horizon, J; None where nobody counts it."""
 
 
-Call = Callable[[], PeerRun]
+Call = Callable[[], Any]
+"""Gives a PeerRun, or one of our trajectories."""
 Extra = Any
 """What a module of the extra `comparisons` makes; it is imported late and untyped."""
 

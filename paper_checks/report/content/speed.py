@@ -135,8 +135,8 @@ def provenance(trade: Trade) -> Iterator[Block]:
         f"Measured once: {of['processor']}, {of['cores']} cores, load {of.get('load')}, Python {of['python']}, {versions}."
         f"{f' Left out: {missing}.' if missing else ''} Times are medians of warm runs, compilation apart; the answer is read. Digits are those of the "
         "worst error against balls: of the final state in units of $L$ and $L\\Omega$, of the events' times, of the dissipated energy. "
-        "An integrator is used at its best: restarted at every event and jump, in coordinates that lose nothing; off the line with a smoothed law "
-        "too, whose events nobody judges."
+        "An integrator is used at its best: restarted at every event and jump, in coordinates that lose nothing; on a surface, and where "
+        "friction depends on the state, with a smoothed law, whose events nobody judges."
     )
     yield Paragraph(
         "`python -m numerics trade --out F` measures your machine and draws the figure; `python -m numerics trade --json > F`, then "
