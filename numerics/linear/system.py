@@ -252,10 +252,10 @@ class LocalNorm:
         self.rate = own + square * number(abs(mode.slope)) + coupling
 
     def of(self, state: Sequence[arb]) -> arb:
-        """Return a bound on N of (x1, v1, x2, v2): the sum of the roots of its terms."""
+        """Return N of (x1, v1, x2, v2)."""
         x1, v1, x2, v2 = state
-        norm = abs(self.root_a2 * x1) + abs(self.root_m1 * v1) + abs(self.root_m2 * v2)
-        return (norm + abs(self.root_g * (x1 - x2)) if self.is_coupled else norm).upper()
+        a, b, c, d = self.root_a2 * x1, self.root_m1 * v1, self.root_m2 * v2, self.root_g * (x1 - x2)
+        return (a * a + b * b + c * c + d * d).abs_upper().sqrt().upper()
 
     def growth(self, h: arb) -> arb:
         """Return by which factor N may grow in a time h."""
