@@ -88,6 +88,7 @@ def test_segments_of_many_pieces_and_balls_of_times_say_what_sol_says_of_each_ti
     run = solve(load_scene(name), digits=20, arithmetic="ball")
     with run.arithmetic.context():
         for segment in run.segments:
+            assert (segment.start + segment.length).overlaps(segment.end)
             for since in (segment.length / 10, segment.length * 9 / 10):
                 pairs = zip(segment.state(since), run.sol(segment.start + since), strict=True)
                 assert all(one.overlaps(two) for one, two in pairs)
