@@ -8,7 +8,7 @@ import pytest
 from matplotlib import pyplot as plt
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Force, Friction, Mode, Scene, solve
+from numerics import Force, Friction, Mode, Scene, State, solve
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import overview
 
@@ -68,6 +68,12 @@ def test_what_is_drawn_under_a_force_is_the_trajectory(how, a1):
     if run.reached:
         ends = [number(one) for one in (run.ledger.friction, run.ledger.viscous)]
         assert curve.lost[:, -1] == pytest.approx(ends, rel=1e-3)
+
+
+@pytest.mark.parametrize("how", ARITHMETICS)
+def test_an_excess_far_below_rounding_is_drawn(how):
+    run = solve(Scene(PAPER.pair, State("0.005", "1e-12", 0, "1e-12"), 2), **how)
+    assert sampled(run).w * 1e22 == pytest.approx(4)
 
 
 def test_a_forced_overview_shows_the_force_and_its_work():

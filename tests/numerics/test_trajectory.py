@@ -40,7 +40,6 @@ def test_shapes_and_names_are_those_of_scipy_and_the_columns_of_y_are_sol_at_t(a
     m = len(run.events) + 2
     assert run.t.shape == (m,) == run.energy.shape
     assert run.y.shape == (4, m)
-    assert run.sol(1).shape == (4,)
     assert run.sol([]).shape == (4, 0)
     assert (run.success, run.status, run.message) == (True, Status.REACHED_HORIZON, "reached the horizon")
     assert len(run.segments) == len(run.modes) == len(run.event_kinds) + 1
