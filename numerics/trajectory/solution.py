@@ -75,17 +75,13 @@ class Solution(Rows):
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return self._all_modes[: self.record.events + self.reached]
-
-    @cached_property
-    def _all_modes(self) -> tuple[Mode, ...]:
-        """Return also the mode after the last event, where the cap on events ended the run."""
-        return tuple(map(MODES.__getitem__, self.signs))
+        return tuple(map(MODES.__getitem__, self.signs))[: self.record.events + self.reached]
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        return tuple(map(event_kind, self._all_modes, self._all_modes[1:]))
+        modes = [MODES[sign] for sign in self.signs]
+        return tuple(map(event_kind, modes, modes[1:]))
 
     @property
     def t(self) -> Array:
@@ -175,7 +171,7 @@ class Solution(Rows):
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
-        rows, modes = self.event_rows, self._all_modes
+        rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
         causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
         states, carried = self.event_states, self.row_excess
         excesses = np.full(len(rows), None) if carried is None else carried[rows]
