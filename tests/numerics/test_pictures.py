@@ -74,6 +74,8 @@ def test_what_is_drawn_under_a_force_is_the_trajectory(how, a1):
 def test_an_excess_far_below_rounding_is_drawn(how):
     run = solve(Scene(PAPER.pair, State("0.005", "1e-12", 0, "1e-12"), 2), **how)
     assert sampled(run).w * 1e22 == pytest.approx(4)
+    larger, pair = sampled(solve(PAPER, **how)), PAPER.pair
+    assert larger.w == pytest.approx(pair.energy(larger.y, float) / float(pair.critical_energy) - 1)
 
 
 def test_a_forced_overview_shows_the_force_and_its_work():
