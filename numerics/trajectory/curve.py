@@ -55,7 +55,7 @@ def sampled(trajectory: Rows) -> Curve:
     """
     pair, number, cells = trajectory.scene.pair, trajectory.floats, cells_of(trajectory.scene)
     with trajectory.arithmetic.context():
-        lengths, excess = number(trajectory.row_lengths), trajectory.columns.numbers("excess")
+        lengths, excess = number(trajectory.row_lengths), trajectory.row_excess
         pieces = trajectory.row_pieces[: len(lengths)]
     fastest = [max([float(pair.a2 / pair.m1) ** 0.5, *(float(s.omega) for s in p.sines)]) for p in trajectory.pieces]
     radians = lengths * np.array(fastest)[pieces]
@@ -76,8 +76,8 @@ def sampled(trajectory: Rows) -> Curve:
     t = number(trajectory.row_times)[at] + since
     unit = float(pair.critical_energy)
     w = pair.energy(y, float) / unit - 1
-    if not trajectory.scene.is_forced and excess[0] is not None and excess[0] == excess[0]:
-        w = number(excess)[at] - taken.sum(axis=0) / unit  # keeps its digits where E/E_cr - 1 cancels
+    if excess is not None:
+        w = number(excess)[at] - taken[0] / unit  # keeps its digits where E/E_cr - 1 cancels
     return Curve(t, y, w, lost, segment, (parts >= _FEWEST * radians)[at], trajectory.row_signs[at] == 0, u, b)
 
 

@@ -115,6 +115,12 @@ class Rows(Answer):
         return self.columns.table(*STATE)
 
     @cached_property
+    def row_excess(self) -> Array | None:
+        """Return E/E_cr - 1 at each row, accurate in itself; None where a run does not carry it (free/ alone does)."""
+        found = self.columns.numbers("excess")
+        return None if found[0] is None or (self.bounded and math.isnan(found[0])) else found
+
+    @cached_property
     def row_lengths(self) -> Array:
         """Return how long the segment of each row lasts, s."""
         after, last = self.columns.numbers("length")[1:], self.columns.last("length")
@@ -238,19 +244,16 @@ class Rows(Answer):
     def _excess(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
 
-        What friction and viscosity took since the last event is subtracted from what it was there.
+        What friction took since the last event is subtracted from what it was there: such a pair has no damper.
         """
-        times, unit = self._times(t).reshape(1), self.frame.critical_energy
-        carried = self.columns.numbers("excess")
-        first = carried[self._rows(times, side)[0]]
-        if first is None or (self.bounded and math.isnan(first)):
+        carried, unit = self.row_excess, self.frame.critical_energy
+        if carried is None:
             return None
 
         def left(rows: Counts, since: Array) -> Array:
-            friction, viscous, _ = self.row_losses(rows, since)
-            return np.asarray(carried[rows] - (friction + viscous) / unit)
+            return np.asarray(carried[rows] - self.row_losses(rows, since)[0] / unit)
 
-        found: Number = self._at(left, times, side).tolist()[0]
+        found: Number = self._at(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
     def _at(self, function: Callable[..., Array], times: Array, side: Side) -> Array:

@@ -248,9 +248,9 @@ def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
     if arithmetic.name == "ball":
         return array
     in_floats = arithmetic.name == "float64"
+    convert = Ball.to_float if in_floats else lambda one: arithmetic.number(exact_middle(one))
     with arithmetic.context():
-        numbers = [float(one.mid()) if in_floats else arithmetic.number(exact_middle(one)) for one in array.flat]
-    found = np.array(numbers, dtype=float if in_floats else object).reshape(array.shape)
+        found: Array = np.vectorize(convert, otypes=[float if in_floats else object])(array)
     if in_floats and not np.isfinite(found).all():
         raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
     return found

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cached_property
 from typing import Any
 
@@ -76,17 +75,13 @@ class Solution(Rows):
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return self._all_modes[: self.record.events + self.reached]
-
-    @cached_property
-    def _all_modes(self) -> tuple[Mode, ...]:
-        """Return also the mode after the last event, where the cap on events ended the run."""
-        return tuple(map(MODES.__getitem__, self.signs))
+        return tuple(map(MODES.__getitem__, self.signs))[: self.record.events + self.reached]
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        return tuple(map(event_kind, self._all_modes, self._all_modes[1:]))
+        modes = [MODES[sign] for sign in self.signs]
+        return tuple(map(event_kind, modes, modes[1:]))
 
     @property
     def t(self) -> Array:
@@ -145,17 +140,14 @@ class Solution(Rows):
     def final(self) -> ReducedState:
         """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
         with self.context():
-            return self._reduced(self.final_state, *self.columns.last("excess"))
+            excess = None if self.row_excess is None else self.columns.last("excess")[0]
+            return self.frame.reduced(self.final_state, excess)
 
     @property
     def initial(self) -> ReducedState:
         """Return the reduced state at the start."""
         with self.context():
-            return self._reduced(self.row_states[:, 0], self.arithmetic.number(self.scene.energy_excess))
-
-    def _reduced(self, y: Any, excess: Any = None) -> ReducedState:
-        is_known = excess is not None and not (self.bounded and math.isnan(excess))
-        return self.frame.reduced(y, excess if is_known else None)
+            return self.frame.reduced(self.row_states[:, 0], self.arithmetic.number(self.scene.energy_excess))
 
     @property
     def units(self) -> tuple[Number, Number, Number]:
@@ -179,11 +171,12 @@ class Solution(Rows):
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
-        rows, modes = self.event_rows, self._all_modes
+        rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
         causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
-        states, excesses = self.event_states, self.columns.numbers("excess")[rows]
+        states, carried = self.event_states, self.row_excess
+        excesses = np.full(len(rows), None) if carried is None else carried[rows]
         with self.context():
-            reduced = [self._reduced(*one) for one in zip(states.T.tolist(), excesses, strict=True)]
+            reduced = [self.frame.reduced(*one) for one in zip(states.T.tolist(), excesses, strict=True)]
         kinds, y = self.event_kinds, map(tuple, states.T.tolist())
         return tuple(map(Event, self.event_times.tolist(), kinds, modes, modes[1:], y, reduced, causes))
 
@@ -202,4 +195,4 @@ class Solution(Rows):
     def reduced(self, t: Any, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
         with self.context():
-            return self._reduced(self.sol(t, side), self._excess(t, side))
+            return self.frame.reduced(self.sol(t, side), self._excess(t, side))

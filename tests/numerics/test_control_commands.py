@@ -49,6 +49,10 @@ def test_response_tells_regime_thresholds_and_periodic_motion(
     assert [f"t = {one['t']} s: {one['to']}" in lines for one in found["events"]] == [True] * events
 
 
+def test_response_tells_up_to_where_other_motions_stick(record):
+    assert record("response", "at-rest", "--amplitude", 2, "--omega", "10/3")["exception"].startswith("9.23760")
+
+
 def test_the_energy_excess_is_told_where_its_unit_means_something(output, record):
     for scene, is_told in (("velocities", True), ("forced-step", False), ("forced-friction-by-pieces", False)):
         assert ("E_cr" in output("solve", scene)) is is_told

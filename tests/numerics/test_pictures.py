@@ -1,12 +1,14 @@
 """The pictures of a trajectory show what it is: units, sticking, and curves that are its own."""
 
+from dataclasses import replace
+
 import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Force, Friction, Mode, Scene, solve
+from numerics import Force, Friction, Mode, Scene, State, solve
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import overview
 
@@ -51,20 +53,29 @@ def test_the_load_that_is_drawn_decides_between_stick_and_slip(scene):
     assert np.abs(load[~curve.stick]).max() > curve.b.max()
 
 
+@pytest.mark.parametrize("a1", [FORCED.pair.a1, 900])
 @pytest.mark.parametrize("how", [{}, *ARITHMETICS[2:], {"max_events": 3}])
-def test_what_is_drawn_under_a_force_is_the_trajectory(how):
-    run = solve(FORCED, **how)
+def test_what_is_drawn_under_a_force_is_the_trajectory(how, a1):
+    run = solve(replace(FORCED, pair=replace(FORCED.pair, a1=a1)), **how)
     curve, number = sampled(run), run.arithmetic.to_float
     assert len(set(curve.segment)) == len(run.segments) >= 3
     inside = (curve.segment[2:] == curve.segment[:-2]) & (np.diff(curve.t)[1:] > 1e-9)
     for at in 1 + np.flatnonzero(inside)[::29]:
         t = min(float(curve.t[at]), number(run.end_time))
-        assert curve.y[:, at] == pytest.approx([number(one) for one in run.sol(t)], abs=1e-10)
+        assert curve.y[:, at] == pytest.approx([number(one) for one in run.sol(t)], abs=1e-13)
         assert curve.stick[at] == (run.mode_at(t, "left") is Mode.STICK)
     assert (np.abs(np.diff(curve.u)).max() == pytest.approx(9, rel=0.05)) == run.reached  # the trapezoid falls at once
     if run.reached:
         ends = [number(one) for one in (run.ledger.friction, run.ledger.viscous)]
         assert curve.lost[:, -1] == pytest.approx(ends, rel=1e-3)
+
+
+@pytest.mark.parametrize("how", ARITHMETICS)
+def test_an_excess_far_below_rounding_is_drawn(how):
+    run = solve(Scene(PAPER.pair, State("0.005", "1e-12", 0, "1e-12"), 2), **how)
+    assert sampled(run).w * 1e22 == pytest.approx(4)
+    larger, pair = sampled(solve(PAPER, **how)), PAPER.pair
+    assert larger.w == pytest.approx(pair.energy(larger.y, float) / float(pair.critical_energy) - 1)
 
 
 def test_a_forced_overview_shows_the_force_and_its_work():

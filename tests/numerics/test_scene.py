@@ -33,7 +33,7 @@ def test_a_scene_file_is_read_as_exact_decimals():
     assert scene.initial == State(x1=Fraction(1, 200), v1=Fraction(3, 20))
     assert scene.pair.half_width == Fraction(1, 200)
     assert scene.until == 5
-    assert scene.law is Law.FILIPPOV
+    assert (scene.law, load_scene("velocities-literal").law) == (Law.FILIPPOV, Law.THREE_VALUED_SGN)
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))

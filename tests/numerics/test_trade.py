@@ -113,10 +113,6 @@ def test_two_calls_are_timed_in_turn_and_compared_by_their_medians(call):
     assert "".join(order[2:]) == "aaaaaaaaaabbb" * 14
 
 
-def test_a_slow_call_is_timed_once(call):
-    assert measure.in_turns(call(1e-3), call(50.0, 7.0), 0.1) == pytest.approx(7e3)
-
-
 def measured(prepare):
     one = contender("heyoka")._replace(prepare=lambda *_: prepare())
     return measure.judged_and_timed(one, 1e-9, SCENE, TRUTH, lambda: None, 0.1)

@@ -40,7 +40,6 @@ def test_shapes_and_names_are_those_of_scipy_and_the_columns_of_y_are_sol_at_t(a
     m = len(run.events) + 2
     assert run.t.shape == (m,) == run.energy.shape
     assert run.y.shape == (4, m)
-    assert run.sol(1).shape == (4,)
     assert run.sol([]).shape == (4, 0)
     assert (run.success, run.status, run.message) == (True, Status.REACHED_HORIZON, "reached the horizon")
     assert len(run.segments) == len(run.modes) == len(run.event_kinds) + 1
@@ -88,6 +87,7 @@ def test_segments_of_many_pieces_and_balls_of_times_say_what_sol_says_of_each_ti
     run = solve(load_scene(name), digits=20, arithmetic="ball")
     with run.arithmetic.context():
         for segment in run.segments:
+            assert (segment.start + segment.length).overlaps(segment.end)
             for since in (segment.length / 10, segment.length * 9 / 10):
                 pairs = zip(segment.state(since), run.sol(segment.start + since), strict=True)
                 assert all(one.overlaps(two) for one, two in pairs)
@@ -118,7 +118,7 @@ def test_a_stick_of_thousands_of_turns_keeps_its_ledger():
         residual, lost = run.ledger.residual, run.dissipated
         assert residual.contains(0)
         assert residual.rad() < lost * 1e-18
-        assert all(one.rad() < 1e-18 for one in run.sol(2999))
+        assert all(one.rad() < 1e-35 for one in run.sol(2999))
 
 
 @given(near_critical((3, 60)))
