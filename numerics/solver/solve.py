@@ -219,14 +219,14 @@ def _solve_to_digits(scene: Scene, digits: int, guard: int, limits: _Limits) -> 
     working = digits + guard
     while True:
         _require_within_cap(working, digits, limits)
-        undecided: NumericsError | None = None
         try:
             trajectory = limits.run(scene, Ball(working))
             reached = proved_digits(trajectory)
-        except EventUndecided as error:
-            undecided, reached = error, 0
-        if undecided is None and reached >= digits:
+        except EventUndecided:
+            working *= 2
+            if working > limits.digits:
+                raise
+            continue
+        if reached >= digits:
             return trajectory.but(digits=digits)
-        if undecided is not None and working * 2 > limits.digits:
-            raise undecided
-        working = max(working + (digits - reached) + 5, working * 2 if undecided else 0)
+        working += digits - reached + 5
