@@ -61,8 +61,8 @@ PROVE = "if a bound became smaller, or a doubt (number 0) begins later, prove it
 CHANGED = f"{PROVE} freeze anew with `python -m oracle.bounds`, from tests"
 NEAR, HALVINGS, EVENTS = 1.003, 14, 8
 BALLS = Ball(40)
-WITHIN = {"floats": 1.01, "rounded floats": 1.1, "balls": 1.1, "rounded balls": 2.0, "answers": 1 + 1e-6}
-"""By which factor a number of each kind may change; answers also by 1e-9 of the largest one beside them."""
+WITHIN = {"floats": 1.001, "rounded floats": 1.1, "balls": 1.05, "rounded balls": 1.5, "answers": 1 + 1e-6}
+"""By which factor a number of each kind may change."""
 
 
 class Run(NamedTuple):
@@ -211,7 +211,7 @@ def changed(kind: str, known: Any, found: Any) -> Iterator[str]:
     if len(known) != len(found):
         yield f"{len(found)} numbers, not {len(known)}"
         return
-    slack = 1e-9 * np.nanmax(abs(known), initial=0) if kind == "answers" else 0.0
+    slack = {"answers": 1e-9 * np.nanmax(abs(known), initial=0), "floats": 1e-13}.get(kind, 0.0)  # what rounding leaves
     off = np.where(np.isfinite(known), (WITHIN[kind] - 1) * abs(known) + slack, 0.0)
     same = (found >= known - off) & (found <= known + off) | np.isnan(found) & np.isnan(known)
     for k in np.flatnonzero(~same)[:1]:
