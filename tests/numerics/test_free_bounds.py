@@ -7,10 +7,13 @@ from random import Random
 import numpy as np
 import pytest
 from differences import moved
+from flint import arb
 from planted_errors import ARITHMETICS, COORDINATES, draw_scene, run, unit_pair
 
 from numerics import Scene, State
+from numerics.arithmetic.ball import Ball
 from numerics.free import bounds, motion, rows
+from numerics.free.contact import contact, ray_contact
 from numerics.free.slip import Start
 from numerics.linear.record import AT
 
@@ -177,3 +180,27 @@ def test_roundings_of_every_function_are_within_the_bounds(name, monkeypatch):
         assert max(far) <= 1, scene
         largest = max(largest, *far)
     assert largest > 0.2
+
+
+def ray(w, q):
+    """The end of a slip from an exit ray: angle, depth, excess."""
+    return ray_contact(w, (w / q).sqrt(), q, 1 - q, q.sqrt())[:3]
+
+
+def test_the_contact_of_balls_holds_those_of_points_inside():
+    """One argument is a wide ball, so that no other one covers for it."""
+    random = Random(2)
+    with Ball(40).context():
+        for _ in range(300):
+            gap, push, w = (arb(10 ** random.uniform(-3, 1.3)) for _ in range(3))
+            sign, off, q = random.choice([-1, 1]), 10 ** random.uniform(-4, -2), arb(random.uniform(0.02, 0.98))
+            for end in (
+                lambda x, gap=gap, push=sign * push: contact(gap * x, push),
+                lambda x, gap=gap, push=sign * push: contact(gap, push * x),
+                lambda x, push=push: contact(arb(0), push * x),
+                lambda x, w=w, q=q: ray(w * x, q),
+            ):
+                wide = end(1 + off * arb(0, 1))
+                for place in (-1, -0.5, 0.5, 1):
+                    inside = end(1 + off * arb(place) * (1 - 1e-6))
+                    assert all(one.overlaps(two) for one, two in zip(wide, inside, strict=True))
