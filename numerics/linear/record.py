@@ -2,8 +2,8 @@
 
 Both engines write it and everything else reads it. A segment starts at the start of the run, at an event, or where a
 piece of force or friction begins. In binary64 and double-double rows are arrays of floats, a number takes two columns
-(its low half is 0 in binary64, but for that of a clock); in other arithmetics they are `Knot`s. SI units; every number is that of its
-arithmetic, for balls an enclosure of the true one.
+(in binary64 only a clock has a low half, others 0); in other arithmetics they are `Knot`s. SI units; every number is
+that of its arithmetic, for balls an enclosure of the true one.
 """
 
 from __future__ import annotations
