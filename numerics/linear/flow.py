@@ -154,7 +154,7 @@ class Flow:
     """The flow of stick, or of a slip in one cell of friction, under polynomials of one degree and given frequencies.
 
     z is that of LinearMode for side b = 1, so that the constant in it is side b (0 in stick). `coupling` is slope and
-    pull of friction that depends on the state, None where it is one number b. Rows of which there are guards are the
+    pull of friction that depends on the state, empty where it is one number b. Rows of which there are guards are the
     load in stick, w = v1 - v2 in a slip, and where it is coupled x1 - x2 and F besides.
     """
 
@@ -165,13 +165,13 @@ class Flow:
         slips: bool,
         count: int,
         omegas: tuple[Fraction, ...],
-        coupling: tuple[Fraction, Fraction] | None = None,
+        coupling: tuple[Fraction, ...] = (),
     ) -> None:
         """Build the tables."""
         self.numbers, self.pair, self.slips, self.count, self.omegas = numbers, pair, slips, count, omegas
         self.coupling, number = coupling, Ball.number
         piece = Piece(0, (1,) * count, [Sine(1, one) for one in omegas])
-        self.mode = LinearMode(pair, Fraction(1), int(slips), piece, *(coupling or ()))
+        self.mode = LinearMode(pair, Fraction(1), int(slips), piece, *coupling)
         self.norm = LocalNorm(self.mode)
         self.generator = [[(j, numbers.number(c)) for j, c in enumerate(row) if c] for row in self.mode.generator()]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
@@ -226,7 +226,7 @@ class Flow:
         both = zip_longest(one, *two, fillvalue=[arb(0)] * self.size)
         place = [[a - b for a, b in zip(*rows, strict=True)] for rows in both]
         speed = [[k * c for c in row] for k, row in enumerate(place)][1:]
-        if self.coupling is None:
+        if not self.coupling:
             return [speed]
         slope, pull = map(Ball.number, self.coupling)
         force = [
@@ -256,7 +256,7 @@ class Flow:
         if not self.slips:
             return [self.m2 * self.norm.speeds[0] * bound(2)]
         speed = self.norm.apart * bound(1)
-        if self.coupling is None:
+        if not self.coupling:
             return [speed]
         place, (slope, pull) = self.norm.apart * bound(0), map(Ball.number, self.coupling)
         return [speed, place, abs(slope) * speed + abs(pull) * place]

@@ -78,6 +78,8 @@ class Path:
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
         self.falling, self.pulling, self.steep = map(number, (self.cells.falling, self.cells.pulling, self.cells.steep))
+        self.rate, self.stiff = number(pair.a1 / pair.mass), number(pair.a2 / pair.mass)
+        """Of stick: x1'' + rate x1' + stiff x1 = u/M."""
         self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
 
     def _moving(self, at: At) -> tuple[Flow, Any]:
@@ -88,10 +90,9 @@ class Path:
         flows, key = self.driven[2], (at.mode, at.cell)
         if key not in flows:
             count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
-            branch = self.cells.branch(piece, at.mode, at.cell)
-            coupling = branch[1:] if at.mode and self.varies else None
-            flow = flow_of(self.numbers, self.pair, at.mode != 0, count, omegas, coupling)
-            flows[key] = flow, at.mode * self.numbers.number(branch.offset)
+            branch = self.cells.branch(piece, at.mode, at.cell) if at.mode and self.varies else (piece.b,)
+            flow = flow_of(self.numbers, self.pair, at.mode != 0, count, omegas, branch[1:])
+            flows[key] = flow, at.mode * self.numbers.number(branch[0])
         return flows[key]
 
     def flow(self, at: At) -> Flow:
@@ -202,8 +203,7 @@ class Path:
 
     def shrunk(self, norm: arb, t: arb) -> arb:
         """Return a bound on N after both motions have stuck for a time: it dies away with the flow of stick."""
-        pair = self.pair
-        rate, stiff = Ball.number(pair.a1 / pair.mass), Ball.number(pair.a2 / pair.mass)
+        pair, rate, stiff = self.pair, self.rate, self.stiff
         if not (self.is_ball and rate * t > 1 and stiff * t > rate):
             return norm
         one, zero = arb(1), arb(0)
