@@ -110,18 +110,21 @@ def _of_response(found: Response) -> Shown:
 
 def _of_rotating(found: RotatingResponse) -> Shown:
     """Return the motion that goes round with a force; vectors are complex, with the force along x at t = 0."""
+    from flint import acb
+
     values: dict[str, Any] = {}
     for name in ("friction", "q1", "v1", "v2"):
         value = getattr(found, name)
         values |= {f"{name}_along": value.real, f"{name}_across": value.imag}
     record: dict[str, Any] = {name: getattr(found, name) for name in ("sentence", "attracts", "digits")}
     record |= numbers(found, "threshold", "speed", **values)
+    exponents = [acb(one.real.mid(), 0 if one.imag.contains(0) else one.imag.mid()) for one in found.exponents]
     record["exponents"] = [
-        [str(part.mid().str(found.digits, radius=False)) for part in (one.real, one.imag)] for one in found.exponents
+        [str(part.str(found.digits, radius=False)) for part in (one.real, one.imag)] for one in exponents
     ]
     every = "every motion tends to it" if found.attracts else "other motions need not tend to it"
     lines = [f"{found.sentence}; {every}", *number_lines(record)]
-    lines += [f"  exponent {real} + {imaginary} i 1/s" for real, imaginary in record["exponents"]]
+    lines += [f"  exponent {one.str(found.digits, radius=False)} 1/s" for one in exponents]
     return record, lines
 
 
@@ -185,6 +188,8 @@ def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherw
 
     record, lines = shown
     text = "" if scene is None else scene_text(scene)
+    if text and options.out is None:
+        lines = [f"# {line}" for line in lines]  # all of it is a scene file then
     answer(options, record | {"scene": text} if text else record, lines)
     if not text:
         return refuse(otherwise, FAILED)

@@ -81,13 +81,17 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     return None
 
 
+_EARLY = 1000
+"""Fewer events tell nothing of how many will come."""
+
+
 def _progress(most: int) -> Progress:
     """Return what shows on a terminal how far a run is, and says once, early, that its cap may come before its end."""
     said = False
 
     def show(events: int, fraction: float) -> None:
         nonlocal said
-        if not said and events > fraction * most and fraction < 1:
+        if not said and events > max(_EARLY, fraction * most) and fraction < 1:
             said = True
             told = f"if it goes on like this, the cap of {most} events comes before the horizon"
             print(f"{told}: choose an earlier one, or ask `energy` for a late time", file=sys.stderr)

@@ -210,7 +210,8 @@ class Flow:
                 for i, one in at.items():
                     for j, c in self.generator[i]:
                         after[j] = after[j] + one * c if j in after else one * c
-                at = {j: one / len(found) for j, one in after.items() if one != 0}
+                # a ball that holds 0 and more is neither equal nor unequal to 0
+                at = {j: one / len(found) for j, one in after.items() if not one == 0}  # noqa: SIM201
         return found
 
     def load(self, z: list[Any]) -> list[Any]:

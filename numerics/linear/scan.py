@@ -83,7 +83,7 @@ def scan(
         least = off + margin - (0 if order else offset)
         if all(one > least for one in values) if sign > 0 else all(one < -least for one in values):
             continue
-        if order:
+        if order or len(values) == 1:
             return UNKNOWN
         # the slope has the Bernstein coefficients n (b_k+1 - b_k)/h
         slack, ends = left_out(which, 1) * h / (len(values) - 1), values if sign > 0 else reversed(values)

@@ -10,8 +10,9 @@ import numpy as np
 
 from numerics.trajectory.figures import BLUE, GRAY, ORANGE, axes_for, film
 
-_POINTS = 60
-_TITLES = {"above": "bodies 1 (blue) and 2 (orange), m", "relative": "$v_1-v_2$, m/s"}
+_POINTS, _ALL_POINTS = 30, 3000
+_TITLES = {"above": "bodies 1 (blue), 2 (orange); both grey while they stick", "relative": "$v_1-v_2$"}
+_UNITS = {"above": "m", "relative": "m/s"}
 
 
 def overview(trajectory: Any) -> Any:
@@ -29,12 +30,15 @@ def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
     axes = axes_for(kind, _TITLES, axes)
     times = [0.0, *trajectory.floats(trajectory.event_times), trajectory.arithmetic.to_float(trajectory.end_time)]
     for (start, end), mode in zip(pairwise(times), trajectory.modes, strict=False):
-        x1, v1, x2, v2 = _at(trajectory, np.linspace(start, end, _POINTS)[1:-1])
+        count = _POINTS + int(_ALL_POINTS * (end - start) / times[-1])
+        x1, v1, x2, v2 = _at(trajectory, np.minimum(np.linspace(start, end, count), np.nextafter(times[-1], 0)))
         stuck = set(mode) <= {"0"} or mode == "stick"
         lines = [(x1, BLUE), (x2, ORANGE)] if kind == "above" else [(v1 - v2, "C2")]
         for (x, y, *_), color in lines:
             axes.plot(x, y, color=GRAY if stuck else color, lw=1.2)
-    axes.set_title(_TITLES[kind])
+    axes.set_title(_TITLES[kind], fontsize="medium")
+    axes.set_xlabel(f"first component, {_UNITS[kind]}")
+    axes.set_ylabel(f"second component, {_UNITS[kind]}")
     axes.set_aspect("equal", "datalim")
     return axes
 

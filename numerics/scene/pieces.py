@@ -257,7 +257,8 @@ class Weakening(ShortRepr):
             if w < before:
                 raise InvalidScene(f"speed has |w| = {short(w)} after {short(before)}; give points in order of |w| > 0")
             if w == before:
-                raise InvalidScene(f"speed has a second B = {short(b)} at |w| = {short(w)}: {_TWO_COEFFICIENTS}")
+                why = f"a jump of B is ill-posed; give |w| > {short(w)}, however little" if w else _TWO_COEFFICIENTS
+                raise InvalidScene(f"speed has a second B = {short(b)} at |w| = {short(w)}: {why}")
         for one, two in pairwise(places):
             if two[0] <= one[0]:
                 raise InvalidScene(

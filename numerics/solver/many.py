@@ -215,7 +215,7 @@ def _scene(
 ) -> Scene:
     """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too.
 
-    `pairs` keeps the pair of the very same numbers, which most scenes of a batch share.
+    `pairs` keeps the pair of the very same numbers (the caller keeps these), which most scenes of a batch share.
     """
     m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
     same = id(m1), id(m2), id(a2), id(b), id(a1)

@@ -26,7 +26,7 @@ from numerics.scene.decimals import require_whole
 from numerics.scene.file import parse_scene, scene_text
 
 _RADIUS_BITS = 30
-_REMEDY = "give a file that Trajectory.save has written"
+_REMEDY = "give a file that `save` of such a run has written (Trajectory's or PlaneTrajectory's; --npz is another form)"
 
 
 def save(trajectory: Any, file: str | Path) -> None:
