@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 from numerics.arithmetic.compiled import can_compile, compiled, compiles_now
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.arithmetic.functions import as_float, nonnegative, sign
+from numerics.arithmetic.functions import as_float, nonnegative, rounding, sign
 from numerics.arithmetic.pair import Pair, nearest
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
-from numerics.free.bounds import Carried, initial
+from numerics.free.bounds import Errors, initial
 from numerics.free.excursions import left_range, motions
 from numerics.free.motion import event_state, mode_of, order_of, state_at
 from numerics.free.rows import solve_row, solve_start
@@ -146,15 +146,16 @@ def _record(rows: Any, end: NDArray[np.float64], arithmetic: Arithmetic) -> Reco
     return Record(rows, end, _HOWS[int(how)], int(events), certain == 1.0, friction, 0, off)
 
 
-def begin_in_rows(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, Carried, tuple[Number, ...]]:
+def begin_in_rows(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, Errors, tuple[Number, ...]]:
     """Return how a scene begins in binary64 or double-double, its errors and given numbers; kept with the scene."""
     if arithmetic.name not in scene.made:
         with arithmetic.context():
             begun, given = begin_exactly(scene, arithmetic)
             if isinstance(arithmetic, DoubleDouble):
                 begun, given = (_in_halves(one, arithmetic.halves) for one in (begun, given))
+                begun = begun._replace(at=begun.at._replace(unit=rounding(begun.at.q)))
         scene.made[arithmetic.name] = begun, initial(begun.at, begun.start, begun.V1, begun.V2), given
-    found: tuple[Begun, Carried, tuple[Number, ...]] = scene.made[arithmetic.name]
+    found: tuple[Begun, Errors, tuple[Number, ...]] = scene.made[arithmetic.name]
     return found
 
 

@@ -38,7 +38,8 @@ class Frame:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
         self.arithmetic, self.pair, narrow = arithmetic, pair, narrowing(arithmetic)
         m1, m2, a2, b = map(wide, (pair.m1, pair.m2, pair.a2, pair.b))
-        (self.q, self.r, self.sqrt_q, _), self.units = constants(m1, m2, a2, b, False, narrow)
+        self.parameters, self.units = constants(m1, m2, a2, b, False, narrow)
+        self.q, self.r, self.sqrt_q, *_ = self.parameters
         self.length, self.rate, self.critical_energy = self.units
         self.speed = self.length * self.rate
         self.two_zeta = arithmetic.number(pair.a1 / pair.mass) / self.rate

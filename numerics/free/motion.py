@@ -22,12 +22,13 @@ MOVING, STUCK, OUT_OF_RANGE = -1, 1, 3
 
 
 class Parameters(NamedTuple):
-    """The reduced parameters, and whether v1 = v2 is never left (the law three-valued-sgn)."""
+    """The reduced parameters; whether v1 = v2 is never left (the law three-valued-sgn); one operation's rounding."""
 
     q: Number
     r: Number
     sqrt_q: Number
     literal: bool
+    unit: float
 
 
 class Landing(NamedTuple):

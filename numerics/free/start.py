@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from flint import fmpq
 
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.functions import as_float, like, signed, sqrt
+from numerics.arithmetic.functions import as_float, like, rounding, signed, sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.motion import FREE, STICK, SURFACE, Parameters
 from numerics.free.slip import Start
@@ -83,7 +83,7 @@ def constants(m1: Wide, m2: Wide, a2: Wide, b: Wide, literal: bool, narrow: Narr
     mass, stiff = m1 + m2, a2 * m2
     q, edge = narrow(m1 / mass), mass * b
     units = Units(narrow(edge / stiff), sqrt(narrow(a2 / mass)), narrow(edge * edge / (2 * (stiff * m2))))
-    return Parameters(q, narrow(m2 / mass), sqrt(q), literal), units
+    return Parameters(q, narrow(m2 / mass), sqrt(q), literal, rounding(q)), units
 
 
 @compilable
