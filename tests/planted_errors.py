@@ -13,8 +13,8 @@ from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.free.bounds import Errors, in_floats, with_exit
 from numerics.free.engine import begin_in_rows
+from numerics.free.frame import Begun
 from numerics.free.rows import solve_start
-from numerics.free.start import Begun
 from numerics.linear.record import AT, END_ROW, ROW
 
 MOST = 40

@@ -14,10 +14,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from numerics.arithmetic import elementary
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.functions import as_float
+from numerics.arithmetic.functions import as_float, cosine_deficit, sine_deficit, versine
 from numerics.arithmetic.protocol import Number
+from numerics.free.frame import Begun
 from numerics.free.motion import FREE, RAY, STICK, Landing, Parameters, Reach, State, stick_reach
 from numerics.free.slip import Start
 
@@ -86,15 +86,15 @@ def lost() -> Errors:
 
 
 @compilable
-def initial(at: Parameters, start: Start, V1: Number, V2: Number) -> Errors:
+def initial(begun: Begun) -> Errors:
     """Return the errors of a start whose numbers are exact rationals, rounded."""
-    unit, (pair, begun) = at.unit, in_floats(at, start)
-    moving = pair.sqrt_q * abs(as_float(V1)) + math.sqrt(pair.r) * abs(as_float(V2))
-    gap, push = 2 * unit * abs(begun.gap), 4 * unit * abs(begun.push)
+    unit, (at, start) = begun.at.unit, in_floats(begun.at, begun.start)
+    moving = at.sqrt_q * abs(as_float(begun.V1)) + math.sqrt(at.r) * abs(as_float(begun.V2))
+    gap, push = 2 * unit * abs(start.gap), 4 * unit * abs(start.push)
     if start.kind == STICK:
-        gap, push = gap / pair.q, push / pair.sqrt_q
-    w, place, norm = 2 * unit * abs(begun.w), 2 * unit * abs(begun.Z), 4 * unit * (abs(begun.X) + moving)
-    return with_exit(pair, Errors(0.0, gap, push, w, 0.0, place, 0.0, norm, 0.0), begun)
+        gap, push = gap / at.q, push / at.sqrt_q
+    w, place, norm = 2 * unit * abs(start.w), 2 * unit * abs(start.Z), 4 * unit * (abs(start.X) + moving)
+    return with_exit(at, Errors(0.0, gap, push, w, 0.0, place, 0.0, norm, 0.0), start)
 
 
 @compilable
@@ -282,37 +282,23 @@ def at_horizon(at: Parameters, start: Start, errors: Errors, end: State, tau: Nu
         errors = lost()
     late, shift = errors.late + rounded, errors.shift + rounded
     pair, begun = in_floats(at, start)
-    if start.kind == STICK:
-        return _in_stick_at(pair, begun, errors, late, shift)
-    return _in_slip_at(pair, begun, errors, end, as_float(tau), late, shift)
-
-
-@compilable
-def _in_stick_at(at: Parameters, start: Start, errors: Errors, late: float, shift: float) -> Off:
-    """Return the errors during a stick phase: one rotation."""
-    unit, turning = at.unit, math.sqrt(start.X * start.X + start.push * start.push)
-    moved = at.q * errors.gap + at.sqrt_q * errors.push
-    error = min(errors.norm + turning * shift, moved + turning * late) + 8.0 * unit * turning
-    place, spent = errors.place + 2.0 * unit * abs(start.Z), _spent(at, errors.slide, start.spent)
+    if start.kind != STICK:
+        return _in_slip_at(pair, begun, errors, end, as_float(tau), late, shift)
+    # one rotation
+    turning = math.sqrt(begun.X * begun.X + begun.push * begun.push)
+    moved = pair.q * errors.gap + pair.sqrt_q * errors.push
+    error = min(errors.norm + turning * shift, moved + turning * late) + 8.0 * at.unit * turning
+    place, spent = errors.place + 2.0 * at.unit * abs(begun.Z), _spent(at, errors.slide, begun.spent)
     return Off(0.0, error, error, error, place, errors.w, spent, math.isfinite(errors.late))
 
 
 @compilable
 def _in_slip_at(at: Parameters, start: Start, errors: Errors, end: State, tau: float, late: float, shift: float) -> Off:
     """Return the errors during a slip: by the contraction of the energy norm or by its closed form, the smaller one."""
-    unit, q, r, sqrt_q, d0, u0, driven, guard = (
-        at.unit,
-        at.q,
-        at.r,
-        at.sqrt_q,
-        start.gap,
-        start.push,
-        start.driven,
-        start.guard,
-    )
-    theta = tau / sqrt_q
+    unit, q, r, sqrt_q, d0, u0 = at.unit, at.q, at.r, at.sqrt_q, start.gap, start.push
+    driven, guard, theta = start.driven, start.guard, tau / sqrt_q
     u, turned = u0 * math.cos(theta) - (1.0 + d0) * math.sin(theta), driven - theta
-    drop, sine_drop = elementary.versine(theta), elementary.sine_deficit(theta)
+    drop, sine_drop = versine(theta), sine_deficit(theta)
     bent, late = abs(1.0 + d0) + abs(u0), late / sqrt_q + 2.0 * unit * theta
     norm = errors.norm + 8.0 * unit * (q * bent + sqrt_q * (abs(driven) + theta + guard))
     norm += shift * _speed(at, bent, abs(driven) + theta + bent)
@@ -320,7 +306,7 @@ def _in_slip_at(at: Parameters, start: Start, errors: Errors, end: State, tau: f
     turning = abs(u0) + abs(1.0 + d0) * abs(math.sin(theta))
     v1 = sqrt_q * (errors.push + errors.gap + bent * late + 8.0 * unit * turning)
     v2 = sqrt_q * (errors.push + late + 4.0 * unit * (abs(driven) + theta))
-    rounded = guard * theta + abs(d0) * drop + abs(u0) * sine_drop + elementary.cosine_deficit(theta)
+    rounded = guard * theta + abs(d0) * drop + abs(u0) * sine_drop + cosine_deficit(theta)
     slide = q * (drop * errors.gap + sine_drop * errors.push + abs(u - turned) * late + 16.0 * unit * rounded)
     return Off(
         0.0,

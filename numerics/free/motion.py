@@ -1,6 +1,6 @@
 """Stick and slip for a1 = 0, each in the variables in which it is free of cancellation: `next_event`, `resolve`.
 
-Every number is dimensionless (start.py). A slip lives in the variables of slip.py; a stick phase is one rotation.
+Every number is dimensionless (frame.py). A slip lives in the variables of slip.py; a stick phase is one rotation.
 """
 
 from __future__ import annotations

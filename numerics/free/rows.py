@@ -10,11 +10,13 @@ import math
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.functions import as_float, clock, finite, nonnegative, sign
+from numerics.arithmetic.elementary import UNIT
+from numerics.arithmetic.functions import as_float, clock, finite, sign
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.free.bounds import Errors, Off, after_event, at_horizon, at_start, before_horizon, initial
+from numerics.free.frame import Begun, begin, in_si
 from numerics.free.motion import (
     MOVING,
     OUT_OF_RANGE,
@@ -27,13 +29,13 @@ from numerics.free.motion import (
     state_at,
 )
 from numerics.free.slip import Start
-from numerics.free.start import Begun, begin, in_si
 from numerics.linear.record import AT, How
 
 REACHED, EVENT_LIMIT = int(How.REACHED), int(How.EVENT_LIMIT)
 UNKNOWN = -1
 """What solve_row returns of a scene that must be converted exactly."""
-_LOCAL, _END, _FRICTION, _DISSIPATED = (AT[name] for name in ("local", "how", "friction", "dissipated_error"))
+_LOCAL, _ERRORS, _END = (AT[name] for name in ("local", "x1_error", "how"))
+_FRICTION, _DISSIPATED = AT["friction"], AT["dissipated_error"]
 _SMALLEST, _LARGEST = 1e-70, 1e70
 """Beyond them a product of four SI numbers may leave the range of binary64: convert exactly."""
 _SUBNORMAL, _TINY = 1e-290, 2.0**-1060
@@ -126,24 +128,19 @@ def solve_start(begun: Begun, errors: Errors, given: tuple[Number, ...], most: i
     """
     at, start, units, unit = begun.at, begun.start, begun.units, begun.at.unit
     if len(rows) > 0:
-        x1, v1, x2, v2, _ = given
-        w, zero = start.w, start.tau
-        given_errors = (
-            0.0,
-            unit * abs(as_float(x1)),
-            unit * abs(as_float(v1)),
-            unit * abs(as_float(x2)),
-            unit * abs(as_float(v2)),
-            2 * unit * abs(as_float(w)),
-        )
-        _record(rows[0], start, 0.0, (zero, zero, x1, v1, x2, v2, w), given_errors)
+        zero, w, row = start.tau, start.w, rows[0]
+        _record(row, start, 0.0, (zero, zero, given[0], given[1], given[2], given[3], w), (0.0,) * 6)
+        for k in range(4):
+            row[_ERRORS + k] = unit * abs(as_float(given[k]))
+        row[_ERRORS + 4] = 2 * unit * abs(as_float(w))
     how, count, start, errors = _run(begun, errors, most, rows)
     if how == EVENT_LIMIT:
         t, length, here = start.tau / units.rate, start.rest - start.rest, event_state(at, start)
         off = at_start(at, start, errors, here)
     else:
         t, length = given[4], (begun.horizon - start.tau) - start.rest
-        tau = nonnegative(length)  # the rounding of an event at the horizon may lie beyond it
+        # the rounding of an event at the horizon may lie beyond it
+        tau = length if as_float(length) > 0.0 else start.tau - start.tau
         here = state_at(at, start, tau)
         off = at_horizon(at, start, errors, here, tau, begun.horizon)
     _record_state(end, start, 0.0, begun, t, length, here, off)
@@ -191,12 +188,11 @@ def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
         _wide(row, 7),
         _wide(row, 8),
     )
-    begun = begin(si, literal, as_float)
+    begun = begin(si, literal, as_float, UNIT)
     if not begun.known or not math.isfinite(begun.start.w + begun.horizon):
         return UNKNOWN
-    errors = initial(begun.at, begun.start, begun.V1, begun.V2)
     given = row[8], row[10], row[12], row[14], row[16]
-    return solve_start(begun, errors, given, most, rows, end)
+    return solve_start(begun, initial(begun), given, most, rows, end)
 
 
 @compilable

@@ -12,8 +12,7 @@ from planted_errors import ARITHMETICS, COORDINATES, draw_scene, run, unit_pair
 
 from numerics import Scene, State
 from numerics.arithmetic.ball import Ball
-from numerics.free import motion, rows
-from numerics.free import start as starting
+from numerics.free import engine, motion, rows
 from numerics.free.contact import contact, ray_contact
 from numerics.free.slip import Start
 from numerics.linear.record import AT
@@ -170,7 +169,7 @@ def test_roundings_of_every_function_are_within_the_bounds(name, monkeypatch):
         exact, signs = run(scene, "float64"), random.choices([-1, 1], k=4)
         with monkeypatch.context() as patch:
             patch.setattr(module, name, rounded(getattr(module, name), OFF[name], signs))
-            patch.setattr(starting, "rounding", lambda _: UNIT)
+            patch.setitem(engine._UNITS, "float64", UNIT)
             found = run(replace(scene), "float64")
         if not found.certain or (len(found.rows) > 1 and not of_first_order(found)):
             continue
