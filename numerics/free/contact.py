@@ -114,8 +114,8 @@ def _found(gap: Number, push: Number) -> tuple[Number, Point]:
     """Return the root and a point that is one step from there, nan beyond the range of numbers; points alone.
 
     The steps of Halley's method shrink cubically: after one that is below the cube root of the last bit the error is
-    below that. From this guess four have always been enough in binary64: of six million
-    arguments of every size and sign none took more, or a step that left the range.
+    below that. From this guess four have always been enough in binary64: of six million arguments of every size and
+    sign none took more, or a step that left the range.
     """
     x, small, way = _guess(gap, push), tolerance(gap) ** 0.34, -1 if is_late(push) else 1
     for _ in range(_STEPS):

@@ -200,6 +200,6 @@ def test_the_contact_of_balls_holds_those_of_points_inside():
                 lambda x, w=w, q=q: ray(w * x, q),
             ):
                 wide = end(1 + off * arb(0, 1))
-                for place in (-1, -0.5, 0.5, 1):
+                for place in (-1, 1):
                     inside = end(1 + off * arb(place) * (1 - 1e-6))
                     assert all(one.overlaps(two) for one, two in zip(wide, inside, strict=True))
