@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -109,9 +108,14 @@ def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
 
 def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: Callable[[Any], Any]) -> int:
     """Compute a map by the roads that were asked for, draw it, and print its cells or a summary."""
-    progress = _show_blocks if sys.stderr.isatty() else None
     try:
-        found = compute(jobs=options.jobs, dask=options.dask, resume=options.resume, progress=progress)
+        with shown_steps() as say:
+            found = compute(
+                jobs=options.jobs,
+                dask=options.dask,
+                resume=options.resume,
+                progress=lambda done, blocks: say(f"{done} of {blocks} blocks"),
+            )
     except KeyboardInterrupt:
         if options.resume is None:
             raise
@@ -125,9 +129,3 @@ def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: C
         print(f"{verdict.name.lower().replace('_', '-'):10}{share:8.2%} of the window (logarithmic axes)")
     print(f"{len(found.leaves)} cells, sides down to 2^-{found.depth} of the window")
     return OK
-
-
-def _show_blocks(done: int, blocks: int) -> None:
-    """Show on stderr how many blocks of a map are done."""
-    end = "\n" if done == blocks else ""
-    print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)
