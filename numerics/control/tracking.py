@@ -89,7 +89,7 @@ class Tracking(ShortRepr):
         with (arithmetic := Ball(self.digits + 20)).context():
             path = force_form(last, self.scene.until - last.start).number(arithmetic)
         sides = None if self.is_at_limit and self.force_error > 0 else (0,)
-        return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides, self.digits)
+        return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides)
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:

@@ -91,9 +91,8 @@ class Transfer(ShortRepr):
         with Ball(self.digits + 20).context():
             ends = {"x2": number(self.scene.initial.x2 + self.distance), "v1": arb(0), "v2": arb(0)}
             size = number(abs(self.distance)) * (1 / self.bound).min(arb(1))
-        return Claim(
-            self.scene, "at the end of the transfer", ends, size, None if self.road is Road.SLIP else (0,), self.digits
-        )
+        sides = None if self.road is Road.SLIP else (0,)
+        return Claim(self.scene, "at the end of the transfer", ends, size, sides)
 
 
 def fastest_transfer(

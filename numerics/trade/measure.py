@@ -72,7 +72,7 @@ def trade(
                     break  # coarse to fine: the next one is slower
                 progress(f"{name}: {one.label} {setting:g}")
                 ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
-                runs.append(Run(name, one.label, setting, ratio and ratio * unit, digits, note))
+                runs.append(Run(name, one.label, setting, short(ratio and ratio * unit), short(digits), note))
                 if is_long and ratio and ratio * unit > SLOW:
                     slow.add(one.label)
         if name in SWEPT and contender("heyoka") in everyone and "heyoka" not in left_out:
