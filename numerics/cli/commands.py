@@ -14,8 +14,6 @@ from numerics.exits import FAILED, INTERRUPTED, OK, refuse
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     from numerics.free.quadtree import CellMap
 
 
@@ -75,10 +73,9 @@ def audit_numerics(options: argparse.Namespace) -> int:
 
 def chart_merging(options: argparse.Namespace) -> int:
     """Compute the merging map of a window; print its summary or its cells, draw it."""
-    from numerics.free.merging_map import Window, draw_map, merging_cells
+    from numerics.free.merging_map import draw_map, merging_cells
 
-    window = Window(_side(options, "ratio"), _side(options, "energy"))
-    return _chart(options, partial(merging_cells, window, options.depth), draw_map)
+    return _chart(options, partial(merging_cells, options.depth, options.ratio, options.energy), draw_map)
 
 
 def chart_response(options: argparse.Namespace) -> int:
@@ -96,14 +93,6 @@ def _drawn_response(found: CellMap) -> Any:
     from numerics.control.pictures import draw_response_map
 
     return draw_response_map(found)
-
-
-def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
-    """Return the two ends of a side of the window, exactly. Raises InvalidScene."""
-    from numerics.scene.decimals import exact_decimal
-
-    low, high = (exact_decimal(one, name) for one in getattr(options, name))
-    return low, high
 
 
 def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: Callable[[Any], Any]) -> int:
