@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS
-from numerics.arithmetic.ball import Ball, undecided
+from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
 from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
@@ -22,13 +22,6 @@ KEPT_DIGITS, TIME_DIGITS = 40, 20
 
 number = Ball.number
 """An exact rational as a ball, in the arithmetic's context."""
-
-
-def not_negative(x: arb, question: str) -> bool:
-    """Return whether a number is >= 0. Raises EventUndecided."""
-    if x >= 0 or x < 0:
-        return bool(x >= 0)
-    raise undecided(question, x)
 
 
 def require_digits(digits: Any, **caps: Any) -> None:

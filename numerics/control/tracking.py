@@ -20,8 +20,8 @@ from itertools import pairwise
 from flint import arb, arb_poly
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, undecided
-from numerics.control.answers import Claim, not_negative, number, require_digits, rounded
+from numerics.arithmetic.ball import Ball, proved_sign, undecided
+from numerics.control.answers import Claim, number, require_digits, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
@@ -160,7 +160,7 @@ def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
     peak, where = largest_size(bend, end, digits + 2)
     possible = is_within(bend, limit, piece.length)
     if possible is None:
-        possible = not_negative(number(limit) - peak, "is the acceleration within the limit of friction?")
+        possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0
     return Demand(index, piece.start, end, piece.b, number(m2) * peak, where, possible)
 
 

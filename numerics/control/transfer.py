@@ -21,12 +21,11 @@ from fractions import Fraction
 from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
     Claim,
-    not_negative,
     number,
     require_digits,
     rounded,
@@ -148,7 +147,7 @@ def _transfer(
     stuck, least = stuck_amplitude(pair, far, margin), least_amplitude(pair, far)
 
     def suffices(needed: arb) -> bool:
-        return most is None or not_negative(number(most) - needed, "does the amplitude suffice?")
+        return most is None or proved_sign(number(most) - needed, "does the amplitude suffice?") >= 0
 
     if most is None or suffices(stuck):
         found: Choice = _stuck(pair, far, margin)
@@ -195,7 +194,7 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
         return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
     motion = _pushed(pair, pair.b + 1)  # by 1 N more than friction: g is the velocity
     z = motion.at(tau)
-    if not not_negative(motion.rate(z)[V1, 0], "does body 1 still run ahead at half time?"):
+    if proved_sign(motion.rate(z)[V1, 0], "does body 1 still run ahead at half time?") < 0:
         return None
     return number(pair.b) + number(pair.b / pair.m2) * tau / z[V1, 0]
 
