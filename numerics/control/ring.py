@@ -135,7 +135,7 @@ def _settled(
     for _ in range(doublings):
         _log.info("following the motion to t = %.6g s in %d digits", until, arithmetic.digits)
         longer = replace(scene, until=until)
-        trajectory = run_scene(longer, arithmetic, most)
+        trajectory, found = run_scene(longer, arithmetic, most), None
         if orbit is not None:
             found = periodic_settled(trajectory, orbit, near)
         elif trajectory.status is Status.STUCK_FOR_EVER:
@@ -143,8 +143,9 @@ def _settled(
             x1, _, x2, _ = trajectory.final_state
             since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
             found = Settled(x1 - x2, since, "the pair has stuck for ever")
-        else:
-            found = None if drive.piece.sines else _creeping_settled(trajectory, drive, near, last)
+        elif not drive.piece.sines and (slip := creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))):
+            why = f"all slips after event {slip.index + 1} are bounded, to one side and the other in turn"
+            found = Settled(slip.limit, trajectory.events[slip.index].t, why)
         if found is not None:
             return trajectory, found
         if not trajectory.reached:
@@ -159,15 +160,6 @@ def _settled(
         f"the motion is not known to settle to within a radius of {short(ring[0])} m by t = {short(longer.until)} s "
         f"or {most} events; {remedy}"
     )
-
-
-def _creeping_settled(trajectory: Trajectory, drive: Drive, near: float, last: Fraction) -> Settled | None:
-    """Return what is known of a pair under a force that ends as a constant, a1 = 0; None if that is too early."""
-    found = creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))
-    if found is None:
-        return None
-    why = f"all slips after event {found.index + 1} are bounded, to one side and the other in turn"
-    return Settled(found.limit, trajectory.events[found.index].t, why)
 
 
 def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settled | None:
