@@ -30,7 +30,7 @@ from sympy import lambdify
 from numerics import Pair, Scene, State
 from numerics.free.energy import energy_at
 from numerics.free.merging import CRITICAL_SHARE, Verdict
-from numerics.free.merging_map import Window, draw_map, merging_cells
+from numerics.free.merging_map import draw_map, merging_cells
 from paper_checks.evidence.formula import equation
 from theory import excursion, near_critical, return_map
 from theory.symbols import q, theta
@@ -156,7 +156,7 @@ plt.show()
 # command line, `python -m numerics map --jobs 2 --out map.png` goes to ten cuts, finer than the eye resolves.
 
 # %%
-chart = merging_cells(Window(), 7)
+chart = merging_cells(7)
 shares = {one.name.lower(): f"{share:.1%}" for one, share in chart.shares().items()}
 print(f"{len(chart.leaves)} cells: {shares}")
 draw_map(chart)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from numerics.errors import MissingTool
 
@@ -15,8 +15,8 @@ def available_cores() -> int:
     return len(allowed(0)) if allowed else os.cpu_count() or 1
 
 
-Task = TypeVar("Task")
-Result = TypeVar("Result")
+Task = TypeVar("Task", bound=tuple[Any, ...])
+Result = TypeVar("Result", bound=tuple[Any, ...])
 
 
 def run_tasks(
@@ -24,6 +24,7 @@ def run_tasks(
 ) -> Iterator[Result]:
     """Yield function(task) for every task, in any order; the same function on every road.
 
+    A task begins with its number, and so does what comes of it.
     A worker that is killed loses nothing: what it held is done by another one. Raises MissingTool if joblib (jobs > 1)
     or distributed (dask, the address of a scheduler) is not installed.
     """
@@ -41,20 +42,16 @@ def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], job
         from joblib.externals.loky.process_executor import TerminatedWorkerError
     except ImportError:
         raise MissingTool("more than one job needs joblib: pip install 'inertial-pair[maps]'") from None
-    waiting = dict(enumerate(tasks))
+    waiting = {task[0]: task for task in tasks}
     while waiting:
         before, workers = len(waiting), Parallel(n_jobs=jobs, return_as="generator_unordered", batch_size=1)
         try:
-            for index, result in workers(delayed(_numbered)(function, *one) for one in list(waiting.items())):
-                del waiting[index]
+            for result in workers(delayed(function)(task) for task in list(waiting.values())):
+                del waiting[result[0]]
                 yield result
         except TerminatedWorkerError:  # what it held is done again, unless nothing gets done at all
             if len(waiting) == before:
                 raise
-
-
-def _numbered(function: Callable[[Task], Result], index: int, task: Task) -> tuple[int, Result]:
-    return index, function(task)
 
 
 def _on_cluster(function: Callable[[Task], Result], tasks: Sequence[Task], address: str) -> Iterator[Result]:

@@ -5,10 +5,10 @@ import signal
 from pathlib import Path
 
 
-def squared(task: tuple[int, str]) -> int:
-    """The square of a number; whoever is the first to take number 7 dies of it, and leaves a file behind."""
+def squared(task: tuple[int, str]) -> tuple[int, int]:
+    """A number and its square; whoever is the first to take number 7 dies of it, and leaves a file behind."""
     number, mark = task
     if number == 7 and not Path(mark).exists():
         Path(mark).write_text("killed", "utf-8")
         os.kill(os.getpid(), signal.SIGKILL)
-    return number * number
+    return number, number * number

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -15,8 +14,6 @@ from numerics.exits import FAILED, INTERRUPTED, OK, refuse
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     from numerics.free.quadtree import CellMap
 
 
@@ -76,10 +73,9 @@ def audit_numerics(options: argparse.Namespace) -> int:
 
 def chart_merging(options: argparse.Namespace) -> int:
     """Compute the merging map of a window; print its summary or its cells, draw it."""
-    from numerics.free.merging_map import Window, draw_map, merging_cells
+    from numerics.free.merging_map import draw_map, merging_cells
 
-    window = Window(_side(options, "ratio"), _side(options, "energy"))
-    return _chart(options, partial(merging_cells, window, options.depth), draw_map)
+    return _chart(options, partial(merging_cells, options.depth, options.ratio, options.energy), draw_map)
 
 
 def chart_response(options: argparse.Namespace) -> int:
@@ -99,19 +95,16 @@ def _drawn_response(found: CellMap) -> Any:
     return draw_response_map(found)
 
 
-def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
-    """Return the two ends of a side of the window, exactly. Raises InvalidScene."""
-    from numerics.scene.decimals import exact_decimal
-
-    low, high = (exact_decimal(one, name) for one in getattr(options, name))
-    return low, high
-
-
 def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: Callable[[Any], Any]) -> int:
     """Compute a map by the roads that were asked for, draw it, and print its cells or a summary."""
-    progress = _show_blocks if sys.stderr.isatty() else None
     try:
-        found = compute(jobs=options.jobs, dask=options.dask, resume=options.resume, progress=progress)
+        with shown_steps() as say:
+            found = compute(
+                jobs=options.jobs,
+                dask=options.dask,
+                resume=options.resume,
+                progress=lambda done, blocks: say(f"{done} of {blocks} blocks"),
+            )
     except KeyboardInterrupt:
         if options.resume is None:
             raise
@@ -125,9 +118,3 @@ def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: C
         print(f"{verdict.name.lower().replace('_', '-'):10}{share:8.2%} of the window (logarithmic axes)")
     print(f"{len(found.leaves)} cells, sides down to 2^-{found.depth} of the window")
     return OK
-
-
-def _show_blocks(done: int, blocks: int) -> None:
-    """Show on stderr how many blocks of a map are done."""
-    end = "\n" if done == blocks else ""
-    print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)

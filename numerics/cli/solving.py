@@ -6,11 +6,12 @@ import argparse
 import json
 import shutil
 import sys
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
-from numerics.shown import write_figure
+from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
     from numerics.plane.trajectory import PlaneTrajectory
@@ -32,14 +33,15 @@ def solve_scene(options: argparse.Namespace) -> int:
     on_surface = isinstance(scene, PlaneScene)
     if wrong := wrong or (_wrong_on_a_surface(options) if on_surface else None):
         return refuse(wrong, USAGE)
-    trajectory: Any = solve(
-        scene,
-        digits=options.digits,
-        arithmetic=options.arithmetic or (None if options.digits else "ball"),
-        max_events=options.max_events,
-        max_digits=options.max_digits,
-        progress=_progress(options.max_events),
-    )
+    with shown_steps() as say:
+        trajectory: Any = solve(
+            scene,
+            digits=options.digits,
+            arithmetic=options.arithmetic or (None if options.digits else "ball"),
+            max_events=options.max_events,
+            max_digits=options.max_digits,
+            progress=_progress(options.max_events, say),
+        )
     if options.explain:
         print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
     if options.npz is not None:
@@ -85,8 +87,8 @@ _EARLY = 1000
 """Fewer events tell nothing of how many will come."""
 
 
-def _progress(most: int) -> Progress:
-    """Return what shows on a terminal how far a run is, and says once, early, that its cap may come before its end."""
+def _progress(most: int, say: Callable[[str], None]) -> Progress:
+    """Return what says how far a run is, and tells once, early, that its cap may come before its end."""
     said = False
 
     def show(events: int, fraction: float) -> None:
@@ -95,9 +97,7 @@ def _progress(most: int) -> Progress:
             said = True
             told = f"if it goes on like this, the cap of {most} events comes before the horizon"
             print(f"{told}: choose an earlier one, or ask `energy` for a late time", file=sys.stderr)
-        if sys.stderr.isatty():
-            done = f"\r{events} events, {100 * fraction:.0f} % of the horizon "
-            print(done, end="", file=sys.stderr, flush=True)
+        say(f"{events} events, {100 * fraction:.0f} % of the horizon")
 
     return show
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS
-from numerics.arithmetic.ball import Ball, undecided
+from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
 from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
@@ -22,13 +22,6 @@ KEPT_DIGITS, TIME_DIGITS = 40, 20
 
 number = Ball.number
 """An exact rational as a ball, in the arithmetic's context."""
-
-
-def not_negative(x: arb, question: str) -> bool:
-    """Return whether a number is >= 0. Raises EventUndecided."""
-    if x >= 0 or x < 0:
-        return bool(x >= 0)
-    raise undecided(question, x)
 
 
 def require_digits(digits: Any, **caps: Any) -> None:
@@ -60,7 +53,7 @@ class SecondSolveDiffers(NumericsError):
 
 
 class Claim(NamedTuple):
-    """What an answer says of a scene, solved to so many digits: its last state, and the signs of w on the way there.
+    """What an answer says of a scene, to its digits: its last state, and the signs of w on the way there.
 
     `ends`: values by their names, which count as met within 10^(3 - digits) of `size`; `when` says when that is.
     `sides` is None where rounded decimals may add slips too short to matter.
@@ -71,7 +64,6 @@ class Claim(NamedTuple):
     ends: dict[str, arb]
     size: arb
     sides: tuple[int, ...] | None
-    digits: int
 
 
 def solved_again(answer: Any) -> Trajectory | None:
@@ -82,13 +74,13 @@ def solved_again(answer: Any) -> Trajectory | None:
     claim: Claim | None = answer.claim()
     if claim is None:
         return None
-    solved = solve(claim.scene, digits=claim.digits, arithmetic="ball")
+    solved = solve(claim.scene, digits=answer.digits, arithmetic="ball")
     sides = tuple(mode.sign for mode in solved.modes)
     if claim.sides not in {None, sides}:
         raise SecondSolveDiffers(f"the signs of v1 - v2 are {sides} when solved by events, {claim.sides} by equations")
     state = dict(zip(("x1", "v1", "x2", "v2"), solved.final_state, strict=True))
-    with Ball(claim.digits + 20).context():
-        near = claim.size * arb(10) ** (3 - min(claim.digits, _DECIMALS))
+    with Ball(answer.digits + 20).context():
+        near = claim.size * arb(10) ** (3 - min(answer.digits, _DECIMALS))
         for name, value in claim.ends.items():
             if not abs(state[name] - value) <= near:
                 found = f"{state[name].str(12)} when solved by events, {value.str(12)} by equations"

@@ -10,7 +10,7 @@ period shrinks distances; N never grows in between. If k periods shrink it by th
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import count
 from typing import NamedTuple
 
@@ -61,12 +61,6 @@ def passage_at(orbit: Orbit, t: arb) -> Passage:
     return found[0]
 
 
-def distance(pair: Pair, one: Sequence[arb], two: Sequence[arb]) -> arb:
-    """Return N of the difference of two states (x1, v1, x2, v2): sqrt(a2 dx1^2 + m1 dv1^2 + m2 dv2^2)."""
-    parts = ((pair.a2, 0), (pair.m1, 1), (pair.m2, 3))
-    return sum((number(weight) * abs(one[k] - two[k]).upper() ** 2 for weight, k in parts), arb(0)).sqrt().upper()
-
-
 def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
     """Return a bound of int |w - w*| dt from a time on, for all motions in the mode of the orbit within `reach` of it.
 
@@ -85,8 +79,8 @@ def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
 def _norm(pair: Pair, slopes: arb_mat) -> arb:
     """Return an upper bound of the norm of a linear map of (x1, v1, v2) that belongs to N (Frobenius)."""
     roots = [number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2)]
-    parts = [abs(roots[row] * slopes[row, k] / roots[k]).upper() for row in range(3) for k in range(3)]
-    return sum((one * one for one in parts), arb(0)).sqrt()
+    parts = (roots[row] * slopes[row, k] / roots[k] for row in range(3) for k in range(3))
+    return sum((one * one for one in parts), arb(0)).abs_upper().sqrt()
 
 
 def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:

@@ -150,7 +150,7 @@ class Orbit(ShortRepr):
             begin, at = self.middle(leg)
             scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
             ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.events]
-            return Claim(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side), digits)
+            return Claim(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side))
 
     def middle(self, leg: Leg) -> tuple[Fraction, State3]:
         """Return a time (s) in the middle of a leg, and (x1, v1, v2) there."""

@@ -9,7 +9,6 @@ from itertools import cycle, pairwise
 from typing import Any
 
 import numpy as np
-from flint import arb
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from matplotlib.ticker import LogLocator
@@ -18,9 +17,10 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import Ball
 from numerics.control.response_map import Regimes
 from numerics.control.thresholds import NonStop, entrainment_threshold, non_stop_threshold
-from numerics.control.tracking import Derivative, Tracking
+from numerics.control.tracking import Tracking
 from numerics.control.transfer import Transfer
 from numerics.free.quadtree import CellMap
+from numerics.linear.ties import force_form
 from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import Curve, sampled
@@ -165,8 +165,8 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
     for one in found.demands:
         t = np.linspace(float(one.start), float(one.end), _POINTS)
         piece = found.reference[one.number - 1]
-        with Ball(_DIGITS).context():
-            r, bend = (np.array([float(Derivative(piece, k)(arb(at))) for at in t]) for k in (0, 2))
+        since = [Fraction(at) - piece.start for at in t.tolist()]
+        r, bend = (np.array([float(force_form(piece, at, k).rounded(64)) for at in since]) for k in (0, 2))
         style: dict[str, Any] = {"color": BLUE} if one.possible else {"color": ORANGE, "ls": "--"}
         path.plot(t, r, **style)
         friction.plot(t, float(pair.m2) * bend, **style)

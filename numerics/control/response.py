@@ -30,7 +30,7 @@ from numerics.control.stuck import (
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
 from numerics.plane.rotating import rotating_force, rotating_response
-from numerics.scene import Force, Pair, Piece, Scene, Sine, Weakening
+from numerics.scene import Force, Piece, Scene, Weakening
 from numerics.scene.decimals import Exact, exact_decimal, positive
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
@@ -222,13 +222,10 @@ def _drive_under(scene: Scene, **given: Exact | None) -> Drive:
             raise InvalidScene("the scene has no force; add [[force]] with one sine, or give amplitude and omega")
         scene = replace(scene, force=Force.sine(**asked))
     drive = steady_drive(scene)
-    if not asked:
-        return drive
-    if len(drive.piece.sines) != 1:
+    if asked and len(drive.piece.sines) != 1:
         raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
-    one = drive.piece.sines[0]
-    sine = Sine(asked.get("amplitude", one.amplitude), asked.get("omega", one.omega), one.phase)
-    return replace(drive, piece=Piece(0, drive.piece.polynomial, [sine]))
+    sines = tuple(replace(one, **asked) for one in drive.piece.sines)
+    return replace(drive, piece=replace(drive.piece, sines=sines))
 
 
 def steady_drive(scene: Scene) -> Drive:
@@ -256,8 +253,8 @@ def last_drive(scene: Scene) -> Drive | None:
                 "intervals: a response is not worked out for that; leave place out of [weakening]"
             )
         given = Weakening([(w, one * b / pair.b) for w, one in given.speed], given.last_slope * b / pair.b)
-    added = Force((Piece(0, last.polynomial, last.sines),)) + Force()  # equal sines become one
-    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), added.pieces[0], given)
+    added = Force((replace(last, start=Fraction(0)),)) + Force()  # equal sines become one
+    return Drive(replace(pair, b=b), added.pieces[0], given)
 
 
 def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:

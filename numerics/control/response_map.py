@@ -17,23 +17,20 @@ from fractions import Fraction
 from functools import partial
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number
 from numerics.control.thresholds import NonStop, entrainment_threshold, flattest_peak
-from numerics.errors import InvalidMap
-from numerics.free.quadtree import CellMap, Progress, Side, Sides, map_of
+from numerics.free.quadtree import CellMap, Progress, Side, Sides, map_of, side_of
 from numerics.scene import Pair
-from numerics.scene.decimals import decimal_text, exact_decimal
+from numerics.scene.decimals import decimal_text
 from numerics.scene.model import require_kind
 
 _DIGITS = 16
 _SLICES = 8
 """Frequencies of a cell are taken in so many slices: what is proved of a narrow ball is sharper."""
-_NARROWEST = Fraction(1001, 1000)
 
 
 class Regimes(Enum):
@@ -68,7 +65,7 @@ def response_map(
     {'ENTRAINED': 0.234, 'BETWEEN': 0.344, 'NON_STOP': 0.094, 'UNDECIDED': 0.328}
     """
     require_kind("response_map", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
-    sides = {"amplitude": _side("amplitude", amplitude), "omega": _side("omega", omega)}
+    sides = {"amplitude": side_of("amplitude", amplitude), "omega": side_of("omega", omega)}
     numbers = {name: decimal_text(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
     title = {"map": "response", "pair": numbers} | {name: [*map(str, side)] for name, side in sides.items()}
     return map_of(
@@ -82,18 +79,6 @@ def response_map(
         resume=resume,
         progress=progress,
     )
-
-
-def _side(name: str, ends: Any) -> Side:
-    """Return two numbers, exact. Raises InvalidMap."""
-    try:
-        low, high = ends
-    except (TypeError, ValueError):
-        raise InvalidMap(f"{name} = {str(ends)[:40]!r} must be two numbers: from, to") from None
-    low, high = exact_decimal(low, name), exact_decimal(high, name)
-    if not 0 < low * _NARROWEST <= high:
-        raise InvalidMap(f"{name}: {str(low)[:20]} to {str(high)[:20]} is no range; give 0 < A < B with B/A > 1.001")
-    return low, high
 
 
 def decide(pair: Pair, sides: Sides) -> Regimes:

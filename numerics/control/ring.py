@@ -13,7 +13,6 @@ in balls for it; after that time the motion is inside by what is proved of all l
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple
@@ -23,13 +22,14 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
-from numerics.control.answers import most_digits, not_negative, number, require_digits
-from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
+from numerics.control.answers import most_digits, number, require_digits
+from numerics.control.attraction import Passage, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
-from numerics.linear.system import X1, X2, Row, W
+from numerics.free.root import falling_root
+from numerics.linear.system import X1, X2, LocalNorm, Row, W
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, short
 from numerics.scene.model import BUILD, require_kind
@@ -135,7 +135,7 @@ def _settled(
     for _ in range(doublings):
         _log.info("following the motion to t = %.6g s in %d digits", until, arithmetic.digits)
         longer = replace(scene, until=until)
-        trajectory = run_scene(longer, arithmetic, most)
+        trajectory, found = run_scene(longer, arithmetic, most), None
         if orbit is not None:
             found = periodic_settled(trajectory, orbit, near)
         elif trajectory.status is Status.STUCK_FOR_EVER:
@@ -143,8 +143,9 @@ def _settled(
             x1, _, x2, _ = trajectory.final_state
             since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
             found = Settled(x1 - x2, since, "the pair has stuck for ever")
-        else:
-            found = None if drive.piece.sines else _creeping_settled(trajectory, drive, near, last)
+        elif not drive.piece.sines and (slip := creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))):
+            why = f"all slips after event {slip.index + 1} are bounded, to one side and the other in turn"
+            found = Settled(slip.limit, trajectory.events[slip.index].t, why)
         if found is not None:
             return trajectory, found
         if not trajectory.reached:
@@ -159,15 +160,6 @@ def _settled(
         f"the motion is not known to settle to within a radius of {short(ring[0])} m by t = {short(longer.until)} s "
         f"or {most} events; {remedy}"
     )
-
-
-def _creeping_settled(trajectory: Trajectory, drive: Drive, near: float, last: Fraction) -> Settled | None:
-    """Return what is known of a pair under a force that ends as a constant, a1 = 0; None if that is too early."""
-    found = creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))
-    if found is None:
-        return None
-    why = f"all slips after event {found.index + 1} are bounded, to one side and the other in turn"
-    return Settled(found.limit, trajectory.events[found.index].t, why)
 
 
 def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settled | None:
@@ -187,14 +179,14 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
             here = next((one for one in parts if one.begin <= t and not t > one.end), None)
             if here is None or here.motion.mode.side != there.motion.mode.side:
                 break
-            state, other = here.state(t), there.state(t)
-            reach = distance(pair, state, other)
+            apart = [a - b for a, b in zip(here.state(t), there.state(t), strict=True)]
+            reach = LocalNorm(here.motion.mode).of(apart)
             left = slide_left(orbit, t, reach)
         except EventUndecided:
             break
         if limit is None:
-            limit = state[0] - state[2] - (other[0] - other[2])
-            if not left <= limit.rad() and not all(state[k].overlaps(other[k]) for k in (0, 1, 3)):
+            limit = apart[0] - apart[2]
+            if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
                 return None
             limit += arb(0, left)
         if not left.max(kappa.sqrt() * reach) < near:
@@ -221,7 +213,7 @@ def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate
             for there in reversed(others):
                 begin, end = one.begin, one.end
                 for two in there:
-                    begin, end = _later(two.begin, begin), -_later(-two.end, -end)
+                    begin, end = begin.max(two.begin), end.min(two.end)
                 apart = _Apart((one, *there), begin, known.limit, number(radius**2), number(1 / rate**2))
                 found = _last_in(apart, end - begin)
                 if found is not None:
@@ -252,11 +244,6 @@ class _Apart(NamedTuple):
         return z * z + self.weight * w * w - self.squared, 2 * (z * slide + self.weight * w * change)
 
 
-def _later(one: arb, two: arb) -> arb:
-    """Return the later of two times. Raises EventUndecided."""
-    return one if not_negative(one - two, "which of these two events is the later one?") else two
-
-
 def _last_in(apart: _Apart, length: arb) -> arb | None:
     """Return the last time in a stretch at which D is 0; None if D < 0."""
     over = apart.over
@@ -273,23 +260,10 @@ def _last_in(apart: _Apart, length: arb) -> arb | None:
         if right > 0:
             raise undecided("is the motion inside the ring here?", right)
         if rate < 0 and left > 0:
-            return _crossing(over, low.union(high))
+            return falling_root(low, high, lambda _, t: over(t), None)
         if not (rate < 0 or rate > 0) or left.contains(0):
             if high - low < smallest:
                 raise undecided("does the motion touch the ring?", part)
             middle = ((low + high) / 2).mid()
             waiting += [(low, middle), (middle, high)]
     return None
-
-
-def _crossing(over: Callable[[arb], tuple[arb, arb]], part: arb) -> arb:
-    """Return an enclosure of the one zero of a falling function in a ball of times, by Newton's interval step."""
-    while True:
-        middle = part.mid()
-        step = middle - over(middle)[0] / over(part)[1]
-        if not step.overlaps(part):
-            raise undecided("where is the motion on the ring?", part)
-        smaller = step.intersection(part)
-        if smaller.rad() > part.rad() * arb("0.9"):
-            return smaller
-        part = smaller

@@ -13,8 +13,8 @@ from functools import partial
 
 from flint import acb, arb
 
-from numerics.arithmetic.ball import undecided
-from numerics.control.answers import not_negative, number, rounded
+from numerics.arithmetic.ball import proved_sign, undecided
+from numerics.control.answers import number, rounded
 from numerics.control.orbit import Drive, State3
 from numerics.control.thresholds import Thresholds, impedance, load_margin
 from numerics.linear.system import ONE, Motion, is_positive_on
@@ -101,7 +101,7 @@ def resonant_growth(drive: Drive) -> arb:
     most = max([pair.b, *(b for _, b in weakening.speed)])
     total = sum((acb.exp(acb(0, number(one.phase))) * number(one.amplitude) for one in resonant), acb(0))
     over = abs(total) - 4 * number(most) / arb.pi()
-    grows = not_negative(over, "does the force bring more than friction takes at resonance?")
+    grows = proved_sign(over, "does the force bring more than friction takes at resonance?") > 0
     return over / (2 * number(pair.m1)) if grows else arb(0)
 
 
@@ -126,7 +126,7 @@ def others_stick(drive: Drive, known: Thresholds | None) -> bool:
     if known is None or known.exception is None:
         return False
     under = known.exception - number(abs(drive.piece.sines[0].amplitude))
-    return not_negative(under, "does a free oscillation let the pair stick?")
+    return proved_sign(under, "does a free oscillation let the pair stick?") >= 0
 
 
 def stuck_multipliers(drive: Drive) -> tuple[acb, ...]:

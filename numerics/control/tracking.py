@@ -15,25 +15,24 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
 from itertools import pairwise
 
-from flint import arb
+from flint import arb, arb_poly
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, undecided
-from numerics.control.answers import Claim, not_negative, number, require_digits, rounded
+from numerics.arithmetic.ball import Ball, proved_sign, undecided
+from numerics.control.answers import Claim, number, require_digits, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
-from numerics.linear.sine_form import SineForm
+from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
-_MOST_PARTS = 20_000
+_MOST_PARTS, _FEW_BITS = 20_000, 64
 
 
 @dataclass(frozen=True, repr=False)
@@ -86,10 +85,11 @@ class Tracking(ShortRepr):
         """Return that the pair sticks and x2 = r at the horizon; at the limit rounded phases may let it slip."""
         if self.scene is None:
             return None
-        with Ball(self.digits + 20).context():
-            path = Derivative(self.reference[self.demands[-1].number - 1])(number(self.scene.until))
+        last = self.reference[self.demands[-1].number - 1]
+        with (arithmetic := Ball(self.digits + 20)).context():
+            path = force_form(last, self.scene.until - last.start).number(arithmetic)
         sides = None if self.is_at_limit and self.force_error > 0 else (0,)
-        return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides, self.digits)
+        return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides)
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
@@ -141,112 +141,85 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
     for order, (name, of_body, body) in enumerate((("r", "x2", at.x2), ("r'", "v2", at.v2))):
-        signals = [Derivative(one, order) for one in reference]
-        if signals[0].at(Fraction(0)) != body:
-            value = float(signals[0](arb(0)))
+        begun = [force_form(one, Fraction(0), order) for one in reference]
+        if begun[0] != body:
+            value = float(begun[0].rounded(_FEW_BITS))
             raise InvalidScene(f"{name}(0) = {value:g} must be exactly {of_body}(0) = {short(body)}; change either")
-        for index, (before, after) in enumerate(pairwise(signals), start=2):
-            t = after.piece.start
-            if before.at(t) != after.at(t):
-                left, right = (float(side(number(t))) for side in (before, after))
+        for index, (before, after) in enumerate(pairwise(reference), start=1):
+            ended = force_form(before, after.start - before.start, order)
+            if ended != begun[index]:
+                left, right = (float(side.rounded(_FEW_BITS)) for side in (ended, begun[index]))
                 raise InvalidScene(
-                    f"{name} jumps from {left:g} to {right:g} at t = {short(t)}, where piece {index} of the "
-                    "reference begins; no force can follow that, make it continuous"
+                    f"{name} jumps from {left:g} to {right:g} at t = {short(after.start)}, where piece {index + 1} of "
+                    "the reference begins; no force can follow that, make it continuous"
                 )
 
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
-    acceleration, limit, end = Derivative(piece, 2), piece.b / m2, piece.start + piece.length
-    peak, where = largest_size(acceleration, piece.start, end, digits + 2)
-    possible = acceleration.is_within(limit, piece.length)
+    bend, limit, end = acceleration(piece), piece.b / m2, piece.start + piece.length
+    peak, where = largest_size(bend, end, digits + 2)
+    possible = is_within(bend, limit, piece.length)
     if possible is None:
-        possible = not_negative(number(limit) - peak, "is the acceleration within the limit of friction?")
+        possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0
     return Demand(index, piece.start, end, piece.b, number(m2) * peak, where, possible)
+
+
+def acceleration(path: Piece | ExactPiece) -> Piece:
+    """Return x'' of a path x (m), m/s^2, exact."""
+    sines = [Sine(-one.amplitude * one.omega**2, one.omega, one.phase) for one in path.sines]
+    return Piece(path.start, [math.perm(k, 2) * c for k, c in enumerate(path.polynomial)][2:], sines)
 
 
 def stuck_force(pair: Pair, path: Piece) -> Piece:
     """Return u = M x'' + a1 x' + a2 x of a stuck pair on a path x (m), cosines as sines whose phase is rounded."""
-    c = [*path.polynomial, Fraction(0), Fraction(0)]
-    terms = [
-        pair.a2 * c[k] + pair.a1 * (k + 1) * c[k + 1] + pair.mass * (k + 1) * (k + 2) * c[k + 2]
-        for k in range(len(path.polynomial))
-    ]
     with Ball(_PHASE_DIGITS + 20).context():
         quarter = rounded(arb.pi() / 2, _PHASE_DIGITS)
-    sines = []
-    for one in path.sines:
-        sines.append(Sine((pair.a2 - pair.mass * one.omega**2) * one.amplitude, one.omega, one.phase))
-        sines.append(Sine(pair.a1 * one.omega * one.amplitude, one.omega, one.phase + quarter))
-    return Piece(path.start, terms, sines)
+    sines = [Sine(one.omega * one.amplitude, one.omega, one.phase + quarter) for one in path.sines]
+    velocity = Piece(path.start, [k * c for k, c in enumerate(path.polynomial)][1:], sines)
+    parts = (pair.a2, path), (pair.a1, velocity), (pair.mass, acceleration(path))
+    return sum((factor * Force((one,)) for factor, one in parts), Force()).pieces[0]
 
 
-@dataclass(frozen=True)
-class Derivative:
-    """A derivative of a piece: a polynomial in t - start, and sines A sin(omega t + phase + order pi/2); exact."""
-
-    piece: Piece | ExactPiece
-    order: int = 0
-
-    @cached_property
-    def polynomial(self) -> list[Fraction]:
-        """Return its coefficients."""
-        return [c * math.perm(k, self.order) for k, c in enumerate(self.piece.polynomial)][self.order :]
-
-    @cached_property
-    def sines(self) -> list[tuple[Fraction, Fraction, Fraction, Fraction]]:
-        """Return the coefficients of sine and cosine, omega and phase of each."""
-        sine, cosine = ((1, 0), (0, 1), (-1, 0), (0, -1))[self.order % 4]
-        sizes = [one.amplitude * one.omega**self.order for one in self.piece.sines]
-        return [(sine * A, cosine * A, one.omega, one.phase) for A, one in zip(sizes, self.piece.sines, strict=True)]
-
-    def __call__(self, t: arb) -> arb:
-        """Return an enclosure over a ball of times (s)."""
-        since, total = t - number(self.piece.start), arb(0)
-        for c in reversed(self.polynomial):
-            total = total * since + number(c)
-        for one, other, omega, phase in self.sines:
-            sine, cosine = (number(omega) * t + number(phase)).sin_cos()
-            total += number(one) * sine + number(other) * cosine
-        return total
-
-    def at(self, t: Fraction) -> SineForm:
-        """Return the value at t, exact."""
-        value = SineForm(polynomial_at(self.polynomial, t - self.piece.start))
-        for sine, cosine, omega, phase in self.sines:
-            value += SineForm.turned(omega * t + phase, sine, cosine)
-        return value
-
-    def is_within(self, limit: Fraction, length: Fraction) -> bool | None:
-        """Return whether |f| <= limit over [start, start + length] as far as that is decided exactly, else None.
-
-        For a polynomial it always is; with sines only where sum |A| + max |polynomial| <= limit.
-        """
-        left = limit - sum(abs(sine + cosine) for sine, cosine, _, _ in self.sines)
-        first, *others = self.polynomial or [Fraction(0)]
-        sides = ([left + first, *others], [left - first, *(-c for c in others)])
-        is_small = left >= 0 and all(is_never_negative(one, length) for one in sides)
-        return is_small or (None if self.sines else False)
+def over(piece: Piece, t: arb, order: int = 0) -> arb:
+    """Return an enclosure of a derivative of a piece over a ball of times (s)."""
+    terms = [math.perm(k, order) * c for k, c in enumerate(piece.polynomial)][order:]
+    total = arb_poly(list(map(number, terms)))(t - number(piece.start))
+    for one in piece.sines:
+        turned = number(one.omega) * t + number(one.phase) + order * arb.pi() / 2
+        total += number(one.amplitude * one.omega**order) * turned.sin()
+    return total
 
 
-def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: int) -> tuple[arb, arb]:
-    """Return an enclosure of max |f| over [start, end] to about `digits` digits, and a time of it.
+def is_within(piece: Piece, limit: Fraction, length: Fraction) -> bool | None:
+    """Return whether |f| <= limit over [start, start + length] as far as that is decided exactly, else None.
+
+    For a polynomial it always is; with sines only where sum |A| + max |polynomial| <= limit.
+    """
+    left = limit - sum(abs(one.amplitude) for one in piece.sines)
+    first, *others = piece.polynomial or [Fraction(0)]
+    sides = ([left + first, *others], [left - first, *(-c for c in others)])
+    is_small = left >= 0 and all(is_never_negative(one, length) for one in sides)
+    return is_small or (None if piece.sines else False)
+
+
+def largest_size(piece: Piece, end: Fraction, digits: int) -> tuple[arb, arb]:
+    """Return an enclosure of max |f| over a piece up to its end to about `digits` digits, and a time of it.
 
     The interval is halved; parts that cannot hold the largest value are dropped. Raises EventUndecided.
     """
-    slope, bend = (Derivative(function.piece, function.order + k) for k in (1, 2))
 
     def reach(low: arb, high: arb) -> arb:
         """Return an upper bound of |f| on a part, by Taylor's theorem where that is the better one."""
         part = low.union(high)
         middle, h = part.mid(), part - part.mid()
-        wide = function(middle) + h * slope(middle) + (h * h / 2) * bend(part)
-        return abs(function(part)).upper().min(abs(wide).upper())
+        wide = over(piece, middle) + h * over(piece, middle, 1) + h * h / 2 * over(piece, part, 2)
+        return abs(over(piece, part)).upper().min(abs(wide).upper())
 
-    parts, best, where = [(number(start).lower(), number(end).upper())], arb(-1), arb(0)
+    parts, best, where = [(number(piece.start).lower(), number(end).upper())], arb(-1), arb(0)
     while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
         middles = [((low + high) / 2).mid() for low, high in parts]
         for t in (*parts[0], *parts[-1], *middles):
-            if (here := abs(function(t)).lower()) > best:
+            if (here := abs(over(piece, t)).lower()) > best:
                 best, where = here, t
         halves = [half for (low, high), at in zip(parts, middles, strict=True) for half in ((low, at), (at, high))]
         bounded = [(half, reach(*half)) for half in halves]

@@ -21,12 +21,11 @@ from fractions import Fraction
 from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
     Claim,
-    not_negative,
     number,
     require_digits,
     rounded,
@@ -91,9 +90,8 @@ class Transfer(ShortRepr):
         with Ball(self.digits + 20).context():
             ends = {"x2": number(self.scene.initial.x2 + self.distance), "v1": arb(0), "v2": arb(0)}
             size = number(abs(self.distance)) * (1 / self.bound).min(arb(1))
-        return Claim(
-            self.scene, "at the end of the transfer", ends, size, None if self.road is Road.SLIP else (0,), self.digits
-        )
+        sides = None if self.road is Road.SLIP else (0,)
+        return Claim(self.scene, "at the end of the transfer", ends, size, sides)
 
 
 def fastest_transfer(
@@ -149,7 +147,7 @@ def _transfer(
     stuck, least = stuck_amplitude(pair, far, margin), least_amplitude(pair, far)
 
     def suffices(needed: arb) -> bool:
-        return most is None or not_negative(number(most) - needed, "does the amplitude suffice?")
+        return most is None or proved_sign(number(most) - needed, "does the amplitude suffice?") >= 0
 
     if most is None or suffices(stuck):
         found: Choice = _stuck(pair, far, margin)
@@ -196,7 +194,7 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
         return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
     motion = _pushed(pair, pair.b + 1)  # by 1 N more than friction: g is the velocity
     z = motion.at(tau)
-    if not not_negative(motion.rate(z)[V1, 0], "does body 1 still run ahead at half time?"):
+    if proved_sign(motion.rate(z)[V1, 0], "does body 1 still run ahead at half time?") < 0:
         return None
     return number(pair.b) + number(pair.b / pair.m2) * tau / z[V1, 0]
 

@@ -5,14 +5,11 @@ A window of m2/m1 and E/E_cr - 1 is cut into a quadtree (quadtree.py), each cell
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from numerics.errors import InvalidMap
 from numerics.free.merging import CRITICAL_SHARE, Verdict, verdict
-from numerics.free.quadtree import CellMap, Sides, map_of
-from numerics.scene.decimals import decimal_text
+from numerics.free.quadtree import CellMap, map_of, side_of
 
 COLOURS = {Verdict.CREEPS: "#f3e6c4", Verdict.UNDECIDED: "#d1603d", Verdict.MERGES: "#1f3a5f"}
 LABELS = {
@@ -20,43 +17,21 @@ LABELS = {
     Verdict.UNDECIDED: "undecided at this depth",
     Verdict.MERGES: "merges in finite time",
 }
-SMALLEST, LARGEST, NARROWEST = Fraction(1, 10**6), Fraction(10**6), Fraction(1001, 1000)
+SMALLEST, LARGEST = Fraction(1, 10**6), Fraction(10**6)
 
 
-@dataclass(frozen=True)
-class Window:
-    """Ranges of m2/m1 and of E/E_cr > 1 of a start on S0; exact, dimensionless. Raises InvalidMap."""
-
-    ratio: tuple[Fraction, Fraction] = (Fraction(4, 5), Fraction(100))
-    energy: tuple[Fraction, Fraction] = (Fraction(101, 100), Fraction(101))
-
-    def __post_init__(self) -> None:
-        """Refuse empty ranges, and what neither binary64 axes nor 10,000 slips resolve."""
-        named = (
-            ("m2/m1", self.ratio, "A and B from 1e-6 to 1e6 and B/A"),
-            ("E/E_cr", self.energy, "A and B from 1.000001 to 1000001 and (B - 1)/(A - 1)"),
-        )
-        for (low, high), (name, given, asked) in zip(self.sides, named, strict=True):
-            if not (low >= SMALLEST and low * NARROWEST <= high <= LARGEST):
-                shown = " to ".join(decimal_text(one)[:20] for one in given)
-                raise InvalidMap(f"{name}: {shown} is no range; give {asked} at least 1.001")
-
-    @property
-    def sides(self) -> Sides:
-        """Return the ranges of m2/m1 and of E/E_cr - 1: the cell that holds all others."""
-        low, high = self.energy
-        return self.ratio, (low - 1, high - 1)
-
-
-def merging_cells(window: Window, depth: int, **roads: Any) -> CellMap:
-    """Return the map of a window, cells down to 2^-depth of its sides; every verdict is proved for its whole cell.
+def merging_cells(depth: int, ratio: Any = ("0.8", 100), energy: Any = ("1.01", 101), **roads: Any) -> CellMap:
+    """Return the map of ranges of m2/m1 and E/E_cr > 1, cells down to 2^-depth; each verdict is proved for its cell.
 
     In JSON a cell is [m2/m1 from, to, E/E_cr from, to, verdict]. `roads` are `jobs`, `dask`, `resume` and `progress` of
-    quadtree.map_of; none changes the result. Raises InvalidMap (depth, checkpoint of another map) and MissingTool
-    (joblib or distributed is not installed).
+    quadtree.map_of; none changes the result. Raises InvalidMap (a range that neither binary64 axes nor 10,000 slips
+    resolve, depth, checkpoint of another map) and MissingTool (joblib or distributed is not installed).
     """
-    sides = {name: [str(one) for one in getattr(window, name)] for name in ("ratio", "energy")}
-    return map_of(window.sides, depth, verdict, Verdict.UNDECIDED, {"map": "merging", **sides}, (0, 1), **roads)
+    added = 0, 1
+    sides = side_of("m2/m1", ratio, SMALLEST, LARGEST), side_of("E/E_cr", energy, SMALLEST, LARGEST, less=1)
+    named = zip(("ratio", "energy"), sides, added, strict=True)
+    title = {name: [str(one + more) for one in side] for name, side, more in named}
+    return map_of(sides, depth, verdict, Verdict.UNDECIDED, {"map": "merging", **title}, added, **roads)
 
 
 def draw_map(cells: CellMap) -> Any:

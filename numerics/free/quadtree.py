@@ -20,12 +20,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.errors import InvalidMap
+from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.short_repr import ShortRepr
 from numerics.tasks import run_tasks
 
 BLOCK_DEPTH = 3
 """Cuts from the window to a block: 4^3 tasks keep a cluster busy, and a checkpoint short."""
-MAX_DEPTH = 14
+MAX_DEPTH, NARROWEST = 14, Fraction(1001, 1000)
 Progress = Callable[[int, int], None]
 Side = tuple[Fraction, Fraction]
 Sides = tuple[Side, Side]
@@ -35,6 +36,24 @@ Decide = Callable[[Sides], Any]
 
 It must be importable, alone or under functools.partial: it is sent to other processes.
 """
+
+
+def side_of(name: str, ends: Any, least: Fraction = Fraction(0), most: Fraction | None = None, less: int = 0) -> Side:
+    """Return two numbers, from and to, less a number, exact: a side of a window. Raises InvalidMap.
+
+    Bounds are those of what is returned; both are > 0, and their ratio is at least NARROWEST.
+    """
+    try:
+        first, last = ends
+    except (TypeError, ValueError):
+        raise InvalidMap(f"{name} = {str(ends)[:40]!r} must be two numbers: from, to") from None
+    low, high = exact_decimal(first, name) - less, exact_decimal(last, name) - less
+    if not (0 < low * NARROWEST <= high and least <= low and (most is None or high <= most)):
+        given = " to ".join(decimal_text(one + less)[:20] for one in (low, high))
+        bounds = f"from {decimal_text(least + less)} to {decimal_text(most + less)}" if most else "> 0"
+        apart = f"(B - {less})/(A - {less})" if less else "B/A"
+        raise InvalidMap(f"{name}: {given} is no range; give A and B {bounds} and {apart} at least 1.001")
+    return low, high
 
 
 class Leaf(NamedTuple):

@@ -44,11 +44,10 @@ class EulerFigure(NamedTuple):
 
 def euler_figure(scene: Scene, steps: Sequence[float] = STEPS) -> EulerFigure:
     """Return what forward Euler makes of a scene with these steps (s), from coarse to fine."""
-    truth, pair, outcomes = proved(scene), SwitchedPair(scene), []
+    truth, first, outcomes = proved(scene), SwitchedPair(scene).mode, []
     for step in steps:
-        with np.errstate(over="ignore", invalid="ignore"):
-            run = forward_euler(scene, step)
-            found = judge(read(pair.mode, run), truth, scene)
+        run = forward_euler(scene, step)
+        found = judge(read(first, run), truth, scene)
         digits = -np.inf if found.digits is None else found.digits
         outcomes.append(EulerOutcome(step, found.difference is None, digits, run.chatter))
     return EulerFigure(len(truth.times), tuple(outcomes))

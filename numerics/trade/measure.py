@@ -72,7 +72,7 @@ def trade(
                     break  # coarse to fine: the next one is slower
                 progress(f"{name}: {one.label} {setting:g}")
                 ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
-                runs.append(Run(name, one.label, setting, ratio and ratio * unit, digits, note))
+                runs.append(Run(name, one.label, setting, short(ratio and ratio * unit), short(digits), note))
                 if is_long and ratio and ratio * unit > SLOW:
                     slow.add(one.label)
         if name in SWEPT and contender("heyoka") in everyone and "heyoka" not in left_out:
@@ -85,16 +85,16 @@ def selected(
     only: Sequence[str], contenders: Sequence[Contender], scenes: Sequence[str]
 ) -> tuple[list[Contender], list[str]]:
     """Return the contenders and the scenes that `only` names, all of a kind of which it names none."""
-    labels, titles = [one.label for one in contenders], [f"{kind(name)}: {name}" for name in scenes]
-
-    def fitting(words: Sequence[str], names: Sequence[str]) -> list[str]:
-        return [name for name in names if any(word.lower() in name.lower() for word in words)]
-
+    labels, titles = {one.label: one for one in contenders}, {f"{kind(name)}: {name}": name for name in scenes}
     for word in only:
-        if not fitting([word], known := [*labels, *titles]):
-            raise NoSuchContender(f"--only {word[:40]!r} fits no contender and no scene; they are: {'; '.join(known)}")
-    some, named = fitting(only, labels) or labels, fitting(only, titles) or titles
-    return [one for one in contenders if one.label in some], [title.partition(": ")[2] for title in named]
+        if word.lower() not in (known := "; ".join([*labels, *titles])).lower():
+            raise NoSuchContender(f"--only {word[:40]!r} fits no contender and no scene; they are: {known}")
+
+    def fitting(named: dict[str, Any]) -> list[Any]:
+        some = [one for name, one in named.items() if any(word.lower() in name.lower() for word in only)]
+        return some or [*named.values()]
+
+    return fitting(labels), fitting(titles)
 
 
 def judged_and_timed(

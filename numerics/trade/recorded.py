@@ -133,11 +133,7 @@ class Trade:
     def text(self) -> str:
         """Return the trade as JSON, a line for each run."""
         head = {"command": COMMAND} | {name: part for name, part in asdict(self).items() if name != "runs"}
-        runs = (
-            [*run[:3], run.seconds and short(run.seconds), run.digits and short(run.digits), run.note]
-            for run in self.runs
-        )
-        rows = ",\n".join(map(json.dumps, runs))
+        rows = ",\n".join(map(json.dumps, self.runs))
         return f'{json.dumps(head, indent=1)[:-2]},\n "runs": [\n{rows}]}}\n'
 
 

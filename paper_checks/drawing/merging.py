@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from numerics.free.merging import CRITICAL_SHARE
-from numerics.free.merging_map import COLOURS, LABELS, Window, merging_cells
+from numerics.free.merging_map import COLOURS, LABELS, merging_cells
 from numerics.free.quadtree import CellMap
 from paper_checks.claims.merging_share import MERGES, SPEEDS, by_quadrature, decided, start
 from paper_checks.drawing.style import panels
@@ -70,7 +70,7 @@ def merging_bands() -> Figure:
 
 @cache
 def _chart() -> CellMap:
-    return merging_cells(Window(), DEPTH)
+    return merging_cells(DEPTH)
 
 
 @cache

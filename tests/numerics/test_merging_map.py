@@ -19,7 +19,7 @@ from numerics.free.contact import enclosed_contact, ray_contact
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
 from numerics.free.merging import CRITICAL_SHARE, Verdict, creeping_excess, verdict
-from numerics.free.merging_map import Window, merging_cells
+from numerics.free.merging_map import merging_cells
 
 POINTS = 200
 PROVED_TO_CREEP = 0.325  # below (pi/2 - 1)^2
@@ -54,7 +54,7 @@ def contradictions(cells, points=POINTS, seed=1):
 
 @pytest.fixture(scope="module")
 def chart():
-    return merging_cells(Window(), 6)
+    return merging_cells(6)
 
 
 def test_cells_agree_with_single_runs(chart):
@@ -65,15 +65,15 @@ def test_cells_agree_with_single_runs(chart):
 def test_the_cells_cover_the_window(chart):
     assert sum(cell.share for cell in chart.leaves) == 1
     sides = {side for cell in chart.leaves for side in cell.sides[0]}
-    assert (min(sides), max(sides)) == Window().ratio
+    assert min(sides) * 125 == max(sides) == 100
 
 
 def test_up_to_the_critical_share_everything_creeps(monkeypatch):
     threshold = CRITICAL_SHARE / (1 - CRITICAL_SHARE)
-    below = Window((Fraction(1, 10), threshold))
-    assert {cell.verdict for cell in merging_cells(below, 1).leaves} == {Verdict.CREEPS}
+    below = Fraction(1, 10), threshold
+    assert {cell.verdict for cell in merging_cells(1, below).leaves} == {Verdict.CREEPS}
     monkeypatch.setattr(merging_cell, "CRITICAL_SHARE", Fraction(0))  # the same without the theorem, cell by cell
-    computed = merging_cells(below, 5).shares()
+    computed = merging_cells(5, below).shares()
     assert computed[Verdict.MERGES] == 0
     assert computed[Verdict.CREEPS] > 0.6
 
@@ -204,4 +204,4 @@ def test_a_cell_of_which_only_the_middle_is_computed_is_seen(monkeypatch):
         return verdict((ratio, excess))
 
     monkeypatch.setattr(merging_map, "verdict", middle)
-    assert contradictions(merging_cells(Window(), 5))
+    assert contradictions(merging_cells(5))

@@ -32,12 +32,13 @@ from numerics import (
 )
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
-from numerics.control.attraction import distance, passage_at
+from numerics.control.attraction import passage_at
 from numerics.control.orbit import Orbit
 from numerics.control.pictures import draw_ring
 from numerics.control.response import last_drive
 from numerics.control.ring import Settled, periodic_settled, stretches
 from numerics.control.stuck import stuck_state
+from numerics.linear.system import LocalNorm
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
@@ -243,8 +244,9 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
         kappa = Ball.number(pair.mass / (pair.m1 * pair.m2))
         apart = []
         for t in (since, since - orbit.drive.period):
-            [state] = [one.state(t) for one in parts if float(one.begin) <= float(t) < float(one.end)]
-            apart.append(float(kappa.sqrt() * distance(pair, state, passage_at(orbit, t).state(t))))
+            [here] = [one for one in parts if float(one.begin) <= float(t) < float(one.end)]
+            off = [a - b for a, b in zip(here.state(t), passage_at(orbit, t).state(t), strict=True)]
+            apart.append(float(kappa.sqrt() * LocalNorm(here.motion.mode).of(off)))
     assert apart[0] < near <= apart[1]
 
 

@@ -25,7 +25,7 @@ def test_what_a_killed_process_held_is_done_by_another_one(tmp_path):
     pytest.importorskip("joblib")
     mark = tmp_path / "mark"
     tasks = [(number, str(mark)) for number in range(40)]
-    assert sorted(run_tasks(squared, tasks, jobs=2)) == [number * number for number in range(40)]
+    assert sorted(run_tasks(squared, tasks, jobs=2)) == [(number, number * number) for number in range(40)]
     assert mark.exists()
 
 

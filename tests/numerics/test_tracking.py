@@ -12,7 +12,7 @@ from strategies import decimals
 from numerics import Friction, InvalidScene, Pair, Piece, Scene, Sine, State, load_reference, load_scene
 from numerics.arithmetic.ball import Ball
 from numerics.control.pictures import draw_tracking
-from numerics.control.tracking import Derivative, largest_size, track
+from numerics.control.tracking import largest_size, over, track
 
 S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
 
@@ -26,7 +26,7 @@ def test_body_2_follows_by_the_reference(pair, reference):
     run = referred(found.scene)
     assert not run.events
     with Ball(36).context():
-        goal = Derivative(reference[-1], 0)(arb(3))
+        goal = over(reference[-1], arb(3))
         assert abs(run.x2 - goal) < arb(10) ** -30
     assert draw_tracking(found, pair).axes
 
@@ -74,12 +74,13 @@ def test_the_limit_itself_can_be_followed_and_no_more(reference, until, b, possi
 
 @given(st.lists(decimals(-1, 1, 2), min_size=1, max_size=4), decimals(-1, 1, 2), decimals(-1, 0, 2))
 def test_the_largest_size_bounds_samples_and_is_reached(coefficients, omega, amplitude):
-    function = Derivative(Piece(0, [(-1) ** k * c for k, c in enumerate(coefficients)], [Sine(amplitude, omega)]), 0)
+    piece = Piece(0, [(-1) ** k * c for k, c in enumerate(coefficients)], [Sine(amplitude, omega)])
     with Ball(20).context():
-        peak, where = largest_size(function, Fraction(0), Fraction(2), 12)
-        samples = [abs(function(Ball.number(Fraction(k, 50)))) for k in range(101)]
+        peak, where = largest_size(piece, Fraction(2), 12)
+        samples = [abs(over(piece, Ball.number(Fraction(k, 50)))) for k in range(101)]
         assert all(not one > peak for one in samples)
-        assert abs(function(where)).overlaps(peak) or abs(abs(function(where)) - peak) < peak * arb(10) ** -11
+        there = abs(over(piece, where))
+        assert there.overlaps(peak) or abs(there - peak) < peak * arb(10) ** -11
 
 
 @pytest.mark.parametrize(

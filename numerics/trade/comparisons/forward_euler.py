@@ -15,17 +15,16 @@ Its dissipated energy is E(0) - E(end), which chatter spoils: forward Euler gain
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.util import find_spec
 
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.arithmetic.compiled import compiled
 from numerics.scene import Law, Scene
-from numerics.trade.comparisons.switched import Call, PeerFailed, PeerRun, SwitchedPair
+from numerics.trade.comparisons.switched import Call, PeerRun, SwitchedPair
 
-MAX_STEPS = 20_000_000
 Vector = NDArray[np.float64]
 
 
@@ -65,7 +64,7 @@ class EulerRun:
         return np.asarray(self.scene.pair.energy(self.y, float))
 
 
-def march(y: Vector, step: float, m1: float, m2: float, a1: float, a2: float, b: float, literal: bool) -> None:
+def march(y: Vector, step: float, literal: bool, m1: float, m2: float, a1: float, a2: float, b: float) -> None:
     """Fill the columns of y, (4, n), from the first one on: plain arithmetic, fit for a compiler."""
     held = b * (m1 + m2) / m2
     x1, v1, x2, v2 = float(y[0, 0]), float(y[1, 0]), float(y[2, 0]), float(y[3, 0])
@@ -82,12 +81,11 @@ def march(y: Vector, step: float, m1: float, m2: float, a1: float, a2: float, b:
         y[0, n], y[1, n], y[2, n], y[3, n] = x1, v1, x2, v2
 
 
-def forward_euler(scene: Scene, step: float, loop: Callable[..., None] = march) -> EulerRun:
+def forward_euler(scene: Scene, step: float) -> EulerRun:
     """Integrate a scene with the explicit Euler method of the given step (s) > 0. Raises ValueError.
 
     Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (11)-(12), generalised to any
     masses; the law `filippov` uses it inside the sliding region only, and the slip field that leads away outside.
-    `loop` may be a compiled `march`.
     """
     steps = round(float(scene.until) / step) if step > 0 else 0
     if steps < 1:
@@ -96,27 +94,17 @@ def forward_euler(scene: Scene, step: float, loop: Callable[..., None] = march) 
     y = np.empty((4, steps + 1))
     y[:, 0] = [float(one) for one in (at.x1, at.v1, at.x2, at.v2)]
     numbers = [float(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b)]
-    loop(y, step, *numbers, scene.law is Law.THREE_VALUED_SGN)
+    compiled(march)(y, step, scene.law is Law.THREE_VALUED_SGN, *numbers)
     return EulerRun(scene, np.linspace(0.0, step * steps, steps + 1), y)
 
 
 def euler_peer(scene: Scene, step: float) -> Call:
-    """Compile the loop for a free pair, where numba is installed. Raises PeerFailed for too many steps."""
-    first, steps, loop = SwitchedPair(scene).mode, float(scene.until) / step, march
-    if steps > MAX_STEPS:
-        raise PeerFailed(f"{steps:.0f} steps do not fit the memory; the cap is {MAX_STEPS}")
-    if find_spec("numba"):
-        import numba
-
-        loop = numba.njit(march)
-
-    def run() -> PeerRun:
-        with np.errstate(over="ignore", invalid="ignore"):  # a coarse step may blow up, and says so by its result
-            return read(first, forward_euler(scene, step, loop))
-
-    return run
+    """Prepare a run of a free pair, its first mode known."""
+    first = SwitchedPair(scene).mode
+    return lambda: read(first, forward_euler(scene, step))
 
 
+@np.errstate(over="ignore", invalid="ignore")  # a coarse step may blow up, and says so by its result
 def read(first: int, euler: EulerRun) -> PeerRun:
     """Return what a forward Euler run says, its first mode known, read by the rules above."""
     events, energy = list(events_of(euler.sign, euler.load, first)), euler.energy

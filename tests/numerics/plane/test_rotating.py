@@ -107,7 +107,7 @@ def test_the_commands_know_a_surface(capsys):
     assert len(event["x1_radius"]) == len(found["final"]["v2"]) == 2
     assert main(["response", "plane-rotating-force"]) == 0
     assert "0.0800000000000000" in capsys.readouterr().out
-    for wrong in ("energy plane-box --at 1", "ring plane-box --radius 1"):
+    for wrong in ("energy plane-box --at 1", "ring plane-box --radius 1", "response plane-rotating-force --plot a.svg"):
         assert main(wrong.split()) == 2
         assert "surface" in capsys.readouterr().err
 
