@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 import flint
 from flint import arb, arb_mat
@@ -29,6 +30,32 @@ _REMAINDER_BITS, _FURTHER = 80, 4
 """Bits of a bound on a remainder, and the further terms of Taylor in it."""
 MOST_CUTS = 2_000
 """Into so many parts an interval is cut before a sign on it counts as undecided."""
+
+
+class Drive(NamedTuple):
+    """A piece in balls: its polynomial, and of each sine amplitude, omega and the phase where the piece begins."""
+
+    polynomial: list[arb]
+    sines: list[tuple[arb, arb, arb]]
+
+    @classmethod
+    def of(cls, piece: Piece | ExactPiece) -> Drive:
+        """Return a piece in balls."""
+        number = Ball.number
+        sines = [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in piece.sines]
+        return cls([number(c) for c in piece.polynomial], sines)
+
+    def force(self, local: arb, count: int) -> list[arb]:
+        """Return what of z is the force: `count` derivatives of its polynomial, and each sine beside its cosine."""
+        parts, terms = [], self.polynomial
+        for order in range(count):
+            value = arb(0)
+            for k in range(len(terms) - 1, order - 1, -1):
+                value = value * local + terms[k] * math.perm(k, order)
+            parts.append(value)
+        for amplitude, omega, phase in self.sines:
+            parts += [amplitude * one for one in (phase + omega * local).sin_cos()]
+        return parts
 
 
 @dataclass(frozen=True)
@@ -104,24 +131,10 @@ class LinearMode:
         """Return where each sine stands in z, its cosine one place on."""
         return range(FIRST + len(self.piece.polynomial), self.size, 2)
 
-    def start(self, state: Sequence[arb], t: arb) -> arb_mat:
-        """Return z at time t (s) with the state (x1, v1, x2, v2)."""
-        number = Ball.number
-        since, terms = t - number(self.piece.start), self.piece.polynomial
-        z = [*state, arb(1)]
-        for order in range(len(terms)):
-            value = arb(0)
-            for k in range(len(terms) - 1, order - 1, -1):
-                value = value * since + number(terms[k] * math.perm(k, order))
-            z.append(value)
-        for sine in self.piece.sines:
-            parts = (number(sine.omega) * t + number(sine.phase)).sin_cos()
-            z.extend(number(sine.amplitude) * one for one in parts)
-        return arb_mat([[one] for one in z])
-
     def motion(self, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
-        return Motion(self, matrix(self.generator()), self.start(state, t))
+        z = [*state, arb(1), *Drive.of(self.piece).force(t - Ball.number(self.piece.start), len(self.piece.polynomial))]
+        return Motion(self, matrix(self.generator()), arb_mat(self.size, 1, z))
 
 
 @dataclass(frozen=True)
