@@ -14,10 +14,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-import flint
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball, precision, sqrt
+from numerics.arithmetic.ball import Ball, sqrt
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair, Piece
 
@@ -26,8 +25,8 @@ Row = tuple[tuple[int, Fraction], ...]
 """A linear function of z: pairs (place, coefficient)."""
 W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
 """The relative velocity w = v1 - v2."""
-_REMAINDER_BITS, _FURTHER = 80, 4
-"""Bits of a bound on a remainder, and the further terms of Taylor in it."""
+_FURTHER = 4
+"""Further terms of Taylor in a bound on a remainder."""
 MOST_CUTS = 2_000
 """Into so many parts an interval is cut before a sign on it counts as undecided."""
 
@@ -191,33 +190,24 @@ class Stretched:
         return self.derivatives[order]
 
     def range(self, row: Row, order: int = 0) -> arb:
-        """Return an enclosure of the order-th derivative of a row over the ball of times, by Taylor's theorem."""
+        """Return an enclosure of the order-th derivative of a row over the ball of times: by Taylor's theorem."""
         here, slope = (value(row, self.derivative(order + n)) for n in (0, 1))
         if self.h.is_zero():
             return here
         return here + self.h * slope + (self.h * self.h / 2) * value(row, self._bend(order + 2))
 
     def _bend(self, order: int) -> arb_mat:
-        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times.
-
-        Further terms of Taylor are sharp on a short ball, the bound by energy on a long one: the narrower counts.
-        """
+        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times, by Taylor."""
         if order not in self.bends:
-            # what bounds a remainder needs few digits
-            with precision(min(flint.ctx.prec, _REMAINDER_BITS)):
-                higher = [self.derivative(order)]
-                for _ in range(_FURTHER):
-                    higher.append(self.matrix * higher[-1])
-                found = self._bounded(higher.pop())
-                for k, one in reversed(list(enumerate(higher, start=1))):
-                    found = one + found * (self.h / k)
-                wide = self._bounded(self.derivative(order))
-                entries = zip(found.entries(), wide.entries(), strict=True)
-                self.bends[order] = arb_mat([[x if x.rad() < y.rad() else y] for x, y in entries])
+            found = self._bounded(order + _FURTHER)
+            for k in range(_FURTHER, 0, -1):
+                found = self.derivative(order + k - 1) + found * (self.h / k)
+            self.bends[order] = found
         return self.bends[order]
 
-    def _bounded(self, z: arb_mat) -> arb_mat:
-        """Return an enclosure of a derivative of z over the ball of times by its N; `z` is it where that begins."""
+    def _bounded(self, order: int) -> arb_mat:
+        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times by its N."""
+        z = self.derivative(order)
         mode, norm, bent = self.mode, LocalNorm(self.mode), arb_mat(z)
         places = mode.polynomial_places
         for k, place in enumerate(places):
