@@ -69,10 +69,7 @@ class Flow:
         self.generator = [[(j, number(c)) for j, c in enumerate(row) if c] for row in self.mode.generator()]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
         self.m2, self.root_stiff = number(pair.m2), number(pair.a2 / self.mode.mass).sqrt()
-        self.rate = self.fastest = self.norm.rate
-        self.turns = [number(one) for one in omegas]
-        for omega in self.turns:
-            self.fastest = self.fastest.max(omega)
+        self.rate, self.fastest, self.turns = self.norm.rate, self.norm.fastest, [number(one) for one in omegas]
         self.reach, self.tiny = (REACH / self.fastest).lower(), (arb((1, -min(bits, _FINEST))) / self.fastest).mid()
         self.expand(max(_terms(bits + 8), FEW + 3))
 

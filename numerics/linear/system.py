@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import NamedTuple
 
 from flint import arb, arb_mat
@@ -164,7 +165,12 @@ class Motion:
     def over(self, t: arb) -> Stretched:
         """Return the motion over a ball of times, for the ranges of rows and of their derivatives."""
         begin = t.lower()
-        return Stretched(self.mode, self.matrix, self.at(begin), t - begin)
+        return Stretched(self, self.at(begin), t - begin)
+
+    @cached_property
+    def norm(self) -> LocalNorm:
+        """Return N of its mode."""
+        return LocalNorm(self.mode)
 
     def range(self, row: Row, t: arb, order: int = 0) -> arb:
         """Return an enclosure of the order-th derivative of a row over a ball of times, by Taylor's theorem."""
@@ -178,15 +184,15 @@ class Stretched:
     large, then costs no finer parts for ever.
     """
 
-    def __init__(self, mode: LinearMode, matrix: arb_mat, begin: arb_mat, h: arb) -> None:
+    def __init__(self, motion: Motion, begin: arb_mat, h: arb) -> None:
         """Keep z where the ball begins; `h` is the ball of times, counted from there."""
-        self.mode, self.matrix, self.h, self.derivatives = mode, matrix, h, [begin]
+        self.motion, self.h, self.derivatives = motion, h, [begin]
         self.bends: dict[int, arb_mat] = {}
 
     def derivative(self, order: int) -> arb_mat:
         """Return the order-th derivative of z where the ball begins."""
         while len(self.derivatives) <= order:
-            self.derivatives.append(self.matrix * self.derivatives[-1])
+            self.derivatives.append(self.motion.rate(self.derivatives[-1]))
         return self.derivatives[order]
 
     def range(self, row: Row, order: int = 0) -> arb:
@@ -197,10 +203,14 @@ class Stretched:
         return here + self.h * slope + (self.h * self.h / 2) * value(row, self._bend(order + 2))
 
     def _bend(self, order: int) -> arb_mat:
-        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times, by Taylor."""
+        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times.
+
+        Further terms of Taylor are sharp on a short ball, the bound by energy on a long one.
+        """
         if order not in self.bends:
-            found = self._bounded(order + _FURTHER)
-            for k in range(_FURTHER, 0, -1):
+            further = _FURTHER if self.motion.norm.fastest * self.h < 1 else 0
+            found = self._bounded(order + further)
+            for k in range(further, 0, -1):
                 found = self.derivative(order + k - 1) + found * (self.h / k)
             self.bends[order] = found
         return self.bends[order]
@@ -208,7 +218,7 @@ class Stretched:
     def _bounded(self, order: int) -> arb_mat:
         """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times by its N."""
         z = self.derivative(order)
-        mode, norm, bent = self.mode, LocalNorm(self.mode), arb_mat(z)
+        mode, norm, bent = self.motion.mode, self.motion.norm, arb_mat(z)
         places = mode.polynomial_places
         for k, place in enumerate(places):
             powers = (z[later, 0] * (self.h**n / math.factorial(n)) for n, later in enumerate(places[k:]))
@@ -234,7 +244,7 @@ class LocalNorm:
 
     With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z + v1 u: N grows
     like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa sqrt(max(0, -pull)), and by int |u| dt/sqrt(m), where m
-    is the mass that the spring moves. A itself is at most `rate` in N.
+    is the mass that the spring moves. A itself is at most `rate` in N; `fastest` is that, or a sine's.
 
     `speeds` are the greatest v1 and v2 for N = 1, `apart` is that of w. Where friction is one number b, v2 has no
     derivatives in a slip but the first.
@@ -252,7 +262,9 @@ class LocalNorm:
         square, coupling = kappa * kappa, kappa * self.root_g
         self.mu = square * number(max(Fraction(0), -mode.slope)) + (coupling if mode.pull < 0 else 0)
         own = number(pair.a1 / mode.mass) + number(pair.a2 / mode.mass).sqrt()
-        self.rate = own + square * number(abs(mode.slope)) + coupling
+        self.rate = self.fastest = own + square * number(abs(mode.slope)) + coupling
+        for sine in mode.piece.sines:
+            self.fastest = self.fastest.max(number(sine.omega))
 
     def of(self, state: Sequence[arb]) -> arb:
         """Return N of (x1, v1, x2, v2)."""
