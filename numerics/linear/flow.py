@@ -18,14 +18,14 @@ import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import islice, zip_longest
 
 from flint import arb, arb_mat, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball, widened
-from numerics.linear.system import FIRST, ONE, X1, X2, LinearMode, LocalNorm, matrix
+from numerics.linear.system import FIRST, ONE, X1, X2, LinearMode, LocalNorm, Row, W, Z, matrix
 from numerics.scene import Pair, Piece, Sine
 
+_X1, _X2 = ((X1, Fraction(1)),), ((X2, Fraction(1)),)
 REACH = 2
 """A Taylor polynomial is used while the fastest rate turns through so many radians."""
 FEW = 14
@@ -74,19 +74,16 @@ class Flow:
         self.expand(max(_terms(bits + 8), FEW + 3))
 
     def expand(self, terms: int) -> None:
-        """Form so many rows in front of z for x1 and x2."""
-        places = (X1, X2) if self.slips else (X1,)
-        self.own = [self.powers(place, terms) for place in places]
-        self.all_terms, guards = [_products(one) for one in self.own], self.guard_rows()
-        self._lengths, self._guards = (
-            [len(rows) for rows in guards],
-            _products([row for rows in guards for row in rows]),
-        )
+        """Form so many rows in front of z for x1 and x2, and some for every row of which there are guards."""
+        self.own = [self.powers(row, terms) for row in ((_X1, _X2) if self.slips else (_X1,))]
+        self.all_terms = [_products(one) for one in self.own]
+        guarded = (W, Z, self.mode.friction)[: 3 if self.coupling else 1] if self.slips else (self.mode.load,)
+        self._guards = _products([one for row in guarded for one in self.powers(row, FEW + 2)])
         self._ends: dict[int, Callable[[Sequence[arb]], list[arb]]] = {}
 
-    def powers(self, place: int, terms: int) -> list[list[arb]]:
-        """Return the rows of A^k/k! at a place for so many k, as long as they do not vanish."""
-        at, zero, faded = {place: arb(1)}, arb(0), 0.0
+    def powers(self, row: Row, terms: int) -> list[list[arb]]:
+        """Return a row times A^k/k! for so many k, as long as that does not vanish."""
+        at, zero, faded = {place: Ball.number(factor) for place, factor in row}, arb(0), 0.0
         found: list[list[arb]] = []
         while len(found) < terms and at:
             found.append([at.get(place, zero) for place in range(self.size)])
@@ -101,28 +98,10 @@ class Flow:
                 at = {j: one / len(found) for j, one in after.items() if not one == 0}  # noqa: SIM201
         return found
 
-    def guard_rows(self) -> list[list[list[arb]]]:
-        """Return what stands in front of z in the first coefficients of every row of which there are guards."""
-        one, *two = (own[: FEW + 3] for own in self.own)
-        if not self.slips:
-            return [[[self.m2 * (k * (k - 1)) * c for c in row] for k, row in enumerate(one)][2:]]
-        both = zip_longest(one, *two, fillvalue=[arb(0)] * self.size)
-        place = [[a - b for a, b in zip(*rows, strict=True)] for rows in both]
-        speed = [[k * c for c in row] for k, row in enumerate(place)][1:]
-        if not self.coupling:
-            return [speed]
-        slope, pull = map(Ball.number, self.coupling)
-        force = [
-            [slope * w + pull * apart for w, apart in zip(*rows, strict=True)]
-            for rows in zip(speed, place, strict=False)
-        ]
-        force[0][ONE] += 1
-        return [speed, place, force]
-
     def rows(self, z: Sequence[arb]) -> list[list[arb]]:
         """Return the first coefficients of every row of which there are guards."""
-        found = iter(self._guards(z))
-        return [list(islice(found, count)) for count in self._lengths]
+        found = self._guards(z)
+        return [found[k : k + FEW + 2] for k in range(0, len(found), FEW + 2)]
 
     def rests(self, z: Sequence[arb], h: arb, order: int = FEW) -> list[arb]:
         """Return R of every row of which there are guards: without its terms from t^order on it is off by R t^order."""

@@ -25,7 +25,8 @@ X1, V1, X2, V2, ONE, FIRST = range(6)
 Row = tuple[tuple[int, Fraction], ...]
 """A linear function of z: pairs (place, coefficient)."""
 W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
-"""The relative velocity w = v1 - v2."""
+Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
+"""The relative velocity w = v1 - v2, and x1 - x2."""
 _FURTHER = 4
 """Further terms of Taylor in a bound on a remainder."""
 MOST_CUTS = 2_000

@@ -23,7 +23,7 @@ from numerics.linear.path_enclosed import At
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
-from numerics.linear.system import V1, V2, X1, X2, Drive, LocalNorm, W, is_positive_on
+from numerics.linear.system import V1, V2, X1, X2, Drive, LocalNorm, W, Z, is_positive_on
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -113,7 +113,7 @@ def value(row, z):
 def rows_of(flow):
     """The rows of which there are guards."""
     if flow.coupling:
-        return W, ((X1, 1), (X2, -1)), flow.mode.friction
+        return W, Z, flow.mode.friction
     return (W if flow.slips else flow.mode.load,)
 
 
