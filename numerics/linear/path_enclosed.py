@@ -30,8 +30,6 @@ from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2, Drive
 from numerics.scene import Law, Scene
 
-_FEW = 4
-"""Pieces with no more coefficients than that share tables."""
 AWAY = (0, 0, 0, 0)
 """No derivative of a guard vanishes."""
 
@@ -71,7 +69,6 @@ class Path:
         self.literal = scene.law is Law.THREE_VALUED_SGN
         self.pieces, self.cells, self.varies = pieces_of(scene), Cells(scene), scene.friction.weakening is not None
         """`varies`: friction depends on the state; else it has one cell."""
-        self.count = max((len(one.polynomial) for one in self.pieces if len(one.polynomial) <= _FEW), default=0)
         self.driven: tuple[int, Drive, dict[object, tuple[Flow, arb]]] = (-1, Drive([], []), {})
         pair, number = scene.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
@@ -88,9 +85,9 @@ class Path:
             self.driven = at.piece, Drive.of(piece), {}
         flows, key = self.driven[2], (at.mode, at.cell)
         if key not in flows:
-            count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
+            omegas = tuple(one.omega for one in piece.sines)
             branch = self.cells.branch(piece, at.mode, at.cell) if at.mode and self.varies else (piece.b,)
-            flow = flow_of(self.bits, self.pair, at.mode != 0, count, omegas, branch[1:])
+            flow = flow_of(self.bits, self.pair, at.mode != 0, len(piece.polynomial), omegas, branch[1:])
             flows[key] = flow, at.mode * Ball.number(branch[0])
         return flows[key]
 
@@ -101,7 +98,7 @@ class Path:
     def here(self, at: At) -> tuple[Flow, list[arb]]:
         """Return the flow at a point, and z."""
         flow, friction = self._moving(at)
-        return flow, [*at.state, friction, *self.driven[1].force(at.local, flow.count)]
+        return flow, [*at.state, friction, *self.driven[1].force(at.local)]
 
     def load(self, at: At) -> list[arb]:
         """Return the load at a point in stick, N, and its rate."""

@@ -46,10 +46,10 @@ class Drive(NamedTuple):
         sines = [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in piece.sines]
         return cls([number(c) for c in piece.polynomial], sines)
 
-    def force(self, local: arb, count: int) -> list[arb]:
-        """Return what of z is the force: `count` derivatives of its polynomial, and each sine beside its cosine."""
+    def force(self, local: arb) -> list[arb]:
+        """Return what of z is the force: its polynomial with its derivatives, and each sine beside its cosine."""
         parts, terms = [], self.polynomial
-        for order in range(count):
+        for order in range(len(terms)):
             value = arb(0)
             for k in range(len(terms) - 1, order - 1, -1):
                 value = value * local + terms[k] * math.perm(k, order)
@@ -134,7 +134,7 @@ class LinearMode:
 
     def motion(self, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
-        z = [*state, arb(1), *Drive.of(self.piece).force(t - Ball.number(self.piece.start), len(self.piece.polynomial))]
+        z = [*state, arb(1), *Drive.of(self.piece).force(t - Ball.number(self.piece.start))]
         return Motion(self, matrix(self.generator()), arb_mat(self.size, 1, z))
 
 

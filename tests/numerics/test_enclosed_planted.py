@@ -144,7 +144,7 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
         piece = ExactPiece(Fraction(0), Fraction(9), pair.b, (Fraction(1), Fraction(2)), waves, True)
         flow = Flow(BALLS.bits, pair, slips, 2, tuple(one.omega for one in waves))
         state = [Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)]
-        z = [*state, slips * Ball.number(pair.b), *Drive.of(piece).force(arb(0), 2)]
+        z = [*state, slips * Ball.number(pair.b), *Drive.of(piece).force(arb(0))]
         row = W if slips else flow.mode.load
 
         def guard(t, z, flow=flow, row=row):
