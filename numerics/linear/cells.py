@@ -109,12 +109,6 @@ class Cells:
             found["b"] = Branch(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
         return found
 
-    def growth(self, branch: Branch) -> arb:
-        """Return the greatest rate, 1/s, at which N of a difference of two motions in one cell grows."""
-        kappa2, g = self.pair.mass / (self.pair.m1 * self.pair.m2), self.pulling
-        rate = Ball.number(kappa2 * max(Fraction(0), -branch.slope))
-        return rate + Ball.number(kappa2 * (g - branch.pull) ** 2 / (4 * g)).sqrt() if g else rate
-
     def held(self, piece: ExactPiece, z: arb) -> arb:
         """Return B(0) + C over a ball of places x1 - x2."""
         found: arb | None = None

@@ -241,29 +241,31 @@ class Stretched:
 
 
 class LocalNorm:
-    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2, g = |pull|, of a derivative of a motion in one mode and cell.
+    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2 of a derivative of a motion in one mode and cell; g = |pull|.
 
-    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z + v1 u: N grows
-    like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa sqrt(max(0, -pull)), and by int |u| dt/sqrt(m), where m
-    is the mass that the spring moves. A itself is at most `rate` in N; `fastest` is that, or a sine's.
+    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z + v1 u. So N
+    grows like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa (g - pull)/(2 sqrt(g)), with any g >= |pull|, and
+    by int |u| dt/sqrt(m), where m is the mass that the spring moves. A itself is at most `rate` in N; `fastest` is
+    that, or a sine's.
 
     `speeds` are the greatest v1 and v2 for N = 1, `apart` is that of w. Where friction is one number b, v2 has no
     derivatives in a slip but the first.
     """
 
-    def __init__(self, mode: LinearMode) -> None:
+    def __init__(self, mode: LinearMode, g: Fraction | None = None) -> None:
         """Form the constants, in the present precision."""
+        g = abs(mode.pull) if g is None else g
         pair, number = mode.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
-        self.root_g, kappa = number(abs(mode.pull)).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+        self.root_g, kappa = number(g).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
         self.root_mass, self.is_coupled = number(mode.mass).sqrt(), bool(mode.slope or mode.pull)
         one = 1 / self.root_mass
         self.speeds = one, 1 / self.root_m2 if self.is_coupled else arb(0) if mode.side else one
         self.apart = kappa if self.is_coupled else one
-        square, coupling = kappa * kappa, kappa * self.root_g
-        self.mu = square * number(max(Fraction(0), -mode.slope)) + (coupling if mode.pull < 0 else 0)
+        square, pulled = kappa * kappa, kappa * number((g - mode.pull) / 2) / self.root_g if g else arb(0)
+        self.mu = square * number(max(Fraction(0), -mode.slope)) + pulled
         own = number(pair.a1 / mode.mass) + number(pair.a2 / mode.mass).sqrt()
-        self.rate = self.fastest = own + square * number(abs(mode.slope)) + coupling
+        self.rate = self.fastest = own + square * number(abs(mode.slope)) + kappa * self.root_g
         for sine in mode.piece.sines:
             self.fastest = self.fastest.max(number(sine.omega))
 

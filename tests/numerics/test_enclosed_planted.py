@@ -171,7 +171,7 @@ def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
     cells, piece = cells_of(scene), pieces_of(scene)[0]
     for j in range(len(cells.by_place)):
         mode, branch = cells.mode(piece, 1, (0, j)), cells.branch(piece, 1, (0, j))
-        for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, cells.growth(branch))):
+        for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, LocalNorm(mode, cells.pulling).mu)):
             kept = [X1, V1, X2, V2] if g else [X1, V1, V2]
             N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g) * np.outer(apart, apart)
             A, N2 = (np.array(one, dtype=float)[np.ix_(kept, kept)] for one in (mode.generator(), N2))
