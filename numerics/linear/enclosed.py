@@ -207,7 +207,7 @@ class Run(Path):
         found = end._replace(piece=at.piece + 1, local=arb(0), orders=AWAY)
         if at.mode == 0 and self.pieces[found.piece].is_jump:
             load, _ = self.load(found)
-            mode = mode_on_surface(load, self.edge(found), self.load_norm * end.norm, literal=self.literal)
+            mode = mode_on_surface(load, self.edge(found), self.margin(end), literal=self.literal)
             if mode == UNDECIDED:
                 raise self.undecided(at)
             found = self.entered(found._replace(mode=mode), abs(mode), found.state)

@@ -164,28 +164,23 @@ class Expansion:
         slope, pull = map(Ball.number, flow.coupling)
         return speed * slope + apart * pull + self.z[ONE]
 
-    def cuts(self, h: arb, *derivatives: int) -> list[arb]:
-        """Return in units of N bounds on what these derivatives of x1 and x2 leave out up to h."""
-        n = self.order
-        return [(self.rest * math.perm(n, k) * h ** (n - k)).upper() for k in derivatives]
+    def left_out(self, h: arb, order: int) -> arb:
+        """Return in units of N a bound on what this derivative of x1 and x2 leaves out up to h."""
+        return (self.rest * math.perm(self.order, order) * h ** (self.order - order)).upper()
 
     def row_off(self, which: int, h: arb, derivative: int) -> arb:
         """Return a bound on what this derivative of a row leaves out up to h."""
-        return self.flow.of_rows(lambda k: self.cuts(h, derivative + k)[0])[which].upper()
+        return self.flow.of_rows(lambda k: self.left_out(h, derivative + k))[which].upper()
 
     def state(self, t: arb) -> list[arb]:
         """Return the state at a time after the point."""
-        cuts, bodies = self.cuts(t.abs_upper(), 0, 1), ((self.x, self.v), (self.y, self.w))
-        return [
-            widened(one(t), size * off)
-            for curves, size in zip(bodies, self.flow.norm.speeds, strict=True)
-            for one, off in zip(curves, cuts, strict=True)
-        ]
+        h, bodies = t.abs_upper(), zip(((self.x, self.v), (self.y, self.w)), self.flow.norm.speeds, strict=True)
+        return [widened(one(t), size * self.left_out(h, k)) for body, size in bodies for k, one in enumerate(body)]
 
     def bends(self, t: arb) -> list[arb]:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
-        [off], ends = self.cuts(t.upper(), 2), zip((self.v, self.w), self.flow.norm.speeds, strict=True)
-        return [one.derivative()(t).abs_upper() + size * off for one, size in ends]
+        off, bodies = self.left_out(t.upper(), 2), zip((self.v, self.w), self.flow.norm.speeds, strict=True)
+        return [one.derivative()(t).abs_upper() + size * off for one, size in bodies]
 
 
 def _products(rows: list[list[arb]]) -> Callable[[Sequence[arb]], list[arb]]:

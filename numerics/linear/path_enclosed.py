@@ -146,8 +146,8 @@ class Path:
         return (Ball.number(self.pieces[at.piece].length) - at.local).upper()
 
     def margin(self, at: At) -> arb:
-        """Return how far the guard of a mode may be off, since the path is."""
-        return (self.kappa if at.mode else self.load_norm) * at.norm
+        """Return how far the load may be off in a stick, N, since the path is."""
+        return self.load_norm * at.norm
 
     def evolved(self, at: At, local: arb) -> At:
         """Return the path at a later time in the piece, in the same mode."""
