@@ -101,10 +101,7 @@ class Run(Path):
     # ------------------------------------------------------------------ resolve
     def resolve(self, at: At, root: Root) -> tuple[At, arb, list[arb]]:
         """Return the point after the root of a guard, in the mode or cell that follows, and time and state there."""
-        local = (at.local + root.tau).mid()
-        t = local - at.local
-        moved = (t - root.tau).abs_upper()
-        late, norm = root.late + moved, at.norm
+        local, t, late, norm = root.local, root.tau, root.late, at.norm
         if self.varies:
             norm = norm * self.growth(at, t)
             reached = at.place + self.kappa * norm * (4 * late + (t if at.mode else 0))
@@ -116,9 +113,9 @@ class Run(Path):
         at_knot = at.mode != 0 and (root.guard.kind != FLOOR or at.cell[0] > 0)
         event = self.around(at, t, state, bends, late, together=not at_knot)
         if at_knot:
-            found, bound = self.crossed(at, root, state, bends, moved, event)
+            found, bound = self.crossed(at, root, event)
         else:
-            found, bound = self.switched(at, root, event, bends, here, moved)
+            found, bound = self.switched(at, root, event, bends, here)
         points = [one.mid() for one in state]
         if not at_knot:
             points[V1] = points[V2]
@@ -131,9 +128,9 @@ class Run(Path):
         found = found._replace(local=local, state=points, norm=norm, far=far, place=place)
         return self.reweighed(found, self.weight(at)), here, event
 
-    def switched(self, at: At, root: Root, event: list[arb], bends: list[arb], here: arb, moved: arb) -> tuple[At, arb]:
+    def switched(self, at: At, root: Root, event: list[arb], bends: list[arb], here: arb) -> tuple[At, arb]:
         """Return the mode that follows v1 = v2, and a bound on int |error of friction| dt about the event."""
-        late, span, kappa = root.late + moved, root.window + moved, self.kappa
+        late, span, kappa = root.late, root.window, self.kappa
         there = at._replace(mode=0, local=here, state=event, place=arb(0))
         (load, rate), b = self.load(there), self.edge(there)
         if at.mode:
@@ -150,7 +147,7 @@ class Run(Path):
             if not bend > 0:
                 raise self.undecided(at)
             # where the load is not quite b, the slip starts a little later than here
-            span = span + 2 * kappa * kappa * (root.value + abs(rate) * moved) / bend
+            span = span + 2 * kappa * kappa * root.value / bend
             off, speed = 2 * b * span, kappa**2 * b * span
         if self.varies:  # by how much F is not B(0) + C in between
             off = off + 4 * speed * span * (self.steep + self.pulling * span)
@@ -170,23 +167,20 @@ class Run(Path):
             at = at._replace(orders=(order, 0, tie * (at.mode > 0), tie * (at.mode < 0)), apart=None)
         return at._replace(cell=(0, j))
 
-    def crossed(
-        self, at: At, root: Root, state: list[arb], bends: list[arb], moved: arb, event: list[arb]
-    ) -> tuple[At, arb]:
+    def crossed(self, at: At, root: Root, event: list[arb]) -> tuple[At, arb]:
         """Return a slip in the next cell, and a bound on int |error of friction| dt about the knot."""
         cells, (k, j), kind = self.cells, at.cell, root.guard.kind
         if kind == FORCE:
             w, z = (float((event[n] - event[n + 2]).mid()) for n in (V1, X1))
             raise cells.vanishing(abs(w), z, f" at t = {self.time(at) + float(root.tau.mid()):.6g} s")
-        of_speed, window, step = kind in {FLOOR, CEILING}, root.window + moved, 1 if kind in {CEILING, RIGHT} else -1
+        of_speed, step = kind in {FLOOR, CEILING}, 1 if kind in {CEILING, RIGHT} else -1
         cell = (k + step, j) if of_speed else (k, j + step)
         # behind an end of |w| the other end of the next interval vanishes, and so for z
         behind = {FLOOR: CEILING, CEILING: FLOOR, LEFT: RIGHT, RIGHT: LEFT}[kind]
         found = at._replace(cell=cell, orders=tuple(int(n == behind) for n in range(4)), late=arb(0))
-        rate = bends[0] + bends[1] if of_speed else abs(state[V1] - state[V2])
         before, after = (cells.branch(self.pieces[at.piece], 1, one) for one in (at.cell, cell))
         bend = Ball.number(abs(after.slope - before.slope) + abs(after.pull - before.pull))
-        return found, 4 * bend * (root.value + rate * moved) * window
+        return found, 4 * bend * root.value * root.window
 
     def around(self, at: At, t: arb, state: list[arb], bends: list[arb], late: arb, *, together: bool) -> list[arb]:
         """Return the state at the true event, up to `late` before or after that of the path; `together`: v1 = v2."""

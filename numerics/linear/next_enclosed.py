@@ -45,10 +45,14 @@ class Bracket(NamedTuple):
 
 
 class Root(NamedTuple):
-    """Where a guard vanishes after a point: which one, when, how far off that is for the path, for the true one."""
+    """Where a guard vanishes: which one, when in the piece (exact), how long after the point of the path.
+
+    `window` and `late` bound how far off that is for the path and for the true motion, `value` the guard there.
+    """
 
     motion: Expansion
     guard: Guard
+    local: arb
     tau: arb
     window: arb
     late: arb
@@ -216,15 +220,18 @@ def refined(path: Path, at: At, flow: Flow, z: list[arb], found: Bracket) -> Roo
     for bits in reversed([path.bits >> k for k in range(8) if k == 0 or path.bits >> k > _COARSE]):
         with ctx.workprec(bits):
             tau = _newton(curve + offset, slope, since, h, tau, (h * arb((1, -bits // 2 - 4))).mid())
+    local = (at.local + tau).mid()
+    tau = local - at.local  # so far the path goes; what that is rounded by counts as an error of the root
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    off = (curve(tau) + offset).abs_upper() + motion.row_off(which, h, 0)
+    off = (curve(tau) + offset).abs_upper() + motion.row_off(which, tau.abs_upper(), 0)
     reached = off + guard.margin
-    around = tau + arb(0, (2 * reached / abs(slope(tau))).upper())
+    within = (2 * reached / abs(slope(tau))).upper()
+    around = tau + arb(0, within)
     steepness = (-slope(around) - motion.row_off(which, until, 1)).lower()
     late = (reached / steepness).upper()
-    if not (steepness > 0 and late < around.rad() and around < until):
+    if not (steepness > 0 and late < within and around < until):
         raise path.undecided(at)
-    return Root(motion, guard, tau, (off / steepness).upper(), late, off.upper())
+    return Root(motion, guard, local, tau, (off / steepness).upper(), late, off.upper())
 
 
 def _newton(curve: arb_poly, slope: arb_poly, low: arb, high: arb, at: arb, settled: arb) -> arb:

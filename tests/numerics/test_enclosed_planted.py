@@ -14,7 +14,7 @@ from sixty_digits import forced_scene
 from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
-from numerics.linear import enclosed
+from numerics.linear import enclosed, next_enclosed
 from numerics.linear.cells import cells_of
 from numerics.linear.enclosed import Run
 from numerics.linear.flow import FEW, Expansion, Flow, exponential
@@ -42,12 +42,9 @@ def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkey
     def stated(state):
         return lambda motion, t: [x + e + arb(0, e.upper()) for x, e in zip(state(motion, t), by, strict=False)]
 
-    def next_event(path, at, found=enclosed.next_event):
-        at, root = found(path, at)
-        return at, root and root._replace(tau=root.tau + by[4] + arb(0, by[4].upper()))
-
+    newton = next_enclosed._newton
     monkeypatch.setattr(Expansion, "state", stated(Expansion.state))
-    monkeypatch.setattr(enclosed, "next_event", next_event)
+    monkeypatch.setattr(next_enclosed, "_newton", lambda *given: newton(*given) + by[4])
     found = run(scene, 40, 12)
     assert itinerary(found) == itinerary(exact)
     ours, true = ([x for row in (*events(one), one.end) for x in numbers(scene, row)] for one in (found, exact))
