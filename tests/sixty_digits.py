@@ -33,11 +33,9 @@ FORCED, EXTREMES = (json.loads((HERE / one / "answers.json").read_text("utf-8"))
 CATALOGUE = tomllib.loads((HERE / "extremes" / "catalogue.toml").read_text("utf-8"))
 UNDECIDABLE = "touches-at-irrational-times"
 """What no number that is known nearly can decide."""
-# a touch that only exact numbers tell from a crossing
-TOUCHES = {UNDECIDABLE, "load-touches-the-edge", "load-touches-to-fourth-order"}
 # neighbours of a tie or of a contact, nearer than the bounds of float64; solve(scene) climbs there
 NEAR = {"jump-just-before-contact", "reversal-just-before-contact", "sine-barely-above-threshold", "mass-ratio-1e-6"}
-BEYOND = {"ball": {UNDECIDABLE}, "mpmath": TOUCHES, "float64": {UNDECIDABLE, *NEAR}}
+BEYOND = {"ball": {UNDECIDABLE}, "mpmath": {UNDECIDABLE}, "float64": {UNDECIDABLE, *NEAR}}
 FEWER = {"sine-just-above-threshold": 7, "soft-spring": 8, "four-thousand-events": 8}
 """Right digits of float64 where a slip is so short that its end keeps fewer, or events are so many."""
 

@@ -11,7 +11,6 @@ from sixty_digits import (
     EXTREMES,
     FORCED,
     HERE,
-    UNDECIDABLE,
     WAYS,
     extreme,
     extreme_scene,
@@ -23,8 +22,6 @@ from numerics import EventUndecided, NumericsError, solve
 from numerics.free.energy import energy_at
 from numerics.solver.truth import record
 
-SLOW = {(UNDECIDABLE, "mpmath"), ("damping-1e300", "mpmath")}
-
 
 def solved(case):
     return record(solve(case.scene, **case.asked))
@@ -33,7 +30,7 @@ def solved(case):
 @pytest.mark.parametrize(
     ("kind", "name", "way"),
     [
-        pytest.param(kind, name, way, marks=[pytest.mark.long] * ((name, way) in SLOW), id=f"{name}-{way}")
+        pytest.param(kind, name, way, id=f"{name}-{way}")
         for kind, names in ((forced, FORCED), (extreme, EXTREMES))
         for name in names
         for way in WAYS

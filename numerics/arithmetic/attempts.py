@@ -17,12 +17,12 @@ Answer = TypeVar("Answer")
 
 
 def to_digits(
-    attempt: Callable[[Ball], tuple[Answer, Iterable[arb]]],
+    attempt: Callable[[Ball], tuple[Answer, Iterable[arb] | int]],
     digits: int,
     max_digits: int | None = None,
     spare: int = SPARE_DIGITS,
 ) -> Answer:
-    """Return the answer of the first attempt whose balls have `digits` right digits each.
+    """Return the answer of the first attempt whose balls have `digits` right digits each, or that says that it has.
 
     An attempt runs in the context of the arithmetic that it is given, the first one with `spare` digits more. A ball
     that may be 0 counts as right below 10^(-4 digits); one that is not finite is never right. The cap is MAX_DIGITS
@@ -34,8 +34,8 @@ def to_digits(
         arithmetic, failure, reached = Ball(working), None, 0
         try:
             with arithmetic.context():
-                answer, balls = attempt(arithmetic)
-                reached = min((_right_digits(one) for one in balls), default=digits)
+                answer, known = attempt(arithmetic)
+                reached = known if isinstance(known, int) else min(map(_right_digits, known), default=digits)
         except EventUndecided as error:
             failure = error
         else:
@@ -44,7 +44,12 @@ def to_digits(
         working = working + digits - reached + SPARE_DIGITS if reached > 0 else 2 * working
     if failure is not None:
         raise failure
-    raise PrecisionExhausted(f"{digits} right digits need more than {most} working digits; raise max_digits")
+    raise exhausted(digits, most)
+
+
+def exhausted(digits: int, most: int) -> PrecisionExhausted:
+    """Return what says that the cap on working digits comes before so many right ones."""
+    return PrecisionExhausted(f"{digits} right digits need more than {most} working digits; raise max_digits")
 
 
 def _right_digits(one: arb) -> int:

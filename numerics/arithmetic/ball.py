@@ -21,25 +21,8 @@ EXACT = 10**9
 atan2, sine_cosine, finite = arb.atan2, arb.sin_cos, arb.is_finite
 resolved = finite
 """Of every finite angle: a phase that is lost shows in the radius."""
-
-
-class precision:  # noqa: N801 - read as a verb, like the context managers of contextlib, at a third of their cost
-    """Set flint's process-wide precision, and restore it whatever happens."""
-
-    __slots__ = ("before", "bits")
-
-    def __init__(self, bits: int) -> None:
-        """Keep the precision that is to be set."""
-        self.bits = bits
-
-    def __enter__(self) -> None:
-        """Set it."""
-        self.before = flint.ctx.prec
-        flint.ctx.prec = self.bits
-
-    def __exit__(self, *_: object) -> None:
-        """Restore what was set before."""
-        flint.ctx.prec = self.before
+precision = flint.ctx.workprec
+"""A context that sets flint's process-wide precision, bits, and restores it whatever happens."""
 
 
 def working_digits() -> int:
@@ -88,14 +71,8 @@ def sine_deficit(x: arb) -> arb:
 
 def depth_and_cotangent(x: arb) -> tuple[arb, arb]:
     """Return enclosures of c = 2 - x cot(x/2) and cot(x/2), for 0 < x < 2 pi; c' = (x - sin x)/(1 - cos x)."""
-    middle = x.mid()
-    with precision(flint.ctx.prec + 2 * max(0, -magnitude_bits(middle)) + 16):
-        sine, cosine = (middle / 2).sin_cos()
-        cotangent = cosine / sine
-        value = 2 - middle * cotangent
-    if x.is_exact():
-        return value, cotangent
-    return widened(value, x.rad() * sine_deficit(x) / versine(x)), (x / 2).cot()
+    depth = mean_value(lambda p: 2 - p * (p / 2).cot(), lambda p: sine_deficit(p) / versine(p), x, cancelled=2)
+    return depth, (x / 2).cot()
 
 
 def mean_value(function: Callable[[arb], arb], slope: Callable[[arb], arb], x: arb, cancelled: int = 0) -> arb:

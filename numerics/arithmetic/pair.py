@@ -146,10 +146,3 @@ def product(a: Pair, b: Pair) -> Pair:
     """Return a b."""
     high = two_product(a.high, b.high)
     return fast_two_sum(high.high, high.low + (a.high * b.low + a.low * b.high))
-
-
-def ratio(a: Pair, b: Pair) -> Pair:
-    """Return a/b to 2^-102, its last terms in the order in which answers on a line have always been formed."""
-    first = a.high / b.high
-    back = times(b, first)
-    return fast_two_sum(first, ((a.high - back.high) - back.low + a.low) / b.high)

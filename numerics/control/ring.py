@@ -29,7 +29,7 @@ from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
 from numerics.free.root import falling_root
-from numerics.linear.system import X1, X2, LocalNorm, Row, W
+from numerics.linear.system import LocalNorm, W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, short
 from numerics.scene.model import BUILD, require_kind
@@ -40,8 +40,6 @@ from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.variation import legs
 
 _log = logging.getLogger(__name__)
-Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
-"""The relative place z = x1 - x2."""
 _FREE, _FORCED = (24, 100_000), (7, 2_000)
 """So often the horizon is doubled until the motion is known for ever, and the cap on events."""
 _SEARCH_BITS = 96

@@ -86,8 +86,7 @@ class Tracking(ShortRepr):
         if self.scene is None:
             return None
         last = self.reference[self.demands[-1].number - 1]
-        with (arithmetic := Ball(self.digits + 20)).context():
-            path = force_form(last, self.scene.until - last.start).number(arithmetic)
+        path = force_form(last, self.scene.until - last.start).enclosed(4 * Ball(self.digits + 20).bits)
         sides = None if self.is_at_limit and self.force_error > 0 else (0,)
         return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides)
 

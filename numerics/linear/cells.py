@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, pairwise
 from typing import NamedTuple
@@ -109,12 +108,6 @@ class Cells:
             found["b"] = Branch(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
         return found
 
-    def growth(self, branch: Branch) -> arb:
-        """Return the greatest rate, 1/s, at which N of a difference of two motions in one cell grows."""
-        kappa2, g = self.pair.mass / (self.pair.m1 * self.pair.m2), self.pulling
-        rate = Ball.number(kappa2 * max(Fraction(0), -branch.slope))
-        return rate + Ball.number(kappa2 * (g - branch.pull) ** 2 / (4 * g)).sqrt() if g else rate
-
     def held(self, piece: ExactPiece, z: arb) -> arb:
         """Return B(0) + C over a ball of places x1 - x2."""
         found: arb | None = None
@@ -144,11 +137,6 @@ class Cells:
         )
         force = lines[0][k, 0] + lines[0][k, 1] * abs(w) + lines[1][j, 0] + lines[1][j, 1] * z
         return np.asarray(force / float(self.pair.b))
-
-    def stuck_pieces(self, pieces: Sequence[ExactPiece], z: Fraction) -> list[ExactPiece]:
-        """Return the pieces with what friction can hold at a place for b: so long as the bodies stick it stays."""
-        held = self.at_rest(z) / self.pair.b
-        return [replace(one, b=one.b * held) for one in pieces]
 
     def ends(self, cell: tuple[int, int]) -> tuple[Fraction | None, ...]:
         """Return the ends of a cell: |w| from and to, z from and to; None where there is none."""

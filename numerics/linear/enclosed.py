@@ -1,22 +1,21 @@
-"""The engine in balls, and in numbers of mpmath: next_event, evolve, resolve, record, from event to event.
+"""The engine in balls: next_event, evolve, resolve, record, from event to event; everything is proved.
 
 What a point of the path is and what its error does in one mode is said in path_enclosed.py, how the next event is found
-in next_enclosed.py. In balls everything is proved; numbers of mpmath take the same steps without bounds.
+in next_enclosed.py. A run in mpmath is the middles of balls.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 from flint import arb, ctx
 
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, exact_middle, widened
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided
 from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, PLAIN, RIGHT
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.flow import Expansion, numbers_of
+from numerics.linear.flow import Expansion
 from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
 from numerics.linear.path_enclosed import AWAY, At, Path
@@ -26,19 +25,29 @@ from numerics.linear.system import V1, V2, X1, X2
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
+_MORE_BITS = 16
+"""Working bits beyond those of the arithmetic."""
 _AHEAD = 20
 """So many steps a stick is followed past the horizon until it is proved to last for ever, or ends."""
 
 
 def run_enclosed(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
-    """Solve a scene in Ball(n) or Multiprecision(n), up to the horizon or to as many events.
+    """Solve a scene in Ball(n), up to the horizon or to as many events; in another arithmetic give the middles.
 
-    In balls all numbers enclose those of the true motion. Raises EventUndecided where the working digits do not settle
-    what comes next, OutOfRange where a mode takes more steps than anybody waits for.
+    Balls enclose the numbers of the true motion; middles are those of balls of twice as many digits, rounded. Raises
+    EventUndecided where the working digits do not settle what comes next, OutOfRange where a mode takes more steps than
+    anybody waits for.
     """
-    numbers, rows, events = numbers_of(arithmetic.name, arithmetic.digits), [], 0  # type: Any, list[Knot], int
-    with ctx.workprec(numbers.bits), numbers.context():
-        run = Run(scene, arithmetic, numbers)
+    if not isinstance(arithmetic, Ball):
+        found = run_enclosed(scene, Ball(2 * arithmetic.digits), max_events, progress)
+        with arithmetic.context():
+            return found._replace(
+                rows=[_middles(row, arithmetic) for row in found.rows], end=_middles(found.end, arithmetic)
+            )
+    rows: list[Knot] = []
+    events = 0
+    with ctx.workprec(arithmetic.bits + _MORE_BITS):
+        run = Run(scene, arithmetic)
         for row in run.rows():
             if events == max_events and (row is None or row.event):
                 while len(rows) > 1 and not rows[-1].event:
@@ -52,6 +61,11 @@ def run_enclosed(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
         return Record(rows[:-1], rows[-1], run.how, events)
 
 
+def _middles(row: Knot, arithmetic: Arithmetic) -> Knot:
+    """Return a row with the middles of its balls."""
+    return Knot._make(arithmetic.number(exact_middle(one)) if isinstance(one, arb) else one for one in row)
+
+
 class Run(Path):
     """The loop over events, and what it leaves behind."""
 
@@ -61,13 +75,12 @@ class Run(Path):
     # ------------------------------------------------------------------ the loop
     def rows(self) -> Iterator[Knot | None]:
         """Follow the modes up to the horizon; yield every row, None before one that a root begins, the end last."""
-        numbers, knots = self.numbers, exact_knots(self.scene, self.pieces)
-        for knot in knots:
+        for knot in exact_knots(self.scene, self.pieces):
             at = self.begin(knot)
-            yield self.row(at, numbers.number(knot.local), self.exactly(knot))._replace(jump=knot.is_jump)
+            yield self.row(at, Ball.number(knot.local), self.exactly(knot))._replace(jump=knot.is_jump)
         is_over = knot.quiet == self.pieces[knot.piece].length
         if knot.local < knot.quiet and not is_over:
-            at = self.evolved(at, numbers.middle(numbers.number(knot.quiet)))
+            at = self.evolved(at, Ball.number(knot.quiet).mid())
         while True:
             at, root = (at, None) if is_over else next_event(self, at)
             is_over = False
@@ -86,42 +99,38 @@ class Run(Path):
         yield self.row(end, end.local, self.fixed(end))
 
     # ------------------------------------------------------------------ resolve
-    def resolve(self, at: At, root: Root) -> tuple[At, Any, list[Any]]:
+    def resolve(self, at: At, root: Root) -> tuple[At, arb, list[arb]]:
         """Return the point after the root of a guard, in the mode or cell that follows, and time and state there."""
-        numbers, local = self.numbers, self.numbers.middle(at.local + root.tau)
-        t = local - at.local
-        moved = (arb(t) - arb(root.tau)).abs_upper()
-        late, norm = root.late + moved, at.norm
+        local, t, late, norm = root.local, root.tau, root.late, at.norm
         if self.varies:
-            norm = norm * self.growth(at, arb(t))
-            reached = at.place + self.kappa * norm * (4 * late + (arb(t) if at.mode else 0))
+            norm = norm * self.growth(at, t)
+            reached = at.place + self.kappa * norm * (4 * late + (t if at.mode else 0))
             # about the event both motions may be in different cells
             norm = norm + 4 * self.kappa * self.pulling * reached * late
             norm = norm * (2 * self.kappa**2 * self.falling * late).exp()
             at = at._replace(norm=norm)
-        state, here = root.motion.state(t), numbers.within(local, late)
-        bends = root.motion.bends(t + arb(0, late)) if self.is_ball else [arb(0), arb(0)]
+        state, here, bends = root.motion.state(t), widened(local, late), root.motion.bends(t + arb(0, late))
         at_knot = at.mode != 0 and (root.guard.kind != FLOOR or at.cell[0] > 0)
-        event = self.around(at, t, state, bends, late, together=not at_knot) if self.is_ball else state
+        event = self.around(at, t, state, bends, late, together=not at_knot)
         if at_knot:
-            found, bound = self.crossed(at, root, state, bends, moved, event)
+            found, bound = self.crossed(at, root, event)
         else:
-            found, bound = self.switched(at, root, event, bends, here, moved)
-        points = [numbers.middle(one) for one in state]
+            found, bound = self.switched(at, root, event, bends, here)
+        points = [one.mid() for one in state]
         if not at_knot:
             points[V1] = points[V2]
-        gaps = [(arb(state[k]) - arb(points[k])).abs_upper() for k in (V1, V2)]
-        off_1, off_2 = numbers.radius(state[X1]), numbers.radius(state[X2])
-        apart = self.kappa * norm * (2 * late + (arb(t) if at.mode else 0))
+        gaps = [(state[k] - points[k]).abs_upper() for k in (V1, V2)]
+        off_1, off_2 = state[X1].rad(), state[X2].rad()
+        apart = self.kappa * norm * (2 * late + (t if at.mode else 0))
         norm = (norm + self.flow(at).norm.of((off_1, gaps[0], -off_2, gaps[1])) + self.kappa * bound).upper()
         place = (at.place + apart + off_1 + off_2).upper()
-        far = self.far(at, arb(t), off_1, norm)
+        far = self.far(at, t, off_1, norm)
         found = found._replace(local=local, state=points, norm=norm, far=far, place=place)
         return self.reweighed(found, self.weight(at)), here, event
 
-    def switched(self, at: At, root: Root, event: list[Any], bends: list[arb], here: Any, moved: arb) -> tuple[At, arb]:
+    def switched(self, at: At, root: Root, event: list[arb], bends: list[arb], here: arb) -> tuple[At, arb]:
         """Return the mode that follows v1 = v2, and a bound on int |error of friction| dt about the event."""
-        late, span, kappa = root.late + moved, root.window + moved, self.kappa
+        late, span, kappa = root.late, root.window, self.kappa
         there = at._replace(mode=0, local=here, state=event, place=arb(0))
         (load, rate), b = self.load(there), self.edge(there)
         if at.mode:
@@ -138,65 +147,61 @@ class Run(Path):
             if not bend > 0:
                 raise self.undecided(at)
             # where the load is not quite b, the slip starts a little later than here
-            span = span + 2 * kappa * kappa * (root.value + abs(rate) * moved) / bend
+            span = span + 2 * kappa * kappa * root.value / bend
             off, speed = 2 * b * span, kappa**2 * b * span
         if self.varies:  # by how much F is not B(0) + C in between
             off = off + 4 * speed * span * (self.steep + self.pulling * span)
         return self.entered(at._replace(mode=mode, late=after), order, event), off
 
-    def entered(self, at: At, order: int, state: Sequence[Any]) -> At:
+    def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
         """Return a point at v1 = v2 in the cell in which its mode goes on."""
         cells, z = self.cells, at.apart
         at = at._replace(cell=PLAIN, orders=(order, 0, 0, 0))
         if at.mode == 0:
             return at
         if z is None:
-            apart = arb(state[X1]) - arb(state[X2])
+            apart = state[X1] - state[X2]
             j = sum(apart.mid() > Ball.number(one).mid() for one in cells.places)
         else:
             j, tie = cells.place_line(z, at.mode), (order + 1) * (z in cells.places)
             at = at._replace(orders=(order, 0, tie * (at.mode > 0), tie * (at.mode < 0)), apart=None)
         return at._replace(cell=(0, j))
 
-    def crossed(
-        self, at: At, root: Root, state: list[Any], bends: list[arb], moved: arb, event: list[Any]
-    ) -> tuple[At, arb]:
+    def crossed(self, at: At, root: Root, event: list[arb]) -> tuple[At, arb]:
         """Return a slip in the next cell, and a bound on int |error of friction| dt about the knot."""
         cells, (k, j), kind = self.cells, at.cell, root.guard.kind
         if kind == FORCE:
-            w, z = (float(arb(event[n] - event[n + 2]).mid()) for n in (V1, X1))
-            raise cells.vanishing(abs(w), z, f" at t = {self.time(at) + float(arb(root.tau).mid()):.6g} s")
-        of_speed, window, step = kind in {FLOOR, CEILING}, root.window + moved, 1 if kind in {CEILING, RIGHT} else -1
+            w, z = (float((event[n] - event[n + 2]).mid()) for n in (V1, X1))
+            raise cells.vanishing(abs(w), z, f" at t = {self.time(at) + float(root.tau.mid()):.6g} s")
+        of_speed, step = kind in {FLOOR, CEILING}, 1 if kind in {CEILING, RIGHT} else -1
         cell = (k + step, j) if of_speed else (k, j + step)
         # behind an end of |w| the other end of the next interval vanishes, and so for z
         behind = {FLOOR: CEILING, CEILING: FLOOR, LEFT: RIGHT, RIGHT: LEFT}[kind]
         found = at._replace(cell=cell, orders=tuple(int(n == behind) for n in range(4)), late=arb(0))
-        rate = bends[0] + bends[1] if of_speed else abs(arb(state[V1]) - arb(state[V2]))
         before, after = (cells.branch(self.pieces[at.piece], 1, one) for one in (at.cell, cell))
         bend = Ball.number(abs(after.slope - before.slope) + abs(after.pull - before.pull))
-        return found, 4 * bend * (root.value + rate * moved) * window
+        return found, 4 * bend * root.value * root.window
 
-    def around(self, at: At, t: Any, state: list[Any], bends: list[arb], late: arb, *, together: bool) -> list[Any]:
+    def around(self, at: At, t: arb, state: list[arb], bends: list[arb], late: arb, *, together: bool) -> list[arb]:
         """Return the state at the true event, up to `late` before or after that of the path; `together`: v1 = v2."""
-        within = self.numbers.within
         x1, v1, x2, v2 = state
-        far, fast = self.far(at, arb(t), arb(0), at.norm), [at.norm / self.root_m1, at.norm / self.root_m2]
-        one, two = (within(v, off + bend * late) for v, off, bend in zip((v1, v2), fast, bends, strict=True))
+        far, fast = self.far(at, t, arb(0), at.norm), [at.norm / self.root_m1, at.norm / self.root_m2]
+        one, two = (widened(v, off + bend * late) for v, off, bend in zip((v1, v2), fast, bends, strict=True))
         if together:
             one = two = one.intersection(two)
         runs = [late * (abs(speed) + bend * late) for speed, bend in zip((v1, v2), bends, strict=True)]
         place = at.place + 2 * self.kappa * at.norm * late
         if at.mode:
-            place = place + self.kappa * at.norm * arb(t)
-        return [within(x1, (far + runs[0]).upper()), one, within(x2, (far + place + runs[1]).upper()), two]
+            place = place + self.kappa * at.norm * t
+        return [widened(x1, far + runs[0]), one, widened(x2, far + place + runs[1]), two]
 
     def next_piece(self, at: At) -> At:
         """Return the start of the next piece, where u or b may jump."""
         end, root_g = self.ended(at), self.weight(at)
-        found = end._replace(piece=at.piece + 1, local=self.numbers.number(0), orders=AWAY)
+        found = end._replace(piece=at.piece + 1, local=arb(0), orders=AWAY)
         if at.mode == 0 and self.pieces[found.piece].is_jump:
             load, _ = self.load(found)
-            mode = mode_on_surface(load, self.edge(found), self.load_norm * end.norm, literal=self.literal)
+            mode = mode_on_surface(load, self.edge(found), self.margin(end), literal=self.literal)
             if mode == UNDECIDED:
                 raise self.undecided(at)
             found = self.entered(found._replace(mode=mode), abs(mode), found.state)
@@ -220,13 +225,13 @@ class Run(Path):
                 return False
             if isinstance(found, Bracket):
                 return False
-            end = self.evolved(end, self.numbers.middle(end.local + self.numbers.point(found[0] * SHY)))
+            end = self.evolved(end, (end.local + found[0] * SHY).mid())
         return False
 
     # ------------------------------------------------------------------ record
     def begin(self, knot: ExactKnot) -> At:
         """Return an exact knot as a point; the motion starts within its rounding."""
-        state, zero, local = self.exactly(knot), arb(0), self.numbers.number(knot.local)
+        state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, (knot.order, 0, 0, 0), knot.piece, local, state, zero, zero, zero, zero)
         if self.varies and knot.mode == 0:
             at = at._replace(apart=(knot.x1 - knot.x2).rational)
@@ -234,26 +239,27 @@ class Run(Path):
             exact = (knot.x1, knot.v1, knot.x2, knot.v2)
             cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, exact, knot.order)
             at = at._replace(cell=cell, orders=orders)
-        start = self.numbers.point(arb(local).lower())
+        start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot
             flow, z = self.here(at)
-            state = Expansion(flow, z, arb(start - local).abs_upper()).state(start - local)
+            state = Expansion(flow, z, (start - local).abs_upper()).state(start - local)
         return self.settled(at, state, zero)._replace(local=start)
 
-    def exactly(self, knot: ExactKnot) -> list[Any]:
-        """Return the state of an exact knot in numbers."""
-        return [one.number(self.arithmetic) for one in (knot.x1, knot.v1, knot.x2, knot.v2)]
+    def exactly(self, knot: ExactKnot) -> list[arb]:
+        """Return the state of an exact knot in balls."""
+        known, number = (knot.x1, knot.v1, knot.x2, knot.v2), self.arithmetic.number
+        return [one.enclosed(4 * self.arithmetic.digits + 64) if one.parts else number(one.constant) for one in known]
 
-    def fixed(self, at: At) -> list[Any]:
+    def fixed(self, at: At) -> list[arb]:
         """Return the state of the true motion at the time of a point."""
         bounds = at.far, at.norm / self.root_m1, at.far + at.place, at.norm / self.root_m2
-        return [self.numbers.within(one, off.upper()) for one, off in zip(at.state, bounds, strict=True)]
+        return [widened(one, off) for one, off in zip(at.state, bounds, strict=True)]
 
-    def row(self, at: At, local: Any, state: Sequence[Any]) -> Knot:
+    def row(self, at: At, local: arb, state: Sequence[arb]) -> Knot:
         """Return the row of a segment that starts at a point, after the last one."""
-        before, event, jump, length = self.before, False, True, self.numbers.number(0)
+        before, event, jump, length = self.before, False, True, arb(0)
         if before is not None:
             event, jump = before.mode != at.mode, before.piece != at.piece
-            length = (self.numbers.number(self.pieces[before.piece].length) if jump else local) - before.local
+            length = (Ball.number(self.pieces[before.piece].length) if jump else local) - before.local
         self.before = Knot(at.mode, at.order, event, jump, at.piece, local, length, *state)._replace(cell=at.cell)
         return self.before

@@ -1,7 +1,8 @@
 """The engine: any scene, solved once in one arithmetic, as a Record.
 
-float64 and double-double run the compiled kernel (kernel.py); balls and mpmath the loop of enclosed.py. Where the
-kernel is in doubt the run starts again from what is known exactly: ties, touches, jumps that meet an event.
+float64 and double-double run the compiled kernel (kernel.py); balls, and mpmath by their middles, the loop of
+enclosed.py. Where the kernel is in doubt the run starts again from what is known exactly: ties, touches, jumps that
+meet an event.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, ratio, times
+from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, times
 from numerics.linear.columns import FAST, Constants, Now, Problem, Room, counted, place_of, wide_product
 from numerics.linear.error_set import carry
 from numerics.linear.first_root import ROOT, value_slope
@@ -32,7 +32,7 @@ def evaluate(X: Any, s: Pair, h: float, wide: bool) -> tuple[Pair, Pair]:
         x = plus(times(x, s.high), Pair(X[0, k], X[1, k]))
     x = plus(x, Pair(s.low * v.high, 0.0))
     v = plus(v, Pair(2.0 * s.low * bend, 0.0))
-    return x, ratio(v, Pair(h, 0.0))
+    return x, v / h
 
 
 @compilable_with(**FAST)

@@ -9,6 +9,7 @@ compared with b: a load that touches the edge for ever never leaves it. What is 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -59,7 +60,10 @@ def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
 def held_pieces(scene: Scene, pieces: Sequence[ExactPiece]) -> Sequence[ExactPiece]:
     """Return the pieces with what friction can hold for b, if it depends on the place and the bodies begin stuck."""
     cells, at = cells_of(scene), scene.initial
-    return cells.stuck_pieces(pieces, at.x1 - at.x2) if cells and at.v1 == at.v2 else pieces
+    if cells is None or at.v1 != at.v2:
+        return pieces
+    held = cells.at_rest(at.x1 - at.x2) / scene.pair.b  # so long as the bodies stick it stays
+    return [replace(one, b=one.b * held) for one in pieces]
 
 
 def mode_at_start(scene: Scene) -> Mode:

@@ -6,16 +6,16 @@ An event is off by the guard's error over its slope.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import zip_longest
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import OutOfRange
 from numerics.linear.cells import CEILING, FLOOR, FORCE
-from numerics.linear.flow import FEW, REACH, Expansion, Flow, filled
+from numerics.linear.flow import FEW, REACH, Expansion, Flow
 from numerics.linear.path_enclosed import AWAY, At, Path
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, sharpest, splits
 from numerics.linear.ties import MARGINAL
@@ -45,11 +45,15 @@ class Bracket(NamedTuple):
 
 
 class Root(NamedTuple):
-    """Where a guard vanishes after a point: which one, when, how far off that is for the path, for the true one."""
+    """Where a guard vanishes: which one, when in the piece (exact), how long after the point of the path.
+
+    `window` and `late` bound how far off that is for the path and for the true motion, `value` the guard there.
+    """
 
     motion: Expansion
     guard: Guard
-    tau: Any
+    local: arb
+    tau: arb
     window: arb
     late: arb
     value: arb
@@ -68,7 +72,7 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
         )
     for n in range(_MOST_STEPS):
         left, z, step = path.left(at), path.here(at)[1], None
-        if n % _PACE == _PACE - 1 and arb(at.local - begun) * (_MOST_STEPS // n) < left:
+        if n % _PACE == _PACE - 1 and (at.local - begun) * (_MOST_STEPS // n) < left:
             break
         if ready >= _PATIENCE and not (path.varies and at.mode) and flow.fastest * left > _LONG:
             step = long_step(path, at, flow, z, left.min(far))
@@ -81,11 +85,11 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
         if step >= left:
             return at, None
         # a little before the step ends: what is before it is proved
-        local = path.numbers.middle(at.local + path.numbers.point(step * SHY))
-        if arb(local - at.local) < arb(local) * arb((1, _RESOLVED - path.numbers.bits)):
+        local = (at.local + step * SHY).mid()
+        if local - at.local < local * arb((1, _RESOLVED - path.bits)):
             raise path.undecided(at)  # so short a step is in the rounding of time
         at, ready = path.evolved(at, local), ready + 1
-    rows = flow.rows(z, path.numbers.bits)
+    rows = flow.rows(z)
     if not all(one.value(rows) > one.margin / _NEAR for one in guards_of(path, at, rows)):
         raise path.undecided(at)  # more digits lead closer to the root
     raise OutOfRange(
@@ -129,28 +133,28 @@ def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
     return found
 
 
-def short_step(path: Path, at: At, flow: Flow, z: list[Any], reach: arb, short: arb) -> tuple[arb, arb] | Bracket:
+def short_step(path: Path, at: At, flow: Flow, z: list[arb], reach: arb, short: arb) -> tuple[arb, arb] | Bracket:
     """Return a time within reach of a Taylor polynomial in which no guard vanishes; or where one does, once.
 
     With the time comes the last interval that was looked at as one; `short` is that of the step before.
     """
-    for bits in (_SCAN_BITS, min(path.numbers.bits, _SHARP_BITS)) if max(at.orders) < MARGINAL else ():
+    for bits in (_SCAN_BITS, min(path.bits, _SHARP_BITS)) if max(at.orders) < MARGINAL else ():
         with ctx.workprec(bits):
-            found = scanned(path, at, flow, flow.rows(z, bits), z, reach, short)
+            found = scanned(path, at, flow, flow.rows(z), z, reach, short)
         if found is not None:
             return found
     raise path.undecided(at)
 
 
 def scanned(
-    path: Path, at: At, flow: Flow, rows: list[list[arb]], z: list[Any], reach: arb, short: arb
+    path: Path, at: At, flow: Flow, rows: list[list[arb]], z: list[arb], reach: arb, short: arb
 ) -> tuple[arb, arb] | Bracket | None:
     """Return the same from the rows of the guards; None where their digits do not tell anything."""
     guards, rests = guards_of(path, at, rows), flow.rests(z, reach)
     used = range(len(rests))
     near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
     h = h / 4 if any(one.order for one in guards) else h
-    more = ctx.prec < min(path.numbers.bits, _SHARP_BITS)
+    more = ctx.prec < min(path.bits, _SHARP_BITS)
     for _ in range(ctx.prec // 2 if more else 2 * ctx.prec):
         if not h > flow.tiny:
             break
@@ -171,7 +175,8 @@ def scanned(
             guards = guards_of(path, at._replace(orders=AWAY), rows)
         since, h = (since + h).mid(), 4 * h
         shift, left = arb_poly([since, 1]), (reach - since).upper()
-        near = [filled(arb_poly(rows[k][:FEW])(shift).coeffs(), len(rows[k][:FEW]), arb(0)) for k in used]
+        moved = [arb_poly(rows[k][:FEW])(shift) for k in used]
+        near = [[moved[k][n] for n in range(len(near[k]))] for k in used]
         h = left if left < 2 * h else h
     else:
         if more:
@@ -179,11 +184,11 @@ def scanned(
     return (since, h) if since * _FINE > reach else None
 
 
-def long_step(path: Path, at: At, flow: Flow, z: list[Any], most: arb) -> arb | None:
+def long_step(path: Path, at: At, flow: Flow, z: list[arb], most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
     for split in () if at.orders[0] else splits(flow, path.pieces[at.piece], at.mode, at.local, z):
         (polynomial, rest, slow, amplitude), h = split, most
-        swing = [[]] if slow is None else flow.rows(slow, path.numbers.bits)
+        swing = [[]] if slow is None else flow.rows(slow)
         row, count = [a + b for a, b in zip_longest(swing[0], polynomial, fillvalue=arb(0))], len(polynomial)
         guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, [row])]
         if not all(one.value([row]) > one.margin for one in guards):
@@ -192,7 +197,7 @@ def long_step(path: Path, at: At, flow: Flow, z: list[Any], most: arb) -> arb | 
             # up to next to where the slow part comes down to the amplitude, if it does
             above = arb_poly(row) * sign + (offset - 4 * margin)
             if above(0) > 0 and above(h) < 0:
-                h = _newton(above, above.derivative(), arb(0), h, h / 2, arb.mid, h * _NEAR)
+                h = _newton(above, above.derivative(), arb(0), h, h / 2, h * _NEAR)
         while flow.fastest * h > _LONG:
             if slow is not None:  # all of the polynomial stays: what is cut off the swing does not bound it
                 count, rest = sharpest(flow, slow, h, len(polynomial))
@@ -202,44 +207,44 @@ def long_step(path: Path, at: At, flow: Flow, z: list[Any], most: arb) -> arb | 
     return None
 
 
-def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Root:
+def refined(path: Path, at: At, flow: Flow, z: list[arb], found: Bracket) -> Root:
     """Return the root of a guard in its bracket, by Newton's method."""
-    numbers, (index, since, h, rows) = path.numbers, found
+    index, since, h, rows = found
     guard = guards_of(path, at._replace(orders=AWAY), rows)[index]
     sign, offset, which = guard.sign, guard.offset, guard.row
     near = arb_poly(rows[which]) * sign + offset
-    guess = _newton(near, near.derivative(), since, h, (since + h) / 2, arb.mid, h * _NEAR)
+    guess = _newton(near, near.derivative(), since, h, (since + h) / 2, h * _NEAR)
     motion, until = Expansion(flow, z, 2 * h), 2 * h
-    curve, edge = motion.row(which) * sign, offset if path.is_ball else numbers.point(offset)
-    slope, tau, low, high = curve.derivative(), *map(numbers.point, (guess, since, h))
-    for bits in reversed([numbers.bits >> k for k in range(8) if k == 0 or numbers.bits >> k > _COARSE]):
-        with numbers.context(bits):
-            settled = numbers.point(h * arb((1, -bits // 2 - 4)))
-            tau = _newton(lambda t: edge + curve(t), slope, low, high, tau, numbers.middle, settled)
-    if not path.is_ball:
-        return Root(motion, guard, tau, arb(0), arb(0), arb(0))
+    curve, tau = motion.row(which) * sign, guess
+    slope = curve.derivative()
+    for bits in reversed([path.bits >> k for k in range(8) if k == 0 or path.bits >> k > _COARSE]):
+        with ctx.workprec(bits):
+            tau = _newton(curve + offset, slope, since, h, tau, (h * arb((1, -bits // 2 - 4))).mid())
+    local = (at.local + tau).mid()
+    tau = local - at.local  # so far the path goes; what that is rounded by counts as an error of the root
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    off = (edge + curve(tau)).abs_upper() + motion.row_off(which, h, 0)
+    off = (curve(tau) + offset).abs_upper() + motion.row_off(which, tau.abs_upper(), 0)
     reached = off + guard.margin
-    around = tau + arb(0, (2 * reached / abs(slope(tau))).upper())
+    within = (2 * reached / abs(slope(tau))).upper()
+    around = tau + arb(0, within)
     steepness = (-slope(around) - motion.row_off(which, until, 1)).lower()
     late = (reached / steepness).upper()
-    if not (steepness > 0 and late < around.rad() and around < until):
+    if not (steepness > 0 and late < within and around < until):
         raise path.undecided(at)
-    return Root(motion, guard, tau, (off / steepness).upper(), late, off.upper())
+    return Root(motion, guard, local, tau, (off / steepness).upper(), late, off.upper())
 
 
-def _newton(curve: Any, slope: Any, low: Any, high: Any, at: Any, middle: Callable[[Any], Any], settled: Any) -> Any:
+def _newton(curve: arb_poly, slope: arb_poly, low: arb, high: arb, at: arb, settled: arb) -> arb:
     """Return the root of a falling function between low and high from a guess; a change below `settled` is the last."""
     for _ in range(2_000):
-        value = middle(curve(at))
+        value = curve(at).mid()
         if value > 0:
             low = at
         else:
             high = at
-        change = middle(value / slope(at))
-        after = middle(at - change)
+        change = (value / slope(at)).mid()
+        after = (at - change).mid()
         if abs(change) < settled:
             return after
-        at = after if low < after < high else middle((low + high) / 2)
+        at = after if low < after < high else ((low + high) / 2).mid()
     return at

@@ -6,7 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, product, ratio, times, two_product, two_sum
+from numerics.arithmetic.pair import Pair, pair_of, plus, times, two_product, two_sum
 from numerics.linear.columns import Constants, Now, Problem, Room, counted, place_of, wide_product
 from numerics.linear.first_root import CLEAR, ROOT, first_root
 from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT
@@ -129,7 +129,7 @@ def edge_of(pair: Constants, h: float, b: Any, wide: bool) -> Pair:
     """Return b h^2/m2."""
     if not wide:
         return Pair(h * h / pair.m2 * b[0], 0.0)
-    return product(ratio(two_product(h, h), Pair(pair.m2, pair.m2_low)), pair_of(b))
+    return two_product(h, h) / Pair(pair.m2, pair.m2_low) * pair_of(b)
 
 
 @compilable
@@ -137,7 +137,7 @@ def step_from(problem: Problem, room: Room, now: Now, is_calm: bool, clear_until
     """Return the step from here, to the end of the piece if that is nearer; no event comes up to `clear_until`."""
     h, clock = problem.tables.h[place_of(problem, now)], pair_of(room.clock[0])
     left = plus(pair_of(problem.drive.length[now.piece]), Pair(-clock.high, -clock.low))
-    end = ratio(left, Pair(h, 0.0)) if left.high <= h else Pair(1.0, 0.0)
+    end = left / h if left.high <= h else Pair(1.0, 0.0)
     clear = 2.0 if is_calm else 0.0
     if clear_until > clock.high + 1e-9 * h:
         clear = (clear_until - clock.high) / h

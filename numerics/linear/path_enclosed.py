@@ -1,4 +1,4 @@
-"""The path of a run in balls, and in numbers of mpmath: its points, their distance to the true motion, one mode on.
+"""The path of a run in balls: its points, their distance to the true motion, one mode on.
 
 The path that is followed starts anew from a point wherever a Taylor polynomial ends. Between events it is a true motion
 but for the short times by which an event may be misplaced. Two motions under the same u never part in
@@ -18,21 +18,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from flint import arb
+from flint import arb, ctx
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.flow import REACH, Drive, Expansion, Flow, Numbers, flow_of
+from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import X1, X2
+from numerics.linear.system import X1, X2, Drive
 from numerics.scene import Law, Scene
 
-_FEW = 4
-"""Pieces with no more coefficients than that share tables."""
 AWAY = (0, 0, 0, 0)
 """No derivative of a guard vanishes."""
 
@@ -48,8 +45,8 @@ class At(NamedTuple):
     mode: int
     orders: tuple[int, ...]
     piece: int
-    local: Any
-    state: Sequence[Any]
+    local: arb
+    state: Sequence[arb]
     norm: arb
     far: arb
     place: arb
@@ -64,16 +61,15 @@ class At(NamedTuple):
 
 
 class Path:
-    """A scene in numbers: the pieces, the flows of both modes, the constants of the norm; how a point moves on."""
+    """A scene in balls: the pieces, the flows of both modes, the constants of the norm; how a point moves on."""
 
-    def __init__(self, scene: Scene, arithmetic: Arithmetic, numbers: Numbers) -> None:
-        """Take a scene and the numbers it is solved in."""
-        self.scene, self.arithmetic, self.numbers, self.pair = scene, arithmetic, numbers, scene.pair
-        self.is_ball, self.literal = arithmetic.name == "ball", scene.law is Law.THREE_VALUED_SGN
+    def __init__(self, scene: Scene, arithmetic: Ball) -> None:
+        """Take a scene and the balls it is solved in; the present precision is that of the run."""
+        self.scene, self.arithmetic, self.bits, self.pair = scene, arithmetic, ctx.prec, scene.pair
+        self.literal = scene.law is Law.THREE_VALUED_SGN
         self.pieces, self.cells, self.varies = pieces_of(scene), Cells(scene), scene.friction.weakening is not None
         """`varies`: friction depends on the state; else it has one cell."""
-        self.count = max((len(one.polynomial) for one in self.pieces if len(one.polynomial) <= _FEW), default=0)
-        self.driven: tuple[int, Drive, dict[object, tuple[Flow, Any]]] = (-1, Drive(None, [], []), {})
+        self.driven: tuple[int, Drive, dict[object, tuple[Flow, arb]]] = (-1, Drive([], []), {})
         pair, number = scene.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
@@ -82,32 +78,32 @@ class Path:
         """Of stick: x1'' + rate x1' + stiff x1 = u/M."""
         self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
 
-    def _moving(self, at: At) -> tuple[Flow, Any]:
+    def _moving(self, at: At) -> tuple[Flow, arb]:
         """Return the flow at a point, and its friction where v1 - v2 and x1 - x2 are 0."""
         piece = self.pieces[at.piece]
         if self.driven[0] != at.piece:
-            self.driven = at.piece, Drive.of(self.numbers, piece), {}
+            self.driven = at.piece, Drive.of(piece), {}
         flows, key = self.driven[2], (at.mode, at.cell)
         if key not in flows:
-            count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
+            omegas = tuple(one.omega for one in piece.sines)
             branch = self.cells.branch(piece, at.mode, at.cell) if at.mode and self.varies else (piece.b,)
-            flow = flow_of(self.numbers, self.pair, at.mode != 0, count, omegas, branch[1:])
-            flows[key] = flow, at.mode * self.numbers.number(branch[0])
+            flow = flow_of(self.bits, self.pair, at.mode != 0, len(piece.polynomial), omegas, branch[1:])
+            flows[key] = flow, at.mode * Ball.number(branch[0])
         return flows[key]
 
     def flow(self, at: At) -> Flow:
         """Return the flow at a point."""
         return self._moving(at)[0]
 
-    def here(self, at: At) -> tuple[Flow, list[Any]]:
+    def here(self, at: At) -> tuple[Flow, list[arb]]:
         """Return the flow at a point, and z."""
         flow, friction = self._moving(at)
-        return flow, [*at.state, friction, *self.driven[1].force(self.numbers, at.local, flow.count)]
+        return flow, [*at.state, friction, *self.driven[1].force(at.local)]
 
-    def load(self, at: At) -> list[Any]:
+    def load(self, at: At) -> list[arb]:
         """Return the load at a point in stick, N, and its rate."""
         flow, z = self.here(at)
-        return flow.load(z)
+        return flow.rows(z)[0][:2]
 
     def edge(self, at: At) -> arb:
         """Return the greatest friction force at rest where a point is, N, enclosed for the true motion.
@@ -119,7 +115,7 @@ class Path:
             return Ball.number(piece.b)
         if z is not None:
             return Ball.number(cells.at_rest(z) * cells.scale(piece))
-        apart = arb(at.state[X1]) - arb(at.state[X2]) + arb(0, at.place)
+        apart = at.state[X1] - at.state[X2] + arb(0, at.place)
         edge = cells.held(piece, apart)
         if edge <= 0:
             raise cells.vanishing(0.0, float(apart.mid()), f" at t = {self.time(at):.6g} s")
@@ -147,51 +143,50 @@ class Path:
 
     def left(self, at: At) -> arb:
         """Return the time that is left of the piece."""
-        return arb(self.numbers.number(self.pieces[at.piece].length) - at.local).upper()
+        return (Ball.number(self.pieces[at.piece].length) - at.local).upper()
 
     def margin(self, at: At) -> arb:
-        """Return how far the guard of a mode may be off, since the path is."""
-        return (self.kappa if at.mode else self.load_norm) * at.norm
+        """Return how far the load may be off in a stick, N, since the path is."""
+        return self.load_norm * at.norm
 
-    def evolved(self, at: At, local: Any) -> At:
+    def evolved(self, at: At, local: arb) -> At:
         """Return the path at a later time in the piece, in the same mode."""
         (flow, z), t = self.here(at), local - at.local
-        is_near = flow.fastest * arb(t).upper() <= 1.01 * REACH
-        state = Expansion(flow, z, arb(t).abs_upper()).state(t) if is_near else self.evolved_far(flow, z, t)
+        is_near = flow.fastest * t.upper() <= 1.01 * REACH
+        state = Expansion(flow, z, t.abs_upper()).state(t) if is_near else self.evolved_far(flow, z, t)
         return self.settled(at, state, t)._replace(local=local, orders=AWAY)
 
-    def evolved_far(self, flow: Flow, z: list[Any], t: Any) -> list[Any]:
+    def evolved_far(self, flow: Flow, z: list[arb], t: arb) -> list[arb]:
         """Return the state after a time of many radians: the answers to the sines one by one."""
         mode, places = flow.mode, list(flow.mode.sine_places)
         first = places[0] if places else mode.size
         whole = mode.generator()
-        state = self.numbers.exponential([row[:first] for row in whole[:first]], t, z[:first])[:4]
+        state = exponential([row[:first] for row in whole[:first]], t, z[:first])[:4]
         for place in places:
             kept = [0, 1, 2, 3, place, place + 1]
             part = [[whole[i][j] for j in kept] for i in kept]
-            zero = self.numbers.number(0)
-            answer = self.numbers.exponential(part, t, [zero] * 4 + [z[place], z[place + 1]])
+            answer = exponential(part, t, [arb(0)] * 4 + [z[place], z[place + 1]])
             state = [a + b for a, b in zip(state, answer, strict=False)]
         # stick keeps the bodies together, to more digits than a matrix that does not know it
         return state if flow.slips else [state[0], state[1], state[0] + (z[X2] - z[X1]), state[1]]
 
     def ended(self, at: At) -> At:
         """Return the path at the end of the piece, to which its mode lasts."""
-        return self.evolved(at, self.numbers.number(self.pieces[at.piece].length))
+        return self.evolved(at, Ball.number(self.pieces[at.piece].length))
 
-    def settled(self, at: At, state: Sequence[Any], t: Any) -> At:
+    def settled(self, at: At, state: Sequence[arb], t: arb) -> At:
         """Return a point in the midst of an enclosure, after a time in one mode; its errors grow by the radii."""
-        place, t, norm = at.place, arb(t), at.norm
+        place, norm = at.place, at.norm
         if at.mode:
             norm = norm * self.growth(at, t)
             place = place + self.kappa * norm * t
         elif self.pair.a1 and not self.varies:
             norm = self.shrunk(norm, (t - at.late).lower())
-        x1, v1, x2, v2 = map(self.numbers.radius, state)
+        x1, v1, x2, v2 = (one.rad() for one in state)
         norm = (norm + self.flow(at).norm.of((x1, v1, -x2, v2))).upper()
         if not norm.is_finite():
             raise OutOfRange("a number of this scene left the range of its arithmetic")
-        points = tuple(map(self.numbers.middle, state))
+        points = tuple(one.mid() for one in state)
         if at.mode == 0:
             points = (points[0], points[1], points[2], points[1])
         late, far = (at.late - t).upper().max(arb(0)), self.far(at, t, x1, norm)
@@ -204,11 +199,11 @@ class Path:
     def shrunk(self, norm: arb, t: arb) -> arb:
         """Return a bound on N after both motions have stuck for a time: it dies away with the flow of stick."""
         pair, rate, stiff = self.pair, self.rate, self.stiff
-        if not (self.is_ball and rate * t > 1 and stiff * t > rate):
+        if not (rate * t > 1 and stiff * t > rate):
             return norm
         one, zero = arb(1), arb(0)
         generator = [[Fraction(0), Fraction(1)], [-pair.a2 / pair.mass, -pair.a1 / pair.mass]]
-        columns = [self.numbers.exponential(generator, t, z) for z in ([one, zero], [zero, one])]
+        columns = [exponential(generator, t, z) for z in ([one, zero], [zero, one])]
         # the greatest singular value of a matrix from the sum of its squares and its determinant
         square = columns[0][0] ** 2 + columns[1][1] ** 2 + columns[0][1] ** 2 / stiff + columns[1][0] ** 2 * stiff
         inner = (square * square - 4 * (-2 * rate * t).exp()).abs_upper()
@@ -216,7 +211,7 @@ class Path:
 
     def time(self, at: At) -> float:
         """Return the time of a point, s, for a message."""
-        return float(self.pieces[at.piece].start) + float(arb(at.local).mid())
+        return float(self.pieces[at.piece].start) + float(at.local.mid())
 
     def undecided(self, at: At) -> EventUndecided:
         """Return the error for a point after which these digits do not tell what happens."""

@@ -9,12 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
 
 from flint import arb, ctx
 
 from numerics.arithmetic.ball import Ball, exact_middle
-from numerics.arithmetic.protocol import Arithmetic
 
 _FIRST_BITS = 128
 
@@ -95,9 +93,3 @@ class SineForm:
         if not self.parts:
             return self.constant
         return exact_middle(self.enclosed(bits))
-
-    def number(self, arithmetic: Arithmetic) -> Any:
-        """Return it as a number of an arithmetic, rounded once; in its context."""
-        if self.parts and arithmetic.name == "ball":
-            return self.enclosed(4 * arithmetic.digits + 64)
-        return arithmetic.number(self.rounded(4 * arithmetic.digits + 128))

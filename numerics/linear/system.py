@@ -12,11 +12,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
+from typing import NamedTuple
 
-import flint
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball, precision, sqrt
+from numerics.arithmetic.ball import Ball, sqrt
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair, Piece
 
@@ -24,11 +25,38 @@ X1, V1, X2, V2, ONE, FIRST = range(6)
 Row = tuple[tuple[int, Fraction], ...]
 """A linear function of z: pairs (place, coefficient)."""
 W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
-"""The relative velocity w = v1 - v2."""
-_REMAINDER_BITS, _FURTHER = 80, 4
-"""Bits of a bound on a remainder, and the further terms of Taylor in it."""
+Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
+"""The relative velocity w = v1 - v2, and x1 - x2."""
+_FURTHER = 4
+"""Further terms of Taylor in a bound on a remainder."""
 MOST_CUTS = 2_000
 """Into so many parts an interval is cut before a sign on it counts as undecided."""
+
+
+class Drive(NamedTuple):
+    """A piece in balls: its polynomial, and of each sine amplitude, omega and the phase where the piece begins."""
+
+    polynomial: list[arb]
+    sines: list[tuple[arb, arb, arb]]
+
+    @classmethod
+    def of(cls, piece: Piece | ExactPiece) -> Drive:
+        """Return a piece in balls."""
+        number = Ball.number
+        sines = [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in piece.sines]
+        return cls([number(c) for c in piece.polynomial], sines)
+
+    def force(self, local: arb) -> list[arb]:
+        """Return what of z is the force: its polynomial with its derivatives, and each sine beside its cosine."""
+        parts, terms = [], self.polynomial
+        for order in range(len(terms)):
+            value = arb(0)
+            for k in range(len(terms) - 1, order - 1, -1):
+                value = value * local + terms[k] * math.perm(k, order)
+            parts.append(value)
+        for amplitude, omega, phase in self.sines:
+            parts += [amplitude * one for one in (phase + omega * local).sin_cos()]
+        return parts
 
 
 @dataclass(frozen=True)
@@ -104,24 +132,10 @@ class LinearMode:
         """Return where each sine stands in z, its cosine one place on."""
         return range(FIRST + len(self.piece.polynomial), self.size, 2)
 
-    def start(self, state: Sequence[arb], t: arb) -> arb_mat:
-        """Return z at time t (s) with the state (x1, v1, x2, v2)."""
-        number = Ball.number
-        since, terms = t - number(self.piece.start), self.piece.polynomial
-        z = [*state, arb(1)]
-        for order in range(len(terms)):
-            value = arb(0)
-            for k in range(len(terms) - 1, order - 1, -1):
-                value = value * since + number(terms[k] * math.perm(k, order))
-            z.append(value)
-        for sine in self.piece.sines:
-            parts = (number(sine.omega) * t + number(sine.phase)).sin_cos()
-            z.extend(number(sine.amplitude) * one for one in parts)
-        return arb_mat([[one] for one in z])
-
     def motion(self, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
-        return Motion(self, matrix(self.generator()), self.start(state, t))
+        z = [*state, arb(1), *Drive.of(self.piece).force(t - Ball.number(self.piece.start))]
+        return Motion(self, matrix(self.generator()), arb_mat(self.size, 1, z))
 
 
 @dataclass(frozen=True)
@@ -152,7 +166,12 @@ class Motion:
     def over(self, t: arb) -> Stretched:
         """Return the motion over a ball of times, for the ranges of rows and of their derivatives."""
         begin = t.lower()
-        return Stretched(self.mode, self.matrix, self.at(begin), t - begin)
+        return Stretched(self, self.at(begin), t - begin)
+
+    @cached_property
+    def norm(self) -> LocalNorm:
+        """Return N of its mode."""
+        return LocalNorm(self.mode)
 
     def range(self, row: Row, t: arb, order: int = 0) -> arb:
         """Return an enclosure of the order-th derivative of a row over a ball of times, by Taylor's theorem."""
@@ -166,19 +185,19 @@ class Stretched:
     large, then costs no finer parts for ever.
     """
 
-    def __init__(self, mode: LinearMode, matrix: arb_mat, begin: arb_mat, h: arb) -> None:
+    def __init__(self, motion: Motion, begin: arb_mat, h: arb) -> None:
         """Keep z where the ball begins; `h` is the ball of times, counted from there."""
-        self.mode, self.matrix, self.h, self.derivatives = mode, matrix, h, [begin]
+        self.motion, self.h, self.derivatives = motion, h, [begin]
         self.bends: dict[int, arb_mat] = {}
 
     def derivative(self, order: int) -> arb_mat:
         """Return the order-th derivative of z where the ball begins."""
         while len(self.derivatives) <= order:
-            self.derivatives.append(self.matrix * self.derivatives[-1])
+            self.derivatives.append(self.motion.rate(self.derivatives[-1]))
         return self.derivatives[order]
 
     def range(self, row: Row, order: int = 0) -> arb:
-        """Return an enclosure of the order-th derivative of a row over the ball of times, by Taylor's theorem."""
+        """Return an enclosure of the order-th derivative of a row over the ball of times: by Taylor's theorem."""
         here, slope = (value(row, self.derivative(order + n)) for n in (0, 1))
         if self.h.is_zero():
             return here
@@ -187,25 +206,20 @@ class Stretched:
     def _bend(self, order: int) -> arb_mat:
         """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times.
 
-        Further terms of Taylor are sharp on a short ball, the bound by energy on a long one: the narrower counts.
+        Further terms of Taylor are sharp on a short ball, the bound by energy on a long one.
         """
         if order not in self.bends:
-            # what bounds a remainder needs few digits
-            with precision(min(flint.ctx.prec, _REMAINDER_BITS)):
-                higher = [self.derivative(order)]
-                for _ in range(_FURTHER):
-                    higher.append(self.matrix * higher[-1])
-                found = self._bounded(higher.pop())
-                for k, one in reversed(list(enumerate(higher, start=1))):
-                    found = one + found * (self.h / k)
-                wide = self._bounded(self.derivative(order))
-                entries = zip(found.entries(), wide.entries(), strict=True)
-                self.bends[order] = arb_mat([[x if x.rad() < y.rad() else y] for x, y in entries])
+            further = _FURTHER if self.motion.norm.fastest * self.h < 1 else 0
+            found = self._bounded(order + further)
+            for k in range(further, 0, -1):
+                found = self.derivative(order + k - 1) + found * (self.h / k)
+            self.bends[order] = found
         return self.bends[order]
 
-    def _bounded(self, z: arb_mat) -> arb_mat:
-        """Return an enclosure of a derivative of z over the ball of times by its N; `z` is it where that begins."""
-        mode, norm, bent = self.mode, LocalNorm(self.mode), arb_mat(z)
+    def _bounded(self, order: int) -> arb_mat:
+        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times by its N."""
+        z = self.derivative(order)
+        mode, norm, bent = self.motion.mode, self.motion.norm, arb_mat(z)
         places = mode.polynomial_places
         for k, place in enumerate(places):
             powers = (z[later, 0] * (self.h**n / math.factorial(n)) for n, later in enumerate(places[k:]))
@@ -227,29 +241,33 @@ class Stretched:
 
 
 class LocalNorm:
-    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2, g = |pull|, of a derivative of a motion in one mode and cell.
+    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2 of a derivative of a motion in one mode and cell; g = |pull|.
 
-    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z + v1 u: N grows
-    like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa sqrt(max(0, -pull)), and by int |u| dt/sqrt(m), where m
-    is the mass that the spring moves. A itself is at most `rate` in N.
+    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z + v1 u. So N
+    grows like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa (g - pull)/(2 sqrt(g)), with any g >= |pull|, and
+    by int |u| dt/sqrt(m), where m is the mass that the spring moves. A itself is at most `rate` in N; `fastest` is
+    that, or a sine's.
 
     `speeds` are the greatest v1 and v2 for N = 1, `apart` is that of w. Where friction is one number b, v2 has no
     derivatives in a slip but the first.
     """
 
-    def __init__(self, mode: LinearMode) -> None:
+    def __init__(self, mode: LinearMode, g: Fraction | None = None) -> None:
         """Form the constants, in the present precision."""
+        g = abs(mode.pull) if g is None else g
         pair, number = mode.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
-        self.root_g, kappa = number(abs(mode.pull)).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+        self.root_g, kappa = number(g).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
         self.root_mass, self.is_coupled = number(mode.mass).sqrt(), bool(mode.slope or mode.pull)
         one = 1 / self.root_mass
         self.speeds = one, 1 / self.root_m2 if self.is_coupled else arb(0) if mode.side else one
         self.apart = kappa if self.is_coupled else one
-        square, coupling = kappa * kappa, kappa * self.root_g
-        self.mu = square * number(max(Fraction(0), -mode.slope)) + (coupling if mode.pull < 0 else 0)
+        square, pulled = kappa * kappa, kappa * number((g - mode.pull) / 2) / self.root_g if g else arb(0)
+        self.mu = square * number(max(Fraction(0), -mode.slope)) + pulled
         own = number(pair.a1 / mode.mass) + number(pair.a2 / mode.mass).sqrt()
-        self.rate = own + square * number(abs(mode.slope)) + coupling
+        self.rate = self.fastest = own + square * number(abs(mode.slope)) + kappa * self.root_g
+        for sine in mode.piece.sines:
+            self.fastest = self.fastest.max(number(sine.omega))
 
     def of(self, state: Sequence[arb]) -> arb:
         """Return N of (x1, v1, x2, v2)."""

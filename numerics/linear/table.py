@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, ratio, times
+from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, times
 from numerics.linear.first_root import value_slope
 
 X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
@@ -126,15 +126,15 @@ def generator(pair: Any, terms: int, omegas: Any, is_stick: bool) -> Any:
     A, one, mass = np.zeros((n, n, 2)), Pair(1.0, 0.0), pair_of(pair[1 if is_stick else 0])
     A[X1, V1, 0] = A[X2, V2, 0] = 1.0
     for to in (V1, V2) if is_stick else (V1, V1):
-        put(A[to, X1], ratio(-pair_of(pair[4]), mass))
-        put(A[to, V1], ratio(-pair_of(pair[3]), mass))
+        put(A[to, X1], -pair_of(pair[4]) / mass)
+        put(A[to, V1], -pair_of(pair[3]) / mass)
         if terms > 0:
-            put(A[to, FIRST], ratio(one, mass))
+            put(A[to, FIRST], one / mass)
         for of in range(waves, n, 2):
-            put(A[to, of], ratio(one, mass))
+            put(A[to, of], one / mass)
     if not is_stick:
-        put(A[V1, FRICTION], -ratio(one, mass))
-        put(A[V2, FRICTION], ratio(one, pair_of(pair[2])))
+        put(A[V1, FRICTION], -(one / mass))
+        put(A[V2, FRICTION], one / pair_of(pair[2]))
     for k in range(terms - 1):
         A[FIRST + k, FIRST + k + 1, 0] = k + 1.0
     for k in range(omegas.shape[0]):
@@ -171,7 +171,7 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
             z[:, :] = 0.0
             for i in range(count):
                 if after[i, 0] != 0.0:  # most are 0, and divisions take half of the time
-                    one = ratio(Pair(after[i, 0], after[i, 1]), Pair(k + 1.0, 0.0))
+                    one = Pair(after[i, 0], after[i, 1]) / (k + 1.0)
                     z[i, 0], z[i, 1] = one
                     total[i, 0], total[i, 1] = plus(Pair(total[i, 0], total[i, 1]), one)
         for i in range(count):

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
+from numerics.arithmetic.attempts import SPARE_DIGITS, exhausted, to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.errors import EventUndecided, NumericsError, OutOfRange, PrecisionExhausted
+from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from numerics.linear.record import rounded
 from numerics.scene import Scene
 from numerics.scene.decimals import require_function, require_whole
@@ -26,8 +27,6 @@ if TYPE_CHECKING:
 
 ArithmeticName = Literal["float64", "double-double", "mpmath", "ball"]
 MAX_DIGITS = 20_000
-_GUARD_DIGITS = 12
-"""Working digits beyond those asked for, where nothing is known of the scene."""
 _SPARE_DIGITS = 4
 """Digits that balls get beyond what a run before has shown that the scene costs."""
 _HAS = {"float64": 16, "double-double": 32}
@@ -135,11 +134,12 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
             raise ValueError(f"{arithmetic} has the digits that it has; leave digits out, or the choice of arithmetic")
         return limits.run(scene, _FLOAT64 if arithmetic == "float64" else _DOUBLE_DOUBLE)
     if arithmetic == "mpmath":
-        working = (digits or 30) + _GUARD_DIGITS
-        _require_within_cap(working, digits or 30, limits)
+        working = (digits or 30) + SPARE_DIGITS
+        if working > limits.digits:
+            raise exhausted(working - SPARE_DIGITS, limits.digits)
         return limits.run(scene, Multiprecision(working))
     if arithmetic == "ball":
-        return _solve_to_digits(scene, digits or 15, _GUARD_DIGITS, limits)
+        return _solve_to_digits(scene, digits or 15, SPARE_DIGITS, limits)
     raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, double-double, mpmath, ball")
 
 
@@ -176,10 +176,10 @@ def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
     What one of them has lost of its digits is also what the next will lose.
     """
     tried: list[str] = []
-    guard = _GUARD_DIGITS
+    guard = SPARE_DIGITS
     is_linear, may_round = not free_scene(scene), True
     for arithmetic in (_FLOAT64, _DOUBLE_DOUBLE):
-        name, lost = arithmetic.name, 0 if guard == _GUARD_DIGITS else guard - _SPARE_DIGITS
+        name, lost = arithmetic.name, 0 if guard == SPARE_DIGITS else guard - _SPARE_DIGITS
         if digits > _WORTH_A_TRY[name] or digits + lost > _HAS[name]:
             continue
         if arithmetic is _FLOAT64 and is_linear and digits > _FORCED_IN_FLOATS:
@@ -207,26 +207,11 @@ def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
     return balls.but(tried="; ".join([*tried, f"{digits} are asked for"]))
 
 
-def _require_within_cap(working: int, digits: int, limits: _Limits) -> None:
-    if working > limits.digits:
-        raise PrecisionExhausted(
-            f"{digits} right digits need more than {limits.digits} working digits; raise the cap max_digits"
-        )
-
-
 def _solve_to_digits(scene: Scene, digits: int, guard: int, limits: _Limits) -> Trajectory:
     """Raise the working precision until `digits` digits are right; the digits lost in one try are added in the next."""
-    working = digits + guard
-    while True:
-        _require_within_cap(working, digits, limits)
-        try:
-            trajectory = limits.run(scene, Ball(working))
-            reached = proved_digits(trajectory)
-        except EventUndecided:
-            working *= 2
-            if working > limits.digits:
-                raise
-            continue
-        if reached >= digits:
-            return trajectory.but(digits=digits)
-        working += digits - reached + 5
+
+    def attempt(arithmetic: Ball) -> tuple[Trajectory, int]:
+        found = limits.run(scene, arithmetic)
+        return found, proved_digits(found)
+
+    return to_digits(attempt, digits, limits.digits, guard).but(digits=digits)

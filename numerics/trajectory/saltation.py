@@ -33,6 +33,7 @@ from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
 from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.system import LocalNorm
 from numerics.linear.ties import force_form
 from numerics.scene import Law, Scene
 from numerics.trajectory.columns import STATE, Array
@@ -121,8 +122,8 @@ class Chain:
         tau = t - leg.start
         flow, columns = self.variation(leg.piece, leg.side, leg.cell).over(leg.state, leg.start, tau)
         if self.cells and leg.side:
-            rate = self.cells.growth(self.cells.branch(self.pieces[leg.piece], leg.side, leg.cell))
-            norm = norm * (rate * tau.abs_upper()).exp()
+            mode = self.cells.mode(self.pieces[leg.piece], leg.side, leg.cell)
+            norm = norm * LocalNorm(mode, self.cells.pulling).growth(tau.abs_upper())
         return Carried(flow @ y + columns, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
 
     def _guard_by_norm(self, side: int) -> arb:

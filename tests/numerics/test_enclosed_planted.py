@@ -14,16 +14,16 @@ from sixty_digits import forced_scene
 from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
-from numerics.linear import enclosed
+from numerics.linear import enclosed, next_enclosed
 from numerics.linear.cells import cells_of
 from numerics.linear.enclosed import Run
-from numerics.linear.flow import FEW, Drive, Expansion, Flow, numbers_of
+from numerics.linear.flow import FEW, Expansion, Flow, exponential
 from numerics.linear.next_enclosed import guards_of
 from numerics.linear.path_enclosed import At
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
-from numerics.linear.system import V1, V2, X1, X2, LocalNorm, W, is_positive_on
+from numerics.linear.system import V1, V2, X1, X2, Drive, LocalNorm, W, Z, is_positive_on
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -42,12 +42,9 @@ def test_what_every_step_or_event_is_off_by_is_in_the_bounds(name, place, monkey
     def stated(state):
         return lambda motion, t: [x + e + arb(0, e.upper()) for x, e in zip(state(motion, t), by, strict=False)]
 
-    def next_event(path, at, found=enclosed.next_event):
-        at, root = found(path, at)
-        return at, root and root._replace(tau=root.tau + by[4] + arb(0, by[4].upper()))
-
+    newton = next_enclosed._newton
     monkeypatch.setattr(Expansion, "state", stated(Expansion.state))
-    monkeypatch.setattr(enclosed, "next_event", next_event)
+    monkeypatch.setattr(next_enclosed, "_newton", lambda *given: newton(*given) + by[4])
     found = run(scene, 40, 12)
     assert itinerary(found) == itinerary(exact)
     ours, true = ([x for row in (*events(one), one.end) for x in numbers(scene, row)] for one in (found, exact))
@@ -68,7 +65,7 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
             row, A = rows_of(flow)[root.guard.row], flow.mode.generator()
 
             def guard(t):
-                return root.guard.offset + root.guard.sign * value(row, BALLS.exponential(A, t, z))
+                return root.guard.offset + root.guard.sign * value(row, exponential(A, t, z))
 
             assert not abs(guard(root.tau)) > root.value
             assert not guard(root.tau - root.window) < 0
@@ -84,14 +81,14 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
 
 
 PAIRS = Pair("0.3", 2, 50, 1), Pair("0.3", 2, 50, 1, "0.5"), Pair(2, "0.3", 50, 1, 60)
-BALLS = numbers_of("ball", 40)
+BALLS = Ball(40)
 CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
 
 
 def flows():
     for pair in PAIRS:
-        yield from (Flow(BALLS, pair, slips, 3, (Fraction(3), Fraction(11))) for slips in (False, True))
-        yield from (Flow(BALLS, pair, True, 3, (Fraction(3),), tuple(map(Fraction, one))) for one in CELLS)
+        yield from (Flow(BALLS.bits, pair, slips, 3, (Fraction(3), Fraction(11))) for slips in (False, True))
+        yield from (Flow(BALLS.bits, pair, True, 3, (Fraction(3),), tuple(map(Fraction, one))) for one in CELLS)
 
 
 def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
@@ -113,18 +110,18 @@ def value(row, z):
 def rows_of(flow):
     """The rows of which there are guards."""
     if flow.coupling:
-        return W, ((X1, 1), (X2, -1)), flow.mode.friction
+        return W, Z, flow.mode.friction
     return (W if flow.slips else flow.mode.load,)
 
 
 def _holds(flow, z, t, motion):
     """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
     A = [tuple(enumerate(row)) for row in flow.mode.generator()]
-    there = BALLS.exponential(flow.mode.generator(), t, z)
+    there = exponential(flow.mode.generator(), t, z)
     rate = [value(row, there) for row in A]
     assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
     assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
-    rows = flow.rows(z, 128)
+    rows = flow.rows(z)
     for which, row in enumerate(rows_of(flow)):
         curve, true = motion.row(which), value(row, there)
         assert abs(curve(t) - true) < motion.row_off(which, t, 0) + OFF
@@ -142,13 +139,13 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
     pair, nearest = Pair("0.3", m2, 50, 1, a1), 0.0
     for waves, x, v in (((), "0.1", "0.7"), ((Sine(3, 5, 1), Sine(1, 40)), 0, 0), ((Sine(3, "0.5", 1),), 0, 2)):
         piece = ExactPiece(Fraction(0), Fraction(9), pair.b, (Fraction(1), Fraction(2)), waves, True)
-        flow = Flow(BALLS, pair, slips, 2, tuple(one.omega for one in waves))
+        flow = Flow(BALLS.bits, pair, slips, 2, tuple(one.omega for one in waves))
         state = [Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)]
-        z = [*state, slips * Ball.number(pair.b), *Drive.of(BALLS, piece).force(BALLS, arb(0), 2)]
+        z = [*state, slips * Ball.number(pair.b), *Drive.of(piece).force(arb(0))]
         row = W if slips else flow.mode.load
 
         def guard(t, z, flow=flow, row=row):
-            return value(row, BALLS.exponential(flow.mode.generator(), t, z))
+            return value(row, exponential(flow.mode.generator(), t, z))
 
         for split in splits(flow, piece, int(slips), arb(0), z):
             for k in range(1, 60, 4):
@@ -171,7 +168,7 @@ def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
     cells, piece = cells_of(scene), pieces_of(scene)[0]
     for j in range(len(cells.by_place)):
         mode, branch = cells.mode(piece, 1, (0, j)), cells.branch(piece, 1, (0, j))
-        for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, cells.growth(branch))):
+        for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, LocalNorm(mode, cells.pulling).mu)):
             kept = [X1, V1, X2, V2] if g else [X1, V1, V2]
             N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g) * np.outer(apart, apart)
             A, N2 = (np.array(one, dtype=float)[np.ix_(kept, kept)] for one in (mode.generator(), N2))
@@ -186,7 +183,7 @@ def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
 def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(weakening, order):
     """N = 1: the worst of all differences, by the inverse of the matrix of N^2; up to the end of a step."""
     for pair in PAIRS:
-        path = Run(Scene(pair, State(v1=2), 1, friction=Friction((), weakening)), Ball(40), BALLS)
+        path = Run(Scene(pair, State(v1=2), 1, friction=Friction((), weakening)), BALLS)
         cells = [(1, (k, 1)) for k in range(len(path.cells.speeds))] if weakening else [(0, (0, 0)), (1, (0, 0))]
         for mode, cell in cells:
             one, zero = arb(1), arb(0)
@@ -199,7 +196,7 @@ def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(we
             if mode == 0:  # body 2 goes with body 1
                 onto[3], N2[1, 1], N2[3, 3] = onto[1], float(pair.mass), 0
             A = np.array(flow.mode.generator(), dtype=float)[:4, :4]
-            for guard in guards_of(path, at, flow.rows(z, 128)):
+            for guard in guards_of(path, at, flow.rows(z)):
                 row = np.zeros(5)
                 for place, factor in rows_of(flow)[guard.row]:
                     row[min(place, 4)] = factor
@@ -214,7 +211,7 @@ def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(we
 @pytest.mark.parametrize("t", ["0.5", 2, 9])
 def test_in_a_damped_stick_errors_are_as_large_as_the_flow_makes_them(a1, t):
     pair = Pair(m1=2, m2=1, a2=12, b=1, a1=a1)
-    path, units = Run(Scene(pair, State(), 20), Ball(40), BALLS), np.sqrt([12.0, 3.0])
+    path, units = Run(Scene(pair, State(), 20), BALLS), np.sqrt([12.0, 3.0])
     flow = expm(np.array([[0, 1], [-4, -a1 / 3]]) * float(Fraction(t)))
     true = np.linalg.norm(flow * units[:, None] / units, 2)
     found = float(path.shrunk(arb(1), Ball.number(Fraction(t))).upper())
@@ -284,11 +281,11 @@ def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margi
 
 
 def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
-    path = Run(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), Ball(40), BALLS)
+    path = Run(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
     flow, z = path.here(at)
-    assert all(one.margin > off * 8.999 for one in guards_of(path, at, flow.rows(z, 128)))
+    assert all(one.margin > off * 8.999 for one in guards_of(path, at, flow.rows(z)))
 
 
 def test_a_sign_on_an_interval_is_that_of_all_its_parts():

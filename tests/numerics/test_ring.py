@@ -38,7 +38,7 @@ from numerics.control.pictures import draw_ring
 from numerics.control.response import last_drive
 from numerics.control.ring import Settled, periodic_settled, stretches
 from numerics.control.stuck import stuck_state
-from numerics.linear.system import LocalNorm
+from numerics.linear.system import LocalNorm, Motion
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
@@ -258,3 +258,10 @@ def test_a_piece_that_begins_after_the_horizon_counts():
     assert found.entry > 3
     y = solve(replace(scene, until=Fraction(10))).sol(float(found.entry.mid()) + np.linspace(1e-6, 5, 400))
     assert np.hypot(y[0] - y[2] - float(found.centre), y[1] - y[3]).max() <= 0.0005
+
+
+def test_a_light_body_1_takes_no_finer_parts_for_ever(monkeypatch):
+    scene, parts, over = Scene(Pair("1e-9", 1, 200, "0.5", 60), State(x1="0.02"), 3), [], Motion.over
+    monkeypatch.setattr(Motion, "over", lambda motion, t: parts.append(t) or over(motion, t))
+    ring_entry(scene, "0.001", rate=1)
+    assert len(parts) < 500
