@@ -28,11 +28,9 @@ from numerics.free.motion import (
 )
 from numerics.free.slip import Start
 from numerics.free.start import Begun, Units, begin, in_si
-from numerics.linear.record import AT, How
+from numerics.linear.record import AT, UNKNOWN, How
 
 REACHED, EVENT_LIMIT = int(How.REACHED), int(How.EVENT_LIMIT)
-UNKNOWN = -1
-"""What solve_row returns of a scene that must be converted exactly."""
 _LOCAL, _END, _FRICTION, _DISSIPATED = (AT[name] for name in ("local", "how", "friction", "dissipated_error"))
 _SMALLEST, _LARGEST = 1e-70, 1e70
 """Beyond them a product of four SI numbers may leave the range of binary64: convert exactly."""

@@ -15,7 +15,7 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.kernel import NO_ROOM, TOO_MANY, follow
+from numerics.linear.kernel import TOO_MANY, follow
 from numerics.linear.prepare import Prepared, halves, prepare
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.scene import Scene
@@ -63,7 +63,7 @@ def _run(
     prepared: Prepared, start: NDArray[np.float64], is_decided: bool, clear: float, most: int, *, wide: bool
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return how the kernel ended, its rows, and the row of the end."""
-    run, room, end = compiled(follow), prepared.room, np.zeros(END_ROW)
+    run, room, end = compiled(follow), prepared.room(most), np.zeros(END_ROW)
     while True:
         rows = np.empty((room, ROW))
         pair, drive, tables = prepared.pair, prepared.drive, prepared.tables
@@ -71,9 +71,9 @@ def _run(
             how, count = run(pair, drive, tables, start, is_decided, clear, most, wide, rows, end)
         except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
             return How.OUT_OF_RANGE, rows[:0], end
-        if how != NO_ROOM:
+        if count <= room:
             return how, rows[:count], end
-        room *= 8
+        room = count
 
 
 def _from_exact(

@@ -39,8 +39,8 @@ from numerics.linear.record import AT, ROW
 from numerics.linear.resolve import CONTACT, EXIT, NOTHING, PIECE, SLIP_END, Event, lateness, resolve
 from numerics.linear.table import UNIT, WIDE_UNIT, Tables
 
-GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, NO_ROOM, TOO_MANY = -1, 0, 1, 2, 3, 4, 5, 6
-"""How a call ended, if it did: the first five as in record.How; or more rows, or more steps, are needed."""
+GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
+"""How a call ended, if it did: the first five as in record.How; or more steps are needed."""
 MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
 _LOCAL, _X1, _EXCESS, _LATE = (AT[name] for name in ("local", "x1", "excess", "late"))
@@ -53,7 +53,7 @@ _HOW, _EVENTS, _CERTAIN, _FRICTION, _VISCOUS, _LOST = (
 class Log(NamedTuple):
     """Where a run is recorded: its rows, the row of its end; and of how many events at most.
 
-    Where rows have no room for one more, NO_ROOM if `keeps_all`, else it is left out.
+    A row for the start and for every event; if `keeps_all` for every piece, too. What has no room is left out.
     """
 
     rows: Any
@@ -85,7 +85,7 @@ def follow(
 def follow_in(
     problem: Problem, room: Room, start: Any, is_decided: bool, clear_until: float, log: Log
 ) -> tuple[int, int]:
-    """Follow the modes from a start (a row) to the end of the last piece; return (how, rows written).
+    """Follow the modes from a start (a row) to the end of the last piece; return (how, rows written or left out).
 
     `is_decided`: the mode and the order of the start are known; else they follow from its velocities and load. Up to
     `clear_until` (time in the first piece) no event happens.
@@ -167,17 +167,16 @@ def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_c
 def record(
     problem: Problem, room: Room, now: Now, event: Event, is_event: bool, u: tuple[float, float, float], log: Log
 ) -> int:
-    """Record the start of a segment, if the log has room for it; the last event that it has room for is an end, too."""
-    counts, room_for = room.counts, log.rows.shape[0]
+    """Record the start of a segment, if the log has room for it; the last event that is asked for is an end, too."""
+    counts, room_for, may_end = room.counts, log.rows.shape[0], False
     count = counts[0]
     if is_event and counts[1] == log.most:
         return EVENT_LIMIT
-    if log.keeps_all and count == room_for:
-        return NO_ROOM
-    if is_event or count == 0:
+    begins = is_event or count == 0
+    if begins:
         counts[1], counts[2] = counts[1] + (1 if is_event else 0), count
-    may_end = counts[1] == log.most and counts[2] == count
-    if count < room_for or may_end:
+        may_end = counts[1] == log.most
+    if may_end or (count < room_for and (begins or log.keeps_all)):
         row = log.end if may_end else log.rows[count]
         write(problem, room, row, now, event.late, u)
         row[_ORDER], row[_EVENT] = now.order, 1.0 if is_event else 0.0
@@ -187,7 +186,7 @@ def record(
             for k in range(ROW if count < room_for else 0):
                 log.rows[count, k] = row[k]
     put(room.clock[1], Pair(0.0, 0.0))
-    counts[0] += 1
+    counts[0] += 1 if begins or log.keeps_all else 0
     return GOES_ON
 
 

@@ -32,6 +32,8 @@ sequence, what friction and viscosity took (J, sums of positive terms), a bound 
 AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 """The index of each column."""
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
+UNKNOWN = -1
+"""How a row of a batch ended that compiled code leaves to a run of its own."""
 
 
 _EVENT, _PIECE, _LOCAL, _LENGTH = (AT[name] for name in ("event", "piece", "local", "length"))

@@ -28,6 +28,10 @@ PRECISE = 22
 """So many terms of a series are formed in pairs: later ones, 1.5^22/22! and less, weigh so little that floats do."""
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
+REACH, TERMS = 2.0, 28
+"""rate h of a step in float64, and how many Taylor terms make truncation smaller than rounding."""
+WIDE_REACH, WIDE_TERMS = 1.5, 36
+"""The same in double-double."""
 ORDERS = 8
 """A guard starts with so many vanishing coefficients at most, less one."""
 
@@ -60,6 +64,12 @@ class Tables(NamedTuple):
     """(kinds, 2, 4, 2, n): the same of x1, h v1, x2, h v2."""
     squares: Any
     """(kinds, 2, n, n): int v1^2 dt over the step, as a quadratic form of z; 0 without damping."""
+
+
+@compilable
+def most_terms(coefficients: int, least: int) -> int:
+    """Return how many Taylor terms a table has: an even number, 14 beyond the degree of the polynomial of u or more."""
+    return max(least, coefficients + 14 + coefficients % 2)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
