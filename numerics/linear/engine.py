@@ -53,10 +53,7 @@ def run_pairs(scene: Scene, *, wide: bool, max_events: int, progress: Progress |
         progress(int(end[AT["events"]]), 1.0)
     if not compiled(finish)(rows, end, *prepared.units):
         raise OutOfRange(f'a number of this scene is beyond the range of {_name(wide)}; use arithmetic="ball"')
-    friction, viscous = float(end[AT["friction"]]), float(end[AT["viscous"]])
-    return Record(
-        rows, end, How(how), int(end[AT["events"]]), True, friction, viscous, float(end[AT["dissipated_error"]])
-    )
+    return Record(rows, end, How(how), int(end[AT["events"]]))
 
 
 def _run(
