@@ -18,7 +18,7 @@ from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_in
 from numerics.linear.record import AT, ROW, UNKNOWN, finish
 from numerics.linear.table import FIRST, REACH, TERMS, Tables, form, make_tables, most_terms
 
-_MODE, _X1, _PIECE, _LOCAL, _HOW = (AT[name] for name in ("mode", "x1", "piece", "local", "how"))
+_MODE, _JUMP, _PIECE, _LOCAL, _X1, _HOW = (AT[name] for name in ("mode", "jump", "piece", "local", "x1", "how"))
 
 
 class Columns(NamedTuple):
@@ -57,7 +57,7 @@ def follow_row(
     Tuples of arrays are made here, where no references are counted, which would cost some percent of a row.
     """
     problem, log = Problem(pair, drive, tables, False, has_ledger), Log(kept, end, max_events, False)
-    return follow_in(problem, room, start, start[_MODE] != 0.0, -1.0, log)
+    return follow_in(problem, room, start, -1.0, log)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -114,6 +114,7 @@ def put_bodies(numbers: Any, pair: Any, start: Any) -> tuple[int, int, int]:
     for i in range(4):
         start[_X1 + 2 * i] = math.ldexp(numbers[4 + i], -length + (time if i % 2 else 0))
     start[_MODE] = np.sign(numbers[5] - numbers[7])
+    start[_JUMP] = 1.0 if start[_MODE] == 0.0 else 0.0
     return mass, time, length
 
 

@@ -19,17 +19,7 @@ from typing import Any, NamedTuple
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import Pair, pair_of, put
 from numerics.linear.calm_stick import Calm, step_over
-from numerics.linear.columns import (
-    Constants,
-    Drive,
-    Now,
-    Problem,
-    Room,
-    expand,
-    force_columns,
-    make_room,
-    place_of,
-)
+from numerics.linear.columns import Now, Problem, Room, expand, force_columns, make_room, place_of
 from numerics.linear.error_set import box
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
@@ -37,7 +27,7 @@ from numerics.linear.modes import UNDECIDED as UNDECIDED_MODE
 from numerics.linear.next_event import Next, Step, next_event, step_from
 from numerics.linear.record import AT, ROW
 from numerics.linear.resolve import CONTACT, EXIT, NOTHING, PIECE, SLIP_END, Event, lateness, resolve
-from numerics.linear.table import UNIT, WIDE_UNIT, Tables
+from numerics.linear.table import UNIT, WIDE_UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
 """How a call ended, if it did: the first five as in record.How; or more steps are needed."""
@@ -63,34 +53,20 @@ class Log(NamedTuple):
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def follow(
-    pair: Constants,
-    drive: Drive,
-    tables: Tables,
-    start: Any,
-    is_decided: bool,
-    clear_until: float,
-    most: int,
-    wide: bool,
-    rows: Any,
-    end: Any,
-) -> tuple[int, int]:
-    """Follow the modes (follow_in), all rows and the ledger kept, in a room of its own."""
-    room = make_room(tables.rows.shape[4], tables.rows.shape[5])
-    problem, log = Problem(pair, drive, tables, wide, True), Log(rows, end, most, True)
-    return follow_in(problem, room, start, is_decided, clear_until, log)
+def follow(problem: Problem, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
+    """Follow the modes (follow_in) in a room of its own."""
+    rows = problem.tables.rows
+    return follow_in(problem, make_room(rows.shape[4], rows.shape[5]), start, clear_until, log)
 
 
 @compilable_with(forceinline=False)
-def follow_in(
-    problem: Problem, room: Room, start: Any, is_decided: bool, clear_until: float, log: Log
-) -> tuple[int, int]:
+def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
     """Follow the modes from a start (a row) to the end of the last piece; return (how, rows written or left out).
 
-    `is_decided`: the mode and the order of the start are known; else they follow from its velocities and load. Up to
+    Where the start says `jump` its mode follows from velocities and load; else mode and order are known. Up to
     `clear_until` (time in the first piece) no event happens.
     """
-    now, event = begin(problem, room, start, is_decided)
+    now, event = begin(problem, room, start)
     calm, how = Calm(False, 0, 0), DOUBT
     for step in range(MOST_STEPS):
         u = force_columns(room, problem.drive, now.piece, event.late, problem.wide)
@@ -121,7 +97,7 @@ def follow_in(
 
 
 @compilable
-def begin(problem: Problem, room: Room, start: Any, is_decided: bool) -> tuple[Now, Event]:
+def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, Event]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
     pair, y, scale, E, unit = problem.pair, room.y, room.scale, room.E, WIDE_UNIT if problem.wide else UNIT
     scale[0] = scale[2] = math.sqrt(pair.a2)
@@ -136,7 +112,7 @@ def begin(problem: Problem, room: Room, start: Any, is_decided: bool) -> tuple[N
     put(room.clock[0], pair_of(start[_LOCAL:]))
     put(room.clock[1], Pair(0.0, 0.0))
     now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 1, 1e300, E[0, 0] + E[1, 1] + E[3, 3])
-    return now, Event(PIECE if is_decided else CONTACT, 0.0, 0.0, 0.0)
+    return now, Event(CONTACT if start[_JUMP] == 1.0 else PIECE, 0.0, 0.0, 0.0)
 
 
 @compilable

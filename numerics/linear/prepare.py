@@ -19,7 +19,7 @@ from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
 from numerics.errors import OutOfRange
-from numerics.linear.columns import Constants, Drive, constants
+from numerics.linear.columns import Constants, Drive, Problem, constants
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, ROW
 from numerics.linear.table import (
@@ -57,18 +57,16 @@ class Units(NamedTuple):
 class Prepared(NamedTuple):
     """What the kernel takes, and the units in which it gives."""
 
-    pair: Constants
-    drive: Drive
-    tables: Tables
+    problem: Problem
     start: NDArray[np.float64]
-    is_decided: bool
     units: Units
     pieces: Sequence[ExactPiece]
 
     def room(self, most: int) -> int:
         """Return how many rows are given room for at first, with so many events at most."""
-        fastest = max((self.pair.a2 / self.pair.m1) ** 0.5, float(self.drive.sines[:, 1, 0].max(initial=0.0)))
-        half_turns = float(self.drive.length[:, 0].sum()) * fastest / math.pi
+        pair, drive, *_ = self.problem
+        fastest = max((pair.a2 / pair.m1) ** 0.5, float(drive.sines[:, 1, 0].max(initial=0.0)))
+        half_turns = float(drive.length[:, 0].sum()) * fastest / math.pi
         return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * half_turns))
 
 
@@ -95,23 +93,16 @@ def _turn(bits: int) -> Fraction:
         return exact_middle(2 * arb.pi())
 
 
-class Bodies(NamedTuple):
-    """What the kernel takes of a pair: its constants, m1, M, m2, a1 and a2 as halves, and the units of all numbers."""
-
-    constants: Constants
-    halves: tuple[Halves, ...]
-    units: Units
-
-
 def _exponent(x: Fraction) -> int:
     return x.numerator.bit_length() - x.denominator.bit_length()
 
 
 @lru_cache(maxsize=256)
-def bodies_of(pair: Pair, law: Law) -> Bodies:
-    """Return a pair in units in which M and a2 are about 1, and the other numbers not far from it, if they can.
+def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], Units]:
+    """Return the constants of a pair, its m1, M, m2, a1 and a2 as halves, and the units of all numbers.
 
-    Raises OutOfRange, also where floats do not hold what the answer is told in beside its own numbers: L and E_cr.
+    In these M and a2 are about 1, and the other numbers not far from it, if they can. Raises OutOfRange, also where
+    floats do not hold what the answer is told in beside its own numbers: L and E_cr.
     """
     for value in (pair.half_width, pair.critical_energy):
         if halves(value)[0] == 0.0:
@@ -120,14 +111,14 @@ def bodies_of(pair: Pair, law: Law) -> Bodies:
     units = Units(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
     given = (pair.m1, 0), (pair.mass, 0), (pair.m2, 0), (pair.a1, -1), (pair.a2, -2)
     numbers = tuple([halves(value, units.of(mass=1, time=power)) for value, power in given])
-    return Bodies(constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units)
+    return constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units
 
 
 def prepare(scene: Scene, *, wide: bool) -> Prepared:
     """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange."""
     if wide in scene.made:
         return scene.made[wide]
-    pair, numbers, units = bodies_of(scene.pair, scene.law)
+    pair, numbers, units = _bodies_of(scene.pair, scene.law)
     pieces = pieces_of(scene)
     drive, kinds, longest = _drive(pieces, units)
     tables = _tables(numbers, tuple(kinds), longest, wide)
@@ -135,7 +126,8 @@ def prepare(scene: Scene, *, wide: bool) -> Prepared:
     values = halves(at.x1, place), halves(at.v1, speed), halves(at.x2, place), halves(at.v2, speed)
     start[_STATE] = [half for value in values for half in value]
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
-    scene.made[wide] = found = Prepared(pair, drive, tables, start, gap != 0, units, pieces)
+    start[AT["jump"]] = gap == 0
+    scene.made[wide] = found = Prepared(Problem(pair, drive, tables, wide, True), start, units, pieces)
     return found
 
 
