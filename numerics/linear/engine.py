@@ -98,8 +98,7 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.fl
     rows, units = np.zeros((len(known), ROW)), prepared.units
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
-        for name, code in zip(CODES, (one.mode, one.order, one.is_event, one.is_jump, one.piece), strict=True):
-            row[AT[name]] = code
+        row[: len(CODES)] = one.mode, one.order, one.is_event, one.is_jump, one.piece
         state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
         numbers = zip((one.local, t - before, *state), (*[units.time] * 2, *[units.length, speed] * 2), strict=True)
         row[_NUMBERS] = [half for number in numbers for half in halves(*number)]

@@ -161,7 +161,7 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
     z, after, total, cut = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2)), np.zeros(count)
     for e in range(len(places)):
         to, of = places[e, 0], places[e, 1]
-        A[to, of, 0], A[to, of, 1] = times(Pair(A[to, of, 0], A[to, of, 1]), h)
+        put(A[to, of], times(pair_of(A[to, of]), h))
     for j in range(count):
         z[:, :] = 0.0
         z[j, 0] = 1.0
@@ -176,14 +176,12 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
             for e in range(len(places)):
                 to, of = places[e, 0], places[e, 1]
                 if z[of, 0] != 0.0:
-                    term = product(Pair(A[to, of, 0], A[to, of, 1]), Pair(z[of, 0], z[of, 1]))
-                    after[to, 0], after[to, 1] = plus(Pair(after[to, 0], after[to, 1]), term)
+                    put(after[to], plus(pair_of(after[to]), product(pair_of(A[to, of]), pair_of(z[of]))))
             z[:, :] = 0.0
             for i in range(count):
                 if after[i, 0] != 0.0:  # most are 0, and divisions take half of the time
-                    one = ratio(Pair(after[i, 0], after[i, 1]), Pair(k + 1.0, 0.0))
-                    z[i, 0], z[i, 1] = one
-                    total[i, 0], total[i, 1] = plus(Pair(total[i, 0], total[i, 1]), one)
+                    put(z[i], ratio(pair_of(after[i]), Pair(k + 1.0, 0.0)))
+                    put(total[i], plus(pair_of(total[i]), pair_of(z[i])))
         for i in range(count):
             end[0, i, j], end[1, i, j] = total[i, 0], total[i, 1]
     return cut
