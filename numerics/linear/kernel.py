@@ -157,25 +157,16 @@ def record(
         write(problem, room, row, now, event.late, u)
         row[_ORDER], row[_EVENT] = now.order, 1.0 if is_event else 0.0
         row[_JUMP] = 1.0 if event.kind in (PIECE, CONTACT) else 0.0
-        if may_end:
-            write_ledger(room, row)
-            for k in range(ROW if count < room_for else 0):
-                log.rows[count, k] = row[k]
+        for k in range(ROW if may_end and count < room_for else 0):
+            log.rows[count, k] = row[k]
     put(room.clock[1], Pair(0.0, 0.0))
     counts[0] += 1 if begins or log.keeps_all else 0
     return GOES_ON
 
 
 @compilable
-def write_ledger(room: Room, end: Any) -> None:
-    """Write what was taken up to now."""
-    end[_FRICTION], end[_VISCOUS], end[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
-    end[_FRICTION + 1] = end[_VISCOUS + 1] = 0.0
-
-
-@compilable
 def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tuple[float, float, float]) -> None:
-    """Write the state at the clock, its bounds, and what else record.py says of a row."""
+    """Write the state at the clock, its bounds, what else record.py says of a row, and what was taken up to an end."""
     pair, b = problem.pair, problem.drive.b[now.piece, 0]
     row[_MODE], row[_PIECE] = now.mode, now.piece
     for i in range(2):
@@ -196,6 +187,9 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tupl
     row[_ERRORS], row[_ERRORS + 1] = min(box(E, R, 0), now.N) / scale[0] + far, v1
     row[_ERRORS + 2], row[_ERRORS + 3] = box(E, R, 2) / scale[2] + far, v2
     row[_ERRORS + 4] = 0.0
+    if row.shape[0] > ROW:
+        row[_FRICTION], row[_VISCOUS], row[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
+        row[_FRICTION + 1] = row[_VISCOUS + 1] = 0.0
 
 
 @compilable
@@ -205,6 +199,5 @@ def close(problem: Problem, room: Room, now: Now, how: int, log: Log) -> int:
     if how != EVENT_LIMIT:
         write(problem, room, end, now, 0.0, (0.0, 0.0, 0.0))
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
-        write_ledger(room, end)
     end[_HOW], end[_EVENTS], end[_CERTAIN] = how, counts[1], 1.0
     return counts[2] + 1 if how == EVENT_LIMIT else counts[0]

@@ -10,10 +10,9 @@ from functools import partial
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from kernel_runs import a_scene
-from strategies import scenes
 
 from numerics import (
     Batch,
@@ -99,15 +98,6 @@ def test_the_batch_has_the_results_of_solve():
     found = solve_many(**PAPER, v1=speeds, until=5, keep_events=80)
     for k, v1 in enumerate(speeds):
         require_alone(found, k, Scene(Pair(1, 1, 200, "0.5"), State(v1=Fraction(v1)), 5), bounds=0)
-
-
-@settings(max_examples=5)
-@given(st.lists(scenes(exponents=(-3, 3), periods=(1, 2), damped=None), max_size=4))
-def test_scenes_of_exact_decimals(drawn):
-    found = solve_scenes(drawn, max_events=30)
-    assert found.t.shape == (len(drawn),)
-    for k, scene in enumerate(drawn):
-        require_alone(found, k, scene, 30)
 
 
 SLIDING = Scene(Pair(1, 100, 200, "0.5"), State(v1="0.125", x2=3, v2="3.125"), until=700)
