@@ -11,9 +11,9 @@ import numpy as np
 from numerics import Pair, Scene, State
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.free.bounds import Carried, Errors, without_linear
+from numerics.free.bounds import Errors, in_floats, with_exit
 from numerics.free.engine import begin_in_rows
-from numerics.free.motion import Parameters
+from numerics.free.frame import Begun
 from numerics.free.rows import solve_start
 from numerics.linear.record import AT, END_ROW, ROW
 
@@ -46,22 +46,22 @@ def unit_pair(q: Fraction) -> Pair:
 
 def run(scene: Scene, name: str, planted: Scene | None = None) -> Found:
     """Solve a scene by interpreted code; with the distance of the scene `planted` as an error of its start."""
-    begun, carried, given = begin_in_rows(scene, ARITHMETICS[name])
+    begun, errors, given = begin_in_rows(scene, ARITHMETICS[name])
     if planted is not None:
-        carried = _with_distance(carried, scene, planted)
+        errors = _with_distance(begun, errors, scene, planted)
     rows, end = [[0.0] * ROW for _ in range(MOST + 1)], [0.0] * END_ROW
-    count = solve_start(begun, carried, given, MOST, rows, end)
+    count = solve_start(begun, errors, given, MOST, rows, end)
     return Found(np.array(rows[: count + 1]), np.array(end), end[AT["certain"]] == 1.0)
 
 
-def _with_distance(carried: Carried, scene: Scene, other: Scene) -> Carried:
+def _with_distance(begun: Begun, errors: Errors, scene: Scene, other: Scene) -> Errors:
     x1, v1, _, v2 = (abs(float(getattr(scene.initial, name) - getattr(other.initial, name))) for name in COORDINATES)
     slides = abs(float((scene.initial.x1 - scene.initial.x2) - (other.initial.x1 - other.initial.x2)))
     q, w = float(scene.pair.share), abs(float(scene.energy_excess - other.energy_excess))
     distance = math.sqrt(x1**2 + q * v1**2 + (1 - q) * v2**2)
-    planted = Errors(0, x1 / q, max(v1, v2) / math.sqrt(q), w, 0, slides, 0, distance)
-    errors = Errors(*map(add, carried.errors, planted))
-    return without_linear(Parameters(q, 1 - q, math.sqrt(q), False), errors)
+    planted = Errors(0, x1 / q, max(v1, v2) / math.sqrt(q), w, 0, slides, 0, distance, 0)
+    at, start = in_floats(begun.at, begun.start)
+    return with_exit(at, Errors(*map(add, errors, planted)), start)
 
 
 def draw_scene(random: Random) -> Scene:

@@ -18,7 +18,7 @@ BITS_PER_DIGIT = math.log2(10)
 GUARD_BITS = 8
 EXACT = 10**9
 """Stands for "all digits": the number is exact."""
-sin, atan2, sine_cosine, finite = arb.sin, arb.atan2, arb.sin_cos, arb.is_finite
+atan2, sine_cosine, finite = arb.atan2, arb.sin_cos, arb.is_finite
 resolved = finite
 """Of every finite angle: a phase that is lost shows in the radius."""
 
@@ -50,11 +50,6 @@ def working_digits() -> int:
 def like(x: arb, value: float) -> arb:  # noqa: ARG001
     """Return a float, exactly, as a ball."""
     return arb(value)
-
-
-def rounding(x: arb) -> float:  # noqa: ARG001
-    """Return 0: balls count their errors themselves."""
-    return 0.0
 
 
 def as_float(x: arb) -> float:
@@ -89,11 +84,6 @@ def versine(x: arb) -> arb:
 def sine_deficit(x: arb) -> arb:
     """Return an enclosure of x - sin x that is tight relative to its value (mean value form)."""
     return mean_value(lambda p: p - p.sin(), versine, x, cancelled=2)
-
-
-def cosine_deficit(x: arb) -> arb:
-    """Return an enclosure of x^2/2 - 1 + cos x that is tight relative to its value (mean value form)."""
-    return mean_value(lambda p: p * p / 2 - 1 + p.cos(), sine_deficit, x, cancelled=4)
 
 
 def depth_and_cotangent(x: arb) -> tuple[arb, arb]:
@@ -190,11 +180,6 @@ def exact_middle(x: arb) -> Fraction:
     """Return the midpoint of a ball, exact."""
     middle = x.mid().fmpq()
     return Fraction(int(middle.p), int(middle.q))
-
-
-def nonnegative(x: arb) -> arb:
-    """Return an enclosure of max(x, 0)."""
-    return x.max(arb(0))
 
 
 def widened(x: arb, by: arb) -> arb:

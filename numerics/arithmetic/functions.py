@@ -34,21 +34,16 @@ def _by_type(name: str, says: str) -> Callable[..., Any]:
 
 like = _by_type("like", "Of (x, value): return a float, exactly, as a number of the type of x.")
 as_float = _by_type("as_float", "Return the float nearest to x, or to the midpoint of a ball: it chooses only.")
-rounding = _by_type("rounding", "Return what errors of one operation are counted in, relative; 0 where nobody counts.")
 two_pi = _by_type("two_pi", "Return 2 pi as a number of the type of x.")
 sqrt = _by_type("sqrt", "Return the square root of x >= 0; of a ball, of its points that are >= 0.")
-sin = _by_type("sin", "Return sin x.")
 sine_cosine = _by_type("sine_cosine", "Return (sin x, cos x).")
 atan2 = _by_type("atan2", "Of (y, x): return the angle of the point (x, y).")
-versine = _by_type("versine", "Return 1 - cos x.")
 sine_deficit = _by_type("sine_deficit", "Return x - sin x.")
-cosine_deficit = _by_type("cosine_deficit", "Return x^2/2 - 1 + cos x.")
 depth_and_cotangent = _by_type("depth_and_cotangent", "Return 2 - x cot(x/2), cot(x/2), 0 < x < 2 pi (points: - 1).")
 sign = _by_type("sign", "Of (x, question): return -1, 0, +1; raises EventUndecided where a ball leaves it open.")
 ceiling = _by_type("ceiling", "Of (x, question): return the least whole number >= x, 0 for x <= 0; may raise, as sign.")
 finite = _by_type("finite", "Return whether x is a number.")
 resolved = _by_type("resolved", "Return whether the digits keep the phase of an angle > 0.")
-nonnegative = _by_type("nonnegative", "Return max(x, 0).")
 tolerance = _by_type("tolerance", "Return the relative step at which a search among numbers of the type of x ends.")
 clock = _by_type("clock", "Of (total, rest, term): return their sum, and what its rounding left out, to be added on.")
 
@@ -57,3 +52,20 @@ clock = _by_type("clock", "Of (total, rest, term): return their sum, and what it
 def signed(side: float, x: Number) -> Number:
     """Return side x, for side = -1.0 or +1.0."""
     return x if side > 0.0 else -x
+
+
+@compilable
+def versine(x: Number) -> Number:
+    """Return 1 - cos x = 2 sin^2(x/2), which does not cancel; in floats normal from |x| = 1e-153 on.
+
+    Within 2.1 ulp: for a sine of mantissa m its square has the error (2.2/m + 0.5) u.
+    """
+    sine, _ = sine_cosine(x / 2)
+    return 2 * (sine * sine)
+
+
+@compilable
+def cosine_deficit(x: Number) -> Number:
+    """Return x^2/2 - 1 + cos x = 2 (t - sin t)(t + sin t), t = x/2; in floats normal from |x| = 1e-76 on."""
+    half = x / 2
+    return 2 * sine_deficit(half) * (half + sine_cosine(half)[0])

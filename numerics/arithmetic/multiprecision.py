@@ -11,12 +11,7 @@ import mpmath
 
 from numerics.arithmetic.protocol import Arithmetic, Number
 
-sqrt, sin, atan2 = mpmath.sqrt, mpmath.sin, mpmath.atan2
-
-
-def rounding(x: Number) -> float:  # noqa: ARG001
-    """Return 0: nobody counts errors in mpmath."""
-    return 0.0
+sqrt, atan2 = mpmath.sqrt, mpmath.atan2
 
 
 def like(x: Number, value: float) -> Number:  # noqa: ARG001
@@ -40,30 +35,20 @@ def sine_cosine(x: Number) -> tuple[Number, Number]:
     return sine, cosine
 
 
-def versine(x: Number) -> Number:
-    """Return 1 - cos x as 2 sin^2(x/2)."""
-    return 2 * mpmath.sin(x / 2) ** 2
-
-
 def sine_deficit(x: Number) -> Number:
     """Return x - sin x, with the bits that cancel added to the working precision."""
-    return _precisely(lambda: x - mpmath.sin(x), x, 2)
-
-
-def cosine_deficit(x: Number) -> Number:
-    """Return x^2/2 - 1 + cos x, with the bits that cancel added to the working precision."""
-    return _precisely(lambda: x * x / 2 - 1 + mpmath.cos(x), x, 4)
+    return _precisely(lambda: x - mpmath.sin(x), x)
 
 
 def depth_and_cotangent(x: Number) -> tuple[Number, Number]:
     """Return 2 - x cot(x/2), with the bits that cancel added to the working precision, and cot(x/2)."""
-    return _precisely(lambda: 2 - x * mpmath.cot(x / 2), x, 2), mpmath.cot(x / 2)
+    return _precisely(lambda: 2 - x * mpmath.cot(x / 2), x), mpmath.cot(x / 2)
 
 
-def _precisely(function: Callable[[], Number], x: Any, times: int) -> Number:
-    """Return a value with the bits added that cancel near 0, `times` for each one that |x| is below 1, and a guard."""
+def _precisely(function: Callable[[], Number], x: Any) -> Number:
+    """Return a value with the bits added that cancel near 0, two for each one that |x| is below 1, and a guard."""
     cancelled = max(0, -int(mpmath.mag(x))) if x and mpmath.isfinite(x) else 0
-    with mpmath.extraprec(times * (cancelled + 8)):
+    with mpmath.extraprec(2 * (cancelled + 8)):
         value = function()
     return +value
 
@@ -86,11 +71,6 @@ def finite(x: Number) -> bool:
 def resolved(angle: Number) -> bool:
     """Return whether the digits keep the phase of an angle > 0."""
     return bool(0 < angle <= mpmath.mpf(10) ** (mpmath.mp.dps - 3))
-
-
-def nonnegative(x: Number) -> Number:
-    """Return max(x, 0)."""
-    return max(x, mpmath.mpf(0))
 
 
 def tolerance(x: Number) -> Number:  # noqa: ARG001

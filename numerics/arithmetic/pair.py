@@ -15,7 +15,7 @@ UNIT = 2.0**-105
 """What errors are counted in, relative to the result; the tests hold each function below so many of it.
 
 Sums 1.5, roots 2, products 2.5, quotients 5 (proved, see above). Sine, cosine and arcus tangent 3, versine,
-x - sin x 4, depth 8, x^2/2 - 1 + cos x 16 (next to 2 it cancels): tested against balls, not proved. Sine and cosine are
+x - sin x 4, depth 8, x^2/2 - 1 + cos x 16: tested against balls, not proved. Sine and cosine are
 off by |x| 2^-160 more, absolutely, as pi/2 has three parts: next to a zero that counts. The angle of a contact 32, its
 depth 64.
 """

@@ -12,7 +12,6 @@ from fractions import Fraction
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.elementary import DEPTH_SERIES, horner
 from numerics.arithmetic.pair import (
-    UNIT,
     Pair,
     fast_two_sum,
     nearest,
@@ -32,7 +31,7 @@ _PER_QUARTER = float(2 / _PI)
 _LARGEST = 1e15
 """Next to 1e15 the product with 2/pi, rounded, may be off by an eighth of a quarter turn."""
 _CELLS = 16.0
-_SERIES_BELOW, _COSINE_SERIES_BELOW, _DEPTH_SERIES_BELOW = 1.2, 2.0, 1.5
+_SERIES_BELOW, _DEPTH_SERIES_BELOW = 1.2, 1.5
 
 
 def _exact_sine_and_cosine(x: Fraction) -> tuple[Fraction, Fraction]:
@@ -62,13 +61,10 @@ def _alternating(first: int, count: int, precise: int) -> _Series:
 # For |t| <= 1/32 the terms from t^8 on weigh less than 2^-53
 _SMALL_SINE = _alternating(3, 7, 3)
 _SMALL_VERSINE = _alternating(2, 7, 3)
-# x - sin x = x^3 sum for |x| < 1.2; x^2/2 - 1 + cos x = x^4 sum for |x| < 2
+# x - sin x = x^3 sum for |x| < 1.2
 _SINE = _alternating(3, 16, 9)
-_COSINE = _alternating(4, 18, 11)
 # 2 - x cot(x/2) = x^2 sum, of convergence radius 2 pi
-_DEPTH_BELOW_1_5 = _split(DEPTH_SERIES[:27], 14)
-_DEPTH_BELOW_1 = _split(DEPTH_SERIES[:21], 11)
-_DEPTH_NEAR_0 = _split(DEPTH_SERIES[:12], 7)
+_DEPTH = _split(DEPTH_SERIES[:27], 14)
 
 
 @compilable
@@ -83,21 +79,9 @@ def _polynomial(series: _Series, x: Pair) -> Pair:
 
 
 @compilable
-def rounding(x: Pair) -> float:  # noqa: ARG001
-    """Return the unit of errors."""
-    return UNIT
-
-
-@compilable
 def two_pi(x: Pair) -> Pair:  # noqa: ARG001
     """Return 2 pi."""
     return _TURN
-
-
-@compilable
-def sin(x: Pair) -> Pair:
-    """Return sin x."""
-    return sine_cosine(x)[0]
 
 
 @compilable
@@ -149,13 +133,6 @@ def atan2(y: Pair, x: Pair) -> Pair:
 
 
 @compilable
-def versine(x: Pair) -> Pair:
-    """Return 1 - cos x = 2 sin^2(x/2)."""
-    sine, _ = sine_cosine(x * 0.5)
-    return sine * sine * 2.0
-
-
-@compilable
 def sine_deficit(x: Pair) -> Pair:
     """Return x - sin x; by its series for |x| < 1.2."""
     if abs(x.high) >= _SERIES_BELOW:
@@ -165,29 +142,15 @@ def sine_deficit(x: Pair) -> Pair:
 
 
 @compilable
-def cosine_deficit(x: Pair) -> Pair:
-    """Return x^2/2 - 1 + cos x; by its series for |x| < 2."""
-    square = x * x
-    if abs(x.high) >= _COSINE_SERIES_BELOW:
-        return square * 0.5 - versine(x)
-    return square * square * _polynomial(_COSINE, square)
-
-
-@compilable
 def depth_and_cotangent(x: Pair) -> tuple[Pair, Pair]:
     """Return c = 2 - x cot(x/2) for 0 < x <= 2 pi - 1, and cot(x/2) = (2 - c)/x; by the series of c for x < 1.5."""
-    square = x * x
-    if x.high < 0.25:
-        depth = square * _polynomial(_DEPTH_NEAR_0, square)
-    elif x.high < 1.0:
-        depth = square * _polynomial(_DEPTH_BELOW_1, square)
-    elif x.high < _DEPTH_SERIES_BELOW:
-        depth = square * _polynomial(_DEPTH_BELOW_1_5, square)
-    else:
-        sine, cosine = sine_cosine(x * 0.5)
-        cotangent = cosine / sine
-        return Pair(2.0, 0.0) - x * cotangent, cotangent
-    return depth, (Pair(2.0, 0.0) - depth) / x
+    if x.high < _DEPTH_SERIES_BELOW:
+        square = x * x
+        depth = square * _polynomial(_DEPTH, square)
+        return depth, (Pair(2.0, 0.0) - depth) / x
+    sine, cosine = sine_cosine(x * 0.5)
+    cotangent = cosine / sine
+    return Pair(2.0, 0.0) - x * cotangent, cotangent
 
 
 @compilable
@@ -237,12 +200,6 @@ def ceiling(x: Pair, question: int) -> int:  # noqa: ARG001
         return 0
     whole = math.ceil(x.high)
     return whole + 1 if float(whole) == x.high and x.low > 0.0 else whole
-
-
-@compilable
-def nonnegative(x: Pair) -> Pair:
-    """Return max(x, 0)."""
-    return x if x.high > 0.0 else Pair(0.0, 0.0)
 
 
 @compilable

@@ -28,7 +28,7 @@ from numerics.control.attraction import Passage, distance, passage_at, passages,
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
-from numerics.free.resting_place import creeping_place
+from numerics.free.abel import creeping_place
 from numerics.linear.system import X1, X2, Row, W
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, short

@@ -13,19 +13,26 @@ Their series are computed over the rationals. What a truncated series misses of 
 angle theta on a disc, bounded on its rim by balls, and has a zero of known order at 0: Schwarz's lemma bounds it
 inside, and the sum over all later iterates, which y_k - y_{k+1} >= a' y_k^2 makes finite, bounds the function's error.
 By the inequality of Cusa and Huygens h is convex on (0, 2 pi), so h(theta) >= theta/3 and c is concave in y.
+
+The third one says where a pair that creeps ends up (`creeping_place`): a slip from a ray with y = w/q moves
+z = x1 - x2 by E_cr q (y - F(y))/b.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from typing import Any
 
 import flint
 from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_series
 
 from numerics.arithmetic.ball import Ball, precision, undecided, widened
+from numerics.linear.modes import EventKind
+from numerics.scene import Pair
 
 ORDER = 24
 """Terms of alpha beyond the logarithm; beta has twice as many, as it runs in half powers of y."""
@@ -42,15 +49,17 @@ class AbelFunctions:
         self.q, self.r, self.order = q, 1 - q, order
         with _series_terms(2 * order + 12):
             self._compute_series()
-        self.radius, *self._rims = self._bound_on_rim()
-        # a y up to which all is certified: a lower bound of h(radius)^2, as h(theta) >= theta/3
-        self.largest_argument = (self.radius / 3) ** 2
-        with precision(_RIM_BITS):  # y_k - y_{k+1} = r c^2 >= decay y_k^2: c is concave in y, and c(0) = 0
+        with precision(_RIM_BITS):
+            certified = ((radius, sup) for radius in _RADII if (sup := self._defects_on_rim(radius)) is not None)
+            try:
+                self.radius, self._rims = next(certified)
+            except StopIteration:
+                raise ArithmeticError(f"no disc around the critical orbit is certified for q = {float(q):g}") from None
+            # y_k - y_{k+1} = r c^2 >= decay y_k^2: c is concave in y, and c(0) = 0
             height, deep = height_and_depth(acb(Ball.number(self.radius)))
             self._decay = Ball.number(self.r) * (deep / (height * height)).real.lower() ** 2
-        # the zeros at theta = 0 of alpha(F) - alpha - 1 and of slide(F) + slide - y + F, which begin at y^(order + 2),
-        # and of beta(F) - beta - pi - t, whose part beyond pi alpha begins at epsilon^(2 order + 3)
-        self.alpha_zero_order, self.beta_zero_order = 2 * order + 4, 2 * order + 3
+        # a y up to which all is certified: a lower bound of h(radius)^2, as h(theta) >= theta/3
+        self.largest_argument = (self.radius / 3) ** 2
 
     def _compute_series(self) -> None:
         q, r = fmpq(self.q.numerator, self.q.denominator), fmpq(self.r.numerator, self.r.denominator)
@@ -64,15 +73,11 @@ class AbelFunctions:
         deep = _scaled(depth, q, shift=0)  # c
         falls = deep * deep * (r * q) / (x * x)  # G = r c^2/y in epsilon
         after = x * (one - falls).sqrt()
-        self.time = slip - after.atan() - ((slip - x) / (one - deep * q)).atan()  # t(epsilon)
+        time = slip - after.atan() - ((slip - x) / (one - deep * q)).atan()  # t(epsilon)
         self.a = fmpq(9, 4) * r
-        if any(self.time[k] != 0 for k in range(3)):
-            raise ArithmeticError("the time of a cycle must be pi up to the third order in epsilon")
-        self.beta_coefficients = _solved(-self.time, after, -1, 2, 2 * self.order)
+        self.beta_coefficients = _solved(-time, after, -1, 2, 2 * self.order)
         falls = fmpq_series([falls[2 * k] * q**k for k in range((falls.length() + 1) // 2)])  # in y = epsilon^2/q
         left = falls / (one - falls) / (x * self.a) - 1  # (1/F - 1/y)/a - 1
-        if left[0] != 0:
-            raise ArithmeticError("the return map must be y - a y^2 to second order")
         self.log_coefficient = left[1] / self.a
         left = left + (one - falls).log() * self.log_coefficient
         self.alpha_coefficients = _solved(left, x * (one - falls), -1, 1, self.order)
@@ -83,18 +88,17 @@ class AbelFunctions:
         if not y <= Ball.number(self.largest_argument):
             raise undecided(f"is this excess within the certified {float(self.largest_argument):g}?", y)
         value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients)(y)
-        return widened(value, self._missed(y, self._rims[0], self.alpha_zero_order))
+        return widened(value, self._missed(y, 0, 2 * self.order + 4))
 
     def beta(self, y: arb) -> arb:
         """Return an enclosure of beta(y), the reduced time that iteration adds up."""
         epsilon = (y * Ball.number(self.q)).sqrt()
         value = arb.pi() * self.alpha(y) + _polynomial(self.beta_coefficients)(epsilon)
-        return widened(value, self._missed(y, self._rims[1], self.beta_zero_order))
+        return widened(value, self._missed(y, 1, 2 * self.order + 3))
 
     def slide(self, y: arb) -> arb:
         """Return an enclosure of (y - y_1) - (y_1 - y_2) + (y_2 - y_3) - ..., y_k the iterates of y."""
-        missed = self._missed(y, self._rims[2], self.alpha_zero_order)
-        return widened(_polynomial(self.slide_coefficients)(y), missed)
+        return widened(_polynomial(self.slide_coefficients)(y), self._missed(y, 2, 2 * self.order + 4))
 
     def alpha_inverse(self, value: arb, start: arb) -> arb:
         """Return an enclosure of the y in (0, start] with alpha(y) = value >= alpha(start); alpha falls.
@@ -115,48 +119,40 @@ class AbelFunctions:
             width = 2 * width
         raise undecided("which energy has this Abel function?", y)
 
-    def _missed(self, y: arb, rim: arb, zero_order: int) -> arb:
-        """Return a bound of sum_k |defect(y_k)| over all later iterates: rim (theta_k/radius)^n, theta <= 3 sqrt(y)."""
+    def _missed(self, y: arb, which: int, zero_order: int) -> arb:
+        """Return a bound of sum_k |defect(y_k)| over all later iterates: rim (theta_k/radius)^n, theta <= 3 sqrt(y).
+
+        The zeros at theta = 0 are those of alpha(F) - alpha - 1 and of slide(F) + slide - y + F, which begin at
+        y^(order + 2), and of beta(F) - beta - pi - t, whose part beyond pi alpha begins at epsilon^(2 order + 3).
+        """
         half = arb(zero_order) / 2
         scale = 9 * y / Ball.number(self.radius) ** 2
-        return rim * scale**half * (1 + 1 / (y * self._decay * (half - 1)))
+        return self._rims[which] * scale**half * (1 + 1 / (y * self._decay * (half - 1)))
 
-    def _bound_on_rim(self) -> tuple[Fraction, arb, arb, arb]:
-        """Return the largest disc on which everything is proved analytic, and the sup of each defect on its rim."""
-        with precision(_RIM_BITS):
-            for radius in _RADII:
-                bounds = self._defects_on_rim(radius)
-                if bounds is not None:
-                    return radius, *bounds
-        raise ArithmeticError(f"no disc around the critical orbit is certified for q = {float(self.q):g}")
-
-    def _defects_on_rim(self, radius: Fraction) -> tuple[arb, arb, arb] | None:
+    def _defects_on_rim(self, radius: Fraction) -> list[arb] | None:
         """Return the sup of each defect on |theta| = radius; None if a factor may vanish inside.
 
         By the maximum principle |G| < 1, |q c| < 1, |eps'| < 1 and |landing| < 1 on the rim hold on the disc.
         """
-        q, r, a, b = (acb(one) for one in (*map(Ball.number, (self.q, self.r)), arb(self.a), arb(self.log_coefficient)))
-        sqrt_q, sup = q.sqrt(), [arb(0), arb(0), arb(0)]
-        of_alpha, of_beta, of_slide = (
-            acb_poly(_polynomial(one))
-            for one in (self.alpha_coefficients, self.beta_coefficients, self.slide_coefficients)
-        )
+        (q, r), sup = map(Ball.number, (self.q, self.r)), [arb(0)] * 3
+        all_series = self.alpha_coefficients, self.beta_coefficients, self.slide_coefficients
+        of_alpha, of_beta, of_slide = (acb_poly(_polynomial(one)) for one in all_series)
         for theta in arcs(radius):
             height, deep = height_and_depth(theta)
             y, falls = height * height, r * (deep / height) ** 2
-            after, epsilon = y * (1 - falls), sqrt_q * height
+            after, epsilon = y * (1 - falls), q.sqrt() * height
             epsilon_after = epsilon * (1 - falls).sqrt()
-            landed = sqrt_q * (theta - height) / (1 - q * deep)
-            if not all(abs(one) < arb(1) for one in (falls, q * deep, epsilon_after, landed)):
+            landed = q.sqrt() * (theta - height) / (1 - q * deep)
+            if not all(abs(one) < 1 for one in (falls, q * deep, epsilon_after, landed)):
                 return None
-            time = sqrt_q * theta - epsilon_after.atan() - landed.atan()
             defects = (
-                falls / (a * after) - 1 + b * (1 - falls).log() + of_alpha(after) - of_alpha(y),
-                of_beta(epsilon_after) - of_beta(epsilon) - time,
+                falls / (arb(self.a) * after) - 1 + arb(self.log_coefficient) * (1 - falls).log()
+                + of_alpha(after) - of_alpha(y),
+                of_beta(epsilon_after) - of_beta(epsilon) - (q.sqrt() * theta - epsilon_after.atan() - landed.atan()),
                 of_slide(y) + of_slide(after) - y * falls,
-            )
+            )  # fmt: skip
             sup = [worst.max(abs(one).upper()) for worst, one in zip(sup, defects, strict=True)]
-        return (sup[0], sup[1], sup[2]) if all(one.is_finite() for one in sup) else None
+        return sup if all(one.is_finite() for one in sup) else None
 
 
 _kept = lru_cache(maxsize=8)(AbelFunctions)
@@ -180,6 +176,47 @@ def abel_functions(share: Fraction, digits: int, y: arb) -> AbelFunctions | None
     return found if y <= Ball.number(found.largest_argument) else None
 
 
+@dataclass(frozen=True)
+class RestingPlace:
+    """The limit of x1 - x2 (m), an enclosure, and what is known from some event on.
+
+    From event `index` (counted from 0; -1: the start) on |z - limit| <= `reach` (m) and |w| <= `speed` (m/s), for ever.
+    """
+
+    limit: arb
+    index: int
+    reach: arb
+    speed: arb
+
+
+def creeping_place(trajectory: Any, pair: Pair, near: float, since: Fraction) -> RestingPlace | None:
+    """Return the resting place of a pair that creeps, read from an exit after the time `since` (s), or None.
+
+    From then on no force acts on the pair, or a constant one, which only shifts x1. a1 = 0. `near`: from the event on
+    reach and speed are at most this, each in its SI unit. The trajectory is of balls; in the arithmetic's context.
+    """
+    if pair.a1 > 0:
+        return None
+    number, digits = Ball.number, trajectory.arithmetic.digits
+    unit = number(pair.critical_energy * pair.share / pair.b)
+    for index, event in enumerate(trajectory.events):
+        x1, v1, x2, _ = event.y
+        # on the ray the spring has the energy E_cr, a constant force shifts x1 only: the excess is that of the velocity
+        y = number(pair.mass / (2 * pair.critical_energy * pair.share)) * v1 * v1
+        is_exit = event.kind is EventKind.EXIT and event.t > number(since)
+        abel = abel_functions(pair.share, digits, y) if is_exit else None
+        if abel is None:
+            continue
+        # c(y) <= 3 y/2 bounds a slip's way; its angle is at most 3 sqrt(y), and w'' <= (a2/m1)|v1| while body 1 moves
+        # outwards
+        reach = (unit * number(1 - pair.share) * (9 * y * y / 4)).upper()
+        speed = (abs(v1) * 9 * y / 2).upper()
+        if reach.max(speed) < near:
+            limit = x1 - x2 + event.after.sign * unit * abel.slide(y)
+            return RestingPlace(limit, index, reach, speed)
+    return None
+
+
 def height_and_depth(theta: acb) -> tuple[acb, acb]:
     """Return h(theta) and c(theta) for a complex slip angle away from 0."""
     half = theta / 2
@@ -197,8 +234,10 @@ def arcs(radius: Fraction) -> Iterator[acb]:
 def _solved(left: fmpq_series, after: fmpq_series, sign: int, place: int, count: int) -> list[fmpq]:
     """Return c_1, c_2, ... with left + sum c_k (after^k + sign x^k) = 0, order by order.
 
-    after = x - ..., and the k-th bracket begins at the power k + place.
+    after = x - ..., and the k-th bracket begins at the power k + place: `left` must not begin before the first one.
     """
+    if any(left[k] != 0 for k in range(1 + place)):
+        raise ArithmeticError("the return map must be y - a y^2, and the time of a cycle pi, up to the third order")
     power, power_after, found = fmpq_series([1]), fmpq_series([1]), []
     for k in range(1, count + 1):
         power, power_after = power * fmpq_series([0, 1]), power_after * after

@@ -14,11 +14,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from numerics.arithmetic import elementary
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.functions import as_float, rounding
+from numerics.arithmetic.functions import as_float, cosine_deficit, sine_deficit, versine
 from numerics.arithmetic.protocol import Number
-from numerics.free.motion import RAY, STICK, SURFACE, Landing, Parameters, State, stick_reach
+from numerics.free.frame import Begun
+from numerics.free.motion import FREE, RAY, STICK, Landing, Parameters, Reach, State, stick_reach
 from numerics.free.slip import Start
 
 UNDERFLOW = 1e-290
@@ -30,7 +30,7 @@ class Errors(NamedTuple):
 
     Of its time; of the slip variables d and u (in stick: of the offset from the edge over q, and of V over sqrt q); of
     w; of the sum of |dZ| over all slips; of Z. The state is within `norm` of the true trajectory, shifted in time by at
-    most `shift`.
+    most `shift`. In a stick phase that is left, of the time of its exit.
     """
 
     late: float
@@ -41,30 +41,7 @@ class Errors(NamedTuple):
     place: float
     shift: float
     norm: float
-
-
-class Linear(NamedTuple):
-    """A slip from an exit ray to first order in w: what the stick phase after it needs to add both durations up.
-
-    d(duration)/dw, d(offset)/dw, d(side V)/dw and d(w')/dw; the error of w before, and the roundings of the slip alone.
-    """
-
-    length: float
-    offset: float
-    velocity: float
-    excess: float
-    w: float
-    late: float
-    own_offset: float
-    own_velocity: float
-    own_w: float
-
-
-class Carried(NamedTuple):
-    """The errors at the start of a motion, and the first-order part of those of a slip from a ray."""
-
-    errors: Errors
-    linear: Linear
+    exit: float
 
 
 class Off(NamedTuple):
@@ -98,70 +75,77 @@ def in_floats(at: Parameters, start: Start) -> tuple[Parameters, Start]:
         as_float(start.rest),
         as_float(start.spent),
     )
-    return Parameters(as_float(at.q), as_float(at.r), as_float(at.sqrt_q), at.literal), numbers
-
-
-@compilable
-def without_linear(at: Parameters, errors: Errors) -> Carried:
-    """Return the errors of a stick phase that does not follow a slip from a ray: there is no first-order part."""
-    own_offset, own_velocity = at.q * errors.gap, at.sqrt_q * errors.push
-    return Carried(errors, Linear(0.0, 0.0, 0.0, 1.0, 0.0, errors.late, own_offset, own_velocity, errors.w))
+    return Parameters(as_float(at.q), as_float(at.r), as_float(at.sqrt_q), at.literal, at.unit), numbers
 
 
 @compilable
 def lost() -> Errors:
     """Return the errors of a trajectory of which not even the next mode is certain."""
     inf = math.inf
-    return Errors(inf, inf, inf, inf, inf, inf, inf, inf)
+    return Errors(inf, inf, inf, inf, inf, inf, inf, inf, inf)
 
 
 @compilable
-def initial(at: Parameters, start: Start, V1: Number, V2: Number) -> Carried:
+def initial(begun: Begun) -> Errors:
     """Return the errors of a start whose numbers are exact rationals, rounded."""
-    unit, (pair, begun) = rounding(at.q), in_floats(at, start)
-    moving = pair.sqrt_q * abs(as_float(V1)) + math.sqrt(pair.r) * abs(as_float(V2))
-    gap, push = 2 * unit * abs(begun.gap), 4 * unit * abs(begun.push)
+    unit, (at, start) = begun.at.unit, in_floats(begun.at, begun.start)
+    moving = at.sqrt_q * abs(as_float(begun.V1)) + math.sqrt(at.r) * abs(as_float(begun.V2))
+    gap, push = 2 * unit * abs(start.gap), 4 * unit * abs(start.push)
     if start.kind == STICK:
-        gap, push = gap / pair.q, push / pair.sqrt_q
-    w, place, norm = 2 * unit * abs(begun.w), 2 * unit * abs(begun.Z), 4 * unit * (abs(begun.X) + moving)
-    return without_linear(pair, Errors(0.0, gap, push, w, 0.0, place, 0.0, norm))
+        gap, push = gap / at.q, push / at.sqrt_q
+    w, place, norm = 2 * unit * abs(start.w), 2 * unit * abs(start.Z), 4 * unit * (abs(start.X) + moving)
+    return with_exit(at, Errors(0.0, gap, push, w, 0.0, place, 0.0, norm, 0.0), start)
 
 
 @compilable
-def after_event(at: Parameters, before: Start, carried: Carried, end: Landing, after: Start) -> Carried:
+def with_exit(at: Parameters, errors: Errors, start: Start) -> Errors:
+    """Return the errors at the start of a motion, in stick with that of its exit; all in binary64."""
+    late, gap, push, w, slide, place, shift, norm, leaves = errors
+    if start.kind == STICK and start.w > 0.0:
+        leaves = _exit(at, late, gap, push, w, stick_reach(start))
+    return Errors(late, gap, push, w, slide, place, shift, norm, leaves)
+
+
+@compilable
+def _exit(at: Parameters, late: float, gap: float, push: float, w: float, to: Reach) -> float:
+    """Return the error of the time at which a stick phase ends, 2 atan2(below, reach) after its start."""
+    square = to.below * to.below + to.reach * to.reach
+    own = to.reach * (at.q * gap) + to.below * (at.sqrt_q * push + w / (2.0 * to.root))
+    length = math.pi * to.below / math.sqrt(square)  # at least 2 atan2(below, reach), as reach > 0
+    return late + 2.0 * own / square + 8.0 * at.unit * length
+
+
+@compilable
+def after_event(at: Parameters, before: Start, errors: Errors, end: Landing, after: Start) -> Errors:
     """Return the errors at the start of the motion `after`, which follows `before`."""
-    errors, linear = _ended(at, before, carried, end)
+    pair, start = in_floats(at, after)
+    errors = _ended(at, before, errors, end, start)
     if before.kind == STICK:
-        return Carried(errors, linear)
-    q, beyond = as_float(at.q), as_float(-(2 + at.q * end.gap))
-    unsure = not abs(beyond) > q * errors.gap or (beyond < 0.0 and not abs(as_float(end.w)) > errors.w)
+        return errors
+    beyond = as_float(-(2 + at.q * end.gap))
+    unsure = not abs(beyond) > pair.q * errors.gap or (beyond < 0.0 and not abs(start.w) > errors.w)
     if unsure and not at.literal:
-        errors = lost()
-    if after.kind != STICK:  # the gap is that beyond the other edge, -(2 + offset)/q, rounded
-        gap = errors.gap + 4.0 * rounding(at.q) * (4.0 / q + as_float(after.gap))
-        late, _, push, w, slide, place, shift, norm = errors
-        errors = Errors(late, gap, push, w, slide, place, shift, norm)
-    return Carried(errors, linear)
+        return lost()
+    if start.kind == STICK:
+        return errors if before.kind == RAY else with_exit(pair, errors, start)
+    # the gap is that beyond the other edge, -(2 + offset)/q, rounded
+    gap = errors.gap + 4.0 * at.unit * (4.0 / pair.q + start.gap)
+    late, _, push, w, slide, place, shift, norm, leaves = errors
+    return Errors(late, gap, push, w, slide, place, shift, norm, leaves)
 
 
 @compilable
-def _ended(at: Parameters, before: Start, carried: Carried, end: Landing) -> Carried:
+def _ended(at: Parameters, before: Start, errors: Errors, end: Landing, after: Start) -> Errors:
     """Return the errors at the end of a motion."""
-    unit, errors, (pair, start) = rounding(at.q), carried.errors, in_floats(at, before)
+    pair, start = in_floats(at, before)
     if start.kind == STICK:
-        exit_at = stick_reach(before)
-        below, reach, root = as_float(exit_at.below), as_float(exit_at.reach), as_float(exit_at.root)
-        turned = 1.0 if exit_at.side == start.side else -1.0
-        return Carried(_after_stick(pair, unit, carried, below, reach, root, turned), carried.linear)
+        return _after_stick(pair, errors, start.w)
     landed = Landing(
         as_float(end.theta), as_float(end.gap), as_float(end.slid), as_float(end.w), end.versine, end.spared
     )
     if start.kind == RAY:
-        return _after_ray(pair, unit, errors, start, landed)
-    if start.kind == SURFACE:
-        depth = as_float(-end.gap - before.gap)
-        return without_linear(pair, _after_surface(pair, unit, errors, start, landed, depth))
-    return without_linear(pair, _after_free(pair, unit, errors, start, landed))
+        return _after_ray(pair, errors, start, landed, after)
+    return _after_slip(pair, errors, start, landed, as_float(-end.gap - before.gap))
 
 
 @compilable
@@ -181,171 +165,140 @@ def _speed(at: Parameters, reach: float, motion: float) -> float:
 
 
 @compilable
-def _after_ray(at: Parameters, unit: float, errors: Errors, start: Start, end: Landing) -> Carried:
-    """Return the errors at the end of a slip from an exit ray, of which all is a function of w = q u^2."""
-    q, r, sqrt_q, w = at.q, at.r, at.sqrt_q, start.w
+def _after_ray(at: Parameters, errors: Errors, start: Start, end: Landing, after: Start) -> Errors:
+    """Return the errors at the end of a slip from an exit ray, of which all is a function of w = q u^2.
+
+    The durations of the slip and of a stick phase after it depend on w in opposite ways: their sum is what counts.
+    """
+    unit, q, r, sqrt_q, w = at.unit, at.q, at.r, at.sqrt_q, start.w
     theta, depth, push = end.theta, -end.gap, math.sqrt(w / q)
     push_w = 0.5 * push / w
     theta_w = push_w * end.versine / depth
-    depth_w = push * theta_w
-    excess_w = 1.0 - r * end.versine
+    depth_w, turn_w, excess_w = push * theta_w, push_w - theta_w, 1.0 - r * end.versine
     own_w = unit * (w + end.w + 56.0 * (r * q * depth * depth) + 6.0 * w * r * end.versine)
     own_gap, own_push = 24.0 * unit * depth, unit * (8.0 * theta + 3.0 * push)
-    own_late = errors.late + 8.0 * unit * sqrt_q * theta
-    gap, turn = own_gap + depth_w * errors.w, own_push + abs(push_w - theta_w) * errors.w
-    late = own_late + sqrt_q * theta_w * errors.w
-    slid = q * depth * (depth_w * errors.w + 24.0 * unit * depth)
-    norm = q * gap + sqrt_q * turn + 4.0 * unit
-    w_error, place = own_w + abs(excess_w) * errors.w, errors.place + slid + 4.0 * unit * abs(start.Z)
-    linear = Linear(
-        sqrt_q * theta_w,
-        -q * depth_w,
-        sqrt_q * (push_w - theta_w),
-        excess_w,
-        errors.w,
-        own_late,
-        q * own_gap,
-        sqrt_q * own_push,
-        own_w,
-    )
-    return Carried(Errors(late, gap, turn, w_error, errors.slide + slid, place, late, norm), linear)
-
-
-@compilable
-def _after_surface(at: Parameters, unit: float, errors: Errors, start: Start, end: Landing, depth: float) -> Errors:
-    """Return the errors at the end of a slip from S: by its linear map, or by the contraction."""
-    q, r, sqrt_q, gap, push, theta = at.q, at.r, at.sqrt_q, start.gap, start.push, end.theta
-    rate = depth + gap
-    rise = push + gap * (2.0 - depth) / theta  # h = u + d cot(theta/2)
-    # the linear map of this slip: dtheta = (du + cot dd) (1 - cos)/(c + d)
-    slope = end.versine / rate
-    by_gap = abs(2.0 - depth) / theta * slope
-    turned = by_gap * errors.gap + slope * errors.push + 4.0 * unit * theta
-    deeper = abs(rise) * turned + 8.0 * unit * depth
-    lost_more = rate * deeper + depth * errors.gap
-    w_by_map = errors.w + 2.0 * r * q * lost_more + 16.0 * unit * (r * q * depth * (depth + 2.0 * gap))
-    reach, motion = (1.0 + gap) + abs(push), abs(push) + theta
-    norm = errors.norm + unit * (8.0 * q * (reach + depth) + 8.0 * sqrt_q * motion + 4.0)
-    late = _passing(norm * math.sqrt(1.0 / q + 1.0 / r), rate, reach / sqrt_q)
-    section = norm + late * _speed(at, reach, motion)
-    slid = q * (lost_more + 8.0 * unit * depth * (depth + 2.0 * gap))
-    size = 1.0 + math.sqrt(abs(1.0 + end.w))
+    own_late, leaves = errors.late + 8.0 * unit * sqrt_q * theta, 0.0
+    if after.kind == STICK and after.w > 0.0:
+        to = stick_reach(after)
+        side = to.side * after.side  # 1 if it leaves by the edge next to which it began
+        reach_w = side * sqrt_q * turn_w + excess_w / (2.0 * to.root)
+        turned_w = (to.reach * side * q * depth_w - to.below * reach_w) / (to.below * to.below + to.reach * to.reach)
+        leaves = abs(sqrt_q * theta_w + 2.0 * turned_w) * errors.w + _exit(at, own_late, own_gap, own_push, own_w, to)
+    gap, turn = own_gap + depth_w * errors.w, own_push + abs(turn_w) * errors.w
+    late, slid = own_late + sqrt_q * theta_w * errors.w, q * depth * gap
     return Errors(
-        min(errors.shift + late, errors.late + sqrt_q * turned) + 4.0 * unit * sqrt_q * theta,
-        min(section / q, errors.gap + deeper + 4.0 * unit * rate),
-        min(section / sqrt_q, errors.push + turned + 4.0 * unit * motion),
-        min(4.0 * size * norm, w_by_map) + 8.0 * unit * (start.w if start.w <= 1.0 else size * size),
+        late,
+        gap,
+        turn,
+        own_w + abs(excess_w) * errors.w,
         errors.slide + slid,
         errors.place + slid + 4.0 * unit * abs(start.Z),
-        errors.shift,
-        norm,
+        late,
+        q * gap + sqrt_q * turn + 4.0 * unit,
+        leaves,
     )
 
 
 @compilable
-def _after_free(at: Parameters, unit: float, errors: Errors, start: Start, end: Landing) -> Errors:
-    """Return the errors at the end of a slip from off the surface."""
-    q, sqrt_q, theta, reach = at.q, at.sqrt_q, end.theta, abs(1.0 + start.gap) + abs(start.push)
-    motion = abs(start.driven) + theta + reach
-    norm = errors.norm + unit * (8.0 * q * reach + 8.0 * sqrt_q * (motion + start.guard) + 4.0)
-    error = norm * math.sqrt(1.0 / q + 1.0 / at.r)
+def _after_slip(at: Parameters, errors: Errors, start: Start, end: Landing, depth: float) -> Errors:
+    """Return the errors at the end of any other slip: by the contraction; from S also by its linear map."""
+    unit, q, r, sqrt_q, gap, push, theta = at.unit, at.q, at.r, at.sqrt_q, start.gap, start.push, end.theta
+    is_free, reach = start.kind == FREE, abs(1.0 + gap) + abs(push)
+    motion, grown = (abs(start.driven) + theta + reach, 0.0) if is_free else (abs(push) + theta, depth)
+    norm = errors.norm + unit * (8.0 * q * (reach + grown) + 8.0 * sqrt_q * (motion + start.guard) + 4.0)
+    error = norm * math.sqrt(1.0 / q + 1.0 / r)
     late = math.inf if 4.0 * error >= sqrt_q * end.spared else _passing(error, -end.gap, reach / sqrt_q)
-    section = norm + late * _speed(at, reach, motion)
-    slid = 2.0 * error * sqrt_q * theta + 8.0 * unit * q * (start.guard + reach + theta) * theta
-    size = 1.0 + abs(start.gap) * q + sqrt_q * motion
+    section, late = norm + late * _speed(at, reach, motion), errors.shift + late
+    gap_error, push_error = section / q, section / sqrt_q
+    if is_free:
+        size = 1.0 + abs(gap) * q + sqrt_q * motion
+        w, slid = (
+            4.0 * size * norm,
+            2.0 * error * sqrt_q * theta + 8.0 * unit * q * (start.guard + reach + theta) * theta,
+        )
+    else:
+        # dtheta = (du + cot dd) (1 - cos)/(c + d), and c' = h = u + d cot(theta/2)
+        slope, cotangent = end.versine / (depth + gap), (2.0 - depth) / theta
+        turned = abs(cotangent) * slope * errors.gap + slope * errors.push + 4.0 * unit * theta
+        deeper = abs(push + gap * cotangent) * turned + 8.0 * unit * depth
+        lost_more, way = (depth + gap) * deeper + depth * errors.gap, depth * (depth + 2.0 * gap)
+        size, slid = 1.0 + math.sqrt(abs(1.0 + end.w)), q * (lost_more + 8.0 * unit * way)
+        late = min(late, errors.late + sqrt_q * turned)
+        gap_error = min(gap_error, errors.gap + deeper + 4.0 * unit * (depth + gap))
+        push_error = min(push_error, errors.push + turned + 4.0 * unit * motion)
+        w = min(4.0 * size * norm, errors.w + 2.0 * r * q * lost_more + 16.0 * unit * (r * q * way))
     return Errors(
-        errors.shift + late + 4.0 * unit * sqrt_q * theta,
-        section / q,
-        section / sqrt_q,
-        4.0 * size * norm + 8.0 * unit * size * size,
+        late + 4.0 * unit * sqrt_q * theta,
+        gap_error,
+        push_error,
+        w + 8.0 * unit * (start.w if start.w <= 1.0 and not is_free else size * size),
         errors.slide + slid,
         errors.place + slid + 4.0 * unit * abs(start.Z),
         errors.shift,
         norm,
+        0.0,
     )
 
 
 @compilable
-def _after_stick(
-    at: Parameters, unit: float, carried: Carried, below: float, reach: float, root: float, turned: float
-) -> Errors:
-    """Return the errors on the exit ray: duration 2 atan2(below, reach), reach = side V + root, root = sqrt w.
-
-    turned: 1 if it leaves by the edge next to which it began, else -1. After a slip from a ray the durations of slip
-    and stick depend on w in opposite ways: their sum is what counts.
-    """
-    errors, linear = carried
-    offset_w, reach_w = -turned * linear.offset, turned * linear.velocity + linear.excess / (2.0 * root)
-    square = below * below + reach * reach
-    length = math.pi * below / math.sqrt(square)  # at least 2 atan2(below, reach), as reach > 0
-    length_w = linear.length + 2.0 * (reach * offset_w - below * reach_w) / square
-    own = reach * linear.own_offset + below * (linear.own_velocity + linear.own_w / (2.0 * root))
-    late = linear.late + abs(length_w) * linear.w + 2.0 * own / square + 8.0 * unit * length
-    if not errors.w < 0.5 * root * root:
-        late = math.inf
-    push = (errors.w / root + 4.0 * unit * root) / at.sqrt_q
-    return Errors(late, 0.0, push, errors.w, errors.slide, errors.place, late, errors.w / root + 4.0 * unit)
+def _after_stick(at: Parameters, errors: Errors, w: float) -> Errors:
+    """Return the errors on the exit ray."""
+    root, leaves = math.sqrt(w), errors.exit if errors.w < 0.5 * w else math.inf
+    push = errors.w / root + 4.0 * at.unit * root
+    norm = errors.w / root + 4.0 * at.unit
+    return Errors(leaves, 0.0, push / at.sqrt_q, errors.w, errors.slide, errors.place, leaves, norm, 0.0)
 
 
 @compilable
-def before_horizon(
-    at: Parameters, start: Start, carried: Carried, end: Landing, tau: Number, horizon: Number
-) -> Carried:
+def before_horizon(at: Parameters, start: Start, errors: Errors, end: Landing, tau: Number, horizon: Number) -> Errors:
     """Return the errors, lost where the event that was found at tau, after the horizon, may come before it."""
-    late = _ended(at, start, carried, end).errors.late
-    sure = as_float(tau - horizon) > late + 4.0 * rounding(at.q) * as_float(horizon)
-    return carried if sure else Carried(lost(), carried.linear)
+    late = _ended(at, start, errors, end, in_floats(at, start)[1]).late
+    sure = as_float(tau - horizon) > late + 4.0 * at.unit * as_float(horizon)
+    return errors if sure else lost()
 
 
 @compilable
-def _spent(at: Parameters, unit: float, slide: float, spent: Number) -> float:
+def _spent(at: Parameters, slide: float, spent: Number) -> float:
     """Return a bound on the error of what friction has taken."""
-    return 2.0 * as_float(at.r) * slide + 8.0 * unit * as_float(spent) + UNDERFLOW
+    return 2.0 * as_float(at.r) * slide + 8.0 * at.unit * as_float(spent) + UNDERFLOW
 
 
 @compilable
 def at_start(at: Parameters, start: Start, errors: Errors, here: State) -> Off:
     """Return the errors of the state with which a motion starts at an event."""
-    unit = rounding(at.q)
+    unit = at.unit
     x = as_float(at.q) * errors.gap + 2.0 * unit * abs(as_float(start.X))
     v = as_float(at.sqrt_q) * errors.push + 2.0 * unit * abs(as_float(here.V1))
-    spent = _spent(at, unit, errors.slide, start.spent)
+    spent = _spent(at, errors.slide, start.spent)
     return Off(errors.late, x, v, v, errors.place, errors.w, spent, math.isfinite(errors.late))
 
 
 @compilable
 def at_horizon(at: Parameters, start: Start, errors: Errors, end: State, tau: Number, horizon: Number) -> Off:
     """Return the errors of the state at the horizon, tau after the start of the last motion."""
-    rounded = 4.0 * rounding(at.q) * as_float(horizon)
+    rounded = 4.0 * at.unit * as_float(horizon)
     since = as_float(horizon - start.tau)
     if not since >= errors.late + (rounded if as_float(start.tau) > 0.0 else 0.0):
         errors = lost()
     late, shift = errors.late + rounded, errors.shift + rounded
     pair, begun = in_floats(at, start)
-    if start.kind == STICK:
-        return _in_stick_at(pair, begun, errors, late, shift, rounding(at.q))
-    return _in_slip_at(pair, begun, errors, end, as_float(tau), late, shift, rounding(at.q))
-
-
-@compilable
-def _in_stick_at(at: Parameters, start: Start, errors: Errors, late: float, shift: float, unit: float) -> Off:
-    """Return the errors during a stick phase: one rotation."""
-    turning = math.sqrt(start.X * start.X + start.push * start.push)
-    moved = at.q * errors.gap + at.sqrt_q * errors.push
-    error = min(errors.norm + turning * shift, moved + turning * late) + 8.0 * unit * turning
-    place, spent = errors.place + 2.0 * unit * abs(start.Z), _spent(at, unit, errors.slide, start.spent)
+    if start.kind != STICK:
+        return _in_slip_at(pair, begun, errors, end, as_float(tau), late, shift)
+    # one rotation
+    turning = math.sqrt(begun.X * begun.X + begun.push * begun.push)
+    moved = pair.q * errors.gap + pair.sqrt_q * errors.push
+    error = min(errors.norm + turning * shift, moved + turning * late) + 8.0 * at.unit * turning
+    place, spent = errors.place + 2.0 * at.unit * abs(begun.Z), _spent(at, errors.slide, begun.spent)
     return Off(0.0, error, error, error, place, errors.w, spent, math.isfinite(errors.late))
 
 
 @compilable
-def _in_slip_at(
-    at: Parameters, start: Start, errors: Errors, end: State, tau: float, late: float, shift: float, unit: float
-) -> Off:
+def _in_slip_at(at: Parameters, start: Start, errors: Errors, end: State, tau: float, late: float, shift: float) -> Off:
     """Return the errors during a slip: by the contraction of the energy norm or by its closed form, the smaller one."""
-    q, r, sqrt_q, d0, u0, driven, guard = at.q, at.r, at.sqrt_q, start.gap, start.push, start.driven, start.guard
-    theta = tau / sqrt_q
+    unit, q, r, sqrt_q, d0, u0 = at.unit, at.q, at.r, at.sqrt_q, start.gap, start.push
+    driven, guard, theta = start.driven, start.guard, tau / sqrt_q
     u, turned = u0 * math.cos(theta) - (1.0 + d0) * math.sin(theta), driven - theta
-    drop, sine_drop = elementary.versine(theta), elementary.sine_deficit(theta)
+    drop, sine_drop = versine(theta), sine_deficit(theta)
     bent, late = abs(1.0 + d0) + abs(u0), late / sqrt_q + 2.0 * unit * theta
     norm = errors.norm + 8.0 * unit * (q * bent + sqrt_q * (abs(driven) + theta + guard))
     norm += shift * _speed(at, bent, abs(driven) + theta + bent)
@@ -353,7 +306,7 @@ def _in_slip_at(
     turning = abs(u0) + abs(1.0 + d0) * abs(math.sin(theta))
     v1 = sqrt_q * (errors.push + errors.gap + bent * late + 8.0 * unit * turning)
     v2 = sqrt_q * (errors.push + late + 4.0 * unit * (abs(driven) + theta))
-    rounded = guard * theta + abs(d0) * drop + abs(u0) * sine_drop + elementary.cosine_deficit(theta)
+    rounded = guard * theta + abs(d0) * drop + abs(u0) * sine_drop + cosine_deficit(theta)
     slide = q * (drop * errors.gap + sine_drop * errors.push + abs(u - turned) * late + 16.0 * unit * rounded)
     return Off(
         0.0,
@@ -362,6 +315,6 @@ def _in_slip_at(
         min(norm / math.sqrt(r), v2) + 4.0 * unit * abs(as_float(end.V2)),
         errors.place + slide + 4.0 * unit * (abs(start.Z) + abs(as_float(end.Z))),
         errors.w + 2.0 * r * slide + 2.0 * unit * (abs(start.w) + abs(as_float(end.w))),
-        _spent(at, unit, errors.slide + slide, end.spent),
+        _spent(at, errors.slide + slide, end.spent),
         math.isfinite(errors.late),
     )

@@ -23,9 +23,8 @@ from numerics.errors import InvalidScene, OutOfRange
 from numerics.free.abel import AbelFunctions, abel_functions, reach_of
 from numerics.free.engine import begin_exactly
 from numerics.free.excursions import motions
-from numerics.free.frame import Frame, ReducedState
+from numerics.free.frame import Frame, ReducedState, in_si
 from numerics.free.motion import RAY, STICK, State, mode_of, on_ray, state_at
-from numerics.free.start import in_si
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import How
 from numerics.scene import Scene
@@ -50,7 +49,7 @@ class EnergyAt:
     """The answer: energy (J), excess w, excursions so far, mode and reduced state at the time; enclosures.
 
     After a jump Z, and so x2, counts from an unknown origin. `stepped` counts the events that were located one by one,
-    `digits` the right digits of energy and excess.
+    up to the jump, `digits` the right digits of energy and excess.
     """
 
     digits: int
@@ -119,13 +118,11 @@ def _free(scene: Scene, at: Fraction, arithmetic: Ball, digits: int, max_steps: 
             break
         if proved_sign(duration - left, "does the next event come before the time asked for?") > 0:
             break
-        if road is Road.ABEL:
-            continue
         if start.kind == RAY:
             y, half_turns = start.w / frame.q, arithmetic.to_float(left / arb.pi())
             abel = abel_functions(scene.pair.share, digits, y) if half_turns >= _JUMP_PAYS_AFTER else None
             if abel is not None:
-                count, y, elapsed = _last_exit_before(abel, y, left)
+                count, y, elapsed = _exit_before(abel, y, left)
                 side = start.side if count % 2 == 0 else -start.side
                 ray = on_ray(begun.at, side, arb(0), y * frame.q, start.tau + elapsed, arb(0), arb(0))
                 road, excursions, walk = Road.ABEL, excursions + count, motions(arithmetic, begun.at, ray)
@@ -134,7 +131,7 @@ def _free(scene: Scene, at: Fraction, arithmetic: Ball, digits: int, max_steps: 
         if stepped == max_steps:
             raise OutOfRange(f"more than {max_steps} events before the return map takes over; raise max_steps")
         excursions += start.kind == STICK
-        stepped += 1
+        stepped += road is Road.STEPPED
     state, mode = state_at(begun.at, start, left), MODES[mode_of(start)]
     energy = frame.critical_energy * (1 + state.w)  # w is the accurate one
     return frame, energy, state.w, excursions, mode, state, road, stepped
@@ -157,22 +154,15 @@ def _refuse_countless(y: float, half_turns: float, r: Fraction, digits: int, lef
         )
 
 
-def _last_exit_before(abel: AbelFunctions, y: arb, elapsed: arb) -> tuple[int, arb, arb]:
-    """Return (n, y_n, reduced time of n cycles) for the largest n whose time is at most `elapsed`; all proved."""
-    alpha, beta = abel.alpha(y), abel.beta(y)
-    count = _whole(elapsed / arb.pi())
+def _exit_before(abel: AbelFunctions, y: arb, elapsed: arb) -> tuple[int, arb, arb]:
+    """Return (n, y_n, reduced time of n cycles), the time proved to be before `elapsed`, by a few cycles at most."""
+    alpha, beta, left, count = abel.alpha(y), abel.beta(y), elapsed, 0
     for _ in range(200):
-        here, after = (abel.alpha_inverse(alpha + n, y) if n else y for n in (count, count + 1))
+        whole = (left / arb.pi()).mid().floor().unique_fmpz()
+        count = max(0, count + int(whole or 0) - 1)
+        here = abel.alpha_inverse(alpha + count, y) if count else y
         time = abel.beta(here) - beta
-        left, over = elapsed - time, elapsed - (abel.beta(after) - beta)
-        if left >= 0 and over < 0:
+        left = elapsed - time
+        if 0 <= left < 4 * arb.pi():
             return count, here, time
-        if not (left < 0 or over >= 0):
-            break
-        count = max(0, count + (_whole(left / arb.pi()) or 1))
-    raise undecided("which is the last exit before the time asked for?", left)
-
-
-def _whole(x: arb) -> int:
-    """Return the whole part of the midpoint of a ball."""
-    return int(x.mid().floor().unique_fmpz() or 0)
+    raise undecided("which exit is the last one before the time asked for?", left)

@@ -13,20 +13,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.arithmetic import elementary, pair
 from numerics.arithmetic.compiled import can_compile, compiled, compiles_now
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
-from numerics.arithmetic.functions import as_float, nonnegative, sign
+from numerics.arithmetic.functions import as_float, sign
 from numerics.arithmetic.pair import Pair, nearest
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
-from numerics.free.bounds import Carried, initial
+from numerics.free.bounds import Errors, initial
 from numerics.free.excursions import left_range, motions
+from numerics.free.frame import Begun, begin, in_si, narrowing, wide
 from numerics.free.motion import event_state, mode_of, order_of, state_at
 from numerics.free.rows import solve_row, solve_start
 from numerics.free.slip import Start
-from numerics.free.start import Begun, begin, in_si, narrowing, wide
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.scene import Law, Scene
 
@@ -39,6 +40,8 @@ _WIDE_RUN = 20
 """A short run in double-double costs Python as much as so many in binary64."""
 _EVENTS_PER_TURN = 3.0
 """Events that a half turn of body 1 alone is given room for at first; with more the run is made again."""
+_UNITS = {"float64": elementary.UNIT, "double-double": pair.UNIT}
+"""What errors of one operation are counted in, where they are counted."""
 _HOWS = tuple(How)
 _runs = [0]
 
@@ -59,8 +62,8 @@ def si_numbers(scene: Scene) -> tuple[Fraction, ...]:
         raise NoForceHere(
             "this scene has a force, a damper, or a friction that changes in time; solve it up to the time asked for"
         )
-    pair, at = scene.pair, scene.initial
-    return pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
+    of, at = scene.pair, scene.initial
+    return of.m1, of.m2, of.a2, of.b, at.x1, at.v1, at.x2, at.v2, scene.until, of.a1
 
 
 def begin_exactly(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, tuple[Number, ...]]:
@@ -70,7 +73,8 @@ def begin_exactly(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, tuple[Nu
     """
     si = si_numbers(scene)
     given = tuple(map(arithmetic.number, si[4:9]))
-    return begin(tuple(map(wide, si[:9])), scene.law is Law.THREE_VALUED_SGN, narrowing(arithmetic)), given
+    is_literal, unit = scene.law is Law.THREE_VALUED_SGN, _UNITS.get(arithmetic.name, 0.0)
+    return begin(tuple(map(wide, si[:9])), is_literal, narrowing(arithmetic), unit), given
 
 
 def scene_row(scene: Scene) -> NDArray[np.float64] | None:
@@ -145,15 +149,15 @@ def _record(rows: Any, end: NDArray[np.float64], arithmetic: Arithmetic) -> Reco
     return Record(rows, end, _HOWS[int(how)], int(events), certain == 1.0)
 
 
-def begin_in_rows(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, Carried, tuple[Number, ...]]:
+def begin_in_rows(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, Errors, tuple[Number, ...]]:
     """Return how a scene begins in binary64 or double-double, its errors and given numbers; kept with the scene."""
     if arithmetic.name not in scene.made:
         with arithmetic.context():
             begun, given = begin_exactly(scene, arithmetic)
             if isinstance(arithmetic, DoubleDouble):
                 begun, given = (_in_halves(one, arithmetic.halves) for one in (begun, given))
-        scene.made[arithmetic.name] = begun, initial(begun.at, begun.start, begun.V1, begun.V2), given
-    found: tuple[Begun, Carried, tuple[Number, ...]] = scene.made[arithmetic.name]
+        scene.made[arithmetic.name] = begun, initial(begun), given
+    found: tuple[Begun, Errors, tuple[Number, ...]] = scene.made[arithmetic.name]
     return found
 
 
@@ -179,16 +183,15 @@ def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
             knots.append(_knot(start, bool(knots), start.tau / units.rate, length, here, start.w))
             if progress is not None and len(knots) % 1000 == 0:
                 progress(len(knots), arithmetic.to_float(start.tau / horizon))
-            is_last = duration is None or sign(start.tau + duration - horizon, BEFORE_HORIZON) > 0
-            if is_last or len(knots) > max_events:
+            if duration is None or sign(start.tau + duration - horizon, BEFORE_HORIZON) > 0:
+                how, left = How.STUCK if duration is None else How.REACHED, (horizon - start.tau) - start.rest
+                last = state_at(at, start, left)
+                end = _knot(start, False, given[4], left / units.rate, in_si(units, last), last.w)
+                break
+            if len(knots) > max_events:
+                how, end = How.EVENT_LIMIT, knots[-1]._replace(length=zero)
                 break
             length = duration / units.rate
-        if not is_last:
-            return Record(knots, knots[-1]._replace(length=zero), How.EVENT_LIMIT, max_events)
-        left = nonnegative((horizon - start.tau) - start.rest)
-        last = state_at(at, start, left)
-        end = _knot(start, False, given[4], left / units.rate, in_si(units, last), last.w)
-        how = How.STUCK if duration is None else How.REACHED
         return Record(knots, end, how, len(knots) - 1)
 
 

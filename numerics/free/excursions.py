@@ -65,7 +65,7 @@ def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
     Crossings of S outside S0 belong to the excursion in which they happen. Raises EventUndecided, OutOfRange. Call it
     inside the arithmetic's context.
     """
-    zero, at = frame.arithmetic.number(0), Parameters(frame.q, frame.r, frame.sqrt_q, False)
+    zero, at = frame.arithmetic.number(0), frame.parameters
     ray, slip = on_ray(at, float(side), zero, w, zero, zero, zero), zero
     for start, duration in motions(frame.arithmetic, at, ray):
         if start.kind == RAY:

@@ -1,4 +1,4 @@
-"""Reduced coordinates, in which the free pair has one parameter, and a pair's constants in an arithmetic.
+"""Reduced coordinates, in which the free pair has one parameter; how a run starts in them, every sign decided exactly.
 
 With M = m1 + m2, L = b M/(a2 m2), Omega = sqrt(a2/M), q = m1/M, r = m2/M, 2 zeta = a1/(M Omega):
 X = x1/L, V_i = v_i/(L Omega), Z = (x1 - x2)/L, tau = Omega t, w = E/E_cr - 1 (all dimensionless). Then
@@ -6,15 +6,125 @@ X = x1/L, V_i = v_i/(L Omega), Z = (x1 - x2)/L, tau = Omega t, w = E/E_cr - 1 (a
     stick            X'' + 2 zeta X' + X = 0
     slip, sign s     q V1' = -(X + 2 zeta V1 + r s),   V2' = s
     energy           E/E_cr = X^2 + q V1^2 + r V2^2,   w' = -2 r |V1 - V2| - 4 zeta V1^2
+
+The SI numbers of a start are wide: exact rationals, or double-double in compiled code. What a run needs of them is
+formed wide and narrowed once, by the function `narrow`. Rationals are narrowed to any arithmetic, and everything is
+known; double-double is narrowed to binary64, and says where 106 bits do not decide a sign or leave too few digits of a
+difference (`known` is False: convert exactly).
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from fractions import Fraction
 from typing import Any, NamedTuple
 
+from flint import fmpq
+
+from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.functions import as_float, like, signed, sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.start import constants, narrowing, wide
+from numerics.free.motion import FREE, STICK, SURFACE, Parameters
+from numerics.free.slip import Start
 from numerics.scene import Pair
+
+Wide = Any
+"""fmpq, or Pair."""
+Narrow = Callable[[Wide], Number]
+_SURE = 2.0**-46
+"""A difference smaller than this, relative to its terms, is left to exact arithmetic: 60 bits of 106 remain above."""
+
+
+def wide(x: Fraction) -> fmpq:
+    """Return a rational as one of flint, which calculates several times as fast."""
+    return fmpq(x.numerator, x.denominator)
+
+
+def narrowing(arithmetic: Arithmetic) -> Narrow:
+    """Return what turns rationals of flint into numbers of an arithmetic."""
+    return lambda x: arithmetic.number(Fraction(int(x.p), int(x.q)))
+
+
+class Units(NamedTuple):
+    """What one unit of the reduced numbers is: L in m, Omega in 1/s, E_cr in J."""
+
+    length: Number
+    rate: Number
+    energy: Number
+
+
+@compilable
+def in_si(units: Units, at: Any) -> tuple[Number, Number, Number, Number]:
+    """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
+    speed = units.length * units.rate
+    return units.length * at.X, speed * at.V1, units.length * (at.X - at.Z), speed * at.V2
+
+
+class Begun(NamedTuple):
+    """How a scene begins: reduced parameters, first motion, velocities, horizon, units, whether all is known."""
+
+    at: Parameters
+    start: Start
+    V1: Number
+    V2: Number
+    horizon: Number
+    units: Units
+    known: bool
+
+
+@compilable
+def _sign(x: Wide) -> int:
+    zero = x - x
+    return (x > zero) - (x < zero)
+
+
+@compilable
+def constants(
+    m1: Wide, m2: Wide, a2: Wide, b: Wide, literal: bool, narrow: Narrow, unit: float
+) -> tuple[Parameters, Units]:
+    """Return the reduced parameters and the units of a pair; `unit` is the rounding of one operation."""
+    mass, stiff = m1 + m2, a2 * m2
+    q, edge = narrow(m1 / mass), mass * b
+    units = Units(narrow(edge / stiff), sqrt(narrow(a2 / mass)), narrow(edge * edge / (2 * (stiff * m2))))
+    return Parameters(q, narrow(m2 / mass), sqrt(q), literal, unit), units
+
+
+@compilable
+def begin(given: tuple[Wide, ...], literal: bool, narrow: Narrow, unit: float) -> Begun:
+    """Return how a scene with a1 = 0 begins, given m1, m2, a2, b, x1, v1, x2, v2 and until in SI units, wide.
+
+    Which mode begins is the rule of linear/modes.py.
+    """
+    m1, m2, a2, b, x1, v1, x2, v2, until = given
+    at, units = constants(m1, m2, a2, b, literal, narrow, unit)
+    mass = m1 + m2
+    length, squared, q, r = mass * b / (a2 * m2), a2 / mass, m1 / mass, m2 / mass
+    x, v1, v2 = x1 / length, v1 / length, v2 / length  # X, and V_i Omega
+    X, V1, V2 = narrow(x), narrow(v1) / units.rate, narrow(v2) / units.rate
+    Z, w = narrow((x1 - x2) / length), narrow(x * x + (q * v1 * v1 + r * v2 * v2) / squared - 1)
+    horizon, zero = units.rate * narrow(until), like(X, 0.0)
+    mode, near = _sign(v1 - v2), 1 if _sign(x) >= 0 else -1
+    on_surface, outside = mode == 0, _sign(near * x - 1)
+    # on the edge the pair leaves by the side to which it moves
+    if on_surface and not literal and (outside > 0 or (outside == 0 and near * _sign(v1) > 0)):
+        mode = -near
+    way = -mode if mode != 0 else near
+    beyond, side = way * x - 1, float(way)
+    offset = narrow(beyond)
+    known = abs(as_float(w)) > _SURE and (not on_surface or abs(as_float(offset)) > _SURE)
+    if mode == 0:
+        start = Start(STICK, side, X, zero, offset, V1, zero, True, Z, w, zero, zero, zero)
+        return Begun(at, start, V1, V2, horizon, units, known)
+    gap = beyond / q
+    edge = gap * (2 + gap)
+    turning = edge + v1 * v1 / (squared * q)
+    known = known and (on_surface or abs(as_float(narrow(turning))) > _SURE * as_float(narrow(abs(edge) + turning)))
+    guard = narrow(-way * (v1 - v2)) / units.rate / at.sqrt_q
+    push = signed(side, V1) / at.sqrt_q
+    driven = push if on_surface else signed(side, V2) / at.sqrt_q
+    kind = SURFACE if on_surface else FREE
+    start = Start(kind, side, X, guard, narrow(gap), push, driven, _sign(turning) > 0, Z, w, zero, zero, zero)
+    return Begun(at, start, V1, V2, horizon, units, known)
 
 
 class ReducedState(NamedTuple):
@@ -36,9 +146,10 @@ class Frame:
 
     def __init__(self, arithmetic: Arithmetic, pair: Pair) -> None:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
-        self.arithmetic, self.pair, narrow = arithmetic, pair, narrowing(arithmetic)
+        self.arithmetic, narrow = arithmetic, narrowing(arithmetic)
         m1, m2, a2, b = map(wide, (pair.m1, pair.m2, pair.a2, pair.b))
-        (self.q, self.r, self.sqrt_q, _), self.units = constants(m1, m2, a2, b, False, narrow)
+        self.parameters, self.units = constants(m1, m2, a2, b, False, narrow, 0.0)
+        self.q, self.r, self.sqrt_q, *_ = self.parameters
         self.length, self.rate, self.critical_energy = self.units
         self.speed = self.length * self.rate
         self.two_zeta = arithmetic.number(pair.a1 / pair.mass) / self.rate

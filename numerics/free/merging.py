@@ -24,7 +24,7 @@ from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.centred_form import Centred, parameters
-from numerics.free.contact import contact_next_to_binary64, early_point
+from numerics.free.contact import enclosed_contact, point_at
 
 CRITICAL_SHARE = Fraction("0.557839090721526")
 """r* rounded down: for shares m2/M up to it nothing merges after a start on S0 above E_cr."""
@@ -104,8 +104,8 @@ class _CellRun:
         dtheta = (du + cot(theta/2) dd) (1 - cos theta)/(c + d), and c' = h = u + d cot(theta/2).
         """
         gap, push, before = start
-        at_centre = contact_next_to_binary64(gap.centre, push.centre)
-        over_cell = contact_next_to_binary64(gap.value, push.value)
+        at_centre = enclosed_contact(gap.centre, push.centre)
+        over_cell = enclosed_contact(gap.value, push.value)
         if at_centre is None or over_cell is None:
             return None
         (angle, deep, _), (angles, *_) = at_centre, over_cell
@@ -149,5 +149,5 @@ class _CellRun:
 
 def _depth_and_rise(theta: arb) -> tuple[arb, arb]:
     """Return c and h = c' over a ball of angles in (0, 2 pi), where both increase."""
-    low, high = (early_point(arb(0), arb(0), end) for end in (theta.lower(), theta.upper()))
+    low, high = (point_at(arb(0), arb(0), end) for end in (theta.lower(), theta.upper()))
     return low.depth.union(high.depth), low.rise.union(high.rise)

@@ -1,6 +1,6 @@
 """Stick and slip for a1 = 0, each in the variables in which it is free of cancellation: `next_event`, `resolve`.
 
-Every number is dimensionless (start.py). A slip lives in the variables of slip.py; a stick phase is one rotation.
+Every number is dimensionless (frame.py). A slip lives in the variables of slip.py; a stick phase is one rotation.
 """
 
 from __future__ import annotations
@@ -22,12 +22,13 @@ MOVING, STUCK, OUT_OF_RANGE = -1, 1, 3
 
 
 class Parameters(NamedTuple):
-    """The reduced parameters, and whether v1 = v2 is never left (the law three-valued-sgn)."""
+    """The reduced parameters; whether v1 = v2 is never left (the law three-valued-sgn); one operation's rounding."""
 
     q: Number
     r: Number
     sqrt_q: Number
     literal: bool
+    unit: float
 
 
 class Landing(NamedTuple):

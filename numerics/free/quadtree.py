@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -130,8 +129,7 @@ def map_of(
         raise InvalidMap(f"depth {depth}: give 1 to {MAX_DEPTH} cuts of each side in two")
     whole = Leaf(window, 0, 0, 0, undecided)
     blocks = list(_leaves(whole, min(BLOCK_DEPTH, depth), lambda _: undecided))
-    texts = _finished(resume, title) if resume is not None else {}
-    leaves = {number: _read(text, blocks[number], depth) for number, text in texts.items()}
+    leaves = {} if resume is None else _finished(resume, title, blocks)
     tasks = [(number, block, depth, decide) for number, block in enumerate(blocks) if number not in leaves]
     for number, text in run_tasks(_compute_block, tasks, jobs=jobs, dask=dask):
         if resume is not None:
@@ -167,13 +165,12 @@ def _compute_block(task: tuple[int, Leaf, int, Decide]) -> tuple[int, str]:
 
 
 def _read(text: str, block: Leaf, depth: int) -> list[Leaf]:
-    """Return the cells that a block's text stands for. Raises InvalidMap if it is damaged."""
+    """Return the cells that a block's text stands for. Raises ValueError if it is damaged."""
     letters = iter(text)
-    with suppress(ValueError):
-        found = list(_leaves(block, depth, lambda _: type(block.verdict)(next(letters, ""))))
-        if next(letters, None) is None:
-            return found
-    raise InvalidMap(f"the checkpoint holds a damaged block ({text[:40]!r}...); remove its line")
+    found = list(_leaves(block, depth, lambda _: type(block.verdict)(next(letters, ""))))
+    if any(letters):
+        raise ValueError("letters are left")
+    return found
 
 
 def _quarters(cell: Leaf) -> Iterator[Leaf]:
@@ -190,23 +187,24 @@ def _geometric_mean(low: Fraction, high: Fraction) -> Fraction:
     return Fraction(math.isqrt(math.floor(low * high * 4**bits)), 2**bits)
 
 
-def _finished(path: Path, title: dict[str, Any]) -> dict[int, str]:
-    """Return the trees of the blocks that a checkpoint holds, and begin it with the title if it is new.
+def _finished(path: Path, title: dict[str, Any], blocks: list[Leaf]) -> dict[int, list[Leaf]]:
+    """Return the cells of the blocks that a checkpoint holds, and begin it with the title if it is new.
 
     A last line torn by a crash is dropped. Raises InvalidMap if the file is damaged, or belongs to another map.
     """
-    lines = path.read_bytes().decode("utf-8", errors="replace").splitlines(keepends=True) if path.exists() else []
+    lines = path.read_text("utf-8", errors="replace").splitlines(keepends=True) if path.exists() else []
     whole = [line for line in lines if line.endswith("\n")] or [_line(title)]
     if whole[0] != _line(title):
         raise InvalidMap(f"checkpoint {path.name} is of another map ({whole[0][:120]}); name another file")
     found = {}
-    for number, line in enumerate(whole[1:], start=2):
+    for index, line in enumerate(whole[1:], start=2):
         try:
             record = json.loads(line)
-            found[int(record["part"])] = str(record["result"])
-        except (ValueError, KeyError, TypeError):
+            number = int(record["part"])
+            found[number] = _read(record["result"], blocks[number], title["depth"])
+        except (ValueError, LookupError, TypeError):
             remedy = "remove the line, or name another file"
-            raise InvalidMap(f"checkpoint {path.name}, line {number} is damaged; {remedy}") from None
+            raise InvalidMap(f"checkpoint {path.name}, line {index} is damaged; {remedy}") from None
     # what is appended next must not continue a torn line
     path.write_text("".join(whole), "utf-8")
     return found

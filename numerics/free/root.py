@@ -7,7 +7,6 @@ interval Newton step: it exists, and is the only one in the bracket.
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import suppress
 from typing import Any
 
 import flint
@@ -17,12 +16,10 @@ from numerics.arithmetic.ball import precision, undecided
 from numerics.arithmetic.compiled import by_type, compilable
 from numerics.arithmetic.functions import like, sqrt, tolerance
 from numerics.arithmetic.protocol import Number
-from numerics.errors import EventUndecided
 
 Function = Callable[[Any, Number], tuple[Number, Number]]
 """A function of a record and a number: its value and its slope."""
 _STEPS = 4000
-_START_BITS, _SEED_BITS = 64, 44
 
 
 @compilable
@@ -61,9 +58,8 @@ def _searched(lower: Number, upper: Number, function: Function, at: Any) -> Numb
 def falling_root(lower: Number, upper: Number, function: Function, at: Any) -> Number:
     """Return the root between lower and upper of a function that falls there; for balls an enclosure of it.
 
-    That is proved to exist, and to be the only one where the function falls from end to end: it is approximated with
-    few bits, refined with doubling precision, and enclosed by one interval Newton step. Where that fails, close to a
-    graze, it is searched at full precision. Raises EventUndecided if the inclusion is not proved at this precision.
+    It is approximated among midpoints, to half of the bits, and enclosed by one interval Newton step: it exists, and is
+    the only one where the function falls from end to end. Raises EventUndecided where that is not proved.
     """
     if type(lower) is not arb:
         return _searched(lower, upper, function, at)
@@ -72,24 +68,9 @@ def falling_root(lower: Number, upper: Number, function: Function, at: Any) -> N
         value, slope = function(at, x)
         return value.mid(), slope.mid()
 
-    middles = lower.mid(), upper.mid(), points, None
-    with precision(min(flint.ctx.prec, _START_BITS)):
-        near = _searched(*middles).mid()
-    with suppress(EventUndecided):
-        return _enclosed(_refined(near, function, at), lower, upper, function, at)
-    return _enclosed(_searched(*middles).mid(), lower, upper, function, at)
-
-
-def _refined(x: arb, function: Function, at: Any) -> arb:
-    """Return an exact point near the root, right to half of the bits and some more, by Newton's method."""
-    right, enough = _SEED_BITS, flint.ctx.prec // 2 + 32
-    while right < enough:
-        right = min(2 * right, enough)
-        with precision(min(flint.ctx.prec, right + 32)):
-            value, slope = function(at, x)
-            correction = (value / slope).mid()
-            x = (x - correction).mid() if correction.is_finite() else x
-    return x
+    with precision(flint.ctx.prec // 2 + 56):
+        near = _searched(lower.mid(), upper.mid(), points, None).mid()
+    return _enclosed(near, lower, upper, function, at)
 
 
 def _enclosed(x: arb, lower: arb, upper: arb, function: Function, at: Any) -> arb:

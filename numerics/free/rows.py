@@ -10,11 +10,13 @@ import math
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.functions import as_float, clock, finite, nonnegative, rounding, sign
+from numerics.arithmetic.elementary import UNIT
+from numerics.arithmetic.functions import as_float, clock, finite, sign
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
-from numerics.free.bounds import Carried, Off, after_event, at_horizon, at_start, before_horizon, initial
+from numerics.free.bounds import Errors, Off, after_event, at_horizon, at_start, before_horizon, initial
+from numerics.free.frame import Begun, begin, in_si
 from numerics.free.motion import (
     MOVING,
     OUT_OF_RANGE,
@@ -27,11 +29,11 @@ from numerics.free.motion import (
     state_at,
 )
 from numerics.free.slip import Start
-from numerics.free.start import Begun, Units, begin, in_si
 from numerics.linear.record import AT, UNKNOWN, How
 
 REACHED, EVENT_LIMIT = int(How.REACHED), int(How.EVENT_LIMIT)
-_LOCAL, _END, _FRICTION, _DISSIPATED = (AT[name] for name in ("local", "how", "friction", "dissipated_error"))
+_LOCAL, _ERRORS, _END = (AT[name] for name in ("local", "x1_error", "how"))
+_FRICTION, _DISSIPATED = AT["friction"], AT["dissipated_error"]
 _SMALLEST, _LARGEST = 1e-70, 1e70
 """Beyond them a product of four SI numbers may leave the range of binary64: convert exactly."""
 _SUBNORMAL, _TINY = 1e-290, 2.0**-1060
@@ -60,33 +62,33 @@ def _record(row: Any, start: Start, event: float, numbers: tuple[Number, ...], e
 
 
 @compilable
-def _bound(error: float, x: Number) -> float:
+def _bound(error: float, x: Number, unit: float) -> float:
     """Return a bound with the roundings of the conversion to x, and what products below the normal numbers lost."""
     size = abs(as_float(x))
     lost = _TINY if size < _SUBNORMAL and (size != 0.0 or error > 0.0) else 0.0
-    return error + 8 * rounding(x) * size + lost
+    return error + 8 * unit * size + lost
 
 
 @compilable
 def _record_state(
-    row: Any, start: Start, event: float, units: Units, t: Number, length: Number, here: State, off: Off
+    row: Any, start: Start, event: float, begun: Begun, t: Number, length: Number, here: State, off: Off
 ) -> None:
     """Write a state at the time t in SI units; the motion with this start begins or lasts there."""
-    x1, v1, x2, v2 = in_si(units, here)
-    by_x, by_t = as_float(units.length), as_float(units.rate)
+    (x1, v1, x2, v2), unit = in_si(begun.units, here), begun.at.unit
+    by_x, by_t = as_float(begun.units.length), as_float(begun.units.rate)
     errors = (
-        _bound(off.late / by_t, t),
-        _bound(by_x * off.x, x1),
-        _bound(by_x * by_t * off.v1, v1),
-        _bound(by_x * (off.x + off.place), x2),
-        _bound(by_x * by_t * off.v2, v2),
-        off.w + 4 * rounding(here.w) * abs(as_float(here.w)),
+        _bound(off.late / by_t, t, unit),
+        _bound(by_x * off.x, x1, unit),
+        _bound(by_x * by_t * off.v1, v1, unit),
+        _bound(by_x * (off.x + off.place), x2, unit),
+        _bound(by_x * by_t * off.v2, v2, unit),
+        off.w + 4 * unit * abs(as_float(here.w)),
     )
-    _record(row, start, event, (t, length / units.rate, x1, v1, x2, v2, here.w), errors)
+    _record(row, start, event, (t, length / begun.units.rate, x1, v1, x2, v2, here.w), errors)
 
 
 @compilable
-def _run(begun: Begun, carried: Carried, most: int, rows: Any) -> tuple[int, int, Start, Carried]:
+def _run(begun: Begun, errors: Errors, most: int, rows: Any) -> tuple[int, int, Start, Errors]:
     """Follow the modes until the horizon, a last stick phase, or `most` events, and record the first ones in `rows`.
 
     Returns how it ended, the number of events, the start of the last mode and its errors; where even the sequence of
@@ -96,55 +98,50 @@ def _run(begun: Begun, carried: Carried, most: int, rows: Any) -> tuple[int, int
     while True:
         how, duration, end = next_event(at, start)
         if how != MOVING:
-            return how, count, start, carried
+            return how, count, start, errors
         tau, rest = clock(start.tau, start.rest, duration)
         if sign(tau - begun.horizon, BEFORE_HORIZON) > 0:
             break
         if count == most:
-            return EVENT_LIMIT, count, start, carried
+            return EVENT_LIMIT, count, start, errors
         after = resolve(at, start, end, tau, rest)
         if not finite(after.w):
-            return OUT_OF_RANGE, count, start, carried
-        carried = after_event(at, start, carried, end, after)
+            return OUT_OF_RANGE, count, start, errors
+        errors = after_event(at, start, errors, end, after)
         start, count = after, count + 1
         if count < len(rows):
             here = event_state(at, start)
-            off = at_start(at, start, carried.errors, here)
-            _record_state(rows[count], start, 1.0, begun.units, tau / begun.units.rate, duration, here, off)
+            off = at_start(at, start, errors, here)
+            _record_state(rows[count], start, 1.0, begun, tau / begun.units.rate, duration, here, off)
     if not finite(tau):
-        return OUT_OF_RANGE, count, start, carried
-    return REACHED, count, start, before_horizon(at, start, carried, end, tau, begun.horizon)
+        return OUT_OF_RANGE, count, start, errors
+    return REACHED, count, start, before_horizon(at, start, errors, end, tau, begun.horizon)
 
 
 @compilable
-def solve_start(begun: Begun, carried: Carried, given: tuple[Number, ...], most: int, rows: Any, end: Any) -> int:
+def solve_start(begun: Begun, errors: Errors, given: tuple[Number, ...], most: int, rows: Any, end: Any) -> int:
     """Run to the end and write the first rows, that of the start before all, and the end; return the number of events.
 
-    carried: the errors at the start (bounds.initial). given: x1, v1, x2, v2 and the horizon in SI units.
+    errors: those at the start (bounds.initial). given: x1, v1, x2, v2 and the horizon in SI units.
     """
-    at, start, units, unit = begun.at, begun.start, begun.units, rounding(begun.horizon)
+    at, start, units, unit = begun.at, begun.start, begun.units, begun.at.unit
     if len(rows) > 0:
-        x1, v1, x2, v2, _ = given
-        w, zero = start.w, start.tau
-        errors = (
-            0.0,
-            unit * abs(as_float(x1)),
-            unit * abs(as_float(v1)),
-            unit * abs(as_float(x2)),
-            unit * abs(as_float(v2)),
-            2 * unit * abs(as_float(w)),
-        )
-        _record(rows[0], start, 0.0, (zero, zero, x1, v1, x2, v2, w), errors)
-    how, count, start, carried = _run(begun, carried, most, rows)
+        zero, w, row = start.tau, start.w, rows[0]
+        _record(row, start, 0.0, (zero, zero, given[0], given[1], given[2], given[3], w), (0.0,) * 6)
+        for k in range(4):
+            row[_ERRORS + k] = unit * abs(as_float(given[k]))
+        row[_ERRORS + 4] = 2 * unit * abs(as_float(w))
+    how, count, start, errors = _run(begun, errors, most, rows)
     if how == EVENT_LIMIT:
         t, length, here = start.tau / units.rate, start.rest - start.rest, event_state(at, start)
-        off = at_start(at, start, carried.errors, here)
+        off = at_start(at, start, errors, here)
     else:
         t, length = given[4], (begun.horizon - start.tau) - start.rest
-        tau = nonnegative(length)  # the rounding of an event at the horizon may lie beyond it
+        # the rounding of an event at the horizon may lie beyond it
+        tau = length if as_float(length) > 0.0 else start.tau - start.tau
         here = state_at(at, start, tau)
-        off = at_horizon(at, start, carried.errors, here, tau, begun.horizon)
-    _record_state(end, start, 0.0, units, t, length, here, off)
+        off = at_horizon(at, start, errors, here, tau, begun.horizon)
+    _record_state(end, start, 0.0, begun, t, length, here, off)
     spent, energy = as_float(here.spent), as_float(units.energy)
     taken = energy * (off.spent + 16 * unit * spent)
     lost = _TINY + 2.0**-1070 * energy
@@ -189,12 +186,11 @@ def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
         _wide(row, 7),
         _wide(row, 8),
     )
-    begun = begin(si, literal, as_float)
+    begun = begin(si, literal, as_float, UNIT)
     if not begun.known or not math.isfinite(begun.start.w + begun.horizon):
         return UNKNOWN
-    carried = initial(begun.at, begun.start, begun.V1, begun.V2)
     given = row[8], row[10], row[12], row[14], row[16]
-    return solve_start(begun, carried, given, most, rows, end)
+    return solve_start(begun, initial(begun), given, most, rows, end)
 
 
 @compilable

@@ -35,7 +35,6 @@ from numerics.arithmetic.functions import (
     like,
     resolved,
     sign,
-    sin,
     sine_cosine,
     sine_deficit,
     sqrt,
@@ -73,7 +72,7 @@ class Start(NamedTuple):
 @compilable
 def guard_and_gap(at: Start, theta: Number) -> tuple[Number, Number]:
     """Return k(theta) and its slope d(theta)."""
-    sine, drop = sin(theta), versine(theta)
+    sine, drop = sine_cosine(theta)[0], versine(theta)
     guard = (at.gap * sine + at.push * drop - sine_deficit(theta)) + at.guard
     return guard, at.gap + (at.push * sine - (1 + at.gap) * drop)
 

@@ -19,7 +19,7 @@ from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
 SI = ("m1", "m2", "a2", "b", *STATE, "until", "a1")
-"""The numbers of a scene, as the compiled engines take them (free/start.py)."""
+"""The numbers of a scene, as the compiled engines take them (free/frame.py)."""
 _UNIT = ROUNDING["float64"]
 
 

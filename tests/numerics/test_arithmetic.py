@@ -24,7 +24,7 @@ BITS = 8000
 more = settings(max_examples=4 * settings().max_examples)
 FUNCTIONS = {
     "sqrt": (functions.sqrt, lambda x: x.sqrt(), (-830, 830)),
-    "sin": (functions.sin, lambda x: x.sin(), (-830, 30)),
+    "sin": (lambda x: functions.sine_cosine(x)[0], lambda x: x.sin(), (-830, 30)),
     "cos": (lambda x: functions.sine_cosine(x)[1], lambda x: x.cos(), (-830, 30)),
     "atan2(x, 1)": (lambda x: functions.atan2(x, functions.like(x, 1.0)), lambda x: x.atan(), (-660, 660)),
     "versine": (functions.versine, lambda x: 1 - x.cos(), (-400, 30)),
@@ -67,7 +67,7 @@ def test_functions_are_accurate_relative_to_themselves_in_every_arithmetic(name,
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_functions_are_accurate_on_both_sides_of_where_a_series_ends(name):
     value, truth, _ = FUNCTIONS[name]
-    for end in (1 / 32, 0.25, 1.0, 1.2, 1.5, 2.0, 3.0):
+    for end in (1 / 32, 1.2, 1.5, 3.0):
         for x in (two_sum(end, side * end * 2.0**-30) for side in (-1, 1)):
             assert is_right(value, truth, x.high)
             assert is_right(value, truth, x)
@@ -168,12 +168,12 @@ def test_roots_of_monotone_functions(target, p):
 def test_a_ball_root_that_is_not_in_its_bracket_is_not_proved():
     arithmetic = Ball(30)
     with arithmetic.context():
-        for lower, upper in ((2, 3), (-3, -2), (0, 1), (1, 2)):
+        for lower, upper in ((2, 3), (0, 1), (1, 2)):
             with pytest.raises(EventUndecided, match="existence"):
                 falling_root(arb(lower), arb(upper), power(1), Target(arb(1)))
 
 
-@given(decimals(-3, 3), decimals(-3, 1), st.booleans())
+@given(decimals(-40, 40), decimals(-40, 40) | decimals(-3, 1), st.booleans())
 @example(Fraction(1), Fraction(6), True)  # beyond half a turn, where 1 - cos falls
 def test_a_contact_in_floats_is_that_of_balls_and_a_wide_ball_holds_those_of_its_points(gap, push, on_ray):
     d, u = (0.0 if on_ray else float(gap)), float(push)

@@ -146,6 +146,12 @@ def test_energies_below_the_normal_numbers_have_no_digits_to_claim():
     assert solve_many(1, 1, 1, 1e-158, v1=3e-158, until=4).dissipated_error > 0
 
 
+def test_a_slip_of_many_turns_costs_no_digits():
+    """Balls found its end to few digits, and needed 1152."""
+    found = solve(Scene(Pair(1, 1, 1, 1), State(v2=10**9), 10**9), digits=300)
+    assert found.arithmetic.digits < 400
+
+
 def test_nothing_at_rest_is_known_exactly():
     assert solve(Scene(Pair(1, 1, 1, 1), State(), until=3), digits=15).arithmetic.name == "float64"
 

@@ -12,7 +12,7 @@ from planted_errors import ARITHMETICS, COORDINATES, draw_scene, run, unit_pair
 
 from numerics import Scene, State
 from numerics.arithmetic.ball import Ball
-from numerics.free import bounds, motion, rows
+from numerics.free import engine, motion, rows
 from numerics.free.contact import contact, ray_contact
 from numerics.free.slip import Start
 from numerics.linear.record import AT
@@ -169,9 +169,8 @@ def test_roundings_of_every_function_are_within_the_bounds(name, monkeypatch):
         exact, signs = run(scene, "float64"), random.choices([-1, 1], k=4)
         with monkeypatch.context() as patch:
             patch.setattr(module, name, rounded(getattr(module, name), OFF[name], signs))
-            for one in (bounds, rows):
-                patch.setattr(one, "rounding", lambda _: UNIT)
-            found = run(scene, "float64")
+            patch.setitem(engine._UNITS, "float64", UNIT)
+            found = run(replace(scene), "float64")
         if not found.certain or (len(found.rows) > 1 and not of_first_order(found)):
             continue
         assert found.modes == exact.modes
@@ -201,6 +200,6 @@ def test_the_contact_of_balls_holds_those_of_points_inside():
                 lambda x, w=w, q=q: ray(w * x, q),
             ):
                 wide = end(1 + off * arb(0, 1))
-                for place in (-1, -0.5, 0.5, 1):
+                for place in (-1, 1):
                     inside = end(1 + off * arb(place) * (1 - 1e-6))
                     assert all(one.overlaps(two) for one, two in zip(wide, inside, strict=True))

@@ -54,7 +54,6 @@ def test_viscous_scenes_and_merged_ones_take_the_short_road():
     found = energy_at(Scene(pair, State(v1="0.15"), until=1), 100, digits=20)
     assert found.road is Road.NO_MORE_SLIP
     with found.frame.arithmetic.context():
-        assert found.energy > 0
         assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= 20
     assert energy_at(load_scene("itinerary-that-merges"), "1e100").road is Road.NO_MORE_SLIP
     damped = Scene(Pair(1, 1, 200, "0.5", "0.01"), State(v1="0.15"), until=3)

@@ -6,7 +6,7 @@ import pytest
 
 from numerics import Pair, Scene, State
 from numerics.arithmetic.ball import Ball
-from numerics.free.resting_place import creeping_place
+from numerics.free.abel import creeping_place
 from numerics.trajectory.run import run_scene
 
 
