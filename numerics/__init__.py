@@ -17,7 +17,7 @@ Solving:
     solve               one scene: its Trajectory, in the cheapest arithmetic that has the digits
     Solver              one pair and many starts, for a loop of your own
     solve_many          arrays in, arrays out, on all cores: a Batch
-    solve_scenes        the same from a list of scenes, on a line or on a surface
+    solve_scenes        the same from a list of scenes, one by one, on a line or on a surface
 Answers:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
     PlaneTrajectory     the same of a scene on a surface

@@ -10,8 +10,8 @@ import numpy as np
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.compiled import compiled
-from numerics.linear.columns import Now, Problem, make_room
-from numerics.linear.kernel import follow
+from numerics.linear.columns import Now, make_room
+from numerics.linear.kernel import Log, follow
 from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, END_ROW, ROW
 
@@ -46,10 +46,11 @@ class Run(NamedTuple):
 
 def begun(scene, mode=0, wide=False):
     """A problem, room in which a run of it begins in a mode, without errors, and where it is."""
-    pair, drive, tables, start, *_ = prepare(scene, wide=wide)
-    room = make_room(tables.rows.shape[4], tables.rows.shape[5])
+    problem, start, *_ = prepare(scene, wide=wide)
+    pair, rows = problem.pair, problem.tables.rows
+    room = make_room(rows.shape[4], rows.shape[5])
     room.scale[:], room.y[:, 0] = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), start[STATE]
-    return Problem(pair, drive, tables, wide, False), room, Now(0, mode, 0, 1, 1e300, 0.0)
+    return problem._replace(has_ledger=False), room, Now(0, mode, 0, 1, 1e300, 0.0)
 
 
 def run(scene, by=NOTHING, wide=False, most=60):
@@ -58,8 +59,7 @@ def run(scene, by=NOTHING, wide=False, most=60):
     start, rows, end = prepared.start.copy(), np.empty((500, ROW)), np.zeros(END_ROW)
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
-    given = prepared.pair, prepared.drive, prepared.tables, start, prepared.is_decided
-    how, count = compiled(follow)(*given, -1.0, most, wide, rows, end)
+    how, count = compiled(follow)(prepared.problem, start, -1.0, Log(rows, end, most, True))
     return Run(how, rows[:count], end, prepared)
 
 

@@ -143,11 +143,10 @@ def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int) -> Recor
 
 def _record(rows: Any, end: NDArray[np.float64], arithmetic: Arithmetic) -> Record:
     """Return the record of a run with bounds. Raises OutOfRange."""
-    how, events, certain, high, low, *_, off = end[ROW:].tolist()
+    how, events, certain, *_ = end[ROW:].tolist()
     if how == How.OUT_OF_RANGE:
         raise left_range(arithmetic)
-    friction = high if arithmetic.name == "float64" else Pair(high, low)
-    return Record(rows, end, _HOWS[int(how)], int(events), certain == 1.0, friction, 0, off)
+    return Record(rows, end, _HOWS[int(how)], int(events), certain == 1.0)
 
 
 def begin_in_rows(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, Errors, tuple[Number, ...]]:
@@ -188,13 +187,12 @@ def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
                 how, left = How.STUCK if duration is None else How.REACHED, (horizon - start.tau) - start.rest
                 last = state_at(at, start, left)
                 end = _knot(start, False, given[4], left / units.rate, in_si(units, last), last.w)
-                spent = last.spent
                 break
             if len(knots) > max_events:
-                how, spent, end = How.EVENT_LIMIT, start.spent, knots[-1]._replace(length=zero)
+                how, end = How.EVENT_LIMIT, knots[-1]._replace(length=zero)
                 break
             length = duration / units.rate
-        return Record(knots, end, how, len(knots) - 1, True, units.energy * spent, zero)
+        return Record(knots, end, how, len(knots) - 1)
 
 
 def _knot(start: Start, event: bool, t: Number, length: Number, state: Any, w: Number) -> Knot:

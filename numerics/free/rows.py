@@ -29,11 +29,9 @@ from numerics.free.motion import (
     state_at,
 )
 from numerics.free.slip import Start
-from numerics.linear.record import AT, How
+from numerics.linear.record import AT, UNKNOWN, How
 
 REACHED, EVENT_LIMIT = int(How.REACHED), int(How.EVENT_LIMIT)
-UNKNOWN = -1
-"""What solve_row returns of a scene that must be converted exactly."""
 _LOCAL, _ERRORS, _END = (AT[name] for name in ("local", "x1_error", "how"))
 _FRICTION, _DISSIPATED = AT["friction"], AT["dissipated_error"]
 _SMALLEST, _LARGEST = 1e-70, 1e70

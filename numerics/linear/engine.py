@@ -16,14 +16,15 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.kernel import NO_ROOM, TOO_MANY, follow
+from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.prepare import Prepared, halves, prepare
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
+from numerics.linear.table import ORDERS
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
-_MOST_ORDER = 7
-"""Derivatives of a guard that may vanish at an exact start (table.ORDERS less one)."""
+_MOST_ORDER = ORDERS - 1
+"""Derivatives of a guard that may vanish at an exact start."""
 _NUMBERS = slice(AT["local"], AT["excess"])
 _OF_EXACT = [AT[name] for name in ("order", "event", "jump", "length", "length_low")]
 """What the kernel does not know of a start that is exact."""
@@ -44,41 +45,37 @@ def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: 
 def run_pairs(scene: Scene, *, wide: bool, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene in float64, or in double-double if `wide`. Raises EventUndecided, OutOfRange."""
     prepared = prepare(scene, wide=wide)
-    how, rows, end = _run(prepared, prepared.start, prepared.is_decided, -1.0, max_events, wide=wide)
+    how, rows, end = _run(prepared, prepared.start, -1.0, max_events)
     if how == How.DOUBT:
         known = exact_knots(scene, prepared.pieces)
         if len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
-            how, rows, end = _from_exact(prepared, known, max_events, wide=wide)
+            how, rows, end = _from_exact(prepared, known, max_events)
     _require_answer(how, prepared, end, wide=wide)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
     if not compiled(finish)(rows, end, *prepared.units):
         raise OutOfRange(f'a number of this scene is beyond the range of {_name(wide)}; use arithmetic="ball"')
-    friction, viscous = float(end[AT["friction"]]), float(end[AT["viscous"]])
-    return Record(
-        rows, end, How(how), int(end[AT["events"]]), True, friction, viscous, float(end[AT["dissipated_error"]])
-    )
+    return Record(rows, end, How(how), int(end[AT["events"]]))
 
 
 def _run(
-    prepared: Prepared, start: NDArray[np.float64], is_decided: bool, clear: float, most: int, *, wide: bool
+    prepared: Prepared, start: NDArray[np.float64], clear: float, most: int
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return how the kernel ended, its rows, and the row of the end."""
-    run, room, end = compiled(follow), prepared.room, np.zeros(END_ROW)
+    run, room, end = compiled(follow), prepared.room(most), np.zeros(END_ROW)
     while True:
         rows = np.empty((room, ROW))
-        pair, drive, tables = prepared.pair, prepared.drive, prepared.tables
         try:
-            how, count = run(pair, drive, tables, start, is_decided, clear, most, wide, rows, end)
+            how, count = run(prepared.problem, start, clear, Log(rows, end, most, True))
         except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
             return How.OUT_OF_RANGE, rows[:0], end
-        if how != NO_ROOM:
+        if count <= room:
             return how, rows[:count], end
-        room *= 8
+        room = count
 
 
 def _from_exact(
-    prepared: Prepared, known: Sequence[ExactKnot], most: int, *, wide: bool
+    prepared: Prepared, known: Sequence[ExactKnot], most: int
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return the run from the last start that is known exactly, the exact ones before it."""
     events = [index for index, one in enumerate(known) if one.is_event]
@@ -90,9 +87,8 @@ def _from_exact(
     if last.order > _MOST_ORDER and not last.quiet > last.local:
         return How.DOUBT, rows[:0], end
     start = rows[-1].copy()
-    start[AT["order"]] = min(last.order, _MOST_ORDER)
-    clear = halves(last.quiet, prepared.units.time)[0]
-    how, found, end = _run(prepared, start, True, clear, most - len(events), wide=wide)
+    start[AT["order"]], start[AT["jump"]] = min(last.order, _MOST_ORDER), 0.0
+    how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))
     found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
     end[AT["events"]] += len(events)
     return how, np.concatenate([rows[:-1], found]), end
@@ -103,8 +99,7 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.fl
     rows, units = np.zeros((len(known), ROW)), prepared.units
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
-        for name, code in zip(CODES, (one.mode, one.order, one.is_event, one.is_jump, one.piece), strict=True):
-            row[AT[name]] = code
+        row[: len(CODES)] = one.mode, one.order, one.is_event, one.is_jump, one.piece
         state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
         numbers = zip((one.local, t - before, *state), (*[units.time] * 2, *[units.length, speed] * 2), strict=True)
         row[_NUMBERS] = [half for number in numbers for half in halves(*number)]

@@ -11,6 +11,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.record import AT
 
 _EVENT, _PIECE, _LOCAL, _X1, _LATE = (AT[name] for name in ("event", "piece", "local", "x1", "late"))
+_EVENTS = AT["events"]
 _ERRORS, _EXCESS, _EXCESS_ERROR = (AT[name] for name in ("x1_error", "excess", "excess_error"))
 _TINY = 2.0**-1060
 """More than squares can lose below the normal numbers."""
@@ -62,3 +63,15 @@ def worse(worst: float, error: float, size: float) -> float:
     """Return the larger of a relative error and that of error and size; inf where there is none."""
     ratio = 0.0 if error == 0.0 else error / size if size > 0.0 else math.inf
     return math.inf if math.isnan(ratio) else max(worst, ratio)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def errors_of_rows(numbers: Any, kept: Any, ends: Any, rounding: float) -> Any:
+    """Return bounds on the excess at the ends of a batch, and the worst errors of what is kept of each run: (2, n)."""
+    found, at_once = np.empty((2, len(ends))), np.zeros(1)
+    for n in range(len(ends)):
+        m1, m2, a2, b = numbers[n, 0], numbers[n, 1], numbers[n, 2], numbers[n, 3]
+        count, push = 1 + min(int(ends[n, _EVENTS]), kept.shape[1] - 1), b * (m1 + m2) / m2
+        judged = errors_of(kept[n, :count], ends[n], at_once, (a2, m1, m2), push * push / (2 * a2), rounding)
+        found[0, n], found[1, n] = judged[2], judged[3]
+    return found

@@ -19,17 +19,7 @@ from typing import Any, NamedTuple
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import Pair, pair_of, put
 from numerics.linear.calm_stick import Calm, step_over
-from numerics.linear.columns import (
-    Constants,
-    Drive,
-    Now,
-    Problem,
-    Room,
-    expand,
-    force_columns,
-    make_room,
-    place_of,
-)
+from numerics.linear.columns import Now, Problem, Room, expand, force_columns, make_room, place_of
 from numerics.linear.error_set import box
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
@@ -37,10 +27,10 @@ from numerics.linear.modes import UNDECIDED as UNDECIDED_MODE
 from numerics.linear.next_event import Next, Step, next_event, step_from
 from numerics.linear.record import AT, ROW
 from numerics.linear.resolve import CONTACT, EXIT, NOTHING, PIECE, SLIP_END, Event, lateness, resolve
-from numerics.linear.table import UNIT, WIDE_UNIT, Tables
+from numerics.linear.table import UNIT, WIDE_UNIT
 
-GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, NO_ROOM, TOO_MANY = -1, 0, 1, 2, 3, 4, 5, 6
-"""How a call ended, if it did: the first five as in record.How; or more rows, or more steps, are needed."""
+GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
+"""How a call ended, if it did: the first five as in record.How; or more steps are needed."""
 MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
 _LOCAL, _X1, _EXCESS, _LATE = (AT[name] for name in ("local", "x1", "excess", "late"))
@@ -53,7 +43,7 @@ _HOW, _EVENTS, _CERTAIN, _FRICTION, _VISCOUS, _LOST = (
 class Log(NamedTuple):
     """Where a run is recorded: its rows, the row of its end; and of how many events at most.
 
-    Where rows have no room for one more, NO_ROOM if `keeps_all`, else it is left out.
+    A row for the start and for every event; if `keeps_all` for every piece, too. What has no room is left out.
     """
 
     rows: Any
@@ -63,34 +53,20 @@ class Log(NamedTuple):
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def follow(
-    pair: Constants,
-    drive: Drive,
-    tables: Tables,
-    start: Any,
-    is_decided: bool,
-    clear_until: float,
-    most: int,
-    wide: bool,
-    rows: Any,
-    end: Any,
-) -> tuple[int, int]:
-    """Follow the modes (follow_in), all rows and the ledger kept, in a room of its own."""
-    room = make_room(tables.rows.shape[4], tables.rows.shape[5])
-    problem, log = Problem(pair, drive, tables, wide, True), Log(rows, end, most, True)
-    return follow_in(problem, room, start, is_decided, clear_until, log)
+def follow(problem: Problem, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
+    """Follow the modes (follow_in) in a room of its own."""
+    rows = problem.tables.rows
+    return follow_in(problem, make_room(rows.shape[4], rows.shape[5]), start, clear_until, log)
 
 
 @compilable_with(forceinline=False)
-def follow_in(
-    problem: Problem, room: Room, start: Any, is_decided: bool, clear_until: float, log: Log
-) -> tuple[int, int]:
-    """Follow the modes from a start (a row) to the end of the last piece; return (how, rows written).
+def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
+    """Follow the modes from a start (a row) to the end of the last piece; return (how, rows written or left out).
 
-    `is_decided`: the mode and the order of the start are known; else they follow from its velocities and load. Up to
+    Where the start says `jump` its mode follows from velocities and load; else mode and order are known. Up to
     `clear_until` (time in the first piece) no event happens.
     """
-    now, event = begin(problem, room, start, is_decided)
+    now, event = begin(problem, room, start)
     calm, how = Calm(False, 0, 0), DOUBT
     for step in range(MOST_STEPS):
         u = force_columns(room, problem.drive, now.piece, event.late, problem.wide)
@@ -121,7 +97,7 @@ def follow_in(
 
 
 @compilable
-def begin(problem: Problem, room: Room, start: Any, is_decided: bool) -> tuple[Now, Event]:
+def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, Event]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
     pair, y, scale, E, unit = problem.pair, room.y, room.scale, room.E, WIDE_UNIT if problem.wide else UNIT
     scale[0] = scale[2] = math.sqrt(pair.a2)
@@ -136,7 +112,7 @@ def begin(problem: Problem, room: Room, start: Any, is_decided: bool) -> tuple[N
     put(room.clock[0], pair_of(start[_LOCAL:]))
     put(room.clock[1], Pair(0.0, 0.0))
     now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 1, 1e300, E[0, 0] + E[1, 1] + E[3, 3])
-    return now, Event(PIECE if is_decided else CONTACT, 0.0, 0.0, 0.0)
+    return now, Event(CONTACT if start[_JUMP] == 1.0 else PIECE, 0.0, 0.0, 0.0)
 
 
 @compilable
@@ -167,40 +143,30 @@ def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_c
 def record(
     problem: Problem, room: Room, now: Now, event: Event, is_event: bool, u: tuple[float, float, float], log: Log
 ) -> int:
-    """Record the start of a segment, if the log has room for it; the last event that it has room for is an end, too."""
-    counts, room_for = room.counts, log.rows.shape[0]
+    """Record the start of a segment, if the log has room for it; the last event that is asked for is an end, too."""
+    counts, room_for, may_end = room.counts, log.rows.shape[0], False
     count = counts[0]
     if is_event and counts[1] == log.most:
         return EVENT_LIMIT
-    if log.keeps_all and count == room_for:
-        return NO_ROOM
-    if is_event or count == 0:
+    begins = is_event or count == 0
+    if begins:
         counts[1], counts[2] = counts[1] + (1 if is_event else 0), count
-    may_end = counts[1] == log.most and counts[2] == count
-    if count < room_for or may_end:
+        may_end = counts[1] == log.most
+    if may_end or (count < room_for and (begins or log.keeps_all)):
         row = log.end if may_end else log.rows[count]
         write(problem, room, row, now, event.late, u)
         row[_ORDER], row[_EVENT] = now.order, 1.0 if is_event else 0.0
         row[_JUMP] = 1.0 if event.kind in (PIECE, CONTACT) else 0.0
-        if may_end:
-            write_ledger(room, row)
-            for k in range(ROW if count < room_for else 0):
-                log.rows[count, k] = row[k]
+        for k in range(ROW if may_end and count < room_for else 0):
+            log.rows[count, k] = row[k]
     put(room.clock[1], Pair(0.0, 0.0))
-    counts[0] += 1
+    counts[0] += 1 if begins or log.keeps_all else 0
     return GOES_ON
 
 
 @compilable
-def write_ledger(room: Room, end: Any) -> None:
-    """Write what was taken up to now."""
-    end[_FRICTION], end[_VISCOUS], end[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
-    end[_FRICTION + 1] = end[_VISCOUS + 1] = 0.0
-
-
-@compilable
 def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tuple[float, float, float]) -> None:
-    """Write the state at the clock, its bounds, and what else record.py says of a row."""
+    """Write the state at the clock, its bounds, what else record.py says of a row, and what was taken up to an end."""
     pair, b = problem.pair, problem.drive.b[now.piece, 0]
     row[_MODE], row[_PIECE] = now.mode, now.piece
     for i in range(2):
@@ -221,6 +187,9 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tupl
     row[_ERRORS], row[_ERRORS + 1] = min(box(E, R, 0), now.N) / scale[0] + far, v1
     row[_ERRORS + 2], row[_ERRORS + 3] = box(E, R, 2) / scale[2] + far, v2
     row[_ERRORS + 4] = 0.0
+    if row.shape[0] > ROW:
+        row[_FRICTION], row[_VISCOUS], row[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
+        row[_FRICTION + 1] = row[_VISCOUS + 1] = 0.0
 
 
 @compilable
@@ -230,6 +199,5 @@ def close(problem: Problem, room: Room, now: Now, how: int, log: Log) -> int:
     if how != EVENT_LIMIT:
         write(problem, room, end, now, 0.0, (0.0, 0.0, 0.0))
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
-        write_ledger(room, end)
     end[_HOW], end[_EVENTS], end[_CERTAIN] = how, counts[1], 1.0
     return counts[2] + 1 if how == EVENT_LIMIT else counts[0]

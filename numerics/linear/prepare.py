@@ -19,23 +19,25 @@ from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
 from numerics.errors import OutOfRange
-from numerics.linear.columns import Constants, Drive, constants
+from numerics.linear.columns import Constants, Drive, Problem, constants
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, ROW
-from numerics.linear.table import FIRST, Tables, form, make_tables
+from numerics.linear.table import (
+    FIRST,
+    REACH,
+    TERMS,
+    WIDE_REACH,
+    WIDE_TERMS,
+    Tables,
+    form,
+    make_tables,
+    most_terms,
+)
 from numerics.scene import Law, Pair, Scene
 
 Halves = tuple[float, float]
-REACH, TERMS = 2.0, 28
-"""rate h of a step in float64, and how many Taylor terms make truncation smaller than rounding."""
-_WIDE_REACH, _WIDE_TERMS = 1.5, 36
-"""The same in double-double."""
-_MORE_TERMS = 14
-"""So many terms more than the polynomial of u has coefficients."""
-_ROWS_PER_HALF_TURN, _MOST_HALF_TURNS = 3, 5_000
-"""Events that a half turn of the fastest rate (of body 1 alone, of a sine) is given room for; so many are foreseen."""
-
-
+_EVENTS_PER_HALF_TURN = 3
+"""So many events a half turn of the fastest rate (of body 1 alone, of a sine) is given room for."""
 _STATE = slice(AT["x1"], AT["x1"] + 8)
 """Where x1, v1, x2 and v2 stand in a row, as halves."""
 
@@ -55,20 +57,17 @@ class Units(NamedTuple):
 class Prepared(NamedTuple):
     """What the kernel takes, and the units in which it gives."""
 
-    pair: Constants
-    drive: Drive
-    tables: Tables
+    problem: Problem
     start: NDArray[np.float64]
-    is_decided: bool
     units: Units
     pieces: Sequence[ExactPiece]
 
-    @property
-    def room(self) -> int:
-        """Return how many rows are given room for at first; with more the run is made again."""
-        fastest = max((self.pair.a2 / self.pair.m1) ** 0.5, float(self.drive.sines[:, 1, 0].max(initial=0.0)))
-        half_turns = min(_MOST_HALF_TURNS, float(self.drive.length[:, 0].sum()) * fastest / math.pi)
-        return len(self.pieces) + 16 + int(_ROWS_PER_HALF_TURN * half_turns)
+    def room(self, most: int) -> int:
+        """Return how many rows are given room for at first, with so many events at most."""
+        pair, drive, *_ = self.problem
+        fastest = max((pair.a2 / pair.m1) ** 0.5, float(drive.sines[:, 1, 0].max(initial=0.0)))
+        half_turns = float(drive.length[:, 0].sum()) * fastest / math.pi
+        return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * half_turns))
 
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
@@ -94,23 +93,16 @@ def _turn(bits: int) -> Fraction:
         return exact_middle(2 * arb.pi())
 
 
-class Bodies(NamedTuple):
-    """What the kernel takes of a pair: its constants, m1, M, m2, a1 and a2 as halves, and the units of all numbers."""
-
-    constants: Constants
-    halves: tuple[Halves, ...]
-    units: Units
-
-
 def _exponent(x: Fraction) -> int:
     return x.numerator.bit_length() - x.denominator.bit_length()
 
 
 @lru_cache(maxsize=256)
-def bodies_of(pair: Pair, law: Law) -> Bodies:
-    """Return a pair in units in which M and a2 are about 1, and the other numbers not far from it, if they can.
+def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], Units]:
+    """Return the constants of a pair, its m1, M, m2, a1 and a2 as halves, and the units of all numbers.
 
-    Raises OutOfRange, also where floats do not hold what the answer is told in beside its own numbers: L and E_cr.
+    In these M and a2 are about 1, and the other numbers not far from it, if they can. Raises OutOfRange, also where
+    floats do not hold what the answer is told in beside its own numbers: L and E_cr.
     """
     for value in (pair.half_width, pair.critical_energy):
         if halves(value)[0] == 0.0:
@@ -119,36 +111,24 @@ def bodies_of(pair: Pair, law: Law) -> Bodies:
     units = Units(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
     given = (pair.m1, 0), (pair.mass, 0), (pair.m2, 0), (pair.a1, -1), (pair.a2, -2)
     numbers = tuple([halves(value, units.of(mass=1, time=power)) for value, power in given])
-    return Bodies(constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units)
+    return constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units
 
 
-def prepare(scene: Scene, *, wide: bool, before: Scene | None = None) -> Prepared:
-    """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange.
-
-    `before`: a scene that is prepared; where only the start differs, all else is what it is there.
-    """
+def prepare(scene: Scene, *, wide: bool) -> Prepared:
+    """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange."""
     if wide in scene.made:
         return scene.made[wide]
-    if before is not None and _all_but_start(before) == _all_but_start(scene):
-        shared: Prepared = before.made[wide]
-        scene.made["pieces"] = shared.pieces
-    else:
-        pair, numbers, units = bodies_of(scene.pair, scene.law)
-        pieces = pieces_of(scene)
-        drive, kinds, longest = _drive(pieces, units)
-        tables = _tables(numbers, tuple(kinds), longest, wide)
-        shared = Prepared(pair, drive, tables, np.zeros(ROW), False, units, pieces)
-    at, start, units = scene.initial, np.zeros(ROW), shared.units
-    place, speed = units.length, units.of(length=1, time=-1)
+    pair, numbers, units = _bodies_of(scene.pair, scene.law)
+    pieces = pieces_of(scene)
+    drive, kinds, longest = _drive(pieces, units)
+    tables = _tables(numbers, tuple(kinds), longest, wide)
+    at, start, place, speed = scene.initial, np.zeros(ROW), units.length, units.of(length=1, time=-1)
     values = halves(at.x1, place), halves(at.v1, speed), halves(at.x2, place), halves(at.v2, speed)
     start[_STATE] = [half for value in values for half in value]
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
-    scene.made[wide] = found = shared._replace(start=start, is_decided=gap != 0)
+    start[AT["jump"]] = gap == 0
+    scene.made[wide] = found = Prepared(Problem(pair, drive, tables, wide, True), start, units, pieces)
     return found
-
-
-def _all_but_start(scene: Scene) -> tuple[object, ...]:
-    return scene.force, scene.friction, scene.until, scene.pair, scene.law
 
 
 Kind = tuple[int, tuple[Halves, ...]]
@@ -179,17 +159,12 @@ def _drive(pieces: Sequence[ExactPiece], units: Units) -> tuple[Drive, dict[Kind
     return drive, kinds, max(length)[0]
 
 
-def most_terms(coefficients: int, least: int = TERMS) -> int:
-    """Return how many Taylor terms a table has: an even number, beyond the degree of the polynomial of u."""
-    return max(least, coefficients + _MORE_TERMS + coefficients % 2)
-
-
 @lru_cache(maxsize=64)
 def _tables(pair: tuple[Halves, ...], kinds: tuple[Kind, ...], longest: float, wide: bool) -> Tables:
     """Return the tables of all kinds of force."""
     columns, most = max(FIRST + terms + 2 * len(omegas) for terms, omegas in kinds), max(terms for terms, _ in kinds)
-    reach, terms = (_WIDE_REACH, most_terms(most, _WIDE_TERMS)) if wide else (REACH, most_terms(most))
-    tables = make_tables(len(kinds), columns, terms)
+    reach, terms = (WIDE_REACH, WIDE_TERMS) if wide else (REACH, TERMS)
+    tables = make_tables(len(kinds), columns, most_terms(most, terms))
     for index, (coefficients, omegas) in enumerate(kinds):
         compiled(form)(
             tables, index, np.array(pair), coefficients, np.array(omegas).reshape(-1, 2), longest, reach, wide

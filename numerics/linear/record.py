@@ -32,10 +32,12 @@ sequence, what friction and viscosity took (J, sums of positive terms), a bound 
 AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 """The index of each column."""
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
+UNKNOWN = -1
+"""How a row of a batch ended that compiled code leaves to a run of its own."""
 
 
 _EVENT, _PIECE, _LOCAL, _LENGTH = (AT[name] for name in ("event", "piece", "local", "length"))
-_X1, _EXCESS, _FRICTION, _LOST = (AT[name] for name in ("x1", "excess", "friction", "dissipated_error"))
+_X1, _EXCESS, _FRICTION = (AT[name] for name in ("x1", "excess", "friction"))
 _OF_DIMENSION = (), ("local", "length", "late"), ("x1", "x2"), ("v1", "v2"), ("friction", "viscous", "dissipated")
 _DIMENSION = {name: index for index, names in enumerate(_OF_DIMENSION) for name in names}
 DIMENSION = np.array([_DIMENSION.get(name.removesuffix("_low").removesuffix("_error"), 0) for name in AT])
@@ -104,8 +106,7 @@ def rounded(record: Record) -> Record:
     rows, end = record.rows.copy(), record.end.copy()
     for table in (rows, end.reshape(1, -1)):
         (compiled(round_off) if compiles_now() else round_off)(table)
-    lost = float(end[_FRICTION]), float(end[_FRICTION + 2]), float(end[_LOST])
-    return record._replace(rows=rows, end=end, friction=lost[0], viscous=lost[1], dissipated_error=lost[2])
+    return record._replace(rows=rows, end=end)
 
 
 class How(IntEnum):
@@ -146,16 +147,10 @@ class Knot(NamedTuple):
 
 
 class Record(NamedTuple):
-    """A run: `rows` (n, ROW) or a list of Knots, the first one at t = 0; `end`, a row of END_ROW columns or a Knot.
-
-    What the row of the end has besides stands in the fields after it where it is a Knot.
-    """
+    """A run: `rows` (n, ROW) or a list of Knots, the first one at t = 0; `end`, a row of END_ROW columns or a Knot."""
 
     rows: Any
     end: Any
     how: How
     events: int
     certain: bool = True
-    friction: Any = 0
-    viscous: Any = 0
-    dissipated_error: float = 0.0

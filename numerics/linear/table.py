@@ -28,6 +28,10 @@ PRECISE = 22
 """So many terms of a series are formed in pairs: later ones, 1.5^22/22! and less, weigh so little that floats do."""
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
+REACH, TERMS = 2.0, 28
+"""rate h of a step in float64, and how many Taylor terms make truncation smaller than rounding."""
+WIDE_REACH, WIDE_TERMS = 1.5, 36
+"""The same in double-double."""
 ORDERS = 8
 """A guard starts with so many vanishing coefficients at most, less one."""
 
@@ -60,6 +64,12 @@ class Tables(NamedTuple):
     """(kinds, 2, 4, 2, n): the same of x1, h v1, x2, h v2."""
     squares: Any
     """(kinds, 2, n, n): int v1^2 dt over the step, as a quadratic form of z; 0 without damping."""
+
+
+@compilable
+def most_terms(coefficients: int, least: int) -> int:
+    """Return how many Taylor terms a table has: an even number, 14 beyond the degree of the polynomial of u or more."""
+    return max(least, coefficients + 14 + coefficients % 2)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -151,7 +161,7 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
     z, after, total, cut = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2)), np.zeros(count)
     for e in range(len(places)):
         to, of = places[e, 0], places[e, 1]
-        A[to, of, 0], A[to, of, 1] = times(Pair(A[to, of, 0], A[to, of, 1]), h)
+        put(A[to, of], times(pair_of(A[to, of]), h))
     for j in range(count):
         z[:, :] = 0.0
         z[j, 0] = 1.0
@@ -166,14 +176,12 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
             for e in range(len(places)):
                 to, of = places[e, 0], places[e, 1]
                 if z[of, 0] != 0.0:
-                    term = product(Pair(A[to, of, 0], A[to, of, 1]), Pair(z[of, 0], z[of, 1]))
-                    after[to, 0], after[to, 1] = plus(Pair(after[to, 0], after[to, 1]), term)
+                    put(after[to], plus(pair_of(after[to]), product(pair_of(A[to, of]), pair_of(z[of]))))
             z[:, :] = 0.0
             for i in range(count):
                 if after[i, 0] != 0.0:  # most are 0, and divisions take half of the time
-                    one = Pair(after[i, 0], after[i, 1]) / (k + 1.0)
-                    z[i, 0], z[i, 1] = one
-                    total[i, 0], total[i, 1] = plus(Pair(total[i, 0], total[i, 1]), one)
+                    put(z[i], pair_of(after[i]) / (k + 1.0))
+                    put(total[i], plus(pair_of(total[i]), pair_of(z[i])))
         for i in range(count):
             end[0, i, j], end[1, i, j] = total[i, 0], total[i, 1]
     return cut

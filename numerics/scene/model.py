@@ -98,13 +98,10 @@ class State(ShortRepr):
     v1: Fraction
     x2: Fraction
     v2: Fraction
-    row: Any = field(default=None, init=False, repr=False, compare=False)
-    """The same for compiled code, made when it is first needed (solver/prepared.py)."""
 
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
-        put(self, row=None)
 
 
 def require_kind(asking: str, value: object, kind: type, remedy: str) -> None:

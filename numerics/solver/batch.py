@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from numerics.arithmetic.compiled import compiled
+from numerics.linear.errors_of import errors_of_rows
 from numerics.linear.record import AT, BOUNDS, How
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
@@ -182,29 +184,25 @@ class Batch(Ends):
         return self._end(*BOUNDS[1:5])
 
     @cached_property
-    def _energy(self) -> tuple[Floats, Floats, Floats]:
-        """Return the energy at the end, a bound on its error, and E_cr, J."""
-        m1, m2, a2, b = (self._given(name) for name in SI[:4])
-        y, off = self.y, self.y_error
-        energy, error = np.zeros(self.shape), np.zeros(self.shape)
-        with np.errstate(over="ignore", invalid="ignore"):
-            for place, weight in ((0, a2), (1, m1), (3, m2)):
-                energy = energy + weight * y[place] ** 2 / 2
-                error = error + weight * off[place] * (abs(y[place]) + off[place] / 2)
-            return energy, error + 8 * _UNIT * energy, (b * (m1 + m2) / m2) ** 2 / (2 * a2)
+    def _judged(self) -> Floats:
+        """Return bounds on the error of the excess at the end, and the worst relative errors, a line each."""
+        with np.errstate(all="ignore"):
+            found = compiled(errors_of_rows)(self.numbers, self.kept, self.ends, _UNIT)
+        return np.asarray(found).reshape(2, *self.shape)
 
     @cached_property
     def energy_excess(self) -> Floats:
         """Return E/E_cr - 1 at the end, of the pair's own b."""
-        (carried,), (energy, _, critical) = self._end("excess"), self._energy
-        return np.where(np.isnan(carried), energy / critical - 1, carried)
+        (carried,), (x1, v1, _, v2) = self._end("excess"), self.y
+        m1, m2, a2, b = (self._given(name) for name in SI[:4])
+        with np.errstate(over="ignore", invalid="ignore"):
+            energy = a2 * x1**2 / 2 + m1 * v1**2 / 2 + m2 * v2**2 / 2
+            return np.where(np.isnan(carried), energy / ((b * (m1 + m2) / m2) ** 2 / (2 * a2)) - 1, carried)
 
     @cached_property
     def energy_excess_error(self) -> Floats:
         """Return a bound on its error."""
-        (carried, bound), (energy, error, critical) = self._end("excess", "excess_error"), self._energy
-        formed = error / critical + 8 * _UNIT * (1 + energy / critical)
-        return np.where(np.isnan(carried), formed, bound)
+        return np.where(self._how == How.OUT_OF_RANGE, np.nan, self._judged[0])
 
     @cached_property
     def dissipated(self) -> Floats:
@@ -245,22 +243,6 @@ class Batch(Ends):
     @cached_property
     def digits(self) -> Counts:
         """Return the right digits of the kept events and of the end, 0 where the events are not certain."""
-        start = np.stack([self._given(name) for name in STATE])[..., None]
-        values = np.concatenate([start, self.event_y, self.y[..., None]], axis=-1)
-        errors = np.concatenate([0 * start, self.event_y_error, self.y_error[..., None]], axis=-1)
-        sizes = np.nan_to_num(abs(values)).max(axis=-1)
-        sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])  # both positions, and both velocities, have one
-        _, error, _ = self._energy
-        weights = [self._given(name)[..., None] for name in ("a2", "m1", "m2")]
-        energies = sum(weight * values[place] ** 2 / 2 for place, weight in zip((0, 1, 3), weights, strict=True))
-        energy = np.nan_to_num(energies).max(axis=-1)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            ratios = [
-                (np.nan_to_num(errors, posinf=np.inf).max(axis=-1) / sizes).max(axis=0),
-                np.max(np.nan_to_num(self.event_t_error / self.event_t), axis=-1, initial=0.0),
-                error / energy,
-                self.energy_excess_error / abs(self._end("excess")[0]),
-                np.full(self.shape, _UNIT),
-            ]
-            right = np.floor(-np.log10(np.nanmax(np.stack(ratios), axis=0)))
+        with np.errstate(divide="ignore"):
+            right = np.floor(-np.log10(np.maximum(self._judged[1], _UNIT)))
         return np.where(self.certain, np.clip(right, 0, MOST_DIGITS["float64"]), 0).astype(np.int64)

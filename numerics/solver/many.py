@@ -7,9 +7,9 @@ Python only hands out chunks of rows to compiled code, where numba is installed.
 from __future__ import annotations
 
 import reprlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
@@ -18,32 +18,21 @@ from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
-from numerics.free.engine import scene_row
-from numerics.free.rows import UNKNOWN
 from numerics.linear.batch import Columns
-from numerics.linear.record import AT, END_ROW, ROW, How
+from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch, near
-from numerics.solver.rows import (
-    form_ledgers,
-    frictions_of,
-    in_chunks,
-    of_one_kind,
-    solve_columns,
-    solve_one,
-    solve_prepared,
-)
+from numerics.solver.rows import form_ledgers, frictions_of, in_chunks, solve_columns, solve_one
 from numerics.trajectory.columns import Floats
-from numerics.trajectory.run import MAX_EVENTS, free_scene
+from numerics.trajectory.run import MAX_EVENTS
 
 if TYPE_CHECKING:
     from numerics.solver.plane_batch import PlaneBatch
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
-_FLOATS = np.finfo(np.float64)
 Progress = Callable[[int, int], None]
 
 
@@ -122,13 +111,18 @@ def solve_many(
     # a polynomial would have to begin anew with each piece of friction
     in_columns = force is None and (friction is None or (terms < 2 and _fits_in_columns(friction)))
     force, friction = NO_FORCE if force is None else force, SAME_FRICTION if friction is None else friction
+    arrays = {
+        name: np.asarray(one, object) if exact else _checked(name, _numbers(name, one)) for name, one in named.items()
+    }
+    arrays |= {"force": _all_of("force", Force, force), "friction": _all_of("friction", Friction, friction)}
+    shape = _common_shape(arrays)
     if exact or not in_columns:
-        return _solve_objects(named, terms, (force, friction), law, limits, binary=not exact)
-    flat, shape = _numbers_of(named)
-    numbers = flat[:, : len(SI)]
-    waves = flat[:, len(SI) + terms :].reshape(len(flat), len(sines), 3)
-    halves = np.stack((numbers, np.zeros_like(numbers)), axis=-1).reshape(len(flat), 2 * len(SI))
-    columns = Columns(halves, flat[:, len(SI) : len(SI) + terms], waves, frictions_of(friction))
+        return _solve_objects(arrays, shape, terms, law, limits)
+    del arrays["force"], arrays["friction"]
+    flat = np.stack([np.broadcast_to(one, shape).ravel() for one in arrays.values()], axis=-1)
+    # each contiguous, as compiled code is made for a layout
+    numbers, polynomials, waves = map(np.ascontiguousarray, np.split(flat, [len(SI), len(SI) + terms], axis=1))
+    columns = Columns(numbers, polynomials, waves.reshape(len(flat), len(sines), 3), frictions_of(friction))
     how = law is Law.THREE_VALUED_SGN, max_events
 
     def scene_of(row: int) -> Scene:
@@ -136,9 +130,10 @@ def solve_many(
 
     def run(part: slice, kept: Floats, ends: Floats) -> None:
         solve_columns(columns.part(part), *how, kept, ends)
+        later = numbers[part, SI.index("until")] <= float(max(friction.starts, default=0))
+        ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
 
-    later = numbers[:, SI.index("until")] <= float(max(friction.starts, default=0))
-    kept, ends = _solved(run, scene_of, later, limits)
+    kept, ends = _solved(scene_of, len(flat), limits, run)
     return Batch(numbers, ends, kept, shape, partial(form_ledgers, columns, how, jobs))
 
 
@@ -158,10 +153,10 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Batch | PlaneBatch:
-    """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),).
+    """Solve scenes one by one as by solve(scene, arithmetic="float64"); arrays of shape (len(scenes),).
 
-    Scenes on a surface, with one number of axes, run each by itself, in `jobs` processes, which need joblib (default:
-    all cores if it is there), and make a PlaneBatch.
+    Scenes on a surface, with one number of axes, run in `jobs` processes, which need joblib (default: all cores if it
+    is there), and make a PlaneBatch. Those on a line run in one thread; arrays of numbers are quicker by `solve_many`.
 
     Raises TypeError for what is no list of scenes of one kind, ValueError for bad arguments, MissingTool.
 
@@ -169,20 +164,27 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
     [24, 0]
     """
-    given, limits = of_one_kind(scenes), _Limits(max_events, keep_events, jobs, progress).checked()
+    given, limits = _of_one_kind(scenes), _Limits(max_events, keep_events, jobs, progress).checked()
     if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
         return solve_surfaces(given, *limits)
-    if any(scene.friction.weakening for scene in given):
-        limits = limits._replace(jobs=1)  # they are solved in balls, whose precision all threads share
+    numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
+    kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
+    return Batch(numbers, ends, kept, (len(given),))
 
-    def run(part: slice, kept: Floats, ends: Floats) -> None:
-        solve_prepared(given[part], max_events, kept, ends)
 
-    numbers = np.array([_numbers_in(scene) for scene in given])
-    kept, ends = _solved(run, given.__getitem__, np.array([scene.changes_later for scene in given], bool), limits)
-    return Batch(numbers.reshape(-1, len(SI)), ends, kept, (len(given),))
+def _of_one_kind(given: Any) -> Any:
+    """Return what was given as a list of scenes of one kind. Raises TypeError."""
+    kept = list(given) if isinstance(given, Iterable) else [given]
+    if not isinstance(given, Iterable) or not all(isinstance(one, Scene | PlaneScene) for one in kept):
+        raise TypeError("solve_scenes takes a list of Scenes, or of PlaneScenes; for one scene there is solve")
+    kinds = {f"{one.pair.axes} axes" if isinstance(one, PlaneScene) else "one line" for one in kept}
+    if len(kinds) > 1:
+        raise TypeError(
+            f"these scenes have {' and '.join(sorted(kinds))}; solve those of each kind in a call of its own"
+        )
+    return kept
 
 
 def _fits_in_columns(friction: Any) -> bool:
@@ -197,9 +199,6 @@ def _fits_in_columns(friction: Any) -> bool:
 
 def _numbers_in(scene: Scene) -> Any:
     """Return the SI numbers of a scene as floats, nan beyond their range."""
-    row = scene_row(scene) if free_scene(scene) else None
-    if row is not None:
-        return row[::2]
     pair, at = scene.pair, scene.initial
     numbers = pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
     return [near(one) for one in numbers]
@@ -227,43 +226,41 @@ def _scene(
     return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
 
 
-def _solve_objects(
-    named: dict[str, ArrayLike], terms: int, acting: tuple[Any, Any], law: Law, limits: _Limits, *, binary: bool
-) -> Batch:
+def _all_of(name: str, kind: type, given: Any) -> Any:
+    """Return objects of one kind as an array. Raises InvalidScene."""
+    array = np.asarray(given, dtype=object)
+    if wrong := [one for one in array.flat if not isinstance(one, kind)]:
+        what = kind.__name__
+        raise InvalidScene(f"{name} holds {str(wrong[0])[:40]!r}; give a {what}([...]), or a list of them")
+    return array
+
+
+def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law, limits: _Limits) -> Batch:
     """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
-    if binary:
-        named = {name: _numbers(name, values) for name, values in named.items()}
-        for name, array in named.items():
-            _refuse(name, np.asarray(array))
-        exactly = np.vectorize(Fraction, otypes=[object])
-        named = {name: exactly(array) if np.size(array) else array for name, array in named.items()}
-    arrays = {name: np.asarray(values, dtype=object) for name, values in named.items()}
-    for name, kind, given in zip(("force", "friction"), (Force, Friction), acting, strict=True):
-        arrays[name] = np.asarray(given, dtype=object)
-        if wrong := [one for one in arrays[name].flat if not isinstance(one, kind)]:
-            what = kind.__name__
-            raise InvalidScene(f"{name} holds {str(wrong[0])[:40]!r}; give a {what}([...]), or a list of them")
-    shape, pairs = _common_shape(arrays), dict[tuple[int, ...], Pair]()
-    rows = zip(*(np.broadcast_to(one, shape).ravel() for one in arrays.values()), strict=True)
+    exactly, pairs = np.vectorize(Fraction, otypes=[object]), dict[tuple[int, ...], Pair]()
+    each = (one if one.dtype == object else exactly(one) for one in arrays.values())
+    rows = zip(*(np.broadcast_to(one, shape).ravel() for one in each), strict=True)
     found = solve_scenes([_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows], **limits._asdict())
     found.shape = shape
     return found
 
 
 def _solved(
-    run: Callable[[slice, Floats, Floats], None], scene_of: Callable[[int], Scene], later: Any, limits: _Limits
+    scene_of: Callable[[int], Scene],
+    count: int,
+    limits: _Limits,
+    run: Callable[[slice, Floats, Floats], None] | None = None,
 ) -> tuple[Floats, Floats]:
-    """Solve rows in chunks, those that `run` leaves one by one; return the rows of first events and those of ends.
+    """Solve rows in chunks, by compiled code if there is some, and those that it leaves one by one.
 
-    `later`: where another piece begins at the horizon or after it, no stick is for ever.
+    Return the rows of first events and those of ends.
     """
-    count, done = len(later), 0
-    ends, kept = np.zeros((count, END_ROW)), np.full((count, limits.keep_events + 1, ROW), np.nan)
+    ends, kept, done = np.zeros((count, END_ROW)), np.full((count, limits.keep_events + 1, ROW), np.nan), 0
 
     def solve(part: slice) -> int:
         hows = ends[part, AT["how"]]
         hows[:] = UNKNOWN
-        if can_compile():
+        if run is not None and can_compile():
             run(part, kept[part], ends[part])
         for row in part.start + np.flatnonzero(hows == UNKNOWN):
             solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row])
@@ -273,21 +270,7 @@ def _solved(
         done += some
         if limits.progress is not None:
             limits.progress(done, count)
-    ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
     return kept, ends
-
-
-def _numbers_of(named: dict[str, ArrayLike]) -> tuple[Floats, tuple[int, ...]]:
-    """Return numbers by rows, and the shape that their arrays have together; checked."""
-    arrays = {name: _numbers(name, values) for name, values in named.items()}
-    shape = _common_shape(arrays)
-    wide = np.zeros((*shape, len(arrays)))
-    for index, array in enumerate(arrays.values()):
-        wide[..., index] = array
-    if not (wide.size and _allowed(wide, np.array([_least(name) for name in arrays])).all()):
-        for name, array in arrays.items():
-            _refuse(name, np.asarray(array))
-    return wide.reshape(-1, len(arrays)), shape
 
 
 def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
@@ -324,24 +307,12 @@ def _numbers(name: str, values: Any) -> Floats:
     )
 
 
-def _refuse(name: str, array: Floats) -> None:
-    """Raise InvalidScene, naming the first number that is out of bounds, if there is one."""
-    least = _least(name)
-    wrong = ~_allowed(array, least)
+def _checked(name: str, array: Floats) -> Floats:
+    """Return an array as it is. Raises InvalidScene, naming the first number that is out of bounds."""
+    bound = "> 0 and " if name in _POSITIVE or name.endswith(".omega") else ">= 0 and " if name == "a1" else ""
+    wrong = ~np.isfinite(array) | ((array < 0) & bool(bound)) | ((array == 0) & (bound[:2] == "> "))
     if np.any(wrong):
         first = tuple(int(i) for i in np.argwhere(wrong)[0])
         place = f"{name}{list(first) if first else ''} = {array[first]:g}"
-        bound = "finite" if least < 0 else ">= 0 and finite" if least == 0 else "> 0 and finite"
-        raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")
-
-
-@cache
-def _least(name: str) -> float:
-    """Return the least number that a quantity may be."""
-    if name in _POSITIVE or name.endswith(".omega"):
-        return float(_FLOATS.smallest_subnormal)
-    return 0.0 if name == "a1" else float(_FLOATS.min)
-
-
-def _allowed(array: Floats, least: Any) -> Any:
-    return np.asarray((array >= least) & (array <= _FLOATS.max))
+        raise InvalidScene(f"{place} must be {bound}finite; correct it, or leave that scene out")
+    return array

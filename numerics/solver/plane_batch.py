@@ -66,10 +66,9 @@ class PlaneBatch(Ends):
         """Return "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until, (rows,) each, SI units."""
         named = {"until": [one.until for one in self.scenes]}
         for k in range(self.y.shape[-1]):
-            for name in ("m1", "m2", "b"):
-                named[f"{name} {AXES[k]}"] = [getattr(one.pair, name)[k] for one in self.scenes]
-            for name in STATE:
-                named[f"{name} {AXES[k]}"] = [getattr(one, name)[k] for one in self.scenes]
+            for name in ("m1", "m2", "b", *STATE):
+                of = [one if name in STATE else one.pair for one in self.scenes]
+                named[f"{name} {AXES[k]}"] = [getattr(one, name)[k] for one in of]
         return {name: np.array([near(x) for x in given]) for name, given in named.items()}
 
 

@@ -8,16 +8,14 @@ from functools import partial
 from math import isfinite
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
 from numerics.free.engine import run_row, scene_row
 from numerics.scene import Law, Pair, Scene, State, read_law
-from numerics.scene.decimals import Exact, exact_decimal, require_whole
+from numerics.scene.decimals import Exact, positive, require_whole
+from numerics.scene.model import HORIZON
 from numerics.trajectory.run import MAX_EVENTS, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
 
@@ -62,14 +60,12 @@ class Solver:
         InvalidScene, OutOfRange, EventUndecided.
         """
         if self._until[0] is not until:
-            exact = exact_decimal(until, "until")
-            if exact <= 0:
-                raise InvalidScene(f"until = {float(exact):g} must be > 0; give the horizon in seconds")
-            self._until = until, exact, nearest(exact)
+            end = positive(until, "until", HORIZON)
+            self._until = until, end, nearest(end) if end < 10**300 else None  # which a float holds
         if not isinstance(state, State):
             state = _four(state)  # kept as it is now, whatever becomes of a list or an array
         halves = _halves(state)
-        if self._row is not None and halves is not None:
+        if self._row is not None and halves is not None and self._until[2] is not None:
             self._row[_STATE], self._row[_UNTIL] = halves, self._until[2]
             found = run_row(self._row, self.law is Law.THREE_VALUED_SGN, self.max_events)
             if found is not None:
@@ -83,17 +79,15 @@ class Solver:
         return Scene.of(self.pair, state, until, self.law)
 
 
-def _halves(state: State | Four) -> NDArray[np.float64] | None:
-    """Return a state as high and low halves; None where they would make two velocities equal that are not."""
+def _halves(state: State | Four) -> list[float] | None:
+    """Return a state as high and low halves; None where floats do not hold it, or would make two velocities equal."""
     if not isinstance(state, State):
-        x1, v1, x2, v2 = state
-        return np.array((x1, 0.0, v1, 0.0, x2, 0.0, v2, 0.0))
-    if state.row is None:
+        return [half for one in state for half in (one, 0.0)]
+    try:
         halves = [half for one in (state.x1, state.v1, state.x2, state.v2) for half in nearest(one)]
-        same = halves[2:4] == halves[6:8]
-        object.__setattr__(state, "row", (np.array(halves) if same == (state.v1 == state.v2) else None,))
-    found: NDArray[np.float64] | None = state.row[0]
-    return found
+    except OverflowError:
+        return None
+    return halves if (halves[2:4] == halves[6:8]) == (state.v1 == state.v2) else None
 
 
 def _four(state: Any) -> Four:

@@ -118,14 +118,14 @@ class Trajectory(Solution):
 
 def _record(header: dict[str, Any], arrays: dict[str, Any], pieces: int) -> Record:
     """Return what a run wrote. Raises ValueError, and what else a file that nobody saved can bring about."""
-    events, certain, *lost = header["rest"]
+    events, certain, *_ = header["rest"]
     if arrays:
         rows, end = arrays["rows"], arrays["end"]
         if rows.dtype != float or rows.shape[1:] != (ROW,) or end.dtype != float or end.shape != (END_ROW,):
             raise ValueError("its arrays have other shapes")
     else:
         *rows, end = (Knot(*one) for one in header["knots"])
-    found = Record(rows, end, How(header["how"]), events, certain, *lost)
+    found = Record(rows, end, How(header["how"]), events, certain)
     modes, indices = (Columns(found, wide=False).code(name) for name in ("mode", "piece"))
     if not np.isin(modes, (-1, 0, 1)).all() or not np.isin(indices, range(pieces)).all():
         raise ValueError("its rows are not those of a run of its scene")

@@ -152,6 +152,8 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
         (lambda: solve(PAPER).animate("film.avi"), "must end in .gif or .mp4"),
         (lambda: solve(PAPER).animate(duration=1e9), "frames"),
         (lambda: Solver(PAPER.pair)(State(), until=0), "until = 0 must be > 0"),
+        (lambda: Solver(PAPER.pair)(State(), until="1e400"), "beyond the range of float64"),
+        (lambda: Solver(PAPER.pair)(State(v1="1e400"), until=1), "beyond the range of float64"),
         (lambda: Pair(m1=[1, 2], m2=1, a2=1, b=1), r"not \[1, 2\]; give arrays to solve_many"),
         (lambda: many(progress=3), "progress = 3 must be a function"),
         (lambda: many(sines=3), "must be a list"),

@@ -18,6 +18,7 @@ from numerics.linear.evolve import evaluate, evolve
 from numerics.linear.first_root import CLEAR
 from numerics.linear.ledger import slid_and_damped
 from numerics.linear.next_event import Step, no_event, refined
+from numerics.linear.record import AT
 from numerics.linear.table import ORDERS, PRECISE, UNIT, WIDE_UNIT, count_roundings, form, make_tables
 
 TERMS, H = 36, 0.125
@@ -36,8 +37,8 @@ def test_what_viscosity_takes_under_a_power_of_time_is_within_its_bound(power, w
     speed = [(k - 1, k * c) for k, c in enumerate(series) if c]
     truth = pair.a1 * sum(c * d / (k + n + 1) for k, c in speed for n, d in speed)
     force = Force([Piece(0, [0] * power + [1])])
-    record = run_pairs(Scene(pair, State(), 1, force=force), wide=wide, max_events=1)
-    assert abs(Fraction(record.viscous) - truth) <= record.dissipated_error < 1e-8 * truth
+    end = run_pairs(Scene(pair, State(), 1, force=force), wide=wide, max_events=1).end
+    assert abs(Fraction(end[AT["viscous"]]) - truth) <= end[AT["dissipated_error"]] < 1e-8 * truth
 
 
 @pytest.mark.parametrize("terms", [4, 6, 9])
