@@ -11,10 +11,10 @@ from collections.abc import Sequence
 
 from flint import arb, arb_poly
 
-from numerics.plane.defect import Defect
+from numerics.plane.defect import Defect, defect
 from numerics.plane.path import OUTSIDE, Path
 from numerics.plane.polynomial import least
-from numerics.plane.series import Curve, linear_series
+from numerics.plane.series import Curve, Expansion
 from numerics.plane.vector import Vector
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
@@ -107,15 +107,18 @@ class LinearRun(Path):
     def one_step(self) -> None:
         """Go on for a step, or to the first event in it."""
         friction = self.friction
-        series = linear_series(self.system, self.at, friction)
-        reach = self.step((series.q1, self.place), ([*series.v2, *series.slip], self.speed))
-        for k, order in self.young.items():
-            series.slip[k][:order] = [arb(0)] * order  # what is dropped is seen in the defect
+        expansion = Expansion(self.system, self.at, friction)
+        reach = self.step(expansion, self.speed)
+        for k, order in self.young.items():  # what is dropped is seen in the defect
+            whole = expansion.polynomials[k].coeffs()
+            expansion.polynomials[k] = arb_poly([0] * order + whole[order:])
         while True:
             h, ends = self.fitted(reach)
             if not all(self.outward(k, h * SHORT) < 0 for k in self.on_edge):
                 raise self.undecided(AT_FIRST)
-            curve, found, norm = self.drawn(series, h, friction)
+            curve = expansion.drawn(h)
+            found = defect(self.system, curve, self.system.still)
+            norm = (self.norm + found.norm).upper()
             if not all(self.has_begun(i, curve.s[i], norm, h) for i in self.young):
                 reach = (h / 2).mid()
                 if reach < self.period * self.eps:

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
-from flint import arb, arb_poly, arb_series
+from flint import arb, arb_poly
 
 from numerics.errors import EventUndecided, NotSettled
 from numerics.plane.answer import PlaneEvent
-from numerics.plane.defect import Defect, defect
-from numerics.plane.polynomial import first_root, log2, midpoints, scaled, two_to
-from numerics.plane.series import Curve, Point, Series, curve_of
+from numerics.plane.polynomial import first_root, log2, two_to
+from numerics.plane.series import Curve, Expansion, Point
 from numerics.plane.states import Leg, States
 from numerics.plane.system import Drive, System, highest
 from numerics.plane.vector import Vector, exact, wide
@@ -138,35 +137,20 @@ class Path:
         """Return Lam of the path at the point."""
         return self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
 
-    def step(self, *groups: tuple[Iterable[Sequence[Any]], arb]) -> arb:
-        """Return how far coefficients reach: there their last two terms are 2^-bits of a size."""
+    def step(self, expansion: Expansion, fast: arb) -> arb:
+        """Return how far an expansion reaches: there its last two terms are 2^-bits of sizes; `fast`: that of s."""
         found = math.inf
-        for rows, size in groups:
+        for rows, size in zip(expansion.rows, (fast, self.place, self.speed, self.period), strict=True):
             enough = log2(size) - self.system.bits
             for row in rows:
                 top = len(row) - 1
                 found = min([found, *((enough - log2(row[k])) / k for k in (top, top - 1) if k > 0 and row[k] != 0)])
-        return two_to(found) if found < math.inf else arb("inf")
+        return two_to(found) * expansion.unit if found < math.inf else arb("inf")
 
     def fitted(self, h: arb) -> tuple[arb, bool]:
         """Return a time to go on for, not beyond the end of the piece, and whether it is that."""
         left = (self.drive.length - self.at.t).mid()
         return (left, True) if h >= left else (h, False)
-
-    def drawn(self, series: Series, h: arb, friction: Sequence[arb | None]) -> tuple[Curve, Defect, arb]:
-        """Return the curve of a series by time on [0, h], its defect, and N at its end."""
-        q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
-        held = v2.each(arb_poly.derivative) * self.system.m2
-        impulse = Vector(x if f is None else arb_poly([f * h]) for x, f in zip(held, friction, strict=True))
-        curve = self.timed(h, q1, v2, s, impulse)
-        found = defect(self.system, curve, self.system.still)
-        return curve, found, (self.norm + found.norm).upper()
-
-    def timed(self, h: arb, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
-        """Return the curve of polynomials of the time, h of it on [0, 1]."""
-        t, top = arb_poly([self.at.t, h]), max(self.system.degree, q1[0].length()) + 2
-        swing = [tuple(map(midpoints, one)) for one in self.drive.swing(arb_series([self.at.t, h], top))]
-        return curve_of(self.at, t, q1, v2, s, impulse, swing)
 
     def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
         """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""
