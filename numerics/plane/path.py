@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import arb, arb_poly
 
-from numerics.errors import EventUndecided, NotSettled
+from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent
 from numerics.plane.polynomial import first_root, log2, two_to
 from numerics.plane.series import Curve, Expansion, Point
@@ -41,36 +41,9 @@ class Path:
             q1, v1, v2 = map(exact, system.given.start)
             self.norm, self.apart = arb(0), system.still
             self.set(Point(0, arb(0), q1, v2, v1 - v2, system.still))
-            b, period = system.pieces[0].b, (system.mass / system.stiff).each(arb.sqrt)
+            b = system.pieces[0].b
             self.place = highest(Vector((*q1, *(b / system.stiff))))
-            self.speed = highest(Vector((*v1, *v2, *(b * period / system.mass))))
-            self.period = highest(period)
-
-    def follow(self) -> None:
-        """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
-        pieces = self.system.pieces
-        with self.system.fine():
-            self.released(None)
-            while self.at.piece < len(pieces):
-                if len(self.events) >= self.max_events:
-                    return
-                if len(self.legs) >= self.max_legs:
-                    raise NotSettled(f"{len(self.legs)} steps end at t = {self.time:.6g} s; give an earlier horizon")
-                piece = self.at.piece
-                self.one_step()
-                if piece < self.at.piece < len(pieces):
-                    self.released("jump")
-                if self.progress is not None and len(self.legs) % 32 == 0:
-                    self.progress(len(self.events), self.time / float(self.system.given.pieces[-1].end))
-            self.reached = True
-
-    def released(self, cause: str | None) -> None:
-        """Choose the mode where a piece of force begins; without a cause it is the start."""
-        raise NotImplementedError
-
-    def one_step(self) -> None:
-        """Go on for a step, or to the first event in it."""
-        raise NotImplementedError
+            self.speed = highest(Vector((*v1, *v2, *(b / (system.mass * system.stiff).each(arb.sqrt)))))
 
     @property
     def drive(self) -> Drive:
@@ -88,10 +61,8 @@ class Path:
 
     def set(self, point: Point) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
-        q1, v2, s, z = (part.each(arb.rad) for part in point[2:])
-        self.norm = (self.norm + self.system.norm(q1, s + v2, v2)).upper()
-        self.apart = (self.apart + z).each(arb.upper)
-        self.at = Point(point.piece, point.t.mid(), *(part.each(arb.mid) for part in point[2:]))
+        self.at, norm, apart = point.middle(self.system)
+        self.norm, self.apart = (self.norm + norm).upper(), (self.apart + apart).each(arb.upper)
 
     def drift(self, norm: arb, passed: arb) -> None:
         """Let z be off by what v1 - v2 is off for a time, on the axes that slip."""
@@ -100,14 +71,14 @@ class Path:
 
     def go_on(self, curve: Curve, end: arb, norm: arb, *, ends: bool) -> None:
         """Record a curve and go to its end, or to the next piece of force if it `ends` there."""
-        t = curve.t(end)
-        self.drift(norm, (t - curve.t(arb(0))).abs_upper())
+        point = curve.at(end)
+        self.drift(norm, (point.t - curve.t(arb(0))).abs_upper())
         self.norm = norm
-        self.set(Point(curve.piece, t, *(part.each(lambda p: p(end)) for part in curve[2:6])))
+        self.set(point)
         true = self.drive.length if ends else self.at.t
         # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
-        self.norm = (self.norm + self.rate(true) * abs(t - true)).upper()
-        self.legs.append(Leg(curve._replace(swing=()), self.mode, end, self.norm, self.apart))
+        self.norm = (self.norm + self.rate(true) * abs(point.t - true)).upper()
+        self.legs.append(Leg(curve._replace(impulse=Vector(), swing=()), end, self.norm, self.apart))
         if ends:
             self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 
@@ -130,21 +101,16 @@ class Path:
     @property
     def load(self) -> Vector:
         """Return an enclosure of the true motion's Lam at the point."""
-        return Vector(wide(self.load_there, self.system.load_error * self.norm))
-
-    @property
-    def load_there(self) -> Vector:
-        """Return Lam of the path at the point."""
-        return self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
+        there = self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
+        return Vector(wide(there, self.system.load_error * self.norm))
 
     def step(self, expansion: Expansion, fast: arb) -> arb:
         """Return how far an expansion reaches: there its last two terms are 2^-bits of sizes; `fast`: that of s."""
-        found = math.inf
-        for rows, size in zip(expansion.rows, (fast, self.place, self.speed, self.period), strict=True):
+        found, n, last = math.inf, self.system.n, (self.system.degree, self.system.degree - 1)
+        sizes = (*[fast] * n, *[self.speed] * n, *[self.place] * n, self.system.period)
+        for p, size in zip(expansion.polynomials, sizes, strict=False):
             enough = log2(size) - self.system.bits
-            for row in rows:
-                top = len(row) - 1
-                found = min([found, *((enough - log2(row[k])) / k for k in (top, top - 1) if k > 0 and row[k] != 0)])
+            found = min([found, *((enough - log2(p[k])) / k for k in last if p[k] != 0)])
         return two_to(found) * expansion.unit if found < math.inf else arb("inf")
 
     def fitted(self, h: arb) -> tuple[arb, bool]:

@@ -108,7 +108,7 @@ class Run(LinearRun):
         """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
         drive = self.drive
         size, slowest = drive.friction(self.at.s)[1], highest(drive.heavy)
-        quick = [bool(x * size * _QUICK < self.period) for x in drive.heavy]
+        quick = [bool(x * size * _QUICK < self.system.period) for x in drive.heavy]
         quicker = [one and bool(x * _QUICKER < slowest) for x, one in zip(drive.heavy, quick, strict=True)]
         for axes in (quick, quicker):
             series = slow_series(self.system, self.at, axes) if any(axes) else None
@@ -248,4 +248,4 @@ class Run(LinearRun):
         both = [min(two) for two in pairwise(reach)]
         found = both[-1] if m == 1 else max(both[3:])
         top = 2 + max(k for k, one in enumerate(both) if one >= found and (k > 2 or m == 1))
-        return two_to(min(found, log2(self.period) + 4) - (0.1 if m == 1 else 0.4)), top + (m == 1)
+        return two_to(min(found, log2(self.system.period) + 4) - (0.1 if m == 1 else 0.4)), top + (m == 1)

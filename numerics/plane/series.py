@@ -1,6 +1,7 @@
 """Taylor coefficients of stick and of slip; a slip's own clock makes its end, and every reversal, regular.
 
-Where friction is constant, or holds, they are those by the time. In slip dt = h(s) dsigma, h(s) = |B s|: then f dt = B^2 s dsigma, and
+Where friction is given, or holds an axis at rest, they are those by the time. In slip dt = h(s) dsigma, h(s) = |B s|:
+then f dt = B^2 s dsigma, and
 
     q1' = h v1,   M2 v2' = B^2 s,   s' = M1^-1 (h (u - A2 q1 - A1 v1)) - kap B^2 s,   t' = h
 
@@ -52,6 +53,12 @@ class Point(NamedTuple):
         found: Vector = self.v2 + self.s
         return found
 
+    def middle(self, system: System) -> tuple[Point, arb, Vector]:
+        """Return the midpoints; bounds on N of the radii, and on those of z."""
+        q1, v2, s, z = (part.each(arb.rad) for part in self[2:])
+        point = Point(self.piece, self.t.mid(), *(part.each(arb.mid) for part in self[2:]))
+        return point, system.norm(q1, s + v2, v2), z
+
 
 class Curve(NamedTuple):
     """A piece of the path: the time in the piece of force, q1, v2, s, z by axes, on [0, 1]; `impulse` is f dt/dx.
@@ -67,6 +74,10 @@ class Curve(NamedTuple):
     z: Vector
     impulse: Vector
     swing: Sequence[tuple[arb_poly, arb_poly]] = ()
+
+    def at(self, x: arb) -> Point:
+        """Return a point of it."""
+        return Point(self.piece, self.t(x), *(part.each(lambda p: p(x)) for part in self[2:6]))
 
 
 def curve_of(at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector, swing: Any) -> Curve:
@@ -88,36 +99,39 @@ class Series(NamedTuple):
 class Expansion:
     """Taylor polynomials from a point: of a slip by its own clock sigma, else by the time, with friction that is given.
 
-    `friction` by axes: constant where it slips, None where it holds the axis at rest. `rows` of s, q1, v2, t are
-    coefficients of (sigma/unit)^k, a unit about a step.
+    `friction` by axes: constant where it slips, None where it holds the axis at rest. `polynomials` of s, v2, q1, t,
+    sines and cosines are those of sigma/unit, a unit about a step.
     """
 
     def __init__(self, system: System, at: Point, friction: Sequence[arb | None] | None = None) -> None:
         """Form the series."""
         self.system, self.at, self.friction = system, at, friction
         drive, n, degree = system.pieces[at.piece], system.n, system.degree
-        known, pairs, rate, period = constants(system, drive)
+        known, pairs = constants(system, drive)
         self.start = [*at.s, *at.v2, *at.q1, at.t, *chain(*drive.swing(at.t))]
         count, powers = len(self.start), len(drive.polynomial)
-        self.unit = two_to(-round(log2(rate + drive.friction(at.s)[1] / period) if friction is None else -log2(period)))
+        rate = (
+            highest(1 / drive.heavy) + drive.friction(at.s)[1] / system.period
+            if friction is None
+            else 1 / system.period
+        )
+        self.unit = two_to(-round(log2(rate)))
         given = friction or [arb(0)] * n
         slips, forces = np.array([f is not None for f in given]), [[f or arb(0) for f in given]]
         sizes = slips, friction is None, degree, powers, len(drive.sines)
-        column = [x.mid() for x in self.start] + [arb(0)] * (2 * n + 1 + max(0, powers - 2))
+        column = [*self.start, *[arb(0)] * (2 * n + 1), *(at.t**p for p in range(2, powers))]
         shown: Any = np.zeros((2, len(column), degree + MORE + 1))
-        if pairs is not None and all(map(_in_range, (begin := halves([[x] for x in column]), push := halves(forces)))):
+        begin, push = halves([[x] for x in column]), halves(forces)
+        if pairs is not None and _in_range(begin[:, :count]) and _in_range(push):
             shown[..., :1] = begin
             compiled(expand)(shown, pairs, push, *sizes, float(self.unit))
         if shown.any() and np.isfinite(shown).all():
             high, low = shown[:, :count].tolist()
             self.polynomials = [arb_poly(x) + arb_poly(y) for x, y in zip(high, low, strict=True)]
-            shown = shown[0]
         else:
-            shown = [[x, *[arb(0)] * (degree + MORE)] for x in column]
+            shown = [[x.mid(), *[arb(0)] * (degree + MORE)] for x in column]
             expand(shown, known, forces, *sizes, self.unit)
             self.polynomials = [*map(arb_poly, shown[:count])]
-        s, v2, q1 = ([row[: degree + 1] for row in shown[k : k + n]] for k in (0, n, 2 * n))
-        self.rows = s, q1, v2, [shown[3 * n][: degree + 1]]
 
     def drawn(self, h: arb) -> Curve:
         """Return a step sigma = h x, 0 <= x <= 1."""
@@ -136,18 +150,12 @@ class Expansion:
 
 @lru_cache(maxsize=8)
 def constants(system: System, drive: Drive) -> tuple[Any, ...]:
-    """Return what `expand` reads of a piece of force, in balls and in pairs (None: out of their range), and two sizes.
-
-    The sizes: how fast a direction settles by sigma, and a period, s.
-    """
+    """Return what `expand` reads of a piece of force, in balls and in pairs (None: out of their range)."""
     still = [arb(0)] * (system.n - 1)
-    held = [[dict(row).get(j, arb(0)) for j in range(2 * system.n)] for row in system.held]
-    springs = [row[k : k + system.n] for k in (0, system.n) for row in held]
     waves = [one for omega, _, amplitudes in drive.sines for one in (amplitudes, [omega, *still])]
-    rows = [system.m1, system.m2, system.mass, drive.b_squared, *springs, *drive.polynomial, *waves]
+    rows = [system.m1, system.m2, system.mass, drive.b_squared, *system.a2, *system.a1, *drive.polynomial, *waves]
     good = system.bits <= _BITS and can_compile() and _in_range(pairs := halves(rows))
-    rate, period = highest(system.kappa * drive.b_squared), highest((system.mass / system.stiff).each(arb.sqrt))
-    return rows, pairs if good else None, rate, period
+    return rows, pairs if good else None
 
 
 def halves(rows: Sequence[Sequence[arb]]) -> Any:
@@ -208,12 +216,12 @@ def by_clock(table: Any, row: int, rate: int, k: int, own: bool) -> Any:
 def expand(
     table: Any, given: Any, friction: Any, slips: Any, own: bool, degree: int, powers: int, phases: int, unit: Any
 ) -> None:
-    """Fill a table of degree + MORE + 1 columns whose column 0 has s, v2, q1, t, sines and cosines; the rest is 0.
+    """Fill a table of degree + MORE + 1 columns whose column 0 has s, v2, q1, t, waves and powers; the rest is 0.
 
     A column k has the coefficients of (sigma/unit)^k. Rows are n of s, v2 and q1 each, that of t, a sine and a cosine
-    for each phase, n of v1 and of the push u - A2 q1 - A1 v1, dt/dsigma, and t^2, t^3, ... Beyond the degree s ends, and
-    all else goes on with that, as where an axis sticks. Rows of `given`: m1, m2, m1 + m2, b^2, those of A2, of A1, of u
-    by powers of t, and for each phase the amplitudes and (omega, 0, ...); `friction` has one.
+    for each phase, n of v1 and of the push u - A2 q1 - A1 v1, dt/dsigma, and t^2, t^3, ... Beyond the degree s ends,
+    and all else goes on with that, as where an axis sticks. Rows of `given`: m1, m2, m1 + m2, b^2, those of A2, of A1,
+    of u by powers of t, and for each phase the amplitudes and (omega, 0, ...); `friction` has one.
     """
     n = len(slips)
     second, place, clock, wave = n, 2 * n, 3 * n, 3 * n + 1
@@ -236,7 +244,8 @@ def expand(
             put(table, rate, 0, one)
         put(table, clock, k + 1, number(table, rate, k) * step)
         for p in range(2, powers):
-            put(table, still + p, k, product(table, clock if p == 2 else still + p - 1, clock, k))
+            before = clock if p == 2 else still + p - 1
+            put(table, still + p, k + 1, by_clock(table, before, rate, k, own) * step * float(p))
         for i in range(n):
             u = number(given, fixed, i) if k == 0 and powers > 0 else one * 0.0
             for p in range(1, powers):
