@@ -34,11 +34,12 @@ def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
         return off.each(integral_bound)
 
     slope1, slope2, moved = (part.each(arb_poly.derivative) for part in (v1, curve.v2, curve.q1))
-    d1 = whole(slope1 * system.m1 - system.push(u, curve.q1, v1) * rate + curve.impulse)
+    push = system.push(u, curve.q1, v1)
+    d1 = whole(slope1 * system.m1 - push * rate + curve.impulse)
     d2 = whole(slope2 * system.m2 - curve.impulse)
     d1 += u_off * integral_bound(rate)
     parts = whole(moved - v1 * rate), (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2
-    return Defect(system.norm(*parts), system.load(u, curve.q1, v1), system.share * u_off)
+    return Defect(system.norm(*parts), push * system.share, system.share * u_off)
 
 
 def force_along(system: System, curve: Curve) -> tuple[Vector, Vector]:

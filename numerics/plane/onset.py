@@ -102,7 +102,7 @@ def slow_series(system: System, at: Point, quick: Sequence[bool]) -> Series | No
             size = kept(rate.integral() + first)
             g = (free - rate * across).each(kept)
         last, change = change, max((abs(x[0] - y[0]) for x, y in zip(g, before, strict=True)), key=lambda one: one)
-        if turn > 8 and not (change < last or change < arb((1, -system.bits // 2))):
+        if not change < 2 or (turn > 8 and not (change < last or change < arb((1, -system.bits // 2)))):  # |g| is 1
             return None
     q1, v2, s, _ = _moved(system, drive, at, u, size, g)
     return Series(*(_listed(part, degree) for part in (q1, v2, s)), *_listed([size], degree))

@@ -29,7 +29,7 @@ from numerics.plane.polynomial import log2, scaled, two_to
 from numerics.plane.system import Drive, System, highest
 from numerics.plane.vector import Vector
 
-MORE = 6
+_MORE = 6
 """Terms beyond those of s with which the rest follows from it."""
 _BITS = 91
 """Up to so many bits double-double has some to spare."""
@@ -107,6 +107,7 @@ class Expansion:
         """Form the series."""
         self.system, self.at, self.friction = system, at, friction
         drive, n, degree = system.pieces[at.piece], system.n, system.degree
+        top = degree + _MORE if friction is None else degree
         known, pairs = constants(system, drive)
         self.start = [*at.s, *at.v2, *at.q1, at.t, *chain(*drive.swing(at.t))]
         count, powers = len(self.start), len(drive.polynomial)
@@ -118,18 +119,19 @@ class Expansion:
         self.unit = two_to(-round(log2(rate)))
         given = friction or [arb(0)] * n
         slips, forces = np.array([f is not None for f in given]), [[f or arb(0) for f in given]]
-        sizes = slips, friction is None, degree, powers, len(drive.sines)
+        sizes = slips, friction is None, degree, top, powers, len(drive.sines)
         column = [*self.start, *[arb(0)] * (2 * n + 1), *(at.t**p for p in range(2, powers))]
-        shown: Any = np.zeros((2, len(column), degree + MORE + 1))
-        begin, push = halves([[x] for x in column]), halves(forces)
-        if pairs is not None and _in_range(begin[:, :count]) and _in_range(push):
-            shown[..., :1] = begin
-            compiled(expand)(shown, pairs, push, *sizes, float(self.unit))
+        shown: Any = np.zeros((2, len(column), top + 1))
+        if pairs is not None:
+            begin, push = halves([[x] for x in column]), halves(forces)
+            if _in_range(begin[:, :count]) and _in_range(push):
+                shown[..., :1] = begin
+                compiled(expand)(shown, pairs, push, *sizes, float(self.unit))
         if shown.any() and np.isfinite(shown).all():
             high, low = shown[:, :count].tolist()
             self.polynomials = [arb_poly(x) + arb_poly(y) for x, y in zip(high, low, strict=True)]
         else:
-            shown = [[x.mid(), *[arb(0)] * (degree + MORE)] for x in column]
+            shown = [[x.mid(), *[arb(0)] * top] for x in column]
             expand(shown, known, forces, *sizes, self.unit)
             self.polynomials = [*map(arb_poly, shown[:count])]
 
@@ -140,10 +142,10 @@ class Expansion:
         s, v2, q1 = (Vector(found[k : k + n]) for k in (0, n, 2 * n))
         t, *waves = found[3 * n :]
         swing = [*zip(waves[::2], waves[1::2], strict=True)]
-        held = v2.each(arb_poly.derivative) * self.system.m2
         if self.friction is None:
             impulse = s * (self.system.pieces[self.at.piece].b_squared * h)
         else:
+            held = v2.each(arb_poly.derivative) * self.system.m2
             impulse = Vector(x if f is None else arb_poly([f * h]) for x, f in zip(held, self.friction, strict=True))
         return curve_of(self.at, t, q1, v2, s, impulse, swing)
 
@@ -153,7 +155,16 @@ def constants(system: System, drive: Drive) -> tuple[Any, ...]:
     """Return what `expand` reads of a piece of force, in balls and in pairs (None: out of their range)."""
     still = [arb(0)] * (system.n - 1)
     waves = [one for omega, _, amplitudes in drive.sines for one in (amplitudes, [omega, *still])]
-    rows = [system.m1, system.m2, system.mass, drive.b_squared, *system.a2, *system.a1, *drive.polynomial, *waves]
+    rows = [
+        system.m1,
+        system.m2,
+        system.mass,
+        drive.b_squared,
+        *system.a2,
+        *(system.a1 or system.a2 * 0),
+        *drive.polynomial,
+        *waves,
+    ]
     good = system.bits <= _BITS and can_compile() and _in_range(pairs := halves(rows))
     return rows, pairs if good else None
 
@@ -214,9 +225,18 @@ def by_clock(table: Any, row: int, rate: int, k: int, own: bool) -> Any:
 
 @compilable
 def expand(
-    table: Any, given: Any, friction: Any, slips: Any, own: bool, degree: int, powers: int, phases: int, unit: Any
+    table: Any,
+    given: Any,
+    friction: Any,
+    slips: Any,
+    own: bool,
+    degree: int,
+    top: int,
+    powers: int,
+    phases: int,
+    unit: Any,
 ) -> None:
-    """Fill a table of degree + MORE + 1 columns whose column 0 has s, v2, q1, t, waves and powers; the rest is 0.
+    """Fill a table of top + 1 columns whose column 0 has s, v2, q1, t, waves and powers; the rest is 0.
 
     A column k has the coefficients of (sigma/unit)^k. Rows are n of s, v2 and q1 each, that of t, a sine and a cosine
     for each phase, n of v1 and of the push u - A2 q1 - A1 v1, dt/dsigma, and t^2, t^3, ... Beyond the degree s ends,
@@ -228,7 +248,7 @@ def expand(
     first, push, rate = wave + 2 * phases, wave + 2 * phases + n, wave + 2 * phases + 2 * n
     still, fixed, waves = rate - 1, 4 + 2 * n, 4 + 2 * n + powers  # t^p is row still + p
     one = like(number(table, clock, 0), 1.0)
-    for k in range(degree + MORE):
+    for k in range(top):
         step = one * unit / float(k + 1)
         for i in range(n):
             put(table, first + i, k, number(table, second + i, k) + number(table, i, k))

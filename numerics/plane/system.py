@@ -36,7 +36,7 @@ class System:
         self.axes = range(self.n)
         with self.fine():
             self.m1, self.m2 = exact(given.m1), exact(given.m2)
-            self.a1, self.a2 = exact(given.a1), exact(given.a2)
+            self.a1, self.a2 = exact(given.a1 if any(map(any, given.a1)) else ()), exact(given.a2)
             self.mass = self.m1 + self.m2
             self.kappa, self.share = self.mass / (self.m1 * self.m2), self.m2 / self.mass
             self.still, ones = Vector([arb(0)] * self.n), Vector([arb(1)] * self.n)

@@ -5,7 +5,7 @@ A matrix is the vector of its columns: then @ is its product with a vector.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import repeat
 from operator import add, mul, sub, truediv
 from typing import Any
@@ -51,8 +51,11 @@ class Vector(tuple[Any, ...]):
         """Return the size of each component."""
         return self.each(abs)
 
-    def __matmul__(self, other: Iterable[Any]) -> Any:
-        """Return the sum of the products."""
+    def __matmul__(self, other: Sequence[Any]) -> Any:
+        """Return the sum of the products; of columns row by row, without zeros, which is quicker."""
+        if self and isinstance(self[0], Vector):
+            rows = zip(*self, strict=True)
+            return Vector(sum((x * y for x, y in zip(row, other, strict=True) if x), other[0] * 0) for row in rows)
         return sum(map(mul, self, other))
 
 
