@@ -29,8 +29,8 @@ from numerics.plane.polynomial import log2, scaled, two_to
 from numerics.plane.system import Drive, System, highest
 from numerics.plane.vector import Vector
 
-_MORE = 6
-"""Terms beyond those of s with which the rest follows from it."""
+_MORE = {True: 6, False: 2}
+"""Terms beyond those of s with which the rest follows from it, by its own clock or not; loads are as good as these."""
 _BITS = 91
 """Up to so many bits double-double has some to spare."""
 _RANGE = 2.0**240
@@ -107,7 +107,7 @@ class Expansion:
         """Form the series."""
         self.system, self.at, self.friction = system, at, friction
         drive, n, degree = system.pieces[at.piece], system.n, system.degree
-        top = degree + _MORE if friction is None else degree
+        top = degree + _MORE[friction is None]
         known, pairs = constants(system, drive)
         self.start = [*at.s, *at.v2, *at.q1, at.t, *chain(*drive.swing(at.t))]
         count, powers = len(self.start), len(drive.polynomial)
