@@ -15,7 +15,7 @@ from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
     from numerics.control.response import PeriodicMotions, Response
-    from numerics.plane.rotating import RotatingResponse
+    from numerics.control.rotating import RotatingResponse
     from numerics.scene import Scene
 
 Shown = tuple[dict[str, Any], list[str]]
@@ -26,7 +26,7 @@ def print_response(options: argparse.Namespace) -> int:
     """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
     from numerics.control.answers import solved_again
     from numerics.control.response import PeriodicMotions, response
-    from numerics.plane.rotating import RotatingResponse
+    from numerics.control.rotating import RotatingResponse
     from numerics.scene.file import load_scene
 
     with shown_steps() as say:

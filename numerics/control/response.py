@@ -20,6 +20,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.answers import KEPT_DIGITS, Claim, most_digits, number, require_digits, rounded
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
+from numerics.control.rotating import rotating_force, rotating_response
 from numerics.control.stuck import (
     entrained,
     others_stick,
@@ -29,7 +30,6 @@ from numerics.control.stuck import (
 )
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
-from numerics.plane.rotating import rotating_force, rotating_response
 from numerics.scene import Force, Piece, Scene, Weakening
 from numerics.scene.decimals import Exact, exact_decimal, positive
 from numerics.scene.model import BUILD, require_kind
@@ -152,7 +152,7 @@ def response(
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
     For a scene without a force both together are its force, amplitude sin(omega t). On a surface the force goes round,
-    and the answer is a RotatingResponse (plane/rotating.py). With a [weakening] by speed there may be several periodic
+    and the answer is a RotatingResponse (rotating.py). With a [weakening] by speed there may be several periodic
     motions, and the answer is PeriodicMotions: those found, each proved. A period may have a fifth of `max_events`
     events. What is being done is logged.
 

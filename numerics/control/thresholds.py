@@ -27,8 +27,8 @@ from flint import acb, arb
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number, require_digits
+from numerics.errors import InvalidScene
 from numerics.linear.system import is_positive_on
-from numerics.plane.rotating import rotating_threshold
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive
 from numerics.scene.model import require_kind
@@ -77,11 +77,13 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
         require_kind("thresholds", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
     require_digits(digits, max_digits=max_digits)
     rate = positive(omega, "omega", "give a frequency in rad/s")
-    if isinstance(pair, PlanePair):  # under a force that goes round both are one
-        both = rotating_threshold(pair, rate, digits)
-        return Thresholds(rate, both, both, None, digits)
+    if isinstance(pair, PlanePair):
+        line = round_pair(pair)
 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
+        if isinstance(pair, PlanePair):  # under a force that goes round both are one
+            both = entrainment_threshold(line, rate)
+            return Thresholds(rate, both, both, None, digits), [both]
         low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)
         odd = odd_ratio(pair, pair.mass, rate)
         flattened = None if odd is None else low / flattest_peak(odd)
@@ -89,6 +91,15 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
         return Thresholds(rate, low, high, flattened, digits), numbers
 
     return to_digits(attempt, digits, max_digits)
+
+
+def round_pair(pair: PlanePair) -> Pair:
+    """Return the pair on a line that one with all directions alike is along each of them. Raises InvalidScene."""
+    alike = pair.axes == 2 and pair.is_diagonal and pair.shape == "ellipsoid"
+    diagonals = [tuple(m[i][i] for i in range(pair.axes)) for m in (pair.a1, pair.a2)]
+    if not alike or any(len(set(one)) > 1 for one in (pair.m1, pair.m2, pair.b, *diagonals)):
+        raise InvalidScene("only a round pair has a closed form: two axes, ellipsoid, equal numbers on both")
+    return Pair(pair.m1[0], pair.m2[0], pair.a2[0][0], pair.b[0], pair.a1[0][0])
 
 
 def load_margin(pair: Pair, amplitude: Fraction, omega: Fraction) -> Fraction:

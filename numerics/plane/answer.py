@@ -11,7 +11,6 @@ from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import EventKind
 from numerics.plane.system import SPARE_BITS
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.status import Status
 
 Numbers = tuple[arb, ...]
 
@@ -61,15 +60,3 @@ class PlaneEvent(ShortRepr):
         """Return whether something sticks from now on, slips from now on, or only reverses."""
         held = self.after.count("0") - self.before.count("0") + (self.after == "stick") - (self.before == "stick")
         return EventKind.ENTRY if held > 0 else EventKind.EXIT if held < 0 else EventKind.CROSSING
-
-
-class Found(NamedTuple):
-    """A run: how it ended, its events, the modes before, between and after them, its end, and any time."""
-
-    arithmetic: Working
-    status: Status
-    events: tuple[PlaneEvent, ...]
-    modes: tuple[str, ...]
-    end_time: arb
-    final_state: PlaneState
-    motion: Motion

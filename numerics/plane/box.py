@@ -17,9 +17,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
-from numerics.linear.modes import Mode
-from numerics.plane.answer import Found, PlaneEvent, PlaneState, Working
-from numerics.plane.linear import SIGNS
+from numerics.plane.answer import PlaneEvent, PlaneState, Working
+from numerics.plane.linear import LETTERS, SIGNS
 from numerics.plane.reduced import reduced
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact
@@ -27,7 +26,6 @@ from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.trajectory.status import Status
 
-LETTERS: dict[Any, str] = {Mode.SLIP_PLUS: "+", Mode.STICK: "0", Mode.SLIP_MINUS: "-"}
 _MIRRORED = str.maketrans("+-", "-+")
 
 
@@ -53,31 +51,20 @@ def part_scene(scene: PlaneScene, axes: Sequence[int], sign: int = 1) -> Scene |
     return Scene(line, State(x1[0], v1[0], 0, v2[0]), scene.until, force=force[0], friction=changes)
 
 
-def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], name: str, most: int) -> Found:
-    """Return the motions of the parts, which `alone` solves in balls, as one. Raises EventUndecided, InvalidScene."""
-    solved: dict[Any, Any] = {}
-    answers = []
-    for axes in scene.pair.parts:
-        part, mirrored = (part_scene(scene, axes, sign) for sign in (1, -1))
-        known = mirrored if mirrored in solved else part
-        if known not in solved:
-            solved[known] = alone(known)
-        answers.append(solved[known])
-    if not all(one.success for one in answers):
-        raise InvalidScene(f"a part of the box has more than {most} events; raise the cap max_events")
-    arithmetic = Working(2 * max(one.arithmetic.digits for one in answers), name)
-    with arithmetic.context():
-        return _joined(scene, answers, arithmetic)
-
-
 class Parts:
     """The motions of all parts as one, at any time."""
 
-    def __init__(self, scene: PlaneScene, answers: list[Any]) -> None:
-        """Take the answer of each part, or of that mirrored, with x2 = 0 at t = 0."""
-        self.axes, self.answers, self.x2 = scene.pair.parts, answers, exact(scene.x2)
-        whole = zip(self.axes, answers, strict=True)
-        self.signs = [1 if one.scene == part_scene(scene, axes) else -1 for axes, one in whole]
+    def __init__(self, scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any]) -> None:
+        """Take what `alone` answers for each part; of parts with the same data, or mirrored ones, once."""
+        self.axes, self.x2, solved = scene.pair.parts, scene.x2, dict[Any, Any]()
+        self.answers, self.signs = list[Any](), list[int]()
+        for axes in self.axes:
+            part, mirrored = (part_scene(scene, axes, sign) for sign in (1, -1))
+            known = mirrored if mirrored in solved else part
+            if known not in solved:
+                solved[known] = alone(known)
+            self.answers.append(solved[known])
+            self.signs.append(1 if known == part else -1)
 
     def at(self, t: Any) -> PlaneState:
         """Return the state at a time."""
@@ -85,24 +72,36 @@ class Parts:
         for axes, one, sign in zip(self.axes, self.answers, self.signs, strict=True):
             rows[:, axes] = one.sol(t).reshape(4, -1) * sign
         x1, v1, x2, v2 = map(Vector, rows)
-        return PlaneState(x1, v1, x2 + self.x2, v2)
+        return PlaneState(x1, v1, x2 + exact(self.x2), v2)
 
 
-def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Found:
+Run = tuple[Working, Status, str, tuple[PlaneEvent, ...], Parts]
+"""What a PlaneTrajectory is made of: how the run ended, the mode at t = 0, the events, and any time."""
+
+
+def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], name: str, most: int) -> Run:
+    """Return the motions of the parts, which `alone` solves in balls, as one. Raises EventUndecided, InvalidScene."""
+    motion = Parts(scene, alone)
+    if not all(one.success for one in motion.answers):
+        raise InvalidScene(f"a part of the box has more than {most} events; raise the cap max_events")
+    arithmetic = Working(2 * max(one.arithmetic.digits for one in motion.answers), name)
+    with arithmetic.context():
+        return _joined(scene, motion, arithmetic)
+
+
+def _joined(scene: PlaneScene, motion: Parts, arithmetic: Working) -> Run:
     """Return the motions of all parts with one list of events."""
-    motion, changes = Parts(scene, answers), {s for one in scene.force for s in one.starts}
-    changes |= {start for start, _ in scene.friction}
-
-    system = System(reduced(scene, whole=True), arithmetic.digits)
+    system, answers = System(reduced(scene, whole=True), arithmetic.digits), motion.answers
+    starts = [one.acting.start for one in system.pieces]
 
     def load_at(y: PlaneState, t: arb, when: Fraction) -> Vector:
         """Return the load at t, N, of the piece of u that begins last up to `when`."""
-        drive = [one for one in system.pieces if one.acting.start <= when or one is system.pieces[0]][-1]
+        drive = system.pieces[sum(one <= when for one in starts[1:])]
         return system.load(drive.force(t - Ball.number(drive.acting.start)), Vector(y.x1), Vector(y.v1))
 
     def changed(event: Any) -> list[Fraction]:
         """Return at which change an event may be, exactly; none for one that is not due to any."""
-        return [one for one in changes if event.t.overlaps(Ball.number(one))] if event.cause == "jump" else []
+        return [one for one in starts if event.t.overlaps(Ball.number(one))] if event.cause == "jump" else []
 
     happened = [(event, i) for i, one in enumerate(answers) for event in one.events]
     happened.sort(key=lambda one: (float(one[0].t.mid()), one[1]))
@@ -119,20 +118,20 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Found
         groups[-1].append((event, i))
     word = ["0"] * scene.pair.axes
 
-    def put(i: int, mode: Any) -> None:
-        letters = LETTERS.get(mode, mode)
-        for axis, letter in zip(
-            motion.axes[i], letters if motion.signs[i] > 0 else letters.translate(_MIRRORED), strict=True
-        ):
-            word[axis] = letter
+    def put(i: int, mode: Any) -> str:
+        """Return the word of all axes after one with the mode of a part."""
+        letters = mode if isinstance(mode, str) else LETTERS[mode.sign]
+        for axis, letter in zip(motion.axes[i], letters, strict=True):
+            word[axis] = letter if motion.signs[i] > 0 else letter.translate(_MIRRORED)
+        return "".join(word)
 
-    for i, one in enumerate(answers):
-        put(i, one.modes[0])
-    modes, events = ["".join(word)], []
+    first = mode = [put(i, one.modes[0]) for i, one in enumerate(answers)][-1]
+    events = []
     for group in groups:
         t, cause = group[0][0].t, "guard"
+        before = mode
         for event, i in group:
-            put(i, event.after)
+            mode = put(i, event.after)
             cause = "jump" if event.cause == "jump" else cause
         y = motion.at(t)
         signs = Vector(arb(SIGNS[one]) for one in word)
@@ -140,9 +139,7 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Found
         pieces = changed(group[0][0]) or [exact_middle(t.lower()), exact_middle(t.upper())]
         loads = [load_at(y, t, one) for one in (pieces[0], pieces[-1])]
         load = Vector(x.union(y) for x, y in zip(*loads, strict=True))
-        modes.append("".join(word))
-        events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
+        events.append(PlaneEvent(t, before, mode, y, direction, load, cause))
     stuck = all(one.status is Status.STUCK_FOR_EVER for one in answers)
     status = Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON
-    until = Ball.number(scene.until)
-    return Found(arithmetic, status, tuple(events), tuple(modes), until, motion.at(scene.until), motion)
+    return arithmetic, status, first, tuple(events), motion

@@ -13,7 +13,7 @@ from flint import arb, arb_poly
 
 from numerics.plane.polynomial import integral_bound, least, total
 from numerics.plane.series import Curve
-from numerics.plane.system import Drive, System
+from numerics.plane.system import System
 from numerics.plane.vector import Vector
 
 
@@ -27,27 +27,27 @@ class Defect(NamedTuple):
 
 def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     """Return the defect of a curve; friction_off: bounds on int |impulse - f dt|, f in dh(s), by axes."""
-    drive, rate = system.pieces[curve.piece], curve.t.derivative()
-    u, u_off = force_along(drive, curve)
+    rate, (u, u_off) = curve.t.derivative(), force_along(system, curve)
     v1 = curve.v2 + curve.s
 
     def whole(off: Vector) -> Vector:
         return off.each(integral_bound)
 
     slope1, slope2, moved = (part.each(arb_poly.derivative) for part in (v1, curve.v2, curve.q1))
-    d1 = whole(slope1 * system.m1 - system.push(u, curve.q1, v1) * rate + curve.impulse)
+    push = system.push(u, curve.q1, v1)
+    d1 = whole(slope1 * system.m1 - push * rate + curve.impulse)
     d2 = whole(slope2 * system.m2 - curve.impulse)
     d1 += u_off * integral_bound(rate)
     parts = whole(moved - v1 * rate), (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2
-    return Defect(system.norm(*parts), system.load(u, curve.q1, v1), system.share * u_off)
+    return Defect(system.norm(*parts), push * system.share, system.share * u_off)
 
 
-def force_along(drive: Drive, curve: Curve) -> tuple[Vector, Vector]:
+def force_along(system: System, curve: Curve) -> tuple[Vector, Vector]:
     """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
 
     A cosine and a sine are polynomials that may be anything; their defect bounds their errors.
     """
-    t, errors = curve.t, drive.still(arb(0))
+    drive, t, errors = system.pieces[curve.piece], curve.t, system.still
     for (omega, phase, amplitudes), (s, c) in zip(drive.sines, curve.swing, strict=True):
         sine, cosine = (omega * t[0] + phase).sin_cos()
         turn = t.derivative() * omega

@@ -11,10 +11,11 @@ from collections.abc import Sequence
 
 from flint import arb, arb_poly
 
-from numerics.plane.defect import Defect
+from numerics.errors import NotSettled
+from numerics.plane.defect import Defect, defect
 from numerics.plane.path import OUTSIDE, Path
 from numerics.plane.polynomial import least
-from numerics.plane.series import Curve, linear_series
+from numerics.plane.series import Curve, Expansion
 from numerics.plane.vector import Vector
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
@@ -45,6 +46,24 @@ class LinearRun(Path):
     def groups(self) -> Sequence[Sequence[int]]:
         """Return the axes that stick and slip together."""
         return [[i] for i in self.system.axes]
+
+    def follow(self) -> None:
+        """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
+        pieces = self.system.pieces
+        with self.system.fine():
+            self.released(None)
+            while self.at.piece < len(pieces):
+                if len(self.events) >= self.max_events:
+                    return
+                if len(self.legs) >= self.max_legs:
+                    raise NotSettled(f"{len(self.legs)} steps end at t = {self.time:.6g} s; give an earlier horizon")
+                piece = self.at.piece
+                self.one_step()
+                if piece < self.at.piece < len(pieces):
+                    self.released("jump")
+                if self.progress is not None and len(self.legs) % 32 == 0:
+                    self.progress(len(self.events), self.time / float(self.system.given.pieces[-1].end))
+            self.reached = True
 
     def put(self, k: int, way: Vector) -> None:
         """Let a group slip the way of a vector, or stick if that is 0."""
@@ -107,18 +126,21 @@ class LinearRun(Path):
     def one_step(self) -> None:
         """Go on for a step, or to the first event in it."""
         friction = self.friction
-        series = linear_series(self.system, self.at, friction)
-        reach = self.step((series.q1, self.place), ([*series.v2, *series.slip], self.speed))
-        for k, order in self.young.items():
-            series.slip[k][:order] = [arb(0)] * order  # what is dropped is seen in the defect
+        expansion = Expansion(self.system, self.at, friction)
+        reach = self.step(expansion, self.speed)
+        for k, order in self.young.items():  # what is dropped is seen in the defect
+            whole = expansion.polynomials[k].coeffs()
+            expansion.polynomials[k] = arb_poly([0] * order + whole[order:])
         while True:
             h, ends = self.fitted(reach)
             if not all(self.outward(k, h * SHORT) < 0 for k in self.on_edge):
                 raise self.undecided(AT_FIRST)
-            curve, found, norm = self.drawn(series, h, friction)
+            curve = expansion.drawn(h)
+            found = defect(self.system, curve, self.system.still)
+            norm = (self.norm + found.norm).upper()
             if not all(self.has_begun(i, curve.s[i], norm, h) for i in self.young):
                 reach = (h / 2).mid()
-                if reach < self.period * self.eps:
+                if reach < self.system.period * self.eps:
                     raise self.undecided(OUTSIDE)
                 continue
             event = self.first_event(curve, found, norm, h)

@@ -98,16 +98,11 @@ def slow_series(system: System, at: Point, quick: Sequence[bool]) -> Series | No
             g = (free + slow / size).each(kept)
         else:
             free = free + slow / size
-            over, along, square = free @ free - 1, free @ across, across @ across
-            root = along * along - square * over
-            if not root[0] > 0:
-                return None
-            root = root.sqrt()  # the smaller h' of the two, without cancellation
-            rate = over / (along + root) if along[0] > 0 else (along - root) / square
+            rate = (g @ free - (g @ g + 1) / 2) / (g @ across)  # so that the next |g| is 1
             size = kept(rate.integral() + first)
             g = (free - rate * across).each(kept)
         last, change = change, max((abs(x[0] - y[0]) for x, y in zip(g, before, strict=True)), key=lambda one: one)
-        if turn > 8 and not (change < last or change < arb((1, -system.bits // 2))):
+        if not change < 2 or (turn > 8 and not (change < last or change < arb((1, -system.bits // 2)))):  # |g| is 1
             return None
     q1, v2, s, _ = _moved(system, drive, at, u, size, g)
     return Series(*(_listed(part, degree) for part in (q1, v2, s)), *_listed([size], degree))

@@ -19,8 +19,6 @@ from flint import arb, arb_mat
 from numerics.plane.system import Drive, System
 from numerics.plane.vector import Vector, wide
 
-_STEPS = 60
-
 
 class Drawn(NamedTuple):
     """The least psi on the way of a slip to s = 0, and all directions e that it may have on it, e.kap^-1 e = 1."""
@@ -54,28 +52,20 @@ def _newton(system: System, drive: Drive, load: Vector, e: Vector, psi: arb) -> 
     return Vector(x - moved[i, 0] for i, x in enumerate(middle)), at - moved[system.n, 0]
 
 
-def _critical(system: System, drive: Drive, load: Vector, s: Vector) -> Vector:
-    """Return about the critical e that Newton's method finds from s; s itself if it finds none near it."""
-    start = e = Vector(s / system.length(s)).each(arb.mid)
-    load = load.each(arb.mid)
-    psi = (drive.friction(e)[0] - load) @ e
-    for _ in range(_STEPS):
-        before = e
-        try:
-            e, psi = _newton(system, drive, load, e, psi.mid())
-        except ZeroDivisionError:
-            return start
-        e = e.each(arb.mid)
-        if all(x < arb((1, 8 - system.bits)) for x in abs(e - before)):
-            break
-    return e if system.length(e - start) ** 2 < 0.5 else start
+def diagonal(numbers: Vector) -> Vector:
+    """Return a diagonal matrix."""
+    return Vector(Vector(x if i == j else arb(0) for j in range(len(numbers))) for i, x in enumerate(numbers))
 
 
-def hessian(drive: Drive, f: Vector, size: arb, less: Vector) -> list[Vector]:
+def square(v: Vector) -> Vector:
+    """Return the matrix v v^T."""
+    return Vector(v * x for x in v)
+
+
+def hessian(drive: Drive, f: Vector, size: arb, less: Vector) -> Vector:
     """Return D^2 h where h is a size, without a diagonal matrix."""
-    n = range(len(f))
-    rows = (Vector(drive.b_squared[i] if i == j else arb(0) for j in n) - f * f[i] for i in n)
-    return [Vector(x - (less[i] if i == j else 0) for j, x in enumerate(row / size)) for i, row in enumerate(rows)]
+    found: Vector = (diagonal(drive.b_squared) - square(f)) / size - diagonal(less)
+    return found
 
 
 def drawn_to(system: System, drive: Drive, load: Vector, s: Vector) -> Drawn | None:
@@ -84,8 +74,7 @@ def drawn_to(system: System, drive: Drive, load: Vector, s: Vector) -> Drawn | N
     `load`: the loads from a time on at which s points in a direction of these, until it is there; enclosures.
     """
     inverse, root = 1 / system.kappa, system.apart
-    e = _critical(system, drive, load, s.each(arb.mid))
-    e = Vector(e / system.length(e)).each(arb.mid)
+    e = Vector(s / system.length(s)).each(arb.mid)
     a = (abs(s / system.length(s) - e) @ (1 / root) * 2).upper()
     around = wide(e, root * a)
     (f, size), (end, _) = drive.friction(around), drive.friction(e)
@@ -96,7 +85,6 @@ def drawn_to(system: System, drive: Drive, load: Vector, s: Vector) -> Drawn | N
     r = abs(end - load - normal * ((end - load) @ e)) @ root
     taken = psi + r / a
     much = 4 * abs(taken).upper()
-    rows = hessian(drive, f, size, inverse * (taken + much * a * a / 4))
-    rows = [row + normal * (much * x) for row, x in zip(rows, normal, strict=True)]
+    rows = hessian(drive, f, size, inverse * (taken + much * a * a / 4)) + square(normal) * much
     minors = [arb_mat([row[:k] for row in rows[:k]]).det() for k in range(1, system.n + 1)]
     return Drawn(psi.lower(), around) if all(one > 0 for one in minors) else None

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
-from flint import arb, arb_poly, arb_series
+from flint import arb, arb_poly
 
-from numerics.errors import EventUndecided, NotSettled
+from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent
-from numerics.plane.defect import Defect, defect
-from numerics.plane.polynomial import first_root, log2, midpoints, scaled, two_to
-from numerics.plane.series import Curve, Point, Series, curve_of
+from numerics.plane.polynomial import first_root, log2, two_to
+from numerics.plane.series import Curve, Expansion, Point
 from numerics.plane.states import Leg, States
 from numerics.plane.system import Drive, System, highest
 from numerics.plane.vector import Vector, exact, wide
@@ -42,36 +41,9 @@ class Path:
             q1, v1, v2 = map(exact, system.given.start)
             self.norm, self.apart = arb(0), system.still
             self.set(Point(0, arb(0), q1, v2, v1 - v2, system.still))
-            b, period = system.pieces[0].b, (system.mass / system.stiff).each(arb.sqrt)
+            b = system.pieces[0].b
             self.place = highest(Vector((*q1, *(b / system.stiff))))
-            self.speed = highest(Vector((*v1, *v2, *(b * period / system.mass))))
-            self.period = highest(period)
-
-    def follow(self) -> None:
-        """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
-        pieces = self.system.pieces
-        with self.system.fine():
-            self.released(None)
-            while self.at.piece < len(pieces):
-                if len(self.events) >= self.max_events:
-                    return
-                if len(self.legs) >= self.max_legs:
-                    raise NotSettled(f"{len(self.legs)} steps end at t = {self.time:.6g} s; give an earlier horizon")
-                piece = self.at.piece
-                self.one_step()
-                if piece < self.at.piece < len(pieces):
-                    self.released("jump")
-                if self.progress is not None and len(self.legs) % 32 == 0:
-                    self.progress(len(self.events), self.time / float(self.system.given.pieces[-1].end))
-            self.reached = True
-
-    def released(self, cause: str | None) -> None:
-        """Choose the mode where a piece of force begins; without a cause it is the start."""
-        raise NotImplementedError
-
-    def one_step(self) -> None:
-        """Go on for a step, or to the first event in it."""
-        raise NotImplementedError
+            self.speed = highest(Vector((*v1, *v2, *(b / (system.mass * system.stiff).each(arb.sqrt)))))
 
     @property
     def drive(self) -> Drive:
@@ -89,10 +61,8 @@ class Path:
 
     def set(self, point: Point) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
-        q1, v2, s, z = (part.each(arb.rad) for part in point[2:])
-        self.norm = (self.norm + self.system.norm(q1, s + v2, v2)).upper()
-        self.apart = (self.apart + z).each(arb.upper)
-        self.at = Point(point.piece, point.t.mid(), *(part.each(arb.mid) for part in point[2:]))
+        self.at, norm, apart = point.middle(self.system)
+        self.norm, self.apart = (self.norm + norm).upper(), (self.apart + apart).each(arb.upper)
 
     def drift(self, norm: arb, passed: arb) -> None:
         """Let z be off by what v1 - v2 is off for a time, on the axes that slip."""
@@ -101,14 +71,14 @@ class Path:
 
     def go_on(self, curve: Curve, end: arb, norm: arb, *, ends: bool) -> None:
         """Record a curve and go to its end, or to the next piece of force if it `ends` there."""
-        t = curve.t(end)
-        self.drift(norm, (t - curve.t(arb(0))).abs_upper())
+        point = curve.at(end)
+        self.drift(norm, (point.t - curve.t(arb(0))).abs_upper())
         self.norm = norm
-        self.set(Point(curve.piece, t, *(part.each(lambda p: p(end)) for part in curve[2:6])))
+        self.set(point)
         true = self.drive.length if ends else self.at.t
         # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
-        self.norm = (self.norm + self.rate(true) * abs(t - true)).upper()
-        self.legs.append(Leg(curve._replace(swing=()), self.mode, end, self.norm, self.apart))
+        self.norm = (self.norm + self.rate(true) * abs(point.t - true)).upper()
+        self.legs.append(Leg(curve._replace(impulse=Vector(), swing=()), end, self.norm, self.apart))
         if ends:
             self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 
@@ -131,42 +101,22 @@ class Path:
     @property
     def load(self) -> Vector:
         """Return an enclosure of the true motion's Lam at the point."""
-        return Vector(wide(self.load_there, self.system.load_error * self.norm))
+        there = self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
+        return Vector(wide(there, self.system.load_error * self.norm))
 
-    @property
-    def load_there(self) -> Vector:
-        """Return Lam of the path at the point."""
-        return self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
-
-    def step(self, *groups: tuple[Iterable[Sequence[Any]], arb]) -> arb:
-        """Return how far coefficients reach: there their last two terms are 2^-bits of a size."""
-        found = math.inf
-        for rows, size in groups:
+    def step(self, expansion: Expansion, fast: arb) -> arb:
+        """Return how far an expansion reaches: there its last two terms are 2^-bits of sizes; `fast`: that of s."""
+        found, n, last = math.inf, self.system.n, (self.system.degree, self.system.degree - 1)
+        sizes = (*[fast] * n, *[self.speed] * n, *[self.place] * n, self.system.period)
+        for p, size in zip(expansion.polynomials, sizes, strict=False):
             enough = log2(size) - self.system.bits
-            for row in rows:
-                top = len(row) - 1
-                found = min([found, *((enough - log2(row[k])) / k for k in (top, top - 1) if k > 0 and row[k] != 0)])
-        return two_to(found) if found < math.inf else arb("inf")
+            found = min([found, *((enough - log2(p[k])) / k for k in last if p[k] != 0)])
+        return two_to(found) * expansion.unit if found < math.inf else arb("inf")
 
     def fitted(self, h: arb) -> tuple[arb, bool]:
         """Return a time to go on for, not beyond the end of the piece, and whether it is that."""
         left = (self.drive.length - self.at.t).mid()
         return (left, True) if h >= left else (h, False)
-
-    def drawn(self, series: Series, h: arb, friction: Sequence[arb | None]) -> tuple[Curve, Defect, arb]:
-        """Return the curve of a series by time on [0, h], its defect, and N at its end."""
-        q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
-        held = v2.each(arb_poly.derivative) * self.system.m2
-        impulse = Vector(x if f is None else arb_poly([f * h]) for x, f in zip(held, friction, strict=True))
-        curve = self.timed(h, q1, v2, s, impulse)
-        found = defect(self.system, curve, self.system.still)
-        return curve, found, (self.norm + found.norm).upper()
-
-    def timed(self, h: arb, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
-        """Return the curve of polynomials of the time, h of it on [0, 1]."""
-        t, top = arb_poly([self.at.t, h]), max(self.system.degree, q1[0].length()) + 2
-        swing = [tuple(map(midpoints, one)) for one in self.drive.swing(arb_series([self.at.t, h], top))]
-        return curve_of(self.at, t, q1, v2, s, impulse, swing)
 
     def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
         """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""

@@ -113,5 +113,4 @@ def log2(x: Any) -> float:
 
 def two_to(power: float) -> arb:
     """Return 2^power, about."""
-    whole = math.floor(power)
-    return arb(2.0 ** (power - whole)) * arb((1, whole))
+    return (arb(2) ** arb(power)).mid()

@@ -8,13 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise, zip_longest
-from typing import NamedTuple
+from itertools import chain, pairwise
+from typing import Any, NamedTuple
 
 from numerics.plane.vector import Vector
 from numerics.scene.plane import PlaneScene
-
-Rows = Sequence[Sequence[Fraction]]
 
 
 class Acting(NamedTuple):
@@ -22,10 +20,8 @@ class Acting(NamedTuple):
 
     start: Fraction
     end: Fraction
-    polynomial: tuple[Vector, ...]
-    """The coefficients of 1, t, t^2, ..., (n,) each."""
-    sines: tuple[tuple[Fraction, Fraction, Vector], ...]
-    """omega, phase, amplitudes (n,)."""
+    terms: dict[int | tuple[Fraction, Fraction], Vector]
+    """What a power of t is multiplied by, or the sine with an omega and a phase: (n,) each."""
     b_squared: Vector
 
 
@@ -34,13 +30,13 @@ class Reduced(NamedTuple):
 
     m1: Vector
     m2: Vector
-    a1: Rows
-    a2: Rows
+    a1: Vector
+    a2: Vector
     start: tuple[Vector, Vector, Vector]
     """q1, v1, v2 at t = 0."""
     pieces: tuple[Acting, ...]
-    place: Rows
-    force: Rows
+    place: Vector
+    force: Vector
     apart: Vector
     """x1 - x2 at t = 0, on the axes of the scene."""
     is_round: bool
@@ -49,11 +45,8 @@ class Reduced(NamedTuple):
     @property
     def push(self) -> Vector:
         """Return u - A2 q1 - A1 v1 at t = 0, without sines."""
-        u, (q1, v1, _) = self.pieces[0].polynomial[:1], self.start
-        return Vector(
-            (u[0][i] if u else 0) - Vector(one) @ q1 - Vector(two) @ v1
-            for i, (one, two) in enumerate(zip(self.a2, self.a1, strict=True))
-        )
+        u, (q1, v1, _) = self.pieces[0].terms.get(0, self.m1 * 0), self.start
+        return Vector(u - self.a2 @ q1 - self.a1 @ v1)
 
     @property
     def weight(self) -> Vector:
@@ -63,8 +56,9 @@ class Reduced(NamedTuple):
 
     def is_on_edge(self, axes: Iterable[int]) -> bool:
         """Return whether |B^-1 Lam|^2 of some axes is 1 at t = 0; False where a sine is not exactly known."""
-        strains, sines = self.weight * self.push * self.push, self.pieces[0].sines
-        return not any(phase for _, phase, _ in sines) and sum(strains[i] for i in axes) == 1
+        strains = self.weight * self.push * self.push
+        turned = any(isinstance(one, tuple) and one[1] for one in self.pieces[0].terms)
+        return not turned and sum(strains[i] for i in axes) == 1
 
     def sticks_for_ever(self, groups: Iterable[Iterable[int]]) -> bool:
         """Return whether the loads of bodies that stick at t = 0 stay in K as long as the first piece lasts.
@@ -72,15 +66,11 @@ class Reduced(NamedTuple):
         Asked where they swing with one frequency, Lam = C cos W t + W^-1 Lam' sin W t: then K has the whole ellipse if
         and only if the larger root of B^-1 (C C^T + W^-2 Lam' Lam'^T) B^-1 is at most 1. Else False.
         """
-        first, mass = self.pieces[0], self.m1 + self.m2
-        if first.sines or len(first.polynomial) > 1 or any(map(any, self.a1)):
+        mass = self.m1 + self.m2
+        if self.pieces[0].terms.keys() - {0} or any(map(any, self.a1)):
             return False
-
-        def pull(x: Vector) -> Vector:
-            return Vector(Vector(row) @ x for row in self.a2)
-
-        push, rate = self.push, pull(self.start[1])
-        bends = [(one, pull(one / mass)) for one in (push, rate)]
+        push, rate = self.push, self.a2 @ self.start[1]
+        bends = [(one, self.a2 @ (one / mass)) for one in (push, rate)]
         square = next((y / x for pair in bends for x, y in zip(*pair, strict=True) if x), Fraction(1))
         if any(list(two) != list(one * square) for one, two in bends):
             return False
@@ -96,7 +86,7 @@ def reduced(scene: PlaneScene, *, whole: bool = False) -> Reduced:
     """Return the data on the axes, or on the one line, on which a scene moves; the `whole` of it, if that is asked."""
     pair, n = scene.pair, scene.pair.axes
     pieces, start = _pieces(scene), (scene.x1, scene.v1, scene.v2)
-    pushes = [one for p in pieces for one in (*p.polynomial, *(amplitudes for _, _, amplitudes in p.sines))]
+    pushes = [one for piece in pieces for one in piece.terms.values()]
     moving = [part for part in pair.parts if whole or any(one[i] for one in (*start, *pushes) for i in part)]
     unit = [Vector(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving or pair.parts[:1]))]
     if pair.shape == "ellipsoid":
@@ -118,27 +108,23 @@ def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], force
         """Return coordinates; the vectors of a basis do not share axes."""
         given = tuple(vector)
         found = Vector(next(given[i] / x for i, x in enumerate(one) if x) for one in basis)
-        if given != tuple(found @ row for row in zip(*basis, strict=True)):
+        if given != Vector(basis) @ found:
             raise ValueError("a vector that is not on these axes")
         return found
 
     def diagonal(numbers: Sequence[Fraction]) -> Vector:
         return Vector(of(d * Vector(numbers), forces)[k] for k, d in enumerate(places))
 
-    def full(matrix: Rows) -> Rows:
-        images = [of((Vector(row) @ d for row in matrix), forces) for d in places]
-        return tuple(zip(*images, strict=True))
+    def full(matrix: Sequence[Sequence[Fraction]]) -> Vector:
+        return Vector(of(Vector(map(Vector, matrix)) @ d, forces) for d in places)
 
     def piece(given: Acting) -> Acting:
         most, size = diagonal(given.b_squared), Vector(given.b_squared @ (d * d) for d in places)
         return given._replace(
-            polynomial=tuple(of(one, forces) for one in given.polynomial),
-            sines=tuple((w, at, of(a, forces)) for w, at, a in given.sines),
-            b_squared=most * most / size,
+            terms={key: of(one, forces) for key, one in given.terms.items()}, b_squared=most * most / size
         )
 
     x1, v1, v2 = (of(one, places) for one in (scene.x1, scene.v1, scene.v2))
-    place, force = (tuple(zip(*basis, strict=True)) for basis in (places, forces))
     return Reduced(
         m1=diagonal(pair.m1),
         m2=diagonal(pair.m2),
@@ -146,8 +132,8 @@ def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], force
         a2=full(pair.a2),
         start=(x1, v1, v2),
         pieces=tuple(map(piece, pieces)),
-        place=place,
-        force=force,
+        place=Vector(places),
+        force=Vector(forces),
         apart=Vector(scene.x1) - Vector(scene.x2),
         is_round=pair.shape == "ellipsoid",
     )
@@ -159,14 +145,11 @@ def _pieces(scene: PlaneScene) -> tuple[Acting, ...]:
     order = [*sorted(one for one in starts if one < scene.until), scene.until]
     found = []
     for start, end in pairwise(order):
-        acting = [one.piece_at(start).moved(start) for one in scene.force]
-        polynomial = zip_longest(*(one.polynomial for one in acting), fillvalue=Fraction(0))
-        sines: dict[tuple[Fraction, Fraction], list[Fraction]] = {}
-        for i, one in enumerate(acting):
-            for sine in one.sines:
-                key = sine.omega, sine.phase + sine.omega * start
-                sines.setdefault(key, [Fraction(0)] * len(acting))[i] += sine.amplitude
+        terms: dict[Any, list[Fraction]] = {}
+        for i, piece in enumerate(one.piece_at(start).moved(start) for one in scene.force):
+            sines = (((one.omega, one.phase + one.omega * start), one.amplitude) for one in piece.sines)
+            for key, size in (*enumerate(piece.polynomial), *sines):
+                terms.setdefault(key, [Fraction(0)] * len(scene.force))[i] += size
         b = Vector([scene.pair.b, *(b for at, b in scene.friction if at <= start)][-1])
-        several = tuple((*key, Vector(amplitudes)) for key, amplitudes in sines.items())
-        found.append(Acting(start, end, tuple(map(Vector, polynomial)), several, b * b))
+        found.append(Acting(start, end, {key: Vector(one) for key, one in terms.items()}, b * b))
     return tuple(found)

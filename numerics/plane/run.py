@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
 
-from flint import arb, arb_poly
+from flint import arb, arb_poly, arb_series
 
 from numerics.arithmetic.ball import sqrt
 from numerics.plane.defect import Defect, slip_defect
@@ -23,8 +23,8 @@ from numerics.plane.linear import AGAIN, LinearRun
 from numerics.plane.onset import first_slip, onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import OUTSIDE
-from numerics.plane.polynomial import first_root, log2, rise, scaled, two_to
-from numerics.plane.series import Curve, Series, Slip
+from numerics.plane.polynomial import first_root, log2, midpoints, rise, scaled, two_to
+from numerics.plane.series import Curve, Expansion, Series, curve_of
 from numerics.plane.system import highest
 from numerics.plane.vector import Vector, wide
 
@@ -68,9 +68,8 @@ class Run(LinearRun):
     def slip_on(self) -> None:
         """Slip for a step, and on to what follows if s gets to 0 in it."""
         system, at, drive = self.system, self.at, self.drive
-        slip = Slip(system, at)
-        sizes = highest(at.s), self.place, self.speed, self.period
-        h = (self.step(*zip(slip.rows, sizes, strict=True)) * slip.unit).mid()
+        slip = Expansion(system, at)
+        h = self.step(slip, highest(at.s)).mid()
         curve, x = slip.drawn(h), arb(1)
         rate = curve.t.derivative()
         while not rate(x) > rate[0] * _FALL:
@@ -109,7 +108,7 @@ class Run(LinearRun):
         """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
         drive = self.drive
         size, slowest = drive.friction(self.at.s)[1], highest(drive.heavy)
-        quick = [bool(x * size * _QUICK < self.period) for x in drive.heavy]
+        quick = [bool(x * size * _QUICK < self.system.period) for x in drive.heavy]
         quicker = [one and bool(x * _QUICKER < slowest) for x, one in zip(drive.heavy, quick, strict=True)]
         for axes in (quick, quicker):
             series = slow_series(self.system, self.at, axes) if any(axes) else None
@@ -147,8 +146,10 @@ class Run(LinearRun):
     ) -> tuple[Curve, Defect, arb]:
         """Return the curve of a slip s = weight S on [0, h], its defect, and a lower bound of h(S) (0: none)."""
         q1, v2 = (Vector(scaled(x[: top + 1], h) for x in part) for part in series[:2])
+        t, swing = arb_poly([self.at.t, h]), self.drive.swing(arb_series([self.at.t, h], top + 2))
+        s = Vector(slip) * arb_poly(weight)
         impulse = v2.each(arb_poly.derivative) * self.system.m2
-        curve = self.timed(h, q1, v2, Vector(slip) * arb_poly(weight), impulse)
+        curve = curve_of(self.at, t, q1, v2, s, impulse, [tuple(map(midpoints, one)) for one in swing])
         return curve, *slip_defect(self.system, curve, Vector(slip), size)
 
     def end(self, curve: Curve, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
@@ -247,4 +248,4 @@ class Run(LinearRun):
         both = [min(two) for two in pairwise(reach)]
         found = both[-1] if m == 1 else max(both[3:])
         top = 2 + max(k for k, one in enumerate(both) if one >= found and (k > 2 or m == 1))
-        return two_to(min(found, log2(self.period) + 4) - (0.1 if m == 1 else 0.4)), top + (m == 1)
+        return two_to(min(found, log2(self.system.period) + 4) - (0.1 if m == 1 else 0.4)), top + (m == 1)

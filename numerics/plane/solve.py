@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
-from numerics.plane.answer import Found, Working
+from numerics.plane.answer import Working
 from numerics.plane.box import joined
 from numerics.plane.linear import LinearRun
 from numerics.plane.reduced import reduced
@@ -77,7 +76,7 @@ def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[s
             return followed(part, working, "ball", limits)
         return line(part, digits=working - _SPARE, arithmetic="ball", **limits)
 
-    return PlaneTrajectory(scene, joined(scene, alone, name, limits["max_events"]))
+    return PlaneTrajectory(scene, *joined(scene, alone, name, limits["max_events"]))
 
 
 def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
@@ -89,7 +88,4 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
     with system.fine():
         first = run.events[0].before if run.events else run.states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
-        modes, until = (first, *(one.after for one in run.events)), Ball.number(scene.until)
-        end = (until, run.states.at(until)) if run.reached else (run.events[-1].t, run.events[-1].y)
-        found = Found(Working(working, name), status, tuple(run.events), modes, *end, run.states)
-    return PlaneTrajectory(scene, found)
+    return PlaneTrajectory(scene, Working(working, name), status, first, tuple(run.events), run.states)

@@ -12,7 +12,7 @@ from numerics.plane.answer import PlaneState
 from numerics.plane.polynomial import rise
 from numerics.plane.series import Curve, Point
 from numerics.plane.system import System
-from numerics.plane.vector import Matrix, Vector, exact, wide
+from numerics.plane.vector import Vector, exact, wide
 from numerics.plane.window import around
 
 
@@ -20,7 +20,6 @@ class Leg(NamedTuple):
     """A curve from x = 0 to x = `end`; bounds at its end on N and on the errors of z."""
 
     curve: Curve
-    mode: str
     end: arb
     norm: arb
     apart: Vector
@@ -35,7 +34,7 @@ class States:
         with self.system.fine():
             given = self.system.given
             self.pieces = [Ball.number(p.start) for p in given.pieces]
-            self.place, self.force, self.apart = Matrix.of(given.place), Matrix.of(given.force), exact(given.apart)
+            self.place, self.force, self.apart = exact(given.place), exact(given.force), exact(given.apart)
 
     def enclosed(self, at: Point, late: arb, norm: arb, apart: Vector) -> PlaneState:
         """Return the true state within `late` (s) of a point of the path, by the bounds on N and on z."""
@@ -55,7 +54,7 @@ class States:
         if self.system.given.is_round:
             return "stick" if "0" in mode else "slip"
         letters = iter(mode)
-        return "".join(next(letters) if row else "0" for row in self.place)
+        return "".join(next(letters) if any(row) else "0" for row in zip(*self.place, strict=True))
 
     def at(self, t: arb) -> PlaneState:
         """Return the state at a time."""
@@ -63,13 +62,9 @@ class States:
         local = t - self.pieces[piece]
         starts = bisect_right(self.legs, (piece, local.mid()), key=lambda one: (one.curve.piece, one.curve.t[0]))
         leg = self.legs[max(0, starts - 1)]
-        curve, norm, system = leg.curve, leg.norm, self.system
-        x = _place(leg, local.mid())
-        q1, v2, s, z = (part.each(lambda p: p(x)) for part in curve[2:6])
-        off = [part.each(arb.rad) for part in (q1, v2, s, z)]
-        norm = (norm + system.norm(off[0], off[1] + off[2], off[1])).upper()
-        at = Point(curve.piece, curve.t(x).mid(), *(part.each(arb.mid) for part in (q1, v2, s, z)))
-        return self.enclosed(at, abs(curve.t(x) - local).upper(), norm, leg.apart + off[3])
+        there = leg.curve.at(_place(leg, local.mid()))
+        at, norm, apart = there.middle(self.system)
+        return self.enclosed(at, abs(there.t - local).upper(), (leg.norm + norm).upper(), leg.apart + apart)
 
 
 def _place(leg: Leg, local: arb) -> arb:

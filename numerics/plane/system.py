@@ -13,7 +13,7 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import BITS_PER_DIGIT, Ball, precision
 from numerics.errors import EventUndecided
 from numerics.plane.reduced import Acting, Reduced
-from numerics.plane.vector import Matrix, Vector, exact
+from numerics.plane.vector import Vector, exact
 
 SPARE_BITS = 40
 """Bits beyond those to which series are cut: the terms of a long step are larger than their sum."""
@@ -36,17 +36,17 @@ class System:
         self.axes = range(self.n)
         with self.fine():
             self.m1, self.m2 = exact(given.m1), exact(given.m2)
-            self.a1, self.a2 = Matrix.of(given.a1), Matrix.of(given.a2)
-            self.held = Matrix.of((*two, *one) for one, two in zip(given.a1, given.a2, strict=True))
+            self.a1, self.a2 = exact(given.a1 if any(map(any, given.a1)) else ()), exact(given.a2)
             self.mass = self.m1 + self.m2
             self.kappa, self.share = self.mass / (self.m1 * self.m2), self.m2 / self.mass
             self.still, ones = Vector([arb(0)] * self.n), Vector([arb(1)] * self.n)
             self.root_m1, self.root_m2 = (m.each(arb.sqrt) for m in (self.m1, self.m2))
             # q.A2 q <= sum_i r_i q_i^2, and |q_i| <= N sqrt((A2^-1)_ii)
             self.spring = (abs(self.a2) @ ones).each(arb.sqrt)
-            inverse = arb_mat([exact(row) for row in given.a2]).inv()
+            inverse = arb_mat([*self.a2]).inv()
             self.soft = Vector(inverse[i, i].sqrt() for i in self.axes)
-            self.stiff = exact(given.a2[i][i] for i in self.axes)
+            self.stiff = Vector(self.a2[i][i] for i in self.axes)
+            self.period = highest((self.mass / self.stiff).each(arb.sqrt))
             # an error N moves component i of the load by load_error[i] N at most, and of v1 - v2 by apart[i] N
             self.load_error = self.share * (self.stiff.each(arb.sqrt) + abs(self.a1) @ (1 / self.root_m1))
             self.apart = self.kappa.each(arb.sqrt)
@@ -76,7 +76,7 @@ class System:
 
     def push(self, u: Vector, q1: Vector, v1: Vector) -> Vector:
         """Return u - A2 q1 - A1 v1, of numbers, of polynomials or of series."""
-        found: Vector = u - self.held @ (*q1, *v1)
+        found: Vector = u - self.a2 @ q1 - self.a1 @ v1
         return found
 
     def load(self, u: Vector, q1: Vector, v1: Vector) -> Vector:
@@ -100,8 +100,9 @@ class Drive:
         """Take what acts, exact."""
         number = Ball.number
         self.acting, self.length = acting, number(acting.end - acting.start)
-        self.polynomial = [exact(one) for one in acting.polynomial]
-        self.sines = [(number(w), number(at), exact(a)) for w, at, a in acting.sines]
+        terms, powers = acting.terms, [one for one in acting.terms if isinstance(one, int)]
+        self.polynomial = [exact(terms.get(k, system.given.m1 * 0)) for k in range(max(powers, default=-1) + 1)]
+        self.sines = [(*map(number, key), exact(a)) for key, a in terms.items() if isinstance(key, tuple)]
         self.b_squared = exact(acting.b_squared)
         self.b = self.b_squared.each(arb.sqrt)
         self.heavy = 1 / (system.kappa * self.b_squared)
@@ -116,16 +117,12 @@ class Drive:
 
     def force(self, t: Any, swing: Sequence[tuple[Any, Any]] | None = None) -> Vector:
         """Return u at a time from the beginning of the piece: a number, a series, or a polynomial with its `swing`."""
-        found: Any = self.still(t)
+        found = Vector([t * 0] * len(self.b))
         for one in reversed(self.polynomial):
             found = found * t + one
         for (*_, amplitudes), (sine, _) in zip(self.sines, self.swing(t) if swing is None else swing, strict=True):
             found = found + amplitudes * sine
-        return Vector(found)
-
-    def still(self, t: Any) -> Vector:
-        """Return no force, of the kind of a time."""
-        return Vector([t * 0] * len(self.b))
+        return found
 
     def friction(self, s: Vector) -> tuple[Vector, arb]:
         """Return f(s) and h(s) of a slip s != 0."""

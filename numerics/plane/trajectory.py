@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.linear.modes import EventKind
-from numerics.plane.answer import Found, PlaneEvent, PlaneState, Working
+from numerics.plane.answer import Motion, PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
 from numerics.plane.reduced import reduced
 from numerics.plane.series import Curve
 from numerics.plane.states import Leg, States
 from numerics.plane.system import System
-from numerics.plane.vector import Matrix, Vector, exact
+from numerics.plane.vector import Vector, exact
 from numerics.scene.decimals import exact_decimal
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory import export, saved
@@ -65,17 +65,28 @@ class PlaneTrajectory(Answer):
     True
     """
 
-    FORMAT = "inertial-pair surface trajectory 2"
+    FORMAT = "inertial-pair surface trajectory 3"
     ARITHMETICS = ("float64", "ball")
     COLUMNS = ("t", "y", "energy", "t_error", "y_error")
     EVENT_COLUMNS = ("direction", "load")
 
-    def __init__(self, scene: PlaneScene, found: Found) -> None:
-        """Keep what a run found."""
-        self.arithmetic: Working
-        self.arithmetic, self.status, self.events, self.modes, self.end_time, self.final_state, self.motion = found
-        self.scene = scene
+    def __init__(
+        self,
+        scene: PlaneScene,
+        arithmetic: Working,
+        status: Status,
+        mode: str,
+        events: tuple[PlaneEvent, ...],
+        motion: Motion,
+    ) -> None:
+        """Keep what a run found: how it ended, the mode at t = 0, its events, and what knows the state at any time."""
+        self.arithmetic: Working = arithmetic
+        self.scene, self.status, self.events, self.motion = scene, status, events, motion
+        self.modes = mode, *(one.after for one in events)
         with self.context():
+            until = Ball.number(scene.until)
+            end = (until, self.motion.at(until)) if self.success else (self.events[-1].t, self.events[-1].y)
+            self.end_time, self.final_state = end
             self.digits: int = min(MOST if self.is_float else EXACT, self._right_digits())
 
     @property
@@ -147,7 +158,7 @@ class PlaneTrajectory(Answer):
     def energy_of(self, y: Any) -> arb:
         """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J. (A ball about 0 has no ** 2: flint answers nan.)"""
         pair, (x, v, _, w) = self.scene.pair, map(Vector, np.reshape(np.array(y, dtype=object), (4, -1)))
-        found: arb = Matrix.of(pair.a2) @ x @ x + exact(pair.m1) * v @ v + exact(pair.m2) * w @ w
+        found: arb = exact(pair.a2) @ x @ x + exact(pair.m1) * v @ v + exact(pair.m2) * w @ w
         return found / 2
 
     def end_numbers(self) -> tuple[Any, ...]:
@@ -229,8 +240,7 @@ class PlaneTrajectory(Answer):
         return {
             "status": int(self.status),
             "events": [saved.plain([*vars(one).values()]) for one in self.events],
-            "modes": list(self.modes),
-            "end": saved.plain((self.end_time, self.final_state)),
+            "mode": self.modes[0],
             "legs": saved.plain(motion.legs) if isinstance(motion, States) else None,
             "parts": [saved.contents(one)[0] for one in motion.answers] if isinstance(motion, Parts) else None,
         }, {}
@@ -248,14 +258,13 @@ class PlaneTrajectory(Answer):
                 motion = States(System(reduced(scene), digits), [*map(_leg, header["legs"])])
             else:
                 kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
-                motion = Parts(scene, [saved.restored(one, {}, kinds[one["format"]]) for one in header["parts"]])
-            rows, modes, (time, state) = (_tuples(header[name]) for name in ("events", "modes", "end"))
-            if len(modes) != len(rows) + 1:
-                raise ValueError("its count of events is not that of its modes")
-            if any(len(part) != scene.pair.axes for y in (state, *(row[3] for row in rows)) for part in y):
+                parts = (saved.restored(one, {}, kinds[one["format"]]) for one in header["parts"])
+                motion = Parts(scene, {one.scene: one for one in parts}.__getitem__)
+            rows = _tuples(header["events"])
+            if any(len(part) != scene.pair.axes for row in rows for part in row[3]):
                 raise ValueError("its states are not those of its axes")
             events = tuple(PlaneEvent(t, one, two, PlaneState(*y), *more) for t, one, two, y, *more in rows)
-            return cls(scene, Found(working, Status(header["status"]), events, modes, time, PlaneState(*state), motion))
+        return cls(scene, working, Status(header["status"]), header["mode"], events, motion)
 
 
 @partial(np.vectorize, otypes=[float])
@@ -270,5 +279,5 @@ def _tuples(given: Any) -> Any:
 
 
 def _leg(given: Any) -> Leg:
-    (piece, t, *parts), mode, end, norm, apart = given
-    return Leg(Curve(piece, arb_poly(t), *map(Vector, parts)), mode, end, norm, Vector(apart))
+    (piece, t, *parts), end, norm, apart = given
+    return Leg(Curve(piece, arb_poly(t), *map(Vector, parts)), end, norm, Vector(apart))

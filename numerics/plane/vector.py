@@ -1,4 +1,7 @@
-"""Numbers by axes, as one: sums, products and quotients act on each component, @ adds the products up."""
+"""Numbers by axes, as one: sums, products and quotients act on each component, @ adds the products up.
+
+A matrix is the vector of its columns: then @ is its product with a vector.
+"""
 
 from __future__ import annotations
 
@@ -22,11 +25,11 @@ def _acting(operation: Callable[[Any, Any], Any]) -> Any:
 
 
 class Vector(tuple[Any, ...]):
-    """Components of one kind: balls, polynomials, power series, or exact numbers.
+    """Components of one kind: balls, polynomials, power series, exact numbers, or columns.
 
     >>> v = Vector([3, 4])
-    >>> v * v, v * 2 - v, 12 / v, v @ v, abs(v - 4)
-    ((9, 16), (3, 4), (4.0, 3.0), 25, (1, 0))
+    >>> v * v, v * 2 - v, 12 / v, v @ v, abs(v - 4), Vector([v, v * 2]) @ v
+    ((9, 16), (3, 4), (4.0, 3.0), 25, (1, 0), (33, 44))
     """
 
     __slots__ = ()
@@ -48,33 +51,17 @@ class Vector(tuple[Any, ...]):
         """Return the size of each component."""
         return self.each(abs)
 
-    def __matmul__(self, other: Iterable[Any]) -> Any:
-        """Return the sum of the products."""
+    def __matmul__(self, other: Sequence[Any]) -> Any:
+        """Return the sum of the products; of columns row by row, without zeros, which is quicker."""
+        if self and isinstance(self[0], Vector):
+            rows = zip(*self, strict=True)
+            return Vector(sum((x * y for x, y in zip(row, other, strict=True) if x), other[0] * 0) for row in rows)
         return sum(map(mul, self, other))
 
 
-class Matrix(tuple[Any, ...]):
-    """A matrix of balls by rows, without its zeros: pairs of a column and a number."""
-
-    __slots__ = ()
-
-    @classmethod
-    def of(cls, rows: Iterable[Iterable[Any]]) -> Matrix:
-        """Return the matrix of exact rows."""
-        return cls(tuple((j, Ball.number(x)) for j, x in enumerate(row) if x) for row in rows)
-
-    def __matmul__(self, vector: Sequence[Any]) -> Vector:
-        """Return the matrix times a vector, of numbers or of polynomials."""
-        return Vector(sum((x * vector[j] for j, x in row), arb(0)) for row in self)
-
-    def __abs__(self) -> Matrix:
-        """Return the matrix of the sizes."""
-        return Matrix(tuple((j, abs(x)) for j, x in row) for row in self)
-
-
 def exact(numbers: Iterable[Any]) -> Vector:
-    """Return exact numbers as balls."""
-    return Vector(map(Ball.number, numbers))
+    """Return exact numbers as balls, also those of columns."""
+    return Vector(exact(one) if isinstance(one, tuple) else Ball.number(one) for one in numbers)
 
 
 def wide(x: Any, by: Any) -> Any:

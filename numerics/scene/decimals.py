@@ -10,10 +10,9 @@ from __future__ import annotations
 import operator
 import re
 from collections.abc import Iterable
-from decimal import Decimal
+from decimal import Context, Decimal, Inexact
 from fractions import Fraction
-from itertools import count
-from numbers import Integral, Rational, Real
+from numbers import Rational, Real
 from typing import Any
 
 from numerics.errors import InvalidScene
@@ -24,6 +23,7 @@ Exact = int | float | str | Decimal | Rational
 MAX_EXPONENT = 1000
 MAX_CHARACTERS = 1000
 _TOO_LONG = 10 ** (MAX_EXPONENT + MAX_CHARACTERS)
+_WIDE = Context(prec=2 * (MAX_EXPONENT + MAX_CHARACTERS), traps=[Inexact])
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE]([+-]?[0-9]+))?", re.ASCII)
 
 
@@ -45,10 +45,8 @@ def exact_decimal(value: object, name: str) -> Fraction:
     if isinstance(value, Decimal):
         return _from_text(str(value), name)
     if not isinstance(value, bool):
-        if isinstance(value, Integral):  # NumPy's too
-            return _checked_size(Fraction(int(value)), name)
-        if isinstance(value, Rational):
-            return _checked_size(Fraction(value), name)
+        if isinstance(value, Rational):  # NumPy's whole numbers too
+            return _checked_size(Fraction(int(value.numerator), int(value.denominator)), name)
         if isinstance(value, Real):
             return _from_text(repr(float(value)), name)
     remedy = "give arrays to solve_many" if isinstance(value, Iterable) else "write it as 0.05 or 5e-2"
@@ -88,18 +86,11 @@ def decimal_text(value: Fraction) -> str:
     >>> decimal_text(Fraction(1, 200)), decimal_text(Fraction(50, 3)), decimal_text(Fraction(-1, 10**30))
     ('0.005', '50/3', '-1e-30')
     """
-    below = value.denominator
-    if pow(10, below.bit_length(), below):
-        return f"{value.numerator}/{below}"
-    places = next(k for k in count() if pow(10, k, below) == 0)
-    whole = int(abs(value) * 10**places)
-    while whole >= 10**15 and whole % 10 == 0:
-        whole, places = whole // 10, places - 1
-    sign = "-" if value < 0 else ""
-    if places < 0 or places > 15:
-        return f"{sign}{whole}e{-places}"
-    digits = str(whole).rjust(places + 1, "0")
-    return f"{sign}{digits[:-places]}.{digits[-places:]}" if places else f"{sign}{digits}"
+    try:
+        found = _WIDE.divide(Decimal(value.numerator), Decimal(value.denominator))
+        return f"{found:f}" if abs(found.adjusted()) < 15 else f"{found.normalize(_WIDE):e}"
+    except Inexact:
+        return f"{value.numerator}/{value.denominator}"
 
 
 def require_whole(name: str, value: Any, least: int) -> None:

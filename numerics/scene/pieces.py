@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise, zip_longest
-from typing import Any
+from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, positive, put, short
@@ -20,6 +20,7 @@ from numerics.scene.short_repr import ShortRepr
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece of force; the last in one force or friction."""
 MAX_POINTS = 1000
+_B = TypeVar("_B")
 _TWO_COEFFICIENTS = (
     "friction at rest above that in slip, without a slope between them, is ill-posed: for a load between the two stick "
     "and slip are both solutions at every instant; take B continuous, however steep"
@@ -286,12 +287,7 @@ class Friction(ShortRepr):
         """Read the pieces; raises InvalidScene unless every b > 0 and each starts after the one before it."""
         if not isinstance(weakening, Weakening | None):
             raise InvalidScene("weakening must be a Weakening(speed, last_slope, place); build it first")
-        kept = []
-        for one in listed("pieces", pieces):
-            start, b = two_of(one)
-            kept.append((not_before_zero("a piece of friction", start), positive(b, "b")))
-        require_order("friction", [start for start, _ in kept])
-        put(self, pieces=tuple(kept), weakening=weakening)
+        put(self, pieces=friction_pieces(listed("pieces", pieces), lambda b: positive(b, "b")), weakening=weakening)
 
     @property
     def starts(self) -> tuple[Fraction, ...]:
@@ -359,10 +355,14 @@ def require_order(what: str, starts: list[Fraction]) -> None:
             )
 
 
-def two_of(piece: Any) -> tuple[Any, Any]:
-    """Return start and b of a piece of friction."""
-    try:
-        start, b = piece
-    except (TypeError, ValueError):
-        raise InvalidScene("a piece of friction is a pair (start, b); give two numbers") from None
-    return start, b
+def friction_pieces(given: Iterable[Any], read: Callable[[Any], _B]) -> tuple[tuple[Fraction, _B], ...]:
+    """Return pieces of friction in order, exact: when each begins, s, and its b as it is read."""
+    kept = []
+    for piece in given:
+        try:
+            start, b = piece
+        except (TypeError, ValueError):
+            raise InvalidScene("a piece of friction is a pair (start, b); give two numbers") from None
+        kept.append((not_before_zero("a piece of friction", start), read(b)))
+    require_order("friction", [start for start, _ in kept])
+    return tuple(kept)

@@ -19,7 +19,7 @@ from numerics.errors import InvalidScene
 from numerics.scene import decimals
 from numerics.scene.decimals import Exact, exact_decimal, listed, put, short
 from numerics.scene.model import HORIZON, NO_FORCE
-from numerics.scene.pieces import Force, not_before_zero, require_order, two_of
+from numerics.scene.pieces import Force, friction_pieces
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")
@@ -137,9 +137,7 @@ class PlaneScene(ShortRepr):
             raise InvalidScene(f"{len(forces)} forces for {n} axes; give one Force for each axis")
         put(self, until=decimals.positive(until, "until", HORIZON))
         state = {name: vector(one, name, n) for name, one in (("x1", x1), ("v1", v1), ("x2", x2), ("v2", v2))}
-        pairs = map(two_of, listed("friction", friction, " of pairs (start, b)"))
-        changes = tuple((not_before_zero("a piece of friction", start), positive(b, "b", n)) for start, b in pairs)
-        require_order("friction", [start for start, _ in changes])
+        changes = friction_pieces(listed("friction", friction, " of pairs (start, b)"), lambda b: positive(b, "b", n))
         put(self, pair=pair, force=forces + (NO_FORCE,) * (n - len(forces)), friction=changes, **state)
 
     @property

@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
-from numerics.plane.rotating import rotating_response, rotating_threshold
+from numerics.control.rotating import rotating_response
+from numerics.control.thresholds import thresholds
 from numerics.scene import Force, Friction, Pair, Scene, State, Weakening
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair
@@ -101,7 +102,7 @@ def rotating_force() -> Figure:
     figure, axes = panels(4.4, 3.4)
     for a1, colour in zip((1, 4, 16), _COLOURS[1:], strict=True):
         pair = PlanePair(1, 1, 200, "0.5", a1)
-        least = float(rotating_threshold(pair, 12))
+        least = float(thresholds(pair, 12).entrainment)
         amplitudes = least * np.linspace(0.5, 3, 60)
         speeds = [MM * float(rotating_response(pair, Fraction(float(one)), 12, 8).speed) for one in amplitudes]
         axes.plot(amplitudes, speeds, color=colour, label=f"$a_1={a1}$ N s/m")

@@ -63,7 +63,7 @@ def test_what_is_no_such_file_is_refused(tmp_path):
     with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 1'"):
         PlaneTrajectory.load(path)
     run.save(path)
-    with pytest.raises(InvalidFile, match="surface trajectory 2'"):
+    with pytest.raises(InvalidFile, match="surface trajectory 3'"):
         Trajectory.load(path)
     kept = dict(np.load(path))
     text = kept["header"].tobytes().decode()
@@ -71,7 +71,7 @@ def test_what_is_no_such_file_is_refused(tmp_path):
         ('"legs": [[', '"legs": [7, ['),
         ('"float64"', '"mpmath"'),
         ('shape = \\"box\\"', 'shape = \\"star\\"'),
-        ('"modes": [', '"modes": ["slip", '),
+        ('"mode": ', '"start": '),
     ):
         assert right in text
         header = np.frombuffer(text.replace(right, wrong, 1).encode(), dtype=np.uint8)

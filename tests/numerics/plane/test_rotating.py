@@ -8,8 +8,8 @@ from flint import acb, arb
 from numerics import Force, Piece, Sine, response, solve, thresholds
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
+from numerics.control.rotating import rotating_response
 from numerics.errors import InvalidScene
-from numerics.plane.rotating import rotating_response
 from numerics.scene.file import load_scene, shipped_scenes
 from numerics.scene.plane import PlanePair, PlaneScene
 

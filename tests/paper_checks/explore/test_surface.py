@@ -9,7 +9,7 @@ import pytest
 from chromium import faults, planted
 
 from numerics import PlanePair, solve
-from numerics.plane.rotating import rotating_response
+from numerics.control.rotating import rotating_response
 from numerics.scene.file import load_scene, parse_scene
 from paper_checks.explore.page import SOLVER, source
 from paper_checks.explore.surfaces import OWN_SURFACES, ReducedSurface, reduced_surface

@@ -19,8 +19,10 @@ from flint import acb, acb_poly, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
+from numerics.control.thresholds import entrainment_threshold, impedance, load_margin, round_pair
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene import Pair
+from numerics.scene.decimals import Exact, positive
 from numerics.scene.plane import PlanePair, PlaneScene
 
 _SPARE = 20
@@ -61,58 +63,36 @@ class RotatingResponse:
         return "non-stop: body 2 slips round at a constant speed; there is no stick-slip, U** = U*"
 
 
-def round_numbers(pair: PlanePair) -> tuple[Fraction, ...]:
-    """Return m1, m2, a1, a2, b of a pair on which every direction is alike. Raises InvalidScene."""
-    alike = pair.axes == 2 and pair.is_diagonal and pair.shape == "ellipsoid"
-    diagonals = [tuple(m[i][i] for i in range(pair.axes)) for m in (pair.a1, pair.a2)]
-    if not alike or any(len(set(one)) > 1 for one in (pair.m1, pair.m2, pair.b, *diagonals)):
-        raise InvalidScene("only a round pair has a closed form: two axes, ellipsoid, equal numbers on both")
-    return pair.m1[0], pair.m2[0], diagonals[0][0], diagonals[1][0], pair.b[0]
-
-
-def rotating_threshold(pair: PlanePair, omega: Exact, digits: int = 15) -> arb:
-    """Return U* = U** (N) at the frequency omega (rad/s) > 0, with its radius."""
-    m1, m2, a1, a2, b = round_numbers(pair)
-    w = _frequency(omega)
-    with Ball(digits + _SPARE).context():
-        stiff = Ball.number(a2 - (m1 + m2) * w * w)
-        lossy = Ball.number(a1 * w)
-        return (stiff * stiff + lossy * lossy).sqrt() * Ball.number(b / (m2 * w * w))
-
-
 def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:
     """Return the motion of a round pair that goes round with U (cos wt, sin wt).
 
     Raises InvalidScene, EventUndecided (exponents that are not told apart).
     """
-    m1, m2, a1, a2, b = round_numbers(pair)
-    w, size = _frequency(omega), exact_decimal(amplitude, "amplitude")
-    if size <= 0:
-        raise InvalidScene(f"amplitude = {short(size)} must be > 0; give the size of the rotating force in N")
-    driven, stuck = ((a2 - m * w * w) ** 2 + (a1 * w) ** 2 for m in (m1, m1 + m2))
-    slope, level = a1 * m2 * w**3, (m2 * w * w * size / b) ** 2 - stuck
+    line, w = round_pair(pair), positive(omega, "omega", "give the frequency in rad/s")
+    size = positive(amplitude, "amplitude", "give the size of the rotating force in N")
+    m1, m2, a1, a2, b = line.m1, line.m2, line.a1, line.a2, line.b
+    driven, slope = (a2 - m1 * w * w) ** 2 + (a1 * w) ** 2, a1 * m2 * w**3
+    level = -load_margin(line, size, w) / b**2
     if level > 0 and not driven:
         raise InvalidScene("body 1 alone resonates here without a damper, and U > U*: there is no such motion")
 
     def attempt(_: Ball) -> tuple[RotatingResponse, list[arb]]:
         n, i = Ball.number, acb(0, 1)
         p = n(level) / (n(slope * slope + driven * level).sqrt() + n(slope)) if level > 0 else arb(0)
-        alone, both = (acb(n(a2 - m * w * w), n(a1 * w)) for m in (m1, m1 + m2))
-        rho, f = n(b / (m2 * w)) * p, -n(m2 * w * w * size) / (both + i * p * alone)
-        v2 = -i * f / n(m2 * w)
+        f = -n(m2 * w * w * size) / (impedance(line, line.mass, w) + i * p * impedance(line, m1, w))
+        rho, v2 = n(b / (m2 * w)) * p, -i * f / n(m2 * w)
         v1 = v2 + f * (rho / n(b))
         attracts = bool(a1 > 0) or (level > 0 and a2 / m1 not in {w * w, w * w * 4})  # stuck, a free oscillation stays
-        threshold = rotating_threshold(pair, w, digits + _SPARE)
-        exponents = _exponents(pair, w, rho, digits) if level > 0 else ()
-        q1 = v1 / (i * n(w))
+        exponents = _exponents(line, w, rho, digits) if level > 0 else ()
+        threshold, q1 = entrainment_threshold(line, w), v1 / (i * n(w))
         return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, digits), []
 
     return to_digits(attempt, digits, spare=_SPARE)
 
 
-def _exponents(pair: PlanePair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...]:
+def _exponents(line: Pair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...]:
     """Return the six roots, with the least damped first."""
-    m1, m2, a1, a2, b = map(Ball.number, round_numbers(pair))
+    m1, m2, a1, a2, b = map(Ball.number, (line.m1, line.m2, line.a1, line.a2, line.b))
 
     def moved(sign: int) -> tuple[acb_poly, acb_poly]:
         x = acb_poly([acb(0, Ball.number(w) * sign), 1])
@@ -144,10 +124,3 @@ def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fract
         if x.omega != y.omega or abs(x.amplitude) != abs(y.amplitude) or not abs(turn) < arb(10) ** (-digits):
             raise refusal
     return abs(x.amplitude), x.omega
-
-
-def _frequency(omega: Exact) -> Fraction:
-    w = exact_decimal(omega, "omega")
-    if w <= 0:
-        raise InvalidScene(f"omega = {short(w)} must be > 0; give the frequency in rad/s")
-    return w
