@@ -10,7 +10,6 @@ from numerics.linear.cells import cells_of
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
 from numerics.trajectory.columns import Array, Counts, Floats
-from numerics.trajectory.flow import losses, moved
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -63,7 +62,8 @@ def sampled(trajectory: Rows) -> Curve:
     at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
     since, (local, y) = lengths[at] * share, trajectory.row_numbers
-    y, taken = y[:, at] + trajectory.row_changes(moved, at, since), trajectory.row_changes(losses, at, since)[:2]
+    changed, taken = trajectory.row_changes(at, since, integrals=True)
+    y, taken = y[:, at] + changed, taken[:2]
     u, b = np.zeros(len(at)), np.zeros(len(at))
     for piece in np.unique(pieces):
         chosen, acting = pieces[at] == piece, trajectory.pieces[piece]

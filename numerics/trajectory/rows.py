@@ -26,7 +26,7 @@ from numerics.scene import Scene
 from numerics.scene.decimals import short
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.columns import STATE, Array, Columns, Counts, Floats
-from numerics.trajectory.flow import Moving, losses, moved
+from numerics.trajectory.flow import Moving, changes
 
 Side = Literal["left", "right"]
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
@@ -285,13 +285,13 @@ class Rows(Answer):
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self._in_floats:
-            return np.asarray(self.row_states[:, rows] + self.row_changes(moved, rows, since))
+            return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[0])
         return self._each(Moving.after, rows, since)
 
     def row_losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
         if self._in_floats:
-            return self.row_changes(losses, rows, since)
+            return self.row_changes(rows, since, integrals=True)[1]
         return self._each(Moving.losses, rows, since)
 
     def _each(self, function: Callable[[Moving, Number], Any], rows: Counts, since: Array) -> Array:
@@ -307,16 +307,15 @@ class Rows(Answer):
 
         return cache(motion)
 
-    def row_changes(self, function: Callable[..., Floats], rows: Counts, tau: Floats) -> Floats:
-        """Return `moved` or `losses` (flow.py) of the motions from rows on, row by row for a time (s); in binary64."""
-        (local, y), found = self.row_numbers, np.zeros((3 if function is losses else 4, len(tau)))
+    def row_changes(self, rows: Counts, tau: Floats, *, integrals: bool = False) -> tuple[Floats, Floats]:
+        """Return `changes` (flow.py) of the motions from rows on, row by row for a time (s); in binary64."""
+        (local, y), changed, taken = self.row_numbers, np.zeros((4, len(tau))), np.zeros((3, len(tau)))
         which = self.row_modes[1][rows]
-        modes, counts = np.unique(which, return_counts=True)
-        parts = np.split(np.argsort(which, kind="stable"), np.cumsum(counts)[:-1])
-        for mode, chosen in zip(modes, parts, strict=False):  # of no rows there is one part, and no mode
-            at = rows[chosen]
-            found[:, chosen] = function(self.row_mode(mode), (local[at], y[:, at]), tau[chosen])
-        return found
+        for one in np.unique(which):
+            chosen, mode = which == one, self.row_mode(one)
+            begun = local[rows[chosen]], y[:, rows[chosen]]
+            changed[:, chosen], taken[:, chosen] = changes(mode, begun, tau[chosen], integrals)
+        return changed, taken
 
 
 def _columns(found: list[Any]) -> Array:
