@@ -31,16 +31,12 @@ class Columns:
             *table, end = (one[:-1] for one in (*record.rows, record.end))
             self.rows, self.end = np.array(table, dtype=object), np.array(end, dtype=object)
 
-    def code(self, name: str) -> Floats:
-        """Return a code of all rows, a float."""
-        return np.asarray(self.rows[:, self.at[name]], dtype=float)
-
-    def numbers(self, name: str) -> Array:
-        """Return a number of all rows: floats, or an object array."""
-        return np.asarray(self.table(name)[0])
+    def code(self, name: str) -> Counts:
+        """Return a code of all rows."""
+        return np.asarray(self.rows[:, self.at[name]].astype(np.int64))
 
     def table(self, *names: str) -> Array:
-        """Return some numbers of all rows, a line each."""
+        """Return some numbers of all rows, a line each: floats, or an object array."""
         return self._read(self.rows, names)
 
     def last(self, *names: str) -> list[Number]:

@@ -71,12 +71,12 @@ class Rows(Answer):
     @cached_property
     def row_signs(self) -> Counts:
         """Return the mode that starts at each row, the sign of v1 - v2."""
-        return self.columns.code("mode").astype(np.int64)
+        return self.columns.code("mode")
 
     @cached_property
     def row_pieces(self) -> Counts:
         """Return the piece in which each row is."""
-        return self.columns.code("piece").astype(np.int64)
+        return self.columns.code("piece")
 
     @cached_property
     def row_modes(self) -> tuple[Array, Counts]:
@@ -95,12 +95,12 @@ class Rows(Answer):
     @cached_property
     def row_numbers(self) -> tuple[Floats, Floats]:
         """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
-        return self.floats(self.columns.numbers("local")), self.floats(self.row_states)
+        return self.floats(self.columns.table("local")[0]), self.floats(self.row_states)
 
     @cached_property
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
-        local = self.columns.numbers("local")
+        local = self.columns.table("local")[0]
         if not self.row_pieces.any():
             return local
         if self._in_floats:
@@ -117,19 +117,19 @@ class Rows(Answer):
     @cached_property
     def row_excess(self) -> Array | None:
         """Return E/E_cr - 1 at each row, accurate in itself; None where a run does not carry it (free/ alone does)."""
-        found = self.columns.numbers("excess")
+        found = self.columns.table("excess")[0]
         return None if found[0] is None or (self.bounded and math.isnan(found[0])) else found
 
     @cached_property
     def row_lengths(self) -> Array:
         """Return how long the segment of each row lasts, s."""
-        after, last = self.columns.numbers("length")[1:], self.columns.last("length")
+        after, last = self.columns.table("length")[0, 1:], self.columns.last("length")
         return np.append(after, last) if self.reached else after
 
     @cached_property
     def event_rows(self) -> Counts:
         """Return the rows at which the mode has changed: the events."""
-        return np.flatnonzero(self.columns.code("event") == 1.0)
+        return np.flatnonzero(self.columns.code("event"))
 
     @cached_property
     def _table(self) -> tuple[Counts, Array]:
@@ -143,9 +143,9 @@ class Rows(Answer):
         return at, np.column_stack([table, [self.end_time, *self.final_state]]) if self.reached else table
 
     @property
-    def signs(self) -> list[float]:
+    def signs(self) -> list[int]:
         """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
-        signs: list[float] = self.columns.code("mode")[self._table[0]].tolist()
+        signs: list[int] = self.row_signs[self._table[0]].tolist()
         return signs
 
     @property

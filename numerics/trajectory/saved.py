@@ -45,9 +45,9 @@ def load(file: str | Path, kind: Any) -> Any:
     if not is_archive:
         raise InvalidFile(f"{str(path)!r} is no NumPy archive; {_REMEDY}")
     try:
-        with np.load(path, allow_pickle=False) as archive:
+        with np.errstate(invalid="raise"), np.load(path, allow_pickle=False) as archive:
             arrays = {name: archive[name] for name in archive}
-        return restored(_read(arrays.pop("header").tobytes().decode()), arrays, kind)
+            return restored(_read(arrays.pop("header").tobytes().decode()), arrays, kind)
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, EOFError, zipfile.BadZipFile) as error:
         reason = " ".join(str(error).split())[:200]
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None

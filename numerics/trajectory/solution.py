@@ -72,16 +72,20 @@ class Solution(Rows):
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
         return self._judged[3] if self.bounded else 0
 
-    @cached_property
+    @property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return tuple(map(MODES.__getitem__, self.signs))[: self.record.events + self.reached]
+        return self._all_modes[: self.record.events + self.reached]
+
+    @cached_property
+    def _all_modes(self) -> tuple[Mode, ...]:
+        """Return the modes, with that after the last event, where the cap on events ended the run."""
+        return tuple(map(MODES.__getitem__, self.signs))
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        modes = [MODES[sign] for sign in self.signs]
-        return tuple(map(event_kind, modes, modes[1:]))
+        return tuple(map(event_kind, self._all_modes, self._all_modes[1:]))
 
     @property
     def t(self) -> Array:
@@ -108,7 +112,7 @@ class Solution(Rows):
         return self._by_kind(self.event_states.T)
 
     def _by_kind(self, events: Array) -> tuple[Array, ...]:
-        sticks = self.columns.code("mode")[self._table[0]] == 0
+        sticks = self.row_signs[self._table[0]] == 0
         before, after = sticks[:-1], sticks[1:]
         return events[after], events[before], events[~(before | after)]
 
@@ -171,7 +175,7 @@ class Solution(Rows):
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
-        rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
+        rows, modes = self.event_rows, self._all_modes
         causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
         states, carried = self.event_states, self.row_excess
         excesses = np.full(len(rows), None) if carried is None else carried[rows]
