@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
@@ -150,15 +150,13 @@ def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
 
 def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
-    against = curve.y[1] - curve.y[3], friction_on_body_2(trajectory, curve)
-    for kept, label, how in _by_mode(curve, "friction in stick"):
-        ax.plot(*np.where(kept, against, np.nan), label=label, **how)
-    ax.set_xlabel("$v_1 - v_2$ (m/s)")
+    w = curve.y[1] - curve.y[3], "$v_1 - v_2$ (m/s)"
+    _plane(curve, ax, w, friction_on_body_2(trajectory, curve), "friction in stick")
 
 
 def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1, and S0 where it stays."""
-    _plane(curve, ax, curve.y[1])
+    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1])
     _mark_events(trajectory, ax, 1, 2)
     if not trajectory.scene.is_forced:
         _sliding_region(trajectory.scene.pair, ax)
@@ -166,27 +164,21 @@ def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
 
 def _relative(_: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1 - v2: on S that is 0, and a cycle of stick and slip closes."""
-    _plane(curve, ax, curve.y[1] - curve.y[3])
+    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1] - curve.y[3])
 
 
-def _plane(curve: Curve, ax: Any, up: Any) -> None:
-    """Draw x1 against a velocity: on S, where v1 = v2, with a full line, in slip with a thin one."""
-    for kept, label, how in _by_mode(curve, "stick, on $S$"):
-        ax.plot(*np.where(kept & curve.resolved, (curve.y[0], up), np.nan), label=label, **how)
-        sparse = kept & ~curve.resolved
-        if sparse.any():  # lines between these points would not be the curve
-            ax.plot(curve.y[0, sparse], up[sparse], ",", color=how["color"])
-    ax.plot(curve.y[0, :1], up[:1], "s", color="black", ms=5, label="start")
+def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, stick: str = "stick, on $S$") -> None:
+    """Draw one quantity against another, named: in stick with a full line, in slip with a thin one."""
+    x, name = across
+    ways = (~curve.stick, "slip", ORANGE, 0.8, "--"), (curve.stick, stick, BLUE, 2.0, "-")
+    for kept, label, color, width, dashes in ways:
+        if kept.any():
+            ax.plot(*np.where(kept & curve.resolved, (x, up), np.nan), color=color, lw=width, ls=dashes, label=label)
+            sparse = kept & ~curve.resolved  # lines between these points would not be the curve
+            ax.plot(x[sparse], up[sparse], ",", color=color)
+    ax.plot(x[:1], up[:1], "s", color="black", ms=5, label="start")
     ax.locator_params(axis="x", nbins=6)
-    ax.set_xlabel("$x_1$ (m)")
-
-
-def _by_mode(curve: Curve, stick: str) -> Iterator[tuple[Any, str, dict[str, Any]]]:
-    """Yield which points slip and which stick, where any do, with what a legend says and how they are drawn."""
-    if not curve.stick.all():
-        yield ~curve.stick, "slip", {"color": ORANGE, "lw": 0.8, "ls": "--"}
-    if curve.stick.any():
-        yield curve.stick, stick, {"color": BLUE, "lw": 2.0}
+    ax.set_xlabel(name)
 
 
 def _sliding_region(pair: Any, ax: Any) -> None:

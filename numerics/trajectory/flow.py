@@ -148,10 +148,10 @@ def _floats(exact: arb_mat) -> Floats:
     return np.array([[as_float(one) for one in row] for row in exact.tolist()])
 
 
-def changes(mode: LinearMode, at: Begun, tau: Floats, integrals: bool) -> tuple[Floats, Floats]:
-    """Return by how much x1, v1, x2, v2 change within tau (s), shape (4, n), in binary64.
+def changes(mode: LinearMode, at: Begun, tau: Floats, integrals: bool) -> Floats:
+    """Return by how much x1, v1, x2, v2 change within tau (s), and the force after it, N, in binary64, shape (8, n).
 
-    Where `integrals`, also b int |v1 - v2|, a1 int v1^2 and int u v1, J, shape (3, n).
+    Between them b int |v1 - v2|, and where `integrals` a1 int v1^2 and int u v1, J.
     """
     piece, (local, y), held = mode.piece, at, mode.side * float(mode.b)
     top = int(np.frexp(tau.max(initial=0.0))[1])
@@ -171,7 +171,8 @@ def changes(mode: LinearMode, at: Begun, tau: Floats, integrals: bool) -> tuple[
         changed[X2:ONE] = changed[X1:X2]
     if 0 not in steps.products:
         taken[0] = held * (changed[X1] - changed[X2])
-    return changed[:ONE], taken
+    force = (z + changed)[[place for place, _ in mode.force]].sum(axis=0)
+    return np.vstack([changed[:ONE], taken, force])
 
 
 class Moving:

@@ -218,9 +218,13 @@ class Rows(Answer):
         return self._middles(self.row_times)
 
     def _rows(self, times: Array, side: Side) -> Counts:
-        """Return the row whose segment holds each time; at an event that on the given side."""
         require_side(side)
         return np.maximum(np.searchsorted(self._row_points, self._middles(times), side=side) - 1, 0)
+
+    def rows_at(self, t: Any, side: Side = "right") -> Counts:
+        """Return the rows whose segments hold time(s) t (s), flat; at an event that on the given side."""
+        with self.context():
+            return self._rows(self._times(t).ravel(), side)
 
     def sol(self, t: Any, side: Side = "right") -> Array:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
@@ -232,14 +236,12 @@ class Rows(Answer):
         """
         with self.context():
             given = self._times(t)
-            return self._at(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
+            return self.at_rows(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
-        with self.context():
-            given = self._times(t)
-            found = [MODES[sign] for sign in self.row_signs[self._rows(given.ravel(), side)]]
-        return np.array(found, dtype=object).reshape(given.shape)[()]
+        found = [MODES[sign] for sign in self.row_signs[self.rows_at(t, side)]]
+        return np.array(found, dtype=object).reshape(np.shape(t))[()]
 
     def _excess(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
@@ -253,10 +255,10 @@ class Rows(Answer):
         def left(rows: Counts, since: Array) -> Array:
             return np.asarray(carried[rows] - self.row_losses(rows, since)[0] / unit)
 
-        found: Number = self._at(left, self._times(t).reshape(1), side).tolist()[0]
+        found: Number = self.at_rows(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
-    def _at(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
+    def at_rows(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
         """Return a function of rows and of the times since they began at times of the run.
 
         Where balls leave open which segment holds a time, all that may hold it answer.
@@ -266,9 +268,9 @@ class Rows(Answer):
             return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
-            while first > 0 and not starts[first] < time:
+            while first > 0 and not (starts[first] < time or starts[first] == time):  # both exact
                 first -= 1
-            while after < len(starts) and not time < starts[after]:
+            while after < len(starts) and not (time < starts[after] or time == starts[after]):
                 after += 1
             held = np.arange(first, after)
             found.append(reduce(_union, function(held, time - starts[held]).T))
@@ -285,13 +287,13 @@ class Rows(Answer):
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self._in_floats:
-            return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[0])
+            return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:4])
         return self._each(Moving.after, rows, since)
 
     def row_losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
         if self._in_floats:
-            return self.row_changes(rows, since, integrals=True)[1]
+            return self.row_changes(rows, since, integrals=True)[4:7]
         return self._each(Moving.losses, rows, since)
 
     def _each(self, function: Callable[[Moving, Number], Any], rows: Counts, since: Array) -> Array:
@@ -307,15 +309,14 @@ class Rows(Answer):
 
         return cache(motion)
 
-    def row_changes(self, rows: Counts, tau: Floats, *, integrals: bool = False) -> tuple[Floats, Floats]:
+    def row_changes(self, rows: Counts, tau: Floats, *, integrals: bool = False) -> Floats:
         """Return `changes` (flow.py) of the motions from rows on, row by row for a time (s); in binary64."""
-        (local, y), changed, taken = self.row_numbers, np.zeros((4, len(tau))), np.zeros((3, len(tau)))
-        which = self.row_modes[1][rows]
+        (local, y), found, which = self.row_numbers, np.zeros((8, len(tau))), self.row_modes[1][rows]
         for one in np.unique(which):
-            chosen, mode = which == one, self.row_mode(one)
+            chosen = which == one
             begun = local[rows[chosen]], y[:, rows[chosen]]
-            changed[:, chosen], taken[:, chosen] = changes(mode, begun, tau[chosen], integrals)
-        return changed, taken
+            found[:, chosen] = changes(self.row_mode(one), begun, tau[chosen], integrals)
+        return found
 
 
 def _columns(found: list[Any]) -> Array:

@@ -37,10 +37,10 @@ from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.scene import Scene
 from numerics.scene.model import require_kind
-from numerics.trajectory.columns import STATE, Array
+from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.rendering import right_digits_text, with_radius
-from numerics.trajectory.rows import Side, exact_time, require_side
+from numerics.trajectory.rows import Side, exact_time
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
@@ -53,6 +53,7 @@ _GUARD_BITS = 64
 _TRIES = 6
 """So many times the precision is raised at most."""
 _TABLE_DIGITS = 6
+_REMEDY = "give it solve(scene) of a scene on one line"
 
 
 @dataclass(frozen=True)
@@ -153,16 +154,20 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
         found = enclosures(trajectory)
         arrays = (found.t, found.y, found.final, found.energy)
         return Sensitivity(found.wrt, *(_as_numbers(trajectory.arithmetic, one) for one in arrays))
-    require_side(side)
-    asked = np.asarray(t, dtype=object)
+    require_kind("sensitivities", trajectory, Trajectory, _REMEDY)
+    asked, own_rows = np.asarray(t, dtype=object), trajectory.rows_at(t, side)
 
-    def at_times(_: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        begins = [leg.start for leg in chain.legs]
-        if trajectory.arithmetic.name != "ball":  # an event is where the trajectory has it, as rounded as that is
-            own = iter(trajectory.event_times)
-            begins = [as_ball(next(own)) if leg.is_event else leg.start for leg in chain.legs]
-        times = [_time(trajectory, one) for one in asked.flat]
-        return (np.array([*chain.at_times(times, begins, side), *chain.before]),)
+    def at_times(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
+        def slopes(rows: Counts, since: Array) -> Array:
+            return np.reshape([chain.at(*one) for one in zip(rows, since, strict=True)], (len(rows), -1)).T
+
+        exact = (as_ball(one if hasattr(one, "man_exp") else exact_time(one)) for one in asked.flat)
+        times = np.fromiter(exact, object, asked.size)
+        if trajectory.arithmetic.name == "ball":
+            found = balls.at_rows(slopes, times, side)
+        else:  # an event is where the trajectory has it, as rounded as that is
+            found = slopes(own_rows, times - balls.row_times[own_rows])
+        return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *chain.before]),)
 
     rows = _enclosed(trajectory, at_times)[0][: asked.size]
     states = _as_numbers(trajectory.arithmetic, np.moveaxis(rows, 0, -1))
@@ -191,7 +196,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     numbers of the scene along the last one. Raises TypeError for what is no trajectory, NotDifferentiable for one that
     has no derivatives by its data.
     """
-    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
+    require_kind("sensitivities", trajectory, Trajectory, _REMEDY)
     scene, arithmetic, count = trajectory.scene, trajectory.arithmetic, trajectory.record.events
     until = math.inf if trajectory.reached else arithmetic.to_float(trajectory.event_times[-1])
     if scene.is_forced and (what := corner(scene, pieces_of(scene), until)) is not None:
@@ -208,7 +213,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
                 raise
             digits *= 2
             continue
-        if balls.signs != trajectory.signs:  # after the last event, too: a run that is cut off has no segment there
+        if not np.array_equal(balls.row_signs, trajectory.row_signs):
             raise EventUndecided("are the events those of the trajectory?", f"{balls.record.events} events", digits)
         with precision(Ball(digits).bits + _GUARD_BITS):
             found = asked(balls, Chain(scene, legs(balls), tuple(parameters(scene))))
@@ -233,14 +238,6 @@ def _right_digits(arrays: tuple[Array, ...], digits: int) -> int:
             is_zero = all(one.contains(0) for one in column)
             least = min(least, digits // 4 if is_zero and radius > 0 else digits_within(radius, largest, largest))
     return least
-
-
-def _time(trajectory: Trajectory, t: Any) -> arb:
-    """Return a time (s) as a ball. Raises ValueError outside [0, end]."""
-    end, time = trajectory.end_time, as_ball(t if hasattr(t, "man_exp") else exact_time(t))
-    if time < 0 or time > as_ball(trajectory.scene.until if trajectory.reached else end):
-        raise ValueError(f"t = {str(t)[:40]} s is outside the solved time [0, {float(end):g}] s; solve further")
-    return time
 
 
 def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
