@@ -84,7 +84,7 @@ class Variation:
     state, body 2 is part of the oscillator, and numbers act on it too: its row of the inputs.
 
     z is the oscillator (2 or 4 components), the powers of the time since the piece of force began, and of every sine
-    sin, cos, t sin, t cos. `system` is A, (n, n); `inputs` what all numbers do to each body, (n, p), as accelerations.
+    sin, cos, t sin, t cos. `system` is A, (n, n); `inputs` what all numbers do to each body, (1 or 2, n, p), N.
     """
 
     def __init__(self, scene: Scene, column: dict[str, int], index: int, side: int, cell: tuple[int, int]) -> None:
@@ -96,7 +96,7 @@ class Variation:
         """The name of the friction that acts."""
         self.force = scene.force.pieces[began] if began >= 0 else Piece(0)
         self.side, self.column, self.mode = side, column, mode_in(scene, self.piece, side, cell)
-        self.m2, masses = Ball.number(pair.m2), np.array([[[self.mode.mass]], [[pair.m2]]])
+        self.mass, self.m2 = Ball.number(self.mode.mass), Ball.number(pair.m2)
         terms, sines = self.force.polynomial or (Fraction(0),), self.force.sines
         n = self.size = 4 if side and self.cells else 2
         size = n + len(terms) + 4 * len(sines)
@@ -128,7 +128,7 @@ class Variation:
             acting = self._friction(replace(self.mode, b=offset, slope=slope, pull=pull), size)
             inputs[0, :, column[name]] -= acting
             inputs[1:, :, column[name]] += acting
-        self.system, self.inputs = _balls(A), _balls(inputs / masses[: n // 2])
+        self.system, self.inputs = _balls(A), _balls(inputs)
 
     def _by_numbers(self, side: int, cell: tuple[int, int]) -> dict[str, Branch]:
         """Return the derivatives of the friction of a slip by the numbers in it."""
@@ -160,9 +160,9 @@ class Variation:
         """
         flow, columns, n = np.full((4, 4), arb(0)), np.full((4, len(self.column)), arb(0)), self.size
         z = self._begun(state, t)
-        for place, rows in zip((1, 3), self.inputs, strict=False):
+        for place, mass, rows in zip((1, 3), (self.mass, self.m2), self.inputs, strict=False):
             whole = np.full((n + len(z), n + len(z)), arb(0))
-            whole[:n, :n], whole[place, n:], whole[n:, n:] = self.system[:n, :n], z, self.system.T
+            whole[:n, :n], whole[place, n:], whole[n:, n:] = self.system[:n, :n], z / mass, self.system.T
             block = _exponential(whole * tau)
             flow[:n, :n], columns[:n] = block[:n, :n], columns[:n] + block[:n, n:] @ rows
         if n == 4:
@@ -188,7 +188,7 @@ class Variation:
         if self.side:
             return np.array([0, 1, 0, -1]), by_numbers, field[1] - field[3]
         z, load = self._begun(after.state, after.start), -exit_side * self.m2 * self.system[1]
-        by_numbers += -exit_side * self.m2 * (z @ self.inputs[0])
+        by_numbers += -exit_side * self.m2 / self.mass * (z @ self.inputs[0])
         by_numbers[self.column["m2"]] -= exit_side * field[1]
         by_state[:2] = load[:2]
         for name, one in self._by_numbers(1, cell).items():
