@@ -68,24 +68,17 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     return ax
 
 
-def axes_for(kind: Any, kinds: Collection[str], ax: Any) -> Any:
-    """Return axes to draw a kind of picture into, new ones if none are given. Raises ValueError, TypeError."""
+def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> Any:
+    """Return axes to draw one of some kinds into, or new ones. Raises ValueError, TypeError, MissingTool."""
     if not isinstance(kind, str) or kind not in kinds:
-        raise ValueError(f"kind = {str(kind)[:40]!r} is not one of {', '.join(kinds)}")
-    if ax is None:
-        return new_axes()
-    if not hasattr(ax, "set_title"):
+        raise ValueError(f"{name} = {str(kind)[:40]!r} is not one of {', '.join(kinds)}")
+    if ax is not None and not hasattr(ax, "set_title"):
         raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
-    return ax
-
-
-def new_axes() -> Any:
-    """Return new matplotlib axes. Raises MissingTool."""
     try:
         from matplotlib import pyplot as plt
     except ImportError:
         raise MissingTool("a plot needs matplotlib, which is not installed; python -m pip install matplotlib") from None
-    return plt.subplots(layout="constrained")[1]
+    return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
 def _against_time(trajectory: Solution, curve: Curve, ax: Any) -> None:

@@ -1,18 +1,18 @@
 """The motion after a knot, z' = A z: enclosed, one by one, or in binary64 for thousands of knots and times at once.
 
-What the ledger needs are integrals of quadratic forms of z: Van Loan's block exponential over a short interval, then
-doubled. In binary64 a time is a sum of intervals h 2^k, by its binary digits, and of a rest; over h the fastest rate
-turns through 1/2. The flow over every such interval and its integrals come from balls and are rounded once, the rest is
-Taylor's; approximate, without a bound. In every other arithmetic a motion is that of LinearMode, for balls as it is,
-for mpmath and double-double its middle.
+What the ledger needs are integrals of quadratic forms of z, over a short interval, and then doubled. In binary64 a time
+is a sum of intervals h 2^k, by its binary digits, and of a rest; over h the fastest rate turns through 1/2. The flow
+over every such interval comes from balls and is rounded once, what happens within h is Taylor's; approximate, without a
+bound. In every other arithmetic a motion is that of LinearMode, for balls as it is, for mpmath and double-double its
+middle.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import chain, islice
+from itertools import chain
 
 import flint
 import mpmath
@@ -31,7 +31,7 @@ _TERMS = 14
 _SPARE_BITS = 24
 _BITS_PER_DOUBLING = 5
 """What a flow may lose each time that it is squared."""
-_KEPT = 64
+_KEPT = 32
 _STATE = tuple(((place, Fraction(1)),) for place in range(4))
 _PRODUCTS = 1.0 / np.add.outer(np.arange(_TERMS + 1), np.arange(1, _TERMS + 2))
 """int_0^1 s^i s^j ds."""
@@ -62,21 +62,12 @@ def _form(size: int, one: Row, two: Row) -> arb_mat:
     return Q
 
 
-def _doubled(A: arb_mat, tau: arb, products: Iterable[tuple[Row, Row]]) -> Iterator[tuple[arb_mat, list[arb_mat]]]:
-    """Yield exp(A t), and int_0^t exp(A' s) Q exp(A s) ds of every product, for t = tau, 2 tau, 4 tau, ...
-
-    A block exponential gives the first of them; over a long interval its exp(-A' t) would grow where z decays.
-    """
-    n, flow, found = A.nrows(), (A * tau).exp(), []
-    adjoint, nothing = (-A.transpose()).tolist(), [arb(0)] * n
-    for product in products:
-        above = zip(adjoint, _form(n, *product).tolist(), strict=True)
-        block = arb_mat([*([*one, *two] for one, two in above), *([*nothing, *one] for one in A.tolist())])
-        found.append(flow.transpose() * arb_mat([row[n:] for row in (block * tau).exp().tolist()[:n]]))
-    while True:
-        yield flow, found
-        found = [one + flow.transpose() * one * flow for one in found]
-        flow = flow * flow
+def _integral(A: arb_mat, tau: arb, Q: arb_mat) -> arb_mat:
+    """Return int_0^tau exp(A' s) Q exp(A s) ds by Van Loan: for a short time, or exp(-A' tau) grows where z decays."""
+    n, adjoint, nothing = A.nrows(), (-A.transpose()).tolist(), [arb(0)] * A.nrows()
+    above = [[*one, *two] for one, two in zip(adjoint, Q.tolist(), strict=True)]
+    block = (arb_mat([*above, *([*nothing, *one] for one in A.tolist())]) * tau).exp().tolist()
+    return arb_mat([row[n:] for row in block[n:]]).transpose() * arb_mat([row[n:] for row in block[:n]])
 
 
 def _halvings(A: list[list[Fraction]], tau: arb) -> int:
@@ -104,23 +95,42 @@ class Steps:
         top: int,
         integrals: bool,
     ) -> None:
-        """Form them."""
+        """Form them: as answers add up, flows with one sine at a time."""
         piece = Piece(0, (1,) * count, [Sine(1, one) for one in omegas])
         mode = LinearMode(pair, Fraction(1), int(slips), piece, *coupling)
         fastest = LocalNorm(mode).rate + Ball.number(max(omegas, default=Fraction(0)))
         shortest, generator = min(top, -1 - magnitude_bits(fastest.upper())), mode.generator()
-        step, doublings = arb(2) ** shortest, top - shortest
+        for place in mode.polynomial_places[1:]:
+            generator[place - 1][place] /= Fraction(2) ** top
+        step, doublings, size = arb(2) ** shortest, top - shortest, mode.size
+        self.h, self.longer = np.ldexp(1.0, shortest), np.zeros((doublings, size, size))
+        unit = Fraction(2) ** shortest
+        self.taylor = np.array([[float(one * unit) if one else 0.0 for one in row] for row in generator])
+        alone = [*range(mode.sine_places.start)]
+        with precision(128 + _BITS_PER_DOUBLING * doublings + 2 * _halvings(generator, step)):
+            for sine in [[place, place + 1] for place in mode.sine_places] or [[]]:
+                kept = alone + sine
+                flow = (matrix([[generator[k][n] for n in kept] for k in kept]) * step).exp()
+                for found in self.longer:
+                    found[np.ix_(kept, kept)] = np.reshape([*map(as_float, (flow - 1).entries())], (len(kept), -1))
+                    flow = flow * flow
         self.products = _products(mode) if integrals else {}
-        self.rows = np.zeros((2 * len(self.products), mode.size))
+        self.rows = np.zeros((2 * len(self.products), size))
         for row, one in zip(self.rows, chain(*self.products.values()), strict=True):
             row[[place for place, _ in one]] = [float(factor) for _, factor in one]
-        with precision(128 + _BITS_PER_DOUBLING * doublings + 2 * _halvings(generator, step)):
-            A = matrix(generator)
-            for place in mode.polynomial_places[1:]:
-                A[place - 1, place] /= arb(2) ** top
-            self.h, self.taylor = np.ldexp(1.0, shortest), _floats(A * step)
-            doubled = islice(_doubled(A, step, self.products.values()), doublings)
-            self.longer = [(_floats(flow - 1), [_floats(one) for one in sums]) for flow, sums in doubled]
+        self.sums = [*self._sums()] if integrals else [np.empty(0)] * doublings
+
+    def _sums(self) -> Iterator[Floats]:
+        """Yield the quadratic forms that products add up to over h, 2 h, 4 h, ..."""
+        terms = [self.rows]
+        for k in range(1, _TERMS + 1):
+            terms.append(terms[-1] @ self.taylor / k)
+        along = np.array(terms).transpose(1, 0, 2)
+        sums = self.h * along[::2].swapaxes(1, 2) @ _PRODUCTS @ along[1::2]
+        for less_one in self.longer:
+            yield sums
+            flow = less_one + np.eye(len(less_one))
+            sums = sums + flow.T @ sums @ flow
 
     def over(self, z: Floats, tau: Floats) -> tuple[Floats, Floats]:
         """Return by how much z changes within tau (s), and what friction, viscosity and force take and give, (3, n)."""
@@ -132,20 +142,16 @@ class Steps:
             along.append(self.rows @ term)
         for place, one, two in zip(self.products, *(np.swapaxes(along, 0, 1)[k::2] for k in (0, 1)), strict=True):
             taken[place] = rest * np.einsum("in,ij,jn->n", one, _PRODUCTS, two)
-        for k, (less_one, sums) in enumerate(self.longer):
+        for k, (less_one, sums) in enumerate(zip(self.longer, self.sums, strict=True)):
             on = np.fmod(tau, np.ldexp(self.h, k + 1)) >= np.ldexp(self.h, k)
             now = z[:, on] + changed[:, on]
             for place, one in zip(self.products, sums, strict=True):
-                taken[place, on] += np.einsum("in,ij,jn->n", now, one, now)
+                taken[place, on] += np.einsum("in,in->n", now, one @ now)
             changed[:, on] += less_one @ now
         return changed, taken
 
 
 _steps = lru_cache(_KEPT)(Steps)
-
-
-def _floats(exact: arb_mat) -> Floats:
-    return np.array([[as_float(one) for one in row] for row in exact.tolist()])
 
 
 def changes(mode: LinearMode, at: Begun, tau: Floats, integrals: bool) -> Floats:
@@ -214,10 +220,13 @@ class Moving:
         """Return the integrals; a ball of times adds what a product may be there."""
         mode, over, found = self.mode, motion.over(tau), [arb(0), arb(0), arb(0)]
         products, halvings = _products(mode), _halvings(self.generator, tau)
-        doubled = _doubled(motion.matrix, tau.mid() / arb(2) ** halvings, products.values())
-        _, sums = next(islice(doubled, halvings, None))
-        for (place, (one, two)), form in zip(products.items(), sums, strict=True):
-            middle = (motion.begin.transpose() * form * motion.begin)[0, 0]
+        short = tau.mid() / arb(2) ** halvings
+        for place, (one, two) in products.items():
+            flow, total = motion.flow(short), _integral(motion.matrix, short, _form(mode.size, one, two))
+            for _ in range(halvings):
+                total += flow.transpose() * total * flow
+                flow = flow * flow
+            middle = (motion.begin.transpose() * total * motion.begin)[0, 0]
             found[place] = middle + tau.rad() * arb(0, 1) * over.range(one) * over.range(two)
         if 0 not in products:
             slid = [over.range(row) - value(row, motion.begin) for row in (_STATE[X1], _STATE[X2])]

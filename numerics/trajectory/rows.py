@@ -9,7 +9,7 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cache, cached_property, reduce
+from functools import cached_property, reduce
 from typing import Any, Literal
 
 import numpy as np
@@ -221,7 +221,7 @@ class Rows(Answer):
         require_side(side)
         return np.maximum(np.searchsorted(self._row_points, self._middles(times), side=side) - 1, 0)
 
-    def rows_at(self, t: Any, side: Side = "right") -> Counts:
+    def row_at(self, t: Any, side: Side = "right") -> Counts:
         """Return the rows whose segments hold time(s) t (s), flat; at an event that on the given side."""
         with self.context():
             return self._rows(self._times(t).ravel(), side)
@@ -236,11 +236,11 @@ class Rows(Answer):
         """
         with self.context():
             given = self._times(t)
-            return self.at_rows(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
+            return self.row_values(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
-        found = [MODES[sign] for sign in self.row_signs[self.rows_at(t, side)]]
+        found = [MODES[sign] for sign in self.row_signs[self.row_at(t, side)]]
         return np.array(found, dtype=object).reshape(np.shape(t))[()]
 
     def _excess(self, t: Any, side: Side) -> Number:
@@ -255,10 +255,10 @@ class Rows(Answer):
         def left(rows: Counts, since: Array) -> Array:
             return np.asarray(carried[rows] - self.row_losses(rows, since)[0] / unit)
 
-        found: Number = self.at_rows(left, self._times(t).reshape(1), side).tolist()[0]
+        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
-    def at_rows(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
+    def row_values(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
         """Return a function of rows and of the times since they began at times of the run.
 
         Where balls leave open which segment holds a time, all that may hold it answer.
@@ -288,26 +288,18 @@ class Rows(Answer):
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self._in_floats:
             return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:4])
-        return self._each(Moving.after, rows, since)
+        return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
 
     def row_losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
         if self._in_floats:
             return self.row_changes(rows, since, integrals=True)[4:7]
-        return self._each(Moving.losses, rows, since)
+        return _columns([self.row_motion(row).losses(tau) for row, tau in zip(rows, since, strict=True)])
 
-    def _each(self, function: Callable[[Moving, Number], Any], rows: Counts, since: Array) -> Array:
-        return _columns([function(self.row_motion(row), tau) for row, tau in zip(rows.tolist(), since, strict=True)])
-
-    @cached_property
-    def row_motion(self) -> Callable[[int], Moving]:
-        """Return what gives the motion of a row's segment; not for binary64."""
-
-        def motion(row: int) -> Moving:
-            mode, state = self.row_mode(self.row_modes[1][row]), self.row_states[:, row].tolist()
-            return Moving(self.arithmetic, mode, state, self.row_times[row])
-
-        return cache(motion)
+    def row_motion(self, row: int) -> Moving:
+        """Return the motion of a row's segment; not for binary64."""
+        mode, state = self.row_mode(self.row_modes[1][row]), self.row_states[:, row].tolist()
+        return Moving(self.arithmetic, mode, state, self.row_times[row])
 
     def row_changes(self, rows: Counts, tau: Floats, *, integrals: bool = False) -> Floats:
         """Return `changes` (flow.py) of the motions from rows on, row by row for a time (s); in binary64."""

@@ -53,7 +53,6 @@ _GUARD_BITS = 64
 _TRIES = 6
 """So many times the precision is raised at most."""
 _TABLE_DIGITS = 6
-_REMEDY = "give it solve(scene) of a scene on one line"
 
 
 @dataclass(frozen=True)
@@ -150,12 +149,12 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
     >>> guess.round(12).tolist()
     [0.05, 1.0]
     """
+    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
     if t is None:
         found = enclosures(trajectory)
         arrays = (found.t, found.y, found.final, found.energy)
         return Sensitivity(found.wrt, *(_as_numbers(trajectory.arithmetic, one) for one in arrays))
-    require_kind("sensitivities", trajectory, Trajectory, _REMEDY)
-    asked, own_rows = np.asarray(t, dtype=object), trajectory.rows_at(t, side)
+    asked, own_rows = np.asarray(t, dtype=object), trajectory.row_at(t, side)
 
     def at_times(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
         def slopes(rows: Counts, since: Array) -> Array:
@@ -164,7 +163,7 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
         exact = (as_ball(one if hasattr(one, "man_exp") else exact_time(one)) for one in asked.flat)
         times = np.fromiter(exact, object, asked.size)
         if trajectory.arithmetic.name == "ball":
-            found = balls.at_rows(slopes, times, side)
+            found = balls.row_values(slopes, times, side)
         else:  # an event is where the trajectory has it, as rounded as that is
             found = slopes(own_rows, times - balls.row_times[own_rows])
         return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *chain.before]),)
@@ -193,10 +192,8 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     """Return arrays of derivatives in balls, at a precision that gives them the digits that were asked for.
 
     What is asked of a chain has samples along the first axis, whose largest is what digits are relative to, and all
-    numbers of the scene along the last one. Raises TypeError for what is no trajectory, NotDifferentiable for one that
-    has no derivatives by its data.
+    numbers of the scene along the last one. Raises NotDifferentiable for a scene that has no derivatives by its data.
     """
-    require_kind("sensitivities", trajectory, Trajectory, _REMEDY)
     scene, arithmetic, count = trajectory.scene, trajectory.arithmetic, trajectory.record.events
     until = math.inf if trajectory.reached else arithmetic.to_float(trajectory.event_times[-1])
     if scene.is_forced and (what := corner(scene, pieces_of(scene), until)) is not None:

@@ -9,7 +9,6 @@ import numpy as np
 
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
-from numerics.trajectory.answer import Kept
 from numerics.trajectory.saved import plain
 from numerics.trajectory.solution import Solution
 
@@ -63,7 +62,7 @@ class Trajectory(Solution):
     True
     """
 
-    FORMAT = "inertial-pair trajectory 1"
+    FORMAT = "inertial-pair trajectory 2"
     ARITHMETICS = ("float64", "double-double", "mpmath", "ball")
     COLUMNS = ("t", "y", "energy", "energy_excess")
 
@@ -99,25 +98,23 @@ class Trajectory(Solution):
         }
         return "\n".join(f"{name:>12}: {value}" for name, value in shown.items())
 
-    def kept(self) -> Kept:
-        """Return what the run wrote."""
+    def kept(self) -> dict[str, Any]:
+        """Return what the run wrote, as what JSON holds."""
         rows, end, how, *rest = self.record
-        arrays = {"rows": rows, "end": end} if isinstance(rows, np.ndarray) else {}
-        return {"how": int(how), "rest": plain(rest), "knots": None if arrays else plain([*rows, end])}, arrays
+        return {"rows": plain(rows), "end": plain(end), "how": int(how), "rest": plain(rest)}
 
     @classmethod
-    def restored(cls, scene: Any, kept: Kept) -> Self:
+    def restored(cls, scene: Any, header: dict[str, Any]) -> Self:
         """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
-        (header, arrays), (name, digits) = kept, kept[0]["arithmetic"]
-        if bool(arrays) != (name in cls.ARITHMETICS[:2]):
-            raise ValueError(f"its numbers are not those of {name}")
-        events, certain, *lost = header["rest"]
-        if arrays:
-            rows, end = arrays["rows"], arrays["end"]
-            if rows.dtype != float or rows.shape[1:] != (ROW,) or end.dtype != float or end.shape != (END_ROW,):
-                raise ValueError("its arrays have other shapes")
+        (name, digits), (events, certain, *lost) = header["arithmetic"], header["rest"]
+        rows: Any
+        end: Any
+        if name in cls.ARITHMETICS[:2]:
+            rows, end = (np.array(header[one], dtype=float) for one in ("rows", "end"))
+            if rows.shape[1:] != (ROW,) or end.shape != (END_ROW,):
+                raise ValueError("its rows have other lengths")
         else:
-            *rows, end = (Knot(*one) for one in header["knots"])
+            rows, end = [Knot(*one) for one in header["rows"]], Knot(*header["end"])
         record = Record(rows, end, How(header["how"]), events, certain, *lost)
         found = cls(scene, arithmetic_named(name, digits), record)
         if not (
