@@ -107,7 +107,8 @@ class Steps:
         unit = Fraction(2) ** shortest
         self.taylor = np.array([[float(one * unit) if one else 0.0 for one in row] for row in generator])
         alone = [*range(mode.sine_places.start)]
-        with precision(128 + _BITS_PER_DOUBLING * doublings + 2 * _halvings(generator, step)):
+        largest = max(0, int(np.frexp(np.abs(self.taylor).max())[1]))
+        with precision(144 + _BITS_PER_DOUBLING * doublings + 2 * largest):
             for sine in [[place, place + 1] for place in mode.sine_places] or [[]]:
                 kept = alone + sine
                 flow = (matrix([[generator[k][n] for n in kept] for k in kept]) * step).exp()
