@@ -6,7 +6,7 @@ from typing import Any
 
 import mpmath
 import numpy as np
-from mpmath.libmp import from_man_exp
+from mpmath.libmp import MPZ, fzero
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
@@ -58,8 +58,15 @@ def sums(high: Floats, low: Floats) -> list[mpmath.mpf]:
     places = np.frexp(high)[1]
     tops, tails = np.ldexp(high, 53 - places).tolist(), np.rint(np.ldexp(low, _WIDE_BITS - places)).tolist()
     return [
-        mpmath.make_mpf(from_man_exp((int(top) << 53) + int(tail), place - _WIDE_BITS))
-        if top - top == 0
-        else mpmath.mpf(top)
+        mpmath.make_mpf(_raw((int(top) << 53) + int(tail), place - _WIDE_BITS)) if top - top == 0 else mpmath.mpf(top)
         for top, tail, place in zip(tops, tails, places.tolist(), strict=True)
     ]
+
+
+def _raw(mantissa: int, exponent: int) -> tuple[int, Any, int, int]:
+    """Return sign, odd mantissa, exponent, bits, as from_man_exp does: most of what an answer in 20 digits costs."""
+    size = abs(mantissa)
+    if not size:
+        return fzero
+    zeros = (size & -size).bit_length() - 1
+    return int(mantissa < 0), MPZ(size >> zeros), exponent + zeros, size.bit_length() - zeros

@@ -29,6 +29,9 @@ from numerics.trajectory.rows import Rows
 
 ROUNDING = {"float64": 2.0**-53, "double-double": 2.0**-105}
 """The rounding of one operation."""
+_ZERO_BITS = 3
+"""A ball that holds 0 has no more accurate bits than that."""
+
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 """Where the bounds of x1, v1, x2, v2 stand in a row."""
 
@@ -36,7 +39,12 @@ _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 def proved_digits(trajectory: Rows) -> int:
     """Return how many digits the balls of a trajectory leave right: of every event, and of the end."""
     with trajectory.context():
-        return min((digits_within(value.rad(), value, scale) for value, scale in _enclosed(trajectory)), default=EXACT)
+        values = list(_enclosed(trajectory))
+        # the count of accurate bits is within two bits of the logarithm: only the worst are measured, and all zeros
+        bits = [value.rel_accuracy_bits() for value, _ in values]
+        close = min((count for count in bits if count > _ZERO_BITS), default=0) + 4
+        worst = [one for one, count in zip(values, bits, strict=True) if count <= max(close, _ZERO_BITS)]
+        return min((digits_within(value.rad(), value, scale) for value, scale in worst), default=EXACT)
 
 
 def _enclosed(trajectory: Rows) -> Iterator[tuple[arb, arb]]:

@@ -145,7 +145,7 @@ class Rows(Answer):
     @property
     def signs(self) -> list[int]:
         """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
-        signs: list[int] = self.row_signs[self._table[0]].tolist()
+        signs: list[int] = self.columns.rows[:, self.columns.at["mode"]][self._table[0]].tolist()
         return signs
 
     @property

@@ -72,12 +72,12 @@ class Solution(Rows):
         """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
         return self._judged[3] if self.bounded else 0
 
-    @property
+    @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
         return self._all_modes[: self.record.events + self.reached]
 
-    @cached_property
+    @property
     def _all_modes(self) -> tuple[Mode, ...]:
         """Return the modes, with that after the last event, where the cap on events ended the run."""
         return tuple(map(MODES.__getitem__, self.signs))
@@ -85,7 +85,8 @@ class Solution(Rows):
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        return tuple(map(event_kind, self._all_modes, self._all_modes[1:]))
+        modes = self._all_modes
+        return tuple(map(event_kind, modes, modes[1:]))
 
     @property
     def t(self) -> Array:
