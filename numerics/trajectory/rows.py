@@ -20,15 +20,16 @@ from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
-from numerics.linear.record import AT, How, Record, tabulate
+from numerics.linear.record import AT, How, Knot, Record, tabulate
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.scene.decimals import short
 from numerics.trajectory.answer import Answer
-from numerics.trajectory.columns import STATE, Array, Columns, Counts, Floats
+from numerics.trajectory.columns import STATE, Array, Counts, Floats, sums
 from numerics.trajectory.flow import Moving, changes
 
 Side = Literal["left", "right"]
+_KNOT = {name: place for place, name in enumerate(Knot._fields)}
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 
@@ -49,9 +50,35 @@ class Rows(Answer):
         return self._given
 
     @cached_property
-    def columns(self) -> Columns:
-        """Return the record by its columns."""
-        return Columns(self.record, wide=self.arithmetic.name == "double-double")
+    def _tables(self) -> tuple[dict[str, int], Array, Array]:
+        """Return where columns stand in the rows of the record and in that of the end; of knots both are made."""
+        rows, end, *_ = self.record
+        if isinstance(rows, np.ndarray):
+            return AT, rows, end
+        *table, end = (one[:-1] for one in (*rows, end))
+        return _KNOT, np.array(table, dtype=object), np.array(end, dtype=object)
+
+    def row_code(self, name: str) -> Array:
+        """Return a code of all rows."""
+        at, rows, _ = self._tables
+        return rows[:, at[name]]
+
+    def row_table(self, *names: str) -> Array:
+        """Return some numbers of all rows, a line each: floats, or an object array."""
+        return self._read(self._tables[1], names)
+
+    def row_end(self, *names: str) -> list[Number]:
+        """Return numbers of the end; of floats also what friction or viscosity took up to there (J)."""
+        found: list[Number] = self._read(self._tables[2].reshape(1, -1), names).ravel().tolist()
+        return found
+
+    def _read(self, rows: Array, names: tuple[str, ...]) -> Array:
+        high = [self._tables[0][name] for name in names]
+        if self.arithmetic.name != "double-double":
+            return np.asarray(rows.T[high])
+        found = np.empty((len(names), len(rows)), dtype=object)
+        found.ravel()[:] = sums(rows.T[high].ravel(), rows.T[[one + 1 for one in high]].ravel())
+        return found
 
     @property
     def reached(self) -> bool:
@@ -71,12 +98,12 @@ class Rows(Answer):
     @cached_property
     def row_signs(self) -> Counts:
         """Return the mode that starts at each row, the sign of v1 - v2."""
-        return self.columns.code("mode")
+        return self.row_code("mode").astype(np.int64)
 
     @cached_property
     def row_pieces(self) -> Counts:
         """Return the piece in which each row is."""
-        return self.columns.code("piece")
+        return self.row_code("piece").astype(np.int64)
 
     @cached_property
     def row_modes(self) -> tuple[Array, Counts]:
@@ -95,12 +122,12 @@ class Rows(Answer):
     @cached_property
     def row_numbers(self) -> tuple[Floats, Floats]:
         """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
-        return self.floats(self.columns.table("local")[0]), self.floats(self.row_states)
+        return self.floats(self.row_table("local")[0]), self.floats(self.row_states)
 
     @cached_property
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
-        local = self.columns.table("local")[0]
+        local = self.row_table("local")[0]
         if not self.row_pieces.any():
             return local
         if self._in_floats:
@@ -112,24 +139,24 @@ class Rows(Answer):
     @cached_property
     def row_states(self) -> Array:
         """Return x1, v1, x2, v2 at each row, shape (4, n)."""
-        return self.columns.table(*STATE)
+        return self.row_table(*STATE)
 
     @cached_property
     def row_excess(self) -> Array | None:
         """Return E/E_cr - 1 at each row, accurate in itself; None where a run does not carry it (free/ alone does)."""
-        found = self.columns.table("excess")[0]
+        found = self.row_table("excess")[0]
         return None if found[0] is None or (self.bounded and math.isnan(found[0])) else found
 
     @cached_property
     def row_lengths(self) -> Array:
         """Return how long the segment of each row lasts, s."""
-        after, last = self.columns.table("length")[0, 1:], self.columns.last("length")
+        after, last = self.row_table("length")[0, 1:], self.row_end("length")
         return np.append(after, last) if self.reached else after
 
     @cached_property
     def event_rows(self) -> Counts:
         """Return the rows at which the mode has changed: the events."""
-        return np.flatnonzero(self.columns.code("event"))
+        return np.flatnonzero(self.row_code("event"))
 
     @cached_property
     def _table(self) -> tuple[Counts, Array]:
@@ -145,7 +172,7 @@ class Rows(Answer):
     @property
     def signs(self) -> list[int]:
         """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
-        signs: list[int] = self.columns.rows[:, self.columns.at["mode"]][self._table[0]].tolist()
+        signs: list[int] = self.row_code("mode")[self._table[0]].tolist()
         return signs
 
     @property
@@ -161,12 +188,12 @@ class Rows(Answer):
     @property
     def final_mode(self) -> Mode:
         """Return the mode at the end: after the last event, where the cap on events ended the run."""
-        return MODES[float(self.columns.end[self.columns.at["mode"]])]
+        return MODES[float(self._tables[2][self._tables[0]["mode"]])]
 
     @cached_property
     def final_state(self) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at the end."""
-        x1, v1, x2, v2 = self.columns.last(*STATE)
+        x1, v1, x2, v2 = self.row_end(*STATE)
         return x1, v1, x2, v2
 
     @cached_property
@@ -336,18 +363,17 @@ def require_side(side: Any) -> None:
 def require_times(t_eval: Any, until: Fraction) -> None:
     """Raise ValueError unless these are times (s) of a run, in order; balls and mpmath's are looked at later."""
     try:
-        is_list = np.ndim(t_eval) == 1
+        given = np.asarray(t_eval)
     except ValueError:  # rows that differ in length
-        is_list = False
-    if not is_list:
+        given = np.asarray(None)
+    if given.ndim != 1:
         raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
-    last = float(until) if until < 10**300 else math.inf
-    given = np.asarray(t_eval)
+    last = float(min(until, Fraction(10**300)))
     if given.dtype.kind in "fiu":  # all at once; only a wrong one is looked for exactly
         times = given.astype(float)
         if ((times >= 0) & (times <= last)).all() and (times[1:] >= times[:-1]).all():
             return
-    end, before = until if last == math.inf else max(until, Fraction(last)), Fraction(0)  # type: Fraction, Any
+    end, before = max(until, Fraction(last)), Fraction(0)  # type: Fraction, Any
     for k, one in enumerate(t_eval):
         point = one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]")
         if isinstance(point, Fraction) and not 0 <= point <= end:

@@ -271,8 +271,7 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
 def sensitivity_arrays(trajectory: Trajectory) -> dict[str, Array]:
     """Return the derivatives in binary64, and the names that their last axis stands for, for a NumPy archive."""
     found = sensitivities(trajectory)
-    named = {"t": found.t, "y": found.y, "final": found.final, "energy": found.energy}
-    arrays = {f"sensitivity_{name}": trajectory.floats(array) for name, array in named.items()}
+    arrays = {f"sensitivity_{name}": trajectory.floats(getattr(found, name)) for name in ("t", "y", "final", "energy")}
     return arrays | {"sensitivity_wrt": np.array(found.wrt)}
 
 

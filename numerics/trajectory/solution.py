@@ -53,7 +53,7 @@ class Solution(Rows):
         if self._is_ball or self.scene.is_forced:
             return False
         with self.context():
-            angle = self.frame.rate * self.columns.last("length")[0]
+            angle = self.frame.rate * self.row_end("length")[0]
             # what has decayed is no rounding yet
             damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
         return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
@@ -145,7 +145,7 @@ class Solution(Rows):
     def final(self) -> ReducedState:
         """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
         with self.context():
-            excess = None if self.row_excess is None else self.columns.last("excess")[0]
+            excess = None if self.row_excess is None else self.row_end("excess")[0]
             return self.frame.reduced(self.final_state, excess)
 
     @property
@@ -164,7 +164,7 @@ class Solution(Rows):
         """Return what friction and viscosity took, J: summed by the run where it has bounds, else by the ledger."""
         with self.context():
             if self.bounded:
-                return sum(self.columns.last("friction", "viscous"))
+                return sum(self.row_end("friction", "viscous"))
             return self.ledger.friction + self.ledger.viscous
 
     @cached_property
@@ -177,7 +177,7 @@ class Solution(Rows):
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
         rows, modes = self.event_rows, self._all_modes
-        causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
+        causes = ["jump" if jump else "guard" for jump in self.row_code("jump")[rows]]
         states, carried = self.event_states, self.row_excess
         excesses = np.full(len(rows), None) if carried is None else carried[rows]
         with self.context():
