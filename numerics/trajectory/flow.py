@@ -81,8 +81,8 @@ class Steps:
     """Flows of stick, or of slip, in binary64 over times below 2^top s, under one kind of force.
 
     A kind is the number of coefficients of a polynomial and the frequencies; `coupling` is slope and pull of friction
-    that depends on the state. z is that of LinearMode for side b = 1, with the derivatives of the polynomial times
-    powers of 2^top: so no power of a time leaves the range.
+    that depends on the state. z is that of LinearMode for side b = 1, in units (powers of 2) in which all rates are
+    alike and no power of a time leaves the range.
     """
 
     def __init__(
@@ -98,10 +98,17 @@ class Steps:
         """Form them: as answers add up, flows with one sine at a time."""
         piece = Piece(0, (1,) * count, [Sine(1, one) for one in omegas])
         mode = LinearMode(pair, Fraction(1), int(slips), piece, *coupling)
-        fastest = LocalNorm(mode).rate + Ball.number(max(omegas, default=Fraction(0)))
-        shortest, generator = min(top, -1 - magnitude_bits(fastest.upper())), mode.generator()
-        for place in mode.polynomial_places[1:]:
-            generator[place - 1][place] /= Fraction(2) ** top
+        own = LocalNorm(mode).rate
+        fastest = own + Ball.number(max(omegas, default=Fraction(0)))
+        shortest, rate = min(top, -1 - magnitude_bits(fastest.upper())), magnitude_bits(own.upper())
+        push = -rate - magnitude_bits(Ball.number(mode.mass).mid())
+        orders = [0, *range(count), *[0] * (2 * len(omegas))]
+        self.scale = np.array([[rate], [0], [rate], [0], *([push + top * order] for order in orders)])
+        units = [Fraction(2) ** int(one) for one in self.scale.ravel()]
+        generator = [
+            [one * to / of if one else one for one, of in zip(row, units, strict=True)]
+            for row, to in zip(mode.generator(), units, strict=True)
+        ]
         step, doublings, size = arb(2) ** shortest, top - shortest, mode.size
         self.h, self.longer = np.ldexp(1.0, shortest), np.zeros((doublings, size, size))
         unit = Fraction(2) ** shortest
@@ -118,7 +125,7 @@ class Steps:
         self.products = _products(mode) if integrals else {}
         self.rows = np.zeros((2 * len(self.products), size))
         for row, one in zip(self.rows, chain(*self.products.values()), strict=True):
-            row[[place for place, _ in one]] = [float(factor) for _, factor in one]
+            row[[place for place, _ in one]] = [float(factor / units[place]) for place, factor in one]
         self.sums = [*self._sums()] if integrals else [np.empty(0)] * doublings
 
     def _sums(self) -> Iterator[Floats]:
@@ -135,7 +142,7 @@ class Steps:
 
     def over(self, z: Floats, tau: Floats) -> tuple[Floats, Floats]:
         """Return by how much z changes within tau (s), and what friction, viscosity and force take and give, (3, n)."""
-        rest = np.fmod(tau, self.h)
+        z, rest = np.ldexp(z, self.scale), np.fmod(tau, self.h)
         changed, taken, term, along = np.zeros_like(z), np.zeros((3, len(tau))), z, [self.rows @ z]
         for k in range(1, _TERMS + 1):
             term = (self.taylor @ term) * (rest / self.h / k)
@@ -149,7 +156,7 @@ class Steps:
             for place, one in zip(self.products, sums, strict=True):
                 taken[place, on] += np.einsum("in,in->n", now, one @ now)
             changed[:, on] += less_one @ now
-        return changed, taken
+        return np.ldexp(changed, -self.scale), taken
 
 
 _steps = lru_cache(_KEPT)(Steps)
@@ -166,8 +173,8 @@ def changes(mode: LinearMode, at: Begun, tau: Floats, integrals: bool) -> Floats
     coefficients = np.array([float(one) for one in piece.polynomial])
     z = np.zeros((mode.size, len(tau)))
     z[:FIRST] = *y, np.full(len(tau), held)
-    for order, place in enumerate(mode.polynomial_places):
-        z[place] = np.ldexp(np.polynomial.polynomial.polyval(local, coefficients), top * order)
+    for place in mode.polynomial_places:
+        z[place] = np.polynomial.polynomial.polyval(local, coefficients)
         coefficients = np.polynomial.polynomial.polyder(coefficients)
     for place, sine in zip(mode.sine_places, piece.sines, strict=True):
         phase = float(sine.omega) * local + float(sine.omega * piece.start + sine.phase)
