@@ -62,18 +62,19 @@ def _form(size: int, one: Row, two: Row) -> arb_mat:
     return Q
 
 
-def _integral(A: arb_mat, tau: arb, Q: arb_mat) -> arb_mat:
-    """Return int_0^tau exp(A' s) Q exp(A s) ds by Van Loan: for a short time, or exp(-A' tau) grows where z decays."""
+def _van_loan(A: arb_mat, tau: arb, Q: arb_mat) -> tuple[arb_mat, arb_mat]:
+    """Return exp(A tau) and int_0^tau exp(A' s) Q exp(A s) ds, for a short time: exp(-A' tau) grows where z decays."""
     n, adjoint, nothing = A.nrows(), (-A.transpose()).tolist(), [arb(0)] * A.nrows()
     above = [[*one, *two] for one, two in zip(adjoint, Q.tolist(), strict=True)]
     block = (arb_mat([*above, *([*nothing, *one] for one in A.tolist())]) * tau).exp().tolist()
-    return arb_mat([row[n:] for row in block[n:]]).transpose() * arb_mat([row[n:] for row in block[:n]])
+    flow = arb_mat([row[n:] for row in block[n:]])
+    return flow, flow.transpose() * arb_mat([row[n:] for row in block[:n]])
 
 
 def _halvings(A: list[list[Fraction]], tau: arb) -> int:
     """Return how often a time must be halved for the flow over it to be a small matrix."""
     largest, upper = max(abs(one) for row in A for one in row), abs(tau).upper()
-    bits = largest.numerator.bit_length() - largest.denominator.bit_length() + 8
+    bits = largest.numerator.bit_length() - largest.denominator.bit_length() + 7
     return max(0, bits + magnitude_bits(upper)) if upper > 0 and upper.is_finite() else 0
 
 
@@ -230,7 +231,7 @@ class Moving:
         products, halvings = _products(mode), _halvings(self.generator, tau)
         short = tau.mid() / arb(2) ** halvings
         for place, (one, two) in products.items():
-            flow, total = motion.flow(short), _integral(motion.matrix, short, _form(mode.size, one, two))
+            flow, total = _van_loan(motion.matrix, short, _form(mode.size, one, two))
             for _ in range(halvings):
                 total += flow.transpose() * total * flow
                 flow = flow * flow

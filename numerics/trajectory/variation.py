@@ -37,7 +37,6 @@ from numerics.scene import Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
 
-_balls = np.frompyfunc(Ball.number, 1, 1)
 _BITS_PER_SQUARING = 5
 """What an exponential may lose each time that it is squared: entries are sums of a few products."""
 
@@ -89,46 +88,46 @@ class Variation:
 
     def __init__(self, scene: Scene, column: dict[str, int], index: int, side: int, cell: tuple[int, int]) -> None:
         """Take the numbers of the scene, in the piece of this index."""
-        pair, self.cells, self.piece = scene.pair, cells_of(scene), pieces_of(scene)[index]
+        pair, number, self.cells, self.piece = scene.pair, Ball.number, cells_of(scene), pieces_of(scene)[index]
         place, began = (bisect_right(of.starts, self.piece.start) - 1 for of in (scene.friction, scene.force))
         name = f"force[{began}]"
         self.b = "b" if place < 0 else f"friction[{place}].b"
         """The name of the friction that acts."""
         self.force = scene.force.pieces[began] if began >= 0 else Piece(0)
         self.side, self.column, self.mode = side, column, mode_in(scene, self.piece, side, cell)
-        self.mass, self.m2 = Ball.number(self.mode.mass), Ball.number(pair.m2)
+        self.m2, self.mass = number(pair.m2), number(self.mode.mass)
         terms, sines = self.force.polynomial or (Fraction(0),), self.force.sines
         n = self.size = 4 if side and self.cells else 2
         size = n + len(terms) + 4 * len(sines)
-        A, inputs = np.full((size, size), Fraction(0)), np.full((n // 2, size, len(column)), Fraction(0))
-        A[0, 1], A[1, :2] = 1, (-pair.a2, -pair.a1)
-        inputs[0, 0, column["a2"]] = inputs[0, 1, column["a1"]] = -1
+        self.system = system = np.full((size, size), arb(0))
+        self.inputs = inputs = np.full((n // 2, size, len(column)), arb(0))
+        system[0, 1], system[1, :2] = arb(1), [-number(pair.a2), -number(pair.a1)]
+        inputs[0, 0, column["a2"]] = inputs[0, 1, column["a1"]] = arb(-1)
         for k, one in enumerate(terms):
-            A[1, n + k] = one
+            system[1, n + k] = number(one)
             if k:
-                A[n + k, n + k - 1] = k
-                inputs[0, n + k - 1, column[f"{name}.from"]] = -k * one
+                system[n + k, n + k - 1] = arb(k)
+                inputs[0, n + k - 1, column[f"{name}.from"]] = number(-k * one)
             if self.force.polynomial:
-                inputs[0, n + k, column[f"{name}.polynomial[{k}]"]] = 1
+                inputs[0, n + k, column[f"{name}.polynomial[{k}]"]] = arb(1)
         for k, sine in enumerate(sines):
-            at = n + len(terms) + 4 * k
+            at, omega, height = n + len(terms) + 4 * k, number(sine.omega), number(sine.amplitude)
             for turned in (at, at + 2):
-                A[turned, turned + 1], A[turned + 1, turned] = sine.omega, -sine.omega
-            A[at + 2, at] = A[at + 3, at + 1] = 1
-            A[1, at] = sine.amplitude
-            for key, by, factor in (("amplitude", 0, 1), ("phase", 1, sine.amplitude), ("omega", 3, sine.amplitude)):
+                system[turned, turned + 1], system[turned + 1, turned] = omega, -omega
+            system[at + 2, at] = system[at + 3, at + 1] = arb(1)
+            system[1, at] = height
+            for key, by, factor in (("amplitude", 0, arb(1)), ("phase", 1, height), ("omega", 3, height)):
                 inputs[0, at + by, column[f"{name}.sines[{k}].{key}"]] = factor
-        friction = self._friction(self.mode, size)
-        A[1] = (A[1] - friction) / self.mode.mass
-        inputs[0, :, column["m1"]], inputs[0, :, column["m2"]] = -A[1], -A[1] * (side == 0)
+        friction = self._friction(self.mode)
+        system[1] = (system[1] - friction) / self.mass
+        inputs[0, :, column["m1"]], inputs[0, :, column["m2"]] = -system[1], -system[1] * (side == 0)
         if n == 4:
-            A[2, 3], A[3] = 1, friction / pair.m2
-            inputs[1, :, column["m2"]] = -A[3]
+            system[2, 3], system[3] = arb(1), friction / self.m2
+            inputs[1, :, column["m2"]] = -system[3]
         for name, (offset, slope, pull) in self._by_numbers(side, cell).items() if side else ():
-            acting = self._friction(replace(self.mode, b=offset, slope=slope, pull=pull), size)
+            acting = self._friction(replace(self.mode, b=offset, slope=slope, pull=pull))
             inputs[0, :, column[name]] -= acting
             inputs[1:, :, column[name]] += acting
-        self.system, self.inputs = _balls(A), _balls(inputs)
 
     def _by_numbers(self, side: int, cell: tuple[int, int]) -> dict[str, Branch]:
         """Return the derivatives of the friction of a slip by the numbers in it."""
@@ -136,11 +135,11 @@ class Variation:
             return self.cells.by_numbers(self.piece, side, cell, self.b)
         return {self.b: Branch(Fraction(1), Fraction(0), Fraction(0))}
 
-    def _friction(self, mode: LinearMode, size: int) -> Array:
-        """Return friction on body 2 over z, exact; of a stick none."""
-        found = np.full(size, Fraction(0))
+    def _friction(self, mode: LinearMode) -> Array:
+        """Return friction on body 2 over z; of a stick none."""
+        found = np.full(len(self.system), arb(0))
         for place, factor in mode.friction:
-            found[min(place, self.size)] += factor
+            found[min(place, self.size)] += Ball.number(factor)
         return found
 
     def _begun(self, state: Sequence[arb], t: arb) -> Array:
