@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,8 @@ def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
     times = [0.0, *trajectory.floats(trajectory.event_times), trajectory.arithmetic.to_float(trajectory.end_time)]
     for (start, end), mode in zip(pairwise(times), trajectory.modes, strict=False):
         count = _POINTS + int(_ALL_POINTS * (end - start) / times[-1])
-        x1, v1, x2, v2 = _at(trajectory, np.minimum(np.linspace(start, end, count), np.nextafter(times[-1], 0)))
+        within = np.minimum(np.linspace(start, end, count), np.nextafter(times[-1], 0))
+        x1, v1, x2, v2 = trajectory.floats(trajectory.sol(within)).reshape(4, -1, count)
         stuck = set(mode) <= {"0"} or mode == "stick"
         lines = [(x1, BLUE), (x2, ORANGE)] if kind == "above" else [(v1 - v2, "C2")]
         for (x, y, *_), color in lines:
@@ -43,29 +45,21 @@ def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
     return axes
 
 
-def _at(trajectory: Any, times: Any) -> Any:
-    """Return x1, v1, x2, v2 at times (s): (4, n, m), in binary64."""
-    return trajectory.floats(trajectory.sol(times)).reshape(4, -1, len(times))
-
-
 def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation from above; see PlaneTrajectory.animate."""
 
-    def drawn(count: int) -> Any:
+    def drawn(_: Any, y: Any) -> tuple[Any, Callable[[int], None]]:
         import matplotlib.pyplot as plt
 
-        times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-        (x1, _, x2, _), modes = _at(trajectory, times), trajectory.mode_at(times)
         figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
         draw(trajectory, "above", axes)
         marks = [axes.plot([], [], "o", color=BLUE, ms=9)[0], axes.plot([], [], "s", color=ORANGE, ms=6)[0]]
 
-        def show(k: int) -> tuple[Any, ...]:
-            for mark, (x, y, *_) in zip(marks, (x1, x2), strict=True):
-                mark.set_data([x[k]], [y[k]])
-            axes.set_title(f"t = {times[k]:.3f} s, {modes[k]}", fontsize="medium")
-            return tuple(marks)
+        def show(k: int) -> None:
+            x1, _, x2, _ = y[..., k].reshape(4, -1)
+            for mark, place in zip(marks, (x1, x2), strict=True):
+                mark.set_data(place[:1], place[1:2])
 
         return figure, show
 
-    return film(drawn, file, duration, frames_per_second)
+    return film(trajectory, drawn, file, duration, frames_per_second)

@@ -27,7 +27,7 @@ from numerics.plane.vector import Vector, exact
 from numerics.scene.decimals import exact_decimal
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory import export, saved
-from numerics.trajectory.answer import Answer, Kept
+from numerics.trajectory.answer import Answer
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
@@ -234,23 +234,23 @@ class PlaneTrajectory(Answer):
             f"t in [0, {self.end_time.str(6, radius=False)}] s, {self.final_mode} at the end"
         )
 
-    def kept(self) -> Kept:
-        """Return what the run wrote, without arrays."""
+    def kept(self) -> dict[str, Any]:
+        """Return what the run wrote, as what JSON holds."""
         motion = self.motion
         return {
             "status": int(self.status),
             "events": [saved.plain([*vars(one).values()]) for one in self.events],
             "mode": self.modes[0],
             "legs": saved.plain(motion.legs) if isinstance(motion, States) else None,
-            "parts": [saved.contents(one)[0] for one in motion.answers] if isinstance(motion, Parts) else None,
-        }, {}
+            "parts": [*map(saved.contents, motion.answers)] if isinstance(motion, Parts) else None,
+        }
 
     @classmethod
-    def restored(cls, scene: Any, kept: Kept) -> Self:
+    def restored(cls, scene: Any, header: dict[str, Any]) -> Self:
         """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
         if not isinstance(scene, PlaneScene):
             raise ValueError("its scene is on a line")
-        header, (name, digits) = kept[0], kept[0]["arithmetic"]
+        name, digits = header["arithmetic"]
         working = Working(digits, name)
         with working.context():
             motion: Any
@@ -258,7 +258,7 @@ class PlaneTrajectory(Answer):
                 motion = States(System(reduced(scene), digits), [*map(_leg, header["legs"])])
             else:
                 kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
-                parts = (saved.restored(one, {}, kinds[one["format"]]) for one in header["parts"])
+                parts = (saved.restored(one, kinds[one["format"]]) for one in header["parts"])
                 motion = Parts(scene, {one.scene: one for one in parts}.__getitem__)
             rows = _tuples(header["events"])
             if any(len(part) != scene.pair.axes for row in rows for part in row[3]):

@@ -8,7 +8,7 @@ import numpy as np
 
 from numerics.trajectory.columns import STATE
 from numerics.trajectory.export import UNITS
-from numerics.trajectory.figures import BLUE, ORANGE, new_axes
+from numerics.trajectory.figures import BLUE, ORANGE, axes_for
 
 _UNITS = UNITS | {
     "m1": "kg", "m2": "kg", "a1": "N s/m", "a2": "N/m", "b": "N", "until": "s",
@@ -18,10 +18,7 @@ _UNITS = UNITS | {
 
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     """Draw into matplotlib axes; see Batch.plot."""
-    if not isinstance(answer, str) or answer not in batch.ANSWERS:
-        raise ValueError(f"answer = {str(answer)[:40]!r} is not one of {', '.join(batch.ANSWERS)}")
-    axes = _along(batch, along)
-    ax = new_axes() if ax is None else ax
+    axes, ax = _along(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
     values = batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
     points = [np.ravel(one) for one in axes.values()]

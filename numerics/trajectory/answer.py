@@ -11,11 +11,9 @@ import numpy as np
 
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.trajectory import export, saved
-from numerics.trajectory.columns import Array, Floats
+from numerics.trajectory.columns import Floats
 from numerics.trajectory.status import Status
 
-Kept = tuple[dict[str, Any], dict[str, Array]]
-"""What a run wrote: for the header of a file, and as arrays."""
 _AT_ASKED_TIMES = {"_asked_times", "_asked_states", "_points", "energy", "energy_excess"}
 """What depends on t_eval, and is made when it is looked at."""
 
@@ -50,12 +48,12 @@ class Answer:
     def look_up_times(self) -> None:
         """Raise ValueError for times in t_eval that are outside the run."""
 
-    def kept(self) -> Kept:
-        """Return what the run wrote."""
+    def kept(self) -> dict[str, Any]:
+        """Return what the run wrote, as what JSON holds."""
         raise NotImplementedError
 
     @classmethod
-    def restored(cls, scene: Any, kept: Kept) -> Self:
+    def restored(cls, scene: Any, header: dict[str, Any]) -> Self:
         """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
         raise NotImplementedError
 
@@ -105,16 +103,15 @@ class Answer:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
-        header, arrays = saved.run_of(self)
-        return saved.unpickled, (type(self), self.scene, json.dumps(header), arrays)
+        return saved.unpickled, (type(self), self.scene, json.dumps(saved.run_of(self)))
 
     def __eq__(self, other: object) -> bool:
         """Return whether another trajectory answers the same scene with the same numbers."""
-        if not isinstance(other, type(self)) or self.scene != other.scene:
-            return False
-        one, two = saved.run_of(self), saved.run_of(other)
-        # as texts and bytes: a bound of an open run may be no number, which equals nothing
-        as_kept = [(json.dumps(header), [one.tobytes() for one in arrays.values()]) for header, arrays in (one, two)]
-        return as_kept[0] == as_kept[1]
+        # as texts: a bound of an open run may be no number, which equals nothing
+        return (
+            isinstance(other, type(self))
+            and self.scene == other.scene
+            and json.dumps(saved.run_of(self)) == json.dumps(saved.run_of(other))
+        )
 
     __hash__ = None  # type: ignore[assignment]

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 from mpmath.ctx_iv import MPIntervalContext
 
 from numerics.linear.modes import Mode
-from numerics.linear.pieces import particular
+from numerics.linear.pieces import particular, pieces_of
 from numerics.scene import Pair, Scene
 
 INTERVALS = MPIntervalContext()
@@ -110,14 +110,12 @@ class Spell(NamedTuple):
 
 def spells(scene: Scene) -> Iterator[Spell]:
     """Yield the spells that begin before the end."""
-    pair = scene.pair
-    starts = {Fraction(0), *scene.force.starts, *scene.friction.starts}
-    for start in sorted(one for one in starts if one < scene.until):
-        piece, nothing = scene.force.piece_at(start), Fraction(0)
-        tones = tuple(Tone(one.amplitude, nothing, nothing, nothing, one.omega, one.phase) for one in piece.sines)
+    pair, nothing = scene.pair, Fraction(0)
+    for one in pieces_of(scene):
+        piece = scene.force.piece_at(one.start)
+        tones = tuple(Tone(sine.amplitude, nothing, nothing, nothing, sine.omega, sine.phase) for sine in piece.sines)
         force = Steady(piece.start, piece.polynomial, tones)
-        b = next((b for at, b in reversed(scene.friction.pieces) if at <= start), pair.b)
-        yield Spell(start, b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
+        yield Spell(one.start, one.b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
 
 
 def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:

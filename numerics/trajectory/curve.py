@@ -7,10 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from numerics.linear.cells import cells_of
-from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
 from numerics.trajectory.columns import Array, Counts, Floats
-from numerics.trajectory.flow import losses, moved
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -62,12 +60,10 @@ def sampled(trajectory: Rows) -> Curve:
     parts = _parts(radians)
     at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
-    since, (local, y) = lengths[at] * share, trajectory.row_numbers
-    y, taken = y[:, at] + trajectory.row_changes(moved, at, since), trajectory.row_changes(losses, at, since)[:2]
-    u, b = np.zeros(len(at)), np.zeros(len(at))
-    for piece in np.unique(pieces):
-        chosen, acting = pieces[at] == piece, trajectory.pieces[piece]
-        u[chosen], b[chosen] = force_of(acting, (local[at] + since)[chosen]), float(acting.b)
+    since = lengths[at] * share
+    changed = trajectory.row_changes(at, since, integrals=True)
+    y, taken, u = trajectory.row_numbers[1][:, at] + changed[:4], changed[4:6], changed[7]
+    b = np.array([float(piece.b) for piece in trajectory.pieces])[pieces[at]]
     if cells is not None:
         b *= cells.relative(y[1] - y[3], y[0] - y[2])
     ends = np.cumsum(parts + 1) - 1
@@ -88,12 +84,3 @@ def _parts(radians: Floats) -> Counts:
     if len(parts) > 10 * RESOLVED:
         parts[RESOLVED:-RESOLVED] = 2  # speeds are largest about the middle of a stick phase
     return np.asarray(parts)
-
-
-def force_of(piece: ExactPiece, t: Floats) -> Floats:
-    """Return the force of one piece at times (s) from its beginning, N."""
-    found = np.polynomial.polynomial.polyval(t, [float(one) for one in piece.polynomial] or [0.0])
-    for sine in piece.sines:
-        phase = float(sine.omega * piece.start + sine.phase)
-        found = found + float(sine.amplitude) * np.sin(float(sine.omega) * t + phase)
-    return np.asarray(found, dtype=float)

@@ -55,7 +55,7 @@ def _enclosed(trajectory: Rows) -> Iterator[tuple[arb, arb]]:
         yield t, t
     for state in (*trajectory.event_states.T, trajectory.final_state):
         yield from zip(state, scales, strict=True)
-    energy, (excess,) = trajectory.final_energy, trajectory.columns.last("excess")
+    energy, (excess,) = trajectory.final_energy, trajectory.row_end("excess")
     yield energy, frame.critical_energy
     yield energy / frame.critical_energy - 1 if excess is None else excess, trajectory.arithmetic.number(1)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,7 @@ from numerics.files import whole_file
 from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Law
 from numerics.trajectory.curve import Curve, sampled
+from numerics.trajectory.export import word
 from numerics.trajectory.solution import Solution
 
 BLUE, ORANGE, GREEN, GRAY = "#0072B2", "#D55E00", "#009E73", "#999999"
@@ -67,24 +68,17 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     return ax
 
 
-def axes_for(kind: Any, kinds: Collection[str], ax: Any) -> Any:
-    """Return axes to draw a kind of picture into, new ones if none are given. Raises ValueError, TypeError."""
+def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> Any:
+    """Return axes to draw one of some kinds into, or new ones. Raises ValueError, TypeError, MissingTool."""
     if not isinstance(kind, str) or kind not in kinds:
-        raise ValueError(f"kind = {str(kind)[:40]!r} is not one of {', '.join(kinds)}")
-    if ax is None:
-        return new_axes()
-    if not hasattr(ax, "set_title"):
+        raise ValueError(f"{name} = {str(kind)[:40]!r} is not one of {', '.join(kinds)}")
+    if ax is not None and not hasattr(ax, "set_title"):
         raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
-    return ax
-
-
-def new_axes() -> Any:
-    """Return new matplotlib axes. Raises MissingTool."""
     try:
         from matplotlib import pyplot as plt
     except ImportError:
         raise MissingTool("a plot needs matplotlib, which is not installed; python -m pip install matplotlib") from None
-    return plt.subplots(layout="constrained")[1]
+    return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
 def _against_time(trajectory: Solution, curve: Curve, ax: Any) -> None:
@@ -149,15 +143,13 @@ def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
 
 def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
-    against = curve.y[1] - curve.y[3], friction_on_body_2(trajectory, curve)
-    for kept, label, how in _by_mode(curve, "friction in stick"):
-        ax.plot(*np.where(kept, against, np.nan), label=label, **how)
-    ax.set_xlabel("$v_1 - v_2$ (m/s)")
+    w = curve.y[1] - curve.y[3], "$v_1 - v_2$ (m/s)"
+    _plane(curve, ax, w, friction_on_body_2(trajectory, curve), "friction in stick")
 
 
 def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1, and S0 where it stays."""
-    _plane(curve, ax, curve.y[1])
+    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1])
     _mark_events(trajectory, ax, 1, 2)
     if not trajectory.scene.is_forced:
         _sliding_region(trajectory.scene.pair, ax)
@@ -165,27 +157,21 @@ def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
 
 def _relative(_: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1 - v2: on S that is 0, and a cycle of stick and slip closes."""
-    _plane(curve, ax, curve.y[1] - curve.y[3])
+    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1] - curve.y[3])
 
 
-def _plane(curve: Curve, ax: Any, up: Any) -> None:
-    """Draw x1 against a velocity: on S, where v1 = v2, with a full line, in slip with a thin one."""
-    for kept, label, how in _by_mode(curve, "stick, on $S$"):
-        ax.plot(*np.where(kept & curve.resolved, (curve.y[0], up), np.nan), label=label, **how)
-        sparse = kept & ~curve.resolved
-        if sparse.any():  # lines between these points would not be the curve
-            ax.plot(curve.y[0, sparse], up[sparse], ",", color=how["color"])
-    ax.plot(curve.y[0, :1], up[:1], "s", color="black", ms=5, label="start")
+def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, stick: str = "stick, on $S$") -> None:
+    """Draw one quantity against another, named: in stick with a full line, in slip with a thin one."""
+    x, name = across
+    ways = (~curve.stick, "slip", ORANGE, 0.8, "--"), (curve.stick, stick, BLUE, 2.0, "-")
+    for kept, label, color, width, dashes in ways:
+        if kept.any():
+            ax.plot(*np.where(kept & curve.resolved, (x, up), np.nan), color=color, lw=width, ls=dashes, label=label)
+            sparse = kept & ~curve.resolved  # lines between these points would not be the curve
+            ax.plot(x[sparse], up[sparse], ",", color=color)
+    ax.plot(x[:1], up[:1], "s", color="black", ms=5, label="start")
     ax.locator_params(axis="x", nbins=6)
-    ax.set_xlabel("$x_1$ (m)")
-
-
-def _by_mode(curve: Curve, stick: str) -> Iterator[tuple[Any, str, dict[str, Any]]]:
-    """Yield which points slip and which stick, where any do, with what a legend says and how they are drawn."""
-    if not curve.stick.all():
-        yield ~curve.stick, "slip", {"color": ORANGE, "lw": 0.8, "ls": "--"}
-    if curve.stick.any():
-        yield curve.stick, stick, {"color": BLUE, "lw": 2.0}
+    ax.set_xlabel(name)
 
 
 def _sliding_region(pair: Any, ax: Any) -> None:
@@ -287,43 +273,42 @@ def _moved_out(ax: Any) -> dict[str, Any]:
 def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
 
-    def drawn(count: int) -> tuple[Any, Callable[[int], None]]:
-        """Draw body 2 on body 1 on its spring, to the scale of the motion; the interface is orange in a slip."""
+    def drawn(times: Any, y: Any) -> tuple[Any, Callable[[int], None]]:
+        """Draw body 2 on body 1 on its spring, to the scale of the motion, above the velocities."""
         from matplotlib import pyplot as plt
 
-        times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-        y, modes = trajectory.floats(trajectory.sol(times)), trajectory.mode_at(times)
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
         draw(trajectory, "velocities", below)
         below.set_title("")
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
-        wall, low, high = -7 * size, y[[0, 2]].min(), y[[0, 2]].max()
-        ax.set(xlim=(wall - 0.3 * size, high + 4 * size), ylim=(-0.2, 2.6), yticks=[], xlabel="x1, x2 (m)")
-        ax.axvline(wall, color="black", lw=3)
-        ax.axhline(0.0, color=GRAY, lw=1)
-        ax.vlines((low, high), 0, 2.5, color=GRAY, lw=0.6, ls=":")
-        half = np.array([3.0, 1.2]) * size
+        wall, half = -7 * size, np.array([3.0, 1.2]) * size
+        ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
+        ax.vlines((y[[0, 2]].min(), y[[0, 2]].max()), 0, 2.5, color=GRAY, lw=0.6, ls=":")
         bodies = ax.bar((0, 0), (1.0, 0.9), 2 * half, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
-        spring, joint = ax.plot([], [], color="black", lw=1)[0], ax.plot([], [], lw=3)[0]
+        (spring,) = ax.plot([], [], color="black", lw=1)
 
         def show(k: int) -> None:
             moment.set_xdata([times[k]] * 2)
-            ax.set_title(f"t = {times[k]:.3f} s, {modes[k].value}", fontsize="medium")
-            left, right = y[[0, 2], k] - half, y[2, k] + half[1]
+            left = y[[0, 2], k] - half
             for body, place in zip(bodies, left, strict=True):
                 body.set_x(place)
             spring.set_data(np.linspace(wall, left[0], 2 * _TURNS), [0.4, 0.7] * _TURNS)
-            joint.set_data([left[1], right], [1.1, 1.1])
-            joint.set_color(GRAY if modes[k] is Mode.STICK else ORANGE)
 
         return figure, show
 
-    return film(drawn, file, duration, frames_per_second)
+    return film(trajectory, drawn, file, duration, frames_per_second)
 
 
-def film(drawn: Callable[[int], Any], file: str | Path | None, duration: float, frames_per_second: int) -> Any:
-    """Return the animation of `drawn(count)`, a figure and what shows a frame by its number; write it to `file`.
+def film(
+    trajectory: Any,
+    drawn: Callable[[Any, Any], tuple[Any, Callable[[int], None]]],
+    file: str | Path | None,
+    duration: float,
+    frames_per_second: int,
+) -> Any:
+    """Return the animation of a trajectory, and write it to `file`; time and mode stand above the first axes.
 
+    `drawn` takes times (s) and states there, in binary64, and returns a figure and what shows the frame of one of them.
     Raises MissingTool, OSError, ValueError.
     """
     for name, value in (("duration", duration), ("frames_per_second", frames_per_second)):
@@ -346,11 +331,18 @@ def film(drawn: Callable[[int], Any], file: str | Path | None, duration: float, 
         raise MissingTool("an animation needs matplotlib; python -m pip install matplotlib") from None
     if writer and not animation.writers.is_available(writer):
         raise MissingTool(f"this film needs {writer}, which is not installed; write a .gif, or install {writer}")
-    figure, show = drawn(count)
-    show(0)
+    times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
+    figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
+    modes = trajectory.mode_at(times)
+
+    def frame(k: int) -> None:
+        show(k)
+        figure.axes[0].set_title(f"t = {times[k]:.3f} s, {word(modes[k])}", fontsize="medium")
+
+    frame(0)
     figure.canvas.draw()
     figure.set_layout_engine(None)  # the axes stay where they are: to lay them out anew takes as long as a frame
-    made = animation.FuncAnimation(figure, show, frames=count, interval=1000 / frames_per_second, blit=False)
+    made = animation.FuncAnimation(figure, frame, frames=count, interval=1000 / frames_per_second, blit=False)
     if path:
         with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
             kept = Path(folder) / path.name

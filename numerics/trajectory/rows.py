@@ -9,7 +9,7 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cache, cached_property, reduce
+from functools import cached_property, reduce
 from typing import Any, Literal
 
 import numpy as np
@@ -20,15 +20,16 @@ from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
-from numerics.linear.record import AT, How, Record, tabulate
+from numerics.linear.record import AT, How, Knot, Record, tabulate
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.scene.decimals import short
 from numerics.trajectory.answer import Answer
-from numerics.trajectory.columns import STATE, Array, Columns, Counts, Floats
-from numerics.trajectory.flow import Moving, losses, moved
+from numerics.trajectory.columns import STATE, Array, Counts, Floats, sums
+from numerics.trajectory.flow import Moving, changes
 
 Side = Literal["left", "right"]
+_KNOT = {name: place for place, name in enumerate(Knot._fields)}
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 
@@ -49,9 +50,35 @@ class Rows(Answer):
         return self._given
 
     @cached_property
-    def columns(self) -> Columns:
-        """Return the record by its columns."""
-        return Columns(self.record, wide=self.arithmetic.name == "double-double")
+    def _tables(self) -> tuple[dict[str, int], Array, Array]:
+        """Return where columns stand in the rows of the record and in that of the end; of knots both are made."""
+        rows, end, *_ = self.record
+        if isinstance(rows, np.ndarray):
+            return AT, rows, end
+        *table, end = (one[:-1] for one in (*rows, end))
+        return _KNOT, np.array(table, dtype=object), np.array(end, dtype=object)
+
+    def row_code(self, name: str) -> Array:
+        """Return a code of all rows."""
+        at, rows, _ = self._tables
+        return rows[:, at[name]]
+
+    def row_table(self, *names: str) -> Array:
+        """Return some numbers of all rows, a line each: floats, or an object array."""
+        return self._read(self._tables[1], names)
+
+    def row_end(self, *names: str) -> list[Number]:
+        """Return numbers of the end; of floats also what friction or viscosity took up to there (J)."""
+        found: list[Number] = self._read(self._tables[2].reshape(1, -1), names).ravel().tolist()
+        return found
+
+    def _read(self, rows: Array, names: tuple[str, ...]) -> Array:
+        high = [self._tables[0][name] for name in names]
+        if self.arithmetic.name != "double-double":
+            return np.asarray(rows.T[high])
+        found = np.empty((len(names), len(rows)), dtype=object)
+        found.ravel()[:] = sums(rows.T[high].ravel(), rows.T[[one + 1 for one in high]].ravel())
+        return found
 
     @property
     def reached(self) -> bool:
@@ -71,12 +98,12 @@ class Rows(Answer):
     @cached_property
     def row_signs(self) -> Counts:
         """Return the mode that starts at each row, the sign of v1 - v2."""
-        return self.columns.code("mode").astype(np.int64)
+        return self.row_code("mode").astype(np.int64)
 
     @cached_property
     def row_pieces(self) -> Counts:
         """Return the piece in which each row is."""
-        return self.columns.code("piece").astype(np.int64)
+        return self.row_code("piece").astype(np.int64)
 
     @cached_property
     def row_modes(self) -> tuple[Array, Counts]:
@@ -95,12 +122,12 @@ class Rows(Answer):
     @cached_property
     def row_numbers(self) -> tuple[Floats, Floats]:
         """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
-        return self.floats(self.columns.numbers("local")), self.floats(self.row_states)
+        return self.floats(self.row_table("local")[0]), self.floats(self.row_states)
 
     @cached_property
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
-        local = self.columns.numbers("local")
+        local = self.row_table("local")[0]
         if not self.row_pieces.any():
             return local
         if self._in_floats:
@@ -112,24 +139,24 @@ class Rows(Answer):
     @cached_property
     def row_states(self) -> Array:
         """Return x1, v1, x2, v2 at each row, shape (4, n)."""
-        return self.columns.table(*STATE)
+        return self.row_table(*STATE)
 
     @cached_property
     def row_excess(self) -> Array | None:
         """Return E/E_cr - 1 at each row, accurate in itself; None where a run does not carry it (free/ alone does)."""
-        found = self.columns.numbers("excess")
+        found = self.row_table("excess")[0]
         return None if found[0] is None or (self.bounded and math.isnan(found[0])) else found
 
     @cached_property
     def row_lengths(self) -> Array:
         """Return how long the segment of each row lasts, s."""
-        after, last = self.columns.numbers("length")[1:], self.columns.last("length")
+        after, last = self.row_table("length")[0, 1:], self.row_end("length")
         return np.append(after, last) if self.reached else after
 
     @cached_property
     def event_rows(self) -> Counts:
         """Return the rows at which the mode has changed: the events."""
-        return np.flatnonzero(self.columns.code("event") == 1.0)
+        return np.flatnonzero(self.row_code("event"))
 
     @cached_property
     def _table(self) -> tuple[Counts, Array]:
@@ -143,9 +170,9 @@ class Rows(Answer):
         return at, np.column_stack([table, [self.end_time, *self.final_state]]) if self.reached else table
 
     @property
-    def signs(self) -> list[float]:
+    def signs(self) -> list[int]:
         """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
-        signs: list[float] = self.columns.code("mode")[self._table[0]].tolist()
+        signs: list[int] = self.row_code("mode")[self._table[0]].tolist()
         return signs
 
     @property
@@ -161,12 +188,12 @@ class Rows(Answer):
     @property
     def final_mode(self) -> Mode:
         """Return the mode at the end: after the last event, where the cap on events ended the run."""
-        return MODES[float(self.columns.end[self.columns.at["mode"]])]
+        return MODES[float(self._tables[2][self._tables[0]["mode"]])]
 
     @cached_property
     def final_state(self) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at the end."""
-        x1, v1, x2, v2 = self.columns.last(*STATE)
+        x1, v1, x2, v2 = self.row_end(*STATE)
         return x1, v1, x2, v2
 
     @cached_property
@@ -218,9 +245,13 @@ class Rows(Answer):
         return self._middles(self.row_times)
 
     def _rows(self, times: Array, side: Side) -> Counts:
-        """Return the row whose segment holds each time; at an event that on the given side."""
         require_side(side)
         return np.maximum(np.searchsorted(self._row_points, self._middles(times), side=side) - 1, 0)
+
+    def row_at(self, t: Any, side: Side = "right") -> Counts:
+        """Return the rows whose segments hold time(s) t (s), flat; at an event that on the given side."""
+        with self.context():
+            return self._rows(self._times(t).ravel(), side)
 
     def sol(self, t: Any, side: Side = "right") -> Array:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
@@ -232,14 +263,12 @@ class Rows(Answer):
         """
         with self.context():
             given = self._times(t)
-            return self._at(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
+            return self.row_values(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
-        with self.context():
-            given = self._times(t)
-            found = [MODES[sign] for sign in self.row_signs[self._rows(given.ravel(), side)]]
-        return np.array(found, dtype=object).reshape(given.shape)[()]
+        found = [MODES[sign] for sign in self.row_signs[self.row_at(t, side)]]
+        return np.array(found, dtype=object).reshape(np.shape(t))[()]
 
     def _excess(self, t: Any, side: Side) -> Number:
         """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
@@ -253,10 +282,10 @@ class Rows(Answer):
         def left(rows: Counts, since: Array) -> Array:
             return np.asarray(carried[rows] - self.row_losses(rows, since)[0] / unit)
 
-        found: Number = self._at(left, self._times(t).reshape(1), side).tolist()[0]
+        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
-    def _at(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
+    def row_values(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
         """Return a function of rows and of the times since they began at times of the run.
 
         Where balls leave open which segment holds a time, all that may hold it answer.
@@ -266,9 +295,9 @@ class Rows(Answer):
             return function(rows, self._since(times, rows))
         for time, row in zip(times, rows.tolist(), strict=True):
             first, after = row, row + 1  # this one holds its middle
-            while first > 0 and not starts[first] < time:
+            while first > 0 and not (starts[first] < time or starts[first] == time):  # both exact
                 first -= 1
-            while after < len(starts) and not time < starts[after]:
+            while after < len(starts) and not (time < starts[after] or time == starts[after]):
                 after += 1
             held = np.arange(first, after)
             found.append(reduce(_union, function(held, time - starts[held]).T))
@@ -285,37 +314,27 @@ class Rows(Answer):
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self._in_floats:
-            return np.asarray(self.row_states[:, rows] + self.row_changes(moved, rows, since))
-        return self._each(Moving.after, rows, since)
+            return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:4])
+        return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
 
     def row_losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
         if self._in_floats:
-            return self.row_changes(losses, rows, since)
-        return self._each(Moving.losses, rows, since)
+            return self.row_changes(rows, since, integrals=True)[4:7]
+        return _columns([self.row_motion(row).losses(tau) for row, tau in zip(rows, since, strict=True)])
 
-    def _each(self, function: Callable[[Moving, Number], Any], rows: Counts, since: Array) -> Array:
-        return _columns([function(self.row_motion(row), tau) for row, tau in zip(rows.tolist(), since, strict=True)])
+    def row_motion(self, row: int) -> Moving:
+        """Return the motion of a row's segment; not for binary64."""
+        mode, state = self.row_mode(self.row_modes[1][row]), self.row_states[:, row].tolist()
+        return Moving(self.arithmetic, mode, state, self.row_times[row])
 
-    @cached_property
-    def row_motion(self) -> Callable[[int], Moving]:
-        """Return what gives the motion of a row's segment; not for binary64."""
-
-        def motion(row: int) -> Moving:
-            mode, state = self.row_mode(self.row_modes[1][row]), self.row_states[:, row].tolist()
-            return Moving(self.arithmetic, mode, state, self.row_times[row])
-
-        return cache(motion)
-
-    def row_changes(self, function: Callable[..., Floats], rows: Counts, tau: Floats) -> Floats:
-        """Return `moved` or `losses` (flow.py) of the motions from rows on, row by row for a time (s); in binary64."""
-        (local, y), found = self.row_numbers, np.zeros((3 if function is losses else 4, len(tau)))
-        which = self.row_modes[1][rows]
-        modes, counts = np.unique(which, return_counts=True)
-        parts = np.split(np.argsort(which, kind="stable"), np.cumsum(counts)[:-1])
-        for mode, chosen in zip(modes, parts, strict=False):  # of no rows there is one part, and no mode
-            at = rows[chosen]
-            found[:, chosen] = function(self.row_mode(mode), (local[at], y[:, at]), tau[chosen])
+    def row_changes(self, rows: Counts, tau: Floats, *, integrals: bool = False) -> Floats:
+        """Return `changes` (flow.py) of the motions from rows on, row by row for a time (s); in binary64."""
+        (local, y), found, which = self.row_numbers, np.zeros((8, len(tau))), self.row_modes[1][rows]
+        for one in np.unique(which):
+            chosen = which == one
+            begun = local[rows[chosen]], y[:, rows[chosen]]
+            found[:, chosen] = changes(self.row_mode(one), begun, tau[chosen], integrals)
         return found
 
 
@@ -344,18 +363,17 @@ def require_side(side: Any) -> None:
 def require_times(t_eval: Any, until: Fraction) -> None:
     """Raise ValueError unless these are times (s) of a run, in order; balls and mpmath's are looked at later."""
     try:
-        is_list = np.ndim(t_eval) == 1
+        given = np.asarray(t_eval)
     except ValueError:  # rows that differ in length
-        is_list = False
-    if not is_list:
+        given = np.asarray(None)
+    if given.ndim != 1:
         raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
-    last = float(until) if until < 10**300 else math.inf
-    given = np.asarray(t_eval)
+    last = float(min(until, Fraction(10**300)))
     if given.dtype.kind in "fiu":  # all at once; only a wrong one is looked for exactly
         times = given.astype(float)
         if ((times >= 0) & (times <= last)).all() and (times[1:] >= times[:-1]).all():
             return
-    end, before = until if last == math.inf else max(until, Fraction(last)), Fraction(0)  # type: Fraction, Any
+    end, before = max(until, Fraction(last)), Fraction(0)  # type: Fraction, Any
     for k, one in enumerate(t_eval):
         point = one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]")
         if isinstance(point, Fraction) and not 0 <= point <= end:

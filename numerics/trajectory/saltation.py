@@ -23,7 +23,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache, partial, reduce
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -42,7 +42,6 @@ from numerics.trajectory.variation import Leg, Variation
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
 _widened = np.frompyfunc(widened, 2, 1)
-_union = np.frompyfunc(lambda x, y: x.union(y), 2, 1)
 
 
 class Carried(NamedTuple):
@@ -78,29 +77,16 @@ class Chain:
         self.starts = [self._into_piece(Carried(y, self._zeros(), self._zeros()), 0)]
         self.starts.extend(map(self._crossed, range(len(legs) - 1)))
 
-    def at(self, index: int, t: arb) -> Array:
-        """Return the derivatives of the state at a fixed time t (s) in a leg, enclosed, (4, p)."""
-        return self._enclosed(self._ahead(index, t))
-
-    def at_times(self, times: Sequence[arb], begins: Sequence[arb], side: str) -> Array:
-        """Return the same at many times, (n, 4, p). `begins` says when legs begin, for who asks.
-
-        Where balls leave open which leg holds a time, all do.
-        """
-        found, ends = np.full((len(times), 4, len(self.column)), arb(0)), [*begins[1:], arb("inf")]
-        for k, t in enumerate(times):
-            near = [n for n, (begin, end) in enumerate(zip(begins, ends, strict=True)) if not (t < begin or end < t)]
-            if t.is_exact() and all(begins[n].is_exact() for n in near[1:]):
-                near = near[-1:] if side == "right" else near[:1]
-            found[k] = reduce(_union, (self.at(n, t) for n in near))
-        return found
+    def at(self, index: int, tau: arb) -> Array:
+        """Return the derivatives of the state at a fixed time, tau (s) after the start of a leg, enclosed, (4, p)."""
+        return self._enclosed(self._ahead(index, tau))
 
     def final(self, state: Sequence[arb]) -> Array:
         """Return the derivatives of the last state, whose value is given, (4, p)."""
         last = self.legs[-1]
         if last.start is last.end:
             return self.y[-1]
-        y = self.at(len(self.legs) - 1, last.end)
+        y = self.at(len(self.legs) - 1, last.end - last.start)
         if "until" in self.column:
             y[:, self.column["until"]] += self._field(self.pieces[last.piece], last.end, state, last)
         return y
@@ -116,10 +102,9 @@ class Chain:
     def _zeros(self, *rows: int) -> Array:
         return np.full((*rows, len(self.column)), arb(0))
 
-    def _ahead(self, index: int, t: arb) -> Carried:
-        """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
+    def _ahead(self, index: int, tau: arb) -> Carried:
+        """Return the derivatives tau (s) after the start of a leg: of the point that is carried, and the bounds."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
-        tau = t - leg.start
         flow, columns = self.variation(leg.piece, leg.side, leg.cell).over(leg.state, leg.start, tau)
         if self.cells and leg.side:
             mode = self.cells.mode(self.pieces[leg.piece], leg.side, leg.cell)
@@ -148,7 +133,7 @@ class Chain:
     def _crossed(self, index: int) -> Carried:
         """Return the derivatives at the start of the next leg; those of an event are kept."""
         leg, after = self.legs[index], self.legs[index + 1]
-        ended = self._ahead(index, after.start)
+        ended = self._ahead(index, after.start - leg.start)
         if after.begins_piece:
             return self._into_piece(ended, index + 1)
         return self._after_guard(leg, after, ended) if after.is_event else self._pointed(ended)

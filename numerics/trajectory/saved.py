@@ -1,8 +1,7 @@
 """A trajectory in plain data, and in a file without a pickle: what comes back equals what was there, to the last bit.
 
 The file is a NumPy archive. Its `header` is JSON in UTF-8: the scene as TOML text, the arithmetic, how the run ended,
-and the numbers of mpmath and of balls, their mantissas as hexadecimal texts. On a line `rows` and `end` are the record
-of a run in floats (linear/record.py).
+and what it wrote; numbers of mpmath and of balls have their mantissas as hexadecimal texts.
 """
 
 from __future__ import annotations
@@ -31,10 +30,9 @@ _REMEDY = "give a file that `save` of such a run has written (Trajectory's or Pl
 
 def save(trajectory: Any, file: str | Path) -> None:
     """Write a trajectory to a file. Raises OSError, InvalidScene for a scene that no text of 1000 characters holds."""
-    header, arrays = contents(trajectory)
-    text = np.frombuffer(json.dumps(header).encode(), dtype=np.uint8)
+    text = np.frombuffer(json.dumps(contents(trajectory)).encode(), dtype=np.uint8)
     with whole_file(Path(file)) as opened:
-        np.savez_compressed(opened, header=text, **arrays)
+        np.savez_compressed(opened, header=text)
 
 
 def load(file: str | Path, kind: Any) -> Any:
@@ -45,32 +43,29 @@ def load(file: str | Path, kind: Any) -> Any:
     if not is_archive:
         raise InvalidFile(f"{str(path)!r} is no NumPy archive; {_REMEDY}")
     try:
-        with np.load(path, allow_pickle=False) as archive:
-            arrays = {name: archive[name] for name in archive}
-        return restored(_read(arrays.pop("header").tobytes().decode()), arrays, kind)
+        with np.errstate(invalid="raise"), np.load(path, allow_pickle=False) as archive:
+            return restored(_read(archive["header"].tobytes().decode()), kind)
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, EOFError, zipfile.BadZipFile) as error:
         reason = " ".join(str(error).split())[:200]
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
 
 
-def contents(trajectory: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return header and arrays of a trajectory in a file."""
-    header, arrays = run_of(trajectory)
+def contents(trajectory: Any) -> dict[str, Any]:
+    """Return a trajectory with its scene as what JSON holds."""
     text = scene_text(trajectory.scene)
     if parse_scene(text) != trajectory.scene:
         raise InvalidScene("a number of this scene does not fit into a scene file; round it before it is saved")
-    return {"format": trajectory.FORMAT, "scene": text, **header}, arrays
+    return {"format": trajectory.FORMAT, "scene": text, **run_of(trajectory)}
 
 
-def run_of(trajectory: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return what a run wrote, without its scene: what JSON holds, and arrays."""
-    header, arrays = trajectory.kept()
-    header |= {"arithmetic": [trajectory.arithmetic.name, trajectory.arithmetic.digits], "digits": trajectory.digits}
-    return header | {"tried": trajectory.tried, "t_eval": plain(trajectory.t_eval)}, arrays
+def run_of(trajectory: Any) -> dict[str, Any]:
+    """Return what a run wrote, without its scene, as what JSON holds."""
+    header = {"arithmetic": [trajectory.arithmetic.name, trajectory.arithmetic.digits], "digits": trajectory.digits}
+    return header | {"tried": trajectory.tried, "t_eval": plain(trajectory.t_eval), **trajectory.kept()}
 
 
-def restored(header: dict[str, Any], arrays: dict[str, Any], kind: Any, scene: Any = None) -> Any:
-    """Return the trajectory of header and arrays, of the class `kind`; without a scene, of that in the header.
+def restored(header: dict[str, Any], kind: Any, scene: Any = None) -> Any:
+    """Return the trajectory of a header, of the class `kind`; without a scene, of that in the header.
 
     Raises ValueError, and what else others' files can bring about.
     """
@@ -84,13 +79,13 @@ def restored(header: dict[str, Any], arrays: dict[str, Any], kind: Any, scene: A
     require_whole("digits", digits, 1)
     if right is not None:
         require_whole("right digits", right, 0)
-    found = kind.restored(scene, (header, arrays))
+    found = kind.restored(scene, header)
     return found.but(digits=right, tried=str(header["tried"]), t_eval=header["t_eval"])
 
 
-def unpickled(kind: Any, scene: Any, header: str, arrays: dict[str, Any]) -> Any:
+def unpickled(kind: Any, scene: Any, header: str) -> Any:
     """Return the trajectory that a pickle holds: flint has no pickles of balls, so its header is JSON there, too."""
-    return restored(_read(header), arrays, kind, scene)
+    return restored(_read(header), kind, scene)
 
 
 def _read(text: str) -> dict[str, Any]:
@@ -110,9 +105,9 @@ def plain(value: Any) -> Any:
         return {"mpf": _hexadecimal(-mantissa if value < 0 else mantissa, exponent)}
     if isinstance(value, (Decimal, Fraction)):
         return {"ratio": [hex(one) for one in value.as_integer_ratio()]}
-    if isinstance(value, (list, tuple, np.ndarray)):
+    if isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.dtype == object):
         return [plain(one) for one in value]
-    return value.item() if isinstance(value, np.generic) else value
+    return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
 
 
 def _hexadecimal(mantissa: Any, exponent: Any) -> list[Any]:

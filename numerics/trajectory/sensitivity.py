@@ -37,10 +37,10 @@ from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.scene import Scene
 from numerics.scene.model import require_kind
-from numerics.trajectory.columns import STATE, Array
+from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.rendering import right_digits_text, with_radius
-from numerics.trajectory.rows import Side, exact_time, require_side
+from numerics.trajectory.rows import Side, exact_time
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
@@ -149,20 +149,24 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
     >>> guess.round(12).tolist()
     [0.05, 1.0]
     """
+    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
     if t is None:
         found = enclosures(trajectory)
         arrays = (found.t, found.y, found.final, found.energy)
         return Sensitivity(found.wrt, *(_as_numbers(trajectory.arithmetic, one) for one in arrays))
-    require_side(side)
-    asked = np.asarray(t, dtype=object)
+    asked, own_rows = np.asarray(t, dtype=object), trajectory.row_at(t, side)
 
-    def at_times(_: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        begins = [leg.start for leg in chain.legs]
-        if trajectory.arithmetic.name != "ball":  # an event is where the trajectory has it, as rounded as that is
-            own = iter(trajectory.event_times)
-            begins = [as_ball(next(own)) if leg.is_event else leg.start for leg in chain.legs]
-        times = [_time(trajectory, one) for one in asked.flat]
-        return (np.array([*chain.at_times(times, begins, side), *chain.before]),)
+    def at_times(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
+        def slopes(rows: Counts, since: Array) -> Array:
+            return np.reshape([chain.at(*one) for one in zip(rows, since, strict=True)], (len(rows), -1)).T
+
+        exact = (as_ball(one if hasattr(one, "man_exp") else exact_time(one)) for one in asked.flat)
+        times = np.fromiter(exact, object, asked.size)
+        if trajectory.arithmetic.name == "ball":
+            found = balls.row_values(slopes, times, side)
+        else:  # an event is where the trajectory has it, as rounded as that is
+            found = slopes(own_rows, times - balls.row_times[own_rows])
+        return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *chain.before]),)
 
     rows = _enclosed(trajectory, at_times)[0][: asked.size]
     states = _as_numbers(trajectory.arithmetic, np.moveaxis(rows, 0, -1))
@@ -188,10 +192,8 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     """Return arrays of derivatives in balls, at a precision that gives them the digits that were asked for.
 
     What is asked of a chain has samples along the first axis, whose largest is what digits are relative to, and all
-    numbers of the scene along the last one. Raises TypeError for what is no trajectory, NotDifferentiable for one that
-    has no derivatives by its data.
+    numbers of the scene along the last one. Raises NotDifferentiable for a scene that has no derivatives by its data.
     """
-    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
     scene, arithmetic, count = trajectory.scene, trajectory.arithmetic, trajectory.record.events
     until = math.inf if trajectory.reached else arithmetic.to_float(trajectory.event_times[-1])
     if scene.is_forced and (what := corner(scene, pieces_of(scene), until)) is not None:
@@ -208,7 +210,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
                 raise
             digits *= 2
             continue
-        if balls.signs != trajectory.signs:  # after the last event, too: a run that is cut off has no segment there
+        if not np.array_equal(balls.row_signs, trajectory.row_signs):
             raise EventUndecided("are the events those of the trajectory?", f"{balls.record.events} events", digits)
         with precision(Ball(digits).bits + _GUARD_BITS):
             found = asked(balls, Chain(scene, legs(balls), tuple(parameters(scene))))
@@ -233,14 +235,6 @@ def _right_digits(arrays: tuple[Array, ...], digits: int) -> int:
             is_zero = all(one.contains(0) for one in column)
             least = min(least, digits // 4 if is_zero and radius > 0 else digits_within(radius, largest, largest))
     return least
-
-
-def _time(trajectory: Trajectory, t: Any) -> arb:
-    """Return a time (s) as a ball. Raises ValueError outside [0, end]."""
-    end, time = trajectory.end_time, as_ball(t if hasattr(t, "man_exp") else exact_time(t))
-    if time < 0 or time > as_ball(trajectory.scene.until if trajectory.reached else end):
-        raise ValueError(f"t = {str(t)[:40]} s is outside the solved time [0, {float(end):g}] s; solve further")
-    return time
 
 
 def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
@@ -277,8 +271,7 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
 def sensitivity_arrays(trajectory: Trajectory) -> dict[str, Array]:
     """Return the derivatives in binary64, and the names that their last axis stands for, for a NumPy archive."""
     found = sensitivities(trajectory)
-    named = {"t": found.t, "y": found.y, "final": found.final, "energy": found.energy}
-    arrays = {f"sensitivity_{name}": trajectory.floats(array) for name, array in named.items()}
+    arrays = {f"sensitivity_{name}": trajectory.floats(getattr(found, name)) for name in ("t", "y", "final", "energy")}
     return arrays | {"sensitivity_wrt": np.array(found.wrt)}
 
 

@@ -53,7 +53,7 @@ class Solution(Rows):
         if self._is_ball or self.scene.is_forced:
             return False
         with self.context():
-            angle = self.frame.rate * self.columns.last("length")[0]
+            angle = self.frame.rate * self.row_end("length")[0]
             # what has decayed is no rounding yet
             damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
         return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
@@ -75,12 +75,17 @@ class Solution(Rows):
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return tuple(map(MODES.__getitem__, self.signs))[: self.record.events + self.reached]
+        return self._all_modes[: self.record.events + self.reached]
+
+    @property
+    def _all_modes(self) -> tuple[Mode, ...]:
+        """Return the modes, with that after the last event, where the cap on events ended the run."""
+        return tuple(map(MODES.__getitem__, self.signs))
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        modes = [MODES[sign] for sign in self.signs]
+        modes = self._all_modes
         return tuple(map(event_kind, modes, modes[1:]))
 
     @property
@@ -108,7 +113,7 @@ class Solution(Rows):
         return self._by_kind(self.event_states.T)
 
     def _by_kind(self, events: Array) -> tuple[Array, ...]:
-        sticks = self.columns.code("mode")[self._table[0]] == 0
+        sticks = self.row_signs[self._table[0]] == 0
         before, after = sticks[:-1], sticks[1:]
         return events[after], events[before], events[~(before | after)]
 
@@ -140,7 +145,7 @@ class Solution(Rows):
     def final(self) -> ReducedState:
         """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
         with self.context():
-            excess = None if self.row_excess is None else self.columns.last("excess")[0]
+            excess = None if self.row_excess is None else self.row_end("excess")[0]
             return self.frame.reduced(self.final_state, excess)
 
     @property
@@ -159,7 +164,7 @@ class Solution(Rows):
         """Return what friction and viscosity took, J: summed by the run where it has bounds, else by the ledger."""
         with self.context():
             if self.bounded:
-                return sum(self.columns.last("friction", "viscous"))
+                return sum(self.row_end("friction", "viscous"))
             return self.ledger.friction + self.ledger.viscous
 
     @cached_property
@@ -171,8 +176,8 @@ class Solution(Rows):
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
-        rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
-        causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
+        rows, modes = self.event_rows, self._all_modes
+        causes = ["jump" if jump else "guard" for jump in self.row_code("jump")[rows]]
         states, carried = self.event_states, self.row_excess
         excesses = np.full(len(rows), None) if carried is None else carried[rows]
         with self.context():

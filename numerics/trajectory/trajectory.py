@@ -8,10 +8,7 @@ from typing import Any, Literal, Self
 import numpy as np
 
 from numerics.arithmetic.by_name import arithmetic_named
-from numerics.linear.pieces import pieces_of
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
-from numerics.trajectory.answer import Kept
-from numerics.trajectory.columns import Columns
 from numerics.trajectory.saved import plain
 from numerics.trajectory.solution import Solution
 
@@ -65,7 +62,7 @@ class Trajectory(Solution):
     True
     """
 
-    FORMAT = "inertial-pair trajectory 1"
+    FORMAT = "inertial-pair trajectory 2"
     ARITHMETICS = ("float64", "double-double", "mpmath", "ball")
     COLUMNS = ("t", "y", "energy", "energy_excess")
 
@@ -101,34 +98,29 @@ class Trajectory(Solution):
         }
         return "\n".join(f"{name:>12}: {value}" for name, value in shown.items())
 
-    def kept(self) -> Kept:
-        """Return what the run wrote."""
+    def kept(self) -> dict[str, Any]:
+        """Return what the run wrote, as what JSON holds."""
         rows, end, how, *rest = self.record
-        arrays = {"rows": rows, "end": end} if isinstance(rows, np.ndarray) else {}
-        return {"how": int(how), "rest": plain(rest), "knots": None if arrays else plain([*rows, end])}, arrays
+        return {"rows": plain(rows), "end": plain(end), "how": int(how), "rest": plain(rest)}
 
     @classmethod
-    def restored(cls, scene: Any, kept: Kept) -> Self:
+    def restored(cls, scene: Any, header: dict[str, Any]) -> Self:
         """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
-        (header, arrays), (name, digits) = kept, kept[0]["arithmetic"]
-        if bool(arrays) != (name in cls.ARITHMETICS[:2]):
-            raise ValueError(f"its numbers are not those of {name}")
-        return cls(scene, arithmetic_named(name, digits), _record(header, arrays, len(pieces_of(scene))))
-
-
-def _record(header: dict[str, Any], arrays: dict[str, Any], pieces: int) -> Record:
-    """Return what a run wrote. Raises ValueError, and what else a file that nobody saved can bring about."""
-    events, certain, *_ = header["rest"]
-    if arrays:
-        rows, end = arrays["rows"], arrays["end"]
-        if rows.dtype != float or rows.shape[1:] != (ROW,) or end.dtype != float or end.shape != (END_ROW,):
-            raise ValueError("its arrays have other shapes")
-    else:
-        *rows, end = (Knot(*one) for one in header["knots"])
-    found = Record(rows, end, How(header["how"]), events, certain)
-    modes, indices = (Columns(found, wide=False).code(name) for name in ("mode", "piece"))
-    if not np.isin(modes, (-1, 0, 1)).all() or not np.isin(indices, range(pieces)).all():
-        raise ValueError("its rows are not those of a run of its scene")
-    if not 0 <= events < len(modes):
-        raise ValueError("its count of events is not that of its rows")
-    return found
+        (name, digits), (events, certain) = header["arithmetic"], header["rest"]
+        rows: Any
+        end: Any
+        if name in cls.ARITHMETICS[:2]:
+            rows, end = (np.array(header[one], dtype=float) for one in ("rows", "end"))
+            if rows.shape[1:] != (ROW,) or end.shape != (END_ROW,):
+                raise ValueError("its rows have other lengths")
+        else:
+            rows, end = [Knot(*one) for one in header["rows"]], Knot(*header["end"])
+        record = Record(rows, end, How(header["how"]), events, certain)
+        found = cls(scene, arithmetic_named(name, digits), record)
+        if not (
+            np.isin(found.row_signs, (-1, 0, 1)).all() and np.isin(found.row_pieces, range(len(found.pieces))).all()
+        ):
+            raise ValueError("its rows are not those of a run of its scene")
+        if not 0 <= events < len(rows):
+            raise ValueError("its count of events is not that of its rows")
+        return found

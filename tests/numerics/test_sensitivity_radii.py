@@ -22,9 +22,8 @@ RADIUS = Fraction(1, 10**6)
 def everything(scene, followed):
     """The derivatives along legs: of times and states of events, of the state between them and at the end."""
     chain = Chain(scene, followed, tuple(parameters(scene)))
-    times = [Ball.number(Fraction(k, 7)) for k in range(1, 7)]
     final = chain.final(followed[-1].state)
-    grid = chain.at_times(times, [leg.start for leg in followed], "right")
+    grid = [chain.at(k, (leg.end - leg.start) / 2) for k, leg in enumerate(followed)]
     return [np.concatenate([np.ravel(one) for one in found]) for found in (chain.t, chain.y, grid, final)]
 
 
@@ -102,7 +101,7 @@ def test_a_bound_holds_what_starts_within_it(chain, off):
                 within.__dict__ |= chain.__dict__ | {"starts": [*chain.starts]}
                 within.starts[index] = carried
                 crossed = within._enclosed(within._crossed(index))
-                parts = [within.at(index, (leg.start + leg.end) / 2), crossed]
+                parts = [within.at(index, (leg.end - leg.start) / 2), crossed]
                 if len(chain.t) > kept:
                     parts += [chain.t.pop(), chain.y.pop(), chain.before.pop()]
                 found.append(np.concatenate([np.ravel(one) for one in parts]))

@@ -27,7 +27,6 @@ from numerics import (
 from numerics.arithmetic.ball import Ball
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
-from numerics.trajectory.flow import exponential_less_one
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
@@ -172,8 +171,3 @@ def test_progress_is_told():
 def test_the_end_of_a_run_that_is_cut_off_is_as_uncertain_as_its_last_event():
     run = solve(load_scene("velocities"), arithmetic="float64", max_events=3)
     assert run.end_bounds()[0] >= run.accuracy.t[-1] > 0
-
-
-@pytest.mark.parametrize("x", [0.49, -0.49, 3.0, -7.0, 1e-9])
-def test_an_exponential_less_one_keeps_all_digits(x):
-    assert exponential_less_one(np.array([[[x]]]))[0, 0, 0] == pytest.approx(np.expm1(x), rel=1e-14)
