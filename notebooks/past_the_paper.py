@@ -29,7 +29,7 @@ from sympy import lambdify
 
 from numerics import Pair, Scene, State
 from numerics.free.energy import energy_at
-from numerics.free.merging import CRITICAL_SHARE, Verdict
+from numerics.free.merging import CRITICAL_SHARE, Merging
 from numerics.free.merging_map import draw_map, merging_cells
 from paper_checks.evidence.formula import equation
 from theory import excursion, near_critical, return_map
@@ -169,7 +169,7 @@ draw_map(chart)
 # than the cells of this depth.
 
 # %%
-merging = [cell.sides for cell in chart.leaves if cell.verdict is Verdict.MERGES]
+merging = [cell.sides for cell in chart.leaves if cell.verdict is Merging.MERGES]
 tip = min(merging)
 low, high = (float(one) for one in tip[0])
 print(f"the first cell that merges: m2/m1 from {low:.4f} to {high:.4f}")

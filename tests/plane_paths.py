@@ -9,13 +9,13 @@ from numerics import PlaneScene
 from numerics.arithmetic.ball import Ball
 from numerics.plane.linear import LinearRun
 from numerics.plane.reduced import reduced
-from numerics.plane.run import Run
+from numerics.plane.run import PlaneRun
 from numerics.plane.system import System
 
 
 def path_of(scene: PlaneScene, digits: int = 16, events: int = 100, legs: int = 2000) -> LinearRun:
     """A path that nobody has followed yet."""
-    kind = LinearRun if scene.pair.shape == "box" else Run
+    kind = LinearRun if scene.pair.shape == "box" else PlaneRun
     return kind(System(reduced(scene), digits), events, legs)
 
 

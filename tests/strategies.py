@@ -14,7 +14,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from numerics import Force, Law, Pair, Scene, State, thresholds
-from numerics.arithmetic.pair import Pair as WideNumber
+from numerics.arithmetic.pair import TwoFloats as WideNumber
 from numerics.arithmetic.pair import two_sum
 from numerics.audit import draws
 from numerics.control.response import Regime

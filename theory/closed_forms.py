@@ -31,7 +31,7 @@ decay = Symbol("beta", positive=True)  # decay rate a1/(2 I), 1/s
 rate = Symbol("omega", positive=True)  # angular frequency, or half distance of the real rates, 1/s
 
 
-class Regime(Enum):
+class DampingRegime(Enum):
     """The damping regime of one mode, by the sign of a1^2 - 4 a2 I."""
 
     UNDAMPED = "undamped"
@@ -45,7 +45,7 @@ class ModeSolution:
     """Motion of both bodies in one mode as functions of t, x1(0), v1(0), x2(0), v2(0) (SI, exact)."""
 
     mode: str
-    regime: Regime
+    regime: DampingRegime
     x1: Expr
     x2: Expr
 
@@ -70,43 +70,43 @@ def discriminant(mode: str) -> Expr:
     return a1**2 - 4 * a2 * inertia(mode)
 
 
-def rates(mode: str, regime: Regime) -> dict[Symbol, Expr]:
+def rates(mode: str, regime: DampingRegime) -> dict[Symbol, Expr]:
     """SI meaning of ``decay`` and ``rate`` in a mode and regime; a rate that does not occur is absent."""
     mass = inertia(mode)
-    if regime is Regime.UNDAMPED:
+    if regime is DampingRegime.UNDAMPED:
         return {rate: sqrt(a2 / mass)}
     meaning = {decay: a1 / (2 * mass)}
-    if regime is Regime.UNDERDAMPED:
+    if regime is DampingRegime.UNDERDAMPED:
         meaning[rate] = sqrt(-discriminant(mode)) / (2 * mass)
-    if regime is Regime.OVERDAMPED:
+    if regime is DampingRegime.OVERDAMPED:
         meaning[rate] = sqrt(discriminant(mode)) / (2 * mass)
     return meaning
 
 
 @cache
-def coefficients(mode: str, regime: Regime) -> dict[Symbol, Expr]:
+def coefficients(mode: str, regime: DampingRegime) -> dict[Symbol, Expr]:
     """a1 and a2 by the rates: the inverse of ``rates``, polynomial, so that residuals become identities."""
     mass = inertia(mode)
-    damping = Integer(0) if regime is Regime.UNDAMPED else root(a1 / (2 * mass) - decay, a1)
-    squared = {Regime.CRITICAL: Integer(0), Regime.OVERDAMPED: rate**2}.get(regime, -(rate**2))
+    damping = Integer(0) if regime is DampingRegime.UNDAMPED else root(a1 / (2 * mass) - decay, a1)
+    squared = {DampingRegime.CRITICAL: Integer(0), DampingRegime.OVERDAMPED: rate**2}.get(regime, -(rate**2))
     stiffness = root((discriminant(mode) - (2 * mass * rate) ** 2).subs({a1: damping, rate**2: squared}), a2)
     return {a1: damping, a2: stiffness}
 
 
-def decaying_pair(regime: Regime) -> tuple[Expr, Expr]:
+def decaying_pair(regime: DampingRegime) -> tuple[Expr, Expr]:
     """Two independent solutions of the homogeneous equation in a regime."""
-    if regime is Regime.UNDAMPED:
+    if regime is DampingRegime.UNDAMPED:
         return cos(rate * t), sin(rate * t)
     oscillation = {
-        Regime.UNDERDAMPED: (cos(rate * t), sin(rate * t)),
-        Regime.CRITICAL: (Integer(1), t),
-        Regime.OVERDAMPED: (cosh(rate * t), sinh(rate * t)),
+        DampingRegime.UNDERDAMPED: (cos(rate * t), sin(rate * t)),
+        DampingRegime.CRITICAL: (Integer(1), t),
+        DampingRegime.OVERDAMPED: (cosh(rate * t), sinh(rate * t)),
     }[regime]
     return exp(-decay * t) * oscillation[0], exp(-decay * t) * oscillation[1]
 
 
 @cache
-def solution(mode: str, regime: Regime) -> ModeSolution:
+def solution(mode: str, regime: DampingRegime) -> ModeSolution:
     """The solution of a mode: rest position plus the homogeneous solutions fitted to the initial state.
 
     Raises KeyError for a mode other than "stick", "slip+" and "slip-".
@@ -144,7 +144,7 @@ def residual(found: ModeSolution) -> tuple[Expr, ...]:
 
 
 @cache
-def slip_guard(mode: str, regime: Regime) -> Expr:
+def slip_guard(mode: str, regime: DampingRegime) -> Expr:
     """v1 - v2 along a slip, m/s: a decaying oscillation plus a line; its first zero ends the slip."""
     found = solution(mode, regime)
     return found.v1 - found.v2

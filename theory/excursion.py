@@ -28,7 +28,7 @@ from sympy import (
     sqrt,
 )
 
-from theory.closed_forms import Regime, rate, rates, solution
+from theory.closed_forms import DampingRegime, rate, rates, solution
 from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.power_series import taylor
@@ -77,9 +77,9 @@ class Slip:
 @cache
 def slip_from(position: Expr, velocity: Expr) -> Slip:
     """The slip with v1 < v2 from X = position, V1 = V2 = velocity: the closed form of the canonical pair."""
-    found = solution("slip-", Regime.UNDAMPED)
+    found = solution("slip-", DampingRegime.UNDAMPED)
     start = {x1_0: position, v1_0: velocity, v2_0: velocity}
-    meaning = rates("slip-", Regime.UNDAMPED)
+    meaning = rates("slip-", DampingRegime.UNDAMPED)
 
     def reduced(expression: Expr) -> Expr:
         canonical = put(put(expression, {rate: meaning[rate]}), canonical_pair())
@@ -222,4 +222,4 @@ def guard_of_u() -> Expr:
 
 def duration_in_si() -> Expr:
     """The duration of an excursion of slip angle theta, s."""
-    return theta / rates("slip-", Regime.UNDAMPED)[rate]
+    return theta / rates("slip-", DampingRegime.UNDAMPED)[rate]

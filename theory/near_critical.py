@@ -10,7 +10,7 @@ from functools import cache
 
 from sympy import Expr, Integer, Symbol, asin, atan2, cos, expand, factor, sin, sqrt
 
-from theory.closed_forms import Regime, rate, rates, solution
+from theory.closed_forms import DampingRegime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.filippov import at_edge
@@ -61,8 +61,8 @@ def stick_rotation() -> tuple[Expr, Expr]:
 
     Entries are functions of x10 = X, v10 = V and epsilon, the speed V = -epsilon of the next exit.
     """
-    found = solution("stick", Regime.UNDAMPED)
-    unit = {rate: put(rates("stick", Regime.UNDAMPED)[rate], canonical_pair())}
+    found = solution("stick", DampingRegime.UNDAMPED)
+    unit = {rate: put(rates("stick", DampingRegime.UNDAMPED)[rate], canonical_pair())}
     cosine, sine = Symbol("c"), Symbol("s")
     motion = [found.x1.subs(unit) + 1, found.v1.subs(unit) + epsilon]
     motion = [entry.subs({cos(t): cosine, sin(t): sine}) for entry in motion]

@@ -200,7 +200,7 @@ def _as_function(implementation: Any) -> Any:
 
 
 def _is_pair(kind: Any) -> bool:
-    return getattr(kind, "instance_class", None) is pair.Pair
+    return getattr(kind, "instance_class", None) is pair.TwoFloats
 
 
 @cache
@@ -209,7 +209,7 @@ def _declare_operators() -> None:
     from numba import types
     from numba.extending import intrinsic, overload, register_jitable
 
-    Pair, as_pair = pair.Pair, pair.as_pair
+    TwoFloats, as_pair = pair.TwoFloats, pair.as_pair
     others: set[Any] = {as_pair, pair.nearest, pair.two_product}
     for one in vars(pair).values():
         if isinstance(one, FunctionType) and one.__module__ == pair.__name__ and one not in others:
@@ -223,13 +223,13 @@ def _declare_operators() -> None:
     def _two_product(a, b):  # type: ignore[no-untyped-def]  # noqa: ARG001
         def by_one_rounding(a, b):  # type: ignore[no-untyped-def]
             product = a * b
-            return Pair(product, fused(a, b, -product))
+            return TwoFloats(product, fused(a, b, -product))
 
         return by_one_rounding
 
     @overload(as_pair, jit_options=_INNER)
     def _as_pair(x):  # type: ignore[no-untyped-def]
-        return (lambda x: x) if _is_pair(x) else lambda x: Pair(float(x), 0.0)
+        return (lambda x: x) if _is_pair(x) else lambda x: TwoFloats(float(x), 0.0)
 
     def of_two(function: Any, method: Any) -> None:
         of_pairs = register_jitable(**_INNER)(method)
@@ -244,9 +244,9 @@ def _declare_operators() -> None:
         of_pair = register_jitable(**_INNER)(method)
         overload(function, jit_options=_INNER)(lambda a: (lambda a: of_pair(a)) if _is_pair(a) else None)
 
-    of_two(operator.add, Pair.__add__)
-    of_two(operator.sub, Pair.__sub__)
-    of_two(operator.mul, Pair.__mul__)
-    of_two(operator.truediv, Pair.__truediv__)
-    of_one(operator.neg, Pair.__neg__)
-    of_one(abs, Pair.__abs__)
+    of_two(operator.add, TwoFloats.__add__)
+    of_two(operator.sub, TwoFloats.__sub__)
+    of_two(operator.mul, TwoFloats.__mul__)
+    of_two(operator.truediv, TwoFloats.__truediv__)
+    of_one(operator.neg, TwoFloats.__neg__)
+    of_one(abs, TwoFloats.__abs__)

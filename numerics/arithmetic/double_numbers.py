@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.arithmetic.pair import Pair, two_sum
+from numerics.arithmetic.pair import TwoFloats, two_sum
 from numerics.errors import OutOfRange
 
 LARGEST, SMALLEST = 1e100, 1e-130
@@ -22,7 +22,7 @@ class DoubleDouble(Multiprecision):
         super().__init__(31)
 
     @staticmethod
-    def halves(x: Any) -> Pair:
+    def halves(x: Any) -> TwoFloats:
         """Return a number as its binary64 number and that of the rest, in this context; raises OutOfRange."""
         high = float(x)
         if x != 0 and not SMALLEST < abs(high) < LARGEST:

@@ -16,14 +16,14 @@ from mpmath import mpf
 
 from numerics.arithmetic import ball, elementary, multiprecision, pair_elementary
 from numerics.arithmetic.compiled import by_type, compilable
-from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.protocol import Number
 
 
 def _by_type(name: str, says: str) -> Callable[..., Any]:
     """Return the function of this name, as it is for the type of its first argument."""
     of_floats, of_pairs = getattr(elementary, name), getattr(pair_elementary, name)
-    of = {float: of_floats, Pair: of_pairs, mpf: getattr(multiprecision, name), arb: getattr(ball, name)}
+    of = {float: of_floats, TwoFloats: of_pairs, mpf: getattr(multiprecision, name), arb: getattr(ball, name)}
 
     def function(x: Number, *further: Any) -> Any:
         return of[type(x)](x, *further)

@@ -21,62 +21,62 @@ depth 64.
 """
 
 
-class Pair(NamedTuple):
+class TwoFloats(NamedTuple):
     """high + low, |low| at most half an ulp of high. Pairs are compared as tuples, which orders them right."""
 
     high: float
     low: float
 
-    def __add__(self, other: Any) -> Pair:
+    def __add__(self, other: Any) -> TwoFloats:
         """Return the sum with another, or with a float."""
         return add(self, as_pair(other))
 
-    def __radd__(self, other: Any) -> Pair:
+    def __radd__(self, other: Any) -> TwoFloats:
         """Return other + self."""
         return self + other
 
-    def __sub__(self, other: Any) -> Pair:
+    def __sub__(self, other: Any) -> TwoFloats:
         """Return the difference."""
         return add(self, -as_pair(other))
 
-    def __rsub__(self, other: Any) -> Pair:
+    def __rsub__(self, other: Any) -> TwoFloats:
         """Return other - self."""
         return as_pair(other) - self
 
-    def __mul__(self, other: Any) -> Pair:
+    def __mul__(self, other: Any) -> TwoFloats:
         """Return the product; with a power of 2 it is exact."""
         return product(self, as_pair(other))
 
-    def __rmul__(self, other: Any) -> Pair:
+    def __rmul__(self, other: Any) -> TwoFloats:
         """Return other self."""
         return self * other
 
-    def __truediv__(self, other: Any) -> Pair:
+    def __truediv__(self, other: Any) -> TwoFloats:
         """Return the quotient."""
         by = as_pair(other)
         first = self.high / by.high
         back = times(by, first)
         return fast_two_sum(first, ((self.high - back.high) + (self.low - back.low)) / by.high)
 
-    def __rtruediv__(self, other: Any) -> Pair:
+    def __rtruediv__(self, other: Any) -> TwoFloats:
         """Return other / self."""
         return as_pair(other) / self
 
-    def __neg__(self) -> Pair:
+    def __neg__(self) -> TwoFloats:
         """Return the negative."""
-        return Pair(-self.high, -self.low)
+        return TwoFloats(-self.high, -self.low)
 
-    def __abs__(self) -> Pair:
+    def __abs__(self) -> TwoFloats:
         """Return the absolute value."""
         return -self if self.high < 0.0 else self
 
 
-def as_pair(x: Any) -> Pair:
+def as_pair(x: Any) -> TwoFloats:
     """Return a pair, or a float as one."""
-    return x if isinstance(x, Pair) else Pair(float(x), 0.0)
+    return x if isinstance(x, TwoFloats) else TwoFloats(float(x), 0.0)
 
 
-def nearest(value: Fraction, exponent: int = 0) -> Pair:
+def nearest(value: Fraction, exponent: int = 0) -> TwoFloats:
     """Return the double-double number nearest to value 2^-exponent: its binary64 number, and that of what is left.
 
     Raises OverflowError beyond binary64.
@@ -88,61 +88,61 @@ def nearest(value: Fraction, exponent: int = 0) -> Pair:
         d <<= exponent
     high = n / d  # of whole numbers: rounded once, and faster than by fractions
     p, q = high.as_integer_ratio()
-    return Pair(high, (n * q - p * d) / (d * q))
+    return TwoFloats(high, (n * q - p * d) / (d * q))
 
 
-def pair_of(numbers: Any) -> Pair:
+def pair_of(numbers: Any) -> TwoFloats:
     """Return what stands in a row of two floats."""
-    return Pair(numbers[0], numbers[1])
+    return TwoFloats(numbers[0], numbers[1])
 
 
-def put(numbers: Any, pair: Pair) -> None:
+def put(numbers: Any, pair: TwoFloats) -> None:
     """Write a pair as a row of two floats."""
     numbers[0], numbers[1] = pair.high, pair.low
 
 
-def two_sum(a: float, b: float) -> Pair:
+def two_sum(a: float, b: float) -> TwoFloats:
     """Return a + b exactly."""
     total = a + b
     back = total - a
-    return Pair(total, (a - (total - back)) + (b - back))
+    return TwoFloats(total, (a - (total - back)) + (b - back))
 
 
-def fast_two_sum(a: float, b: float) -> Pair:
+def fast_two_sum(a: float, b: float) -> TwoFloats:
     """Return a + b exactly for |a| >= |b|."""
     total = a + b
-    return Pair(total, b - (total - a))
+    return TwoFloats(total, b - (total - a))
 
 
-def two_product(a: float, b: float) -> Pair:
+def two_product(a: float, b: float) -> TwoFloats:
     """Return a b exactly."""
     product = a * b
     scaled_a, scaled_b = 134217729.0 * a, 134217729.0 * b
     high_a, high_b = scaled_a - (scaled_a - a), scaled_b - (scaled_b - b)
     low_a, low_b = a - high_a, b - high_b
-    return Pair(product, ((high_a * high_b - product) + high_a * low_b + low_a * high_b) + low_a * low_b)
+    return TwoFloats(product, ((high_a * high_b - product) + high_a * low_b + low_a * high_b) + low_a * low_b)
 
 
-def add(a: Pair, b: Pair) -> Pair:
+def add(a: TwoFloats, b: TwoFloats) -> TwoFloats:
     """Return a + b."""
     high, low = two_sum(a.high, b.high), two_sum(a.low, b.low)
     middle = fast_two_sum(high.high, high.low + low.high)
     return fast_two_sum(middle.high, middle.low + low.low)
 
 
-def plus(a: Pair, b: Pair) -> Pair:
+def plus(a: TwoFloats, b: TwoFloats) -> TwoFloats:
     """Return a + b to 2^-104 of its terms, not of itself where they cancel: at half of what `add` costs."""
     total = two_sum(a.high, b.high)
     return fast_two_sum(total.high, total.low + (a.low + b.low))
 
 
-def times(a: Pair, b: float) -> Pair:
+def times(a: TwoFloats, b: float) -> TwoFloats:
     """Return a b for a binary64 number b."""
     product = two_product(a.high, b)
     return fast_two_sum(product.high, product.low + a.low * b)
 
 
-def product(a: Pair, b: Pair) -> Pair:
+def product(a: TwoFloats, b: TwoFloats) -> TwoFloats:
     """Return a b."""
     high = two_product(a.high, b.high)
     return fast_two_sum(high.high, high.low + (a.high * b.low + a.low * b.high))

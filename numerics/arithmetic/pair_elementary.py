@@ -12,7 +12,7 @@ from fractions import Fraction
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.elementary import DEPTH_SERIES, horner
 from numerics.arithmetic.pair import (
-    Pair,
+    TwoFloats,
     fast_two_sum,
     nearest,
     product,
@@ -68,9 +68,9 @@ _DEPTH = _split(DEPTH_SERIES[:27], 14)
 
 
 @compilable
-def _polynomial(series: _Series, x: Pair) -> Pair:
+def _polynomial(series: _Series, x: TwoFloats) -> TwoFloats:
     """Return the sum of a series of which each term outweighs those of higher powers."""
-    total = Pair(horner(series[1], x.high), 0.0)
+    total = TwoFloats(horner(series[1], x.high), 0.0)
     for high, low in series[0]:
         further = product(total, x)
         top = two_sum(high, further.high)
@@ -79,16 +79,16 @@ def _polynomial(series: _Series, x: Pair) -> Pair:
 
 
 @compilable
-def two_pi(x: Pair) -> Pair:  # noqa: ARG001
+def two_pi(x: TwoFloats) -> TwoFloats:  # noqa: ARG001
     """Return 2 pi."""
     return _TURN
 
 
 @compilable
-def sine_cosine(x: Pair) -> tuple[Pair, Pair]:
+def sine_cosine(x: TwoFloats) -> tuple[TwoFloats, TwoFloats]:
     """Return (sin x, cos x) for |x| < 1e15, nan beyond; next to 0 the sine is accurate relative to itself."""
     if not abs(x.high) < _LARGEST:
-        return Pair(math.nan, 0.0), Pair(math.nan, 0.0)
+        return TwoFloats(math.nan, 0.0), TwoFloats(math.nan, 0.0)
     quarters = 0.0
     if abs(x.high) > 0.7853981633974483:
         quarters = float(math.floor(x.high * _PER_QUARTER + 0.5))
@@ -106,34 +106,34 @@ def sine_cosine(x: Pair) -> tuple[Pair, Pair]:
 
 
 @compilable
-def _near_zero(x: Pair) -> tuple[Pair, Pair]:
+def _near_zero(x: TwoFloats) -> tuple[TwoFloats, TwoFloats]:
     """Return (sin x, cos x) for |x| <= pi/4: those of the nearest c = k/16, turned by t = x - c."""
     cell = math.floor(x.high * _CELLS + 0.5)
-    t = x + Pair(-cell / _CELLS, 0.0)
+    t = x + TwoFloats(-cell / _CELLS, 0.0)
     square = t * t
     sine_t = t - t * square * _polynomial(_SMALL_SINE, square)
     versine_t = square * _polynomial(_SMALL_VERSINE, square)
     if cell == 0:
-        return sine_t, Pair(1.0, 0.0) - versine_t
+        return sine_t, TwoFloats(1.0, 0.0) - versine_t
     sine_high, sine_low, cosine_high, cosine_low = _TABLE[abs(int(cell))]
     sign = 1.0 if cell > 0 else -1.0
-    sine_c, cosine_c = Pair(sign * sine_high, sign * sine_low), Pair(cosine_high, cosine_low)
+    sine_c, cosine_c = TwoFloats(sign * sine_high, sign * sine_low), TwoFloats(cosine_high, cosine_low)
     sine = sine_c + (cosine_c * sine_t - sine_c * versine_t)
     return sine, cosine_c - (sine_c * sine_t + cosine_c * versine_t)
 
 
 @compilable
-def atan2(y: Pair, x: Pair) -> Pair:
+def atan2(y: TwoFloats, x: TwoFloats) -> TwoFloats:
     """Return the angle of the point (x, y): that of binary64, turned back by it and read off once more."""
     angle = math.atan2(y.high, x.high)
-    sine, cosine = sine_cosine(Pair(angle, 0.0))
+    sine, cosine = sine_cosine(TwoFloats(angle, 0.0))
     across = y * cosine - x * sine
     along = x.high * cosine.high + y.high * sine.high
-    return two_sum(angle, across.high / along) if along > 0.0 else Pair(angle, 0.0)
+    return two_sum(angle, across.high / along) if along > 0.0 else TwoFloats(angle, 0.0)
 
 
 @compilable
-def sine_deficit(x: Pair) -> Pair:
+def sine_deficit(x: TwoFloats) -> TwoFloats:
     """Return x - sin x; by its series for |x| < 1.2."""
     if abs(x.high) >= _SERIES_BELOW:
         return x - sine_cosine(x)[0]
@@ -142,19 +142,19 @@ def sine_deficit(x: Pair) -> Pair:
 
 
 @compilable
-def depth_and_cotangent(x: Pair) -> tuple[Pair, Pair]:
+def depth_and_cotangent(x: TwoFloats) -> tuple[TwoFloats, TwoFloats]:
     """Return c = 2 - x cot(x/2) for 0 < x <= 2 pi - 1, and cot(x/2) = (2 - c)/x; by the series of c for x < 1.5."""
     if x.high < _DEPTH_SERIES_BELOW:
         square = x * x
         depth = square * _polynomial(_DEPTH, square)
-        return depth, (Pair(2.0, 0.0) - depth) / x
+        return depth, (TwoFloats(2.0, 0.0) - depth) / x
     sine, cosine = sine_cosine(x * 0.5)
     cotangent = cosine / sine
-    return Pair(2.0, 0.0) - x * cotangent, cotangent
+    return TwoFloats(2.0, 0.0) - x * cotangent, cotangent
 
 
 @compilable
-def sqrt(a: Pair) -> Pair:
+def sqrt(a: TwoFloats) -> TwoFloats:
     """Return the square root of a >= 0."""
     if a.high == 0.0:
         return a
@@ -164,37 +164,37 @@ def sqrt(a: Pair) -> Pair:
 
 
 @compilable
-def like(x: Pair, value: float) -> Pair:  # noqa: ARG001
+def like(x: TwoFloats, value: float) -> TwoFloats:  # noqa: ARG001
     """Return a float as a pair."""
-    return Pair(value, 0.0)
+    return TwoFloats(value, 0.0)
 
 
 @compilable
-def as_float(x: Pair) -> float:
+def as_float(x: TwoFloats) -> float:
     """Return the nearest float."""
     return x.high
 
 
 @compilable
-def sign(x: Pair, question: int) -> int:  # noqa: ARG001
+def sign(x: TwoFloats, question: int) -> int:  # noqa: ARG001
     """Return the sign of x, which is that of its high part; 0 for nan."""
     return 1 if x.high > 0.0 else (-1 if x.high < 0.0 else 0)
 
 
 @compilable
-def finite(x: Pair) -> bool:
+def finite(x: TwoFloats) -> bool:
     """Return whether x is a number."""
     return math.isfinite(x.high)
 
 
 @compilable
-def resolved(angle: Pair) -> bool:
+def resolved(angle: TwoFloats) -> bool:
     """Return whether 106 bits keep the phase of an angle > 0, and its fourth power has digits; False for nan."""
     return SHORTEST <= angle.high <= LONGEST
 
 
 @compilable
-def ceiling(x: Pair, question: int) -> int:  # noqa: ARG001
+def ceiling(x: TwoFloats, question: int) -> int:  # noqa: ARG001
     """Return the least whole number >= x, 0 for x <= 0."""
     if not x.high > 0.0:
         return 0
@@ -203,13 +203,13 @@ def ceiling(x: Pair, question: int) -> int:  # noqa: ARG001
 
 
 @compilable
-def tolerance(x: Pair) -> Pair:  # noqa: ARG001
+def tolerance(x: TwoFloats) -> TwoFloats:  # noqa: ARG001
     """Return the relative step at which a search ends."""
-    return Pair(2.0**-104, 0.0)
+    return TwoFloats(2.0**-104, 0.0)
 
 
 @compilable
-def clock(total: Pair, rest: Pair, term: Pair) -> tuple[Pair, Pair]:
+def clock(total: TwoFloats, rest: TwoFloats, term: TwoFloats) -> tuple[TwoFloats, TwoFloats]:
     """Return total + rest + term, and what its rounding left out: so many sums are as accurate as one."""
     term = term + rest
     new = total + term

@@ -58,7 +58,7 @@ SIZES = {"small": (5, 10), "default": (60, 300), "large": (600, 10_000)}
 """How many scenes of a kind in all arithmetics, and in float64 on a line."""
 
 
-class Row(NamedTuple):
+class AuditRow(NamedTuple):
     """One property: how many cases were tried, the figures that came out, the requirement, and the answer to it.
 
     `passed` is computed where the row is made; a row for which nothing was tried has not passed. `details` are the
@@ -80,7 +80,7 @@ def audit(
     progress: Progress,
     solvers: Mapping[str, Solver] = SOLVERS,
     kinds: Mapping[str, Callable[[Random], Any]] = KINDS,
-) -> Iterator[Row]:
+) -> Iterator[AuditRow]:
     """Yield a row for each kind of scene and arithmetic: `cases` scenes each, in float64 on a line `more`."""
     for kind, draw in kinds.items():
         random, surface = Random(f"{seed} {kind}"), kind in SURFACES
@@ -192,7 +192,7 @@ def slack(pair: Any, values: NDArray[np.float64], errors: NDArray[np.float64], b
     return float(np.max(bounds[able > 0] / able[able > 0], initial=0.0))
 
 
-def _row(kind: str, arithmetic: str, answers: Sequence[str | dict[str, Any]]) -> Row:
+def _row(kind: str, arithmetic: str, answers: Sequence[str | dict[str, Any]]) -> AuditRow:
     """Return what the answers in one arithmetic are; a kind of which no scene was compared has not passed."""
     found, most = [one for one in answers if isinstance(one, dict)], MOST_RESIDUAL[arithmetic]
     right = [one for one in found if not one["wrong"]]
@@ -206,16 +206,16 @@ def _row(kind: str, arithmetic: str, answers: Sequence[str | dict[str, Any]]) ->
     measured |= Counter(one for one in answers if isinstance(one, str))
     last = f"bound/error <= {MOST_SLACK:g}" if kind in SURFACES else f"residual <= {most:g}"
     required, passed = f"no sequence wrong, none beyond a bound, {last}", bool(found) and not failed
-    return Row(f"{kind}, {arithmetic}", len(found), measured, required, passed, failed[:5])
+    return AuditRow(f"{kind}, {arithmetic}", len(found), measured, required, passed, failed[:5])
 
 
-def as_record(rows: Sequence[Row], seed: int, size: str) -> dict[str, Any]:
+def as_record(rows: Sequence[AuditRow], seed: int, size: str) -> dict[str, Any]:
     """Return the audit as the JSON object of the interface; `passed` is whether every row has."""
     shown = [row._asdict() for row in rows]
     return {"seed": seed, "size": size, "passed": all(row.passed for row in rows), "rows": shown}
 
 
-def print_rows(rows: Sequence[Row]) -> None:
+def print_rows(rows: Sequence[AuditRow]) -> None:
     """Print one line a row."""
     lines = []
     for row in rows:

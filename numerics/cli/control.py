@@ -164,7 +164,7 @@ def print_tracking(options: argparse.Namespace) -> int:
 def print_transfer(options: argparse.Namespace) -> int:
     """Print the fastest transfer from rest to rest, and write its force as a scene."""
     from numerics.control.answers import solved_again
-    from numerics.control.transfer import Road, fastest_transfer
+    from numerics.control.transfer import TransferKind, fastest_transfer
     from numerics.scene.file import load_line
 
     found = fastest_transfer(load_line(options.scene), options.distance, **asked(options, "amplitude", "margin"))
@@ -173,10 +173,10 @@ def print_transfer(options: argparse.Namespace) -> int:
         draw(options, "draw_transfer", found, solved)
     shown = numbers(found, "bound", "time", "stuck_amplitude", "least_amplitude")
     lines = [f"{found.road.value}; {found.fastest}" if found.scene else found.fastest, *number_lines(shown)]
-    if found.road is Road.SLIP:
+    if found.road is TransferKind.SLIP:
         slips = "the written decimals leave slips of about 10^-20 m where the bodies stick"
         lines.append(f"friction is at its limit: {slips}; a transfer with --margin keeps clear of them")
-    elif found.road is Road.STUCK and found.margin == 0:
+    elif found.road is TransferKind.STUCK and found.margin == 0:
         lines.append("friction is within 10^-18 of its limit, as far as decimals go; --margin keeps clear of it")
     road = found.road.name.lower().replace("_", "-")
     record = {"road": road, "sentence": found.road.value, "fastest": found.fastest, **shown, "digits": found.digits}

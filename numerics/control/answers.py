@@ -52,7 +52,7 @@ class SecondSolveDiffers(NumericsError):
     """The same scene solved by events does not do what an answer says of it: one of the two is wrong."""
 
 
-class Claim(NamedTuple):
+class Prediction(NamedTuple):
     """What an answer says of a scene, to its digits: its last state, and the signs of w on the way there.
 
     `ends`: values by their names, which count as met within 10^(3 - digits) of `size`; `when` says when that is.
@@ -71,7 +71,7 @@ def solved_again(answer: Any) -> Trajectory | None:
 
     Raises SecondSolveDiffers unless it does what the answer says, to 15 digits where it has more.
     """
-    claim: Claim | None = answer.claim()
+    claim: Prediction | None = answer.claim()
     if claim is None:
         return None
     solved = solve(claim.scene, digits=answer.digits, arithmetic="ball")

@@ -27,7 +27,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.control.answers import number, rounded
 from numerics.control.attraction import passage_at
-from numerics.control.orbit import Drive, Orbit, State3, in_order, solve_from, within
+from numerics.control.orbit import Orbit, PeriodicDrive, State3, in_order, solve_from, within
 from numerics.control.stuck import next_to_the_stuck_response, stuck_state
 from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
 from numerics.trajectory.run import run_scene
@@ -46,7 +46,7 @@ _PHASE, _DIGITS = Fraction(1234567, 10**7), 20
 """At this part of a period motions are compared; that many digits of a state are followed from period to period."""
 
 
-def search(drive: Drive, *, sticks: bool, max_events: int) -> tuple[list[Orbit], int]:
+def search(drive: PeriodicDrive, *, sticks: bool, max_events: int) -> tuple[list[Orbit], int]:
     """Return periodic motions with events, proved and all different, and how many starts were tried.
 
     One, unless there may be several that matter; `sticks`: the stuck response exists. Raises NotSettled where a period
@@ -123,7 +123,7 @@ def _state(orbit: Orbit, t: Fraction) -> State3:
 
 
 def _followed(
-    drive: Drive,
+    drive: PeriodicDrive,
     begin: Fraction,
     at: Sequence[arb],
     periods: Sequence[int],
@@ -156,7 +156,7 @@ def _followed(
 
 
 def _one_period(
-    drive: Drive, begin: Fraction, at: Sequence[arb], most: int
+    drive: PeriodicDrive, begin: Fraction, at: Sequence[arb], most: int
 ) -> tuple[State3, tuple[Fraction, State3] | None]:
     """Return the state a period after a time (s), and time and state in the middle of the longest leg on the way.
 

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, undecided, working_digits
-from numerics.control.answers import KEPT_DIGITS, Claim, number, rounded, rounded_up
+from numerics.control.answers import KEPT_DIGITS, Prediction, number, rounded, rounded_up
 from numerics.linear.cells import PLAIN, Cells, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import V1, V2, X1, X2, Motion
@@ -37,7 +37,7 @@ State3 = tuple[arb, arb, arb]
 
 
 @dataclass(frozen=True, repr=False)
-class Drive(ShortRepr):
+class PeriodicDrive(ShortRepr):
     """A pair under a periodic force: sines and a constant (N), t from the start of the run.
 
     `weakening` says how friction depends on the speed of the slip; b is then what it is at rest.
@@ -100,7 +100,7 @@ class Orbit(ShortRepr):
     Where friction depends on the speed some begin at a knot of that, which is no event.
     """
 
-    drive: Drive
+    drive: PeriodicDrive
     legs: tuple[Leg, ...]
 
     @property
@@ -140,7 +140,7 @@ class Orbit(ShortRepr):
         # where the pair sticks v2 goes with v1: w dies in a finite time
         return [*_eigenvalues(in_stick(total)), acb(0)]
 
-    def claim(self, digits: int) -> Claim:
+    def claim(self, digits: int) -> Prediction:
         """Return that one period, from inside the first leg on, has these modes and comes back.
 
         Time and state of that start are rounded to decimals, so far that what grows of it in a period does not count.
@@ -150,7 +150,7 @@ class Orbit(ShortRepr):
             begin, at = self.middle(leg)
             scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
             ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.events]
-            return Claim(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side))
+            return Prediction(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side))
 
     def middle(self, leg: Leg) -> tuple[Fraction, State3]:
         """Return a time (s) in the middle of a leg, and (x1, v1, v2) there."""
@@ -236,7 +236,7 @@ class Round(NamedTuple):
     slopes: arb_mat
 
 
-def one_round(drive: Drive, begin: Fraction, start: Sequence[Fraction], radius: arb, most: int) -> Round:
+def one_round(drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], radius: arb, most: int) -> Round:
     """Return the period after a time (s) of all motions within a radius of a start (x1, v1, v2); v1 = v2: stuck ones.
 
     Raises EventUndecided unless they have the same events, at most so many, and come back to the mode they begin in.
@@ -262,7 +262,7 @@ def solve_orbit(guess: Orbit) -> Orbit:
     return solve_from(guess.drive, *guess.middle(longest), 2 * len(guess.legs))
 
 
-def solve_from(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> Orbit:
+def solve_from(drive: PeriodicDrive, begin: Fraction, at: Sequence[arb], most: int) -> Orbit:
     """Return a periodic motion near (x1, v1, v2) at a time (s), proved; a period has at most so many events.
 
     By Newton's method on the period map, then an interval Newton step over a box that the engine follows as a whole:

@@ -17,9 +17,9 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Claim, most_digits, number, require_digits, rounded
+from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, require_digits, rounded
 from numerics.control.coexisting import MAX_EVENTS, search
-from numerics.control.orbit import Drive, Orbit, solve_orbit
+from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
 from numerics.control.rotating import rotating_force, rotating_response
 from numerics.control.stuck import (
     entrained,
@@ -67,7 +67,7 @@ class Response(ShortRepr):
     (1.2566370614359172, Fraction(1, 20), None)
     """
 
-    drive: Drive
+    drive: PeriodicDrive
     regime: Regime
     thresholds: Thresholds | None
     orbit: Orbit | None
@@ -84,7 +84,7 @@ class Response(ShortRepr):
         """
         return _pictures().draw_response(self)
 
-    def claim(self) -> Claim | None:
+    def claim(self) -> Prediction | None:
         """Return that its periodic motion comes back after a period, None without events."""
         return self.orbit.claim(self.digits) if self.orbit is not None else None
 
@@ -108,7 +108,7 @@ class PeriodicMotions(ShortRepr):
     `is_all`: no other exists, as B falls nowhere and a1 > 0, or as every motion grows.
     """
 
-    drive: Drive
+    drive: PeriodicDrive
     motions: tuple[Response, ...]
     entrainment: arb | None
     starts: int
@@ -211,7 +211,7 @@ def _numbers(found: Response) -> list[arb]:
     return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.events for one in (leg.start, *leg.state[:2]))]
 
 
-def _drive_under(scene: Scene, **given: Exact | None) -> Drive:
+def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
     """Return what acts in the long run, its one sine as it is given. Raises InvalidScene for what no sine can have."""
     asked = {name: exact_decimal(one, name) for name, one in given.items() if one is not None}
     positive(asked.get("omega", 1), "omega", "give a frequency in rad/s")
@@ -228,7 +228,7 @@ def _drive_under(scene: Scene, **given: Exact | None) -> Drive:
     return replace(drive, piece=replace(drive.piece, sines=sines))
 
 
-def steady_drive(scene: Scene) -> Drive:
+def steady_drive(scene: Scene) -> PeriodicDrive:
     """Return what acts in the long run. Raises InvalidScene unless that is a constant and sines."""
     scene.require_filippov("a response")
     drive = last_drive(scene)
@@ -239,7 +239,7 @@ def steady_drive(scene: Scene) -> Drive:
     return drive
 
 
-def last_drive(scene: Scene) -> Drive | None:
+def last_drive(scene: Scene) -> PeriodicDrive | None:
     """Return what acts from the last piece of force and friction on; None unless that is a constant and sines."""
     last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
     if len(last.polynomial) > 1:
@@ -254,10 +254,10 @@ def last_drive(scene: Scene) -> Drive | None:
             )
         given = Weakening([(w, one * b / pair.b) for w, one in given.speed], given.last_slope * b / pair.b)
     added = Force((replace(last, start=Fraction(0)),)) + Force()  # equal sines become one
-    return Drive(replace(pair, b=b), added.pieces[0], given)
+    return PeriodicDrive(replace(pair, b=b), added.pieces[0], given)
 
 
-def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
+def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
     every = _EVERY if drive.has_one_motion else ""

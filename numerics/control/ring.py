@@ -24,7 +24,7 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
 from numerics.control.answers import most_digits, number, require_digits
 from numerics.control.attraction import Passage, passage_at, passages, slide_left
-from numerics.control.orbit import Drive, Orbit
+from numerics.control.orbit import Orbit, PeriodicDrive
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
@@ -122,7 +122,7 @@ class Settled(NamedTuple):
 
 
 def _settled(
-    scene: Scene, drive: Drive, orbit: Orbit | None, ring: tuple[Fraction, Fraction], arithmetic: Ball
+    scene: Scene, drive: PeriodicDrive, orbit: Orbit | None, ring: tuple[Fraction, Fraction], arithmetic: Ball
 ) -> tuple[Trajectory, Settled]:
     """Return a trajectory that is long enough to know the limit, and what is known; `ring`: its radius and rate."""
     doublings, most = _FORCED if scene.is_forced else _FREE

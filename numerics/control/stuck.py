@@ -15,7 +15,7 @@ from flint import acb, arb
 
 from numerics.arithmetic.ball import proved_sign, undecided
 from numerics.control.answers import number, rounded
-from numerics.control.orbit import Drive, State3
+from numerics.control.orbit import PeriodicDrive, State3
 from numerics.control.thresholds import Thresholds, impedance, load_margin
 from numerics.linear.system import ONE, Motion, is_positive_on
 from numerics.scene import Weakening
@@ -24,7 +24,7 @@ _PARTS = 8
 """Times of a period among which the one with the least load is taken."""
 
 
-def stuck_state(drive: Drive, t: arb, mass: Fraction | None = None) -> State3 | None:
+def stuck_state(drive: PeriodicDrive, t: arb, mass: Fraction | None = None) -> State3 | None:
     """Return (x1, v1, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0.
 
     With another mass than M (kg) that of so large a body on the spring.
@@ -41,7 +41,7 @@ def stuck_state(drive: Drive, t: arb, mass: Fraction | None = None) -> State3 | 
     return x, v, v
 
 
-def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, State3]]:
+def next_to_the_stuck_response(drive: PeriodicDrive) -> Iterator[tuple[Fraction, State3]]:
     """Yield the stuck response, and the motion next to the critical orbit, each at the time of a period that loads it
 
     least of some.
@@ -53,7 +53,7 @@ def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, State3]
             yield min(states, key=lambda one: _load(drive, *one))
 
 
-def _creeping_state(drive: Drive, t: arb) -> State3 | None:
+def _creeping_state(drive: PeriodicDrive, t: arb) -> State3 | None:
     """Return (x1, v1, v1) about where the bodies stick at a time (s), if a weak sine near resonance makes them slip.
 
     The stuck pair swings as x1 = -A cos(p - phi) under U sin p, U sin phi = -(a2 - M omega^2) A. What is left of U cos
@@ -77,19 +77,19 @@ def _creeping_state(drive: Drive, t: arb) -> State3 | None:
     return number(drive.rest) - far * c, omega * far * s, omega * far * s
 
 
-def _stuck(drive: Drive, t: arb, state: State3) -> Motion:
+def _stuck(drive: PeriodicDrive, t: arb, state: State3) -> Motion:
     """Return the stuck motion from (x1, v1, v1) at a time (s)."""
     x1, v1, v2 = state
     return drive.motion(0, (x1, v1, arb(0), v2), t)
 
 
-def _load(drive: Drive, t: Fraction, state: State3) -> float:
+def _load(drive: PeriodicDrive, t: Fraction, state: State3) -> float:
     """Return the size of the load at a time (s) in a state, N."""
     motion = _stuck(drive, number(t), state)
     return abs(float(motion.range(motion.mode.load, arb(0))))
 
 
-def resonant_growth(drive: Drive) -> arb:
+def resonant_growth(drive: PeriodicDrive) -> arb:
     """Return (U^ - 4b/pi)/(2 m1) if a1 = 0 and the force's amplitude U^ at omega1 is above 4b/pi, m/s^2; else 0.
 
     Where friction depends on the speed b is the most that it can be.
@@ -105,7 +105,7 @@ def resonant_growth(drive: Drive) -> arb:
     return over / (2 * number(pair.m1)) if grows else arb(0)
 
 
-def entrained(drive: Drive) -> bool:
+def entrained(drive: PeriodicDrive) -> bool:
     """Return whether the stuck response exists: |Lambda| <= b along it. Raises EventUndecided."""
     sines = drive.piece.sines
     if len(sines) == 1:
@@ -121,7 +121,7 @@ def entrained(drive: Drive) -> bool:
     return all(held)
 
 
-def others_stick(drive: Drive, known: Thresholds | None) -> bool:
+def others_stick(drive: PeriodicDrive, known: Thresholds | None) -> bool:
     """Return whether motions other than the response stick for ever (`Thresholds.exception`). Raises EventUndecided."""
     if known is None or known.exception is None:
         return False
@@ -129,7 +129,7 @@ def others_stick(drive: Drive, known: Thresholds | None) -> bool:
     return proved_sign(under, "does a free oscillation let the pair stick?") >= 0
 
 
-def stuck_multipliers(drive: Drive) -> tuple[acb, ...]:
+def stuck_multipliers(drive: PeriodicDrive) -> tuple[acb, ...]:
     """Return exp(lambda T) of the stuck pair's two rates, and 0: w dies in a finite time."""
     pair = drive.pair
     half = pair.a1 / (2 * pair.mass)

@@ -21,7 +21,7 @@ from flint import arb, arb_poly
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, proved_sign, undecided
-from numerics.control.answers import Claim, number, require_digits, rounded
+from numerics.control.answers import Prediction, number, require_digits, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
@@ -81,14 +81,14 @@ class Tracking(ShortRepr):
         """Return whether the reference is not proved to stay below the limit of friction."""
         return not all(one.force < number(one.b) for one in self.demands)
 
-    def claim(self) -> Claim | None:
+    def claim(self) -> Prediction | None:
         """Return that the pair sticks and x2 = r at the horizon; at the limit rounded phases may let it slip."""
         if self.scene is None:
             return None
         last = self.reference[self.demands[-1].number - 1]
         path = force_form(last, self.scene.until - last.start).enclosed(4 * Ball(self.digits + 20).bits)
         sides = None if self.is_at_limit and self.force_error > 0 else (0,)
-        return Claim(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides)
+        return Prediction(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides)
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:

@@ -25,7 +25,7 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
-    Claim,
+    Prediction,
     number,
     require_digits,
     rounded,
@@ -43,7 +43,7 @@ _MET = Fraction(1, 10**20)
 """By this part the slip transfer stays inside the limits, so that the bodies meet and stick beyond doubt."""
 
 
-class Road(Enum):
+class TransferKind(Enum):
     """How a transfer is made; the value is the sentence that a user reads."""
 
     STUCK = "the bodies stick all the way, at the limit of friction or the margin below it"
@@ -71,7 +71,7 @@ class Transfer(ShortRepr):
 
     distance: Fraction
     margin: Fraction
-    road: Road
+    road: TransferKind
     bound: arb
     time: arb | None
     stuck_amplitude: arb
@@ -80,7 +80,7 @@ class Transfer(ShortRepr):
     scene: Scene | None
     digits: int
 
-    def claim(self) -> Claim | None:
+    def claim(self) -> Prediction | None:
         """Return that body 2 rests at the distance in the end, and where it is so that the bodies stick all the way.
 
         What the exact decimals of a scene leave of it is below 10^-18 of the distance.
@@ -90,8 +90,8 @@ class Transfer(ShortRepr):
         with Ball(self.digits + 20).context():
             ends = {"x2": number(self.scene.initial.x2 + self.distance), "v1": arb(0), "v2": arb(0)}
             size = number(abs(self.distance)) * (1 / self.bound).min(arb(1))
-        sides = None if self.road is Road.SLIP else (0,)
-        return Claim(self.scene, "at the end of the transfer", ends, size, sides)
+        sides = None if self.road is TransferKind.SLIP else (0,)
+        return Prediction(self.scene, "at the end of the transfer", ends, size, sides)
 
 
 def fastest_transfer(
@@ -152,7 +152,7 @@ def _transfer(
     if most is None or suffices(stuck):
         found: Choice = _stuck(pair, far, margin)
     elif margin == 0 and least is not None and suffices(least) and (force := _slip_then_stick(pair, far, most, least)):
-        found = Road.SLIP, bound, "no control is faster: friction is at its limit all the time", force
+        found = TransferKind.SLIP, bound, "no control is faster: friction is at its limit all the time", force
     elif bang := _bang_bang(pair, far, most, margin):
         found = bang
     else:
@@ -163,7 +163,7 @@ def _transfer(
             known += "; with less body 2 can meet the bound, but whether both bodies can rest then is open"
         else:
             known += f", and no control meets the bound with less than {least.str(6, radius=False)} N"
-        found = Road.OPEN, None, f"{Road.OPEN.value}; {known}", None
+        found = TransferKind.OPEN, None, f"{TransferKind.OPEN.value}; {known}", None
     road, time, fastest, force = found
     planned = None
     if force is not None and time is not None:
@@ -172,7 +172,7 @@ def _transfer(
     return answer, [one for one in (bound, stuck, least, time) if one is not None]
 
 
-Choice = tuple[Road, arb | None, str, Force | None]
+Choice = tuple[TransferKind, arb | None, str, Force | None]
 """A road, its time, what is proved of it, and its force."""
 
 
@@ -214,7 +214,7 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
     force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
     faster, there = ("", "its limit") if margin == 0 else (" that keeps the margin", "it")
-    return Road.STUCK, 2 * exact, f"no control{faster} is faster: friction is at {there} all the time", force
+    return TransferKind.STUCK, 2 * exact, f"no control{faster} is faster: friction is at {there} all the time", force
 
 
 def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:
@@ -251,4 +251,4 @@ def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> C
     proved = "no control that sticks is faster; whether slipping helps is open"
     if number(most) * (2 - swing) <= number(pair.mass * pair.b / pair.m2):
         proved = "no control within the amplitude is faster: none can break the contact before"
-    return Road.BANG_BANG, go + stop, proved, force
+    return TransferKind.BANG_BANG, go + stop, proved, force

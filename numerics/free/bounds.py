@@ -18,7 +18,7 @@ from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, cosine_deficit, sine_deficit, versine
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import Begun
-from numerics.free.motion import FREE, RAY, STICK, Landing, Parameters, Reach, State, stick_reach
+from numerics.free.motion import FREE, RAY, STICK, Landing, MotionState, Parameters, Reach, stick_reach
 from numerics.free.slip import Start
 
 UNDERFLOW = 1e-290
@@ -264,7 +264,7 @@ def _spent(at: Parameters, slide: float, spent: Number) -> float:
 
 
 @compilable
-def at_start(at: Parameters, start: Start, errors: Errors, here: State) -> Off:
+def at_start(at: Parameters, start: Start, errors: Errors, here: MotionState) -> Off:
     """Return the errors of the state with which a motion starts at an event."""
     unit = at.unit
     x = as_float(at.q) * errors.gap + 2.0 * unit * abs(as_float(start.X))
@@ -274,7 +274,7 @@ def at_start(at: Parameters, start: Start, errors: Errors, here: State) -> Off:
 
 
 @compilable
-def at_horizon(at: Parameters, start: Start, errors: Errors, end: State, tau: Number, horizon: Number) -> Off:
+def at_horizon(at: Parameters, start: Start, errors: Errors, end: MotionState, tau: Number, horizon: Number) -> Off:
     """Return the errors of the state at the horizon, tau after the start of the last motion."""
     rounded = 4.0 * at.unit * as_float(horizon)
     since = as_float(horizon - start.tau)
@@ -293,7 +293,9 @@ def at_horizon(at: Parameters, start: Start, errors: Errors, end: State, tau: Nu
 
 
 @compilable
-def _in_slip_at(at: Parameters, start: Start, errors: Errors, end: State, tau: float, late: float, shift: float) -> Off:
+def _in_slip_at(
+    at: Parameters, start: Start, errors: Errors, end: MotionState, tau: float, late: float, shift: float
+) -> Off:
     """Return the errors during a slip: by the contraction of the energy norm or by its closed form, the smaller one."""
     unit, q, r, sqrt_q, d0, u0 = at.unit, at.q, at.r, at.sqrt_q, start.gap, start.push
     driven, guard, theta = start.driven, start.guard, tau / sqrt_q

@@ -37,7 +37,7 @@ from numerics.arithmetic.functions import (
     two_pi,
     versine,
 )
-from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.protocol import Number
 
 _STEPS = 40
@@ -48,7 +48,7 @@ _SPARE_BITS = 12
 _NARROW_BITS = 20
 
 
-class Point(NamedTuple):
+class ContactPoint(NamedTuple):
     """The equation at an angle: c, k = cot(theta/2), h, 1/(1 - cos), its value, and its slope with the sign turned."""
 
     gap: Number
@@ -68,7 +68,7 @@ def is_late(push: Number) -> bool:
 
 
 @compilable
-def point_at(gap: Number, push: Number, x: Number) -> Point:
+def point_at(gap: Number, push: Number, x: Number) -> ContactPoint:
     """Return the equation at an angle, or at what is missing to a full turn; from one sine and cosine."""
     if is_late(push):
         theta, (sine, cosine) = two_pi(gap) - x, sine_cosine(x / 2)
@@ -80,11 +80,11 @@ def point_at(gap: Number, push: Number, x: Number) -> Point:
         rise = ((theta * theta + depth * depth) / 2 - depth) / theta
         reciprocal = (1 + cotangent * cotangent) / 2
     value = (push + gap * cotangent) - rise
-    return Point(gap, theta, depth, cotangent, rise, reciprocal, value, (gap + depth) * reciprocal)
+    return ContactPoint(gap, theta, depth, cotangent, rise, reciprocal, value, (gap + depth) * reciprocal)
 
 
 @compilable
-def halley_shift(at: Point) -> Number:
+def halley_shift(at: ContactPoint) -> Number:
     """Return the step of Halley's method, in theta, from a point next to the root."""
     shift = at.value / at.steepness
     bend = ((at.gap + at.depth) * at.cotangent - at.rise) * at.reciprocal
@@ -110,7 +110,7 @@ def _guess(gap: Number, push: Number) -> Number:
 
 
 @compilable
-def _found(gap: Number, push: Number) -> tuple[Number, Point]:
+def _found(gap: Number, push: Number) -> tuple[Number, ContactPoint]:
     """Return the root and a point that is one step from there, nan beyond the range of numbers; points alone.
 
     The steps of Halley's method shrink cubically: after one that is below the cube root of the last bit the error is
@@ -129,7 +129,7 @@ def _found(gap: Number, push: Number) -> tuple[Number, Point]:
 
 
 @compilable
-def _one_step_on(at: Point) -> tuple[Number, Number, Number]:
+def _one_step_on(at: ContactPoint) -> tuple[Number, Number, Number]:
     """Return theta, c and 1 - cos at the root next to a point: c' = h, h' = 1 - h k."""
     shift = halley_shift(at)
     grown = shift * at.rise + shift * shift * (1 - at.rise * at.cotangent) / 2
@@ -142,9 +142,9 @@ def _contact_of_points(gap: Number, push: Number) -> tuple[Number, Number, Numbe
 
 
 @compilable
-def _contact_of_pairs(gap: Pair, push: Pair) -> tuple[Pair, Pair, Pair]:
+def _contact_of_pairs(gap: TwoFloats, push: TwoFloats) -> tuple[TwoFloats, TwoFloats, TwoFloats]:
     """Return the contact in double-double, by one step from the root of binary64."""
-    return _one_step_on(point_at(gap, push, Pair(_found(gap.high, push.high)[0], 0.0)))
+    return _one_step_on(point_at(gap, push, TwoFloats(_found(gap.high, push.high)[0], 0.0)))
 
 
 @by_type(_contact_of_points, _contact_of_pairs)
@@ -154,7 +154,7 @@ def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
     Each is accurate relative to itself; in points 1 - cos theta serves the error bounds only and has few digits. Raises
     EventUndecided in balls.
     """
-    if type(gap) is Pair:
+    if type(gap) is TwoFloats:
         return _contact_of_pairs(gap, push)
     if type(gap) is not arb:
         return _contact_of_points(gap, push)
@@ -240,7 +240,7 @@ def _seed(gap: arb, push: arb) -> arb:
         return arb(int(mantissa)) * arb(2) ** int(exponent)
 
 
-def _over(at: Point, push: arb, region: arb) -> tuple[arb, arb]:
+def _over(at: ContactPoint, push: arb, region: arb) -> tuple[arb, arb]:
     """Return minus the slope of the equation and h' over a ball of the variable about a point.
 
     c' = h, and c, h and h' = 1 - h cot > 0 grow with theta. Of a narrow ball, 1 + k h >= h' bounds the growth of h from

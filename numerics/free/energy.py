@@ -24,7 +24,7 @@ from numerics.free.abel import AbelFunctions, abel_functions, reach_of
 from numerics.free.engine import begin_exactly
 from numerics.free.excursions import motions
 from numerics.free.frame import Frame, ReducedState, in_si
-from numerics.free.motion import RAY, STICK, State, mode_of, on_ray, state_at
+from numerics.free.motion import RAY, STICK, MotionState, mode_of, on_ray, state_at
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import How
 from numerics.scene import Scene
@@ -36,7 +36,7 @@ _JUMP_PAYS_AFTER = 300
 """Excursions left, from which on a jump is cheaper than stepping."""
 
 
-class Road(Enum):
+class EnergyMethod(Enum):
     """How the answer was found; the value is the sentence that --explain prints."""
 
     NO_MORE_SLIP = "the pair never slips again: its energy is that of its last slip, or its start"
@@ -58,8 +58,8 @@ class EnergyAt:
     energy_excess: Number
     excursions: int
     mode: Mode
-    state: State | ReducedState
-    road: Road
+    state: ReducedState | MotionState
+    road: EnergyMethod
     stepped: int
 
     @property
@@ -101,7 +101,7 @@ def _damped(scene: Scene, at: Fraction, arithmetic: Ball, _: int, max_steps: int
     frame, end = Frame(arithmetic, scene.pair), record.end
     state = frame.reduced((end.x1, end.v1, end.x2, end.v2))
     exits = sum(before.mode == 0 != after.mode for before, after in pairwise(record.rows))
-    road = Road.NO_MORE_SLIP if record.how is How.STUCK else Road.STEPPED
+    road = EnergyMethod.NO_MORE_SLIP if record.how is How.STUCK else EnergyMethod.STEPPED
     return frame, frame.energy(state), state.w, exits, MODES[end.mode], state, road, record.events
 
 
@@ -109,12 +109,12 @@ def _free(scene: Scene, at: Fraction, arithmetic: Ball, digits: int, max_steps: 
     """Return the answer for the free pair: by events, then by the return map, for so many right digits."""
     begun, _ = begin_exactly(scene, arithmetic)
     frame, walk = Frame(arithmetic, scene.pair), motions(arithmetic, begun.at, begun.start)
-    target, excursions, stepped, road = frame.rate * arithmetic.number(at), 0, 0, Road.STEPPED
+    target, excursions, stepped, road = frame.rate * arithmetic.number(at), 0, 0, EnergyMethod.STEPPED
     while True:
         start, duration = next(walk)
         left = target - start.tau
         if duration is None:
-            road = Road.NO_MORE_SLIP
+            road = EnergyMethod.NO_MORE_SLIP
             break
         if proved_sign(duration - left, "does the next event come before the time asked for?") > 0:
             break
@@ -125,13 +125,13 @@ def _free(scene: Scene, at: Fraction, arithmetic: Ball, digits: int, max_steps: 
                 count, y, elapsed = _exit_before(abel, y, left)
                 side = start.side if count % 2 == 0 else -start.side
                 ray = on_ray(begun.at, side, arb(0), y * frame.q, start.tau + elapsed, arb(0), arb(0))
-                road, excursions, walk = Road.ABEL, excursions + count, motions(arithmetic, begun.at, ray)
+                road, excursions, walk = EnergyMethod.ABEL, excursions + count, motions(arithmetic, begun.at, ray)
                 continue
             _refuse_countless(arithmetic.to_float(y), half_turns, 1 - scene.pair.share, digits, max_steps - stepped)
         if stepped == max_steps:
             raise OutOfRange(f"more than {max_steps} events before the return map takes over; raise max_steps")
         excursions += start.kind == STICK
-        stepped += road is Road.STEPPED
+        stepped += road is EnergyMethod.STEPPED
     state, mode = state_at(begun.at, start, left), MODES[mode_of(start)]
     energy = frame.critical_energy * (1 + state.w)  # w is the accurate one
     return frame, energy, state.w, excursions, mode, state, road, stepped

@@ -18,7 +18,7 @@ from numerics.arithmetic.compiled import can_compile, compiled, compiles_now
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.functions import as_float, sign
-from numerics.arithmetic.pair import Pair, nearest
+from numerics.arithmetic.pair import TwoFloats, nearest
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
@@ -166,7 +166,7 @@ def _in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
     if isinstance(record, (bool, int, float)):
         return record
     if not isinstance(record, tuple):
-        return Pair(*halves(record))
+        return TwoFloats(*halves(record))
     made = [_in_halves(one, halves) for one in record]
     return type(record)(*made) if hasattr(record, "_fields") else tuple(made)
 

@@ -45,7 +45,7 @@ def narrowing(arithmetic: Arithmetic) -> Narrow:
     return lambda x: arithmetic.number(Fraction(int(x.p), int(x.q)))
 
 
-class Units(NamedTuple):
+class FrameUnits(NamedTuple):
     """What one unit of the reduced numbers is: L in m, Omega in 1/s, E_cr in J."""
 
     length: Number
@@ -54,7 +54,7 @@ class Units(NamedTuple):
 
 
 @compilable
-def in_si(units: Units, at: Any) -> tuple[Number, Number, Number, Number]:
+def in_si(units: FrameUnits, at: Any) -> tuple[Number, Number, Number, Number]:
     """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
     speed = units.length * units.rate
     return units.length * at.X, speed * at.V1, units.length * (at.X - at.Z), speed * at.V2
@@ -68,7 +68,7 @@ class Begun(NamedTuple):
     V1: Number
     V2: Number
     horizon: Number
-    units: Units
+    units: FrameUnits
     known: bool
 
 
@@ -81,11 +81,11 @@ def _sign(x: Wide) -> int:
 @compilable
 def constants(
     m1: Wide, m2: Wide, a2: Wide, b: Wide, literal: bool, narrow: Narrow, unit: float
-) -> tuple[Parameters, Units]:
+) -> tuple[Parameters, FrameUnits]:
     """Return the reduced parameters and the units of a pair; `unit` is the rounding of one operation."""
     mass, stiff = m1 + m2, a2 * m2
     q, edge = narrow(m1 / mass), mass * b
-    units = Units(narrow(edge / stiff), sqrt(narrow(a2 / mass)), narrow(edge * edge / (2 * (stiff * m2))))
+    units = FrameUnits(narrow(edge / stiff), sqrt(narrow(a2 / mass)), narrow(edge * edge / (2 * (stiff * m2))))
     return Parameters(q, narrow(m2 / mass), sqrt(q), literal, unit), units
 
 

@@ -32,7 +32,7 @@ MAX_SLIPS = 10_000
 Side = tuple[Fraction, Fraction]
 
 
-class Verdict(Enum):
+class Merging(Enum):
     """What is proved of every point of a cell; the value is the letter that stands for it in a checkpoint."""
 
     MERGES = "m"
@@ -44,7 +44,7 @@ _Start = tuple[Centred, Centred, Centred]
 """Start of a slip: gap d, push u and scaled excess y; on a ray the gap is exactly 0."""
 
 
-def verdict(sides: tuple[Side, Side]) -> Verdict:
+def verdict(sides: tuple[Side, Side]) -> Merging:
     """Return what becomes of every start in a cell of mass ratios m2/m1 and excess energies w > 0, sides included.
 
     UNDECIDED if it is not one and the same, or not proved.
@@ -52,7 +52,7 @@ def verdict(sides: tuple[Side, Side]) -> Verdict:
     ratios, excess = sides
     low, high = (ratio / (1 + ratio) for ratio in ratios)
     if high <= CRITICAL_SHARE:
-        return Verdict.CREEPS
+        return Merging.CREEPS
     with Ball(16).context():
         return _CellRun((low, high), excess).follow()
 
@@ -71,7 +71,7 @@ class _CellRun:
         q = self.r.constant(arb(1)) - self.r
         self.one_over_q = Centred(1 / q.centre, q.slopes / -(q.value * q.value), 1 / q.value, q.cell)
 
-    def follow(self) -> Verdict:
+    def follow(self) -> Merging:
         """Return the common fate; each turn of the loop is one slip from S."""
         start: _Start | None = self._on_ray(self.w * self.one_over_q)
         level = creeping_excess(self.r.value.upper())
@@ -80,20 +80,20 @@ class _CellRun:
                 break
             gap, push, excess = start
             if excess.value <= level:
-                return Verdict.CREEPS
+                return Merging.CREEPS
             end = self._slip(start)
             if end is None:
                 start = self._short_slip(gap.value.upper(), push.value, excess)
                 continue
             theta, depth, after = end
             if after.value < 0:
-                return Verdict.MERGES
+                return Merging.MERGES
             if not after.value > 0:
                 break
             if gap.value.is_zero() and theta.value <= arb.pi():
-                return Verdict.CREEPS
+                return Merging.CREEPS
             start = self._next(gap + depth - self.one_over_q - self.one_over_q, theta - push, after)
-        return Verdict.UNDECIDED
+        return Merging.UNDECIDED
 
     def _on_ray(self, excess: Centred) -> _Start:
         return excess.constant(arb(0)), excess.sqrt(), excess

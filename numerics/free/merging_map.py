@@ -8,14 +8,14 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from numerics.free.merging import CRITICAL_SHARE, Verdict, verdict
+from numerics.free.merging import CRITICAL_SHARE, Merging, verdict
 from numerics.free.quadtree import CellMap, map_of, side_of
 
-COLOURS = {Verdict.CREEPS: "#f3e6c4", Verdict.UNDECIDED: "#d1603d", Verdict.MERGES: "#1f3a5f"}
+COLOURS = {Merging.CREEPS: "#f3e6c4", Merging.UNDECIDED: "#d1603d", Merging.MERGES: "#1f3a5f"}
 LABELS = {
-    Verdict.CREEPS: "creeps to $E_{cr}$, never merges",
-    Verdict.UNDECIDED: "undecided at this depth",
-    Verdict.MERGES: "merges in finite time",
+    Merging.CREEPS: "creeps to $E_{cr}$, never merges",
+    Merging.UNDECIDED: "undecided at this depth",
+    Merging.MERGES: "merges in finite time",
 }
 SMALLEST, LARGEST = Fraction(1, 10**6), Fraction(10**6)
 
@@ -31,7 +31,7 @@ def merging_cells(depth: int, ratio: Any = ("0.8", 100), energy: Any = ("1.01", 
     sides = side_of("m2/m1", ratio, SMALLEST, LARGEST), side_of("E/E_cr", energy, SMALLEST, LARGEST, less=1)
     named = zip(("ratio", "energy"), sides, added, strict=True)
     title = {name: [str(one + more) for one in side] for name, side, more in named}
-    return map_of(sides, depth, verdict, Verdict.UNDECIDED, {"map": "merging", **title}, added, **roads)
+    return map_of(sides, depth, verdict, Merging.UNDECIDED, {"map": "merging", **title}, added, **roads)
 
 
 def draw_map(cells: CellMap) -> Any:

@@ -54,7 +54,7 @@ class Reach(NamedTuple):
     root: Number
 
 
-class State(NamedTuple):
+class MotionState(NamedTuple):
     """A reduced state, and what friction has taken from E/E_cr since the start of the run."""
 
     X: Number
@@ -165,25 +165,25 @@ def on_ray(at: Parameters, side: float, Z: Number, w: Number, tau: Number, rest:
 
 
 @compilable
-def event_state(at: Parameters, start: Start) -> State:
+def event_state(at: Parameters, start: Start) -> MotionState:
     """Return the state in which a motion starts on the switching surface."""
     if start.kind == STICK:
         V = start.push
     else:
         V = signed(start.side, sqrt(start.w) if start.kind == RAY else at.sqrt_q * start.driven)
-    return State(start.X, V, V, start.Z, start.w, start.spent)
+    return MotionState(start.X, V, V, start.Z, start.w, start.spent)
 
 
 @compilable
-def state_at(at: Parameters, start: Start, tau: Number) -> State:
+def state_at(at: Parameters, start: Start, tau: Number) -> MotionState:
     """Return the state at tau after the start of a motion."""
     if start.kind == STICK:
         sine, cosine = sine_cosine(tau)
         X, V = start.X * cosine + start.push * sine, start.push * cosine - start.X * sine
-        return State(X, V, V, start.Z, start.w, start.spent)
+        return MotionState(X, V, V, start.Z, start.w, start.spent)
     q, side, theta = at.q, start.side, tau / at.sqrt_q
     slid, turned = slid_at(theta, start), start.driven - theta
     gap, push = guard_and_gap(start, theta)[1], push_at(start, theta)
     X, V1 = signed(side, 1 + q * gap), signed(side, at.sqrt_q * push)
     V2, Z, lost = signed(side, at.sqrt_q * turned), start.Z - signed(side, q * slid), 2 * at.r * q * slid
-    return State(X, V1, V2, Z, start.w - lost, start.spent + lost)
+    return MotionState(X, V1, V2, Z, start.w - lost, start.spent + lost)

@@ -12,7 +12,7 @@ from typing import Any
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.elementary import UNIT
 from numerics.arithmetic.functions import as_float, clock, finite, sign
-from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.free.bounds import Errors, Off, after_event, at_horizon, at_start, before_horizon, initial
@@ -20,7 +20,7 @@ from numerics.free.frame import Begun, begin, in_si
 from numerics.free.motion import (
     MOVING,
     OUT_OF_RANGE,
-    State,
+    MotionState,
     event_state,
     mode_of,
     next_event,
@@ -71,7 +71,7 @@ def _bound(error: float, x: Number, unit: float) -> float:
 
 @compilable
 def _record_state(
-    row: Any, start: Start, event: float, begun: Begun, t: Number, length: Number, here: State, off: Off
+    row: Any, start: Start, event: float, begun: Begun, t: Number, length: Number, here: MotionState, off: Off
 ) -> None:
     """Write a state at the time t in SI units; the motion with this start begins or lasts there."""
     (x1, v1, x2, v2), unit = in_si(begun.units, here), begun.at.unit
@@ -163,8 +163,8 @@ def _in_range(row: Any) -> bool:
 
 
 @compilable
-def _wide(row: Any, index: int) -> Pair:
-    return Pair(float(row[2 * index]), float(row[2 * index + 1]))
+def _wide(row: Any, index: int) -> TwoFloats:
+    return TwoFloats(float(row[2 * index]), float(row[2 * index + 1]))
 
 
 @compilable

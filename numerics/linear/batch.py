@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, put, times, two_sum
+from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, times, two_sum
 from numerics.linear.columns import Constants, Drive, Problem, Room, constants, make_room
 from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_in
 from numerics.linear.record import AT, ROW, UNKNOWN, finish
@@ -129,10 +129,10 @@ def put_pieces(
     time_unit, force_unit = units
     count, longest, waves, (_, b, length, _, moved) = 0, 0.0, sines.shape[0], drive
     while count < frictions.shape[0] and is_before(frictions[count], until):
-        begin, given_b, after = pair_of(frictions[count]), frictions[count, 2], Pair(until, 0.0)
+        begin, given_b, after = pair_of(frictions[count]), frictions[count, 2], TwoFloats(until, 0.0)
         if count + 1 < frictions.shape[0] and is_before(frictions[count + 1], until):
             after = pair_of(frictions[count + 1])
-        lasts = plus(after, Pair(-begin.high, -begin.low))
+        lasts = plus(after, TwoFloats(-begin.high, -begin.low))
         length[count, 0], length[count, 1] = math.ldexp(lasts.high, -time_unit), math.ldexp(lasts.low, -time_unit)
         longest = max(longest, length[count, 0])
         b[count, 0] = math.ldexp(own_b if math.isnan(given_b) else given_b, -force_unit)
@@ -141,7 +141,7 @@ def put_pieces(
             sine = moved[count * waves + k]
             sine[0, 0], sine[1, 0] = math.ldexp(sines[k, 0], -force_unit), math.ldexp(sines[k, 1], time_unit)
             turned = times(begin, sines[k, 1])
-            put(sine[2], plus(turned, Pair(sines[k, 2], 0.0)))
+            put(sine[2], plus(turned, TwoFloats(sines[k, 2], 0.0)))
             if 2.0 * abs(sine[2, 0]) < abs(turned.high):
                 return 0, longest
         count += 1

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, plus, product
+from numerics.arithmetic.pair import TwoFloats, plus, product
 from numerics.linear.columns import Now, Problem, Room, force_columns, state_columns
 from numerics.linear.error_set import norm_of, take_in
 from numerics.linear.evolve import end_step, full_step, wide_step
@@ -109,7 +109,7 @@ def long_step(problem: Problem, room: Room, now: Now) -> tuple[float, float, flo
         full_step(room, power, count, off)
         if wide:
             wide_step(room, power, count)
-        grown += end_step(pair, room, 0, Pair(math.ldexp(h, level), 0.0), power[0, X1, V1], power[0, V1, V1])
+        grown += end_step(pair, room, 0, TwoFloats(math.ldexp(h, level), 0.0), power[0, X1, V1], power[0, V1, V1])
         take_in(room.E, room.R, room.basis, room.column)
         force_columns(room, drive, now.piece, 0.0, wide)
         state_columns(room, 0, drive.b[now.piece])
@@ -130,8 +130,10 @@ def doubled(problem: Problem, end: Any, square: Any, count: int, levels: int) ->
             for k in range(count):
                 if before[0, i, k] != 0.0:
                     for j in range(count):
-                        term = product(Pair(before[0, i, k], before[1, i, k]), Pair(before[0, k, j], before[1, k, j]))
-                        power[0, i, j], power[1, i, j] = plus(Pair(power[0, i, j], power[1, i, j]), term)
+                        term = product(
+                            TwoFloats(before[0, i, k], before[1, i, k]), TwoFloats(before[0, k, j], before[1, k, j])
+                        )
+                        power[0, i, j], power[1, i, j] = plus(TwoFloats(power[0, i, j], power[1, i, j]), term)
         if problem.pair.a1 > 0.0:
             half, form = np.zeros((count, count)), forms[level]
             for i in range(count):

@@ -34,7 +34,7 @@ Line = tuple[Fraction, Fraction]
 """p + q x as (p, q)."""
 
 
-class Branch(NamedTuple):
+class FrictionLine(NamedTuple):
     """F = side offset + slope w + pull z, N: friction in one cell."""
 
     offset: Fraction
@@ -73,39 +73,40 @@ class Cells:
         """Return b(t)/b of a piece."""
         return piece.b / self.pair.b
 
-    def branch(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> Branch:
+    def branch(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> FrictionLine:
         """Return friction in a cell."""
         scale, (p, slope), (q, pull) = self.scale(piece), self.by_speed[cell[0]], self.by_place[cell[1]]
-        return Branch(scale * (p + q), scale * slope, scale * side * pull)
+        return FrictionLine(scale * (p + q), scale * slope, scale * side * pull)
 
     def mode(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
         """Return the linear mode of a slip in a cell."""
         offset, slope, pull = self.branch(piece, side, cell)
         return LinearMode(self.pair, offset, side, piece, slope, pull)
 
-    def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, Branch]:
+    def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, FrictionLine]:
         """Return the derivatives of friction in a cell by the numbers in it; `b` is the name of the piece's b."""
         (k, j), last = cell, len(self.speeds) - 1
-        found: dict[str, Branch] = {}
+        found: dict[str, FrictionLine] = {}
         (p, slope), (q, pull), scale = self.by_speed[k], self.by_place[j], self.scale(piece)
         for n, height in _by_heights(self.speeds, (k, k + 1)):
             name = f"weakening.speed[{n - 1}]"
-            found[f"{name}.b" if n else "b"] = Branch(*height, Fraction(0))
+            found[f"{name}.b" if n else "b"] = FrictionLine(*height, Fraction(0))
             if n:  # w = 0 is no number of the scene
-                found[f"{name}.w"] = Branch(-slope * height[0], -slope * height[1], Fraction(0))
+                found[f"{name}.w"] = FrictionLine(-slope * height[0], -slope * height[1], Fraction(0))
         if k == last:
-            found["weakening.last_slope"] = Branch(-self.speeds[k], Fraction(1), Fraction(0))
+            found["weakening.last_slope"] = FrictionLine(-self.speeds[k], Fraction(1), Fraction(0))
         for n, height in _by_heights(self.places, (j - 1, j)):
-            found[f"weakening.place[{n}].c"] = Branch(height[0], Fraction(0), height[1])
-            found[f"weakening.place[{n}].z"] = Branch(-pull * height[0], Fraction(0), -pull * height[1])
+            found[f"weakening.place[{n}].c"] = FrictionLine(height[0], Fraction(0), height[1])
+            found[f"weakening.place[{n}].z"] = FrictionLine(-pull * height[0], Fraction(0), -pull * height[1])
         found = {
-            name: Branch(scale * one, scale * two, scale * side * three) for name, (one, two, three) in found.items()
+            name: FrictionLine(scale * one, scale * two, scale * side * three)
+            for name, (one, two, three) in found.items()
         }
         if b != "b":
-            whole = Branch(p + q, slope, side * pull)
-            found[b] = Branch(*(one / self.pair.b for one in whole))
-            own = found.get("b", Branch(Fraction(0), Fraction(0), Fraction(0)))
-            found["b"] = Branch(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
+            whole = FrictionLine(p + q, slope, side * pull)
+            found[b] = FrictionLine(*(one / self.pair.b for one in whole))
+            own = found.get("b", FrictionLine(Fraction(0), Fraction(0), Fraction(0)))
+            found["b"] = FrictionLine(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
         return found
 
     def held(self, piece: ExactPiece, z: arb) -> arb:

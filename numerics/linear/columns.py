@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, product, times
+from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, times
 from numerics.arithmetic.pair_elementary import sine_cosine
 from numerics.linear.table import FIRST, FRICTION, NODES, PRECISE, Tables
 
@@ -152,7 +152,7 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
     place, z, size, time = drive.places[piece], room.z, room.size, pair_of(room.clock[0])
     first, terms, first_sine, sines = place[0], place[1], place[2], place[3]
     for k in range(terms):
-        value, most = Pair(0.0, 0.0), 0.0
+        value, most = TwoFloats(0.0, 0.0), 0.0
         for n in range(terms - 1, k - 1, -1):
             factor = 1.0  # n over k
             for i in range(k):
@@ -162,7 +162,7 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
             if wide:
                 value = plus(product(value, time), times(own, factor))
             else:
-                value = Pair(value.high * time.high + own.high * factor, 0.0)
+                value = TwoFloats(value.high * time.high + own.high * factor, 0.0)
         z[0, FIRST + k], z[1, FIRST + k], size[FIRST + k] = value.high, value.low, most
     u0, u1, height = 0.0, 0.0, 0.0
     if terms > 0:
@@ -177,7 +177,7 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
                 z[0, at + n], z[1, at + n] = product(wave, pair_of(sine[0]))
         else:
             turns = np.rint(phase.high * 0.15915494309189535)
-            rest = plus(phase, times(Pair(6.283185307179586, 2.4492935982947064e-16), -turns))
+            rest = plus(phase, times(TwoFloats(6.283185307179586, 2.4492935982947064e-16), -turns))
             s, c = math.sin(rest.high), math.cos(rest.high)
             z[0, at], z[0, at + 1] = sine[0, 0] * (s + c * rest.low), sine[0, 0] * (c - s * rest.low)
         # a phase is a pair, so that it is off by a rounding of double-double of its own size; a small sine stays sharp
@@ -220,9 +220,9 @@ def wide_product(rows: Any, degrees: Any, room: Room, count: int) -> None:
         high, low = X[0, i, :PRECISE], X[1, i, :PRECISE]
         high[:], low[:] = 0.0, 0.0
         for j in range(count):
-            row, rest, factor = rows[0, i, j], rows[1, i, j], Pair(z[0, j], z[1, j])
+            row, rest, factor = rows[0, i, j], rows[1, i, j], TwoFloats(z[0, j], z[1, j])
             for k in range(min(PRECISE, degrees[i, j])):
-                high[k], low[k] = plus(Pair(high[k], low[k]), product(Pair(row[k], rest[k]), factor))
+                high[k], low[k] = plus(TwoFloats(high[k], low[k]), product(TwoFloats(row[k], rest[k]), factor))
 
 
 @compilable

@@ -18,7 +18,7 @@ from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
 from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
-from numerics.linear.path_enclosed import AWAY, At, Path
+from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
 from numerics.linear.scan import splits
 from numerics.linear.system import V1, V2, X1, X2
@@ -47,7 +47,7 @@ def run_enclosed(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
     rows: list[Knot] = []
     events = 0
     with ctx.workprec(arithmetic.bits + _MORE_BITS):
-        run = Run(scene, arithmetic)
+        run = EnclosedRun(scene, arithmetic)
         for row in run.rows():
             if events == max_events and (row is None or row.event):
                 while len(rows) > 1 and not rows[-1].event:
@@ -66,7 +66,7 @@ def _middles(row: Knot, arithmetic: Arithmetic) -> Knot:
     return Knot._make(arithmetic.number(exact_middle(one)) if isinstance(one, arb) else one for one in row)
 
 
-class Run(Path):
+class EnclosedRun(EnclosedPath):
     """The loop over events, and what it leaves behind."""
 
     how = How.REACHED

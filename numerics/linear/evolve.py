@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, times
+from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, put, times
 from numerics.linear.columns import FAST, Constants, Now, Problem, Room, counted, place_of, wide_product
 from numerics.linear.error_set import carry
 from numerics.linear.first_root import ROOT, value_slope
@@ -15,7 +15,7 @@ from numerics.linear.table import PRECISE, UNIT, V1, WIDE_UNIT, X1
 
 
 @compilable_with(forceinline=False)
-def evaluate(X: Any, s: Pair, h: float, wide: bool) -> tuple[Pair, Pair]:
+def evaluate(X: Any, s: TwoFloats, h: float, wide: bool) -> tuple[TwoFloats, TwoFloats]:
     """Return x and v of a body with coefficients X (2, terms) at s = t/h.
 
     Where `wide`, at s.high, and from there by first derivatives: |s.low| <= 2^-53 s.high, and a term of second order,
@@ -23,15 +23,15 @@ def evaluate(X: Any, s: Pair, h: float, wide: bool) -> tuple[Pair, Pair]:
     """
     if not wide:
         value, slope = value_slope(X[0], s.high)
-        return Pair(value, 0.0), Pair(slope / h, 0.0)
+        return TwoFloats(value, 0.0), TwoFloats(slope / h, 0.0)
     value, slope = value_slope(X[0, PRECISE:], s.high)
-    x, v, bend = Pair(value, 0.0), Pair(slope, 0.0), 0.0
+    x, v, bend = TwoFloats(value, 0.0), TwoFloats(slope, 0.0), 0.0
     for k in range(min(PRECISE, X.shape[1]) - 1, -1, -1):
         bend = bend * s.high + v.high
         v = plus(times(v, s.high), x)
-        x = plus(times(x, s.high), Pair(X[0, k], X[1, k]))
-    x = plus(x, Pair(s.low * v.high, 0.0))
-    v = plus(v, Pair(2.0 * s.low * bend, 0.0))
+        x = plus(times(x, s.high), TwoFloats(X[0, k], X[1, k]))
+    x = plus(x, TwoFloats(s.low * v.high, 0.0))
+    v = plus(v, TwoFloats(2.0 * s.low * bend, 0.0))
     return x, v / h
 
 
@@ -54,11 +54,14 @@ def wide_step(room: Room, whole: Any, count: int) -> None:
     y[:, :] = 0.0
     for j in range(count):
         for i in range(4):  # four sums at once
-            put(y[i], plus(pair_of(y[i]), product(Pair(whole[0, i, j], whole[1, i, j]), Pair(z[0, j], z[1, j]))))
+            put(
+                y[i],
+                plus(pair_of(y[i]), product(TwoFloats(whole[0, i, j], whole[1, i, j]), TwoFloats(z[0, j], z[1, j]))),
+            )
 
 
 @compilable
-def partial_step(problem: Problem, room: Room, at: tuple[int, int], s: Pair, unit: float) -> tuple[float, float]:
+def partial_step(problem: Problem, room: Room, at: tuple[int, int], s: TwoFloats, unit: float) -> tuple[float, float]:
     """Move the state by a part s of a step; form what that adds to its errors; return how x1 and v1 go with v1."""
     tables, y, own, h = problem.tables, room.y, room.column, problem.tables.h[at]
     sums, count = tables.state_own[at], tables.count[at[0]]
@@ -96,7 +99,7 @@ def evolve(problem: Problem, room: Room, now: Now, ahead: Next) -> Now:
 
 
 @compilable
-def end_step(pair: Constants, room: Room, mode: int, time: Pair, reach: float, turn: float) -> float:
+def end_step(pair: Constants, room: Room, mode: int, time: TwoFloats, reach: float, turn: float) -> float:
     """Move clock and errors by a step of the state; return what it adds to N. reach, turn: how x1 and v1 go with v1."""
     own, scale = room.column, room.scale
     if mode == 0:

@@ -17,7 +17,7 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, put
+from numerics.arithmetic.pair import TwoFloats, pair_of, put
 from numerics.linear.calm_stick import Calm, step_over
 from numerics.linear.columns import Now, Problem, Room, expand, force_columns, make_room, place_of
 from numerics.linear.error_set import box
@@ -26,7 +26,7 @@ from numerics.linear.first_root import ROOT, UNDECIDED
 from numerics.linear.modes import UNDECIDED as UNDECIDED_MODE
 from numerics.linear.next_event import Next, Step, next_event, step_from
 from numerics.linear.record import AT, ROW
-from numerics.linear.resolve import CONTACT, EXIT, NOTHING, PIECE, SLIP_END, Event, lateness, resolve
+from numerics.linear.resolve import CONTACT, EXIT, NOTHING, PIECE, SLIP_END, StepEnd, lateness, resolve
 from numerics.linear.table import UNIT, WIDE_UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
@@ -97,7 +97,7 @@ def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log:
 
 
 @compilable
-def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, Event]:
+def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
     pair, y, scale, E, unit = problem.pair, room.y, room.scale, room.E, WIDE_UNIT if problem.wide else UNIT
     scale[0] = scale[2] = math.sqrt(pair.a2)
@@ -110,15 +110,15 @@ def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, Event]:
         put(y[i], pair_of(start[_X1 + 2 * i :]))
         E[i, i] = unit * abs(y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]
     put(room.clock[0], pair_of(start[_LOCAL:]))
-    put(room.clock[1], Pair(0.0, 0.0))
+    put(room.clock[1], TwoFloats(0.0, 0.0))
     now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 1, 1e300, E[0, 0] + E[1, 1] + E[3, 3])
-    return now, Event(CONTACT if start[_JUMP] == 1.0 else PIECE, 0.0, 0.0, 0.0)
+    return now, StepEnd(CONTACT if start[_JUMP] == 1.0 else PIECE, 0.0, 0.0, 0.0)
 
 
 @compilable
-def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, Event, int]:
+def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, StepEnd, int]:
     """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
-    (piece, mode, order, edge, since, N), nothing, y = now, Event(NOTHING, 0.0, 0.0, 0.0), room.y
+    (piece, mode, order, edge, since, N), nothing, y = now, StepEnd(NOTHING, 0.0, 0.0, 0.0), room.y
     if not abs(y[0, 0]) + abs(y[1, 0]) + abs(y[2, 0]) + abs(y[3, 0]) + N < 1e300:
         return now, nothing, OUT_OF_RANGE
     if ahead.how == ROOT:
@@ -129,19 +129,19 @@ def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_c
         if mode == 0:
             mode, order, since = ahead.side, 2, 0.0
         now = Now(piece, mode, order, edge, since, N + added)
-        return now, Event(kind, late, ahead.slope, off), DOUBT if is_near else GOES_ON
+        return now, StepEnd(kind, late, ahead.slope, off), DOUBT if is_near else GOES_ON
     if not step.is_last or ahead.s.high != step.end.high:
         return now, nothing, GOES_ON
     if piece + 1 == problem.drive.places.shape[0]:
         return now, nothing, STUCK if is_calm or (mode == 0 and problem.pair.literal) else REACHED
-    put(room.clock[0], Pair(0.0, 0.0))
+    put(room.clock[0], TwoFloats(0.0, 0.0))
     kind = CONTACT if mode == 0 and problem.drive.places[piece + 1, 5] == 1 else PIECE
-    return Now(piece + 1, mode, order, edge, since, N), Event(kind, 0.0, 0.0, 0.0), GOES_ON
+    return Now(piece + 1, mode, order, edge, since, N), StepEnd(kind, 0.0, 0.0, 0.0), GOES_ON
 
 
 @compilable
 def record(
-    problem: Problem, room: Room, now: Now, event: Event, is_event: bool, u: tuple[float, float, float], log: Log
+    problem: Problem, room: Room, now: Now, event: StepEnd, is_event: bool, u: tuple[float, float, float], log: Log
 ) -> int:
     """Record the start of a segment, if the log has room for it; the last event that is asked for is an end, too."""
     counts, room_for, may_end = room.counts, log.rows.shape[0], False
@@ -159,7 +159,7 @@ def record(
         row[_JUMP] = 1.0 if event.kind in (PIECE, CONTACT) else 0.0
         for k in range(ROW if may_end and count < room_for else 0):
             log.rows[count, k] = row[k]
-    put(room.clock[1], Pair(0.0, 0.0))
+    put(room.clock[1], TwoFloats(0.0, 0.0))
     counts[0] += 1 if begins or log.keeps_all else 0
     return GOES_ON
 

@@ -16,7 +16,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import OutOfRange
 from numerics.linear.cells import CEILING, FLOOR, FORCE
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
-from numerics.linear.path_enclosed import AWAY, At, Path
+from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, sharpest, splits
 from numerics.linear.ties import MARGINAL
 
@@ -59,7 +59,7 @@ class Root(NamedTuple):
     value: arb
 
 
-def next_event(path: Path, at: At) -> tuple[At, Root | None]:
+def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
     """Return the last point before a mode ends and the root of its guard; None where the piece ends before."""
     if path.literal and at.mode == 0:
         return at, None
@@ -98,7 +98,7 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
     )
 
 
-def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
+def guards_of(path: EnclosedPath, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
     """Return the guards of a mode, from the coefficients of its rows; some of them may vanish here to some order.
 
     Of a slip the ends of its intervals of |w| and of x1 - x2, and B + C > 0; of stick the load below b on either side.
@@ -133,7 +133,9 @@ def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
     return found
 
 
-def short_step(path: Path, at: At, flow: Flow, z: list[arb], reach: arb, short: arb) -> tuple[arb, arb] | Bracket:
+def short_step(
+    path: EnclosedPath, at: At, flow: Flow, z: list[arb], reach: arb, short: arb
+) -> tuple[arb, arb] | Bracket:
     """Return a time within reach of a Taylor polynomial in which no guard vanishes; or where one does, once.
 
     With the time comes the last interval that was looked at as one; `short` is that of the step before.
@@ -147,7 +149,7 @@ def short_step(path: Path, at: At, flow: Flow, z: list[arb], reach: arb, short: 
 
 
 def scanned(
-    path: Path, at: At, flow: Flow, rows: list[list[arb]], z: list[arb], reach: arb, short: arb
+    path: EnclosedPath, at: At, flow: Flow, rows: list[list[arb]], z: list[arb], reach: arb, short: arb
 ) -> tuple[arb, arb] | Bracket | None:
     """Return the same from the rows of the guards; None where their digits do not tell anything."""
     guards, rests = guards_of(path, at, rows), flow.rests(z, reach)
@@ -184,7 +186,7 @@ def scanned(
     return (since, h) if since * _FINE > reach else None
 
 
-def long_step(path: Path, at: At, flow: Flow, z: list[arb], most: arb) -> arb | None:
+def long_step(path: EnclosedPath, at: At, flow: Flow, z: list[arb], most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
     for split in () if at.orders[0] else splits(flow, path.pieces[at.piece], at.mode, at.local, z):
         (polynomial, rest, slow, amplitude), h = split, most
@@ -207,7 +209,7 @@ def long_step(path: Path, at: At, flow: Flow, z: list[arb], most: arb) -> arb | 
     return None
 
 
-def refined(path: Path, at: At, flow: Flow, z: list[arb], found: Bracket) -> Root:
+def refined(path: EnclosedPath, at: At, flow: Flow, z: list[arb], found: Bracket) -> Root:
     """Return the root of a guard in its bracket, by Newton's method."""
     index, since, h, rows = found
     guard = guards_of(path, at._replace(orders=AWAY), rows)[index]

@@ -6,7 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, times, two_product, two_sum
+from numerics.arithmetic.pair import TwoFloats, pair_of, plus, times, two_product, two_sum
 from numerics.linear.columns import Constants, Now, Problem, Room, counted, place_of, wide_product
 from numerics.linear.first_root import CLEAR, ROOT, first_root
 from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT
@@ -15,7 +15,7 @@ from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT
 class Step(NamedTuple):
     """A step: its end in units of h, and whether the piece ends there; up to `clear` no event is possible."""
 
-    end: Pair
+    end: TwoFloats
     is_last: bool
     clear: float
 
@@ -27,7 +27,7 @@ class Next(NamedTuple):
     """
 
     how: int
-    s: Pair
+    s: TwoFloats
     side: int
     room: float
     slope: float
@@ -62,21 +62,21 @@ def form_guard(room: Room, mode: int, order: int, side: int, edge: float) -> Non
 
 
 @compilable
-def form_wide_guard(room: Room, mode: int, order: int, side: int, edge: Pair) -> None:
+def form_wide_guard(room: Room, mode: int, order: int, side: int, edge: TwoFloats) -> None:
     """Form the first terms of the guard in pairs; the others are those of `form_guard`."""
     X, g = room.X, room.g
     for k in range(order, PRECISE):
         if mode != 0:
-            gap = plus(Pair(X[0, 0, k + 1], X[1, 0, k + 1]), Pair(-X[0, 1, k + 1], -X[1, 1, k + 1]))
+            gap = plus(TwoFloats(X[0, 0, k + 1], X[1, 0, k + 1]), TwoFloats(-X[0, 1, k + 1], -X[1, 1, k + 1]))
             value = times(gap, mode * (k + 1.0))
         else:
-            value = times(Pair(X[0, 1, k + 2], X[1, 1, k + 2]), -side * room.twice[k])
+            value = times(TwoFloats(X[0, 1, k + 2], X[1, 1, k + 2]), -side * room.twice[k])
             value = plus(value, edge) if k == 0 else value
         g[0, k], g[1, k] = value.high, value.low
 
 
 @compilable_with(forceinline=False)
-def refined(g: Any, order: int, s: float, alone: float) -> tuple[Pair, float]:
+def refined(g: Any, order: int, s: float, alone: float) -> tuple[TwoFloats, float]:
     """Return a root of g/s^order, by Newton's steps in pairs, and what that may be there.
 
     The first `order` terms are 0. The value is formed at a float, so that one step is enough where it changes no more
@@ -85,14 +85,14 @@ def refined(g: Any, order: int, s: float, alone: float) -> tuple[Pair, float]:
     """
     change = left = 0.0
     for again in range(2, -1, -1):
-        value, slope, size, steep = Pair(0.0, 0.0), 0.0, 0.0, 0.0
+        value, slope, size, steep = TwoFloats(0.0, 0.0), 0.0, 0.0, 0.0
         for k in range(g.shape[1] - 1, order - 1, -1):
             slope, steep = slope * s + value.high, steep * s + size
             size = size * s + abs(g[0, k])
             if k >= PRECISE:
-                value = Pair(value.high * s + g[0, k], 0.0)
+                value = TwoFloats(value.high * s + g[0, k], 0.0)
             else:
-                value = plus(times(value, s), Pair(g[0, k], g[1, k]))
+                value = plus(times(value, s), TwoFloats(g[0, k], g[1, k]))
         change = value.high / slope
         left = abs(change) * (abs(change * slope) / (8.0 * alone) + 4.0 * g.shape[1] * UNIT * steep)
         if again == 0 or change * change <= 8.0 * alone * s * UNIT * UNIT:
@@ -125,19 +125,19 @@ def slip_margins(
 
 
 @compilable
-def edge_of(pair: Constants, h: float, b: Any, wide: bool) -> Pair:
+def edge_of(pair: Constants, h: float, b: Any, wide: bool) -> TwoFloats:
     """Return b h^2/m2."""
     if not wide:
-        return Pair(h * h / pair.m2 * b[0], 0.0)
-    return two_product(h, h) / Pair(pair.m2, pair.m2_low) * pair_of(b)
+        return TwoFloats(h * h / pair.m2 * b[0], 0.0)
+    return two_product(h, h) / TwoFloats(pair.m2, pair.m2_low) * pair_of(b)
 
 
 @compilable
 def step_from(problem: Problem, room: Room, now: Now, is_calm: bool, clear_until: float) -> Step:
     """Return the step from here, to the end of the piece if that is nearer; no event comes up to `clear_until`."""
     h, clock = problem.tables.h[place_of(problem, now)], pair_of(room.clock[0])
-    left = plus(pair_of(problem.drive.length[now.piece]), Pair(-clock.high, -clock.low))
-    end = left / h if left.high <= h else Pair(1.0, 0.0)
+    left = plus(pair_of(problem.drive.length[now.piece]), TwoFloats(-clock.high, -clock.low))
+    end = left / h if left.high <= h else TwoFloats(1.0, 0.0)
     clear = 2.0 if is_calm else 0.0
     if clear_until > clock.high + 1e-9 * h:
         clear = (clear_until - clock.high) / h
@@ -151,7 +151,7 @@ def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
     if step.clear > 0.0 or (mode == 0 and pair.literal):
         return no_event(CLEAR, min(to, step.clear) if step.clear > 0.0 else to, step)
     at = place_of(problem, now)
-    h, count, edge, top = tables.h[at], tables.count[at[0]], Pair(0.0, 0.0), math.inf
+    h, count, edge, top = tables.h[at], tables.count[at[0]], TwoFloats(0.0, 0.0), math.inf
     unit = h if mode != 0 else h * h / pair.m2  # of the guard
     sums = tables.sums[at]
     off = rounding(room, sums[order], count)
@@ -166,7 +166,7 @@ def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
     how, root, alone, which, value, slope = first_root(room.q, order, top, margins, to, room.bernstein)
     if how != ROOT:
         return no_event(how, root, step)
-    exit_side, s = now.edge if which == 0 else -now.edge, Pair(root, 0.0)
+    exit_side, s = now.edge if which == 0 else -now.edge, TwoFloats(root, 0.0)
     if wide:
         wide_product(tables.rows[at], tables.degrees[at], room, count)
         form_guard(room, mode, order, exit_side, edge.high)
@@ -184,4 +184,4 @@ def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
 @compilable
 def no_event(how: int, s: float, step: Step) -> Next:
     """Return that there is none up to s, which may be the end of the step."""
-    return Next(how, step.end if s == step.end.high else Pair(s, 0.0), 0, 0.0, 0.0, 0.0, 0.0)
+    return Next(how, step.end if s == step.end.high else TwoFloats(s, 0.0), 0, 0.0, 0.0, 0.0, 0.0)

@@ -27,7 +27,7 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import X1, X2, Drive
+from numerics.linear.system import X1, X2, BallDrive
 from numerics.scene import Law, Scene
 
 AWAY = (0, 0, 0, 0)
@@ -60,7 +60,7 @@ class At(NamedTuple):
         return 0 if self.cell[0] else self.orders[0]
 
 
-class Path:
+class EnclosedPath:
     """A scene in balls: the pieces, the flows of both modes, the constants of the norm; how a point moves on."""
 
     def __init__(self, scene: Scene, arithmetic: Ball) -> None:
@@ -69,7 +69,7 @@ class Path:
         self.literal = scene.law is Law.THREE_VALUED_SGN
         self.pieces, self.cells, self.varies = pieces_of(scene), Cells(scene), scene.friction.weakening is not None
         """`varies`: friction depends on the state; else it has one cell."""
-        self.driven: tuple[int, Drive, dict[object, tuple[Flow, arb]]] = (-1, Drive([], []), {})
+        self.driven: tuple[int, BallDrive, dict[object, tuple[Flow, arb]]] = (-1, BallDrive([], []), {})
         pair, number = scene.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
@@ -82,7 +82,7 @@ class Path:
         """Return the flow at a point, and its friction where v1 - v2 and x1 - x2 are 0."""
         piece = self.pieces[at.piece]
         if self.driven[0] != at.piece:
-            self.driven = at.piece, Drive.of(piece), {}
+            self.driven = at.piece, BallDrive.of(piece), {}
         flows, key = self.driven[2], (at.mode, at.cell)
         if key not in flows:
             omegas = tuple(one.omega for one in piece.sines)

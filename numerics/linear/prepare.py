@@ -42,7 +42,7 @@ _STATE = slice(AT["x1"], AT["x1"] + 8)
 """Where x1, v1, x2 and v2 stand in a row, as halves."""
 
 
-class Units(NamedTuple):
+class KernelUnits(NamedTuple):
     """Exponents of 2: one unit of mass is 2^mass kg, and so on."""
 
     mass: int
@@ -59,7 +59,7 @@ class Prepared(NamedTuple):
 
     problem: Problem
     start: NDArray[np.float64]
-    units: Units
+    units: KernelUnits
     pieces: Sequence[ExactPiece]
 
     def room(self, most: int) -> int:
@@ -98,7 +98,7 @@ def _exponent(x: Fraction) -> int:
 
 
 @lru_cache(maxsize=256)
-def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], Units]:
+def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], KernelUnits]:
     """Return the constants of a pair, its m1, M, m2, a1 and a2 as halves, and the units of all numbers.
 
     In these M and a2 are about 1, and the other numbers not far from it, if they can. Raises OutOfRange, also where
@@ -108,7 +108,7 @@ def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], Uni
         if halves(value)[0] == 0.0:
             raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"')
     mass = _exponent(pair.mass)
-    units = Units(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
+    units = KernelUnits(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
     given = (pair.m1, 0), (pair.mass, 0), (pair.m2, 0), (pair.a1, -1), (pair.a2, -2)
     numbers = tuple([halves(value, units.of(mass=1, time=power)) for value, power in given])
     return constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units
@@ -135,7 +135,7 @@ Kind = tuple[int, tuple[Halves, ...]]
 """The number of coefficients of the polynomial, and the frequencies."""
 
 
-def _drive(pieces: Sequence[ExactPiece], units: Units) -> tuple[Drive, dict[Kind, int], float]:
+def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dict[Kind, int], float]:
     """Return the table of the pieces, the kinds of force in it, and the length of the longest piece."""
     force, second = units.of(mass=1, length=1, time=-2), units.time
     places: list[tuple[int, ...]] = []

@@ -22,7 +22,7 @@ together start, or b or u jumps; a slip comes to v1 = v2; the load of stick come
 """
 
 
-class Event(NamedTuple):
+class StepEnd(NamedTuple):
     """What happens, how late it may be, the guard's slope there, and in stick how far off the guard may be."""
 
     kind: int
@@ -32,7 +32,7 @@ class Event(NamedTuple):
 
 
 @compilable
-def resolve(problem: Problem, room: Room, now: Now, event: Event, u: tuple[float, float, float]) -> Now:
+def resolve(problem: Problem, room: Room, now: Now, event: StepEnd, u: tuple[float, float, float]) -> Now:
     """Return where a run is after an event, in which mode; UNDECIDED if the error bounds leave a doubt."""
     pair, b = problem.pair, problem.drive.b[now.piece, 0]
     (piece, mode, order, _, since, N), late = now, event.late

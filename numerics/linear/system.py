@@ -33,14 +33,14 @@ MOST_CUTS = 2_000
 """Into so many parts an interval is cut before a sign on it counts as undecided."""
 
 
-class Drive(NamedTuple):
+class BallDrive(NamedTuple):
     """A piece in balls: its polynomial, and of each sine amplitude, omega and the phase where the piece begins."""
 
     polynomial: list[arb]
     sines: list[tuple[arb, arb, arb]]
 
     @classmethod
-    def of(cls, piece: Piece | ExactPiece) -> Drive:
+    def of(cls, piece: Piece | ExactPiece) -> BallDrive:
         """Return a piece in balls."""
         number = Ball.number
         sines = [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in piece.sines]
@@ -134,7 +134,7 @@ class LinearMode:
 
     def motion(self, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
-        z = [*state, arb(1), *Drive.of(self.piece).force(t - Ball.number(self.piece.start))]
+        z = [*state, arb(1), *BallDrive.of(self.piece).force(t - Ball.number(self.piece.start))]
         return Motion(self, matrix(self.generator()), arb_mat(self.size, 1, z))
 
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import Pair, pair_of, plus, product, put, times
+from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, put, times
 from numerics.linear.first_root import value_slope
 
 X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
@@ -133,7 +133,7 @@ def differs(numbers: Any, k: int, number: float) -> bool:
 def generator(pair: Any, terms: int, omegas: Any, is_stick: bool) -> Any:
     """Return A (n, n, 2), of pairs."""
     waves, n = FIRST + terms, FIRST + terms + 2 * omegas.shape[0]
-    A, one, mass = np.zeros((n, n, 2)), Pair(1.0, 0.0), pair_of(pair[1 if is_stick else 0])
+    A, one, mass = np.zeros((n, n, 2)), TwoFloats(1.0, 0.0), pair_of(pair[1 if is_stick else 0])
     A[X1, V1, 0] = A[X2, V2, 0] = 1.0
     for to in (V1, V2) if is_stick else (V1, V1):
         put(A[to, X1], -pair_of(pair[4]) / mass)

@@ -24,7 +24,7 @@ class PlaneState(NamedTuple):
     v2: Numbers
 
 
-class Motion(Protocol):
+class PlaneMotion(Protocol):
     """What knows the state at any time of a run."""
 
     def at(self, t: arb) -> PlaneState:

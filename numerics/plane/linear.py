@@ -13,9 +13,9 @@ from flint import arb, arb_poly
 
 from numerics.errors import NotSettled
 from numerics.plane.defect import Defect, defect
-from numerics.plane.path import OUTSIDE, Path
+from numerics.plane.path import OUTSIDE, PlanePath
 from numerics.plane.polynomial import least
-from numerics.plane.series import Curve, Expansion
+from numerics.plane.series import PlaneExpansion, TaylorCurve
 from numerics.plane.vector import Vector
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
@@ -27,7 +27,7 @@ SHORT = 2.0**-20
 """The part of a step after which a load that falls from the edge into K is seen inside."""
 
 
-class LinearRun(Path):
+class LinearRun(PlanePath):
     """The path of a box; `young` are the groups that begin to slip at the point, with the order of the zero of s.
 
     `on_edge` are those whose load falls inside from the edge of K at the point; `held`: nothing but another piece of
@@ -126,7 +126,7 @@ class LinearRun(Path):
     def one_step(self) -> None:
         """Go on for a step, or to the first event in it."""
         friction = self.friction
-        expansion = Expansion(self.system, self.at, friction)
+        expansion = PlaneExpansion(self.system, self.at, friction)
         reach = self.step(expansion, self.speed)
         for k, order in self.young.items():  # what is dropped is seen in the defect
             whole = expansion.polynomials[k].coeffs()
@@ -170,7 +170,7 @@ class LinearRun(Path):
         slips = [None if j == i else f for j, f in enumerate(self.friction)]
         return bool(window < h / 2) and self.leaves(normal, window, order, slips)
 
-    def first_event(self, curve: Curve, found: Defect, norm: arb, h: arb) -> tuple[arb, arb, int] | None:
+    def first_event(self, curve: TaylorCurve, found: Defect, norm: arb, h: arb) -> tuple[arb, arb, int] | None:
         """Return where in a step a group changes first, how far that may be off, and which; None if none does."""
         roots = [(root, k) for k in range(len(self.groups)) if (root := self.end_of(k, curve, found, norm)) is not None]
         if not roots:
@@ -181,7 +181,7 @@ class LinearRun(Path):
             raise self.undecided("which axis has its event first")
         return x, off, k
 
-    def end_of(self, k: int, curve: Curve, found: Defect, norm: arb) -> tuple[arb, arb] | None:
+    def end_of(self, k: int, curve: TaylorCurve, found: Defect, norm: arb) -> tuple[arb, arb] | None:
         """Return where a group ends to slip or to stick in a step, and how far that may be off; None if it does not."""
         axes, load, b_squared = self.groups[k], found.load, self.drive.b_squared
         if k in self.young or self.held:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat
 
-from numerics.plane.system import Drive, System
+from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector, wide
 
 
@@ -27,7 +27,7 @@ class Drawn(NamedTuple):
     around: Vector
 
 
-def end_direction(system: System, drive: Drive, load: Vector, drawn: Drawn | None) -> Vector:
+def end_direction(system: System, drive: PlaneDrive, load: Vector, drawn: Drawn | None) -> Vector:
     """Return the unit direction of a slip where it ends; in [-1, 1] where it is not known."""
     if drawn is None:
         return Vector([arb(0, 1)] * system.n)
@@ -41,7 +41,7 @@ def end_direction(system: System, drive: Drive, load: Vector, drawn: Drawn | Non
     return Vector(e / (e @ e).sqrt())
 
 
-def _newton(system: System, drive: Drive, load: Vector, e: Vector, psi: arb) -> tuple[Vector, arb]:
+def _newton(system: System, drive: PlaneDrive, load: Vector, e: Vector, psi: arb) -> tuple[Vector, arb]:
     """Return where all solutions of f(e) - Lam = psi kap^-1 e, e.kap^-1 e = 1 are that are in a ball; near a point."""
     inverse, middle, at = 1 / system.kappa, e.each(arb.mid), psi.mid()
     f, size = drive.friction(e)
@@ -62,13 +62,13 @@ def square(v: Vector) -> Vector:
     return Vector(v * x for x in v)
 
 
-def hessian(drive: Drive, f: Vector, size: arb, less: Vector) -> Vector:
+def hessian(drive: PlaneDrive, f: Vector, size: arb, less: Vector) -> Vector:
     """Return D^2 h where h is a size, without a diagonal matrix."""
     found: Vector = (diagonal(drive.b_squared) - square(f)) / size - diagonal(less)
     return found
 
 
-def drawn_to(system: System, drive: Drive, load: Vector, s: Vector) -> Drawn | None:
+def drawn_to(system: System, drive: PlaneDrive, load: Vector, s: Vector) -> Drawn | None:
     """Return how a slip surely gets to s = 0, None if it may turn instead.
 
     `load`: the loads from a time on at which s points in a direction of these, until it is there; enclosures.

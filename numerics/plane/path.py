@@ -11,16 +11,16 @@ from flint import arb, arb_poly
 from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent
 from numerics.plane.polynomial import first_root, log2, two_to
-from numerics.plane.series import Curve, Expansion, Point
-from numerics.plane.states import Leg, States
-from numerics.plane.system import Drive, System, highest
+from numerics.plane.series import PlaneExpansion, SeriesPoint, TaylorCurve
+from numerics.plane.states import PlaneLeg, States
+from numerics.plane.system import PlaneDrive, System, highest
 from numerics.plane.vector import Vector, exact, wide
 from numerics.plane.window import Around, around
 
 OUTSIDE = "does the load leave the friction set, or only touch its edge"
 
 
-class Path:
+class PlanePath:
     """A path that is followed: legs and events so far, the point that was reached, its bounds.
 
     `mode` has a letter for each axis: 0 sticks, + and - slip with constant friction, * with that of their direction.
@@ -33,20 +33,20 @@ class Path:
     ) -> None:
         """Begin at t = 0."""
         self.system, self.max_events, self.max_legs, self.progress = system, max_events, max_legs, progress
-        self.legs: list[Leg] = []
+        self.legs: list[PlaneLeg] = []
         self.events: list[PlaneEvent] = []
         self.states = States(system, self.legs)
         self.eps, self.reached = arb((1, -system.bits)), False
         with system.fine():
             q1, v1, v2 = map(exact, system.given.start)
             self.norm, self.apart = arb(0), system.still
-            self.set(Point(0, arb(0), q1, v2, v1 - v2, system.still))
+            self.set(SeriesPoint(0, arb(0), q1, v2, v1 - v2, system.still))
             b = system.pieces[0].b
             self.place = highest(Vector((*q1, *(b / system.stiff))))
             self.speed = highest(Vector((*v1, *v2, *(b / (system.mass * system.stiff).each(arb.sqrt)))))
 
     @property
-    def drive(self) -> Drive:
+    def drive(self) -> PlaneDrive:
         """Return what acts at the point."""
         return self.system.drive(self.at)
 
@@ -59,7 +59,7 @@ class Path:
         """Return the error for a point after which these digits do not tell what happens."""
         return self.system.undecided(question, self.at, self.norm)
 
-    def set(self, point: Point) -> None:
+    def set(self, point: SeriesPoint) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
         self.at, norm, apart = point.middle(self.system)
         self.norm, self.apart = (self.norm + norm).upper(), (self.apart + apart).each(arb.upper)
@@ -69,7 +69,7 @@ class Path:
         slips = Vector(arb(one != "0") for one in self.mode)
         self.apart = (self.apart + self.system.apart * slips * (norm * passed)).each(arb.upper)
 
-    def go_on(self, curve: Curve, end: arb, norm: arb, *, ends: bool) -> None:
+    def go_on(self, curve: TaylorCurve, end: arb, norm: arb, *, ends: bool) -> None:
         """Record a curve and go to its end, or to the next piece of force if it `ends` there."""
         point = curve.at(end)
         self.drift(norm, (point.t - curve.t(arb(0))).abs_upper())
@@ -78,7 +78,7 @@ class Path:
         true = self.drive.length if ends else self.at.t
         # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
         self.norm = (self.norm + self.rate(true) * abs(point.t - true)).upper()
-        self.legs.append(Leg(curve._replace(impulse=Vector(), swing=()), end, self.norm, self.apart))
+        self.legs.append(PlaneLeg(curve._replace(impulse=Vector(), swing=()), end, self.norm, self.apart))
         if ends:
             self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 
@@ -104,7 +104,7 @@ class Path:
         there = self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
         return Vector(wide(there, self.system.load_error * self.norm))
 
-    def step(self, expansion: Expansion, fast: arb) -> arb:
+    def step(self, expansion: PlaneExpansion, fast: arb) -> arb:
         """Return how far an expansion reaches: there its last two terms are 2^-bits of sizes; `fast`: that of s."""
         found, n, last = math.inf, self.system.n, (self.system.degree, self.system.degree - 1)
         sizes = (*[fast] * n, *[self.speed] * n, *[self.place] * n, self.system.period)

@@ -25,7 +25,7 @@ class Acting(NamedTuple):
     b_squared: Vector
 
 
-class Reduced(NamedTuple):
+class ReducedPlane(NamedTuple):
     """The data on the axes that move; `place` takes q and v, `force` forces, back to the axes of the scene."""
 
     m1: Vector
@@ -82,7 +82,7 @@ class Reduced(NamedTuple):
         )
 
 
-def reduced(scene: PlaneScene, *, whole: bool = False) -> Reduced:
+def reduced(scene: PlaneScene, *, whole: bool = False) -> ReducedPlane:
     """Return the data on the axes, or on the one line, on which a scene moves; the `whole` of it, if that is asked."""
     pair, n = scene.pair, scene.pair.axes
     pieces, start = _pieces(scene), (scene.x1, scene.v1, scene.v2)
@@ -100,7 +100,7 @@ def reduced(scene: PlaneScene, *, whole: bool = False) -> Reduced:
     return _on(scene, pieces, unit, unit)
 
 
-def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], forces: list[Vector]) -> Reduced:
+def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], forces: list[Vector]) -> ReducedPlane:
     """Return the data for q = sum c_k places[k], f = sum F_k forces[k]. Raises ValueError for what leaves these."""
     pair = scene.pair
 
@@ -125,7 +125,7 @@ def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], force
         )
 
     x1, v1, v2 = (of(one, places) for one in (scene.x1, scene.v1, scene.v2))
-    return Reduced(
+    return ReducedPlane(
         m1=diagonal(pair.m1),
         m2=diagonal(pair.m2),
         a1=full(pair.a1),

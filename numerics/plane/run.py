@@ -24,7 +24,7 @@ from numerics.plane.onset import first_slip, onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import OUTSIDE
 from numerics.plane.polynomial import first_root, log2, midpoints, rise, scaled, two_to
-from numerics.plane.series import Curve, Expansion, Series, curve_of
+from numerics.plane.series import PlaneExpansion, Series, TaylorCurve, curve_of
 from numerics.plane.system import highest
 from numerics.plane.vector import Vector, wide
 
@@ -38,7 +38,7 @@ _QUICKER = 64
 """So many times quicker some axes settle than the last, if these alone are asked."""
 
 
-class Run(LinearRun):
+class PlaneRun(LinearRun):
     """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried."""
 
     steps, stride = 0, arb(0)
@@ -68,7 +68,7 @@ class Run(LinearRun):
     def slip_on(self) -> None:
         """Slip for a step, and on to what follows if s gets to 0 in it."""
         system, at, drive = self.system, self.at, self.drive
-        slip = Expansion(system, at)
+        slip = PlaneExpansion(system, at)
         h = self.step(slip, highest(at.s)).mid()
         curve, x = slip.drawn(h), arb(1)
         rate = curve.t.derivative()
@@ -143,7 +143,7 @@ class Run(LinearRun):
 
     def along(
         self, series: Series, h: arb, top: int, slip: Sequence[arb_poly], size: arb_poly, weight: Sequence[arb | int]
-    ) -> tuple[Curve, Defect, arb]:
+    ) -> tuple[TaylorCurve, Defect, arb]:
         """Return the curve of a slip s = weight S on [0, h], its defect, and a lower bound of h(S) (0: none)."""
         q1, v2 = (Vector(scaled(x[: top + 1], h) for x in part) for part in series[:2])
         t, swing = arb_poly([self.at.t, h]), self.drive.swing(arb_series([self.at.t, h], top + 2))
@@ -152,7 +152,7 @@ class Run(LinearRun):
         curve = curve_of(self.at, t, q1, v2, s, impulse, [tuple(map(midpoints, one)) for one in swing])
         return curve, *slip_defect(self.system, curve, Vector(slip), size)
 
-    def end(self, curve: Curve, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
+    def end(self, curve: TaylorCurve, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
         """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when |s|_{kap^-1} is N.
 
         Up to a time early/narrow before, its direction is that of S up to `narrow`; |s| is a multiple of N then.

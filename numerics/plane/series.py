@@ -24,9 +24,9 @@ from flint import arb, arb_poly
 
 from numerics.arithmetic.compiled import by_type, can_compile, compilable, compiled
 from numerics.arithmetic.functions import like, sqrt
-from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.pair import TwoFloats
 from numerics.plane.polynomial import log2, scaled, two_to
-from numerics.plane.system import Drive, System, highest
+from numerics.plane.system import PlaneDrive, System, highest
 from numerics.plane.vector import Vector
 
 _MORE = {True: 6, False: 2}
@@ -37,7 +37,7 @@ _RANGE = 2.0**240
 """Of numbers up to this size, and down to its inverse, products of three have low halves."""
 
 
-class Point(NamedTuple):
+class SeriesPoint(NamedTuple):
     """A point of the path: the piece, the time in it, q1, v2, s = v1 - v2 and z = q1 - q2, as exact numbers."""
 
     piece: int
@@ -53,14 +53,14 @@ class Point(NamedTuple):
         found: Vector = self.v2 + self.s
         return found
 
-    def middle(self, system: System) -> tuple[Point, arb, Vector]:
+    def middle(self, system: System) -> tuple[SeriesPoint, arb, Vector]:
         """Return the midpoints; bounds on N of the radii, and on those of z."""
         q1, v2, s, z = (part.each(arb.rad) for part in self[2:])
-        point = Point(self.piece, self.t.mid(), *(part.each(arb.mid) for part in self[2:]))
+        point = SeriesPoint(self.piece, self.t.mid(), *(part.each(arb.mid) for part in self[2:]))
         return point, system.norm(q1, s + v2, v2), z
 
 
-class Curve(NamedTuple):
+class TaylorCurve(NamedTuple):
     """A piece of the path: the time in the piece of force, q1, v2, s, z by axes, on [0, 1]; `impulse` is f dt/dx.
 
     `swing`: polynomials that are about sine and cosine of each phase.
@@ -75,16 +75,18 @@ class Curve(NamedTuple):
     impulse: Vector
     swing: Sequence[tuple[arb_poly, arb_poly]] = ()
 
-    def at(self, x: arb) -> Point:
+    def at(self, x: arb) -> SeriesPoint:
         """Return a point of it."""
-        return Point(self.piece, self.t(x), *(part.each(lambda p: p(x)) for part in self[2:6]))
+        return SeriesPoint(self.piece, self.t(x), *(part.each(lambda p: p(x)) for part in self[2:6]))
 
 
-def curve_of(at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector, swing: Any) -> Curve:
+def curve_of(
+    at: SeriesPoint, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector, swing: Any
+) -> TaylorCurve:
     """Return a piece of the path from a point, with z = q1 - q2 along it."""
     rate = t.derivative()
     z = Vector((x * rate).integral() + z for x, z in zip(s, at.z, strict=True))
-    return Curve(at.piece, t, q1, v2, s, z, impulse, swing)
+    return TaylorCurve(at.piece, t, q1, v2, s, z, impulse, swing)
 
 
 class Series(NamedTuple):
@@ -96,14 +98,14 @@ class Series(NamedTuple):
     size: list[arb]
 
 
-class Expansion:
+class PlaneExpansion:
     """Taylor polynomials from a point: of a slip by its own clock sigma, else by the time, with friction that is given.
 
     `friction` by axes: constant where it slips, None where it holds the axis at rest. `polynomials` of s, v2, q1, t,
     sines and cosines are those of sigma/unit, a unit about a step.
     """
 
-    def __init__(self, system: System, at: Point, friction: Sequence[arb | None] | None = None) -> None:
+    def __init__(self, system: System, at: SeriesPoint, friction: Sequence[arb | None] | None = None) -> None:
         """Form the series."""
         self.system, self.at, self.friction = system, at, friction
         drive, n, degree = system.pieces[at.piece], system.n, system.degree
@@ -135,7 +137,7 @@ class Expansion:
             expand(shown, known, forces, *sizes, self.unit)
             self.polynomials = [*map(arb_poly, shown[:count])]
 
-    def drawn(self, h: arb) -> Curve:
+    def drawn(self, h: arb) -> TaylorCurve:
         """Return a step sigma = h x, 0 <= x <= 1."""
         n, polynomials = self.system.n, zip(self.polynomials, self.start, strict=True)
         found = [arb_poly([x, *scaled(one, h / self.unit).coeffs()[1:]]) for one, x in polynomials]
@@ -151,7 +153,7 @@ class Expansion:
 
 
 @lru_cache(maxsize=8)
-def constants(system: System, drive: Drive) -> tuple[Any, ...]:
+def constants(system: System, drive: PlaneDrive) -> tuple[Any, ...]:
     """Return what `expand` reads of a piece of force, in balls and in pairs (None: out of their range)."""
     still = [arb(0)] * (system.n - 1)
     waves = [one for omega, _, amplitudes in drive.sines for one in (amplitudes, [omega, *still])]
@@ -182,16 +184,16 @@ def _in_range(pairs: Any) -> bool:
     return bool(((size == 0) | ((size < _RANGE) & (size * _RANGE > 1))).all())
 
 
-def _pair_of(table: Any, row: int, k: int) -> Pair:
-    return Pair(table[0, row, k], table[1, row, k])
+def _pair_of(table: Any, row: int, k: int) -> TwoFloats:
+    return TwoFloats(table[0, row, k], table[1, row, k])
 
 
-def _put_pair(table: Any, row: int, k: int, x: Pair) -> None:
+def _put_pair(table: Any, row: int, k: int, x: TwoFloats) -> None:
     table[0, row, k], table[1, row, k] = x.high, x.low
 
 
-def _product_of_pairs(table: Any, one: int, two: int, k: int) -> Pair:
-    total = Pair(0.0, 0.0)
+def _product_of_pairs(table: Any, one: int, two: int, k: int) -> TwoFloats:
+    total = TwoFloats(0.0, 0.0)
     for j in range(k + 1):
         total = total + number(table, one, j) * number(table, two, k - j)
     return total

@@ -10,7 +10,7 @@ from numerics.plane.answer import Working
 from numerics.plane.box import joined
 from numerics.plane.linear import LinearRun
 from numerics.plane.reduced import reduced
-from numerics.plane.run import Run
+from numerics.plane.run import PlaneRun
 from numerics.plane.system import System
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene import Scene
@@ -82,7 +82,7 @@ def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[s
 def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
     system = System(reduced(scene), working)
-    kind = LinearRun if scene.pair.shape == "box" or system.n == 1 else Run
+    kind = LinearRun if scene.pair.shape == "box" or system.n == 1 else PlaneRun
     run = kind(system, limits["max_events"], _MAX_LEGS, limits["progress"])
     run.follow()
     with system.fine():

@@ -10,16 +10,16 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.plane.answer import PlaneState
 from numerics.plane.polynomial import rise
-from numerics.plane.series import Curve, Point
+from numerics.plane.series import SeriesPoint, TaylorCurve
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact, wide
 from numerics.plane.window import around
 
 
-class Leg(NamedTuple):
+class PlaneLeg(NamedTuple):
     """A curve from x = 0 to x = `end`; bounds at its end on N and on the errors of z."""
 
-    curve: Curve
+    curve: TaylorCurve
     end: arb
     norm: arb
     apart: Vector
@@ -28,7 +28,7 @@ class Leg(NamedTuple):
 class States:
     """The states of a run, as enclosures of the true ones."""
 
-    def __init__(self, system: System, legs: list[Leg]) -> None:
+    def __init__(self, system: System, legs: list[PlaneLeg]) -> None:
         """Take the legs of a path, which may still grow."""
         self.system, self.legs = system, legs
         with self.system.fine():
@@ -36,7 +36,7 @@ class States:
             self.pieces = [Ball.number(p.start) for p in given.pieces]
             self.place, self.force, self.apart = exact(given.place), exact(given.force), exact(given.apart)
 
-    def enclosed(self, at: Point, late: arb, norm: arb, apart: Vector) -> PlaneState:
+    def enclosed(self, at: SeriesPoint, late: arb, norm: arb, apart: Vector) -> PlaneState:
         """Return the true state within `late` (s) of a point of the path, by the bounds on N and on z."""
         system = self.system
         near = around(system, at, norm, late)
@@ -67,7 +67,7 @@ class States:
         return self.enclosed(at, abs(there.t - local).upper(), (leg.norm + norm).upper(), leg.apart + apart)
 
 
-def _place(leg: Leg, local: arb) -> arb:
+def _place(leg: PlaneLeg, local: arb) -> arb:
     """Return where on [0, 1] a curve is at a time of its piece, about."""
     t = leg.curve.t
     if not local > t[0]:

@@ -12,7 +12,7 @@ from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import BITS_PER_DIGIT, Ball, precision
 from numerics.errors import EventUndecided
-from numerics.plane.reduced import Acting, Reduced
+from numerics.plane.reduced import Acting, ReducedPlane
 from numerics.plane.vector import Vector, exact
 
 SPARE_BITS = 40
@@ -28,7 +28,7 @@ So N alone is a bound as good as any.
 class System:
     """A pair on n axes. With N^2 = q1.A2 q1 + v1.M1 v1 + v2.M2 v2 of the difference of two motions N never grows."""
 
-    def __init__(self, given: Reduced, digits: int) -> None:
+    def __init__(self, given: ReducedPlane, digits: int) -> None:
         """Take the data, and the working precision in decimal digits."""
         self.given, self.digits = given, digits
         self.bits = math.ceil(digits * BITS_PER_DIGIT) + _MORE_BITS[given.is_round]
@@ -50,7 +50,7 @@ class System:
             # an error N moves component i of the load by load_error[i] N at most, and of v1 - v2 by apart[i] N
             self.load_error = self.share * (self.stiff.each(arb.sqrt) + abs(self.a1) @ (1 / self.root_m1))
             self.apart = self.kappa.each(arb.sqrt)
-            self.pieces = [Drive(self, piece) for piece in given.pieces]
+            self.pieces = [PlaneDrive(self, piece) for piece in given.pieces]
 
     @contextmanager
     def fine(self) -> Iterator[None]:
@@ -62,7 +62,7 @@ class System:
         finally:
             flint.ctx.cap = before
 
-    def drive(self, at: Any) -> Drive:
+    def drive(self, at: Any) -> PlaneDrive:
         """Return what acts at a point of the path."""
         return self.pieces[min(at.piece, len(self.pieces) - 1)]
 
@@ -93,7 +93,7 @@ class System:
         return (s * s @ (1 / self.kappa)).sqrt()
 
 
-class Drive:
+class PlaneDrive:
     """What acts in a piece: u of the time from its beginning, and b."""
 
     def __init__(self, system: System, acting: Acting) -> None:

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.linear.modes import EventKind
-from numerics.plane.answer import Motion, PlaneEvent, PlaneState, Working
+from numerics.plane.answer import PlaneEvent, PlaneMotion, PlaneState, Working
 from numerics.plane.box import Parts
 from numerics.plane.reduced import reduced
-from numerics.plane.series import Curve
-from numerics.plane.states import Leg, States
+from numerics.plane.series import TaylorCurve
+from numerics.plane.states import PlaneLeg, States
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact
 from numerics.scene.decimals import exact_decimal
@@ -77,7 +77,7 @@ class PlaneTrajectory(Answer):
         status: Status,
         mode: str,
         events: tuple[PlaneEvent, ...],
-        motion: Motion,
+        motion: PlaneMotion,
     ) -> None:
         """Keep what a run found: how it ended, the mode at t = 0, its events, and what knows the state at any time."""
         self.arithmetic: Working = arithmetic
@@ -278,6 +278,6 @@ def _tuples(given: Any) -> Any:
     return tuple(map(_tuples, given)) if isinstance(given, list) else given
 
 
-def _leg(given: Any) -> Leg:
+def _leg(given: Any) -> PlaneLeg:
     (piece, t, *parts), end, norm, apart = given
-    return Leg(Curve(piece, arb_poly(t), *map(Vector, parts)), end, norm, Vector(apart))
+    return PlaneLeg(TaylorCurve(piece, arb_poly(t), *map(Vector, parts)), end, norm, Vector(apart))

@@ -36,13 +36,13 @@ _POSITIVE = ("m1", "m2", "a2", "b", "until")
 Progress = Callable[[int, int], None]
 
 
-class _Limits(NamedTuple):
+class _BatchLimits(NamedTuple):
     max_events: int
     keep_events: int
     jobs: int | None
     progress: Progress | None
 
-    def checked(self) -> _Limits:
+    def checked(self) -> _BatchLimits:
         """Raise ValueError for what is no limit."""
         require_whole("max_events", self.max_events, 1)
         require_whole("keep_events", self.keep_events, 0)
@@ -107,7 +107,7 @@ def solve_many(
     for name, values in named.items():
         if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
             raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
-    law, limits, terms = read_law(law), _Limits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
+    law, limits, terms = read_law(law), _BatchLimits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
     # a polynomial would have to begin anew with each piece of friction
     in_columns = force is None and (friction is None or (terms < 2 and _fits_in_columns(friction)))
     force, friction = NO_FORCE if force is None else force, SAME_FRICTION if friction is None else friction
@@ -164,7 +164,7 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
     [24, 0]
     """
-    given, limits = _of_one_kind(scenes), _Limits(max_events, keep_events, jobs, progress).checked()
+    given, limits = _of_one_kind(scenes), _BatchLimits(max_events, keep_events, jobs, progress).checked()
     if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
@@ -235,7 +235,7 @@ def _all_of(name: str, kind: type, given: Any) -> Any:
     return array
 
 
-def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law, limits: _Limits) -> Batch:
+def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, law: Law, limits: _BatchLimits) -> Batch:
     """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
     exactly, pairs = np.vectorize(Fraction, otypes=[object]), dict[tuple[int, ...], Pair]()
     each = (one if one.dtype == object else exactly(one) for one in arrays.values())
@@ -248,7 +248,7 @@ def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, l
 def _solved(
     scene_of: Callable[[int], Scene],
     count: int,
-    limits: _Limits,
+    limits: _BatchLimits,
     run: Callable[[slice, Floats, Floats], None] | None = None,
 ) -> tuple[Floats, Floats]:
     """Solve rows in chunks, by compiled code if there is some, and those that it leaves one by one.

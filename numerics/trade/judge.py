@@ -38,7 +38,7 @@ def proved(scene: Any, digits: int = 0) -> PeerRun:
     return answer_of(found)
 
 
-class Verdict(NamedTuple):
+class Judgement(NamedTuple):
     """The first difference of the itinerary, None if it is right, and the digits (-log10) of the worst error."""
 
     difference: str | None
@@ -46,7 +46,7 @@ class Verdict(NamedTuple):
     """None where the run gives no number."""
 
 
-def judge(found: PeerRun, truth: PeerRun, scene: Any, digits: int = 0) -> Verdict:
+def judge(found: PeerRun, truth: PeerRun, scene: Any, digits: int = 0) -> Judgement:
     """Hold a run against the `proved` reference of as many digits."""
     difference = first_difference(found, truth) if found.modes else None
     with Ball(working_digits(digits)).context():
@@ -59,9 +59,9 @@ def judge(found: PeerRun, truth: PeerRun, scene: Any, digits: int = 0) -> Verdic
         for one, true, scale in parts:
             worst = worst.max((abs(as_arb(one) - as_arb(true)).upper() / as_arb(scale)).upper())
         if not worst.is_finite():
-            return Verdict(difference, None)
+            return Judgement(difference, None)
         # through the logarithm of a ball, since the error may be far below the range of a float
-        return Verdict(difference, float((worst + arb(10) ** -(10**6)).log().mid()) / -math.log(10))
+        return Judgement(difference, float((worst + arb(10) ** -(10**6)).log().mid()) / -math.log(10))
 
 
 def scales(pair: Any) -> list[arb]:

@@ -25,7 +25,7 @@ from numerics.trade.comparisons.integrators import heyoka_arcs
 from numerics.trade.comparisons.switched import Call, PeerRun, SwitchedPair, run
 from numerics.trade.contenders import CONTENDERS, Contender, answer_of, contender
 from numerics.trade.judge import judge, proved, scales
-from numerics.trade.recorded import NONE, OURS, Run, Sweep, Trade, machine, short
+from numerics.trade.recorded import NONE, OURS, Sweep, TimedRun, Trade, machine, short
 from numerics.trade.scenes import HEADLINE, LONG, NAMES, benchmark, kind, why
 
 SIZES: dict[str, tuple[Sequence[str], float, int]] = {
@@ -60,7 +60,7 @@ def trade(
     solve_many(1, 1, 200, 0.5, v1=[0.15], until=1, jobs=1)  # brings up what is compiled
     everyone, scenes = selected(only, contenders, names)
     left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
-    runs, sweeps, slow = list[Run](), list[Sweep](), set[str]()
+    runs, sweeps, slow = list[TimedRun](), list[Sweep](), set[str]()
     for name in scenes:
         scene, is_long = benchmark(name), name.startswith(LONG)
         truth, base = proved(scene), contender("solve").prepare(scene, 0)
@@ -72,7 +72,7 @@ def trade(
                     break  # coarse to fine: the next one is slower
                 progress(f"{name}: {one.label} {setting:g}")
                 ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
-                runs.append(Run(name, one.label, setting, short(ratio and ratio * unit), short(digits), note))
+                runs.append(TimedRun(name, one.label, setting, short(ratio and ratio * unit), short(digits), note))
                 if is_long and ratio and ratio * unit > SLOW:
                     slow.add(one.label)
         if name in SWEPT and contender("heyoka") in everyone and "heyoka" not in left_out:

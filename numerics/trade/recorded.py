@@ -45,7 +45,7 @@ class UnreadableTrade(NumericsError):
     """A file that holds no trade; the message says what is wrong with it and how to make one."""
 
 
-class Run(NamedTuple):
+class TimedRun(NamedTuple):
     """One contender at one setting on one scene."""
 
     scene: str
@@ -73,8 +73,8 @@ class Lead(NamedTuple):
     """The peer's time by ours, below 1 where the peer is faster, and both."""
 
     ratio: float
-    peer: Run
-    ours: Run
+    peer: TimedRun
+    ours: TimedRun
 
 
 class Sweep(NamedTuple):
@@ -98,10 +98,10 @@ class Trade:
     machine: dict[str, Any]
     left_out: dict[str, str]
     scenes: dict[str, str]
-    runs: tuple[Run, ...]
+    runs: tuple[TimedRun, ...]
     sweeps: tuple[Sweep, ...] = ()
 
-    def of(self, scene: str, who: str | None = None) -> list[Run]:
+    def of(self, scene: str, who: str | None = None) -> list[TimedRun]:
         """Return the runs on one scene, of all or of one contender."""
         return [one for one in self.runs if one.scene == scene and who in (None, one.who)]
 
@@ -137,7 +137,7 @@ class Trade:
         return f'{json.dumps(head, indent=1)[:-2]},\n "runs": [\n{rows}]}}\n'
 
 
-def nearest(runs: Sequence[Run], digits: float) -> Run:
+def nearest(runs: Sequence[TimedRun], digits: float) -> TimedRun:
     """Return the cheapest run with so many digits, or else the most accurate one."""
     enough = [one for one in runs if one.digits >= digits]
     return min(enough, key=lambda one: one.seconds) if enough else max(runs, key=lambda one: one.digits)
@@ -154,7 +154,7 @@ def recorded(file: Path | None = None) -> Trade:
     try:
         record = json.loads(path.read_text("utf-8"))
         record.pop("command", None)
-        runs = tuple(Run(*one) for one in record.pop("runs"))
+        runs = tuple(TimedRun(*one) for one in record.pop("runs"))
         sweeps = tuple(Sweep(*one) for one in record.pop("sweeps"))
         if not runs or not {"processor", "cores", "python", "packages"} <= set(record["machine"]):
             raise ValueError("it has no runs or no machine")

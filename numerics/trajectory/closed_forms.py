@@ -135,7 +135,7 @@ Value = Any
 """An interval of mpmath."""
 
 
-class State(NamedTuple):
+class StateForms(NamedTuple):
     """Time (s), place (m) and velocity (m/s) of body 1, the same of body 2."""
 
     t: Value
@@ -213,7 +213,7 @@ class Forms:
         root = INTERVALS.sqrt(number(abs(square)))
         return Swing(number(decay), number(square), (square > 0) - (square < 0), root)
 
-    def path(self, mode: Mode, at: State) -> Wave:
+    def path(self, mode: Mode, at: StateForms) -> Wave:
         """Return body 1's place from a state on, m."""
         swing, answer = (self.alone, self.spell.alone) if mode.sign else (self.together, self.spell.together)
         centre = -mode.sign * self.b / self.a2
@@ -221,24 +221,24 @@ class Forms:
         odd = at.v1 - answer.slope()(at.t) + swing.decay * away
         return Wave(centre, INTERVALS.mpf(0), away, odd, swing, at.t, answer)
 
-    def moved(self, mode: Mode, at: State, u: Value, ends: int = 0) -> State:
+    def moved(self, mode: Mode, at: StateForms, u: Value, ends: int = 0) -> StateForms:
         """Return the state a time later; where a mode ends, a stick towards `ends`, both velocities are equal."""
         t, path = at.t + u, self.path(mode, at)
         x1, v1 = path(u), path.slope()(u)
         if mode is Mode.STICK:
             edge = (self.spell.force(t) - ends * self.edge_load - self.a1 * v1) / self.a2 if ends else x1
-            return State(t, edge, v1, at.x2 + (x1 - at.x1), v1)
+            return StateForms(t, edge, v1, at.x2 + (x1 - at.x1), v1)
         v2 = at.v2 + mode.sign * self.gained * u
-        return State(t, x1, v2 if ends else v1, at.x2 + (at.v2 + v2) / 2 * u, v2)
+        return StateForms(t, x1, v2 if ends else v1, at.x2 + (at.v2 + v2) / 2 * u, v2)
 
-    def guard(self, mode: Mode, k: int, at: State) -> Wave:
+    def guard(self, mode: Mode, k: int, at: StateForms) -> Wave:
         """Return what is positive until a mode ends: k (v1 - v2) of a slip, m/s; m/s^2 that friction has left for k."""
         slope = self.path(mode, at).slope()
         if mode is Mode.STICK:
             return slope.slope()._replace(still=self.gained, sign=-k)
         return slope._replace(still=-(k * at.v2), drift=-self.gained, sign=k)
 
-    def spare(self, at: State) -> Value:
+    def spare(self, at: StateForms) -> Value:
         """Return what no stick under a constant force uses up from a state on, N^2: for ever, if it is not negative."""
         away = self.a2 * at.x1 - self.spell.force(at.t)
         reach = (away**2 / self.a2 + self.mass * at.v1**2) * (self.a2 + self.a1**2 / self.mass)
@@ -290,18 +290,18 @@ class Forms:
 
 
 @dataclass
-class Run:
+class TheoremRun:
     """Where a motion surely is: in a box, in contact or not; with k at the edge at which a stick has ended."""
 
     forms: Forms
-    at: State
+    at: StateForms
     touches: bool
     k: int = 0
 
     @classmethod
-    def start(cls, forms: Forms, numbers: tuple[Fraction, ...], k: int = 0) -> Run:
+    def start(cls, forms: Forms, numbers: tuple[Fraction, ...], k: int = 0) -> TheoremRun:
         """Return the run from an exact state, t, x1, v1, x2, v2; with k at the edge towards a slip of that sign."""
-        return cls(forms, State(*map(number, numbers)), numbers[2] == numbers[4], k)
+        return cls(forms, StateForms(*map(number, numbers)), numbers[2] == numbers[4], k)
 
     @property
     def time(self) -> float:

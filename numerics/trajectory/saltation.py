@@ -44,7 +44,7 @@ _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
 _widened = np.frompyfunc(widened, 2, 1)
 
 
-class Carried(NamedTuple):
+class CarriedDerivatives(NamedTuple):
     """Derivatives of the state at a fixed time, (4, p), with bounds (p,) on their errors: in N, and of x1 - x2."""
 
     y: Array
@@ -74,7 +74,7 @@ class Chain:
         y[range(4), [self.column[name] for name in STATE]] = arb(1)
         if legs[0].side == 0:  # stuck neighbours share their momentum at once
             y[1] = y[3] = (self.m1 * y[1] + self.m2 * y[3]) / self.mass
-        self.starts = [self._into_piece(Carried(y, self._zeros(), self._zeros()), 0)]
+        self.starts = [self._into_piece(CarriedDerivatives(y, self._zeros(), self._zeros()), 0)]
         self.starts.extend(map(self._crossed, range(len(legs) - 1)))
 
     def at(self, index: int, tau: arb) -> Array:
@@ -102,14 +102,16 @@ class Chain:
     def _zeros(self, *rows: int) -> Array:
         return np.full((*rows, len(self.column)), arb(0))
 
-    def _ahead(self, index: int, tau: arb) -> Carried:
+    def _ahead(self, index: int, tau: arb) -> CarriedDerivatives:
         """Return the derivatives tau (s) after the start of a leg: of the point that is carried, and the bounds."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
         flow, columns = self.variation(leg.piece, leg.side, leg.cell).over(leg.state, leg.start, tau)
         if self.cells and leg.side:
             mode = self.cells.mode(self.pieces[leg.piece], leg.side, leg.cell)
             norm = norm * LocalNorm(mode, self.cells.pulling).growth(tau.abs_upper())
-        return Carried(flow @ y + columns, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
+        return CarriedDerivatives(
+            flow @ y + columns, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side)
+        )
 
     def _guard_by_norm(self, side: int) -> arb:
         """Return the most that |v1 - v2| in slip, or m2 x1'' in stick, can be for N = 1."""
@@ -117,20 +119,20 @@ class Chain:
             return (self.mass / (self.m1 * self.m2)).sqrt()
         return self.m2 / self.mass * (self.a2 + self.a1 * self.a1 / self.mass).sqrt()
 
-    def _pointed(self, found: Carried) -> Carried:
+    def _pointed(self, found: CarriedDerivatives) -> CarriedDerivatives:
         """Return the middles of balls, their radii added to the bounds."""
         x1, v1, x2, v2 = _radius(found.y)
         norm = found.norm + x1 * self.roots[0] + v1 * self.roots[1] + v2 * self.roots[2]
         if self.cells:
             norm = norm + (x1 + x2) * Ball.number(self.cells.pulling).sqrt()
-        return Carried(_middle(found.y), norm, found.place + x1 + x2)
+        return CarriedDerivatives(_middle(found.y), norm, found.place + x1 + x2)
 
-    def _enclosed(self, found: Carried) -> Array:
+    def _enclosed(self, found: CarriedDerivatives) -> Array:
         """Return balls that hold the true derivatives."""
         x1, v1, v2 = (found.norm / root for root in self.roots)
         return _widened(found.y, np.array([x1, v1, found.place + x1, v2]))
 
-    def _crossed(self, index: int) -> Carried:
+    def _crossed(self, index: int) -> CarriedDerivatives:
         """Return the derivatives at the start of the next leg; those of an event are kept."""
         leg, after = self.legs[index], self.legs[index + 1]
         ended = self._ahead(index, after.start - leg.start)
@@ -138,7 +140,7 @@ class Chain:
             return self._into_piece(ended, index + 1)
         return self._after_guard(leg, after, ended) if after.is_event else self._pointed(ended)
 
-    def _after_guard(self, leg: Leg, after: Leg, ended: Carried) -> Carried:
+    def _after_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> CarriedDerivatives:
         """Return the derivatives after an event by a guard."""
         piece, enclosed = self.pieces[leg.piece], self._enclosed(ended)
         before, behind = (self._field(piece, after.start, after.state, one) for one in (leg, after))
@@ -153,7 +155,7 @@ class Chain:
         self._keep(late, y, enclosed)
         return self._pointed(ended)
 
-    def _into_piece(self, found: Carried, index: int) -> Carried:
+    def _into_piece(self, found: CarriedDerivatives, index: int) -> CarriedDerivatives:
         """Return the derivatives at the start of a leg that begins a piece; those of an event are kept."""
         enclosed, t, y = self._enclosed(found), self._zeros(), +found.y
         moving = +enclosed

@@ -24,9 +24,9 @@ from numerics.trajectory.closed_forms import (
     INTERVALS,
     SPARE_SIGN_BITS,
     Forms,
-    Run,
-    State,
+    StateForms,
     Steady,
+    TheoremRun,
     TooCoarse,
     Unseen,
     Value,
@@ -132,8 +132,8 @@ class _Writer:
         self.forms = Forms(scene.pair, most)
         self._begin(0)
         at = scene.initial
-        self.run = Run.start(self.forms, (Fraction(0), at.x1, at.v1, at.x2, at.v2), self._edge())
-        self.close: Run | None = None
+        self.run = TheoremRun.start(self.forms, (Fraction(0), at.x1, at.v1, at.x2, at.v2), self._edge())
+        self.close: TheoremRun | None = None
         self.radius, self.steps, self.fresh = Fraction(0), list[str](), self._size()
 
     def _begin(self, index: int) -> None:
@@ -216,7 +216,7 @@ class _Writer:
         self.close, self.radius, self.steps = None, Fraction(0), []
         return relative
 
-    def _norm(self, at: State) -> Value:
+    def _norm(self, at: StateForms) -> Value:
         """Return the energy norm of a difference, sqrt(J)."""
         pair = self.scene.pair
         parts = (pair.a2, at.x1), (pair.m1, at.v1), (pair.m2, at.v2)
@@ -224,7 +224,7 @@ class _Writer:
 
     def _size(self) -> float:
         """Return how large the box is, and what rounding adds, in the energy norm."""
-        widths = State(*(one.delta for one in self.run.at))
+        widths = StateForms(*(one.delta for one in self.run.at))
         return float(self._norm(widths).b) + float(self._norm(self.run.at).b) * 2.0**-self.most
 
     def _renewed(self, mode: Mode, time: Fraction) -> bool:
@@ -238,8 +238,8 @@ class _Writer:
         box = other.at.x1, other.at.v1, other.at.v2
         places = 1 - math.floor(math.log10(min(float(one.delta.b) for one in box) or 2.0**-self.most))
         x1, v1, v2 = (sum(outward(one, places), Fraction(0)) / 2 for one in box)
-        centre = Run.start(self.forms, (time, x1, v1, Fraction(0), v2))
-        away = self._norm(State(*(one - at for one, at in zip(other.at, centre.at, strict=True))))
+        centre = TheoremRun.start(self.forms, (time, x1, v1, Fraction(0), v2))
+        away = self._norm(StateForms(*(one - at for one, at in zip(other.at, centre.at, strict=True))))
         radius, pair = self.radius + Fraction(f"{1.25 * float(away.b):.2e}"), self.scene.pair
         for name, weight in (("x1", pair.a2), ("v1", pair.m1), ("v2", pair.m2)):
             arm = number(radius) * INTERVALS.sqrt(2 / number(weight)) * INTERVALS.mpf([-1, 1])

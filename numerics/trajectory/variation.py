@@ -29,7 +29,7 @@ import numpy as np
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, magnitude_bits, precision
-from numerics.linear.cells import Branch, cells_of, mode_in
+from numerics.linear.cells import FrictionLine, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
 from numerics.linear.system import LinearMode, Motion
@@ -129,11 +129,11 @@ class Variation:
             inputs[0, :, column[name]] -= acting
             inputs[1:, :, column[name]] += acting
 
-    def _by_numbers(self, side: int, cell: tuple[int, int]) -> dict[str, Branch]:
+    def _by_numbers(self, side: int, cell: tuple[int, int]) -> dict[str, FrictionLine]:
         """Return the derivatives of the friction of a slip by the numbers in it."""
         if self.cells:
             return self.cells.by_numbers(self.piece, side, cell, self.b)
-        return {self.b: Branch(Fraction(1), Fraction(0), Fraction(0))}
+        return {self.b: FrictionLine(Fraction(1), Fraction(0), Fraction(0))}
 
     def _friction(self, mode: LinearMode) -> Array:
         """Return friction on body 2 over z; of a stick none."""

@@ -7,7 +7,7 @@ import sympy as sp
 from paper_checks.claims import energy as dissipation
 from paper_checks.claims import filippov
 from paper_checks.claims.words import *
-from theory.closed_forms import Regime, residual, solution
+from theory.closed_forms import DampingRegime, residual, solution
 from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, stick_rate
 from theory.filippov import half_width, phi, transversality
 
@@ -71,7 +71,7 @@ def stick_is_a_motion() -> Evidence:
     """The closed form of stick solves (3), (4), and E is constant along it."""
     return identity(
         "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves (3), (4), and $\\dot E=0$ along it",
-        [*residual(solution("stick", Regime.UNDAMPED)), undamped(stick_rate())],
+        [*residual(solution("stick", DampingRegime.UNDAMPED)), undamped(stick_rate())],
     )
 
 

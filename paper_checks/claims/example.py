@@ -5,7 +5,7 @@ import sympy as sp
 from paper_checks.claims.filippov import bracket_is_off_in_slip
 from paper_checks.claims.points import PULL, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.closed_forms import Regime, residual, solution
+from theory.closed_forms import DampingRegime, residual, solution
 from theory.energy import stick_rate
 from theory.linear import root
 from theory.model import (
@@ -187,7 +187,7 @@ def example_reduction() -> Case:
 )
 def example_two_modes() -> Case:
     """Put sgn(z') = 0, 1, -1 into (11), (12), and solve the first mode."""
-    together = solution("stick", Regime.UNDAMPED)
+    together = solution("stick", DampingRegime.UNDAMPED)
     return because(
         r"""
         (13) and (14) are (11) and (12) with the signum at 0 and at $\pm 1$, upper signs for $\dot z>0$. In (13) both

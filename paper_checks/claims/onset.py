@@ -10,7 +10,7 @@ from paper_checks.claims.filippov import bracket_is_off_in_slip, stick_region
 from paper_checks.claims.points import EXAMPLE_PAIR, INSIDE, PULL, START_AT_6MM, scene_at
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
-from theory.closed_forms import Regime, rate, rates, residual, solution
+from theory.closed_forms import DampingRegime, rate, rates, residual, solution
 from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, slip_rate, stick_rate
 from theory.filippov import derivative_along, edge_contact, half_width
 from theory.linear import root
@@ -213,7 +213,7 @@ def example_onset() -> Case:
             stuck_for_ever("from there it sticks for ever too", solved(scene_at(TOGETHER, "1000"))),
             identity(
                 "stick satisfies (3)–(4) and (11)–(12), by substitution",
-                residual(solution("stick", Regime.UNDAMPED)),
+                residual(solution("stick", DampingRegime.UNDAMPED)),
             ),
         ),
         correction(*(*stays_together(), *comes_apart())),
@@ -221,7 +221,7 @@ def example_onset() -> Case:
             equation("E|_S", on_surface()),
             equation("E_{cr}", critical_energy()),
             equation(r"v_1^2|_{|x_1|=L}", edge_speed_squared()),
-            equation(r"x_1(t)", solution("stick", Regime.UNDAMPED).x1),
+            equation(r"x_1(t)", solution("stick", DampingRegime.UNDAMPED).x1),
         ),
     )
 
@@ -261,7 +261,7 @@ def example_damped_oscillations() -> Case:
     """Show which part of (14) damps what, and prove that z' -> 0."""
     trajectory = solved(scene_at(LONG_SLIP, "10"))
     with trajectory.arithmetic.context():
-        period = ball(2 * pi / rates("slip+", Regime.UNDAMPED)[rate].subs(CASE_STUDY))
+        period = ball(2 * pi / rates("slip+", DampingRegime.UNDAMPED)[rate].subs(CASE_STUDY))
     own_energy = (a2 * x1**2 + m1 * v1**2) / 2
     own_rate = derivative_along(slip(1).field, own_energy)
     return because(

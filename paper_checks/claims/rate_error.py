@@ -12,7 +12,7 @@ from flint import acb, arb, arb_poly, arb_series, fmpq
 
 from paper_checks.decide.balls import point, precision, terms
 
-Quotient = Callable[["Slip", Any], tuple[Any, Any]]
+Quotient = Callable[["SlipByAngle", Any], tuple[Any, Any]]
 
 
 SPLIT, RIM = Fraction(4, 5), Fraction(7, 5)
@@ -74,7 +74,7 @@ def _first_terms(x: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Slip:
+class SlipByAngle:
     """A slip from a ray by its angle: theta, h and c, as numbers, balls or series; what no mass ratio changes, once."""
 
     theta: Any
@@ -92,7 +92,7 @@ class Slip:
         return (self.depth / (self.height * self.height)) ** 2 * WEIGHT
 
 
-def of_map(slip: Slip, p: Any) -> tuple[Any, Any]:
+def of_map(slip: SlipByAngle, p: Any) -> tuple[Any, Any]:
     """Return G and c^2: pi times their quotient is what pi G is of (y - y')/r, as y - y' = r c^2."""
     r = 1 - p * p
     share = r * slip.lost
@@ -100,7 +100,7 @@ def of_map(slip: Slip, p: Any) -> tuple[Any, Any]:
     return gain + (r - FIXED) * slip.lost * logarithm(share), slip.depth * slip.depth
 
 
-def of_time(slip: Slip, p: Any) -> tuple[Any, Any]:
+def of_time(slip: SlipByAngle, p: Any) -> tuple[Any, Any]:
     """Return F (1 + sqrt(1 - r s)) and h s: their quotient is F r/(sqrt y - sqrt y')."""
     square = p * p
     root = (1 - (1 - square) * slip.lost).sqrt()
@@ -109,34 +109,34 @@ def of_time(slip: Slip, p: Any) -> tuple[Any, Any]:
     return more * (1 + root), slip.height * slip.lost
 
 
-def plain(theta: Any) -> Slip:
+def plain(theta: Any) -> SlipByAngle:
     """Return the slip with its closed forms evaluated as they stand."""
     sine, cosine = (theta / 2).sin(), (theta / 2).cos()
-    return Slip(theta, (theta - theta.sin()) / (2 * sine * sine), 2 - theta * cosine / sine)
+    return SlipByAngle(theta, (theta - theta.sin()) / (2 * sine * sine), 2 - theta * cosine / sine)
 
 
-def on_box(theta: arb) -> Slip:
+def on_box(theta: arb) -> SlipByAngle:
     """Return the slip on a box of angles with its slope: h and c rise, c' = h and h' = c/(1 - cos theta)."""
     low, high = plain(theta.lower()), plain(theta.upper())
     height, deep = low.height.union(high.height), low.depth.union(high.depth)
     slope = deep / (2 * (theta / 2).sin() ** 2)
-    return Slip(arb_series([theta, 1]), arb_series([height, slope]), arb_series([deep, height]))
+    return SlipByAngle(arb_series([theta, 1]), arb_series([height, slope]), arb_series([deep, height]))
 
 
-def on_rim(theta: acb) -> Slip:
+def on_rim(theta: acb) -> SlipByAngle:
     """Return the slip on a box of complex angles by the values in its middle and c' = h, h' = c/(1 - cos theta)."""
     middle = acb(theta.real.mid(), theta.imag.mid())
     rough, centre = plain(theta), plain(middle)
     slope = rough.depth / (2 * (theta / 2).sin() ** 2)
     off = theta - middle
-    return Slip(theta, centre.height + slope * off, centre.depth + rough.height * off)
+    return SlipByAngle(theta, centre.height + slope * off, centre.depth + rough.height * off)
 
 
 class Near(NamedTuple):
     """The slips near theta = 0, whatever the mass ratio: as a power series, and on the boxes of the rim."""
 
-    series: Slip
-    rim: tuple[Slip, ...]
+    series: SlipByAngle
+    rim: tuple[SlipByAngle, ...]
 
 
 def near() -> Near:
@@ -172,9 +172,9 @@ class Beyond(NamedTuple):
     """The slips on a box of angles, whatever the mass ratio: with their slopes, without, and in the middle."""
 
     theta: arb
-    along: Slip
-    fixed: Slip
-    middle: Slip
+    along: SlipByAngle
+    fixed: SlipByAngle
+    middle: SlipByAngle
 
 
 def slips_on(theta: arb) -> Beyond:
@@ -184,7 +184,7 @@ def slips_on(theta: arb) -> Beyond:
         return Beyond(
             theta,
             along,
-            Slip(*(arb_series([one[0]]) for one in (along.theta, along.height, along.depth))),
+            SlipByAngle(*(arb_series([one[0]]) for one in (along.theta, along.height, along.depth))),
             plain(theta.mid()),
         )
 

@@ -15,7 +15,7 @@ from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, text
 from theory import forced
 from theory import forced_control as control
-from theory.closed_forms import Regime, residual, solution
+from theory.closed_forms import DampingRegime, residual, solution
 from theory.filippov import sliding_field, transversality
 from theory.forced import held_at_the_limit, load
 from theory.model import branch_named, case_study_mode, free_system, stick
@@ -123,7 +123,7 @@ def no_solution_inside() -> Evidence:
 def two_solutions() -> Steps:
     """(11), (12) from the start of Fig. 4 (a): a stick and a slip, both by substitution."""
     slipping = solved(load_scene("start-at-6mm"))
-    stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
+    stuck, loose = (solution(mode, DampingRegime.UNDAMPED) for mode in ("stick", "slip-"))
     return (
         identity("a pair that sticks for ever satisfies (11), (12) (stick, by substitution)", residual(stuck)),
         identity(

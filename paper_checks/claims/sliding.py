@@ -5,7 +5,7 @@ import sympy as sp
 from paper_checks.claims import capture
 from paper_checks.claims.letters import BEYOND, WITHIN, guard_rate
 from paper_checks.claims.words import *
-from theory.closed_forms import Regime, residual, solution
+from theory.closed_forms import DampingRegime, residual, solution
 from theory.energy import energy, stick_rate
 from theory.filippov import STATE, edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
 
@@ -233,7 +233,7 @@ def return_alternatives() -> Case:
     )
     slips = identity(
         "the slip with $\\dot z<0$ solves (3), (4), before and after",
-        residual(solution("slip-", Regime.UNDAMPED)),
+        residual(solution("slip-", DampingRegime.UNDAMPED)),
     )
     return because(
         r"""

@@ -29,7 +29,7 @@ from paper_checks.claims.tolerance import sticks_for_ever_below
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, rounded, solved, stuck_for_ever, within
 from paper_checks.decide.exhibit import Point
-from theory.closed_forms import Regime, rate, solution
+from theory.closed_forms import DampingRegime, rate, solution
 from theory.energy import critical_energy, energy
 from theory.filippov import half_width, transversality
 from theory.model import CASE_STUDY, branch_named, stick
@@ -164,7 +164,7 @@ def _from_rest(scene: Scene) -> Steps:
     return (
         identity(
             "stuck from rest, $x_1(t)=x_1(0)\\cos\\omega t$: $|x_1(t)|\\leqslant|x_1(0)|$",
-            solution("stick", Regime.UNDAMPED).x1.subs(v1_0, 0),
+            solution("stick", DampingRegime.UNDAMPED).x1.subs(v1_0, 0),
             x1_0 * cos(rate * t),
         ),
         identity(

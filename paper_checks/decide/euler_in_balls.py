@@ -29,7 +29,7 @@ SINGLE, MOST = 16, 14
 
 
 @dataclass(frozen=True)
-class EulerRun:
+class EnclosedEulerRun:
     """What was proved about a forward Euler run of `steps` steps of `step` s."""
 
     step: Fraction
@@ -49,7 +49,7 @@ class EulerRun:
         return None if self.adhesion is None else self.adhesion * self.step
 
 
-def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
+def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EnclosedEulerRun:
     """Run forward Euler from a state with z' != 0 up to `until` s, or to its first step with z' = 0.
 
     Raises EventUndecided where a sign is not proved at `DIGITS`, ValueError for a1 > 0 or a start with z' = 0.
@@ -90,7 +90,7 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
                 adhesion = adhesion or n
         v2 = v1 - relative
         energy = number(pair.a2) * x1 * x1 + number(pair.m1) * v1 * v1 + number(pair.m2) * v2 * v2
-        return EulerRun(step, steps, contact, chatter, adhesion, energy / number(2 * scene.energy))
+        return EnclosedEulerRun(step, steps, contact, chatter, adhesion, energy / number(2 * scene.energy))
 
 
 class _ManySteps:
@@ -140,6 +140,6 @@ def _in_strip(x1: arb, width: arb, step: int) -> bool:
 
 
 @cache
-def run(name: str, step: Fraction) -> EulerRun:
+def run(name: str, step: Fraction) -> EnclosedEulerRun:
     """Return forward Euler of a shipped scene of `HORIZONS` with a step (s); two seconds longer where it is coarse."""
     return euler_in_balls(load_scene(name), step, Fraction(HORIZONS[name] + (2 if step >= COARSE else 0)))

@@ -16,11 +16,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-_STAYING: dict[tuple[int, str], _Process] = {}
+_STAYING: dict[tuple[int, str], _SolverProcess] = {}
 """By this process and the solver: a process that is forked off has none of its parent's."""
 
 
-class _Process:
+class _SolverProcess:
     """One solver that answers lines of JSON on its stdin with lines of JSON."""
 
     def __init__(self, solver: str) -> None:
@@ -73,7 +73,7 @@ def answer(solver: str, texts: Sequence[str], seconds: float) -> dict[str, Any] 
     """
     key = os.getpid(), solver
     if key not in _STAYING:
-        _STAYING[key] = _Process(solver)
+        _STAYING[key] = _SolverProcess(solver)
     reply = None
     try:
         # starting, and what a solver needs to notice its own limit, take up to two seconds

@@ -24,7 +24,7 @@ ENGINE = " and ".join(SOLVERS)
 
 
 @dataclass(frozen=True)
-class Answers:
+class SolverAnswers:
     """One solver's answers, each `sat`, `unsat` or `unknown`."""
 
     control: str
@@ -61,7 +61,7 @@ def prove(
     return Evidence(EvidenceKind.SMT, ENGINE, statement, passed, 1, value, texts)
 
 
-def _judge(answers: Sequence[Answers]) -> tuple[bool | None, str]:
+def _judge(answers: Sequence[SolverAnswers]) -> tuple[bool | None, str]:
     controls = [answer.control for answer in answers]
     negations = [answer.negation for answer in answers]
     if set(controls) != {"sat"}:
@@ -77,7 +77,7 @@ def _spoken(answers: Sequence[str]) -> str:
     return ", ".join(f"{answer} ({solver})" for solver, answer in zip(SOLVERS, answers, strict=True))
 
 
-def ask(solver: str, control: str, negation: str, seconds: float) -> Answers:
+def ask(solver: str, control: str, negation: str, seconds: float) -> SolverAnswers:
     """Put both texts to the solver, in a process that ends with the time limit.
 
     Raises ToolMissingError where it is not installed, RuntimeError where it fails.
@@ -89,6 +89,6 @@ def ask(solver: str, control: str, negation: str, seconds: float) -> Answers:
     except RuntimeError as error:
         raise RuntimeError(f"{solver} failed: {error}") from error
     if reply is None:
-        return Answers("unknown", "unknown")
+        return SolverAnswers("unknown", "unknown")
     of_control, of_negation = reply["answers"]
-    return Answers(of_control, of_negation, reply["model"])
+    return SolverAnswers(of_control, of_negation, reply["model"])

@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import solved_again
-from numerics.control.orbit import Drive, Orbit, solve_orbit
+from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
 from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_tracking, draw_transfer
 from numerics.control.response import response, steady_drive
 from numerics.control.ring import ring_entry
@@ -98,7 +98,7 @@ def harmonics() -> Iterator[Orbit]:
     for share in SHARES:
         first = drive.piece.sines[0]
         sines = [first, Sine(share * first.amplitude, 2 * first.omega, 1)]
-        changed = Drive(drive.pair, Piece(0, (), sines))
+        changed = PeriodicDrive(drive.pair, Piece(0, (), sines))
         with Ball(20).context():
             found = solve_orbit(Orbit(changed, found.legs))
         yield found

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
-from paper_checks.explore.scenes import OWN, Button, Reduced, paper_buttons
+from paper_checks.explore.scenes import OWN, Button, ReducedScene, paper_buttons
 from paper_checks.explore.surfaces import SurfaceButton, surface_buttons
 
 SOLVER = ("oscillator", "first_root", "solver", "surface")
@@ -141,7 +141,7 @@ def _rows(sliders: Iterable[Slider], prefix: str = "") -> str:
 
 
 def _row(one: Slider, prefix: str) -> str:
-    label, value, name = escape(one.label), getattr(Reduced(), one.name, 0), f"explore-{prefix}{one.name}"
+    label, value, name = escape(one.label), getattr(ReducedScene(), one.name, 0), f"explore-{prefix}{one.name}"
     return (
         f'<div class="explore-row" data-name="{one.name}" data-scale="{one.scale}" data-low="{one.low}" data-high="{one.high}">'
         f'<label for="{name}">{label}</label>'

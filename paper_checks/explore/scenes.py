@@ -13,7 +13,7 @@ from numerics.scene.pieces import Sine
 
 
 @dataclass(frozen=True)
-class Reduced:
+class ReducedScene:
     """A scene in reduced coordinates (theory/scaling.py), binary64: mass ratio m1/m2, damping ratio, state, horizon
     Omega until, and the force over b: constant + amplitude sin(omega tau)."""
 
@@ -34,7 +34,7 @@ class Button:
     """What a button says, the scene that it loads, and what one unit is in SI, where the scene has such units."""
 
     label: str
-    scene: Reduced
+    scene: ReducedScene
     units: str = ""
 
     def data(self) -> dict[str, Any]:
@@ -54,20 +54,20 @@ PAPER = (
 """The paper's scenes by their shipped names; numbered as printed."""
 
 OWN = (
-    Button("Sticks for ever", Reduced(X=0.5, until=30)),
-    Button("Next to the critical orbit", Reduced(X=1, V1=-0.1, V2=-0.1, until=120)),
-    Button("Light driving body: merges", Reduced(ratio=0.1, X=1, V1=2, V2=2, until=40)),
-    Button("Damped", Reduced(zeta=0.1, V1=8, V2=-4, until=40)),
-    Button("Constant force", Reduced(constant=4, until=60)),
-    Button("Sine: entrained", Reduced(zeta=0.1, amplitude=1.5, omega=0.7, V1=3, until=120)),
-    Button("Sine: stick and slip", Reduced(zeta=0.1, amplitude=3, omega=0.7, until=120)),
-    Button("Sine: never sticks", Reduced(zeta=0.1, amplitude=10, omega=0.7, until=120)),
-    Button("Sine at resonance", Reduced(amplitude=2, omega=2**0.5, until=120)),
+    Button("Sticks for ever", ReducedScene(X=0.5, until=30)),
+    Button("Next to the critical orbit", ReducedScene(X=1, V1=-0.1, V2=-0.1, until=120)),
+    Button("Light driving body: merges", ReducedScene(ratio=0.1, X=1, V1=2, V2=2, until=40)),
+    Button("Damped", ReducedScene(zeta=0.1, V1=8, V2=-4, until=40)),
+    Button("Constant force", ReducedScene(constant=4, until=60)),
+    Button("Sine: entrained", ReducedScene(zeta=0.1, amplitude=1.5, omega=0.7, V1=3, until=120)),
+    Button("Sine: stick and slip", ReducedScene(zeta=0.1, amplitude=3, omega=0.7, until=120)),
+    Button("Sine: never sticks", ReducedScene(zeta=0.1, amplitude=10, omega=0.7, until=120)),
+    Button("Sine at resonance", ReducedScene(amplitude=2, omega=2**0.5, until=120)),
 )
 """Scenes of ours, round numbers in reduced coordinates."""
 
 
-def reduced(scene: Scene) -> Reduced:
+def reduced(scene: Scene) -> ReducedScene:
     """Return a scene in reduced coordinates: X = x1/L, V = v/(L Omega), tau = Omega t.
 
     Raises ValueError unless its force is a constant and at most one sine of phase 0, from the start on.
@@ -79,7 +79,7 @@ def reduced(scene: Scene) -> Reduced:
     simple = len(acting.polynomial) <= 1 and len(acting.sines) <= 1 and sine.phase == 0
     if not simple or scene.force.starts not in ((), (Fraction(0),)) or scene.friction.pieces:
         raise ValueError("the page knows a constant force and one sine of phase 0, from t = 0 on, and one b")
-    return Reduced(
+    return ReducedScene(
         ratio=float(pair.m1 / pair.m2),
         zeta=float(pair.a1 / pair.mass) / (2 * omega),
         X=float(at.x1 / length),

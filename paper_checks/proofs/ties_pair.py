@@ -9,7 +9,7 @@ import sympy as sp
 from paper_checks.proofs.gallina import term
 from paper_checks.proofs.tie import NAMES, PAIR, Tie, equal
 from theory import energy, filippov, return_map, scaling
-from theory.closed_forms import Regime, rate, rates, solution
+from theory.closed_forms import DampingRegime, rate, rates, solution
 from theory.model import free_system
 from theory.symbols import m1, m2, v1, v1_0, v2, v2_0, x1, x1_0
 
@@ -114,11 +114,11 @@ def _motions() -> Iterator[Tie]:
     yield Tie(
         "tie_slip_frequency",
         "The frequency of slip.",
-        equal("m1 a2", "0 < m1 -> 0 < a2 -> ", "o1 m1 a2", rates("slip-", Regime.UNDAMPED)[rate]),
+        equal("m1 a2", "0 < m1 -> 0 < a2 -> ", "o1 m1 a2", rates("slip-", DampingRegime.UNDAMPED)[rate]),
         "intros; unfold o1; rewrite sqrt_div_alt by lra; field; apply Rgt_not_eq, sqrt_lt_R0; lra.",
     )
     names = NAMES | {rate: "(omega m1 m2 a2)", x1_0: "x0", v1_0: "v0"}
-    stick = solution("stick", Regime.UNDAMPED)
+    stick = solution("stick", DampingRegime.UNDAMPED)
     for name, mine, theirs in (("place", "X", stick.x1), ("speed", "V", stick.v1)):
         yield Tie(
             f"tie_stick_{name}",
@@ -134,7 +134,7 @@ def _motions() -> Iterator[Tie]:
         """intros; unfold ray, o1; rewrite sqrt_div_alt by lra. root m1. root a2.
   replace m1 with (w * w) by auto. field. lra.""",
     )
-    slip = solution("slip-", Regime.UNDAMPED)
+    slip = solution("slip-", DampingRegime.UNDAMPED)
     for name, letter, theirs in (("place", "x", slip.x1), ("speed", "1", slip.v1), ("driven", "2", slip.v2)):
         for start, gap in (("slip", "0"), ("gap", "d")):
             at = "u t" if letter == "2" else f"{gap} u t"

@@ -10,7 +10,7 @@ from flint import arb
 from numerics import EventUndecided, Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.free.abel import AbelFunctions
-from numerics.free.energy import Road, energy_at
+from numerics.free.energy import EnergyMethod, energy_at
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
 
@@ -67,7 +67,7 @@ def test_a_jump_lands_where_stepping_does(share, time):
     start = State(v1=Fraction(11, 10), v2=Fraction(11, 10))
     jumped = energy_at(Scene(pair, start, until=1), time, digits=12)
     stepped = solve(Scene(pair, start, until=time), digits=20, arithmetic="ball", max_events=5000)
-    assert jumped.road is Road.ABEL
+    assert jumped.road is EnergyMethod.ABEL
     x1, v1, _, v2 = stepped.sol(Fraction(time))
     found = jumped.si_state
     for one, other in ((found[0], x1), (found[1], v1), (found[3], v2)):

@@ -14,7 +14,7 @@ from numerics.arithmetic import elementary, functions
 from numerics.arithmetic.ball import Ball, precision, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.arithmetic.pair import UNIT, Pair, two_sum
+from numerics.arithmetic.pair import UNIT, TwoFloats, two_sum
 from numerics.arithmetic.questions import GRAZES
 from numerics.free.contact import contact, ray_contact
 from numerics.free.root import falling_root
@@ -33,11 +33,11 @@ FUNCTIONS = {
     "depth": (lambda x: functions.depth_and_cotangent(x)[0], lambda x: 2 - x * (x / 2).cot(), (-400, 2)),
 }
 """Each with its definition in balls, and the powers of 2 between which its value is normal."""
-MOST = {float: 4.0 * 2.0**-52, Pair: 8.0 * 2.0**-103}
+MOST = {float: 4.0 * 2.0**-52, TwoFloats: 8.0 * 2.0**-103}
 
 
 def exactly(x):
-    return arb(x.high) + arb(x.low) if isinstance(x, Pair) else arb(x)
+    return arb(x.high) + arb(x.low) if isinstance(x, TwoFloats) else arb(x)
 
 
 def is_right(value, truth, x):
@@ -59,7 +59,7 @@ def test_functions_are_accurate_relative_to_themselves_in_every_arithmetic(name,
     assert is_right(value, truth, x.high)
     assert not is_right(lambda x: value(x) * off, truth, x.high)
     assert is_right(value, truth, x)
-    assert not is_right(lambda x: value(x) * Pair(1.0, 2.0**-98), truth, x)
+    assert not is_right(lambda x: value(x) * TwoFloats(1.0, 2.0**-98), truth, x)
     with Ball(30).context():
         assert is_right(value, truth, exactly(x))
 
@@ -75,7 +75,7 @@ def test_functions_are_accurate_on_both_sides_of_where_a_series_ends(name):
 
 @more
 @given(wide_numbers(-300, 300), wide_numbers(-300, 300), st.booleans())
-@example(Pair(1.0, 2.0**-54 * (1 + 2.0**-30)), Pair(-1.0, 2.0**-100 * (1 + 2.0**-40)), False)
+@example(TwoFloats(1.0, 2.0**-54 * (1 + 2.0**-30)), TwoFloats(-1.0, 2.0**-100 * (1 + 2.0**-40)), False)
 def test_operations_of_pairs_are_accurate_relative_to_their_results(a, b, close):
     if close:
         b = two_sum(a.high * (1 + 2.0**-50), -a.low)
@@ -198,7 +198,7 @@ def test_a_contact_in_floats_is_that_of_balls_and_a_wide_ball_holds_those_of_its
 @given(wide_numbers(-100, 20), wide_numbers(-100, 20), st.sampled_from(["ray", "outwards", "inwards"]))
 def test_a_contact_in_pairs_is_that_of_balls(gap, push, kind):
     if kind == "ray":
-        gap = Pair(0.0, 0.0)
+        gap = TwoFloats(0.0, 0.0)
     if kind == "inwards":
         push = -push
         assume(abs(push.high) < 2.0**30 * gap.high)  # else theta is gap/push next to nothing

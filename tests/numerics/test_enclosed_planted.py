@@ -16,14 +16,14 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
 from numerics.linear.cells import cells_of
-from numerics.linear.enclosed import Run
+from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.flow import FEW, Expansion, Flow, exponential
 from numerics.linear.next_enclosed import guards_of
 from numerics.linear.path_enclosed import At
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
-from numerics.linear.system import V1, V2, X1, X2, Drive, LocalNorm, W, Z, is_positive_on
+from numerics.linear.system import V1, V2, X1, X2, BallDrive, LocalNorm, W, Z, is_positive_on
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -141,7 +141,7 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
         piece = ExactPiece(Fraction(0), Fraction(9), pair.b, (Fraction(1), Fraction(2)), waves, True)
         flow = Flow(BALLS.bits, pair, slips, 2, tuple(one.omega for one in waves))
         state = [Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)]
-        z = [*state, slips * Ball.number(pair.b), *Drive.of(piece).force(arb(0))]
+        z = [*state, slips * Ball.number(pair.b), *BallDrive.of(piece).force(arb(0))]
         row = W if slips else flow.mode.load
 
         def guard(t, z, flow=flow, row=row):
@@ -183,7 +183,7 @@ def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
 def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(weakening, order):
     """N = 1: the worst of all differences, by the inverse of the matrix of N^2; up to the end of a step."""
     for pair in PAIRS:
-        path = Run(Scene(pair, State(v1=2), 1, friction=Friction((), weakening)), BALLS)
+        path = EnclosedRun(Scene(pair, State(v1=2), 1, friction=Friction((), weakening)), BALLS)
         cells = [(1, (k, 1)) for k in range(len(path.cells.speeds))] if weakening else [(0, (0, 0)), (1, (0, 0))]
         for mode, cell in cells:
             one, zero = arb(1), arb(0)
@@ -211,7 +211,7 @@ def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(we
 @pytest.mark.parametrize("t", ["0.5", 2, 9])
 def test_in_a_damped_stick_errors_are_as_large_as_the_flow_makes_them(a1, t):
     pair = Pair(m1=2, m2=1, a2=12, b=1, a1=a1)
-    path, units = Run(Scene(pair, State(), 20), BALLS), np.sqrt([12.0, 3.0])
+    path, units = EnclosedRun(Scene(pair, State(), 20), BALLS), np.sqrt([12.0, 3.0])
     flow = expm(np.array([[0, 1], [-4, -a1 / 3]]) * float(Fraction(t)))
     true = np.linalg.norm(flow * units[:, None] / units, 2)
     found = float(path.shrunk(arb(1), Ball.number(Fraction(t))).upper())
@@ -281,7 +281,7 @@ def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margi
 
 
 def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
-    path = Run(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
+    path = EnclosedRun(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
     flow, z = path.here(at)

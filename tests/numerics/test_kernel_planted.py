@@ -13,7 +13,7 @@ from scene_files import scenes_in
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.compiled import can_compile
-from numerics.arithmetic.pair import Pair as Wide
+from numerics.arithmetic.pair import TwoFloats as Wide
 from numerics.linear.columns import expand
 from numerics.linear.first_root import CLEAR, ROOT
 from numerics.linear.modes import UNDECIDED

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kernel_runs import a_scene, begun
 
 from numerics import Force, Pair, Piece, Scene, State
-from numerics.arithmetic.pair import Pair as Wide
+from numerics.arithmetic.pair import TwoFloats as Wide
 from numerics.arithmetic.pair import nearest
 from numerics.linear.columns import counted, expand, force_columns
 from numerics.linear.engine import run_pairs

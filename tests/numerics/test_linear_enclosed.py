@@ -26,7 +26,7 @@ from numerics import (
 )
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
-from numerics.linear.enclosed import Run
+from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.pieces import pieces_of
 
 COORDINATES = ("x1", "v1", "x2", "v2")
@@ -114,7 +114,7 @@ def for_both(request, monkeypatch):
         if request.param == "balls":
             return run(scene, arithmetic=lambda digits: Box(digits, Ball.number(max(map(abs, off)))))
         with monkeypatch.context() as patch:
-            begin = Run.begin
+            begin = EnclosedRun.begin
 
             def planted(path, knot):
                 at, (x1, v1, x2, v2) = begin(path, knot), map(Ball.number, off)
@@ -122,7 +122,7 @@ def for_both(request, monkeypatch):
                 norm = sum((one * one for one in parts), arb(0)).sqrt()
                 return at._replace(norm=norm.upper(), far=abs(x1).upper(), place=abs(x1 - x2).upper())
 
-            patch.setattr(Run, "begin", planted)
+            patch.setattr(EnclosedRun, "begin", planted)
             return run(scene)
 
     answer.is_sharp = request.param == "bounds"

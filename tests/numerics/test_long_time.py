@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numerics import Pair, Scene, State, load_scene, solve
 from numerics.arithmetic.ball import Ball, digits_within
 from numerics.free.abel import arcs
-from numerics.free.energy import Road, energy_at
+from numerics.free.energy import EnergyMethod, energy_at
 from numerics.linear.modes import EventKind
 
 
@@ -42,7 +42,7 @@ def test_late_energy_follows_the_sharp_law(share, exponent, speed):
     scene = Scene(pair, State(v1=start, v2=start), until=1)
     found = energy_at(scene, Fraction(10) ** exponent, digits=15)
     with found.frame.arithmetic.context():
-        assert found.road is Road.ABEL
+        assert found.road is EnergyMethod.ABEL
         tau = found.frame.rate * found.frame.arithmetic.number(Fraction(10) ** exponent)
         ratio = tau * found.energy_excess * 9 * found.frame.r / (4 * arb.pi() * found.frame.q)
         assert abs(ratio - 1) < arb(fmpq(1, 100))
@@ -52,10 +52,10 @@ def test_late_energy_follows_the_sharp_law(share, exponent, speed):
 def test_viscous_scenes_and_merged_ones_take_the_short_road():
     pair = Pair(m1=1, m2=1, a1=5, a2=200, b="0.05")
     found = energy_at(Scene(pair, State(v1="0.15"), until=1), 100, digits=20)
-    assert found.road is Road.NO_MORE_SLIP
+    assert found.road is EnergyMethod.NO_MORE_SLIP
     with found.frame.arithmetic.context():
         assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= 20
-    assert energy_at(load_scene("itinerary-that-merges"), "1e100").road is Road.NO_MORE_SLIP
+    assert energy_at(load_scene("itinerary-that-merges"), "1e100").road is EnergyMethod.NO_MORE_SLIP
     damped = Scene(Pair(1, 1, 200, "0.5", "0.01"), State(v1="0.15"), until=3)
     exits = sum(one.kind is EventKind.EXIT for one in solve(damped).events)
     assert energy_at(damped, 3).excursions == exits > 0

@@ -18,30 +18,30 @@ from numerics.free import merging_map
 from numerics.free.contact import enclosed_contact, ray_contact
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
-from numerics.free.merging import CRITICAL_SHARE, Verdict, creeping_excess, verdict
+from numerics.free.merging import CRITICAL_SHARE, Merging, creeping_excess, verdict
 from numerics.free.merging_map import merging_cells
 
 POINTS = 200
 PROVED_TO_CREEP = 0.325  # below (pi/2 - 1)^2
 
 
-def fate(ratio: Fraction, excess: Fraction) -> Verdict:
+def fate(ratio: Fraction, excess: Fraction) -> Merging:
     """One start on S0, followed from ray to ray until it merges or is below the proved level of creeping."""
     arithmetic = Ball(40)
     with arithmetic.context():
         frame = Frame(arithmetic, Pair(m1=1, m2=ratio, a2=1, b=1))
         for one in excursions(frame, arithmetic.number(excess)):
             if one.stick is None:
-                return Verdict.MERGES
+                return Merging.MERGES
             if one.w_after / frame.q < PROVED_TO_CREEP:
-                return Verdict.CREEPS
+                return Merging.CREEPS
     raise AssertionError
 
 
 def contradictions(cells, points=POINTS, seed=1):
     """Decided cells, small and large alike, that a run from one of their points contradicts; corners are points."""
     draw = random.Random(seed)
-    decided = [cell for cell in cells.leaves if cell.verdict is not Verdict.UNDECIDED]
+    decided = [cell for cell in cells.leaves if cell.verdict is not Merging.UNDECIDED]
     found = []
     for cell in draw.choices(decided, k=points):
         ratio, excess = (
@@ -59,7 +59,7 @@ def chart():
 
 def test_cells_agree_with_single_runs(chart):
     assert contradictions(chart) == []
-    assert {cell.verdict for cell in chart.leaves} == set(Verdict)
+    assert {cell.verdict for cell in chart.leaves} == set(Merging)
 
 
 def test_the_cells_cover_the_window(chart):
@@ -71,11 +71,11 @@ def test_the_cells_cover_the_window(chart):
 def test_up_to_the_critical_share_everything_creeps(monkeypatch):
     threshold = CRITICAL_SHARE / (1 - CRITICAL_SHARE)
     below = Fraction(1, 10), threshold
-    assert {cell.verdict for cell in merging_cells(1, below).leaves} == {Verdict.CREEPS}
+    assert {cell.verdict for cell in merging_cells(1, below).leaves} == {Merging.CREEPS}
     monkeypatch.setattr(merging_cell, "CRITICAL_SHARE", Fraction(0))  # the same without the theorem, cell by cell
     computed = merging_cells(5, below).shares()
-    assert computed[Verdict.MERGES] == 0
-    assert computed[Verdict.CREEPS] > 0.6
+    assert computed[Merging.MERGES] == 0
+    assert computed[Merging.CREEPS] > 0.6
 
 
 def test_the_critical_share_is_rounded_down():
@@ -124,9 +124,9 @@ def test_a_cell_across_the_edge_has_no_verdict_and_both_sides_have_theirs(share,
     def found(low, high):
         return verdict(((ratio, ratio), (level * (1 + low), level * (1 + high))))
 
-    assert found(-width, width) is Verdict.UNDECIDED
-    assert found(-3 * width, -width) is Verdict.CREEPS
-    assert found(width, 3 * width) is Verdict.MERGES
+    assert found(-width, width) is Merging.UNDECIDED
+    assert found(-3 * width, -width) is Merging.CREEPS
+    assert found(width, 3 * width) is Merging.MERGES
 
 
 # starts that are known by bounds only

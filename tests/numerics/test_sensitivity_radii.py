@@ -11,7 +11,7 @@ from scene_files import scenes_in
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball, widened
 from numerics.trajectory import sensitivity
-from numerics.trajectory.saltation import Carried, Chain
+from numerics.trajectory.saltation import CarriedDerivatives, Chain
 from numerics.trajectory.sensitivity import parameters
 from numerics.trajectory.variation import legs
 
@@ -77,7 +77,7 @@ def test_what_is_carried_as_points_keeps_its_radii(chain, row):
     with Ball(30).context():
         y, zeros = chain.starts[0].y + arb(0), chain.starts[0].norm * 0
         y[row] += arb(0, 1)
-        again = chain._enclosed(chain._pointed(Carried(y, zeros, zeros)))
+        again = chain._enclosed(chain._pointed(CarriedDerivatives(y, zeros, zeros)))
         assert all(one.contains(two) for one, two in zip(again.ravel(), y.ravel(), strict=True))
 
 
@@ -94,8 +94,8 @@ def test_a_bound_holds_what_starts_within_it(chain, off):
             y, kept = chain.starts[index].y, len(chain.t)
             found = []
             for carried in (
-                Carried(y, zeros + norm, zeros + abs(off[0] - off[2])),
-                Carried(y + np.array(off)[:, None], zeros, zeros),
+                CarriedDerivatives(y, zeros + norm, zeros + abs(off[0] - off[2])),
+                CarriedDerivatives(y + np.array(off)[:, None], zeros, zeros),
             ):
                 within = Chain.__new__(Chain)
                 within.__dict__ |= chain.__dict__ | {"starts": [*chain.starts]}

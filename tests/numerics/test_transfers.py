@@ -13,7 +13,7 @@ from strategies import decimals, pairs
 from numerics import Pair, Scene, State, fastest_transfer
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
-from numerics.control.transfer import Road
+from numerics.control.transfer import TransferKind
 
 
 def planned(distance, pair=FREE, **asked):
@@ -32,13 +32,13 @@ def arrived(found):
 
 AHEAD = Pair("4.2", "1.1", 87, "0.9")
 PLANS = [
-    (FREE, {"distance": "0.01"}, Road.STUCK),
-    (DAMPED, {"distance": "-0.01"}, Road.STUCK),
-    (DAMPED, {"distance": "0.01", "margin": "0.25"}, Road.STUCK),
-    (FREE, {"distance": "0.001", "amplitude": "1.08"}, Road.SLIP),
-    (DAMPED, {"distance": "0.001", "amplitude": "1.12"}, Road.SLIP),
-    (FREE, {"distance": "-0.001", "amplitude": "0.5"}, Road.BANG_BANG),
-    (FREE, {"distance": "0.0005", "amplitude": "0.3", "margin": "0.2"}, Road.BANG_BANG),
+    (FREE, {"distance": "0.01"}, TransferKind.STUCK),
+    (DAMPED, {"distance": "-0.01"}, TransferKind.STUCK),
+    (DAMPED, {"distance": "0.01", "margin": "0.25"}, TransferKind.STUCK),
+    (FREE, {"distance": "0.001", "amplitude": "1.08"}, TransferKind.SLIP),
+    (DAMPED, {"distance": "0.001", "amplitude": "1.12"}, TransferKind.SLIP),
+    (FREE, {"distance": "-0.001", "amplitude": "0.5"}, TransferKind.BANG_BANG),
+    (FREE, {"distance": "0.0005", "amplitude": "0.3", "margin": "0.2"}, TransferKind.BANG_BANG),
 ]
 
 
@@ -49,7 +49,7 @@ def test_a_transfer_arrives_at_rest_by_the_reference(pair, plan, road):
     off, v1, v2, stuck = arrived(found)
     assert abs(off) < 1e-19
     assert abs(v1) + abs(v2) < 1e-18
-    assert stuck == (road is not Road.SLIP)
+    assert stuck == (road is not TransferKind.SLIP)
 
 
 @given(decimals(-4, -3, 2), st.integers(1, 9))
@@ -70,26 +70,51 @@ def test_more_force_is_never_slower(distance, part):
 @pytest.mark.parametrize(
     ("distance", "asked", "road", "said"),
     [
-        ("0.01", {}, Road.STUCK, "no control is faster: friction is at its limit"),
-        ("0.01", {"margin": "0.1"}, Road.STUCK, "no control that keeps the margin is faster"),
-        ("0.01", {"amplitude": "1.5"}, Road.OPEN, "whether slipping meets the bound with less is open"),  # g' < 0
-        ("0.001", {"amplitude": 1}, Road.OPEN, "no control meets the bound with less than 1.03496 N"),
-        ("0.001", {"amplitude": "0.999"}, Road.OPEN, "at the limit needs 1.10000 N"),
-        ("0.001", {"amplitude": "0.999", "margin": "0.1"}, Road.OPEN, "at the margin needs 1.00000 N"),
+        ("0.01", {}, TransferKind.STUCK, "no control is faster: friction is at its limit"),
+        ("0.01", {"margin": "0.1"}, TransferKind.STUCK, "no control that keeps the margin is faster"),
+        (
+            "0.01",
+            {"amplitude": "1.5"},
+            TransferKind.OPEN,
+            "whether slipping meets the bound with less is open",
+        ),  # g' < 0
+        ("0.001", {"amplitude": 1}, TransferKind.OPEN, "no control meets the bound with less than 1.03496 N"),
+        ("0.001", {"amplitude": "0.999"}, TransferKind.OPEN, "at the limit needs 1.10000 N"),
+        ("0.001", {"amplitude": "0.999", "margin": "0.1"}, TransferKind.OPEN, "at the margin needs 1.00000 N"),
         # enough to meet the bound by slipping, which takes friction to its limit, and too little to stick
-        ("0.001", {"amplitude": "1.08"}, Road.SLIP, "no control is faster: friction is at its limit"),
-        ("0.001", {"amplitude": "1.08", "margin": "0.01"}, Road.OPEN, "whether both bodies can rest then is open"),
-        ("0.0005", {"amplitude": "0.8"}, Road.BANG_BANG, "no control within the amplitude is faster: none can break"),
-        ("0.0005", {"amplitude": "0.85"}, Road.BANG_BANG, "no control that sticks is faster; whether slipping helps"),
+        ("0.001", {"amplitude": "1.08"}, TransferKind.SLIP, "no control is faster: friction is at its limit"),
+        (
+            "0.001",
+            {"amplitude": "1.08", "margin": "0.01"},
+            TransferKind.OPEN,
+            "whether both bodies can rest then is open",
+        ),
+        (
+            "0.0005",
+            {"amplitude": "0.8"},
+            TransferKind.BANG_BANG,
+            "no control within the amplitude is faster: none can break",
+        ),
+        (
+            "0.0005",
+            {"amplitude": "0.85"},
+            TransferKind.BANG_BANG,
+            "no control that sticks is faster; whether slipping helps",
+        ),
         # holding takes more than a2 D = 6.873 N, as body 1 is ahead of body 2
-        ("0.079", {"pair": AHEAD, "amplitude": "6.015"}, Road.OPEN, "whether both bodies can rest then is open"),
+        (
+            "0.079",
+            {"pair": AHEAD, "amplitude": "6.015"},
+            TransferKind.OPEN,
+            "whether both bodies can rest then is open",
+        ),
     ],
 )
 def test_what_is_proved_of_its_time_is_said(distance, asked, road, said):
     found = planned(distance, **asked)
-    assert (found.road, found.scene is None) == (road, road is Road.OPEN)
+    assert (found.road, found.scene is None) == (road, road is TransferKind.OPEN)
     assert said in found.fastest
-    if road is Road.BANG_BANG:
+    if road is TransferKind.BANG_BANG:
         # the contact holds for every control up to the time T of the transfer if U (2 - cos(Omega T)) <= b M/m2 = 1 N
         needed = float(asked["amplitude"]) * (2 - math.cos(10 * float(found.time)))
         assert (needed <= 1) == found.fastest.startswith("no control within")

@@ -7,13 +7,13 @@ import pytest
 from sympy import Matrix, Rational, S, diff, exp, series, simplify
 
 from theory import closed_forms, filippov, forced, scaling
-from theory.closed_forms import Regime, coefficients, rate, slip_guard
+from theory.closed_forms import DampingRegime, coefficients, rate, slip_guard
 from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, t, total_mass, v1, v1_0, v2, v2_0, x1, x1_0, zeta
 
 NUMBERS = {m1: Rational(3, 2), m2: Rational(2, 3), a1: Rational(1, 7), a2: S(5), b: Rational(3, 4)}
 EDGE = (b * (m1 + m2) / (a2 * m2)).subs(NUMBERS)
 SIGNS = pytest.mark.parametrize("sign", [1, -1])
-REGIMES = pytest.mark.parametrize("regime", list(Regime))
+REGIMES = pytest.mark.parametrize("regime", list(DampingRegime))
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_manifest_signs(damped):
 
 def test_edge_contact_is_the_taylor_expansion_of_the_exact_slip():
     side, mode = -1, "slip+"
-    for regime, damped in ((Regime.UNDAMPED, False), (Regime.CRITICAL, True)):
+    for regime, damped in ((DampingRegime.UNDAMPED, False), (DampingRegime.CRITICAL, True)):
         known = coefficients(mode, regime)
         position = (side * filippov.load_threshold() - (a1 * v1 if damped else 0)) / a2
         exact = slip_guard(mode, regime).subs({x1_0: position, v1_0: v1, v2_0: v1}, simultaneous=True)
@@ -65,7 +65,7 @@ def test_every_fault_in_it_leaves_something(regime):
     found = closed_forms.solution("slip+", regime)
     faults = [
         replace(found, x1=2 * found.x1),
-        replace(found, x1=found.x1.subs(rate, 2 * rate) if regime is not Regime.CRITICAL else found.x1 * exp(t)),
+        replace(found, x1=found.x1.subs(rate, 2 * rate) if regime is not DampingRegime.CRITICAL else found.x1 * exp(t)),
         replace(found, x2=found.x2 + t**2 / 2),
         replace(found, x2=-found.x2),
         replace(found, mode="slip-"),

@@ -37,7 +37,7 @@ LONG = 36
 """Characters from which on an inline formula may be wider than its column, so that it has to be scrolled."""
 
 
-class Piece(Enum):
+class Span(Enum):
     """What a stretch of a text is."""
 
     PROSE = "prose"
@@ -45,17 +45,17 @@ class Piece(Enum):
     DISPLAY = "display"
 
 
-def pieces(text: str) -> Iterator[tuple[Piece, str]]:
+def pieces(text: str) -> Iterator[tuple[Span, str]]:
     """Split a text into prose and mathematics; dollars without a partner stay in the prose."""
     end = 0
     for match in _PIECES.finditer(text):
         if match.start() > end:
-            yield Piece.PROSE, _prose(text[end : match.start()])
-        kind = Piece.DISPLAY if match["display"] else Piece.INLINE
+            yield Span.PROSE, _prose(text[end : match.start()])
+        kind = Span.DISPLAY if match["display"] else Span.INLINE
         yield kind, (match["display"] or match["inline"]).strip()
         end = match.end()
     if end < len(text):
-        yield Piece.PROSE, _prose(text[end:])
+        yield Span.PROSE, _prose(text[end:])
 
 
 def _prose(text: str) -> str:
@@ -71,12 +71,12 @@ def html(text: str) -> str:
     split = list(pieces(text))
     written = [_html_piece(kind, content) for kind, content in split]
     for index, (kind, _) in enumerate(split):
-        if kind is not Piece.INLINE:
+        if kind is not Span.INLINE:
             continue
         opening, closing = "", ""
-        if index and split[index - 1][0] is Piece.PROSE:
+        if index and split[index - 1][0] is Span.PROSE:
             opening, written[index - 1] = _cut(_OPENING, written[index - 1])
-        if index + 1 < len(split) and split[index + 1][0] is Piece.PROSE:
+        if index + 1 < len(split) and split[index + 1][0] is Span.PROSE:
             closing, written[index + 1] = _cut(_CLOSING, written[index + 1])
         if opening or closing:
             written[index] = f'<span class="glued">{opening}{written[index]}{closing}</span>'
@@ -89,21 +89,21 @@ def _cut(mark: re.Pattern[str], text: str) -> tuple[str, str]:
     return (found[0], text[: found.start()] + text[found.end() :]) if found else ("", text)
 
 
-def _html_piece(kind: Piece, content: str) -> str:
-    if kind is Piece.PROSE:
+def _html_piece(kind: Span, content: str) -> str:
+    if kind is Span.PROSE:
         return escape(content)
     try:
-        element = mathml(content, display=kind is Piece.DISPLAY)
+        element = mathml(content, display=kind is Span.DISPLAY)
     except UnreadableMathematicsError:
         return f"<code>{escape(content)}</code>"
-    if kind is Piece.DISPLAY:
+    if kind is Span.DISPLAY:
         return f'<span class="display">{element}</span>'
     return f'<span class="long">{element}</span>' if len(spoken(content)) > LONG or "<mtable" in element else element
 
 
 def plain(text: str) -> str:
     """Return the text for a terminal, mathematics in Unicode."""
-    return "".join(content if kind is Piece.PROSE else spoken(content) for kind, content in pieces(text))
+    return "".join(content if kind is Span.PROSE else spoken(content) for kind, content in pieces(text))
 
 
 def latex(text: str) -> str:
@@ -111,11 +111,11 @@ def latex(text: str) -> str:
     return "".join(_latex_piece(kind, content) for kind, content in pieces(text))
 
 
-def _latex_piece(kind: Piece, content: str) -> str:
-    if kind is Piece.PROSE:
+def _latex_piece(kind: Span, content: str) -> str:
+    if kind is Span.PROSE:
         escaped = _TEX_SPECIAL.sub(lambda match: _TEX_ESCAPES.get(match[0], "\\" + match[0]), content)
         return _LONG_NUMBER.sub(_breakable, "".join(map(_latex_character, escaped)))
-    return f"${content}$" if kind is Piece.INLINE else f"\\[{content}\\]"
+    return f"${content}$" if kind is Span.INLINE else f"\\[{content}\\]"
 
 
 def _breakable(number: re.Match[str]) -> str:

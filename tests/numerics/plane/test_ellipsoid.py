@@ -13,7 +13,7 @@ from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.defect import defect, slip_defect
-from numerics.plane.series import Expansion, Point
+from numerics.plane.series import PlaneExpansion, SeriesPoint
 from numerics.plane.vector import Vector
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -93,8 +93,8 @@ def test_a_defect_sees_what_friction_lacks():
     system = path_of(load_scene("plane-circle-merges"), 30).system
     place, speed, s = (Vector(map(arb, one)) for one in (("0.004", 0), (0, "0.05"), ("0.01", "0.02")))
     with system.fine():
-        at, h = Point(0, arb(0), *(part.each(arb.mid) for part in (place, speed, s, place))), arb("0.1").mid()
-        curve = Expansion(system, at).drawn(h)
+        at, h = SeriesPoint(0, arb(0), *(part.each(arb.mid) for part in (place, speed, s, place))), arb("0.1").mid()
+        curve = PlaneExpansion(system, at).drawn(h)
         found, size = slip_defect(system, curve, curve.s, curve.t.derivative() * (1 / h))
         assert found.norm < 1e-25
         lacking = Vector([arb(0), arb("1e-9")])

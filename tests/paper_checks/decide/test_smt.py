@@ -7,7 +7,7 @@ import sympy as sp
 
 from paper_checks.decide import smt
 from paper_checks.decide.polynomial import cleared
-from paper_checks.decide.smt import Answers, prove
+from paper_checks.decide.smt import SolverAnswers, prove
 from paper_checks.decide.text import script
 from paper_checks.errors import NotPolynomialError, ToolMissingError
 from paper_checks.evidence.evidence import EvidenceKind
@@ -96,11 +96,13 @@ def test_what_is_not_an_exact_polynomial_over_the_reals_is_refused(conclusion):
         prove("foreign", [], conclusion)
 
 
-@pytest.mark.parametrize("other", [Answers("sat", "unknown"), Answers("sat", "sat"), Answers("unknown", "unsat")])
+@pytest.mark.parametrize(
+    "other", [SolverAnswers("sat", "unknown"), SolverAnswers("sat", "sat"), SolverAnswers("unknown", "unsat")]
+)
 @pytest.mark.parametrize("silent", [("z3",), ("cvc5",), ("z3", "cvc5")])
 def test_what_one_solver_leaves_open_is_not_proved(monkeypatch, silent, other):
     """Of the negation, or of the control; only what both refute is false."""
-    monkeypatch.setattr(smt, "ask", lambda name, *_: other if name in silent else Answers("sat", "unsat"))
+    monkeypatch.setattr(smt, "ask", lambda name, *_: other if name in silent else SolverAnswers("sat", "unsat"))
     evidence = prove("a square", [x > 1], x**2 > 1)
     both_refute = len(silent) == 2 and "unknown" not in (other.control, other.negation)
     assert evidence.passed is (False if both_refute else None)

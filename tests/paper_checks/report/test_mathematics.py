@@ -10,7 +10,7 @@ from paper_checks.claims import CLAIMS
 from paper_checks.report.mathematics import font
 from paper_checks.report.mathematics.mathml import objection_to, tree
 from paper_checks.report.mathematics.prose import (
-    Piece,
+    Span,
     UnreadableMathematicsError,
     html,
     latex,
@@ -37,7 +37,7 @@ def test_every_statement_can_be_read_in_every_form(claim, glyphs):
         assert "<code>" not in html(text)
         assert not {"\\", "$"} & set(plain(text))
         assert "U+" not in latex(text)
-        for content in (content for kind, content in pieces(text) if kind is not Piece.PROSE):
+        for content in (content for kind, content in pieces(text) if kind is not Span.PROSE):
             assert set("".join(tree(content).itertext())) <= glyphs
             assert not any("·" in "".join(node[1].itertext()) for node in tree(content).iter("msub"))
 
