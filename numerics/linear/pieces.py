@@ -11,10 +11,11 @@ from operator import itemgetter
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.arithmetic.pair import nearest
 from numerics.scene import Piece, Scene, Sine
 from numerics.scene.pieces import shifted
 
-_AT_ONCE, _NO_FORCE, _START = np.zeros(1), Piece(0), Fraction(0)
+_AT_ONCE, _NO_FORCE, _START = np.zeros((2, 1)), Piece(0), Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +58,11 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
 
 
 def starts_of(scene: Scene) -> NDArray[np.float64]:
-    """Return when the pieces begin, s; made once and kept with the scene."""
+    """Return when the pieces begin, s, shape (2, n): numbers of double-double; made once and kept with the scene."""
     if not (scene.force.pieces or scene.friction.pieces):
         return _AT_ONCE
     if "starts" not in scene.made:
-        scene.made["starts"] = np.array([float(piece.start) for piece in pieces_of(scene)])
+        scene.made["starts"] = np.array([nearest(piece.start) for piece in pieces_of(scene)]).T.copy()
     return scene.made["starts"]
 
 

@@ -97,7 +97,7 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
     at = [0, *np.flatnonzero(rows[:, AT["event"]])[: len(kept) - 1]]
     kept[: len(at)], end[:] = rows[at], last
     for row in (*kept[: len(at)], end):
-        row[AT["local"]] += starts_of(scene)[int(row[AT["piece"]])]
+        row[AT["local"]] += starts_of(scene)[0, int(row[AT["piece"]])]
         row[AT["piece"]] = 0.0
     if scene.changes_later and found.record.how == How.STUCK:
         end[AT["how"]] = How.REACHED

@@ -17,8 +17,8 @@ STATE = ("x1", "v1", "x2", "v2")
 _WIDE_BITS = 106
 
 
-def sums(high: Floats, low: Floats) -> list[mpmath.mpf]:
-    """Return numbers of double-double, which may have more than 106 bits, rounded to these."""
+def sums(high: Any, low: Any) -> list[mpmath.mpf]:
+    """Return numbers of double-double, arrays of floats, which may have more than 106 bits, rounded to these."""
     places = np.frexp(high)[1]
     tops, tails = np.ldexp(high, 53 - places).tolist(), np.rint(np.ldexp(low, _WIDE_BITS - places)).tolist()
     return [

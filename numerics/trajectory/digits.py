@@ -96,7 +96,7 @@ def judged(trajectory: Rows) -> tuple[Floats, float, float, int]:
     weights, critical = scene.made["weights"]
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(
-            record.rows, record.end, starts_of(scene), weights, critical, ROUNDING[name]
+            record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING[name]
         )
     digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0
     return late, energy, excess, digits if trajectory.certain else 0

@@ -15,6 +15,7 @@ from typing import Any, Literal
 import numpy as np
 
 from numerics.arithmetic.compiled import compiled, compiles_now
+from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in
@@ -127,14 +128,22 @@ class Rows(Answer):
     @cached_property
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
-        local = self.row_table("local")[0]
+        return self._begun(slice(None))
+
+    def _begun(self, which: slice | Counts) -> Array:
+        """Return when the segments of some rows begin, s."""
+        rows, pieces = self._tables[1][which], self.row_pieces[which]
         if not self.row_pieces.any():
-            return local
-        if self._in_floats:
-            return np.asarray(starts_of(self.scene)[self.row_pieces] + local)
+            return self._read(rows, ("local",))[0]
+        if self.bounded:
+            column, starts = AT["local"], starts_of(self.scene)[:, pieces]
+            if self._in_floats:
+                return np.asarray(starts[0] + rows[:, column])
+            high, low = TwoFloats(*starts) + TwoFloats(*rows.T[column : column + 2])
+            return np.array(sums(high, low), dtype=object)
         with self.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
-            return np.asarray(starts[self.row_pieces] + local)
+            return np.asarray(starts[pieces] + self._read(rows, ("local",))[0])
 
     @cached_property
     def row_states(self) -> Array:
@@ -164,9 +173,9 @@ class Rows(Answer):
         record, count = self.record, self.record.events + 1
         if self._in_floats:
             read = compiled(tabulate) if compiles_now() else tabulate
-            return read(record.rows, record.end, count, starts_of(self.scene), float(self.scene.until), self.reached)
+            return read(record.rows, record.end, count, starts_of(self.scene)[0], float(self.scene.until), self.reached)
         at = np.append(0, self.event_rows)
-        table = np.vstack([self.row_times[at], self.row_states[:, at]])
+        table = np.vstack([self._begun(at), self._read(self._tables[1][at], STATE)])
         return at, np.column_stack([table, [self.end_time, *self.final_state]]) if self.reached else table
 
     @property
