@@ -48,8 +48,12 @@ SOLVERS: dict[str, Solver] = {
     for name in ("float64", "double-double", "mpmath", "ball")
 }
 SURFACES = ("ellipsoid", "box")
-KNOWN = {"friction of the state": ("mpmath", "ball")} | dict.fromkeys(SURFACES, ("float64", "ball"))
-"""The arithmetics of a kind, where not all of them know it."""
+KNOWN = (
+    dict.fromkeys(("damping", "force", "sines", "force and friction"), ("float64", "double-double", "ball"))
+    | {"friction of the state": ("ball",)}
+    | dict.fromkeys(SURFACES, ("float64", "ball"))
+)
+"""The arithmetics of a kind, where not all of them know it, or mpmath's numbers are the middles of balls."""
 MOST_RESIDUAL = {"float64": 1e-9, "double-double": 1e-24, "mpmath": 1e-33, "ball": 1e-10}
 """Largest energy residual, relative to all the energy that there was, came and went."""
 MOST_SLACK, MOST = 1e4, 1e300

@@ -84,7 +84,8 @@ def solve(  # type: ignore[misc]  # the options are those below
     |velocity|.
 
     With `arithmetic`: "float64" or "double-double" as they are, where the free pair's events may stay open
-    (Trajectory.certain); "mpmath" with `digits` or 30, no bounds; "ball" with `digits` or 15 proved digits.
+    (Trajectory.certain); "mpmath" with `digits` or 30, no bounds (of the free pair by steps of its own, else the
+    middles of balls of twice as many digits, as `tried` says); "ball" with `digits` or 15 proved digits.
 
     `t_eval`: times (s), in order, at which `t`, `y` and `energy` are given, instead of at the events.
     `progress(events, fraction)` is called now and then. A float in a scene is read as the decimal that it shows: 0.1 is
@@ -137,7 +138,8 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
         working = (digits or 30) + SPARE_DIGITS
         if working > limits.digits:
             raise exhausted(working - SPARE_DIGITS, limits.digits)
-        return limits.run(scene, Multiprecision(working))
+        found = limits.run(scene, Multiprecision(working))
+        return found if free_scene(scene) else found.but(tried=f"the middles of balls of {2 * working} working digits")
     if arithmetic == "ball":
         return _solve_to_digits(scene, digits or 15, SPARE_DIGITS, limits)
     raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, double-double, mpmath, ball")
