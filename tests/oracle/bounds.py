@@ -61,7 +61,7 @@ PROVE = "if a bound became smaller, or a doubt (number 0) begins later, prove it
 CHANGED = f"{PROVE} freeze anew with `python -m oracle.bounds`, from tests"
 NEAR, HALVINGS, EVENTS = 1.003, 14, 8
 BALLS = Ball(40)
-WITHIN = {"floats": 1.001, "rounded floats": 1.1, "balls": 1.05, "rounded balls": 1.5, "answers": 1 + 1e-6}
+WITHIN = {"floats": 1.001, "rounded floats": 1.1, "balls": 1.001, "rounded balls": 1.5, "answers": 1 + 1e-6}
 """By which factor a number of each kind may change."""
 
 
