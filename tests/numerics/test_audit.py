@@ -42,7 +42,7 @@ def test_every_row_is_as_required_and_shown(small, run, record, monkeypatch):
     monkeypatch.setattr(solves, "audit", lambda *_: iter(shown))
     found = record("audit", "--size", "small", "--seed", 7)
     assert (found["seed"], found["size"], found["passed"], len(found["rows"])) == (7, "small", True, 3)
-    assert all(list(row) == list(solves.Row._fields) for row in found["rows"])
+    assert all(list(row) == list(solves.AuditRow._fields) for row in found["rows"])
     shown[1] = shown[1]._replace(passed=False)
     code, out, err = run("audit", "--size", "small")
     assert (code, "FAIL" in out, err) == (1, True, "")
