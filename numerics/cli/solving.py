@@ -178,10 +178,13 @@ def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
 def _explained(trajectory: Trajectory) -> str:
     """Return how a scene was solved: arithmetic, digits, what was tried, events, and why no more were needed."""
     from numerics.linear.modes import Mode
+    from numerics.trajectory.run import free_scene
     from numerics.trajectory.status import Status
 
     located, arithmetic = trajectory.record.events, trajectory.arithmetic
-    why = f"{located} events located one by one, as all of them were asked for (`energy` jumps over them)"
+    why = f"{located} events located one by one"
+    if free_scene(trajectory.scene):
+        why += ", as all of them were asked for (`energy` jumps over them)"
     if not located and trajectory.modes == (Mode.STICK,):
         why = "the pair never slips: one rotation, whatever the horizon"
     elif trajectory.status is Status.STUCK_FOR_EVER:

@@ -60,7 +60,7 @@ def si_numbers(scene: Scene) -> tuple[Fraction, ...]:
     """Return m1, m2, a2, b, x1, v1, x2, v2, until and a1 = 0 of a scene, exact, in SI units. Raises NoForceHere."""
     if scene.is_forced or scene.pair.a1:
         raise NoForceHere(
-            "this scene has a force, a damper, or a friction that changes in time; solve it up to the time asked for"
+            "this scene has a force, a damper, or a friction that changes; solve it up to the time asked for"
         )
     of, at = scene.pair, scene.initial
     return of.m1, of.m2, of.a2, of.b, at.x1, at.v1, at.x2, at.v2, scene.until, of.a1

@@ -43,7 +43,8 @@ class Sine(ShortRepr):
     def __init__(self, amplitude: Exact, omega: Exact, phase: Exact = 0) -> None:
         """Read the numbers; raises InvalidScene unless omega > 0."""
         keep(self, amplitude=amplitude, phase=phase)
-        put(self, omega=positive(omega, "omega", "write a constant as polynomial = [u]"))
+        remedy = "turn the signs of amplitude, omega and phase, or write a constant as polynomial = [u]"
+        put(self, omega=positive(omega, "omega", remedy))
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)

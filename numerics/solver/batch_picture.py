@@ -48,7 +48,7 @@ def _along(batch: Any, along: Any) -> dict[str, Any]:
         return {along: given[along]}
     if along is not None:
         try:
-            return {"given": np.broadcast_to(np.asarray(along, dtype=float), batch.shape)}
+            return {"given": np.asarray(along, dtype=float).reshape(batch.shape)}
         except (TypeError, ValueError):
             raise ValueError(f"along must be the name of an input, or numbers of the shape {batch.shape}") from None
     varying = [name for name, one in given.items() if one.size and (one != one.flat[0]).any()][:2]

@@ -83,8 +83,11 @@ class Answer:
         Numbers have the digits that are right. Those of mpmath do not know them: `truth`, the same scene solved in
         balls, does. Raises ValueError without it, SequenceDiffers if the events are not the true ones.
         """
-        if isinstance(truth, str | Path):
-            raise TypeError(f"to_csv returns the text; write it with Path({str(truth)!r}).write_text(run.to_csv())")
+        if not (truth is None or isinstance(truth, Answer)):
+            shown = str(truth)[:100]
+            raise TypeError(
+                f"truth = {shown!r} is no run; to_csv returns text: Path({shown!r}).write_text(run.to_csv())"
+            )
         return export.as_csv(export.as_record(self, truth))
 
     def to_dataframe(self) -> Any:

@@ -6,6 +6,7 @@ cut at the bound of its error, or where it parts from a ball of an independent s
 
 from __future__ import annotations
 
+import math
 from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
 
@@ -20,9 +21,11 @@ _SPARE_DIGITS = 3
 def with_radius(name: str, x: arb, digits: int) -> dict[str, str]:
     """Return the text of a ball under a name, and its radius beside it, under `name_radius`.
 
-    `digits` significant digits and a few spare ones, the radius in 3 digits upwards.
+    `digits` significant digits and a few spare ones, or as many as the radius leaves; the radius in 3 digits upwards.
     """
-    text = str(x.mid().str(digits + _SPARE_DIGITS, radius=False))
+    bits = x.rel_accuracy_bits()
+    known = math.floor(bits * math.log10(2)) + 2
+    text = str(x.mid().str(min(digits + _SPARE_DIGITS, known), radius=False)) if bits > 0 else "0"
     return {name: text, f"{name}_radius": _upwards(abs(x - arb(text)).upper())}
 
 

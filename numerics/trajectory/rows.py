@@ -241,7 +241,9 @@ class Rows(Answer):
         exact: Any = to_float(t) if own else exact_time(t)
         if not 0 <= exact <= max(until, Fraction(end)):
             shown = self.arithmetic.text(t) if own else str(t)[:40]
-            raise ValueError(f"t = {shown} s is outside the solved time [0, {end:g}] s; solve further")
+            raise ValueError(
+                f"t = {shown} s is outside the solved time [0, {end:g}] s; give one within it, or solve further"
+            )
         return t if own else self.arithmetic.number(exact)
 
     def _middles(self, times: Array) -> Array:

@@ -114,7 +114,7 @@ class Trajectory(Solution):
             if rows.shape[1:] != (ROW,) or end.shape != (END_ROW,):
                 raise ValueError("its rows have other lengths")
         else:
-            rows, end = [Knot(*one) for one in header["rows"]], Knot(*header["end"])
+            *rows, end = (Knot(*one)._replace(cell=tuple(one[-1])) for one in (*header["rows"], header["end"]))
         record = Record(rows, end, How(header["how"]), events, certain)
         found = cls(scene, arithmetic_named(name, digits), record)
         if not (

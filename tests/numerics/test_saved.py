@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from three_scenes import DAMPED, HOW, PAPER, STUCK
 
-from numerics import Solver, Trajectory, load_scene, solve
+from numerics import Solver, Trajectory, load_scene, sensitivities, solve
 from numerics.errors import InvalidFile
 
 
@@ -33,6 +33,8 @@ def test_what_was_pickled_or_saved_comes_back_to_the_last_bit_and_is_equal(scene
                 texts = ([one.arithmetic.text(a, 60) for a in run.y.flat] for run in (back, one))
                 assert next(texts) == next(texts)
             assert [str(a) for a in back.sol("0.1")] == [str(a) for a in one.sol("0.1")]
+    balls = solve(DAMPED, digits=40)
+    assert str(sensitivities(copy.copy(balls)).final) == str(sensitivities(balls).final)
     assert solve(scene) == solve(scene)
     assert [path.name for path in tmp_path.iterdir()] == ["run.npz"]
 
