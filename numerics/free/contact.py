@@ -41,6 +41,8 @@ from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.protocol import Number
 
 _STEPS = 40
+_INVERSE_RISE = (0.0065409791, -0.030933036, 0.070592857, -0.11482952, 0.17257569, -0.29994229, 0.99999944)
+"""theta/(3 u) as a polynomial in u^2 where h(theta) = u <= 1, fitted to 6e-7: the guess on an exit ray."""
 _SEED_BITS = 44
 _SMALLEST_SEED = 1e-90
 """Of a smaller angle, or one next to so large a push, binary64 has no powers."""
@@ -93,7 +95,7 @@ def halley_shift(at: ContactPoint) -> Number:
 
 @compilable
 def _guess(gap: Number, push: Number) -> Number:
-    """Return x next to the root: that of (1/3 + d/6) theta^2 - u theta - 2 d, with more terms of h for d = 0.
+    """Return x next to the root: that of (1/3 + d/6) theta^2 - u theta - 2 d, for d = 0 by a fit that saves a step.
 
     For push > 1 it is that of u x^2/2 - d x - 2 pi.
     """
@@ -101,6 +103,11 @@ def _guess(gap: Number, push: Number) -> Number:
     if is_late(push):
         x = (gap + sqrt(gap * gap + 4 * half_turn * push)) / push
         return x if as_float(x) < 4.7 else 3 * half_turn / 4
+    if as_float(gap) == 0.0:
+        ratio = 0 * push
+        for coefficient in _INVERSE_RISE:
+            ratio = ratio * (push * push) + coefficient
+        return 3 * push * ratio
     third = (2 + gap) / 3  # twice the coefficient of the square
     b, c = push / third, 4 * gap / third
     root = sqrt(b * b + c)

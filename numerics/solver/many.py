@@ -310,6 +310,9 @@ def _numbers(name: str, values: Any) -> Floats:
 def _checked(name: str, array: Floats) -> Floats:
     """Return an array as it is. Raises InvalidScene, naming the first number that is out of bounds."""
     bound = "> 0 and " if name in _POSITIVE or name.endswith(".omega") else ">= 0 and " if name == "a1" else ""
+    least, most = array.min(initial=np.inf), array.max(initial=-np.inf)
+    if (least > 0 or (least == 0 and bound[:2] != "> ") or not bound) and least > -np.inf and most < np.inf:
+        return array  # nearly always, and at a third of the price
     wrong = ~np.isfinite(array) | ((array < 0) & bool(bound)) | ((array == 0) & (bound[:2] == "> "))
     if np.any(wrong):
         first = tuple(int(i) for i in np.argwhere(wrong)[0])
