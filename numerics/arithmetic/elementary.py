@@ -37,7 +37,7 @@ _SINE_TERMS = tuple((-1) ** k * 6 / math.factorial(2 * k + 5) for k in reversed(
 DEPTH_SERIES = _depth_series(34)
 """Its radius of convergence is 2 pi: 34 terms leave out less than 2^-60 of the first below 3, 27 less than 2^-110 below
 1.5."""
-_EVEN, _ODD = (tuple(float(one) for one in DEPTH_SERIES[first::2][::-1]) for first in (0, 1))
+_DEPTH = tuple(tuple(float(one) for one in DEPTH_SERIES[first::4][::-1]) for first in range(4))
 
 
 @compilable
@@ -71,9 +71,13 @@ def depth_and_cotangent(x: float) -> tuple[float, float]:
     of 3 u. From 3 on within 4 ulp: sin - (x/2) cos at most 2.5 u, the other sine 1.1 u. Normal from x = 1e-153 on.
     """
     if x < _QUOTIENT_SERIES_BELOW:
-        # two chains of operations, which a processor runs side by side
-        square, fourth = x * x, x * x * (x * x)
-        value = square * (horner(_EVEN, fourth) + square * horner(_ODD, fourth))
+        # four chains of operations, which a processor runs side by side
+        square = x * x
+        fourth = square * square
+        eighth = fourth * fourth
+        early = horner(_DEPTH[0], eighth), horner(_DEPTH[1], eighth)
+        late = horner(_DEPTH[2], eighth), horner(_DEPTH[3], eighth)
+        value = square * (early[0] + (square * early[1] + fourth * (late[0] + square * late[1])))
     else:
         half = 0.5 * x
         value = 2.0 * (math.sin(half) - half * math.cos(half)) / math.sin(half)

@@ -6,10 +6,11 @@ Python only hands out chunks of rows to compiled code, where numba is installed.
 
 from __future__ import annotations
 
+import math
 import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
@@ -32,7 +33,7 @@ from numerics.trajectory.run import MAX_EVENTS
 if TYPE_CHECKING:
     from numerics.solver.plane_batch import PlaneBatch
 
-_POSITIVE = ("m1", "m2", "a2", "b", "until")
+_POSITIVE, _FLOATS = ("m1", "m2", "a2", "b", "until"), np.finfo(np.float64)
 Progress = Callable[[int, int], None]
 
 
@@ -111,17 +112,18 @@ def solve_many(
     # a polynomial would have to begin anew with each piece of friction
     in_columns = force is None and (friction is None or (terms < 2 and _fits_in_columns(friction)))
     force, friction = NO_FORCE if force is None else force, SAME_FRICTION if friction is None else friction
-    arrays = {
-        name: np.asarray(one, object) if exact else _checked(name, _numbers(name, one)) for name, one in named.items()
-    }
-    arrays |= {"force": _all_of("force", Force, force), "friction": _all_of("friction", Friction, friction)}
-    shape = _common_shape(arrays)
+    with np.errstate(over="ignore"):  # of long floats; refused as inf
+        arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
+    objects = {"force": _all_of("force", Force, force), "friction": _all_of("friction", Friction, friction)}
+    shape = _common_shape(arrays | objects)
+    flat = np.empty((math.prod(shape), len(arrays)))
+    if not exact:
+        _fill(flat.reshape(*shape, len(arrays)), arrays)
     if exact or not in_columns:
-        return _solve_objects(arrays, shape, terms, law, limits)
-    del arrays["force"], arrays["friction"]
-    flat = np.stack([np.broadcast_to(one, shape).ravel() for one in arrays.values()], axis=-1)
+        return _solve_objects(arrays | objects, shape, terms, law, limits)
     # each contiguous, as compiled code is made for a layout
-    numbers, polynomials, waves = map(np.ascontiguousarray, np.split(flat, [len(SI), len(SI) + terms], axis=1))
+    parts = slice(len(SI)), slice(len(SI), len(SI) + terms), slice(len(SI) + terms, None)
+    numbers, polynomials, waves = (np.ascontiguousarray(flat[:, part]) for part in parts)
     columns = Columns(numbers, polynomials, waves.reshape(len(flat), len(sines), 3), frictions_of(friction))
     how = law is Law.THREE_VALUED_SGN, max_events
 
@@ -298,8 +300,7 @@ def _numbers(name: str, values: Any) -> Floats:
             given = np.vectorize(lambda one: float(exact_decimal(one, name)), otypes=[np.float64])(given)
         # NumPy would make real numbers of complex ones, dates and truth values, too
         if given.dtype.kind in "iuf" and not _has_truth_values(values):
-            with np.errstate(over="ignore"):  # of long floats; refused as inf
-                return np.asarray(given, dtype=np.float64)
+            return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         pass
     raise InvalidScene(
@@ -307,15 +308,28 @@ def _numbers(name: str, values: Any) -> Floats:
     )
 
 
-def _checked(name: str, array: Floats) -> Floats:
-    """Return an array as it is. Raises InvalidScene, naming the first number that is out of bounds."""
-    bound = "> 0 and " if name in _POSITIVE or name.endswith(".omega") else ">= 0 and " if name == "a1" else ""
-    least, most = array.min(initial=np.inf), array.max(initial=-np.inf)
-    if (least > 0 or (least == 0 and bound[:2] != "> ") or not bound) and least > -np.inf and most < np.inf:
-        return array  # nearly always, and at a third of the price
-    wrong = ~np.isfinite(array) | ((array < 0) & bool(bound)) | ((array == 0) & (bound[:2] == "> "))
-    if np.any(wrong):
-        first = tuple(int(i) for i in np.argwhere(wrong)[0])
-        place = f"{name}{list(first) if first else ''} = {array[first]:g}"
-        raise InvalidScene(f"{place} must be {bound}finite; correct it, or leave that scene out")
-    return array
+@cache
+def _least(name: str) -> float:
+    """Return the least number that a quantity may be."""
+    if name in _POSITIVE or name.endswith(".omega"):
+        return float(_FLOATS.smallest_subnormal)
+    return 0.0 if name == "a1" else float(_FLOATS.min)
+
+
+def _fill(wide: Floats, arrays: dict[str, Floats]) -> None:
+    """Write arrays that broadcast to the last axis, one after another.
+
+    Raises InvalidScene, naming the first number that is out of bounds.
+    """
+    for column, array in enumerate(arrays.values()):
+        wide[..., column] = array
+    least = np.array([_least(name) for name in arrays])
+    if wide.size and ((wide >= least) & (wide < np.inf)).all():
+        return
+    for name, array in arrays.items():
+        wrong = ~((array >= _least(name)) & (array < np.inf))
+        if wrong.any():
+            first = tuple(int(i) for i in np.argwhere(wrong)[0])
+            place = f"{name}{list(first) if first else ''} = {array[first]:g}"
+            bound = "" if _least(name) < 0 else ">= 0 and " if _least(name) == 0 else "> 0 and "
+            raise InvalidScene(f"{place} must be {bound}finite; correct it, or leave that scene out")
