@@ -121,7 +121,7 @@ def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int) -> Recor
 
     A short run is made by Python, which would wait for numba longer than it runs.
     """
-    is_wide = isinstance(arithmetic, DoubleDouble)
+    is_wide = arithmetic.name == "double-double"  # to ask for its type is slower: it follows a Protocol
     _runs[0] += _WIDE_RUN if is_wide else 1
     fast = compiles_now() or (_runs[0] > _MANY and can_compile())
     row = scene_row(scene) if fast and not is_wide else None
