@@ -1,13 +1,15 @@
 """A trajectory in plain data, and in a file without a pickle: what comes back equals what was there, to the last bit.
 
 The file is a NumPy archive. Its `header` is JSON in UTF-8: the scene as TOML text, the arithmetic, how the run ended,
-and what it wrote; numbers of mpmath and of balls have their mantissas as hexadecimal texts.
+and what it wrote; numbers of mpmath and of balls have their mantissas as hexadecimal texts, arrays of floats their
+bytes as base64, column by column: decimals take three times as long.
 """
 
 from __future__ import annotations
 
 import json
 import zipfile
+from base64 import b64decode, b64encode
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -94,7 +96,7 @@ def _read(text: str) -> dict[str, Any]:
     return found
 
 
-def plain(value: Any) -> Any:
+def plain(value: Any) -> Any:  # noqa: PLR0911 - one for each kind of number
     """Return numbers as what JSON holds; a list for every sequence."""
     if isinstance(value, arb_poly):
         return {"polynomial": [plain(one) for one in value.coeffs()]}
@@ -105,6 +107,8 @@ def plain(value: Any) -> Any:
         return {"mpf": _hexadecimal(-mantissa if value < 0 else mantissa, exponent)}
     if isinstance(value, (Decimal, Fraction)):
         return {"ratio": [hex(one) for one in value.as_integer_ratio()]}
+    if isinstance(value, np.ndarray) and value.dtype == float:
+        return {"floats": [b64encode(value.astype("<f8").tobytes("F")).decode(), *value.shape]}
     if isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.dtype == object):
         return [plain(one) for one in value]
     return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
@@ -126,7 +130,10 @@ def _ball(middle: int, middle_exponent: int, radius: int, radius_exponent: int) 
 
 
 def _number(found: dict[str, Any]) -> Any:
-    """Return the number that an object of the JSON text stands for, else the object."""
+    """Return the number that an object of the JSON text stands for, or the array of floats; else the object."""
+    if list(found) == ["floats"]:
+        text, *shape = found["floats"]
+        return np.frombuffer(b64decode(text), dtype="<f8").reshape(shape, order="F").astype(float, order="C")
     for name, read in _READ.items():
         if list(found) == [name]:
             return read(*(int(one, 16) if isinstance(one, str) else one for one in found[name]))

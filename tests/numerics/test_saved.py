@@ -57,8 +57,8 @@ def spoilt(path, **changes):
         {"rest": [10**9, True, 0, 0, 0]},
         {"scene": "[pair]"},
         {"t_eval": [99]},
-        {"rows": lambda rows: [row[:3] for row in rows]},
-        {"rows": lambda rows: (np.nan * np.array(rows)).tolist()},
+        {"rows": {"floats": ["", 0, 3]}},
+        {"rows": lambda rows: [[np.nan] * rows["floats"][2]]},
     ],
 )
 def test_a_file_that_holds_no_trajectory_is_refused_in_a_sentence(tmp_path, changes):
