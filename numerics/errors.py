@@ -23,7 +23,7 @@ class EventUndecided(NumericsError):
         self.question, self.enclosure, self.digits = question, enclosure, digits
         super().__init__(
             f"undecided at {digits} working digits: {question} (enclosure {enclosure}); "
-            "raise max_digits, or the data sit exactly on the boundary"
+            "ask for more digits, or raise max_digits, unless the data sit exactly on the boundary"
         )
 
 
@@ -37,6 +37,21 @@ class NotSettled(NumericsError):
 
 class OutOfRange(NumericsError, OverflowError):
     """A number of this scene does not fit the arithmetic; another arithmetic may hold it."""
+
+
+class BeyondRange(OutOfRange):
+    """A number, which `what` names with its value, is beyond the range of an arithmetic.
+
+    Attributes: `arithmetic` is its name, `least` and `most` are its range.
+    """
+
+    def __init__(self, what: str, arithmetic: str, least: float = 1e-308, most: float = 1e308) -> None:
+        """Keep the range, by which somebody who knows the scene finds a name for the number."""
+        self.arithmetic, self.least, self.most = arithmetic, least, most
+        super().__init__(
+            f"{what} is beyond the range of {arithmetic} ({least:g} to {most:g}); choose units that bring it into "
+            'range, or use arithmetic="ball"'
+        )
 
 
 class NoForceHere(NumericsError, ValueError):
