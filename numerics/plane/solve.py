@@ -10,7 +10,7 @@ from numerics.errors import EventUndecided, InvalidScene
 from numerics.plane.answer import Working
 from numerics.plane.box import joined
 from numerics.plane.linear import LinearRun
-from numerics.plane.reduced import reduced
+from numerics.plane.reduced import line_at_first, reduced
 from numerics.plane.run import PlaneRun
 from numerics.plane.system import System
 from numerics.plane.trajectory import PlaneTrajectory
@@ -83,8 +83,15 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
     system = System(reduced(scene), working)
     kind = LinearRun if scene.pair.shape == "box" or system.n == 1 else PlaneRun
-    run = kind(system, limits["max_events"], _MAX_LEGS, limits["progress"])
-    run.follow()
+    most = limits["max_events"], _MAX_LEGS, limits["progress"]
+    run, line = kind(system, *most), None
+    if isinstance(run, PlaneRun) and (given := line_at_first(scene)) is not None:
+        line = LinearRun(System(given, working), *most)
+        line.follow()
+        with system.fine():
+            run.go_on_from(line)
+    if line is None or line.reached:
+        run.follow()
     with system.fine():
         first = run.events[0].before if run.events else run.states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT

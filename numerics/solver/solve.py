@@ -117,7 +117,7 @@ def solve(  # type: ignore[misc]  # the options are those below
                 require_whole(name, value, 1)
         if digits is not None and arithmetic in ("float64", "double-double"):
             raise ValueError(
-                f"digits = {digits} with {arithmetic}, which has the digits that it has; leave one of them out"
+                f"digits = {digits} with {arithmetic}, which has its own digits; leave digits out, or arithmetic"
             )
         if digits is not None and digits > max_digits:
             raise exhausted(digits, max_digits)
