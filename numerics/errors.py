@@ -36,22 +36,22 @@ class NotSettled(NumericsError):
 
 
 class OutOfRange(NumericsError, OverflowError):
-    """A number of this scene does not fit the arithmetic; another arithmetic may hold it."""
+    """A number of this scene does not fit the arithmetic; another arithmetic may hold it.
 
-
-class BeyondRange(OutOfRange):
-    """A number, which `what` names with its value, is beyond the range of an arithmetic.
-
-    Attributes: `arithmetic` is its name, `least` and `most` are its range.
+    Attributes: `beyond` is the name of the arithmetic and its range, where a number is beyond that.
     """
 
-    def __init__(self, what: str, arithmetic: str, least: float = 1e-308, most: float = 1e308) -> None:
-        """Keep the range, by which somebody who knows the scene finds a name for the number."""
-        self.arithmetic, self.least, self.most = arithmetic, least, most
-        super().__init__(
+    beyond: tuple[str, float, float] | None = None
+
+    @classmethod
+    def of(cls, what: str, arithmetic: str, least: float = 1e-308, most: float = 1e308) -> OutOfRange:
+        """Return the error for a number, which `what` names with its value."""
+        found = cls(
             f"{what} is beyond the range of {arithmetic} ({least:g} to {most:g}); choose units that bring it into "
             'range, or use arithmetic="ball"'
         )
+        found.beyond = arithmetic, least, most
+        return found
 
 
 class NoForceHere(NumericsError, ValueError):

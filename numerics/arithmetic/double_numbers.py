@@ -6,7 +6,7 @@ from typing import Any
 
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.pair import TwoFloats, two_sum
-from numerics.errors import BeyondRange
+from numerics.errors import OutOfRange
 
 LARGEST, SMALLEST = 1e100, 1e-130
 """The range in which products of a few numbers keep their 106 bits."""
@@ -26,5 +26,5 @@ class DoubleDouble(Multiprecision):
         """Return a number as its binary64 number and that of the rest, in this context; raises OutOfRange."""
         high = float(x)
         if x != 0 and not SMALLEST < abs(high) < LARGEST:
-            raise BeyondRange(f"a number, {high:g},", "double-double", SMALLEST, LARGEST)
+            raise OutOfRange.of(f"a number, {high:g},", "double-double", SMALLEST, LARGEST)
         return two_sum(high, float(x - high))

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from numerics.arithmetic.elementary import as_float
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.errors import BeyondRange
+from numerics.errors import OutOfRange
 from numerics.scene.decimals import short
 
 
@@ -31,7 +31,7 @@ class Float64(Arithmetic):
         except OverflowError:
             number = math.inf
         if math.isinf(number) or (number == 0 and value != 0):
-            raise BeyondRange(f"a number, {short(Fraction(value))},", "float64")
+            raise OutOfRange.of(f"a number, {short(Fraction(value))},", "float64")
         return number
 
     def text(self, x: float, digits: int = 6) -> str:

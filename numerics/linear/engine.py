@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.errors import BeyondRange, EventUndecided, OutOfRange
+from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.prepare import Prepared, halves, prepare
@@ -54,7 +54,7 @@ def run_pairs(scene: Scene, *, wide: bool, max_events: int, progress: Progress |
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
     if not compiled(finish)(rows, end, *prepared.units):
-        raise BeyondRange("a position, a velocity or an energy on the way", _name(wide))
+        raise OutOfRange.of("a position, a velocity or an energy on the way", _name(wide))
     return Record(rows, end, How(how), int(end[AT["events"]]))
 
 

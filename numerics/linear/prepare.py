@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
-from numerics.errors import BeyondRange
+from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, Problem, constants
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, ROW
@@ -76,7 +76,7 @@ def halves(x: Fraction, exponent: int = 0) -> Halves:
     try:
         return nearest(x, exponent)
     except OverflowError:
-        raise BeyondRange(f"a number, {short(x)} or in units of this pair,", "float64") from None
+        raise OutOfRange.of(f"a number, {short(x)} or in units of this pair,", "float64") from None
 
 
 def reduced(phase: Fraction) -> Fraction:
@@ -107,7 +107,7 @@ def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], Ker
     """
     for value in (pair.half_width, pair.critical_energy):
         if halves(value)[0] == 0.0:
-            raise BeyondRange(f"L or E_cr of this pair, {short(value)},", "float64")
+            raise OutOfRange.of(f"L or E_cr of this pair, {short(value)},", "float64")
     mass = _exponent(pair.mass)
     units = KernelUnits(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
     given = (pair.m1, 0), (pair.mass, 0), (pair.m2, 0), (pair.a1, -1), (pair.a2, -2)

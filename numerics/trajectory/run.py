@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.errors import BeyondRange
+from numerics.errors import OutOfRange
 from numerics.free.engine import run_free
 from numerics.linear.engine import run_linear
 from numerics.scene import Scene
@@ -32,15 +32,17 @@ def run_scene(
     run = run_free if free_scene(scene) else run_linear
     try:
         return Trajectory(scene, arithmetic, run(scene, arithmetic, max_events, progress))
-    except BeyondRange as error:
+    except OutOfRange as error:
         raise _named(scene, error) from None
 
 
-def _named(scene: Scene, error: BeyondRange) -> BeyondRange:
+def _named(scene: Scene, error: OutOfRange) -> OutOfRange:
     """Return the error with the name of the number of a scene or of its start that is out of range, if one is."""
-    width, level = scene.pair.half_width, scene.pair.critical_energy
+    if error.beyond is None:
+        return error
+    (_, least, most), width, level = error.beyond, scene.pair.half_width, scene.pair.critical_energy
     made = {"until": scene.until, "L = b (m1 + m2)/(a2 m2)": width, "E_cr": level, "E at t = 0": scene.energy}
     for name, value in (parameters(scene) | made | {"E/E_cr - 1 at t = 0": scene.energy_excess}).items():
-        if value and not error.least <= abs(value) <= error.most:
-            return BeyondRange(f"{name} = {short(value)}", error.arithmetic, error.least, error.most)
+        if value and not least <= abs(value) <= most:
+            return OutOfRange.of(f"{name} = {short(value)}", *error.beyond)
     return error

@@ -68,7 +68,7 @@ def test_a_run_goes_on_where_it_stopped(tmp_path):
     head = "".join(lines[:9])
     for text in ("a letter", head + "{}\n", head + "nonsense\n", head + lines[9].replace('"}', 'm"}')):
         file.write_text(text)
-        with pytest.raises(InvalidMap, match="damaged|another map"):
+        with pytest.raises(InvalidMap, match=r"damaged|another map"):
             charted(resume=file)
         assert file.read_text() == text
 
