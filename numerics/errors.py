@@ -23,7 +23,7 @@ class EventUndecided(NumericsError):
         self.question, self.enclosure, self.digits = question, enclosure, digits
         super().__init__(
             f"undecided at {digits} working digits: {question} (enclosure {enclosure}); "
-            "raise max_digits, or the data sit exactly on the boundary"
+            "ask for more digits, or raise max_digits, unless the data sit exactly on the boundary"
         )
 
 
@@ -36,7 +36,22 @@ class NotSettled(NumericsError):
 
 
 class OutOfRange(NumericsError, OverflowError):
-    """A number of this scene does not fit the arithmetic; another arithmetic may hold it."""
+    """A number of this scene does not fit the arithmetic; another arithmetic may hold it.
+
+    Attributes: `beyond` is the name of the arithmetic and its range, where a number is beyond that.
+    """
+
+    beyond: tuple[str, float, float] | None = None
+
+    @classmethod
+    def of(cls, what: str, arithmetic: str, least: float = 1e-308, most: float = 1e308) -> OutOfRange:
+        """Return the error for a number, which `what` names with its value."""
+        found = cls(
+            f"{what} is beyond the range of {arithmetic} ({least:g} to {most:g}); choose units that bring it into "
+            'range, or use arithmetic="ball"'
+        )
+        found.beyond = arithmetic, least, most
+        return found
 
 
 class NoForceHere(NumericsError, ValueError):

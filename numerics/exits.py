@@ -114,6 +114,8 @@ class OneLineParser(argparse.ArgumentParser):
         if mistyped is not None:
             near = difflib.get_close_matches(mistyped[1], re.findall(r"[\w-]+", mistyped[2]), n=1, cutoff=0.5)
             message = f"{mistyped[1]!r} is not known; did you mean {near[0]}?" if near else message
-        elif message.startswith(("the following", "unrecognized")):
+        elif "not allowed with" in message:
+            message += "; leave one of them out"
+        elif message.startswith(("the following", "unrecognized")) or "expected" in message:
             message += "; --help tells what there is"
         self.exit(refuse(message, USAGE))

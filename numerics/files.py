@@ -115,7 +115,8 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
         temporary.chmod(0o644)  # mkstemp's own mode hides the file from other readers
         temporary.replace(target)
     except OSError as error:
-        raise OSError(error.errno or errno.EIO, error.strerror or str(error), str(path)) from None
+        reason = f"{error.strerror or error}; name a file in a folder that is there and can be written"
+        raise OSError(error.errno or errno.EIO, reason, str(path)) from None
     finally:
         if temporary is not None:
             temporary.unlink(missing_ok=True)

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from numerics import InvalidScene, Mode, Scene, solve
-from numerics.trajectory.sensitivity import parameters, sensitivities
+from numerics import InvalidScene, Mode, Scene, sensitivities, solve
+from numerics.scene.model import parameters
 
 SMALLEST = 1e-9
 """Derivatives that are all smaller, in the scene's own units, are compared absolutely: they may be 0."""

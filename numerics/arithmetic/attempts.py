@@ -49,7 +49,9 @@ def to_digits(
 
 def exhausted(digits: int, most: int) -> PrecisionExhausted:
     """Return what says that the cap on working digits comes before so many right ones."""
-    return PrecisionExhausted(f"{digits} right digits need more than {most} working digits; raise max_digits")
+    return PrecisionExhausted(
+        f"{digits} right digits need more than max_digits = {most} working digits; raise max_digits, or ask for fewer"
+    )
 
 
 def _right_digits(one: arb) -> int:

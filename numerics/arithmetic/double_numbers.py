@@ -26,7 +26,5 @@ class DoubleDouble(Multiprecision):
         """Return a number as its binary64 number and that of the rest, in this context; raises OutOfRange."""
         high = float(x)
         if x != 0 and not SMALLEST < abs(high) < LARGEST:
-            raise OutOfRange(
-                'a number of this scene is beyond the range of double-double (1e-130 to 1e100); use arithmetic="ball"'
-            )
+            raise OutOfRange.of(f"a number, {high:g},", "double-double", SMALLEST, LARGEST)
         return two_sum(high, float(x - high))

@@ -9,6 +9,7 @@ from fractions import Fraction
 from numerics.arithmetic.elementary import as_float
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import OutOfRange
+from numerics.scene.decimals import short
 
 
 class Float64(Arithmetic):
@@ -30,9 +31,7 @@ class Float64(Arithmetic):
         except OverflowError:
             number = math.inf
         if math.isinf(number) or (number == 0 and value != 0):
-            raise OutOfRange(
-                'a number of this scene is beyond the range of float64 (1e-308 to 1e308); use arithmetic="ball"'
-            )
+            raise OutOfRange.of(f"a number, {short(Fraction(value))},", "float64")
         return number
 
     def text(self, x: float, digits: int = 6) -> str:

@@ -66,7 +66,9 @@ def solve_scene(options: argparse.Namespace) -> int:
 def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
-        return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
+        return (
+            f"--digits {options.digits} goes with ball or mpmath, not with {options.arithmetic}; leave one of them out"
+        )
     for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
             return f"--sensitivity goes with --json, --npz or the table; leave --{name} out"

@@ -132,7 +132,7 @@ def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
             f"margin = {short(margin)} must be at least 0 and below 1; give the part of b that stays free"
         )
     if any((at.x1, at.v1, at.v2)):
-        raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
+        raise InvalidScene(f"a transfer starts at rest with the spring unloaded, not from {at!r}; set x1 = v1 = v2 = 0")
     scene.require_one_b("a transfer")
     scene.require_filippov("a transfer")
     if scene.is_forced:

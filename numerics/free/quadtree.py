@@ -213,8 +213,8 @@ def _finished(path: Path, title: dict[str, Any], blocks: list[Leaf]) -> dict[int
     """
     lines = path.read_text("utf-8", errors="replace").splitlines(keepends=True) if path.exists() else []
     whole = [line for line in lines if line.endswith("\n")] or [_line(title)]
-    if whole[0] != _line(title):
-        raise InvalidMap(f"checkpoint {path.name} is of another map ({whole[0][:120]}); name another file")
+    if not _line(title).startswith(lines[0] if lines else ""):
+        raise InvalidMap(f"checkpoint {path.name} is of another map ({lines[0][:120]}); name another file")
     found = {}
     for index, line in enumerate(whole[1:], start=2):
         try:

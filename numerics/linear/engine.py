@@ -54,7 +54,7 @@ def run_pairs(scene: Scene, *, wide: bool, max_events: int, progress: Progress |
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
     if not compiled(finish)(rows, end, *prepared.units):
-        raise OutOfRange(f'a number of this scene is beyond the range of {_name(wide)}; use arithmetic="ball"')
+        raise OutOfRange.of("a position, a velocity or an energy on the way", _name(wide))
     return Record(rows, end, How(how), int(end[AT["events"]]))
 
 

@@ -34,6 +34,7 @@ from numerics.linear.table import (
     most_terms,
 )
 from numerics.scene import Law, Pair, Scene
+from numerics.scene.decimals import short
 
 Halves = tuple[float, float]
 _EVENTS_PER_HALF_TURN = 3
@@ -75,7 +76,7 @@ def halves(x: Fraction, exponent: int = 0) -> Halves:
     try:
         return nearest(x, exponent)
     except OverflowError:
-        raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"') from None
+        raise OutOfRange.of(f"a number, {short(x)} or in units of this pair,", "float64") from None
 
 
 def reduced(phase: Fraction) -> Fraction:
@@ -106,7 +107,7 @@ def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], Ker
     """
     for value in (pair.half_width, pair.critical_energy):
         if halves(value)[0] == 0.0:
-            raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"')
+            raise OutOfRange.of(f"L or E_cr of this pair, {short(value)},", "float64")
     mass = _exponent(pair.mass)
     units = KernelUnits(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
     given = (pair.m1, 0), (pair.mass, 0), (pair.m2, 0), (pair.a1, -1), (pair.a2, -2)

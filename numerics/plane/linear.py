@@ -51,7 +51,7 @@ class LinearRun(PlanePath):
         """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
         pieces = self.system.pieces
         with self.system.fine():
-            self.released(None)
+            self.released("jump" if self.at.piece else None)
             while self.at.piece < len(pieces):
                 if len(self.events) >= self.max_events:
                     return

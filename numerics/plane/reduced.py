@@ -90,14 +90,30 @@ def reduced(scene: PlaneScene, *, whole: bool = False) -> ReducedPlane:
     moving = [part for part in pair.parts if whole or any(one[i] for one in (*start, *pushes) for i in part)]
     unit = [Vector(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving or pair.parts[:1]))]
     if pair.shape == "ellipsoid":
-        # a line has the direction of the start, or if that is at rest, of M1^-1 u
-        m1, pushed = Vector(pair.m1), (one / Vector(pair.m1) for one in pushes)
-        d = next((Vector(one) for one in (*start, *pushed) if any(one)), unit[0])
         try:
-            return _on(scene, pieces, [d], [m1 * d])
+            return _on_line(scene, pieces, pieces)
         except ValueError:
             pass
     return _on(scene, pieces, unit, unit)
+
+
+def line_at_first(scene: PlaneScene) -> ReducedPlane | None:
+    """Return the data on the one line on which an ellipsoid moves before a piece of force leads it away from there."""
+    pieces = _pieces(scene)
+    for k, piece in enumerate(pieces):
+        try:
+            _on_line(scene, pieces, [piece])
+        except ValueError:
+            return _on_line(scene, pieces, pieces[:k]) if k else None
+    return None
+
+
+def _on_line(scene: PlaneScene, pieces: Sequence[Acting], some: Sequence[Acting]) -> ReducedPlane:
+    """Return the data with some pieces on a line, of the direction of the start, or if that is at rest, of M1^-1 u."""
+    m1, axis = Vector(scene.pair.m1), Vector(Fraction(i == 0) for i in range(scene.pair.axes))
+    pushed = (one / m1 for piece in pieces for one in piece.terms.values())
+    d = next((Vector(one) for one in (scene.x1, scene.v1, scene.v2, *pushed) if any(one)), axis)
+    return _on(scene, some, [d], [m1 * d])
 
 
 def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], forces: list[Vector]) -> ReducedPlane:

@@ -12,21 +12,22 @@ says what holds all through one):
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import accumulate, pairwise
 
 from flint import arb, arb_poly, arb_series
 
-from numerics.arithmetic.ball import sqrt
+from numerics.arithmetic.ball import Ball, sqrt
 from numerics.plane.defect import Defect, slip_defect
 from numerics.plane.linear import AGAIN, LinearRun
 from numerics.plane.onset import first_slip, onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import OUTSIDE
 from numerics.plane.polynomial import first_root, log2, midpoints, rise, scaled, two_to
-from numerics.plane.series import PlaneExpansion, Series, TaylorCurve, curve_of
+from numerics.plane.series import PlaneExpansion, Series, SeriesPoint, TaylorCurve, curve_of
+from numerics.plane.states import PlaneLeg
 from numerics.plane.system import highest
-from numerics.plane.vector import Vector, wide
+from numerics.plane.vector import Vector, exact, wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
@@ -47,6 +48,25 @@ class PlaneRun(LinearRun):
     def groups(self) -> Sequence[Sequence[int]]:
         """Return all axes: they stick and slip together."""
         return [self.system.axes]
+
+    def go_on_from(self, line: LinearRun) -> None:
+        """Take over a path along one line where it ends: there a slip may end or turn around exactly at s = 0."""
+        given, self.young, self.on_edge = line.system.given, {}, []
+        d = exact(row @ given.place[0] for row in self.system.given.place)
+        size = sqrt(Ball.number(given.place[0] @ given.force[0]))
+
+        def placed(on: SeriesPoint | TaylorCurve) -> Iterable[Vector]:
+            return (d * part[0] for part in (on.q1, on.v2, on.s, on.z))
+
+        for curve, end, norm, apart in line.legs:
+            q1, v2, s, z = placed(curve)
+            self.legs.append(
+                PlaneLeg(curve._replace(q1=q1, v2=v2, s=s, z=z), end, (norm * size).upper(), abs(d) * apart[0])
+            )
+        self.events += line.events
+        self.mode = self.system.n * ("0" if line.mode == "0" else "*")
+        self.norm, self.apart = (line.norm * size).upper(), abs(d) * line.apart[0]
+        self.set(SeriesPoint(line.at.piece, line.at.t, *placed(line.at)))
 
     def one_step(self) -> None:
         """Stick or slip for a step, or to the first event in it; a slip that has settled, for a long one."""

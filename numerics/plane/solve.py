@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
+from numerics.arithmetic.attempts import exhausted
+from numerics.errors import EventUndecided, InvalidScene
 from numerics.plane.answer import Working
 from numerics.plane.box import joined
 from numerics.plane.linear import LinearRun
-from numerics.plane.reduced import reduced
+from numerics.plane.reduced import line_at_first, reduced
 from numerics.plane.run import PlaneRun
 from numerics.plane.system import System
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene import Scene
+from numerics.scene.decimals import shown
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
 
@@ -43,10 +45,8 @@ def solve_plane(
     of its axis along the run. (A direction that is not known is 0 with the radius 1.)
     "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
     """
-    if arithmetic not in {None, "float64", "ball"}:
-        raise InvalidScene(f"arithmetic = {arithmetic!r} does not know a surface; take float64 or ball")
-    if arithmetic == "float64" and digits is not None:
-        raise ValueError("float64 has the digits that it has; leave digits out, or the choice of arithmetic")
+    if arithmetic not in (None, "float64", "ball"):
+        raise InvalidScene(f"arithmetic = {shown(arithmetic)} does not know a surface; take float64 or ball")
     limits: dict[str, Any] = {"max_events": max_events, "progress": progress}
     floats, wanted = arithmetic == "float64" or (arithmetic is None and digits is None), digits or 15
     working, tried = _FLOAT if floats else wanted + _GUARD, list[str]()
@@ -63,7 +63,7 @@ def solve_plane(
             tried, right = tried if floats else [], found.digits if floats else wanted
             return found.but(t_eval=t_eval, tried="; ".join(tried), digits=right)
         working += wanted - found.digits + 3
-    raise PrecisionExhausted(f"{wanted} right digits need more than {max_digits} working digits; raise max_digits")
+    raise exhausted(wanted, max_digits)
 
 
 def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
@@ -83,8 +83,15 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
     system = System(reduced(scene), working)
     kind = LinearRun if scene.pair.shape == "box" or system.n == 1 else PlaneRun
-    run = kind(system, limits["max_events"], _MAX_LEGS, limits["progress"])
-    run.follow()
+    most = limits["max_events"], _MAX_LEGS, limits["progress"]
+    run, line = kind(system, *most), None
+    if isinstance(run, PlaneRun) and (given := line_at_first(scene)) is not None:
+        line = LinearRun(System(given, working), *most)
+        line.follow()
+        with system.fine():
+            run.go_on_from(line)
+    if line is None or line.reached:
+        run.follow()
     with system.fine():
         first = run.events[0].before if run.events else run.states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT

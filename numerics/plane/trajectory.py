@@ -192,7 +192,8 @@ class PlaneTrajectory(Answer):
         given = t, float(self.end_time.mid())
         time, last = (x if isinstance(x, arb) else Ball.number(exact_decimal(x, "t")) for x in given)
         if time < 0 or (time > self.end_time and time > last):
-            raise ValueError(f"t = {str(t)[:40]} s is outside of the run, [0, {self.end_time.str(6)}] s")
+            shown = f"t = {str(t)[:40]} s is outside the solved time [0, {last.str(6, radius=False)}] s"
+            raise ValueError(f"{shown}; give one within it, or solve further")
         return time
 
     def _shown(self, numbers: Any) -> NDArray[Any]:

@@ -24,6 +24,7 @@ MAX_EXPONENT = 1000
 MAX_CHARACTERS = 1000
 _TOO_LONG = 10 ** (MAX_EXPONENT + MAX_CHARACTERS)
 _WIDE = Context(prec=2 * (MAX_EXPONENT + MAX_CHARACTERS), traps=[Inexact])
+_SIX_DIGITS = Context(prec=6)
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE]([+-]?[0-9]+))?", re.ASCII)
 
 
@@ -50,7 +51,7 @@ def exact_decimal(value: object, name: str) -> Fraction:
         if isinstance(value, Real):
             return _from_text(repr(float(value)), name)
     remedy = "give arrays to solve_many" if isinstance(value, Iterable) else "write it as 0.05 or 5e-2"
-    raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; {remedy}")
+    raise InvalidScene(f"{name} must be a decimal number, not {shown(value)}; {remedy}")
 
 
 def positive(value: object, name: str, remedy: str = "") -> Fraction:
@@ -73,11 +74,13 @@ def put(record: object, **values: Any) -> None:
 
 
 def short(value: Fraction) -> str:
-    """Return a rational for an error message; huge ones only by size, since a float cannot hold them."""
-    try:
-        return f"{float(value):g}" if value == 0 or abs(float(value)) > 0 else "a number below 1e-308"
-    except OverflowError:
-        return "a number above 1e308"
+    """Return a rational for an error message, to six digits, also one that no float holds.
+
+    >>> short(Fraction(-1, 200)), short(Fraction(10) ** 400 / 3)
+    ('-0.005', '3.33333e+399')
+    """
+    found = _SIX_DIGITS.divide(Decimal(value.numerator), Decimal(value.denominator))
+    return f"{float(found):g}" if abs(found.adjusted()) < 308 else f"{found.normalize():e}"
 
 
 def decimal_text(value: Fraction) -> str:
@@ -95,23 +98,22 @@ def decimal_text(value: Fraction) -> str:
 
 def require_whole(name: str, value: Any, least: int) -> None:
     """Raise ValueError, naming the argument, unless it is a whole number from `least` to 2^62."""
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
-        raise ValueError(f"{name} = {str(value)[:40]!r} must be a whole number")
-    if not least <= operator.index(value) <= 2**62:
-        raise ValueError(f"{name} = {str(value)[:40]} must be at least {least} and at most 2^62")
+    is_whole = hasattr(value, "__index__") and not isinstance(value, bool)
+    if not (is_whole and least <= operator.index(value) <= 2**62):
+        raise ValueError(f"{name} = {shown(value)} must be a whole number from {least} to 2^62; give one")
 
 
 def listed(name: str, values: Any, of: str = "") -> Iterable[Any]:
     """Return what an argument lists; raises InvalidScene for a number, and for a text, whose letters nobody means."""
     if isinstance(values, str) or not isinstance(values, Iterable):
-        raise InvalidScene(f"{name} = {str(values)[:40]!r} must be a list{of}; write [...], also around one")
+        raise InvalidScene(f"{name} = {shown(values)} must be a list{of}; write [...], also around one")
     return values
 
 
 def require_function(name: str, value: Any, of: str) -> None:
     """Raise TypeError, naming the argument, unless it can be called."""
     if not callable(value):
-        raise TypeError(f"{name} = {_shown(value)} must be a function of {of}; leave it out for none")
+        raise TypeError(f"{name} = {shown(value)} must be a function of {of}; leave it out for none")
 
 
 def _from_ratio(text: str, name: str) -> Fraction:
@@ -121,7 +123,7 @@ def _from_ratio(text: str, name: str) -> Fraction:
         return _from_text(text, name)
     divisor = _from_text(below.strip(), name)
     if divisor == 0:
-        raise InvalidScene(f"{name} = {_shown(text)} divides by 0; write a number such as 50/3")
+        raise InvalidScene(f"{name} = {shown(text)} divides by 0; write a number such as 50/3")
     return _checked_size(_from_text(above.strip(), name) / divisor, name)
 
 
@@ -130,11 +132,11 @@ def _from_text(text: str, name: str) -> Fraction:
         raise InvalidScene(f"{name} has {len(text)} characters; at most {MAX_CHARACTERS} are read; round it")
     match = _DECIMAL.fullmatch(text)
     if match is None:
-        raise InvalidScene(f"{name} must be a finite decimal number, not {_shown(text)}; write 0.05 or 5e-2")
+        raise InvalidScene(f"{name} must be a finite decimal number, not {shown(text)}; write 0.05 or 5e-2")
     exponent = match.group(1) or "0"
     if len(exponent) > 6 or abs(int(exponent)) > MAX_EXPONENT:
         raise InvalidScene(
-            f"{name} = {_shown(text)} has an exponent beyond +-{MAX_EXPONENT}; choose units that bring it into range"
+            f"{name} = {shown(text)} has an exponent beyond +-{MAX_EXPONENT}; choose units that bring it into range"
         )
     return _checked_size(Fraction(text), name)
 
@@ -148,7 +150,7 @@ def _checked_size(value: Fraction, name: str) -> Fraction:
     return value
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
     """Return a value as text that is safe on one line of an error message."""
     try:
         text = repr(value)

@@ -14,7 +14,7 @@ from typing import Any, cast
 
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
-from numerics.scene.decimals import decimal_text, exact_decimal, listed
+from numerics.scene.decimals import decimal_text, exact_decimal, listed, shown
 from numerics.scene.model import BUILD, read_law, require_kind
 from numerics.scene.pieces import two_coefficients
 from numerics.scene.plane import AXES, PlanePair, PlaneScene
@@ -98,8 +98,7 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
     Raises InvalidScene.
     """
     if not isinstance(name_or_path, (str, os.PathLike)):
-        shown = f"{str(name_or_path)[:40]!r}, {type(name_or_path).__name__}"
-        raise InvalidScene(f"a {what} is named by text or a path, not {shown}; give {form} or a shipped name")
+        raise InvalidScene(f"{shown(name_or_path)} is no name of a {what}; give {form} or a shipped name")
     name, known = os.fspath(name_or_path), _names_in(folder)
     shipped = ", ".join(known) if len(known) < 9 else "those that `inertial-pair scenes` lists"
     if not name:
@@ -144,7 +143,7 @@ def parse_scene(text: str, file: str = "") -> Scene:
     axes = [one.get("axis", "x") for one in force]
     for axis in axes:
         if axis not in AXES:
-            raise InvalidScene(f"axis = {str(axis)[:40]!r} is not one of {', '.join(AXES)}")
+            raise InvalidScene(f"axis = {shown(axis)} is not one of {', '.join(AXES)}")
     n = max([2, *lists, *(AXES.index(axis) + 1 for axis in axes)])
     along = [Force(piece for axis, piece in zip(axes, pieces, strict=True) if axis == own) for own in AXES[:n]]
     changes = [(one["from"], one["b"]) for one in tables.get("friction", ())]
@@ -159,20 +158,20 @@ def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) 
         tables = tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
     except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
         reason = " ".join(str(error).split())[:200]
-        raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}") from None
-    shown = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
+        raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}; correct that place") from None
+    headed = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
     for name in tables:
         if name not in known:
-            raise InvalidScene(f"unknown table or key [{name[:40]!r}]; a {what} has {', '.join(shown.values())}")
+            raise InvalidScene(f"unknown table or key [{name[:40]!r}]; a {what} has {', '.join(headed.values())}")
     for name, keys in known.items():
         if name not in _REPEATED:
-            _require_keys(tables.get(name, {}), keys, shown[name])
+            _require_keys(tables.get(name, {}), keys, headed[name])
         elif not isinstance(tables.get(name, []), list):
             raise InvalidScene(
-                f"{name} must be tables of its pieces; write {shown[name]} on a line of its own for each"
+                f"{name} must be tables of its pieces; write {headed[name]} on a line of its own for each"
             )
         for number, one in enumerate(tables.get(name, ()) if name in _REPEATED else (), start=1):
-            _require_keys(one, keys, f"{shown[name]} number {number}")
+            _require_keys(one, keys, f"{headed[name]} number {number}")
     return tables
 
 
@@ -199,7 +198,7 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
     """Raise InvalidScene unless a table has the keys that it must have, and no unknown ones."""
     required, known = keys[0].split(), " ".join(sorted(" ".join(keys).split()))
     if not isinstance(content, dict):
-        raise InvalidScene(f"{where} must be a table with the keys {known}, each table on a line of its own")
+        raise InvalidScene(f"{where} must be a table with the keys {known}, not {shown(content)}; give it its keys")
     for key in content:
         if key in _TWO_COEFFICIENTS:
             raise two_coefficients(key)

@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, keep, positive, put, short
+from numerics.scene.decimals import Exact, keep, positive, put, short, shown
 from numerics.scene.pieces import Force, Friction
 from numerics.scene.short_repr import ShortRepr
 
@@ -213,11 +213,42 @@ class Scene(ShortRepr):
         return self.energy / self.pair.critical_energy - 1
 
 
+WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
+"""The initial state and the parameters of a free pair, in the order of the last axis of every array of derivatives."""
+
+
+def parameters(scene: Scene) -> dict[str, Fraction]:
+    """Return every number of a scene by its name, in the order of the last axis of all derivatives; exact.
+
+    Without a force those of `WRT`, else `until` too. Pieces and what is in them are counted from 0, as in Python:
+    `force[0].from`, `force[0].polynomial[1]`, `force[0].sines[0].amplitude` (`omega`, `phase`), `friction[0].from`,
+    `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
+    """
+    found = {name: getattr(scene.initial if name in WRT[:4] else scene.pair, name) for name in WRT}
+    if not (scene.force.pieces or scene.is_forced):
+        return found
+    found["until"] = scene.until
+    for index, piece in enumerate(scene.force.pieces):
+        name = f"force[{index}]"
+        found[f"{name}.from"] = piece.start
+        found |= {f"{name}.polynomial[{k}]": one for k, one in enumerate(piece.polynomial)}
+        for k, sine in enumerate(piece.sines):
+            found |= {f"{name}.sines[{k}].{key}": getattr(sine, key) for key in ("amplitude", "omega", "phase")}
+    for index, (start, b) in enumerate(scene.friction.pieces):
+        found |= {f"friction[{index}].from": start, f"friction[{index}].b": b}
+    if scene.friction.weakening is not None:
+        given = scene.friction.weakening
+        for name, keys, points in (("speed", "wb", given.speed), ("place", "zc", given.place)):
+            for index, point in enumerate(points):
+                found |= {f"weakening.{name}[{index}].{key}": one for key, one in zip(keys, point, strict=True)}
+        found["weakening.last_slope"] = given.last_slope
+    return found
+
+
 def read_law(law: object) -> Law:
     """Return the Law that `law` names; raises InvalidScene with the names that exist."""
     try:
         return Law(law)
     except ValueError:
         names = ", ".join(f'"{one.value}"' for one in Law)
-        given = repr(law) if isinstance(law, str) else f"({type(law).__name__})"  # a huge int has no text
-        raise InvalidScene(f"law = {given[:40]} is not one of {names}") from None
+        raise InvalidScene(f"law = {shown(law)} is not one of {names}; leave it out for the first") from None

@@ -14,7 +14,7 @@ from itertools import pairwise, zip_longest
 from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, keep, listed, positive, put, short
+from numerics.scene.decimals import Exact, exact_decimal, keep, listed, positive, put, short, shown
 from numerics.scene.short_repr import ShortRepr
 
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
@@ -72,8 +72,7 @@ class Piece(ShortRepr):
             exact_decimal(one, f"polynomial[{k}]") for k, one in enumerate(listed("polynomial", polynomial))
         ]
         kept = tuple(listed("sines", sines))
-        if not all(isinstance(one, Sine) for one in kept):
-            raise InvalidScene("sines must be Sine(amplitude, omega, phase); build them first")
+        require_all("sines", kept, Sine, "Sine(amplitude, omega, phase)")
         for name, count, most in (
             ("coefficients", len(coefficients), MAX_COEFFICIENTS),
             ("sines", len(kept), MAX_SINES),
@@ -111,8 +110,7 @@ class Force(ShortRepr):
     def __init__(self, pieces: Iterable[Piece] = ()) -> None:
         """Keep the pieces; each starts after the one before it."""
         kept = tuple(listed("pieces", pieces))
-        if not all(isinstance(one, Piece) for one in kept):
-            raise InvalidScene("a force is made of Piece(start, polynomial, sines); build them first")
+        require_all("pieces", kept, Piece, "Piece(start, polynomial, sines)")
         require_order("force", [one.start for one in kept])
         put(self, pieces=kept)
 
@@ -287,7 +285,7 @@ class Friction(ShortRepr):
     def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = (), weakening: Weakening | None = None) -> None:
         """Read the pieces; raises InvalidScene unless every b > 0 and each starts after the one before it."""
         if not isinstance(weakening, Weakening | None):
-            raise InvalidScene("weakening must be a Weakening(speed, last_slope, place); build it first")
+            raise InvalidScene(f"weakening = {shown(weakening)} must be a Weakening; build one first")
         put(self, pieces=friction_pieces(listed("pieces", pieces), lambda b: positive(b, "b")), weakening=weakening)
 
     @property
@@ -306,6 +304,13 @@ def _summed(one: Piece, two: Piece) -> Piece:
     return Piece(one.start, coefficients, [Sine(amplitude, *key) for key, amplitude in sines.items()])
 
 
+def require_all(name: str, values: Iterable[Any], kind: type, how: str) -> None:
+    """Raise InvalidScene, with the first that is wrong, unless all values are of a kind."""
+    for k, one in enumerate(values):
+        if not isinstance(one, kind):
+            raise InvalidScene(f"{name}[{k}] = {shown(one)} must be a {kind.__name__}; build {how} first")
+
+
 def _length(value: Exact, name: str) -> Fraction:
     return positive(value, name, "give a duration in seconds")
 
@@ -320,9 +325,11 @@ def _points(given: Any, name: str, first: str, second: str) -> tuple[tuple[Fract
     try:
         pairs = [(one, two) for one, two in given]
     except (TypeError, ValueError):
-        raise InvalidScene(f"{name} must be points; write {name} = [[{first}, {second}], ...]") from None
+        raise InvalidScene(
+            f"{name} = {shown(given)} must be points; write {name} = [[{first}, {second}], ...]"
+        ) from None
     if len(pairs) > MAX_POINTS:
-        raise InvalidScene(f"{name} has {len(pairs)} points; at most {MAX_POINTS} are read")
+        raise InvalidScene(f"{name} has {len(pairs)} points; at most {MAX_POINTS} are read; leave some out")
     return tuple(
         (exact_decimal(one, f"{first} in {name}"), exact_decimal(two, f"{second} in {name}")) for one, two in pairs
     )
@@ -348,7 +355,7 @@ def not_before_zero(what: str, start: Exact) -> Fraction:
 def require_order(what: str, starts: list[Fraction]) -> None:
     """Raise InvalidScene unless every piece starts after the one before it."""
     if len(starts) > MAX_PIECES:
-        raise InvalidScene(f"{what} has {len(starts)} pieces; at most {MAX_PIECES} are read")
+        raise InvalidScene(f"{what} has {len(starts)} pieces; at most {MAX_PIECES} are read; leave some out")
     for index, (one, two) in enumerate(pairwise(starts), start=1):
         if two <= one:
             raise InvalidScene(
@@ -363,7 +370,7 @@ def friction_pieces(given: Iterable[Any], read: Callable[[Any], _B]) -> tuple[tu
         try:
             start, b = piece
         except (TypeError, ValueError):
-            raise InvalidScene("a piece of friction is a pair (start, b); give two numbers") from None
+            raise InvalidScene(f"{shown(piece)} is no piece of friction; give a pair (start, b)") from None
         kept.append((not_before_zero("a piece of friction", start), read(b)))
     require_order("friction", [start for start, _ in kept])
     return tuple(kept)

@@ -17,9 +17,9 @@ from flint import fmpq, fmpq_mat
 
 from numerics.errors import InvalidScene
 from numerics.scene import decimals
-from numerics.scene.decimals import Exact, exact_decimal, listed, put, short
+from numerics.scene.decimals import Exact, exact_decimal, listed, put, short, shown
 from numerics.scene.model import HORIZON, NO_FORCE
-from numerics.scene.pieces import Force, friction_pieces
+from numerics.scene.pieces import Force, friction_pieces, require_all
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")
@@ -53,12 +53,14 @@ class PlanePair(ShortRepr):
         """Read every number as an exact decimal and check its bound."""
         m1, m2, a2, b, a1 = map(_listed, (m1, m2, a2, b, a1))
         if axes is not None and axes not in (2, 3):
-            raise InvalidScene(f"axes = {str(axes)[:40]} must be 2 (x, y) or 3 (x, y, phi); on one line take a Pair")
+            raise InvalidScene(
+                f"axes = {shown(axes)} must be 2 (x, y) or 3 (x, y, phi), as in the lists; on one line give numbers"
+            )
         n = axes or max([2, *(len(one) for one in (m1, m2, a2, b, a1) if isinstance(one, list))])
         if n > len(AXES):
             raise InvalidScene(f"a list of {n} numbers in [pair]; at most 3 axes are known: {', '.join(AXES)}")
         if not isinstance(shape, str) or shape not in SHAPES:
-            raise InvalidScene(f"shape = {str(shape)[:40]!r} is not one of {', '.join(SHAPES)}")
+            raise InvalidScene(f"shape = {shown(shape)} is not one of {', '.join(SHAPES)}")
         for name, given in (("m1", m1), ("m2", m2), ("b", b)):
             put(self, **{name: positive(given, name, n)})
         put(self, a1=_matrix(a1, "a1", n), a2=_matrix(a2, "a2", n), shape=shape)
@@ -131,8 +133,7 @@ class PlaneScene(ShortRepr):
         if not isinstance(pair, PlanePair):
             raise InvalidScene(f"pair must be a PlanePair, not {type(pair).__name__}; build it first")
         n, forces = pair.axes, tuple(listed("force", force, " of one Force for each axis"))
-        if not all(isinstance(one, Force) for one in forces):
-            raise InvalidScene("force must be a list of one Force for each axis; build them first")
+        require_all("force", forces, Force, "one Force for each axis")
         if len(forces) > n:
             raise InvalidScene(f"{len(forces)} forces for {n} axes; give one Force for each axis")
         put(self, until=decimals.positive(until, "until", HORIZON))

@@ -22,7 +22,7 @@ from numerics.errors import InvalidScene
 from numerics.linear.batch import Columns
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
-from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole
+from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch, near
@@ -103,11 +103,13 @@ def solve_many(
     named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
     for k, sine in enumerate(sines):
         if not isinstance(sine, Sequence | np.ndarray) or len(sine) != 3:
-            raise InvalidScene(f"sines[{k}] must be a triple: amplitude, omega, phase")
+            raise InvalidScene(f"sines[{k}] = {shown(sine)} must be a triple; give amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
     for name, values in named.items():
         if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
             raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
+    if not isinstance(exact, bool | np.bool_):
+        raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
     law, limits, terms = read_law(law), _BatchLimits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
     # a polynomial would have to begin anew with each piece of friction
     in_columns = force is None and (friction is None or (terms < 2 and _fits_in_columns(friction)))
@@ -233,7 +235,7 @@ def _all_of(name: str, kind: type, given: Any) -> Any:
     array = np.asarray(given, dtype=object)
     if wrong := [one for one in array.flat if not isinstance(one, kind)]:
         what = kind.__name__
-        raise InvalidScene(f"{name} holds {str(wrong[0])[:40]!r}; give a {what}([...]), or a list of them")
+        raise InvalidScene(f"{name} holds {shown(wrong[0])}; give a {what}([...]), or a list of them")
     return array
 
 

@@ -14,7 +14,7 @@ from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
 from numerics.free.engine import run_row, scene_row
 from numerics.scene import Law, Pair, Scene, State, read_law
-from numerics.scene.decimals import Exact, positive, require_whole
+from numerics.scene.decimals import Exact, positive, require_whole, shown
 from numerics.scene.model import HORIZON
 from numerics.trajectory.run import MAX_EVENTS, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
@@ -95,8 +95,9 @@ def _four(state: Any) -> Four:
     try:
         x1, v1, x2, v2 = map(float, state)
     except (TypeError, ValueError):
-        shown = type(state).__name__
-        raise InvalidScene(f"a Solver takes a State or four floats x1, v1, x2, v2, not a {shown}") from None
+        raise InvalidScene(
+            f"a Solver takes a State or four floats x1, v1, x2, v2, not {shown(state)}; give those"
+        ) from None
     if not isfinite(x1 + v1 + x2 + v2):
         raise InvalidScene(f"the state {(x1, v1, x2, v2)} must be finite; correct it")
     return x1, v1, x2, v2

@@ -14,7 +14,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from numerics.linear.record import rounded
 from numerics.scene import Scene
-from numerics.scene.decimals import require_function, require_whole
+from numerics.scene.decimals import require_function, require_whole, shown
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.digits import proved_digits
@@ -46,6 +46,9 @@ class _Limits(NamedTuple):
     events: int
     digits: int
     progress: Progress | None
+
+    def allow(self, arithmetic: Arithmetic) -> bool:
+        return arithmetic is _FLOAT64 or arithmetic.digits <= self.digits
 
     def run(self, scene: Scene, arithmetic: Arithmetic) -> Trajectory:
         return run_scene(scene, arithmetic, self.events, self.progress)
@@ -87,6 +90,7 @@ def solve(  # type: ignore[misc]  # the options are those below
     (Trajectory.certain); "mpmath" with `digits` or 30, no bounds (of the free pair by steps of its own, else the
     middles of balls of twice as many digits, as `tried` says); "ball" with `digits` or 15 proved digits.
 
+    `max_digits`: the cap on working digits; float64 has its 15 under any, as no arithmetic has fewer.
     `t_eval`: times (s), in order, at which `t`, `y` and `energy` are given, instead of at the events.
     `progress(events, fraction)` is called now and then. A float in a scene is read as the decimal that it shows: 0.1 is
     1/10. (`solve_many` reads arrays as binary numbers.)
@@ -111,6 +115,12 @@ def solve(  # type: ignore[misc]  # the options are those below
         for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
             if value is not None:
                 require_whole(name, value, 1)
+        if digits is not None and arithmetic in ("float64", "double-double"):
+            raise ValueError(
+                f"digits = {digits} with {arithmetic}, which has its own digits; leave digits out, or arithmetic"
+            )
+        if digits is not None and digits > max_digits:
+            raise exhausted(digits, max_digits)
     if progress is not None:
         require_function("progress", progress, "(events, fraction)")
     if t_eval is not None:
@@ -128,11 +138,7 @@ def solve(  # type: ignore[misc]  # the options are those below
 def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Limits) -> Trajectory:
     if arithmetic is None:
         return _solve_surely(scene, limits) if digits is None else _solve_cheaply(scene, digits, limits)
-    if not isinstance(arithmetic, str):
-        raise ValueError(f"arithmetic = {str(arithmetic)[:40]!r} is not one of float64, double-double, mpmath, ball")
-    if arithmetic in _HAS:
-        if digits is not None:
-            raise ValueError(f"{arithmetic} has the digits that it has; leave digits out, or the choice of arithmetic")
+    if arithmetic in ("float64", "double-double"):
         return limits.run(scene, _FLOAT64 if arithmetic == "float64" else _DOUBLE_DOUBLE)
     if arithmetic == "mpmath":
         working = (digits or 30) + SPARE_DIGITS
@@ -142,7 +148,7 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
         return found if free_scene(scene) else found.but(tried=f"the middles of balls of {2 * working} working digits")
     if arithmetic == "ball":
         return _solve_to_digits(scene, digits or 15, SPARE_DIGITS, limits)
-    raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, double-double, mpmath, ball")
+    raise ValueError(f"arithmetic = {shown(arithmetic)} is not one of float64, double-double, mpmath, ball")
 
 
 def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
@@ -151,6 +157,8 @@ def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
     refused: NumericsError | None = None
     tried: list[str] = []
     for arithmetic in _LADDER:
+        if not limits.allow(arithmetic):
+            break
         if arithmetic.name == "ball" and first is not None and first.record.events > _MOST_IN_BALLS:
             break
         if arithmetic is _DOUBLE_DOUBLE and isinstance(refused, OutOfRange):
@@ -184,7 +192,7 @@ def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
         name, lost = arithmetic.name, 0 if guard == SPARE_DIGITS else guard - _SPARE_DIGITS
         if digits > _WORTH_A_TRY[name] or digits + lost > _HAS[name]:
             continue
-        if arithmetic is _FLOAT64 and is_linear and digits > _FORCED_IN_FLOATS:
+        if (arithmetic is _FLOAT64 and is_linear and digits > _FORCED_IN_FLOATS) or not limits.allow(arithmetic):
             continue
         try:
             found = limits.run(scene, arithmetic)

@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from numerics.arithmetic.protocol import Arithmetic
+from numerics.scene.decimals import short
 from numerics.trajectory import export, saved
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.status import Status
@@ -75,7 +76,11 @@ class Answer:
     @property
     def message(self) -> str:
         """Return the sentence that says how the solve ended."""
-        return self.status.sentence
+        if self.status is not Status.EVENT_LIMIT:
+            return self.status.sentence
+        run: Any = self
+        count, at, until = len(run.event_times), float(run.floats(run.end_time)), short(run.scene.until)
+        return f"stopped at max_events = {count}, t = {at:g} s of {until} s; raise it, or shorten until"
 
     def to_csv(self, truth: Any = None) -> str:
         """Return events and final state as CSV text, with units.

@@ -24,7 +24,7 @@ from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Knot, Record, tabulate
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
-from numerics.scene.decimals import short
+from numerics.scene.decimals import short, shown
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, sums
 from numerics.trajectory.flow import Moving, changes
@@ -362,13 +362,13 @@ def exact_time(t: Any, name: str = "t") -> Fraction:
             return Fraction(*t.as_integer_ratio())
         return Fraction(t if isinstance(t, str) else operator.index(t))
     except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        raise ValueError(f"{name} = {str(t)[:40]!r} is not a time in seconds; give a finite number >= 0") from None
+        raise ValueError(f"{name} = {shown(t)} is not a time in seconds; give a finite number >= 0") from None
 
 
 def require_side(side: Any) -> None:
     """Raise ValueError for what is no side of an event."""
     if not isinstance(side, str) or side not in ("left", "right"):
-        raise ValueError(f"side = {str(side)[:40]!r} is not one of left, right")
+        raise ValueError(f"side = {shown(side)} is not one of left, right")
 
 
 def require_times(t_eval: Any, until: Fraction) -> None:
@@ -378,7 +378,7 @@ def require_times(t_eval: Any, until: Fraction) -> None:
     except ValueError:  # rows that differ in length
         given = np.asarray(None)
     if given.ndim != 1:
-        raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
+        raise ValueError(f"t_eval = {shown(t_eval)} must be a sequence of times in seconds; give one such as [0, 0.5]")
     last = float(min(until, Fraction(10**300)))
     if given.dtype.kind in "fiu":  # all at once; only a wrong one is looked for exactly
         times = given.astype(float)
@@ -388,8 +388,8 @@ def require_times(t_eval: Any, until: Fraction) -> None:
     for k, one in enumerate(t_eval):
         point = one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]")
         if isinstance(point, Fraction) and not 0 <= point <= end:
-            shown = f"t_eval[{k}] = {str(one)[:40]} s is outside the run, [0, {short(until)}] s"
-            raise ValueError(f"{shown}; give times within it, or a later until")
+            outside = f"t_eval[{k}] = {str(one)[:40]} s is outside the run, [0, {short(until)}] s"
+            raise ValueError(f"{outside}; give times within it, or a later until")
         if type(point) is type(before) and point < before:
-            raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
+            raise ValueError(f"t_eval[{k}] = {str(one)[:40]} s comes after a later time; put the times in order")
         before = point

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from numerics.arithmetic.protocol import Arithmetic
+from numerics.errors import OutOfRange
 from numerics.free.engine import run_free
 from numerics.linear.engine import run_linear
 from numerics.scene import Scene
+from numerics.scene.decimals import short
+from numerics.scene.model import parameters
 from numerics.trajectory.trajectory import Trajectory
 
 MAX_EVENTS = 250_000
@@ -27,4 +30,19 @@ def run_scene(
     The free engine leaves it to `Trajectory.certain` whether float64 or double-double is sure of the events.
     """
     run = run_free if free_scene(scene) else run_linear
-    return Trajectory(scene, arithmetic, run(scene, arithmetic, max_events, progress))
+    try:
+        return Trajectory(scene, arithmetic, run(scene, arithmetic, max_events, progress))
+    except OutOfRange as error:
+        raise _named(scene, error) from None
+
+
+def _named(scene: Scene, error: OutOfRange) -> OutOfRange:
+    """Return the error with the name of the number of a scene or of its start that is out of range, if one is."""
+    if error.beyond is None:
+        return error
+    (_, least, most), width, level = error.beyond, scene.pair.half_width, scene.pair.critical_energy
+    made = {"until": scene.until, "L = b (m1 + m2)/(a2 m2)": width, "E_cr": level, "E at t = 0": scene.energy}
+    for name, value in (parameters(scene) | made | {"E/E_cr - 1 at t = 0": scene.energy_excess}).items():
+        if value and not least <= abs(value) <= most:
+            return OutOfRange.of(f"{name} = {short(value)}", *error.beyond)
+    return error

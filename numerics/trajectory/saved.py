@@ -40,10 +40,13 @@ def save(trajectory: Any, file: str | Path) -> None:
 def load(file: str | Path, kind: Any) -> Any:
     """Return the trajectory in a file, an object of the class `kind`. Raises OSError, InvalidFile."""
     path = Path(file)
-    with path.open("rb") as opened:
-        is_archive = zipfile.is_zipfile(opened)
+    try:
+        with path.open("rb") as opened:
+            is_archive = zipfile.is_zipfile(opened)
+    except OSError as error:
+        raise OSError(error.errno, f"{error.strerror}; {_REMEDY}", str(path)) from None
     if not is_archive:
-        raise InvalidFile(f"{str(path)!r} is no NumPy archive; {_REMEDY}")
+        raise InvalidFile(f"{str(path)!r} is no NumPy archive, or not a whole one; {_REMEDY}")
     try:
         with np.errstate(invalid="raise"), np.load(path, allow_pickle=False) as archive:
             return restored(_read(archive["header"].tobytes().decode()), kind)

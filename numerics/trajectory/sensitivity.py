@@ -22,7 +22,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import reduce
 from operator import or_
 from typing import Any, overload
@@ -35,8 +34,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
-from numerics.scene import Scene
-from numerics.scene.model import require_kind
+from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.rendering import right_digits_text, with_radius
@@ -46,8 +44,6 @@ from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.variation import legs
 
-WRT = (*STATE, "m1", "m2", "a2", "b", "a1")
-"""The initial state and the parameters of a free pair, in the order of the last axis of every array."""
 _GUARD_BITS = 64
 """So many bits more than those of the trajectory are worked with."""
 _TRIES = 6
@@ -84,34 +80,6 @@ class Sensitivity:
         return f"Sensitivity of {len(self.t)} events and the final state by {', '.join(self.wrt)}"
 
 
-def parameters(scene: Scene) -> dict[str, Fraction]:
-    """Return every number of a scene by its name, in the order of the last axis of all derivatives; exact.
-
-    Without a force those of `WRT`, else `until` too. Pieces and what is in them are counted from 0, as in Python:
-    `force[0].from`, `force[0].polynomial[1]`, `force[0].sines[0].amplitude` (`omega`, `phase`), `friction[0].from`,
-    `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
-    """
-    found = {name: getattr(scene.initial if name in WRT[:4] else scene.pair, name) for name in WRT}
-    if not (scene.force.pieces or scene.is_forced):
-        return found
-    found["until"] = scene.until
-    for index, piece in enumerate(scene.force.pieces):
-        name = f"force[{index}]"
-        found[f"{name}.from"] = piece.start
-        found |= {f"{name}.polynomial[{k}]": one for k, one in enumerate(piece.polynomial)}
-        for k, sine in enumerate(piece.sines):
-            found |= {f"{name}.sines[{k}].{key}": getattr(sine, key) for key in ("amplitude", "omega", "phase")}
-    for index, (start, b) in enumerate(scene.friction.pieces):
-        found |= {f"friction[{index}].from": start, f"friction[{index}].b": b}
-    if scene.friction.weakening is not None:
-        given = scene.friction.weakening
-        for name, keys, points in (("speed", "wb", given.speed), ("place", "zc", given.place)):
-            for index, point in enumerate(points):
-                found |= {f"weakening.{name}[{index}].{key}": one for key, one in zip(keys, point, strict=True)}
-        found["weakening.last_slope"] = given.last_slope
-    return found
-
-
 @overload
 def sensitivities(trajectory: Trajectory) -> Sensitivity: ...
 
@@ -137,8 +105,7 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
 
     A fit of b and m1 to samples of v1 by the method of Gauss and Newton:
 
-    >>> from fractions import Fraction
-    >>> from numerics import Pair, Scene, State, solve
+    >>>     >>> from numerics import Pair, Scene, State, solve
     >>> def solved(b, m1): return solve(Scene(Pair(Fraction(m1), 1, 200, Fraction(b)), State(v1="0.15"), 1))
     >>> times = np.linspace(0, 1, 20)
     >>> measured, guess = solved(0.05, 1.0).sol(times)[1], np.array([0.0525, 1.05])

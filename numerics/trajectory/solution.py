@@ -40,8 +40,10 @@ class Solution(Rows):
     @property
     def message(self) -> str:
         """Return the sentence that says how the solve ended, and whether the phase was lost on the way to the end."""
+        if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
+            return super().message.replace("shorten until", "ask `inertial-pair energy` for a late time")
         if not self.phase_lost:
-            return self.status.sentence
+            return super().message
         return (
             f"{self.status.sentence}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end "
             "the mode and the energy are known, x1, v1, x2 and v2 are not; ball arithmetic knows them"

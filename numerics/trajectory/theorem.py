@@ -75,23 +75,23 @@ def theorem(trajectory: Solution) -> str:
             reason = f"{TRIES[-1][0]} bits are too few for {len(times)} events; shorten until"
             if isinstance(error, Unseen):
                 since = f"after t = {writer.run.time:.6g} s the checker does not see that the pair keeps its mode"
-                reason = f"{since}, as it does not at a graze, or exactly at an edge or the critical energy"
+                reason = (
+                    f"{since}, as it does not at a graze, or exactly at an edge or the critical energy; shorten until"
+                )
     raise NoProof(f"no theorem is written: {reason}")
 
 
 def _uncovered(trajectory: Solution) -> str:
     """Return why the checker does not cover a trajectory, or nothing."""
     scene, at = trajectory.scene, trajectory.scene.initial
-    if scene.law is not Law.FILIPPOV or scene.friction.weakening is not None:
-        return 'the checker knows the law "filippov" only, and no friction that depends on speed or place'
+    if scene.law is not Law.FILIPPOV:
+        return f'the checker knows no law = "{scene.law.value}"; leave the law out, for "filippov"'
+    if scene.friction.weakening is not None:
+        return "the checker knows no friction that depends on speed or place; leave [weakening] out"
     if not trajectory.success:
         return f"the run {trajectory.message}"
-    if scene.is_forced or at.v1 != at.v2 or scene.pair.a1 != 0:
-        return ""
-    if at.v1 == 0 and abs(at.x1) == scene.pair.half_width:
-        return "at rest on an edge of the sliding region the checker does not decide what follows"
-    if scene.energy_excess == 0:
-        return "with exactly the critical energy the checker does not decide what follows"
+    if scene.energy_excess == 0 and at.v1 == at.v2 and scene.pair.a1 == 0 and not scene.is_forced:
+        return "with exactly the critical energy the checker does not decide what follows; move the start off it"
     return ""
 
 

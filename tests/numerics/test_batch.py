@@ -285,7 +285,8 @@ def test_without_numba_the_same_numbers_come_out():
         ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
         ({"v1": np.ma.masked_array([0.1, 0.2], [True, False]), "exact": True}, "masked"),
         ({"b": [1, 2, 3], "friction": [(1, 0.5)]}, r"give a Friction\(\[...\]\), or a list"),
-        ({"max_events": 10**20}, "at most 2"),
+        ({"max_events": 10**20}, "from 1 to 2"),
+        ({"exact": "x"}, "exact = 'x' must be True"),
         ({"keep_events": -1}, "keep_events = -1"),
     ],
 )

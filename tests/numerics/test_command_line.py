@@ -97,14 +97,14 @@ def test_a_scene_is_read_from_standard_input(run, monkeypatch, scene_file):
 
 BAD_USAGE = """
 solve
-solve start-at-6mm --digits 0
+solve start-at-6mm --digits 0 | from 1 to
 solve start-at-6mm --digits -1
 solve start-at-6mm --digits 1.5
 solve start-at-6mm --digits ²
 solve start-at-6mm --max-events 0
 solve start-at-6mm --arithmetic decimal
-solve start-at-6mm --json --csv
-solve start-at-6mm --arithmetic float64 --digits 9
+solve start-at-6mm --json --csv | leave one of them out
+solve start-at-6mm --arithmetic float64 --digits 9 | --digits 9 goes with
 solve start-at-6mm velocities
 solve start-at-6mm --dig 9
 solve start-at-6mm --digits 1e3
@@ -131,7 +131,7 @@ move at-rest --distance x | distance
 move at-rest --distance 1 --margin 1 | margin = 1
 move at-rest --distance 1 --margin -1 | margin = -1
 move at-rest --distance 1 --amplitude 0 | amplitude = 0
-move velocities --distance 1 | starts at rest
+move velocities --distance 1 | v1=0.15
 move forced-step --distance 1 | brings its own force
 move start-at-6mm-literal --distance 1
 move at-rest --distance 1 --out no/where.toml
@@ -249,7 +249,7 @@ def test_a_narrow_terminal_breaks_no_line_and_loses_no_digit(run, monkeypatch, s
     ("argument", "arguments"),
     [
         ("--max-digits", ("solve", "velocities", "--digits", 500, "--max-digits", 100)),
-        ("--max-events", ("solve", "velocities", "--max-events", 2)),
+        ("--max-events = 2, t = 0.", ("solve", "velocities", "--max-events", 2)),
         ("--max-steps", ("energy", "start-with-speed", "--at", "1e50", "--max-steps", 3)),
     ],
 )

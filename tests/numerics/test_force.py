@@ -81,7 +81,7 @@ def test_every_number_survives_its_text(value):
     [
         (lambda: Force((1,)), "Piece"),
         (lambda: Friction((1,)), "friction"),
-        (lambda: Piece(0, 5), "polynomial = '5' must be a list"),
+        (lambda: Piece(0, 5), "polynomial = 5 must be a list"),
         (lambda: Force.ramp(1, 1, 2), "end - start"),
         (lambda: Force.trapezoid(1, -1, 2, 1, 2), "rise"),
         (lambda: Force.trapezoid(1, 0, 0, 0, 2), "rise"),

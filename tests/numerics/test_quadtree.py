@@ -65,10 +65,12 @@ def test_a_run_goes_on_where_it_stopped(tmp_path):
     assert charted(resume=file, progress=lambda *_: pytest.fail("nothing is left to do")) == charted()
     with pytest.raises(InvalidMap, match="another map"):
         charted(depth=3, resume=file)
-    for damaged in ("{}\n", "nonsense\n", lines[9].replace('"}', 'm"}')):
-        file.write_text("".join([*lines[:9], damaged, *lines[10:]]))
-        with pytest.raises(InvalidMap, match="damaged"):
+    head = "".join(lines[:9])
+    for text in ("a letter", head + "{}\n", head + "nonsense\n", head + lines[9].replace('"}', 'm"}')):
+        file.write_text(text)
+        with pytest.raises(InvalidMap, match=r"damaged|another map"):
             charted(resume=file)
+        assert file.read_text() == text
 
 
 def test_command_line(output, record, tmp_path):

@@ -74,9 +74,9 @@ def test_a_file_that_holds_no_trajectory_is_refused_in_a_sentence(tmp_path, chan
 
 def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
     (tmp_path / "text").write_text("hello")
-    with pytest.raises(InvalidFile, match="no NumPy archive"):
+    with pytest.raises(InvalidFile, match="no NumPy archive, or not a whole one"):
         Trajectory.load(tmp_path / "text")
-    with pytest.raises(FileNotFoundError):
+    with pytest.raises(FileNotFoundError, match="give a file that `save`"):
         Trajectory.load(tmp_path / "absent")
     np.savez(tmp_path / "other.npz", header=np.array([{}], dtype=object))  # a pickle
     with pytest.raises(InvalidFile):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from differences import deviation, everything, is_first_start, parameters
 from flint import arb
-from hypothesis import given
+from hypothesis import example, given
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from strategies import driven_scenes, scenes
@@ -48,10 +48,10 @@ def in_balls(scene, digits=DIGITS, most=40):
     return solve(scene, arithmetic="ball", digits=digits, max_events=most)
 
 
-def compared(scene):
+def compared(scene, step=STEP, digits=DIGITS):
     """All numbers of a scene moved at once; events, states and times up to the horizon, or the first forty events."""
-    base = in_balls(scene)
-    return deviation(base, everything(base), DIGITS, STEP)
+    base = in_balls(scene, digits)
+    return deviation(base, everything(base), digits, step)
 
 
 @pytest.mark.parametrize("name", [*FREE, *FORCED, *WEAKENED])
@@ -87,10 +87,11 @@ def test_differences_by_each_number(name):
 
 
 @reaching
+@example(Scene(Pair(1, 10, 1, 1, "2e-9"), State("-1.1"), "20.7289"))
 @given(driven_scenes() | scenes(damped=None, periods=(1, 1), exponents=(-1, 1)))
 def test_differences_of_random_solves(scene):
     try:
-        found = compared(scene)
+        found = compared(scene, STEP**2, 2 * DIGITS)  # a step far below whatever decides a start that is nearly a tie
     except NumericsError:  # the scene, or a neighbour, sits on a tie
         raise LeftOut from None
     assert found.size < (1e-20 if found.events_compared else 1e-3), found

@@ -8,9 +8,9 @@ import pytest
 from flint import arb
 from three_scenes import PAPER
 
-from numerics import solve
+from numerics import sensitivities, solve
 from numerics.arithmetic.ball import Ball
-from numerics.trajectory.sensitivity import WRT, sensitivities
+from numerics.scene.model import WRT
 
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])

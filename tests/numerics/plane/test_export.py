@@ -119,7 +119,7 @@ def test_a_run_that_was_cut_off_is_drawn_to_its_end():
     assert len(run.plot().lines) == 2 * len(run.modes)
     end = float(run.end_time.mid())
     assert abs(run.sol(end) - run.y[:, -1]).max() < 1e-6
-    with pytest.raises(ValueError, match="is outside of the run"):
+    with pytest.raises(ValueError, match="is outside the solved time"):
         run.sol(end + 1e-5)
 
 
