@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from numerics.trajectory.figures import BLUE, GRAY, ORANGE, axes_for, film
+from numerics.trajectory.figures import BLUE, GRAY, ORANGE, Drawn, axes_for, film
 
 _POINTS, _ALL_POINTS = 30, 3000
 _TITLES = {"above": "bodies 1 (blue), 2 (orange); both grey while they stick", "relative": "$v_1-v_2$"}
@@ -48,7 +47,7 @@ def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
 def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation from above; see PlaneTrajectory.animate."""
 
-    def drawn(_: Any, y: Any) -> tuple[Any, Callable[[int], None]]:
+    def drawn(_: Any, y: Any) -> Drawn:
         import matplotlib.pyplot as plt
 
         figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
@@ -60,6 +59,6 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
             for mark, place in zip(marks, (x1, x2), strict=True):
                 mark.set_data(place[:1], place[1:2])
 
-        return figure, show
+        return figure, marks, show
 
     return film(trajectory, drawn, file, duration, frames_per_second)

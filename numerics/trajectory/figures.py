@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -33,8 +33,9 @@ FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
 FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
 COMMON = ("body 1", "body 2", "entry", "exit", "crossing", "stick")
 """What means the same in every picture, and is explained once, below all of them."""
-_WRITERS = {".gif": "pillow", ".mp4": "ffmpeg"}
 _MOST_FRAMES = 10_000
+Drawn = tuple[Any, Iterable[Any], Callable[[int], None]]
+"""A figure, those of its artists that move, and what moves them to the frame of a number."""
 _TURNS = 9
 """Turns of the spring that is drawn."""
 
@@ -248,8 +249,7 @@ def overview(trajectory: Solution) -> Any:
     for kind, ax in zip(kinds, figure.subplots(3, 2).flat, strict=True):
         draw(trajectory, kind, ax, curve)
         common |= _moved_out(ax)
-    chosen = {name: common[name] for name in COMMON if name in common}
-    figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
+    _legend_below(figure, common)
     scene, count, law = trajectory.scene, len(trajectory.events), ""
     if scene.law is Law.THREE_VALUED_SGN:
         law = "; sgn(0) = 0 read literally"
@@ -270,16 +270,22 @@ def _moved_out(ax: Any) -> dict[str, Any]:
     return {name: handle for name, handle in handles.items() if name in COMMON}
 
 
+def _legend_below(figure: Any, common: dict[str, Any]) -> None:
+    chosen = {name: common[name] for name in COMMON if name in common}
+    figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
+
+
 def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
 
-    def drawn(times: Any, y: Any) -> tuple[Any, Callable[[int], None]]:
+    def drawn(times: Any, y: Any) -> Drawn:
         """Draw body 2 on body 1 on its spring, to the scale of the motion, above the velocities."""
         from matplotlib import pyplot as plt
 
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
         draw(trajectory, "velocities", below)
         below.set_title("")
+        _legend_below(figure, _moved_out(below))
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
         wall, half = -7 * size, np.array([3.0, 1.2]) * size
         ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
@@ -294,22 +300,21 @@ def animate(trajectory: Solution, file: str | Path | None, duration: float, fram
                 body.set_x(place)
             spring.set_data(np.linspace(wall, left[0], 2 * _TURNS), [0.4, 0.7] * _TURNS)
 
-        return figure, show
+        return figure, (moment, *bodies, spring), show
 
     return film(trajectory, drawn, file, duration, frames_per_second)
 
 
 def film(
     trajectory: Any,
-    drawn: Callable[[Any, Any], tuple[Any, Callable[[int], None]]],
+    drawn: Callable[[Any, Any], Drawn],
     file: str | Path | None,
     duration: float,
     frames_per_second: int,
 ) -> Any:
     """Return the animation of a trajectory, and write it to `file`; time and mode stand above the first axes.
 
-    `drawn` takes times (s) and states there, in binary64, and returns a figure and what shows the frame of one of them.
-    Raises MissingTool, OSError, ValueError.
+    `drawn` takes times (s) and states there, in binary64. Raises MissingTool, OSError, ValueError.
     """
     for name, value in (("duration", duration), ("frames_per_second", frames_per_second)):
         if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < float("inf"):
@@ -319,8 +324,7 @@ def film(
         shown = f"{duration:g} s with {frames_per_second:g} frames a second are {count} frames"
         raise ValueError(f"{shown}; choose 2 to {_MOST_FRAMES}")
     path = None if file is None else Path(file)
-    writer = _WRITERS.get(path.suffix) if path else None
-    if path and not writer:
+    if path and path.suffix not in {".gif", ".mp4"}:
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
     if path and not path.parent.is_dir():
         raise FileNotFoundError(2, "No such folder", str(path.parent))
@@ -329,10 +333,10 @@ def film(
         from matplotlib import pyplot as plt
     except ImportError:
         raise MissingTool("an animation needs matplotlib; python -m pip install matplotlib") from None
-    if writer and not animation.writers.is_available(writer):
-        raise MissingTool(f"this film needs {writer}, which is not installed; write a .gif, or install {writer}")
+    if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
+        raise MissingTool("this film needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-    figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
+    figure, moving, show = drawn(times, trajectory.floats(trajectory.sol(times)))
     modes = trajectory.mode_at(times)
 
     def frame(k: int) -> None:
@@ -342,12 +346,40 @@ def film(
     frame(0)
     figure.canvas.draw()
     figure.set_layout_engine(None)  # the axes stay where they are: to lay them out anew takes as long as a frame
-    made = animation.FuncAnimation(figure, frame, frames=count, interval=1000 / frames_per_second, blit=False)
+    interval = 1000 / frames_per_second
+    made = animation.FuncAnimation(figure, frame, frames=count, interval=interval, blit=False)
     if path:
         with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
-            kept = Path(folder) / path.name
-            figure.canvas.draw_idle = int  # nothing: the writer draws each frame, which matplotlib would do before it
-            made.save(kept, writer=writer, fps=frames_per_second)
-            opened.write(kept.read_bytes())
+            if path.suffix == ".gif":
+                first, *others = _frames(figure, [figure.axes[0].title, *moving], map(frame, range(count)))
+                first.save(opened, "GIF", save_all=True, append_images=others, duration=int(interval), loop=0)
+            else:
+                kept = Path(folder) / path.name
+                figure.canvas.draw_idle = int  # nothing: the writer draws each frame, matplotlib would before it
+                made.save(kept, writer="ffmpeg", fps=frames_per_second)
+                opened.write(kept.read_bytes())
         plt.close(figure)
     return made
+
+
+def _frames(figure: Any, moving: Collection[Any], frames: Iterable[None]) -> Iterator[Any]:
+    """Yield pictures of a figure, by one palette, while `frames` move some of its artists; the others are drawn once.
+
+    To draw the others, or to find a palette, takes many times as long as a frame.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
+
+    for artist in moving:
+        artist.set_animated(True)
+    canvas, palette = FigureCanvasAgg(figure), None
+    canvas.draw()
+    still = canvas.copy_from_bbox(figure.bbox)
+    for _ in frames:
+        canvas.restore_region(still)
+        for artist in moving:
+            figure.draw_artist(artist)
+        picture = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+        frame = picture.quantize(method=Image.Quantize.FASTOCTREE, palette=palette, dither=Image.Dither.NONE)
+        palette = palette or frame
+        yield frame
