@@ -1,4 +1,4 @@
-"""A motion on a surface, seen from above: both bodies' paths and the relative velocity; what sticks is grey; a film."""
+"""A motion on a surface, seen from above: both bodies' paths and the relative velocity, with start and end; a film."""
 
 from __future__ import annotations
 
@@ -8,39 +8,63 @@ from typing import Any
 
 import numpy as np
 
-from numerics.trajectory.figures import BLUE, GRAY, ORANGE, Drawn, axes_for, film
+from numerics.trajectory.figures import (
+    BLUE,
+    FIRST,
+    ORANGE,
+    SECOND,
+    Drawn,
+    axes_for,
+    course,
+    draw_path,
+    film,
+    legend_below,
+    moved_out,
+)
 
 _POINTS, _ALL_POINTS = 30, 3000
-_TITLES = {"above": "bodies 1 (blue), 2 (orange); both grey while they stick", "relative": "$v_1-v_2$"}
-_UNITS = {"above": "m", "relative": "m/s"}
+_KINDS = {
+    "above": ("Both bodies from above", "{} (m)"),
+    "relative": ("Relative velocity", "$v_1 - v_2$ along {} (m/s)"),
+}
+"""Title and label of an axis."""
 
 
 def overview(trajectory: Any) -> Any:
-    """Return a figure: x1 and x2 from above, and v1 - v2 (m/s), by segments."""
-    import matplotlib.pyplot as plt
+    """Return a figure: x1 and x2 from above, and v1 - v2 (m/s)."""
+    from matplotlib.figure import Figure
 
-    figure, both = plt.subplots(1, 2, figsize=(9, 4.5), layout="constrained")
-    for kind, axes in zip(_TITLES, both, strict=True):
-        draw(trajectory, kind, axes)
+    figure = Figure(figsize=(10, 5.5), layout="constrained")
+    common: dict[str, Any] = {}
+    for kind, axes in zip(_KINDS, figure.subplots(1, 2), strict=True):
+        common |= moved_out(draw(trajectory, kind, axes))
+    legend_below(figure, common)
+    figure.suptitle(course(trajectory), fontsize="medium")
     return figure
 
 
 def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
     """Draw x1 and x2 from above, or v1 - v2, into axes (new ones, if none are given) and return them."""
-    axes = axes_for(kind, _TITLES, axes)
+    axes = axes_for(kind, _KINDS, axes)
     times = [0.0, *trajectory.floats(trajectory.event_times), trajectory.arithmetic.to_float(trajectory.end_time)]
+    parts, stick = [], []
     for (start, end), mode in zip(pairwise(times), trajectory.modes, strict=False):
         count = _POINTS + int(_ALL_POINTS * (end - start) / times[-1])
         within = np.minimum(np.linspace(start, end, count), np.nextafter(times[-1], 0))
-        x1, v1, x2, v2 = trajectory.floats(trajectory.sol(within)).reshape(4, -1, count)
-        stuck = set(mode) <= {"0"} or mode == "stick"
-        lines = [(x1, BLUE), (x2, ORANGE)] if kind == "above" else [(v1 - v2, "C2")]
-        for (x, y, *_), color in lines:
-            axes.plot(x, y, color=GRAY if stuck else color, lw=1.2)
-    axes.set_title(_TITLES[kind], fontsize="medium")
-    axes.set_xlabel(f"first component, {_UNITS[kind]}")
-    axes.set_ylabel(f"second component, {_UNITS[kind]}")
+        parts.append(trajectory.floats(trajectory.sol(within)).reshape(4, -1, count))
+        stick += [set(mode) <= {"0"} or mode == "stick"] * count
+    x1, v1, x2, v2 = np.concatenate(parts, axis=2)
+    for (x, y, *_), style in ((x1, FIRST), (x2, SECOND)) if kind == "above" else ((v1 - v2, {}),):
+        draw_path(axes, x, y, np.array(stick), **style)
+        turn = np.degrees(np.arctan2(y[-1] - y[-2], x[-1] - x[-2]))
+        axes.plot(x[-1], y[-1], color="black", marker=(3, 0, turn - 90), ms=9, ls="none", label="end")
+    title, label = _KINDS[kind]
+    axes.set_title(title, fontsize="medium")
+    axes.set(xlabel=label.format("x"), ylabel=label.format("y"))
     axes.set_aspect("equal", "datalim")
+    axes.locator_params(nbins=6)
+    marks = moved_out(axes)
+    axes.legend(marks.values(), marks, fontsize="small")
     return axes
 
 
@@ -51,7 +75,7 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
         import matplotlib.pyplot as plt
 
         figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
-        draw(trajectory, "above", axes)
+        legend_below(figure, moved_out(draw(trajectory, "above", axes)))
         marks = [axes.plot([], [], "o", color=BLUE, ms=9)[0], axes.plot([], [], "s", color=ORANGE, ms=6)[0]]
 
         def show(k: int) -> None:

@@ -17,8 +17,8 @@ from numerics.trajectory.curve import Curve, sampled
 from numerics.trajectory.export import word
 from numerics.trajectory.solution import Solution
 
-BLUE, ORANGE, GREEN, GRAY = "#0072B2", "#D55E00", "#009E73", "#999999"
-"""Colours that are told apart without red and green."""
+BLUE, ORANGE, GREEN, PURPLE, GRAY = "#0072B2", "#D55E00", "#009E73", "#7B4FA3", "#999999"
+"""Body 1, body 2, friction, the force, stick; told apart without red and green. What is of no body is black."""
 FIRST = {"color": BLUE, "lw": 1.2, "label": "body 1"}
 SECOND = {"color": ORANGE, "lw": 1.2, "ls": "--", "label": "body 2"}
 _MARKERS = {EventKind.ENTRY: ("o", "entry"), EventKind.EXIT: ("^", "exit"), EventKind.CROSSING: ("x", "crossing")}
@@ -31,7 +31,20 @@ _MOST_SHADED = 1000
 
 FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
 FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
-COMMON = ("body 1", "body 2", "entry", "exit", "crossing", "stick")
+_SLIDING = {"color": GREEN, "alpha": 0.2, "lw": 0, "label": "$x_1$ in $S_0$"}
+_CRITICAL = {"color": "black", "lw": 0.8, "ls": ":", "label": "$E = E_{cr}$"}
+COMMON = (
+    "body 1",
+    "body 2",
+    "entry",
+    "exit",
+    "crossing",
+    "stick",
+    "start",
+    "end",
+    _SLIDING["label"],
+    _CRITICAL["label"],
+)
 """What means the same in every picture, and is explained once, below all of them."""
 _MOST_FRAMES = 10_000
 Drawn = tuple[Any, Iterable[Any], Callable[[int], None]]
@@ -61,7 +74,8 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
         few = len(trajectory.events) <= _MOST_MARKED
         if not few:  # dashes of so long a line take minutes to draw, and so does the best place for the legend
             for line in ax.lines:
-                line.set_linestyle("none" if line.get_linestyle() == "None" else "-")
+                if len(line.get_xdata()) > _MOST_SHADED:
+                    line.set_linestyle("-")
         if len(curve.t) > _MOST_POINTS:
             for one in (*ax.lines, *ax.collections):
                 one.set_rasterized(True)
@@ -119,8 +133,8 @@ def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[2], **SECOND)
     if scene.pair.a1 == 0 and not scene.friction.weakening:
         stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
-        edges = np.stack([curve.u + curve.b * share, curve.u - curve.b * share], axis=1) / stiffness
-        ax.plot(curve.t, edges, color="black", lw=0.8, ls=":", label=["edges of $S_0$, for $x_1$", "_"])
+        low, high = ((curve.u + side * curve.b * share) / stiffness for side in (-1, 1))
+        ax.fill_between(curve.t, low, high, **_SLIDING)
 
 
 def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
@@ -129,11 +143,11 @@ def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
 
 
 def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.u, color=BLUE, lw=1.2)
+    ax.plot(curve.t, curve.u, color=PURPLE, lw=1.2)
     jumps = [event.t for event in trajectory.events if event.cause == "jump"]
     for number, t in enumerate(jumps if len(trajectory.events) <= _MOST_MARKED else ()):
         label = "a jump of u or b changes the mode" if number == 0 else None
-        ax.axvline(trajectory.arithmetic.to_float(t), color=ORANGE, lw=1.0, ls=":", label=label)
+        ax.axvline(trajectory.arithmetic.to_float(t), color="black", lw=1.0, ls=":", label=label)
 
 
 def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
@@ -145,12 +159,12 @@ def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
 def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
     w = curve.y[1] - curve.y[3], "$v_1 - v_2$ (m/s)"
-    _plane(curve, ax, w, friction_on_body_2(trajectory, curve), "friction in stick")
+    _plane(curve, ax, w, friction_on_body_2(trajectory, curve))
 
 
 def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1, and S0 where it stays."""
-    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1])
+    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1], **FIRST)
     _mark_events(trajectory, ax, 1, 2)
     if not trajectory.scene.is_forced:
         _sliding_region(trajectory.scene.pair, ax)
@@ -161,18 +175,22 @@ def _relative(_: Solution, curve: Curve, ax: Any) -> None:
     _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1] - curve.y[3])
 
 
-def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, stick: str = "stick, on $S$") -> None:
-    """Draw one quantity against another, named: in stick with a full line, in slip with a thin one."""
-    x, name = across
-    ways = (~curve.stick, "slip", ORANGE, 0.8, "--"), (curve.stick, stick, BLUE, 2.0, "-")
-    for kept, label, color, width, dashes in ways:
-        if kept.any():
-            ax.plot(*np.where(kept & curve.resolved, (x, up), np.nan), color=color, lw=width, ls=dashes, label=label)
-            sparse = kept & ~curve.resolved  # lines between these points would not be the curve
-            ax.plot(x[sparse], up[sparse], ",", color=color)
-    ax.plot(x[:1], up[:1], "s", color="black", ms=5, label="start")
+def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, **style: Any) -> None:
+    """Draw one quantity against another, named."""
+    (x, name), sparse = across, ~curve.resolved  # lines between sparse points would not be the curve
+    draw_path(ax, *np.where(sparse, np.nan, (x, up)), curve.stick, **style)
+    ax.plot(x[sparse], up[sparse], ",", color=style.get("color", "black"))
     ax.locator_params(axis="x", nbins=6)
     ax.set_xlabel(name)
+
+
+def draw_path(ax: Any, x: Any, y: Any, stick: Any, **style: Any) -> None:
+    """Draw a curve from its marked start; where the bodies stick a band lies below it."""
+    if stick.any():
+        band = {"color": GRAY, "alpha": 0.4, "lw": 6, "solid_capstyle": "butt", "label": "stick"}
+        ax.plot(*np.where(stick, (x, y), np.nan), **band)
+    ax.plot(x, y, **{"color": "black", "lw": 1.2} | style)
+    ax.plot(x[:1], y[:1], "s", color="black", ms=5, label="start")
 
 
 def _sliding_region(pair: Any, ax: Any) -> None:
@@ -180,12 +198,12 @@ def _sliding_region(pair: Any, ax: Any) -> None:
     half_width, lean = float(pair.half_width), float(pair.a1 / pair.a2)
     (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     v = np.array([low, high])
-    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, color=GRAY, alpha=0.25, lw=0, label="$S_0$")
+    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, **_SLIDING)
     ax.set(xlim=(min(left, -1.1 * half_width), max(right, 1.1 * half_width)), ylim=(low, high))
     if pair.a1 == 0:
         angle = np.linspace(0, 2 * np.pi, 400)
         speed = half_width * float(pair.a2 / pair.mass) ** 0.5
-        ax.plot(half_width * np.cos(angle), speed * np.sin(angle), color="black", lw=0.8, ls=":", label="$E = E_{cr}$")
+        ax.plot(half_width * np.cos(angle), speed * np.sin(angle), **_CRITICAL)
 
 
 def _excess(_: Any, curve: Curve, ax: Any) -> None:
@@ -195,26 +213,26 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
         ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
         ax.set_yticks([])
         return
-    signed = (curve.w, r"$E/E_{cr} - 1$", BLUE, "-"), (-curve.w, r"$1 - E/E_{cr}$", ORANGE, "--")
-    for part, label, color, dashes in signed:
+    for part, label, dashes in ((curve.w, r"$E/E_{cr} - 1$", "-"), (-curve.w, r"$1 - E/E_{cr}$", "--")):
         if (part > 0).any():
-            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color=color, ls=dashes)
+            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
     ax.set_yscale("log")
+    ax.yaxis.set_minor_formatter("")
     ax.set_ylim(10 ** np.floor(np.log10(sizes.min()) - 0.05), 10 ** np.ceil(np.log10(sizes.max()) + 0.05))
 
 
 def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
-    pair, (friction, viscous), forced = trajectory.scene.pair, curve.lost, trajectory.scene.is_forced
+    pair, (friction, viscous) = trajectory.scene.pair, curve.lost
     energy = pair.energy(curve.y, float)
     work = energy - energy[0] + friction + viscous
-    if not forced:
-        ax.axhline(float(pair.critical_energy), color="black", lw=0.8, ls=":", label="$E_{cr}$")
+    if not trajectory.scene.is_forced:
+        ax.axhline(float(pair.critical_energy), **_CRITICAL)
     for acts, label, part, color, dashes in (
-        (forced, "work of the force", work, "black", "-"),
-        (True, "energy of the pair", energy, BLUE, "-."),
-        (True, "lost to friction", friction, ORANGE, "--"),
-        (pair.a1 > 0, "lost to viscosity", viscous, GREEN, ":"),
+        (curve.u.any(), "work of the force", work, PURPLE, "-"),
+        (True, "energy of the pair", energy, "black", "-"),
+        (True, "lost to friction", friction, GREEN, "--"),
+        (pair.a1 > 0, "lost to viscosity", viscous, "black", ":"),
     ):
         if acts:
             ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
@@ -246,19 +264,26 @@ def overview(trajectory: Solution) -> Any:
     kinds = FORCED if trajectory.scene.is_forced else FREE
     if trajectory.scene.friction.weakening:
         kinds = ("friction", "relative", *FORCED[1:4], "energy")
+    elif kinds is FORCED and not curve.u.any():
+        kinds = ("relative", *FORCED[1:])
     for kind, ax in zip(kinds, figure.subplots(3, 2).flat, strict=True):
         draw(trajectory, kind, ax, curve)
-        common |= _moved_out(ax)
-    _legend_below(figure, common)
-    scene, count, law = trajectory.scene, len(trajectory.events), ""
+        common |= moved_out(ax)
+    legend_below(figure, common)
+    scene, law = trajectory.scene, ""
     if scene.law is Law.THREE_VALUED_SGN:
         law = "; sgn(0) = 0 read literally"
-    course = f"{count} event{'' if count == 1 else 's'} in {curve.t[-1]:g} s; {trajectory.message}"
-    figure.suptitle(f"{scene.pair} from {scene.initial}{law}\n{course}", fontsize="medium")
+    figure.suptitle(f"{scene.pair} from {scene.initial}{law}\n{course(trajectory)}", fontsize="medium")
     return figure
 
 
-def _moved_out(ax: Any) -> dict[str, Any]:
+def course(trajectory: Any) -> str:
+    """Return how many events a trajectory has in what time, and how it ended."""
+    count, end = len(trajectory.events), trajectory.arithmetic.to_float(trajectory.end_time)
+    return f"{count} event{'' if count == 1 else 's'} in {end:g} s; {trajectory.message}"
+
+
+def moved_out(ax: Any) -> dict[str, Any]:
     """Take the common marks out of the legend of axes, and return them by their labels."""
     handles = {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
     own = {name: handle for name, handle in handles.items() if name not in COMMON}
@@ -270,7 +295,8 @@ def _moved_out(ax: Any) -> dict[str, Any]:
     return {name: handle for name, handle in handles.items() if name in COMMON}
 
 
-def _legend_below(figure: Any, common: dict[str, Any]) -> None:
+def legend_below(figure: Any, common: dict[str, Any]) -> None:
+    """Explain the common marks below all axes of a figure."""
     chosen = {name: common[name] for name in COMMON if name in common}
     figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
 
@@ -285,7 +311,7 @@ def animate(trajectory: Solution, file: str | Path | None, duration: float, fram
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
         draw(trajectory, "velocities", below)
         below.set_title("")
-        _legend_below(figure, _moved_out(below))
+        legend_below(figure, moved_out(below))
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
         wall, half = -7 * size, np.array([3.0, 1.2]) * size
         ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
