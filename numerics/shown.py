@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import logging
 import sys
+import threading
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from numerics.files import whole_file
+
+_EVERY = 5.0
+"""Seconds between two lines on what is being done, where stderr is no terminal."""
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -45,17 +50,33 @@ def write_figure(figure: Any, path: Path) -> None:
 
 @contextmanager
 def shown_steps() -> Iterator[Callable[[str], None]]:
-    """Show on stderr what is logged, in one line that goes away at the end; on a terminal only. Yield the log."""
+    """Show on stderr what is logged: on a terminal in one line that goes away at the end, else every few seconds.
+
+    Yield the log.
+    """
     log, shown = logging.getLogger("numerics"), logging.StreamHandler()
-    if not sys.stderr.isatty():
-        yield log.info
-        return
+    on_terminal, began, ended = sys.stderr.isatty(), time.monotonic(), threading.Event()
+    latest = "at work"
+
+    def keep(record: logging.LogRecord) -> bool:
+        nonlocal latest
+        latest = record.getMessage()
+        return on_terminal
+
+    def tell() -> None:
+        while not ended.wait(_EVERY):
+            print(f"{latest} ({time.monotonic() - began:.0f} s)", file=sys.stderr, flush=True)
+
     shown.terminator = ""
     shown.setFormatter(logging.Formatter("\r\033[K%(message)s"))
+    shown.addFilter(keep)
     log.addHandler(shown)
     log.setLevel(logging.INFO)
+    if not on_terminal:
+        threading.Thread(target=tell, daemon=True).start()
     try:
         yield log.info
     finally:
+        ended.set()
         log.info("")
         log.removeHandler(shown)

@@ -19,24 +19,38 @@ _UNITS = UNITS | {
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     """Draw into matplotlib axes; see Batch.plot."""
     axes, ax = _along(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
+    from matplotlib.ticker import AutoLocator
+
     values = batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
-    points = [np.ravel(one) for one in axes.values()]
+    points, ticks = [np.ravel(one) for one in axes.values()], AutoLocator()
+    ticks.set_params(integer=values.dtype.kind in "iu")
     if len(points) == 1:
         points.append(np.ravel(values))
         order = np.argsort(points[0], kind="stable")
         points, right = [one[order] for one in points], right[order]
         ax.plot(points[0], np.where(right, points[1], np.nan), ".-", color=BLUE, ms=3, lw=0.8)
         ax.set_ylabel(label)
+        ax.yaxis.set_major_locator(ticks)
     else:
-        found = ax.scatter(*(one[right] for one in points), c=np.ravel(values)[right], s=9, marker="s")
-        ax.figure.colorbar(found, ax=ax, label=label)
+        found = _coloured(ax, *points, np.where(right, np.ravel(values), np.nan))
+        ax.figure.colorbar(found, ax=ax, label=label, ticks=ticks)
         ax.set_ylabel(_label(list(axes)[1]))
     if not right.all():
         ax.plot(*(one[~right] for one in points), "x", color=ORANGE, ms=4, label="not at the horizon, or not certain")
         ax.legend(fontsize="small")
     ax.set_xlabel(_label(next(iter(axes))))
     return ax
+
+
+def _coloured(ax: Any, x: Any, y: Any, values: Any) -> Any:
+    """Draw values over two inputs: as cells that touch where the inputs form a grid, else as squares."""
+    (columns, across), (rows, up) = (np.unique(one, return_inverse=True) for one in (x, y))
+    if len(columns) * len(rows) != len(values):
+        return ax.scatter(x, y, c=values, s=25, marker="s")
+    cells = np.full((len(rows), len(columns)), np.nan)
+    cells[up, across] = values
+    return ax.pcolormesh(columns, rows, cells, shading="nearest", rasterized=True)
 
 
 def _along(batch: Any, along: Any) -> dict[str, Any]:
