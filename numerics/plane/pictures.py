@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +17,13 @@ from numerics.trajectory.figures import (
     axes_for,
     course,
     draw_path,
+    explain_below,
     film,
-    legend_below,
-    moved_out,
+    marks_of,
+    together,
 )
 
-_POINTS, _ALL_POINTS = 30, 3000
+_POINTS = 3000
 _KINDS = {
     "above": ("Both bodies from above", "{} (m)"),
     "relative": ("Relative velocity", "$v_1 - v_2$ along {} (m/s)"),
@@ -32,40 +33,28 @@ _KINDS = {
 
 def overview(trajectory: Any) -> Any:
     """Return a figure: x1 and x2 from above, and v1 - v2 (m/s)."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(10, 5.5), layout="constrained")
-    common: dict[str, Any] = {}
-    for kind, axes in zip(_KINDS, figure.subplots(1, 2), strict=True):
-        common |= moved_out(draw(trajectory, kind, axes))
-    legend_below(figure, common)
-    figure.suptitle(course(trajectory), fontsize="medium")
-    return figure
+    return together([partial(draw, trajectory, kind) for kind in _KINDS], (10, 5.5), course(trajectory))
 
 
-def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
+def draw(trajectory: Any, kind: str, ax: Any = None) -> Any:
     """Draw x1 and x2 from above, or v1 - v2, into axes (new ones, if none are given) and return them."""
-    axes = axes_for(kind, _KINDS, axes)
-    times = [0.0, *trajectory.floats(trajectory.event_times), trajectory.arithmetic.to_float(trajectory.end_time)]
-    parts, stick = [], []
-    for (start, end), mode in zip(pairwise(times), trajectory.modes, strict=False):
-        count = _POINTS + int(_ALL_POINTS * (end - start) / times[-1])
-        within = np.minimum(np.linspace(start, end, count), np.nextafter(times[-1], 0))
-        parts.append(trajectory.floats(trajectory.sol(within)).reshape(4, -1, count))
-        stick += [set(mode) <= {"0"} or mode == "stick"] * count
-    x1, v1, x2, v2 = np.concatenate(parts, axis=2)
-    for (x, y, *_), style in ((x1, FIRST), (x2, SECOND)) if kind == "above" else ((v1 - v2, {}),):
-        draw_path(axes, x, y, np.array(stick), **style)
-        turn = np.degrees(np.arctan2(y[-1] - y[-2], x[-1] - x[-2]))
-        axes.plot(x[-1], y[-1], color="black", marker=(3, 0, turn - 90), ms=9, ls="none", label="end")
+    ax = axes_for(kind, _KINDS, ax)
     title, label = _KINDS[kind]
-    axes.set_title(title, fontsize="medium")
-    axes.set(xlabel=label.format("x"), ylabel=label.format("y"))
-    axes.set_aspect("equal", "datalim")
-    axes.locator_params(nbins=6)
-    marks = moved_out(axes)
-    axes.legend(marks.values(), marks, fontsize="small")
-    return axes
+    every = np.linspace(0, trajectory.arithmetic.to_float(trajectory.end_time), _POINTS)
+    times = np.sort([*every, *trajectory.floats(trajectory.event_times)])
+    x1, v1, x2, v2 = trajectory.floats(trajectory.sol(times)).reshape(4, -1, len(times))
+    stick = np.array([mode == "stick" or set(mode) == {"0"} for mode in trajectory.mode_at(times)])
+    for (x, y, *_), style in ((x1, FIRST), (x2, SECOND)) if kind == "above" else ((v1 - v2, {}),):
+        draw_path(ax, x, y, stick, **style)
+        turn = np.degrees(np.arctan2(y[-1] - y[-2], x[-1] - x[-2])) - 90
+        ax.plot(x[-1], y[-1], color="black", marker=(3, 0, turn), ms=9, ls="none", label="end")
+    ax.set_title(title, fontsize="medium")
+    ax.set(xlabel=label.format("x"), ylabel=label.format("y"))
+    ax.set_aspect("equal", "datalim")
+    ax.locator_params(nbins=6)
+    marks = marks_of(ax)
+    ax.legend(marks.values(), marks, fontsize="small")
+    return ax
 
 
 def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
@@ -75,7 +64,8 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
         import matplotlib.pyplot as plt
 
         figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
-        legend_below(figure, moved_out(draw(trajectory, "above", axes)))
+        draw(trajectory, "above", axes)
+        explain_below(figure)
         marks = [axes.plot([], [], "o", color=BLUE, ms=9)[0], axes.plot([], [], "s", color=ORANGE, ms=6)[0]]
 
         def show(k: int) -> None:

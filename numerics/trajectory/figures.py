@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +32,6 @@ _MOST_SHADED = 1000
 
 FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
 FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
-_SLIDING = {"color": GREEN, "alpha": 0.2, "lw": 0, "label": "$x_1$ in $S_0$"}
 _CRITICAL = {"color": "black", "lw": 0.8, "ls": ":", "label": "$E = E_{cr}$"}
 COMMON = (
     "body 1",
@@ -42,7 +42,7 @@ COMMON = (
     "stick",
     "start",
     "end",
-    _SLIDING["label"],
+    "$S_0$",
     _CRITICAL["label"],
 )
 """What means the same in every picture, and is explained once, below all of them."""
@@ -127,14 +127,9 @@ def _velocities(trajectory: Solution, curve: Curve, ax: Any) -> None:
     _mark_events(trajectory, ax, 0, 2)
 
 
-def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    scene = trajectory.scene
+def _positions(_: Solution, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[0], **FIRST)
     ax.plot(curve.t, curve.y[2], **SECOND)
-    if scene.pair.a1 == 0 and not scene.friction.weakening:
-        stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
-        low, high = ((curve.u + side * curve.b * share) / stiffness for side in (-1, 1))
-        ax.fill_between(curve.t, low, high, **_SLIDING)
 
 
 def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
@@ -198,7 +193,7 @@ def _sliding_region(pair: Any, ax: Any) -> None:
     half_width, lean = float(pair.half_width), float(pair.a1 / pair.a2)
     (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     v = np.array([low, high])
-    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, **_SLIDING)
+    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, color=GREEN, alpha=0.2, lw=0, label="$S_0$")
     ax.set(xlim=(min(left, -1.1 * half_width), max(right, 1.1 * half_width)), ylim=(low, high))
     if pair.a1 == 0:
         angle = np.linspace(0, 2 * np.pi, 400)
@@ -257,24 +252,16 @@ def overview(trajectory: Solution) -> Any:
 
     Under a force it shows u(t) too.
     """
-    from matplotlib.figure import Figure
-
-    figure, curve = Figure(figsize=(11, 11), layout="constrained"), sampled(trajectory)
-    common: dict[str, Any] = {}
-    kinds = FORCED if trajectory.scene.is_forced else FREE
-    if trajectory.scene.friction.weakening:
+    scene, curve, law = trajectory.scene, sampled(trajectory), ""
+    kinds = FORCED if scene.is_forced else FREE
+    if scene.friction.weakening:
         kinds = ("friction", "relative", *FORCED[1:4], "energy")
     elif kinds is FORCED and not curve.u.any():
         kinds = ("relative", *FORCED[1:])
-    for kind, ax in zip(kinds, figure.subplots(3, 2).flat, strict=True):
-        draw(trajectory, kind, ax, curve)
-        common |= moved_out(ax)
-    legend_below(figure, common)
-    scene, law = trajectory.scene, ""
     if scene.law is Law.THREE_VALUED_SGN:
         law = "; sgn(0) = 0 read literally"
-    figure.suptitle(f"{scene.pair} from {scene.initial}{law}\n{course(trajectory)}", fontsize="medium")
-    return figure
+    title = f"{scene.pair} from {scene.initial}{law}\n{course(trajectory)}"
+    return together([partial(draw, trajectory, kind, curve=curve) for kind in kinds], (11, 11), title)
 
 
 def course(trajectory: Any) -> str:
@@ -283,22 +270,39 @@ def course(trajectory: Any) -> str:
     return f"{count} event{'' if count == 1 else 's'} in {end:g} s; {trajectory.message}"
 
 
-def moved_out(ax: Any) -> dict[str, Any]:
-    """Take the common marks out of the legend of axes, and return them by their labels."""
-    handles = {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
-    own = {name: handle for name, handle in handles.items() if name not in COMMON}
-    if ax.get_legend() is not None:
-        place = ax.get_legend()._loc  # the public way to read it does not exist
-        ax.get_legend().remove()
-        if own:
-            ax.legend(own.values(), own, loc=place, fontsize="small", framealpha=0.9)
-    return {name: handle for name, handle in handles.items() if name in COMMON}
+def together(drawings: Sequence[Callable[..., Any]], size: tuple[float, float], title: str) -> Any:
+    """Return a figure (inches) of what is drawn into axes, two in a row; common marks are explained once, below all."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, layout="constrained")
+    for drawn, ax in zip(drawings, figure.subplots(len(drawings) // 2, 2).flat, strict=True):
+        drawn(ax=ax)
+    explain_below(figure)
+    figure.suptitle(title, fontsize="medium")
+    return figure
 
 
-def legend_below(figure: Any, common: dict[str, Any]) -> None:
-    """Explain the common marks below all axes of a figure."""
-    chosen = {name: common[name] for name in COMMON if name in common}
-    figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
+def marks_of(ax: Any) -> dict[str, Any]:
+    """Return what a legend of axes shows, by its labels, each once."""
+    return {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
+
+
+def explain_below(figure: Any) -> None:
+    """Move the common marks out of the legends of all axes, to one below them."""
+    common: dict[str, Any] = {}
+    for ax in figure.axes:
+        marks = marks_of(ax)
+        common |= marks
+        own = [name for name in marks if name not in COMMON]
+        if ax.get_legend():
+            place = ax.get_legend()._loc  # the public way to read it does not exist
+            ax.get_legend().remove()
+            if own:
+                ax.legend([marks[name] for name in own], own, loc=place, fontsize="small", framealpha=0.9)
+    shown = [name for name in COMMON if name in common]
+    figure.legend(
+        [common[name] for name in shown], shown, loc="outside lower center", ncols=len(shown) or 1, fontsize="small"
+    )
 
 
 def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
@@ -311,7 +315,7 @@ def animate(trajectory: Solution, file: str | Path | None, duration: float, fram
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
         draw(trajectory, "velocities", below)
         below.set_title("")
-        legend_below(figure, moved_out(below))
+        explain_below(figure)
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
         wall, half = -7 * size, np.array([3.0, 1.2]) * size
         ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
