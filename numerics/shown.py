@@ -48,35 +48,35 @@ def write_figure(figure: Any, path: Path) -> None:
         figure.savefig(file, format=path.suffix[1:], dpi=200)
 
 
+class _Latest(logging.StreamHandler[Any]):
+    """What was logged last, on a terminal shown at once."""
+
+    terminator, said = "", "at work"
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Keep a message, and return it with what makes it the one on its line."""
+        self.said = record.getMessage()
+        return f"\r\033[K{self.said}" if sys.stderr.isatty() else ""
+
+
 @contextmanager
 def shown_steps() -> Iterator[Callable[[str], None]]:
     """Show on stderr what is logged: on a terminal in one line that goes away at the end, else every few seconds.
 
     Yield the log.
     """
-    log, shown = logging.getLogger("numerics"), logging.StreamHandler()
-    on_terminal, began, ended = sys.stderr.isatty(), time.monotonic(), threading.Event()
-    latest = "at work"
-
-    def keep(record: logging.LogRecord) -> bool:
-        nonlocal latest
-        latest = record.getMessage()
-        return on_terminal
+    log, latest, began, ended = logging.getLogger("numerics"), _Latest(), time.monotonic(), threading.Event()
 
     def tell() -> None:
-        while not ended.wait(_EVERY):
-            print(f"{latest} ({time.monotonic() - began:.0f} s)", file=sys.stderr, flush=True)
+        while not (ended.wait(_EVERY) or sys.stderr.isatty()):
+            print(f"{latest.said} ({time.monotonic() - began:.0f} s)", file=sys.stderr, flush=True)
 
-    shown.terminator = ""
-    shown.setFormatter(logging.Formatter("\r\033[K%(message)s"))
-    shown.addFilter(keep)
-    log.addHandler(shown)
+    log.addHandler(latest)
     log.setLevel(logging.INFO)
-    if not on_terminal:
-        threading.Thread(target=tell, daemon=True).start()
+    threading.Thread(target=tell, daemon=True).start()
     try:
         yield log.info
     finally:
         ended.set()
         log.info("")
-        log.removeHandler(shown)
+        log.removeHandler(latest)

@@ -14,11 +14,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from flint import acb, acb_poly, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
+from numerics.control.answers import pictures
 from numerics.control.thresholds import entrainment_threshold, impedance, load_margin, round_pair
 from numerics.errors import InvalidScene
 from numerics.scene import Pair
@@ -54,6 +56,10 @@ class RotatingResponse:
     exponents: tuple[acb, ...]
     attracts: bool
     digits: int
+
+    def plot(self) -> Any:
+        """Return a matplotlib figure: the circles of positions and velocities. Raises MissingTool."""
+        return pictures().draw_rotating(self)
 
     @property
     def sentence(self) -> str:

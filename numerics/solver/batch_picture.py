@@ -33,7 +33,10 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
         ax.set_ylabel(label)
         ax.yaxis.set_major_locator(ticks)
     else:
-        found = _coloured(ax, *points, np.where(right, np.ravel(values), np.nan))
+        if values.ndim == 2:
+            found = ax.pcolormesh(*axes.values(), np.where(batch.success, values, np.nan), rasterized=True)
+        else:
+            found = ax.scatter(*(one[right] for one in points), c=values[right], s=25, marker="s")
         ax.figure.colorbar(found, ax=ax, label=label, ticks=ticks)
         ax.set_ylabel(_label(list(axes)[1]))
     if not right.all():
@@ -41,16 +44,6 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
         ax.legend(fontsize="small")
     ax.set_xlabel(_label(next(iter(axes))))
     return ax
-
-
-def _coloured(ax: Any, x: Any, y: Any, values: Any) -> Any:
-    """Draw values over two inputs: as cells that touch where the inputs form a grid, else as squares."""
-    (columns, across), (rows, up) = (np.unique(one, return_inverse=True) for one in (x, y))
-    if len(columns) * len(rows) != len(values):
-        return ax.scatter(x, y, c=values, s=25, marker="s")
-    cells = np.full((len(rows), len(columns)), np.nan)
-    cells[up, across] = values
-    return ax.pcolormesh(columns, rows, cells, shading="nearest", rasterized=True)
 
 
 def _along(batch: Any, along: Any) -> dict[str, Any]:

@@ -33,17 +33,11 @@ _MOST_SHADED = 1000
 FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
 FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
 _CRITICAL = {"color": "black", "lw": 0.8, "ls": ":", "label": "$E = E_{cr}$"}
+_ENOUGH = {"color": GREEN, "alpha": 0.2, "lw": 0, "label": "friction is enough ($S_0$)"}
+_NEEDED = {"color": GREEN, "lw": 1.2, "label": "sticking needs this friction"}
 COMMON = (
-    "body 1",
-    "body 2",
-    "entry",
-    "exit",
-    "crossing",
-    "stick",
-    "start",
-    "end",
-    "$S_0$",
-    _CRITICAL["label"],
+    *("body 1", "body 2", "entry", "exit", "crossing", "stick", "start", "end"),
+    *(_ENOUGH["label"], _NEEDED["label"], _CRITICAL["label"]),
 )
 """What means the same in every picture, and is explained once, below all of them."""
 _MOST_FRAMES = 10_000
@@ -70,16 +64,14 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     drawn(trajectory, curve, ax)
     if kind not in {"phase", "friction", "relative"}:
         _against_time(trajectory, curve, ax)
-    if ax.get_legend_handles_labels()[0]:
-        few = len(trajectory.events) <= _MOST_MARKED
-        if not few:  # dashes of so long a line take minutes to draw, and so does the best place for the legend
-            for line in ax.lines:
-                if len(line.get_xdata()) > _MOST_SHADED:
-                    line.set_linestyle("-")
-        if len(curve.t) > _MOST_POINTS:
-            for one in (*ax.lines, *ax.collections):
-                one.set_rasterized(True)
-        ax.legend(loc="best" if few else "upper right", fontsize="small", framealpha=0.9)
+    if len(curve.t) > _MOST_POINTS:
+        for one in (*ax.lines, *ax.collections):
+            one.set_rasterized(True)
+    for line in ax.lines:
+        if len(line.get_xdata()) > _MOST_POINTS:  # dashes of so long a line take minutes to draw
+            line.set_linestyle("-")
+    if marks_of(ax):
+        ax.legend(fontsize="small", framealpha=0.9)
     return ax
 
 
@@ -133,16 +125,12 @@ def _positions(_: Solution, curve: Curve, ax: Any) -> None:
 
 
 def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    ax.fill_between(curve.t, -curve.b, curve.b, color=GREEN, alpha=0.2, lw=0, label="friction can give this")
-    ax.plot(curve.t, curve.load(trajectory.scene.pair), color="black", lw=1.2, label="sticking needs this")
+    ax.fill_between(curve.t, -curve.b, curve.b, **_ENOUGH)
+    ax.plot(curve.t, curve.load(trajectory.scene.pair), **_NEEDED)
 
 
-def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
+def _force(_: Solution, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.u, color=PURPLE, lw=1.2)
-    jumps = [event.t for event in trajectory.events if event.cause == "jump"]
-    for number, t in enumerate(jumps if len(trajectory.events) <= _MOST_MARKED else ()):
-        label = "a jump of u or b changes the mode" if number == 0 else None
-        ax.axvline(trajectory.arithmetic.to_float(t), color="black", lw=1.0, ls=":", label=label)
 
 
 def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
@@ -173,7 +161,8 @@ def _relative(_: Solution, curve: Curve, ax: Any) -> None:
 def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, **style: Any) -> None:
     """Draw one quantity against another, named."""
     (x, name), sparse = across, ~curve.resolved  # lines between sparse points would not be the curve
-    draw_path(ax, *np.where(sparse, np.nan, (x, up)), curve.stick, **style)
+    line = np.where(sparse, np.nan, (x, up))
+    draw_path(ax, line[0], line[1], curve.stick, **style)
     ax.plot(x[sparse], up[sparse], ",", color=style.get("color", "black"))
     ax.locator_params(axis="x", nbins=6)
     ax.set_xlabel(name)
@@ -193,7 +182,7 @@ def _sliding_region(pair: Any, ax: Any) -> None:
     half_width, lean = float(pair.half_width), float(pair.a1 / pair.a2)
     (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     v = np.array([low, high])
-    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, color=GREEN, alpha=0.2, lw=0, label="$S_0$")
+    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, **_ENOUGH)
     ax.set(xlim=(min(left, -1.1 * half_width), max(right, 1.1 * half_width)), ylim=(low, high))
     if pair.a1 == 0:
         angle = np.linspace(0, 2 * np.pi, 400)
@@ -291,18 +280,15 @@ def explain_below(figure: Any) -> None:
     """Move the common marks out of the legends of all axes, to one below them."""
     common: dict[str, Any] = {}
     for ax in figure.axes:
-        marks = marks_of(ax)
-        common |= marks
+        common |= (marks := marks_of(ax))
         own = [name for name in marks if name not in COMMON]
         if ax.get_legend():
-            place = ax.get_legend()._loc  # the public way to read it does not exist
             ax.get_legend().remove()
-            if own:
-                ax.legend([marks[name] for name in own], own, loc=place, fontsize="small", framealpha=0.9)
+        if own:
+            ax.legend([marks[name] for name in own], own, fontsize="small", framealpha=0.9)
     shown = [name for name in COMMON if name in common]
-    figure.legend(
-        [common[name] for name in shown], shown, loc="outside lower center", ncols=len(shown) or 1, fontsize="small"
-    )
+    handles, across = [common[name] for name in shown], min(len(shown), 6) or 1
+    figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
 
 
 def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
@@ -319,7 +305,6 @@ def animate(trajectory: Solution, file: str | Path | None, duration: float, fram
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
         wall, half = -7 * size, np.array([3.0, 1.2]) * size
         ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
-        ax.vlines((y[[0, 2]].min(), y[[0, 2]].max()), 0, 2.5, color=GRAY, lw=0.6, ls=":")
         bodies = ax.bar((0, 0), (1.0, 0.9), 2 * half, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
         (spring,) = ax.plot([], [], color="black", lw=1)
 
