@@ -38,7 +38,7 @@ def overview(trajectory: Any) -> Any:
 
 def draw(trajectory: Any, kind: str, ax: Any = None) -> Any:
     """Draw x1 and x2 from above, or v1 - v2, into axes (new ones, if none are given) and return them."""
-    ax = axes_for(kind, _KINDS, ax)
+    is_new, ax = ax is None, axes_for(kind, _KINDS, ax)
     title, label = _KINDS[kind]
     every = np.linspace(0, trajectory.arithmetic.to_float(trajectory.end_time), _POINTS)
     times = np.sort([*every, *trajectory.floats(trajectory.event_times)])
@@ -54,6 +54,8 @@ def draw(trajectory: Any, kind: str, ax: Any = None) -> Any:
     ax.locator_params(nbins=6)
     marks = marks_of(ax)
     ax.legend(marks.values(), marks, fontsize="small")
+    if is_new:
+        explain_below(ax.figure)
     return ax
 
 

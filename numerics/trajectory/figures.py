@@ -56,7 +56,7 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     and who took the rest. Raises ValueError for any other kind, MissingTool. `curve` saves sampling the trajectory for
     every picture of it.
     """
-    ax = axes_for(kind, _KINDS, ax)
+    is_new, ax = ax is None, axes_for(kind, _KINDS, ax)
     curve = curve or sampled(trajectory)
     title, label, drawn = _KINDS[kind]
     ax.set_title(title, fontsize="medium")
@@ -72,6 +72,8 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
             line.set_linestyle("-")
     if marks_of(ax):
         ax.legend(fontsize="small", framealpha=0.9)
+    if is_new:
+        explain_below(ax.figure)
     return ax
 
 
@@ -287,7 +289,7 @@ def explain_below(figure: Any) -> None:
         if own:
             ax.legend([marks[name] for name in own], own, fontsize="small", framealpha=0.9)
     shown = [name for name in COMMON if name in common]
-    handles, across = [common[name] for name in shown], min(len(shown), 6) or 1
+    handles, across = [common[name] for name in shown], min(len(shown), 5) or 1
     figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
 
 
