@@ -24,7 +24,7 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     values = batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
     points, ticks = [np.ravel(one) for one in axes.values()], AutoLocator()
-    ticks.set_params(integer=values.dtype.kind in "iu")
+    ticks.set_params(integer=values.dtype.kind in "iu", min_n_ticks=1)
     if len(points) == 1:
         points.append(np.ravel(values))
         order = np.argsort(points[0], kind="stable")
@@ -33,10 +33,10 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
         ax.set_ylabel(label)
         ax.yaxis.set_major_locator(ticks)
     else:
-        if values.ndim == 2:
+        if values.ndim == 2 and min(values.shape) > 1:
             found = ax.pcolormesh(*axes.values(), np.where(batch.success, values, np.nan), rasterized=True)
         else:
-            found = ax.scatter(*(one[right] for one in points), c=values[right], s=25, marker="s")
+            found = ax.scatter(*(one[right] for one in points), c=np.ravel(values)[right], s=25, marker="s")
         ax.figure.colorbar(found, ax=ax, label=label, ticks=ticks)
         ax.set_ylabel(_label(list(axes)[1]))
     if not right.all():
