@@ -10,7 +10,7 @@ from flint import arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS
 from numerics.arithmetic.ball import Ball
-from numerics.errors import MissingTool, NumericsError
+from numerics.errors import NumericsError
 from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
 from numerics.solver.solve import solve
@@ -86,12 +86,3 @@ def solved_again(answer: Any) -> Trajectory | None:
                 found = f"{state[name].str(12)} when solved by events, {value.str(12)} by equations"
                 raise SecondSolveDiffers(f"{name} {claim.when} is {found}")
     return solved
-
-
-def pictures() -> Any:
-    """Return what draws answers. Raises MissingTool."""
-    try:
-        from numerics.control import pictures
-    except ModuleNotFoundError as error:
-        raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
-    return pictures

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.response_map import Regimes
-from numerics.control.rotating import RotatingResponse
 from numerics.control.thresholds import NonStop, entrainment_threshold, non_stop_threshold
 from numerics.control.tracking import Tracking
 from numerics.control.transfer import Transfer
@@ -79,7 +78,7 @@ def draw_response(found: Any) -> Figure:
     return figure
 
 
-def draw_rotating(found: RotatingResponse) -> Figure:
+def draw_rotating(found: Any) -> Figure:
     """Return the circles of both bodies, each about its own centre, and of their velocities; u starts along x."""
     figure, panels = _panels(10, 5.5, 1, 2)
     v1, v2, turn = complex(found.v1), complex(found.v2), np.exp(1j * np.linspace(0, 2 * np.pi, _POINTS))

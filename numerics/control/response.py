@@ -17,10 +17,10 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, pictures, require_digits, rounded
+from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, require_digits, rounded
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
-from numerics.control.rotating import rotating_force, rotating_response
+from numerics.control.rotating import pictures, rotating_force, rotating_response
 from numerics.control.stuck import (
     entrained,
     others_stick,

@@ -380,10 +380,7 @@ def film(
 
 
 def _frames(figure: Any, moving: Collection[Any], frames: Iterable[None]) -> Iterator[Any]:
-    """Yield pictures of a figure, by one palette, while `frames` move some of its artists; the others are drawn once.
-
-    To draw the others, or to find a palette, takes many times as long as a frame.
-    """
+    """Yield pictures by one palette, while `frames` move some artists; all others, which take longer, are drawn once."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
