@@ -380,7 +380,7 @@ def film(
 
 
 def _frames(figure: Any, moving: Collection[Any], frames: Iterable[None]) -> Iterator[Any]:
-    """Yield pictures by one palette, while `frames` move some artists; all others, which take longer, are drawn once."""
+    """Yield pictures by one palette while `frames` move some artists; what takes longer, all others, is drawn once."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
