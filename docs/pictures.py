@@ -8,6 +8,7 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from numerics import load_scene, solve
+from numerics.trajectory.figures import explain_below
 from paper_checks.drawing.model import two_bodies
 
 HERE = Path(__file__).resolve().parent
@@ -16,8 +17,9 @@ matplotlib.rcParams["svg.hashsalt"] = "inertial-pair"  # the same bytes every ti
 
 def velocities() -> Figure:
     """Draw both velocities of the paper's Fig. 5 (a), solved by events."""
-    figure = Figure(figsize=(7, 2.6), layout="constrained")
+    figure = Figure(figsize=(7, 2.9), layout="constrained")
     solve(load_scene("velocities")).plot("velocities", figure.subplots())
+    explain_below(figure)
     return figure
 
 

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import logging
 import sys
+import threading
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from numerics.files import whole_file
+
+_EVERY = 5.0
+"""Seconds between two lines on what is being done, where stderr is no terminal."""
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -43,19 +48,35 @@ def write_figure(figure: Any, path: Path) -> None:
         figure.savefig(file, format=path.suffix[1:], dpi=200)
 
 
+class _Latest(logging.StreamHandler[Any]):
+    """What was logged last, on a terminal shown at once."""
+
+    terminator, said = "", "at work"
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Keep a message, and return it with what makes it the one on its line."""
+        self.said = record.getMessage()
+        return f"\r\033[K{self.said}" if sys.stderr.isatty() else ""
+
+
 @contextmanager
 def shown_steps() -> Iterator[Callable[[str], None]]:
-    """Show on stderr what is logged, in one line that goes away at the end; on a terminal only. Yield the log."""
-    log, shown = logging.getLogger("numerics"), logging.StreamHandler()
-    if not sys.stderr.isatty():
-        yield log.info
-        return
-    shown.terminator = ""
-    shown.setFormatter(logging.Formatter("\r\033[K%(message)s"))
-    log.addHandler(shown)
+    """Show on stderr what is logged: on a terminal in one line that goes away at the end, else every few seconds.
+
+    Yield the log.
+    """
+    log, latest, began, ended = logging.getLogger("numerics"), _Latest(), time.monotonic(), threading.Event()
+
+    def tell() -> None:
+        while not (ended.wait(_EVERY) or sys.stderr.isatty()):
+            print(f"{latest.said} ({time.monotonic() - began:.0f} s)", file=sys.stderr, flush=True)
+
+    log.addHandler(latest)
     log.setLevel(logging.INFO)
+    threading.Thread(target=tell, daemon=True).start()
     try:
         yield log.info
     finally:
+        ended.set()
         log.info("")
-        log.removeHandler(shown)
+        log.removeHandler(latest)

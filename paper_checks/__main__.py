@@ -277,7 +277,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
-    """Come by the rows, with progress on stderr where that is a terminal."""
+    """Come by the rows, with progress on stderr."""
     from numerics.files import cache_refused
     from numerics.tasks import available_cores
     from paper_checks.report.formats.progress import progress

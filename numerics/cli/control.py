@@ -10,7 +10,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, asked, draw, number_lines, numbers, write_text
-from numerics.exits import FAILED, OK, USAGE, refuse
+from numerics.exits import FAILED, OK, refuse
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
@@ -32,17 +32,15 @@ def print_response(options: argparse.Namespace) -> int:
     with shown_steps() as say:
         found: Any = response(load_scene(options.scene), **asked(options, "amplitude", "omega", "max_events"))
         if isinstance(found, RotatingResponse):
-            if options.plot is not None:
-                return refuse("--plot draws what a line does; of a scene on a surface take --json or the lines", USAGE)
             record, lines = _of_rotating(found)
         else:
             say("solving one period of it again by events")
             several = isinstance(found, PeriodicMotions)
             for one in found.motions if several else [found]:
                 solved_again(one)
-            if options.plot is not None:
-                write_figure(found.plot(), options.plot)
             record, lines = (_of_motions if several else _of_response)(found)
+        if options.plot is not None:
+            write_figure(found.plot(), options.plot)
     answer(options, record, [*lines, f"{found.digits} right digits, proved"])
     return OK
 

@@ -23,8 +23,20 @@ from numerics.free.quadtree import CellMap
 from numerics.linear.ties import force_form
 from numerics.scene import Pair
 from numerics.solver.solve import solve
-from numerics.trajectory.curve import Curve, sampled
-from numerics.trajectory.figures import BLUE, FIRST, GRAY, GREEN, ORANGE, SECOND, draw, friction_on_body_2
+from numerics.trajectory.curve import sampled
+from numerics.trajectory.figures import (
+    BLUE,
+    FIRST,
+    GRAY,
+    GREEN,
+    ORANGE,
+    PURPLE,
+    SECOND,
+    draw,
+    draw_path,
+    explain_below,
+    friction_on_body_2,
+)
 from numerics.trajectory.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
@@ -54,7 +66,9 @@ def draw_response(found: Any) -> Figure:
     scene, known = found.one_period(), found.thresholds
     figure, axes = _panels(12.6, 4.4, 1, 3) if known else _panels(8.4, 4.4, 1, 2)
     if scene is not None:
-        _draw_motion(solve(scene), axes)
+        solved = solve(scene)
+        for kind, ax in zip(("velocities", "load"), axes, strict=False):
+            draw(solved, kind, ax)
     if known is not None:
         centre = float(known.omega)
         draw_thresholds(found.drive.pair, np.geomspace(centre / 4, 4 * centre, _POINTS), axes[2])
@@ -64,11 +78,20 @@ def draw_response(found: Any) -> Figure:
     return figure
 
 
-def _draw_motion(solved: Trajectory, axes: Any, curve: Curve | None = None) -> None:
-    """Draw velocities into the first axes, and the friction that sticking needs into the second."""
-    curve = curve or sampled(solved)
-    for kind, ax in zip(("velocities", "load"), axes, strict=False):
-        draw(solved, kind, ax, curve)
+def draw_rotating(found: Any) -> Figure:
+    """Return the circles of both bodies, each about its own centre, and of their velocities; u starts along x."""
+    figure, panels = _panels(10, 5.5, 1, 2)
+    v1, v2, turn = complex(found.v1), complex(found.v2), np.exp(1j * np.linspace(0, 2 * np.pi, _POINTS))
+    above, speeds = ("Both bodies from above", "m", 1j * float(found.omega)), ("Their velocities", "m/s", 1)
+    for ax, (title, unit, rate) in zip(panels, (above, speeds), strict=True):
+        for v, style in ((v1, FIRST), (v2, SECOND)):
+            circle = v / rate * turn
+            draw_path(ax, circle.real, circle.imag, np.zeros(1), **style)
+        ax.set(title=title, xlabel=f"x ({unit})", ylabel=f"y ({unit})", aspect="equal")
+        ax.locator_params(nbins=5)
+    explain_below(figure)
+    figure.suptitle(found.sentence)
+    return figure
 
 
 def draw_motions(found: Any) -> Figure:
@@ -131,9 +154,9 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
 def _lines(ax: Any, pair: Pair, omegas: Any) -> Floats:
     """Draw the `threshold_curves` over frequency into axes, logarithmic, and return them."""
     found = low, high, edge = threshold_curves(pair, omegas)
-    ax.plot(omegas, low, color=BLUE, label="$U_*$: up to it a motion sticks for ever")
+    ax.plot(omegas, low, color=PURPLE, label="$U_*$: up to it a motion sticks for ever")
     ax.plot(omegas, edge, color="black", label="no stops from this line on (drawn, not proved)")
-    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U_{**}$: below it none slips on with two reversals")
+    ax.plot(omegas, high, color=PURPLE, ls="--", label="$U_{**}$: below it none slips on with two reversals")
     ax.set(xscale="log", yscale="log", xlim=(omegas[0], omegas[-1]))
     ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     ax.xaxis.set_major_formatter("{x:g}")
@@ -167,17 +190,17 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
         piece = found.reference[one.number - 1]
         since = [Fraction(at) - piece.start for at in t.tolist()]
         r, bend = (np.array([float(force_form(piece, at, k).rounded(64)) for at in since]) for k in (0, 2))
-        style: dict[str, Any] = {"color": BLUE} if one.possible else {"color": ORANGE, "ls": "--"}
-        path.plot(t, r, **style)
-        friction.plot(t, float(pair.m2) * bend, **style)
-        friction.fill_between(t, -float(one.b), float(one.b), color=GRAY, alpha=0.25, lw=0)
+        dashes = "-" if one.possible else "--"
+        path.plot(t, r, color="black", ls=dashes)
+        friction.plot(t, float(pair.m2) * bend, color=GREEN, ls=dashes)
+        friction.fill_between(t, -float(one.b), float(one.b), color=GREEN, alpha=0.2, lw=0)
         if found.scene is not None:
-            force.plot(t[:-1], [float(found.scene.force(float(at))) for at in t[:-1]], color=GREEN)
+            force.plot(t[:-1], [float(found.scene.force(float(at))) for at in t[:-1]], color=PURPLE)
     title = "The force on body 1 that makes body 2 follow"
     if found.scene is None:
         title = "No force makes body 2 follow: the dashed pieces ask too much"
     path.set(ylabel="r (m)", title="The reference of body 2")
-    friction.set(ylabel="friction needed (N)", title="What it asks of friction; grey: what friction can give")
+    friction.set(ylabel="friction needed (N)", title="What it asks of friction; shaded: what friction can give")
     force.set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(found.demands[-1].end)), title=title)
     return figure
 
@@ -188,15 +211,15 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     apart = abs(curve.y[1] - curve.y[3])
     curve = curve._replace(stick=apart <= _TOGETHER * abs(curve.y[1]).max())
     figure, rows = _panels(8, 7.2, 3, 1, sharex=True)
-    for ax in rows:
-        ax.axvline(float(found.bound), color=GRAY, lw=1, label="no control arrives before")
+    rows[2].plot(curve.t, curve.u, color=PURPLE, label="force u on body 1")
+    for kind, ax in zip(("positions", "velocities", "load"), rows, strict=True):
+        label = "no control arrives before" if kind == "load" else None
+        ax.axvline(float(found.bound), color="black", lw=0.8, ls="--", label=label)
         if found.time is not None:
             ax.axvline(float(found.time), color="black", lw=0.8, ls=":")
-    for place, style in ((0, FIRST), (2, SECOND)):
-        rows[0].plot(curve.t, curve.y[place], **style)
-    rows[0].set(ylabel="$x_1$, $x_2$ (m)", title="Positions of both bodies")
-    rows[2].plot(curve.t, curve.u, color=BLUE, ls="-.", label="force u on body 1")
-    _draw_motion(solved, rows[1:], curve)
+        draw(solved, kind, ax, curve)
+    rows[2].set_ylabel("force (N)")
+    explain_below(figure)
     figure.suptitle(found.road.value)
     return figure
 
@@ -209,15 +232,15 @@ def draw_ring(found: Any) -> Figure:
     z, w = curve.y[0] - curve.y[2] - centre, curve.y[1] - curve.y[3]
     figure, (plane, time) = _panels(10.5, 5.2, 1, 2)
     late = curve.t >= entry
-    plane.plot(*np.where(late, np.nan, (z, w)), color=ORANGE, lw=0.9, label="before")
-    plane.plot(*np.where(late, (z, w), np.nan), color=BLUE, lw=1.6, label="inside for good")
+    plane.plot(*np.where(late, np.nan, (z, w)), color=GRAY, lw=0.9, label="before")
+    plane.plot(*np.where(late, (z, w), np.nan), color="black", lw=1.6, label="inside for good")
     plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
     x1, v1, x2, v2 = solved.sol(entry)
     plane.plot(x1 - x2 - centre, v1 - v2, "o", color="black", ms=5, label=f"t = {entry:.6g} s")
     plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
     _legends_below([plane])
     distance = np.hypot(z, w / rate)
-    time.semilogy(curve.t, np.where(distance > 0, distance, np.nan), color=BLUE, lw=0.9)
+    time.semilogy(curve.t, np.where(distance > 0, distance, np.nan), color="black", lw=0.9)
     time.axhline(radius, color="black", ls="--", lw=0.9)
     time.axvline(entry, color=GRAY, lw=1)
     time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="From the line on inside for good")

@@ -20,7 +20,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, require_digits, rounded
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
-from numerics.control.rotating import rotating_force, rotating_response
+from numerics.control.rotating import pictures, rotating_force, rotating_response
 from numerics.control.stuck import (
     entrained,
     others_stick,
@@ -29,7 +29,7 @@ from numerics.control.stuck import (
     stuck_state,
 )
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
-from numerics.errors import InvalidScene, MissingTool
+from numerics.errors import InvalidScene
 from numerics.scene import Force, Piece, Scene, Weakening
 from numerics.scene.decimals import Exact, exact_decimal, positive
 from numerics.scene.model import BUILD, require_kind
@@ -82,7 +82,7 @@ class Response(ShortRepr):
 
         Raises MissingTool.
         """
-        return _pictures().draw_response(self)
+        return pictures().draw_response(self)
 
     def claim(self) -> Prediction | None:
         """Return that its periodic motion comes back after a period, None without events."""
@@ -129,15 +129,7 @@ class PeriodicMotions(ShortRepr):
 
         Raises MissingTool.
         """
-        return _pictures().draw_motions(self)
-
-
-def _pictures() -> Any:
-    try:
-        from numerics.control import pictures
-    except ModuleNotFoundError as error:
-        raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
-    return pictures
+        return pictures().draw_motions(self)
 
 
 def response(

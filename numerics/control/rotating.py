@@ -14,13 +14,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from flint import acb, acb_poly, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
 from numerics.control.thresholds import entrainment_threshold, impedance, load_margin, round_pair
-from numerics.errors import InvalidScene
+from numerics.errors import InvalidScene, MissingTool
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -55,12 +56,25 @@ class RotatingResponse:
     attracts: bool
     digits: int
 
+    def plot(self) -> Any:
+        """Return a matplotlib figure: the circles of positions and velocities. Raises MissingTool."""
+        return pictures().draw_rotating(self)
+
     @property
     def sentence(self) -> str:
         """Return what the pair does in the long run."""
         if self.speed.is_zero():
             return "entrained: the bodies go round stuck, for U up to U*"
         return "non-stop: body 2 slips round at a constant speed; there is no stick-slip, U** = U*"
+
+
+def pictures() -> Any:
+    """Return what draws answers. Raises MissingTool."""
+    try:
+        from numerics.control import pictures
+    except ModuleNotFoundError as error:
+        raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
+    return pictures
 
 
 def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:

@@ -1,58 +1,73 @@
-"""A motion on a surface, seen from above: both bodies' paths and the relative velocity; what sticks is grey; a film."""
+"""A motion on a surface, seen from above: both bodies' paths and the relative velocity, with start and end; a film."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from itertools import pairwise
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from numerics.trajectory.figures import BLUE, GRAY, ORANGE, axes_for, film
+from numerics.trajectory.figures import (
+    BLUE,
+    FIRST,
+    ORANGE,
+    SECOND,
+    Drawn,
+    axes_for,
+    course,
+    draw_path,
+    explain_below,
+    film,
+    marks_of,
+    together,
+)
 
-_POINTS, _ALL_POINTS = 30, 3000
-_TITLES = {"above": "bodies 1 (blue), 2 (orange); both grey while they stick", "relative": "$v_1-v_2$"}
-_UNITS = {"above": "m", "relative": "m/s"}
+_POINTS = 3000
+_KINDS = {
+    "above": ("Both bodies from above", "{} (m)"),
+    "relative": ("Relative velocity", "$v_1 - v_2$ along {} (m/s)"),
+}
+"""Title and label of an axis."""
 
 
 def overview(trajectory: Any) -> Any:
-    """Return a figure: x1 and x2 from above, and v1 - v2 (m/s), by segments."""
-    import matplotlib.pyplot as plt
-
-    figure, both = plt.subplots(1, 2, figsize=(9, 4.5), layout="constrained")
-    for kind, axes in zip(_TITLES, both, strict=True):
-        draw(trajectory, kind, axes)
-    return figure
+    """Return a figure: x1 and x2 from above, and v1 - v2 (m/s)."""
+    return together([partial(draw, trajectory, kind) for kind in _KINDS], (10, 5.5), course(trajectory))
 
 
-def draw(trajectory: Any, kind: str, axes: Any = None) -> Any:
+def draw(trajectory: Any, kind: str, ax: Any = None) -> Any:
     """Draw x1 and x2 from above, or v1 - v2, into axes (new ones, if none are given) and return them."""
-    axes = axes_for(kind, _TITLES, axes)
-    times = [0.0, *trajectory.floats(trajectory.event_times), trajectory.arithmetic.to_float(trajectory.end_time)]
-    for (start, end), mode in zip(pairwise(times), trajectory.modes, strict=False):
-        count = _POINTS + int(_ALL_POINTS * (end - start) / times[-1])
-        within = np.minimum(np.linspace(start, end, count), np.nextafter(times[-1], 0))
-        x1, v1, x2, v2 = trajectory.floats(trajectory.sol(within)).reshape(4, -1, count)
-        stuck = set(mode) <= {"0"} or mode == "stick"
-        lines = [(x1, BLUE), (x2, ORANGE)] if kind == "above" else [(v1 - v2, "C2")]
-        for (x, y, *_), color in lines:
-            axes.plot(x, y, color=GRAY if stuck else color, lw=1.2)
-    axes.set_title(_TITLES[kind], fontsize="medium")
-    axes.set_xlabel(f"first component, {_UNITS[kind]}")
-    axes.set_ylabel(f"second component, {_UNITS[kind]}")
-    axes.set_aspect("equal", "datalim")
-    return axes
+    is_new, ax = ax is None, axes_for(kind, _KINDS, ax)
+    title, label = _KINDS[kind]
+    every = np.linspace(0, trajectory.arithmetic.to_float(trajectory.end_time), _POINTS)
+    times = np.sort([*every, *trajectory.floats(trajectory.event_times)])
+    x1, v1, x2, v2 = trajectory.floats(trajectory.sol(times)).reshape(4, -1, len(times))
+    stick = np.array([mode == "stick" or set(mode) == {"0"} for mode in trajectory.mode_at(times)])
+    for (x, y, *_), style in ((x1, FIRST), (x2, SECOND)) if kind == "above" else ((v1 - v2, {}),):
+        draw_path(ax, x, y, stick, **style)
+        turn = np.degrees(np.arctan2(y[-1] - y[-2], x[-1] - x[-2])) - 90
+        ax.plot(x[-1], y[-1], color="black", marker=(3, 0, turn), ms=9, ls="none", label="end")
+    ax.set_title(title, fontsize="medium")
+    ax.set(xlabel=label.format("x"), ylabel=label.format("y"))
+    ax.set_aspect("equal", "datalim")
+    ax.locator_params(nbins=6)
+    marks = marks_of(ax)
+    ax.legend(marks.values(), marks, fontsize="small")
+    if is_new:
+        explain_below(ax.figure)
+    return ax
 
 
 def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation from above; see PlaneTrajectory.animate."""
 
-    def drawn(_: Any, y: Any) -> tuple[Any, Callable[[int], None]]:
+    def drawn(_: Any, y: Any) -> Drawn:
         import matplotlib.pyplot as plt
 
         figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
         draw(trajectory, "above", axes)
+        explain_below(figure)
         marks = [axes.plot([], [], "o", color=BLUE, ms=9)[0], axes.plot([], [], "s", color=ORANGE, ms=6)[0]]
 
         def show(k: int) -> None:
@@ -60,6 +75,6 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
             for mark, place in zip(marks, (x1, x2), strict=True):
                 mark.set_data(place[:1], place[1:2])
 
-        return figure, show
+        return figure, marks, show
 
     return film(trajectory, drawn, file, duration, frames_per_second)

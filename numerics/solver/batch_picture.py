@@ -19,18 +19,25 @@ _UNITS = UNITS | {
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     """Draw into matplotlib axes; see Batch.plot."""
     axes, ax = _along(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
+    from matplotlib.ticker import AutoLocator
+
     values = batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
-    points = [np.ravel(one) for one in axes.values()]
+    points, ticks = [np.ravel(one) for one in axes.values()], AutoLocator()
+    ticks.set_params(integer=values.dtype.kind in "iu", min_n_ticks=1)
     if len(points) == 1:
         points.append(np.ravel(values))
         order = np.argsort(points[0], kind="stable")
         points, right = [one[order] for one in points], right[order]
         ax.plot(points[0], np.where(right, points[1], np.nan), ".-", color=BLUE, ms=3, lw=0.8)
         ax.set_ylabel(label)
+        ax.yaxis.set_major_locator(ticks)
     else:
-        found = ax.scatter(*(one[right] for one in points), c=np.ravel(values)[right], s=9, marker="s")
-        ax.figure.colorbar(found, ax=ax, label=label)
+        if values.ndim == 2 and min(values.shape) > 1:
+            found = ax.pcolormesh(*axes.values(), np.where(batch.success, values, np.nan), rasterized=True)
+        else:
+            found = ax.scatter(*(one[right] for one in points), c=np.ravel(values)[right], s=25, marker="s")
+        ax.figure.colorbar(found, ax=ax, label=label, ticks=ticks)
         ax.set_ylabel(_label(list(axes)[1]))
     if not right.all():
         ax.plot(*(one[~right] for one in points), "x", color=ORANGE, ms=4, label="not at the horizon, or not certain")

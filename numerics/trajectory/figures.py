@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +18,8 @@ from numerics.trajectory.curve import Curve, sampled
 from numerics.trajectory.export import word
 from numerics.trajectory.solution import Solution
 
-BLUE, ORANGE, GREEN, GRAY = "#0072B2", "#D55E00", "#009E73", "#999999"
-"""Colours that are told apart without red and green."""
+BLUE, ORANGE, GREEN, PURPLE, GRAY = "#0072B2", "#D55E00", "#009E73", "#7B4FA3", "#999999"
+"""Body 1, body 2, friction, the force, stick; told apart without red and green. What is of no body is black."""
 FIRST = {"color": BLUE, "lw": 1.2, "label": "body 1"}
 SECOND = {"color": ORANGE, "lw": 1.2, "ls": "--", "label": "body 2"}
 _MARKERS = {EventKind.ENTRY: ("o", "entry"), EventKind.EXIT: ("^", "exit"), EventKind.CROSSING: ("x", "crossing")}
@@ -31,10 +32,17 @@ _MOST_SHADED = 1000
 
 FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
 FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
-COMMON = ("body 1", "body 2", "entry", "exit", "crossing", "stick")
+_CRITICAL = {"color": "black", "lw": 0.8, "ls": ":", "label": "$E = E_{cr}$"}
+_ENOUGH = {"color": GREEN, "alpha": 0.2, "lw": 0, "label": "friction is enough ($S_0$)"}
+_NEEDED = {"color": GREEN, "lw": 1.2, "label": "sticking needs this friction"}
+COMMON = (
+    *("body 1", "body 2", "entry", "exit", "crossing", "stick", "start", "end"),
+    *(_ENOUGH["label"], _NEEDED["label"], _CRITICAL["label"]),
+)
 """What means the same in every picture, and is explained once, below all of them."""
-_WRITERS = {".gif": "pillow", ".mp4": "ffmpeg"}
 _MOST_FRAMES = 10_000
+Drawn = tuple[Any, Iterable[Any], Callable[[int], None]]
+"""A figure, those of its artists that move, and what moves them to the frame of a number."""
 _TURNS = 9
 """Turns of the spring that is drawn."""
 
@@ -48,7 +56,7 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     and who took the rest. Raises ValueError for any other kind, MissingTool. `curve` saves sampling the trajectory for
     every picture of it.
     """
-    ax = axes_for(kind, _KINDS, ax)
+    is_new, ax = ax is None, axes_for(kind, _KINDS, ax)
     curve = curve or sampled(trajectory)
     title, label, drawn = _KINDS[kind]
     ax.set_title(title, fontsize="medium")
@@ -56,15 +64,16 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     drawn(trajectory, curve, ax)
     if kind not in {"phase", "friction", "relative"}:
         _against_time(trajectory, curve, ax)
-    if ax.get_legend_handles_labels()[0]:
-        few = len(trajectory.events) <= _MOST_MARKED
-        if not few:  # dashes of so long a line take minutes to draw, and so does the best place for the legend
-            for line in ax.lines:
-                line.set_linestyle("none" if line.get_linestyle() == "None" else "-")
-        if len(curve.t) > _MOST_POINTS:
-            for one in (*ax.lines, *ax.collections):
-                one.set_rasterized(True)
-        ax.legend(loc="best" if few else "upper right", fontsize="small", framealpha=0.9)
+    if len(curve.t) > _MOST_POINTS:
+        for one in (*ax.lines, *ax.collections):
+            one.set_rasterized(True)
+    for line in ax.lines:
+        if len(line.get_xdata()) > _MOST_POINTS:  # dashes of so long a line take minutes to draw
+            line.set_linestyle("-")
+    if marks_of(ax):
+        ax.legend(fontsize="small", framealpha=0.9)
+    if is_new:
+        explain_below(ax.figure)
     return ax
 
 
@@ -112,27 +121,18 @@ def _velocities(trajectory: Solution, curve: Curve, ax: Any) -> None:
     _mark_events(trajectory, ax, 0, 2)
 
 
-def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    scene = trajectory.scene
+def _positions(_: Solution, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[0], **FIRST)
     ax.plot(curve.t, curve.y[2], **SECOND)
-    if scene.pair.a1 == 0 and not scene.friction.weakening:
-        stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
-        edges = np.stack([curve.u + curve.b * share, curve.u - curve.b * share], axis=1) / stiffness
-        ax.plot(curve.t, edges, color="black", lw=0.8, ls=":", label=["edges of $S_0$, for $x_1$", "_"])
 
 
 def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    ax.fill_between(curve.t, -curve.b, curve.b, color=GREEN, alpha=0.2, lw=0, label="friction can give this")
-    ax.plot(curve.t, curve.load(trajectory.scene.pair), color="black", lw=1.2, label="sticking needs this")
+    ax.fill_between(curve.t, -curve.b, curve.b, **_ENOUGH)
+    ax.plot(curve.t, curve.load(trajectory.scene.pair), **_NEEDED)
 
 
-def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.u, color=BLUE, lw=1.2)
-    jumps = [event.t for event in trajectory.events if event.cause == "jump"]
-    for number, t in enumerate(jumps if len(trajectory.events) <= _MOST_MARKED else ()):
-        label = "a jump of u or b changes the mode" if number == 0 else None
-        ax.axvline(trajectory.arithmetic.to_float(t), color=ORANGE, lw=1.0, ls=":", label=label)
+def _force(_: Solution, curve: Curve, ax: Any) -> None:
+    ax.plot(curve.t, curve.u, color=PURPLE, lw=1.2)
 
 
 def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
@@ -144,12 +144,12 @@ def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
 def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
     w = curve.y[1] - curve.y[3], "$v_1 - v_2$ (m/s)"
-    _plane(curve, ax, w, friction_on_body_2(trajectory, curve), "friction in stick")
+    _plane(curve, ax, w, friction_on_body_2(trajectory, curve))
 
 
 def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1, and S0 where it stays."""
-    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1])
+    _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1], **FIRST)
     _mark_events(trajectory, ax, 1, 2)
     if not trajectory.scene.is_forced:
         _sliding_region(trajectory.scene.pair, ax)
@@ -160,18 +160,23 @@ def _relative(_: Solution, curve: Curve, ax: Any) -> None:
     _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1] - curve.y[3])
 
 
-def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, stick: str = "stick, on $S$") -> None:
-    """Draw one quantity against another, named: in stick with a full line, in slip with a thin one."""
-    x, name = across
-    ways = (~curve.stick, "slip", ORANGE, 0.8, "--"), (curve.stick, stick, BLUE, 2.0, "-")
-    for kept, label, color, width, dashes in ways:
-        if kept.any():
-            ax.plot(*np.where(kept & curve.resolved, (x, up), np.nan), color=color, lw=width, ls=dashes, label=label)
-            sparse = kept & ~curve.resolved  # lines between these points would not be the curve
-            ax.plot(x[sparse], up[sparse], ",", color=color)
-    ax.plot(x[:1], up[:1], "s", color="black", ms=5, label="start")
+def _plane(curve: Curve, ax: Any, across: tuple[Any, str], up: Any, **style: Any) -> None:
+    """Draw one quantity against another, named."""
+    (x, name), sparse = across, ~curve.resolved  # lines between sparse points would not be the curve
+    line = np.where(sparse, np.nan, (x, up))
+    draw_path(ax, line[0], line[1], curve.stick, **style)
+    ax.plot(x[sparse], up[sparse], ",", color=style.get("color", "black"))
     ax.locator_params(axis="x", nbins=6)
     ax.set_xlabel(name)
+
+
+def draw_path(ax: Any, x: Any, y: Any, stick: Any, **style: Any) -> None:
+    """Draw a curve from its marked start; where the bodies stick a band lies below it."""
+    if stick.any():
+        band = {"color": GRAY, "alpha": 0.4, "lw": 6, "solid_capstyle": "butt", "label": "stick"}
+        ax.plot(*np.where(stick, (x, y), np.nan), **band)
+    ax.plot(x, y, **{"color": "black", "lw": 1.2} | style)
+    ax.plot(x[:1], y[:1], "s", color="black", ms=5, label="start")
 
 
 def _sliding_region(pair: Any, ax: Any) -> None:
@@ -179,12 +184,12 @@ def _sliding_region(pair: Any, ax: Any) -> None:
     half_width, lean = float(pair.half_width), float(pair.a1 / pair.a2)
     (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     v = np.array([low, high])
-    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, color=GRAY, alpha=0.25, lw=0, label="$S_0$")
+    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, **_ENOUGH)
     ax.set(xlim=(min(left, -1.1 * half_width), max(right, 1.1 * half_width)), ylim=(low, high))
     if pair.a1 == 0:
         angle = np.linspace(0, 2 * np.pi, 400)
         speed = half_width * float(pair.a2 / pair.mass) ** 0.5
-        ax.plot(half_width * np.cos(angle), speed * np.sin(angle), color="black", lw=0.8, ls=":", label="$E = E_{cr}$")
+        ax.plot(half_width * np.cos(angle), speed * np.sin(angle), **_CRITICAL)
 
 
 def _excess(_: Any, curve: Curve, ax: Any) -> None:
@@ -194,26 +199,26 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
         ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
         ax.set_yticks([])
         return
-    signed = (curve.w, r"$E/E_{cr} - 1$", BLUE, "-"), (-curve.w, r"$1 - E/E_{cr}$", ORANGE, "--")
-    for part, label, color, dashes in signed:
+    for part, label, dashes in ((curve.w, r"$E/E_{cr} - 1$", "-"), (-curve.w, r"$1 - E/E_{cr}$", "--")):
         if (part > 0).any():
-            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color=color, ls=dashes)
+            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, color="black", ls=dashes)
     ax.set_yscale("log")
+    ax.yaxis.set_minor_formatter("")
     ax.set_ylim(10 ** np.floor(np.log10(sizes.min()) - 0.05), 10 ** np.ceil(np.log10(sizes.max()) + 0.05))
 
 
 def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
-    pair, (friction, viscous), forced = trajectory.scene.pair, curve.lost, trajectory.scene.is_forced
+    pair, (friction, viscous) = trajectory.scene.pair, curve.lost
     energy = pair.energy(curve.y, float)
     work = energy - energy[0] + friction + viscous
-    if not forced:
-        ax.axhline(float(pair.critical_energy), color="black", lw=0.8, ls=":", label="$E_{cr}$")
+    if not trajectory.scene.is_forced:
+        ax.axhline(float(pair.critical_energy), **_CRITICAL)
     for acts, label, part, color, dashes in (
-        (forced, "work of the force", work, "black", "-"),
-        (True, "energy of the pair", energy, BLUE, "-."),
-        (True, "lost to friction", friction, ORANGE, "--"),
-        (pair.a1 > 0, "lost to viscosity", viscous, GREEN, ":"),
+        (curve.u.any(), "work of the force", work, PURPLE, "-"),
+        (True, "energy of the pair", energy, "black", "-"),
+        (True, "lost to friction", friction, GREEN, "--"),
+        (pair.a1 > 0, "lost to viscosity", viscous, "black", ":"),
     ):
         if acts:
             ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
@@ -238,52 +243,70 @@ def overview(trajectory: Solution) -> Any:
 
     Under a force it shows u(t) too.
     """
-    from matplotlib.figure import Figure
-
-    figure, curve = Figure(figsize=(11, 11), layout="constrained"), sampled(trajectory)
-    common: dict[str, Any] = {}
-    kinds = FORCED if trajectory.scene.is_forced else FREE
-    if trajectory.scene.friction.weakening:
+    scene, curve, law = trajectory.scene, sampled(trajectory), ""
+    kinds = FORCED if scene.is_forced else FREE
+    if scene.friction.weakening:
         kinds = ("friction", "relative", *FORCED[1:4], "energy")
-    for kind, ax in zip(kinds, figure.subplots(3, 2).flat, strict=True):
-        draw(trajectory, kind, ax, curve)
-        common |= _moved_out(ax)
-    chosen = {name: common[name] for name in COMMON if name in common}
-    figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
-    scene, count, law = trajectory.scene, len(trajectory.events), ""
+    elif kinds is FORCED and not curve.u.any():
+        kinds = ("relative", *FORCED[1:])
     if scene.law is Law.THREE_VALUED_SGN:
         law = "; sgn(0) = 0 read literally"
-    course = f"{count} event{'' if count == 1 else 's'} in {curve.t[-1]:g} s; {trajectory.message}"
-    figure.suptitle(f"{scene.pair} from {scene.initial}{law}\n{course}", fontsize="medium")
+    title = f"{scene.pair} from {scene.initial}{law}\n{course(trajectory)}"
+    return together([partial(draw, trajectory, kind, curve=curve) for kind in kinds], (11, 11), title)
+
+
+def course(trajectory: Any) -> str:
+    """Return how many events a trajectory has in what time, and how it ended."""
+    count, end = len(trajectory.events), trajectory.arithmetic.to_float(trajectory.end_time)
+    return f"{count} event{'' if count == 1 else 's'} in {end:g} s; {trajectory.message}"
+
+
+def together(drawings: Sequence[Callable[..., Any]], size: tuple[float, float], title: str) -> Any:
+    """Return a figure (inches) of what is drawn into axes, two in a row; common marks are explained once, below all."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, layout="constrained")
+    for drawn, ax in zip(drawings, figure.subplots(len(drawings) // 2, 2).flat, strict=True):
+        drawn(ax=ax)
+    explain_below(figure)
+    figure.suptitle(title, fontsize="medium")
     return figure
 
 
-def _moved_out(ax: Any) -> dict[str, Any]:
-    """Take the common marks out of the legend of axes, and return them by their labels."""
-    handles = {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
-    own = {name: handle for name, handle in handles.items() if name not in COMMON}
-    if ax.get_legend() is not None:
-        place = ax.get_legend()._loc  # the public way to read it does not exist
-        ax.get_legend().remove()
+def marks_of(ax: Any) -> dict[str, Any]:
+    """Return what a legend of axes shows, by its labels, each once."""
+    return {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
+
+
+def explain_below(figure: Any) -> None:
+    """Move the common marks out of the legends of all axes, to one below them."""
+    common: dict[str, Any] = {}
+    for ax in figure.axes:
+        common |= (marks := marks_of(ax))
+        own = [name for name in marks if name not in COMMON]
+        if ax.get_legend():
+            ax.get_legend().remove()
         if own:
-            ax.legend(own.values(), own, loc=place, fontsize="small", framealpha=0.9)
-    return {name: handle for name, handle in handles.items() if name in COMMON}
+            ax.legend([marks[name] for name in own], own, fontsize="small", framealpha=0.9)
+    shown = [name for name in COMMON if name in common]
+    handles, across = [common[name] for name in shown], min(len(shown), 5) or 1
+    figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
 
 
 def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
 
-    def drawn(times: Any, y: Any) -> tuple[Any, Callable[[int], None]]:
+    def drawn(times: Any, y: Any) -> Drawn:
         """Draw body 2 on body 1 on its spring, to the scale of the motion, above the velocities."""
         from matplotlib import pyplot as plt
 
         figure, (ax, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
         draw(trajectory, "velocities", below)
         below.set_title("")
+        explain_below(figure)
         moment, size = below.axvline(0.0, color="black", lw=1), max(float(np.abs(y[[0, 2]]).max()), 1e-300)
         wall, half = -7 * size, np.array([3.0, 1.2]) * size
         ax.set(xlim=(wall, y[[0, 2]].max() + 4 * size), ylim=(0, 2.6), yticks=[], xlabel="x1, x2 (m)")
-        ax.vlines((y[[0, 2]].min(), y[[0, 2]].max()), 0, 2.5, color=GRAY, lw=0.6, ls=":")
         bodies = ax.bar((0, 0), (1.0, 0.9), 2 * half, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
         (spring,) = ax.plot([], [], color="black", lw=1)
 
@@ -294,22 +317,21 @@ def animate(trajectory: Solution, file: str | Path | None, duration: float, fram
                 body.set_x(place)
             spring.set_data(np.linspace(wall, left[0], 2 * _TURNS), [0.4, 0.7] * _TURNS)
 
-        return figure, show
+        return figure, (moment, *bodies, spring), show
 
     return film(trajectory, drawn, file, duration, frames_per_second)
 
 
 def film(
     trajectory: Any,
-    drawn: Callable[[Any, Any], tuple[Any, Callable[[int], None]]],
+    drawn: Callable[[Any, Any], Drawn],
     file: str | Path | None,
     duration: float,
     frames_per_second: int,
 ) -> Any:
     """Return the animation of a trajectory, and write it to `file`; time and mode stand above the first axes.
 
-    `drawn` takes times (s) and states there, in binary64, and returns a figure and what shows the frame of one of them.
-    Raises MissingTool, OSError, ValueError.
+    `drawn` takes times (s) and states there, in binary64. Raises MissingTool, OSError, ValueError.
     """
     for name, value in (("duration", duration), ("frames_per_second", frames_per_second)):
         if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < float("inf"):
@@ -319,8 +341,7 @@ def film(
         shown = f"{duration:g} s with {frames_per_second:g} frames a second are {count} frames"
         raise ValueError(f"{shown}; choose 2 to {_MOST_FRAMES}")
     path = None if file is None else Path(file)
-    writer = _WRITERS.get(path.suffix) if path else None
-    if path and not writer:
+    if path and path.suffix not in {".gif", ".mp4"}:
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
     if path and not path.parent.is_dir():
         raise FileNotFoundError(2, "No such folder", str(path.parent))
@@ -329,10 +350,10 @@ def film(
         from matplotlib import pyplot as plt
     except ImportError:
         raise MissingTool("an animation needs matplotlib; python -m pip install matplotlib") from None
-    if writer and not animation.writers.is_available(writer):
-        raise MissingTool(f"this film needs {writer}, which is not installed; write a .gif, or install {writer}")
+    if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
+        raise MissingTool("this film needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-    figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
+    figure, moving, show = drawn(times, trajectory.floats(trajectory.sol(times)))
     modes = trajectory.mode_at(times)
 
     def frame(k: int) -> None:
@@ -342,12 +363,37 @@ def film(
     frame(0)
     figure.canvas.draw()
     figure.set_layout_engine(None)  # the axes stay where they are: to lay them out anew takes as long as a frame
-    made = animation.FuncAnimation(figure, frame, frames=count, interval=1000 / frames_per_second, blit=False)
+    interval = 1000 / frames_per_second
+    made = animation.FuncAnimation(figure, frame, frames=count, interval=interval, blit=False)
     if path:
         with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
-            kept = Path(folder) / path.name
-            figure.canvas.draw_idle = int  # nothing: the writer draws each frame, which matplotlib would do before it
-            made.save(kept, writer=writer, fps=frames_per_second)
-            opened.write(kept.read_bytes())
+            if path.suffix == ".gif":
+                first, *others = _frames(figure, [figure.axes[0].title, *moving], map(frame, range(count)))
+                first.save(opened, "GIF", save_all=True, append_images=others, duration=int(interval), loop=0)
+            else:
+                kept = Path(folder) / path.name
+                figure.canvas.draw_idle = int  # nothing: the writer draws each frame, matplotlib would before it
+                made.save(kept, writer="ffmpeg", fps=frames_per_second)
+                opened.write(kept.read_bytes())
         plt.close(figure)
     return made
+
+
+def _frames(figure: Any, moving: Collection[Any], frames: Iterable[None]) -> Iterator[Any]:
+    """Yield pictures by one palette while `frames` move some artists; what takes longer, all others, is drawn once."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
+
+    for artist in moving:
+        artist.set_animated(True)
+    canvas, palette = FigureCanvasAgg(figure), None
+    canvas.draw()
+    still = canvas.copy_from_bbox(figure.bbox)
+    for _ in frames:
+        canvas.restore_region(still)
+        for artist in moving:
+            figure.draw_artist(artist)
+        picture = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+        frame = picture.quantize(method=Image.Quantize.FASTOCTREE, palette=palette, dither=Image.Dither.NONE)
+        palette = palette or frame
+        yield frame

@@ -116,7 +116,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "tracked-reference": (
         "A reference that body 2 follows",
-        "Top: the reference. Middle: the friction that it asks for, inside the grey band of what there is. Bottom: the force on body 1 "
+        "Top: the reference. Middle: the friction that it asks for, inside the green band of what there is. Bottom: the force on body 1 "
         "that does it.",
     ),
     "fastest-transfer": (
@@ -126,7 +126,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "tolerance-ring-of-a-scene": (
         "Fig. 1, drawn for the scene of Fig. 5 (a)",
-        "Left: the relative motion about its limit; from the point on, in blue, it stays inside the dashed ring. Right: its distance "
+        "Left: the relative motion about its limit; from the point on, in black, it stays inside the dashed ring. Right: its distance "
         "from the limit over time.",
     ),
     "jumping-force": (

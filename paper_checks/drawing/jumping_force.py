@@ -32,7 +32,9 @@ def jumping_force() -> Figure:
     over_time.plot([], [], color="#777777", lw=1.2, label=r"loads $\Lambda$ (N)")
     plane.set(xlabel="$x_1$ (m)", ylabel="$v_1$ (m/s)", title="three of the periodic motions; dots: exits")
     over_time.set(
-        xlabel="$t$ (s)", ylabel="N", title=r"at the jumps of $u$ each $\Lambda$ leaves $|\Lambda|\leqslant b=1$"
+        xlabel="$t$ (s)",
+        ylabel="force (N)",
+        title=r"at the jumps of $u$ each $\Lambda$ leaves $|\Lambda|\leqslant b=1$",
     )
     plane.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=3)
     over_time.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=2)

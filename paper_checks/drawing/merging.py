@@ -8,9 +8,7 @@ from functools import cache
 from itertools import pairwise
 
 import numpy as np
-from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
 
 from numerics.free.merging import CRITICAL_SHARE
 from numerics.free.merging_map import COLOURS, LABELS, merging_cells
@@ -27,24 +25,10 @@ def merging_map() -> Figure:
     """Draw the proved cells of mass ratio and energy."""
     chart = _chart()
     figure, axes = panels(6.4, 4.4)
-    (left, right), (low, high) = ((float(one) for one in side) for side in chart.window)
-    across, upwards = (np.geomspace(*ends, 2**DEPTH + 1) for ends in ((left, right), (low, high)))
-    cells = chart.raster(COLOURS)
-    for index, colour in enumerate(COLOURS.values()):
-        corners = [
-            [(across[n], upwards[a]), (across[n + 1], upwards[a]), (across[n + 1], upwards[b]), (across[n], upwards[b])]
-            for n in range(2**DEPTH)
-            for a, b in _runs(cells[:, n] == index)
-        ]
-        axes.add_collection(PolyCollection(corners, facecolors=colour, edgecolors=colour, linewidths=0.2))
+    handles = chart.draw(axes, COLOURS, LABELS)
     axes.axvline(float(CRITICAL_SHARE / (1 - CRITICAL_SHARE)), color="black", lw=1.2, ls="--")
-    axes.set(xscale="log", yscale="log", xlim=(left, right), ylim=(low, high))
     axes.set(xlabel="$m_2/m_1$ (dimensionless)", ylabel="$E/E_{cr}-1$ on $S_0$ (dimensionless)")
     axes.grid(visible=False)
-    shares = chart.shares()
-    handles = [
-        Patch(fc=COLOURS[one], ec="black", lw=0.5, label=f"{LABELS[one]} ({shares[one]:.0%})") for one in COLOURS
-    ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False)
     return figure
 

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from numerics.linear.modes import Mode
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.drawing.style import BODY_2, MM, SLIDING, STEP_TEXT, euler, panels, samples, solved
+from paper_checks.drawing.style import MM, SLIDING, STEP_TEXT, euler, panels, samples, solved
 
 UNTIL = Fraction(6)
 PRINTED = 4.7
@@ -28,7 +28,7 @@ def draw_relative_velocity(axes: Any, exact: Trajectory, columns: int = 1) -> No
     t, y = samples(exact)
     run = euler("velocities-literal", UNTIL)
     axes.plot(t, MM * (y[1] - y[3]), color="black", lw=1.6, label="exact")
-    axes.plot(run.t, MM * (run.y[1] - run.y[3]), color=BODY_2, ls=(0, (4, 1.2)), label=f"Euler, {STEP_TEXT}")
+    axes.plot(run.t, MM * (run.y[1] - run.y[3]), color="#2e8b3d", ls=(0, (4, 1.2)), label=f"Euler, {STEP_TEXT}")
     label: str | None = "exact solution sticks"
     for segment, start, end in zip(exact.modes, exact.t, exact.t[1:], strict=False):
         if segment is Mode.STICK:

@@ -70,10 +70,12 @@ def test_response_tells_every_motion_of_a_falling_friction(monkeypatch, output, 
     assert [line[:2] for line in lines.splitlines() if line[1] == ":"] == ["1:", "2:", "3:"]
 
 
-def test_a_terminal_sees_what_is_being_done(run, monkeypatch):
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+@pytest.mark.parametrize("on_terminal", [True, False])
+def test_who_waits_sees_what_is_being_done(run, monkeypatch, on_terminal):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: on_terminal)
+    monkeypatch.setattr("numerics.shown._EVERY", 1e-3)
     code, _, err = run("ring", "start-with-speed", "--radius", 1)
-    assert (code, "following the motion to t = " in err, err[-4:]) == (0, True, "\r\033[K")
+    assert (code, "following the motion to t = " in err, err[-4:] == "\r\033[K") == (0, True, on_terminal)
 
 
 WINDOW = ("--amplitude", "0.1", 10, "--omega", 4, 40, "--depth", 3)

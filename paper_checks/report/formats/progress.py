@@ -1,4 +1,4 @@
-"""How far a run is, on stderr where that is a terminal: each verdict as it is found, and a bar beneath."""
+"""How far a run is, on stderr: each verdict as it is found and a bar beneath; a line now and then where it is no terminal."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from numerics.shown import shown_steps
 from paper_checks.evidence.claim import Claim
 from paper_checks.report.formats.terminal import STYLES
 from paper_checks.running.rows import Progress
@@ -35,11 +36,28 @@ class OnTerminal(Progress):
         self._shown.update(self._bar, advance=1, description="")
 
 
+class OnPipe(Progress):
+    """Tells a pipe, now and then."""
+
+    def __init__(self, say: Callable[[str], None]) -> None:
+        """Take what shows its last line every few seconds."""
+        self._say = say
+
+    def compiled(self, done: int, total: int, name: str) -> None:
+        """Tell the proof file."""
+        self._say(f"proofs {done}/{total} {name}")
+
+    def found(self, row: Row) -> None:
+        """Tell the claim."""
+        self._say(row.claim.id)
+
+
 @contextmanager
 def progress(total: int) -> Iterator[Progress]:
-    """Show a bar for `total` rows, where stderr is a terminal."""
+    """Show how many of `total` rows are found."""
     if not sys.stderr.isatty():
-        yield Progress()
+        with shown_steps() as say:
+            yield OnPipe(say)
         return
     with _bar() as shown:
         yield OnTerminal(shown, total)
@@ -47,17 +65,14 @@ def progress(total: int) -> Iterator[Progress]:
 
 @contextmanager
 def parts(total: int) -> Iterator[Callable[[str], None]]:
-    """Show a bar for `total` chapters and figures, where stderr is a terminal; what is yielded tells that one is made."""
-    if not (total and sys.stderr.isatty()):
-        yield _told_to_nobody
+    """Show a bar for `total` chapters and figures; what is yielded tells that one is made."""
+    if not sys.stderr.isatty():
+        with shown_steps() as say:
+            yield say
         return
     with _bar() as shown:
         bar = shown.add_task("drawing", total=total)
         yield lambda name: shown.update(bar, advance=1, description=name)
-
-
-def _told_to_nobody(name: str) -> None:
-    """Take the name of what is made."""
 
 
 def _bar() -> Any:

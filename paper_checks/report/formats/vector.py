@@ -27,5 +27,5 @@ def pdf(figure: Figure) -> bytes:
 
 def _saved(figure: Figure, form: str, metadata: dict[str, None]) -> bytes:
     stream = io.BytesIO()
-    figure.savefig(stream, format=form, metadata=metadata, bbox_inches="tight")
+    figure.savefig(stream, format=form, metadata=metadata, bbox_inches="tight", dpi=200)
     return stream.getvalue()
