@@ -105,7 +105,8 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
 
     A fit of b and m1 to samples of v1 by the method of Gauss and Newton:
 
-    >>>     >>> from numerics import Pair, Scene, State, solve
+    >>> from fractions import Fraction
+    >>> from numerics import Pair, Scene, State, solve
     >>> def solved(b, m1): return solve(Scene(Pair(Fraction(m1), 1, 200, Fraction(b)), State(v1="0.15"), 1))
     >>> times = np.linspace(0, 1, 20)
     >>> measured, guess = solved(0.05, 1.0).sol(times)[1], np.array([0.0525, 1.05])
