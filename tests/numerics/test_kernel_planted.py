@@ -140,7 +140,7 @@ def energy(pair, state):
 
 
 def steady(share, amplitude, omega, a1, free, horizon, polynomial=()):
-    """A pair in stick under a sine, M = a2 = 1: the load's peaks are `share` of b, a part of them by free motion."""
+    """A pair in stick under a sine, in two halves, M = a2 = 1: the load's peaks are `share` of b, a part of them by free motion."""
     m1, m2, a1, omega = Fraction(1, 4), Fraction(3, 4), exact(a1), exact(omega)
     gain = cmath.exp(1j) / complex(1 - omega**2, a1 * omega)
     driven = float(m2) * float(omega) ** 2 * amplitude * abs(gain)
@@ -150,7 +150,7 @@ def steady(share, amplitude, omega, a1, free, horizon, polynomial=()):
     b = exact((driven + float(m2) * free) / share, 12)
     state = State(exact(x + float(at_rest), 12), exact(v + free, 12), 0, exact(v + free, 12))
     return Scene(
-        Pair(m1, m2, 1, b, a1), state, horizon, force=Force([Piece(0, polynomial, [Sine(exact(amplitude), omega, 1)])])
+        Pair(m1, m2, 1, b, a1), state, horizon, force=Force([Piece(0, polynomial, [Sine(exact(amplitude) / 2, omega, 1)] * 2)])
     )
 
 
