@@ -259,10 +259,9 @@ def test_two_threads_may_be_the_first_to_compile():
 def test_without_numba_the_same_numbers_come_out():
     """In a process of its own: what is compiled once stays so."""
     code = (
-        "import sys, pickle, numpy as np; from numerics import Friction, solve_many;"
+        "import sys, pickle, numpy as np; from numerics import solve_many;"
         "found = solve_many(1, 1, 200, 0.5, v1=np.linspace(0.02, 0.3, 9), until=3, keep_events=5, jobs=2);"
-        "out = solve_many(1, [1, 1e-300, 1], 200, [0.5, 0.5, 1e-300], v1=[0.15, 0.15, 1e100],"
-        "    until=2, friction=Friction([(1, 0.5)]));"
+        "out = solve_many(1, [1, 1e-300, 1], 200, [0.5, 0.5, 1e-300], v1=[0.15, 0.15, 1e100], until=2);"
         "assert 'numba' not in sys.modules;"
         "sys.stdout.buffer.write(pickle.dumps((found.ends, found.kept, out.status.tolist())))"
     )
