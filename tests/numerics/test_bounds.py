@@ -16,11 +16,6 @@ from numerics.trajectory.run import run_scene
 
 EVENTS = 20
 FOUND = scenes_in("bounded")
-LIGHT_DRIVER = Scene(  # its contact after 1e-16 of reduced time was passed over in float64
-    Pair(m1="1e-3", m2="4.2e12", a2=1, b=1, a1="409877.8"),
-    State(x1="-1.00000000000000024", v2="4.8795e-7"),
-    until="1.28e7",
-)
 
 
 def by_name(scene, arithmetic="float64"):
@@ -63,22 +58,13 @@ def test_the_bounds_hold(kind, arithmetic):
     @example(FOUND["critical-damping-in-slip"])
     @example(FOUND["critical-damping-in-stick"])
     @example(FOUND["far-and-slow"])
+    @example(FOUND["late"])
+    @example(FOUND["light-and-overdamped-driver"])
     @example(load_scene("relative-motion-b05"))
     def hold(scene):
         assert claimed(scene, arithmetic) <= 1.0
 
     hold()
-
-
-def test_the_roundings_of_a_late_time_are_counted():
-    scene = Scene(Pair(1, 1, 1, 1), State(1000, 300, 0, -4000), 2987)
-    found = by_name(scene)
-    assert found.certain
-    assert max(excesses(scene, found)) <= 1.0
-
-
-def test_a_light_and_overdamped_driver_meets_at_once():
-    assert solve(LIGHT_DRIVER).modes == solve(LIGHT_DRIVER, digits=20, arithmetic="ball").modes
 
 
 def test_an_error_that_the_bounds_do_not_know_of_is_noticed():

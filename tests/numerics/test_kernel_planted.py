@@ -140,7 +140,7 @@ def energy(pair, state):
 
 
 def steady(share, amplitude, omega, a1, free, horizon, polynomial=()):
-    """A pair in stick under a sine, M = a2 = 1: the load's peaks are `share` of b, a part of them by free motion."""
+    """A pair in stick under a sine in halves, M = a2 = 1: the load's peaks are `share` of b, in part by free motion."""
     m1, m2, a1, omega = Fraction(1, 4), Fraction(3, 4), exact(a1), exact(omega)
     gain = cmath.exp(1j) / complex(1 - omega**2, a1 * omega)
     driven = float(m2) * float(omega) ** 2 * amplitude * abs(gain)
@@ -149,9 +149,8 @@ def steady(share, amplitude, omega, a1, free, horizon, polynomial=()):
     v += float(polynomial[1]) if polynomial else 0
     b = exact((driven + float(m2) * free) / share, 12)
     state = State(exact(x + float(at_rest), 12), exact(v + free, 12), 0, exact(v + free, 12))
-    return Scene(
-        Pair(m1, m2, 1, b, a1), state, horizon, force=Force([Piece(0, polynomial, [Sine(exact(amplitude), omega, 1)])])
-    )
+    force = Force([Piece(0, polynomial, [Sine(exact(amplitude) / 2, omega, 1)] * 2)])
+    return Scene(Pair(m1, m2, 1, b, a1), state, horizon, force=force)
 
 
 CASES = [(0.7, 3.301927, 0.0, 0.4, ()), (0.7, 3.3, 0.05, 0.0, ()), (2.0, 0.4, 0.3, 0.0, (Fraction(2), Fraction(1, 3)))]

@@ -66,6 +66,7 @@ def test_the_cells_cover_the_window(chart):
     assert sum(cell.share for cell in chart.leaves) == 1
     sides = {side for cell in chart.leaves for side in cell.sides[0]}
     assert min(sides) * 125 == max(sides) == 100
+    assert chart.shares()[Merging.UNDECIDED] < 0.284
 
 
 def test_up_to_the_critical_share_everything_creeps(monkeypatch):

@@ -6,6 +6,7 @@ from fractions import Fraction
 import matplotlib as mpl
 import numpy as np
 import pytest
+from flint import arb
 from hypothesis import given, settings
 from inclusion import motion
 from matplotlib import pyplot as plt
@@ -28,7 +29,9 @@ from numerics import (
     solve_many,
 )
 from numerics.arithmetic.ball import Ball
+from numerics.linear.cells import cells_of
 from numerics.linear.enclosed import EnclosedRun
+from numerics.linear.pieces import pieces_of
 from numerics.scene.file import parse_scene
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.run import run_scene
@@ -93,6 +96,14 @@ def test_a_start_on_a_knot_goes_on_like_its_neighbours_on_either_side(weakening,
         other = run_scene(weakened(weakening, **beside), Ball(60))
         assert on_it.modes == other.modes
         assert all(abs(float(x) - float(y)) < 1e-15 for x, y in zip(on_it.final_state, other.final_state, strict=True))
+
+
+def test_over_a_ball_of_places_friction_holds_what_it_holds_at_each():
+    scene = weakened(BY_PLACE)
+    cells, piece = cells_of(scene), pieces_of(scene)[0]
+    with Ball(20).context():
+        wide = cells.held(piece, arb(0, 0.03))
+        assert all(wide.contains(cells.held(piece, arb(z))) for z in (-0.029, -0.01, 0.01, 0.029))
 
 
 def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
