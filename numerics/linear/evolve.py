@@ -81,7 +81,7 @@ def evolve(problem: Problem, room: Room, now: Now, ahead: Next) -> Now:
     """Move state, errors, clock and ledger to what is ahead; return where the run is."""
     tables, at, s = problem.tables, place_of(problem, now), ahead.s
     count, unit, whole = tables.count[at[0]], WIDE_UNIT if problem.wide else UNIT, tables.ends[at]
-    taken = slid_and_damped(problem, room, now, s.high) if problem.has_ledger else Taken(0.0, 0.0, 0.0, 0.0)
+    taken = slid_and_damped(problem, room, now, s.high) if problem.has_ledger else Taken(0.0, 0.0, 0.0)
     if s.high == 1.0 and s.low == 0.0:
         full_step(room, whole, count, unit)
         if problem.wide:

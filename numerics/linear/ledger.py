@@ -7,14 +7,14 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.columns import FAST, Now, Problem, Room, place_of
+from numerics.linear.next_event import rounding
 from numerics.linear.table import NODES, UNIT, WEIGHTS, parts
 
 
 class Taken(NamedTuple):
-    """How far the bodies slide and the size of its terms, int v1^2 dt and its size."""
+    """How far the bodies slide, int v1^2 dt and its size."""
 
     slid: float
-    slid_size: float
     damped: float
     damped_size: float
 
@@ -23,17 +23,16 @@ class Taken(NamedTuple):
 def slid_and_damped(problem: Problem, room: Room, now: Now, s: float) -> Taken:
     """Return what a step takes up to s: damping by a quadratic form of z for a whole one, else by Gauss's rule."""
     pair, tables, at = problem.pair, problem.tables, place_of(problem, now)
-    slid, size, damped, terms, h = 0.0, 0.0, 0.0, room.q.shape[0], tables.h[at]
+    slid, damped, terms, h = 0.0, 0.0, room.q.shape[0], tables.h[at]
     if now.mode != 0:
-        g, square, odd, odd_size = room.g, s * s, 0.0, 0.0
+        g, square, odd = room.g, s * s, 0.0
         for k in range(terms - 2, -1, -2):
-            one, two = g[0, k] * room.inverse[k], g[0, k + 1] * room.inverse[k + 1]
-            slid, odd = slid * square + one, odd * square + two
-            size, odd_size = size * square + abs(one) * (k + 8.0), odd_size * square + abs(two) * (k + 9.0)
-        slid, size = s * (slid + s * odd), s * (size + s * odd_size)
+            slid = slid * square + g[0, k] * room.inverse[k]
+            odd = odd * square + g[0, k + 1] * room.inverse[k + 1]
+        slid = s * (slid + s * odd)
     if pair.a1 > 0.0 and s == 1.0:
-        damped, damped_size = of_square(tables.squares[at], room.z, tables.count[at[0]])
-        return Taken(slid, size, damped, damped_size)
+        damped, size = of_square(tables.squares[at], room.z, tables.count[at[0]])
+        return Taken(slid, damped, size)
     if pair.a1 > 0.0:
         X, place, v, cut = room.X[0, 0], room.nodes[0], room.nodes[1], parts(terms)
         for part in range(cut):
@@ -46,7 +45,7 @@ def slid_and_damped(problem: Problem, room: Room, now: Now, s: float) -> Taken:
             for n in range(NODES.shape[0]):
                 damped += WEIGHTS[n] * v[n] * v[n]
         damped *= s / (cut * h)
-    return Taken(slid, size, damped, damped)
+    return Taken(slid, damped, damped)
 
 
 @compilable_with(forceinline=False, **FAST)
@@ -64,13 +63,22 @@ def of_square(form: Any, z: Any, count: int) -> tuple[float, float]:
 
 @compilable
 def enter(problem: Problem, room: Room, now: Now, taken: Taken, N: float, time: float) -> None:
-    """Enter a step of this time; N at its end."""
-    pair, ledger, b, v1 = problem.pair, room.ledger, problem.drive.b[now.piece, 0], room.y[1, 0]
+    """Enter a step of this time; N at its end.
+
+    Speeds are formed in floats here, also in double-double: of large terms that cancel they keep few digits. In float64
+    N has that already.
+    """
+    pair, tables, ledger, at = problem.pair, problem.tables, room.ledger, place_of(problem, now)
+    b, v1, count = problem.drive.b[now.piece, 0], room.y[1, 0], tables.count[at[0]]
     ledger[0] += b * taken.slid
     ledger[1] += pair.a1 * taken.damped
-    lost = (b * pair.kappa if now.mode != 0 else 0.0) * N * time
-    lost += UNIT * (8.0 * b * taken.slid_size + 64.0 * pair.a1 * taken.damped_size)
+    lost, off = 2.0 * UNIT * (ledger[0] + ledger[1]), 0.0
+    if problem.wide:  # the terms of a stick's guard, and the first of v1, which it has not, are at least those of v1
+        off = 2.0 * rounding(room, tables.sums[at][0], count) / tables.h[at]
+    if now.mode != 0:
+        lost += b * time * (2.0 * pair.kappa * N + off)
     if pair.a1 > 0.0:
         speed = math.sqrt(taken.damped / time) + (abs(v1) if taken.damped > 0.0 else 0.0)
-        lost += pair.a1 * time * N / room.scale[1] * (4.0 * speed + N / room.scale[1])
-    ledger[2] += lost + 2.0 * UNIT * (ledger[0] + ledger[1])
+        off += N / room.scale[1] + 2.0 * UNIT * (count + 6) * speed
+        lost += pair.a1 * (64.0 * UNIT * taken.damped_size + time * off * (4.0 * speed + off))
+    ledger[2] += lost
