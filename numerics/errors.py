@@ -23,7 +23,7 @@ class EventUndecided(NumericsError):
         self.question, self.enclosure, self.digits = question, enclosure, digits
         super().__init__(
             f"undecided at {digits} working digits: {question} (enclosure {enclosure}); "
-            "ask for more digits, or raise max_digits, unless the data sit exactly on the boundary"
+            "leave arithmetic out, ask for more digits or raise max_digits, unless the data sit exactly on the boundary"
         )
 
 
@@ -44,10 +44,10 @@ class OutOfRange(NumericsError, OverflowError):
     beyond: tuple[str, float, float] | None = None
 
     @classmethod
-    def of(cls, what: str, arithmetic: str, least: float = 1e-308, most: float = 1e308) -> OutOfRange:
+    def of(cls, what: str, arithmetic: str, least: float = 5e-324, most: float = 1.79e308) -> OutOfRange:
         """Return the error for a number, which `what` names with its value."""
         found = cls(
-            f"{what} is beyond the range of {arithmetic} ({least:g} to {most:g}); choose units that bring it into "
+            f"{what} is beyond the range of {arithmetic} ({least:.2g} to {most:.2g}); choose units that bring it into "
             'range, or use arithmetic="ball"'
         )
         found.beyond = arithmetic, least, most

@@ -69,14 +69,17 @@ def shown_steps() -> Iterator[Callable[[str], None]]:
 
     def tell() -> None:
         while not (ended.wait(_EVERY) or sys.stderr.isatty()):
-            print(f"{latest.said} ({time.monotonic() - began:.0f} s)", file=sys.stderr, flush=True)
+            sys.stderr.write(f"{latest.said} ({time.monotonic() - began:.0f} s)\n")
+            sys.stderr.flush()
 
     log.addHandler(latest)
     log.setLevel(logging.INFO)
-    threading.Thread(target=tell, daemon=True).start()
+    teller = threading.Thread(target=tell, daemon=True)
+    teller.start()
     try:
         yield log.info
     finally:
         ended.set()
+        teller.join(1.0)
         log.info("")
         log.removeHandler(latest)

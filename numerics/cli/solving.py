@@ -40,7 +40,7 @@ def solve_scene(options: argparse.Namespace) -> int:
             arithmetic=options.arithmetic or (None if options.digits else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
-            progress=_progress(options.max_events, say),
+            progress=_progress(scene, options.max_events, say),
         )
     if options.explain:
         print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
@@ -89,16 +89,20 @@ _EARLY = 1000
 """Fewer events tell nothing of how many will come."""
 
 
-def _progress(most: int, say: Callable[[str], None]) -> Progress:
+def _progress(scene: Any, most: int, say: Callable[[str], None]) -> Progress:
     """Return what says how far a run is, and tells once, early, that its cap may come before its end."""
-    said = False
+    from numerics.scene import Scene
+    from numerics.trajectory.run import free_scene
+
+    is_free, said = isinstance(scene, Scene) and free_scene(scene), False
+    remedy = "choose an earlier one" + is_free * ", or ask `energy` for a late time"
 
     def show(events: int, fraction: float) -> None:
         nonlocal said
         if not said and events > max(_EARLY, fraction * most) and fraction < 1:
             said = True
             told = f"if it goes on like this, the cap of {most} events comes before the horizon"
-            print(f"{told}: choose an earlier one, or ask `energy` for a late time", file=sys.stderr)
+            print(f"{told}: {remedy}", file=sys.stderr)
         say(f"{events} events, {100 * fraction:.0f} % of the horizon")
 
     return show

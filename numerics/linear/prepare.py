@@ -76,7 +76,7 @@ def halves(x: Fraction, exponent: int = 0) -> Halves:
     try:
         return nearest(x, exponent)
     except OverflowError:
-        raise OutOfRange.of(f"a number, {short(x)} or in units of this pair,", "float64") from None
+        raise OutOfRange.of(f"{short(x)}, or that in units of this pair,", "float64") from None
 
 
 def reduced(phase: Fraction) -> Fraction:

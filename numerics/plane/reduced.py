@@ -98,7 +98,7 @@ def reduced(scene: PlaneScene, *, whole: bool = False) -> ReducedPlane:
 
 
 def line_at_first(scene: PlaneScene) -> ReducedPlane | None:
-    """Return the data on the one line on which an ellipsoid moves before a piece of force leads it away from there."""
+    """Return the data on the one line on which an ellipsoid moves until a change of force or friction leads it away."""
     pieces = _pieces(scene)
     for k, piece in enumerate(pieces):
         try:
@@ -112,7 +112,7 @@ def _on_line(scene: PlaneScene, pieces: Sequence[Acting], some: Sequence[Acting]
     """Return the data with some pieces on a line, of the direction of the start, or if that is at rest, of M1^-1 u."""
     m1, axis = Vector(scene.pair.m1), Vector(Fraction(i == 0) for i in range(scene.pair.axes))
     pushed = (one / m1 for piece in pieces for one in piece.terms.values())
-    d = next((Vector(one) for one in (scene.x1, scene.v1, scene.v2, *pushed) if any(one)), axis)
+    d = next((Vector(one) for one in chain((scene.x1, scene.v1, scene.v2), pushed) if any(one)), axis)
     return _on(scene, some, [d], [m1 * d])
 
 

@@ -86,7 +86,9 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
     most = limits["max_events"], _MAX_LEGS, limits["progress"]
     run, line = kind(system, *most), None
     if isinstance(run, PlaneRun) and (given := line_at_first(scene)) is not None:
-        line = LinearRun(System(given, working), *most)
+        share = float(given.pieces[-1].end / scene.until)
+        tell = most[2] and (lambda events, fraction: most[2](events, fraction * share))
+        line = LinearRun(System(given, working), *most[:2], tell)
         line.follow()
         with system.fine():
             run.go_on_from(line)

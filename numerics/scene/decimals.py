@@ -156,4 +156,5 @@ def shown(value: object) -> str:
         text = repr(value)
     except ValueError:  # an array that holds an int beyond Python's limit on decimal text
         text = f"a {type(value).__name__}"
-    return text if len(text) <= 40 else text[:36] + "...'"
+    text = " ".join(text.split())
+    return text if len(text) <= 40 else f"{text[:36]}...{text[-1]}"  # with the quote, or bracket, that closes it

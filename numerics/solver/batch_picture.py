@@ -33,7 +33,7 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
         ax.set_ylabel(label)
         ax.yaxis.set_major_locator(ticks)
     else:
-        if values.ndim == 2 and min(values.shape) > 1:
+        if values.ndim == 2 and {*map(_direction, axes.values())} == {0, 1}:
             found = ax.pcolormesh(*axes.values(), np.where(batch.success, values, np.nan), rasterized=True)
         else:
             found = ax.scatter(*(one[right] for one in points), c=np.ravel(values)[right], s=25, marker="s")
@@ -62,6 +62,12 @@ def _along(batch: Any, along: Any) -> dict[str, Any]:
     if varying:
         return {name: given[name] for name in varying}
     return {"scene": np.arange(len(batch)).reshape(batch.shape)}
+
+
+def _direction(given: Any) -> int | None:
+    """Return the axis along which alone an input varies, and only grows or only falls; None if there is none."""
+    signs = [{*np.sign(np.diff(given, axis=axis)).flat} for axis in (0, 1)]
+    return next((axis for axis in (0, 1) if signs[axis] in ({1}, {-1}) and signs[1 - axis] == {0}), None)
 
 
 def _label(name: str, quantity: str = "") -> str:

@@ -111,6 +111,8 @@ def solve(  # type: ignore[misc]  # the options are those below
     """
     if not isinstance(scene, PlaneScene):
         require_kind("solve", scene, Scene, BUILD)
+    if not isinstance(arithmetic, str | None):
+        raise ValueError(f"arithmetic = {shown(arithmetic)} is not one of float64, double-double, mpmath, ball")
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
         for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
             if value is not None:
@@ -142,7 +144,7 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
         return limits.run(scene, _FLOAT64 if arithmetic == "float64" else _DOUBLE_DOUBLE)
     if arithmetic == "mpmath":
         working = (digits or 30) + SPARE_DIGITS
-        if working > limits.digits:
+        if working * (1 if free_scene(scene) else 2) > limits.digits:
             raise exhausted(working - SPARE_DIGITS, limits.digits)
         found = limits.run(scene, Multiprecision(working))
         return found if free_scene(scene) else found.but(tried=f"the middles of balls of {2 * working} working digits")

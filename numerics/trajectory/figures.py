@@ -289,8 +289,9 @@ def explain_below(figure: Any) -> None:
         if own:
             ax.legend([marks[name] for name in own], own, fontsize="small", framealpha=0.9)
     shown = [name for name in COMMON if name in common]
-    handles, across = [common[name] for name in shown], min(len(shown), 5) or 1
-    figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
+    handles, across = [common[name] for name in shown], min(len(shown), 5)
+    if shown:
+        figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
 
 
 def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:

@@ -41,8 +41,15 @@ def _named(scene: Scene, error: OutOfRange) -> OutOfRange:
     if error.beyond is None:
         return error
     (_, least, most), width, level = error.beyond, scene.pair.half_width, scene.pair.critical_energy
-    made = {"until": scene.until, "L = b (m1 + m2)/(a2 m2)": width, "E_cr": level, "E at t = 0": scene.energy}
-    for name, value in (parameters(scene) | made | {"E/E_cr - 1 at t = 0": scene.energy_excess}).items():
-        if value and not least <= abs(value) <= most:
-            return OutOfRange.of(f"{name} = {short(value)}", *error.beyond)
+    made = parameters(scene) | {
+        "until": scene.until,
+        "L = b (m1 + m2)/(a2 m2)": width,
+        "E_cr": level,
+        "E at t = 0": scene.energy,
+    }
+    made |= {"E/E_cr - 1 at t = 0": scene.energy_excess}
+    for is_beyond in (lambda size: size > most, lambda size: 0 < size < least):  # what is too large fails oftener
+        for name, value in made.items():
+            if is_beyond(abs(value)):
+                return OutOfRange.of(f"{name} = {short(value)}", *error.beyond)
     return error

@@ -54,7 +54,7 @@ class OnPipe(Progress):
 
 @contextmanager
 def progress(total: int) -> Iterator[Progress]:
-    """Show how many of `total` rows are found."""
+    """Show how many of `total` rows are found; off a terminal, which one was last."""
     if not sys.stderr.isatty():
         with shown_steps() as say:
             yield OnPipe(say)
