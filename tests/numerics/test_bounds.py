@@ -60,6 +60,7 @@ def test_the_bounds_hold(kind, arithmetic):
     @example(FOUND["far-and-slow"])
     @example(FOUND["late"])
     @example(FOUND["light-and-overdamped-driver"])
+    @example(FOUND["balanced-by-a-force"])
     @example(FOUND["slow-from-the-edge"])
     @example(load_scene("relative-motion-b05"))
     def hold(scene):
