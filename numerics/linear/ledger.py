@@ -78,7 +78,7 @@ def enter(problem: Problem, room: Room, now: Now, taken: Taken, N: float, time: 
     if now.mode != 0:
         lost += b * time * (2.0 * pair.kappa * N + off)
     if pair.a1 > 0.0:
-        speed = math.sqrt(taken.damped / time) + (abs(v1) if taken.damped > 0.0 else 0.0)
+        speed = math.sqrt(taken.damped / time) + abs(v1) if taken.damped > 0.0 else 0.0  # a last step may take no time
         off += N / room.scale[1] + 2.0 * UNIT * (count + 6) * speed
         lost += pair.a1 * (64.0 * UNIT * taken.damped_size + time * off * (4.0 * speed + off))
     ledger[2] += lost

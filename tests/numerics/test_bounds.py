@@ -54,6 +54,7 @@ def claimed(scene, arithmetic):
 def test_the_bounds_hold(kind, arithmetic):
     @reaching
     @given(kind())
+    @example(FOUND["a-last-step-of-no-time"])
     @example(FOUND["all-but-at-rest"])
     @example(FOUND["critical-damping-in-slip"])
     @example(FOUND["critical-damping-in-stick"])
