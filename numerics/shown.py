@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any
 
 from numerics.files import whole_file
 
-_EVERY = 5.0
-"""Seconds between two lines on what is being done, where stderr is no terminal."""
-
 if TYPE_CHECKING:
     from rich.console import Console
+
+_EVERY = 5.0
+"""Seconds between two lines on what is being done, where stderr is no terminal."""
 
 
 def console(width: int | None) -> Console:

@@ -91,8 +91,7 @@ def audit(
         answers: dict[str, list[Any]] = {name: [] for name in KNOWN.get(kind, solvers) if name in solvers}
         most = cases if surface else max(cases, more)
         for case in range(most):
-            if case % 100 == 0:
-                progress(f"scenes: {kind}, {case + 1} of {most}")
+            progress(f"scenes: {kind}, {case + 1} of {most}")
             scene = draw(random)
             try:
                 truth: Any = solve(
