@@ -193,7 +193,7 @@ _COMMANDS: tuple[Command, ...] = (
         "measure what this package claims of its own numbers",
         (
             _option("--seed", "other cases (%(default)s)", type=natural, default=0, metavar="N"),
-            _size("about 10 s, 2 min or 10 min"),
+            _size("about 10 s, 4 min, or longer"),
             _switch("--json", "print every figure as JSON, and the scenes that fail"),
         ),
     ),
