@@ -15,7 +15,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, times, two_sum
 from numerics.linear.columns import Constants, Drive, Problem, Room, constants, make_room
 from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_in
-from numerics.linear.record import AT, ROW, UNKNOWN, finish
+from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
 from numerics.linear.table import FIRST, REACH, TERMS, Tables, form, make_tables, most_terms
 
 _MODE, _JUMP, _PIECE, _LOCAL, _X1, _HOW = (AT[name] for name in ("mode", "jump", "piece", "local", "x1", "how"))
@@ -72,7 +72,7 @@ def follow_rows(given: Columns, literal: bool, max_events: int, has_ledger: bool
     terms, waves, pieces = polynomial.shape[1], sines.shape[1], frictions.shape[0]
     columns, coefficients = FIRST + terms + 2 * waves, most_terms(terms, TERMS)
     tables, room = make_tables(1, columns, coefficients), make_room(columns, coefficients)
-    pair, whole, start = np.zeros((5, 2)), make_drive(terms, waves, pieces), np.zeros(ROW)
+    pair, whole, start = np.zeros((5, 2)), make_drive(terms, waves, pieces), np.zeros(END_ROW)
     for row in range(numbers.shape[0]):
         mass, time, length = put_bodies(numbers[row], pair, start)
         force, own_b, until = mass + length - 2 * time, numbers[row, 3], numbers[row, 8]

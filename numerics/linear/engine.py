@@ -7,6 +7,7 @@ meet an event.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -15,11 +16,12 @@ from numpy.typing import NDArray
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
+from numerics.linear.columns import Problem
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.prepare import Prepared, halves, prepare
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
-from numerics.linear.table import ORDERS
+from numerics.linear.table import ORDERS, UNIT, WIDE_UNIT
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
@@ -62,16 +64,24 @@ def _run(
     prepared: Prepared, start: NDArray[np.float64], clear: float, most: int
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return how the kernel ended, its rows, and the row of the end."""
-    run, room, end = compiled(follow), prepared.room(most), np.zeros(END_ROW)
+    room = prepared.room(most)
     while True:
-        rows = np.empty((room, ROW))
-        try:
-            how, count = run(prepared.problem, start, clear, Log(rows, end, most, True))
-        except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
-            return How.OUT_OF_RANGE, rows[:0], end
+        how, rows, end, count = _followed(prepared.problem, start, clear, most, room)
         if count <= room:
             return how, rows[:count], end
         room = count
+
+
+def _followed(
+    problem: Problem, start: NDArray[np.float64], clear: float, most: int, room: int
+) -> tuple[int, NDArray[np.float64], NDArray[np.float64], int]:
+    """Return how the kernel ended, room for rows that it may fill, the row of the end, and how many rows there are."""
+    rows, end = np.empty((room, ROW)), np.zeros(END_ROW)
+    try:
+        how, count = compiled(follow)(problem, start, clear, Log(rows, end, most, True))
+    except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
+        return How.OUT_OF_RANGE, rows, end, 0
+    return how, rows, end, count
 
 
 def _from_exact(
@@ -79,14 +89,18 @@ def _from_exact(
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return the run from the last start that is known exactly, the exact ones before it."""
     events = [index for index, one in enumerate(known) if one.is_event]
-    rows, end, last = _exact_rows(prepared, known), np.zeros(END_ROW), known[-1]
-    if len(events) > most:
-        rows = rows[: events[most - 1] + 1]
-        end[:ROW], end[AT["how"]], end[AT["events"]], end[AT["certain"]] = rows[-1], How.EVENT_LIMIT, most, 1.0
-        return How.EVENT_LIMIT, rows, end
-    if last.order > _MOST_ORDER and not last.quiet > last.local:
-        return How.DOUBT, rows[:0], end
-    start = rows[-1].copy()
+    is_cut = len(events) > most
+    if is_cut:
+        known = known[: events[most - 1] + 1]
+    rows, last = _exact_rows(prepared, known), known[-1]
+    if not is_cut and last.order > _MOST_ORDER and not last.quiet > last.local:
+        return How.DOUBT, rows[:0], np.zeros(END_ROW)
+    how, start = _with_ledger(prepared, known, rows)
+    if how >= How.EVENT_LIMIT:
+        return how, rows[:0], start
+    if is_cut:
+        start[AT["how"]], start[AT["events"]], start[AT["certain"]] = How.EVENT_LIMIT, most, 1.0
+        return How.EVENT_LIMIT, rows, start
     start[AT["order"]], start[AT["jump"]] = min(last.order, _MOST_ORDER), 0.0
     how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))
     found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
@@ -94,9 +108,29 @@ def _from_exact(
     return how, np.concatenate([rows[:-1], found]), end
 
 
+def _with_ledger(
+    prepared: Prepared, known: Sequence[ExactKnot], rows: NDArray[np.float64]
+) -> tuple[int, NDArray[np.float64]]:
+    """Return how the kernel ended between exact starts, and the last of these with what was taken up to it.
+
+    No event comes between them, so that no guard is asked.
+    """
+    start = np.zeros(END_ROW)
+    for row, one, after in zip(rows, known, known[1:], strict=False):
+        start[:ROW] = row
+        start[AT["order"]] = start[AT["jump"]] = start[AT["piece"]] = 0.0
+        until = after.local if after.piece == one.piece else prepared.pieces[one.piece].length
+        how, _, start, _ = _followed(prepared.part(one.piece, until), start, math.inf, 1, 0)
+        if how >= How.EVENT_LIMIT:
+            start[AT["piece"]] = one.piece
+            return how, start
+    start[:ROW] = rows[-1]
+    return How.REACHED, start
+
+
 def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.float64]:
-    """Return the rows of starts that are known exactly, in the kernel's units."""
-    rows, units = np.zeros((len(known), ROW)), prepared.units
+    """Return the rows of starts that are known exactly, in the kernel's units; their states are rounded once."""
+    rows, units, wide = np.zeros((len(known), ROW)), prepared.units, prepared.problem.wide
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
         row[: len(CODES)] = one.mode, one.order, one.is_event, one.is_jump, one.piece
@@ -104,6 +138,9 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.fl
         numbers = zip((one.local, t - before, *state), (*[units.time] * 2, *[units.length, speed] * 2), strict=True)
         row[_NUMBERS] = [half for number in numbers for half in halves(*number)]
     rows[:, AT["excess"] : AT["excess_low"] + 1] = np.nan
+    states = rows[:, AT["x1"] : AT["excess"]]
+    rows[:, AT["x1_error"] : AT["excess_error"]] = (WIDE_UNIT if wide else UNIT) * np.abs(states[:, ::2])
+    states[:, 1::2] *= wide
     return rows
 
 

@@ -61,8 +61,9 @@ def follow(problem: Problem, start: Any, clear_until: float, log: Log) -> tuple[
 
 @compilable_with(forceinline=False)
 def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
-    """Follow the modes from a start (a row) to the end of the last piece; return (how, rows written or left out).
+    """Follow the modes from a start to the end of the last piece; return (how, rows written or left out).
 
+    A start is a row like that of an end: its ledger goes on from what was taken before it.
     Where the start says `jump` its mode follows from velocities and load; else mode and order are known. Up to
     `clear_until` (time in the first piece) no event happens.
     """
@@ -105,7 +106,8 @@ def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
     E[:, :] = 0.0
     room.R[:] = 0.0
     room.counts[:] = 0
-    room.ledger[:] = 0.0 if problem.has_ledger else math.nan
+    for i, column in enumerate((_FRICTION, _VISCOUS, _LOST)):
+        room.ledger[i] = start[column] if problem.has_ledger else math.nan
     for i in range(4):
         put(y[i], pair_of(start[_X1 + 2 * i :]))
         E[i, i] = unit * abs(y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]

@@ -149,6 +149,8 @@ def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
     """Return how a mode goes on: to the end of a step, or to an event."""
     (pair, drive, tables, wide, _), (mode, order), to = problem, (now.mode, now.order), step.end.high
     if step.clear > 0.0 or (mode == 0 and pair.literal):
+        if mode != 0:  # what a slip without an event loses is formed from its guard, too
+            form_guard(room, mode, order, now.edge, 0.0)
         return no_event(CLEAR, min(to, step.clear) if step.clear > 0.0 else to, step)
     at = place_of(problem, now)
     h, count, edge, top = tables.h[at], tables.count[at[0]], TwoFloats(0.0, 0.0), math.inf

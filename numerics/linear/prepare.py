@@ -21,7 +21,7 @@ from numerics.arithmetic.pair import nearest
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, Problem, constants
 from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.record import AT, ROW
+from numerics.linear.record import AT, END_ROW
 from numerics.linear.table import (
     FIRST,
     REACH,
@@ -69,6 +69,13 @@ class Prepared(NamedTuple):
         fastest = max((pair.a2 / pair.m1) ** 0.5, float(drive.sines[:, 1, 0].max(initial=0.0)))
         half_turns = float(drive.length[:, 0].sum()) * fastest / math.pi
         return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * half_turns))
+
+    def part(self, piece: int, until: Fraction) -> Problem:
+        """Return the problem of one piece alone, up to a time in it (s)."""
+        drive = self.problem.drive
+        length = np.array([halves(until, self.units.time)])
+        alone = drive._replace(places=drive.places[piece : piece + 1], b=drive.b[piece : piece + 1], length=length)
+        return self.problem._replace(drive=alone)
 
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
@@ -123,7 +130,7 @@ def prepare(scene: Scene, *, wide: bool) -> Prepared:
     pieces = pieces_of(scene)
     drive, kinds, longest = _drive(pieces, units)
     tables = _tables(numbers, tuple(kinds), longest, wide)
-    at, start, place, speed = scene.initial, np.zeros(ROW), units.length, units.of(length=1, time=-1)
+    at, start, place, speed = scene.initial, np.zeros(END_ROW), units.length, units.of(length=1, time=-1)
     values = halves(at.x1, place), halves(at.v1, speed), halves(at.x2, place), halves(at.v2, speed)
     start[_STATE] = [half for value in values for half in value]
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell

@@ -1,0 +1,311 @@
+"""Every number that a run or a batch gives away, with its bound, held against the same scene in balls of more digits.
+
+The names are those of the public attributes: one that is in no list here is an error, so that a new number cannot go
+without its comparison.
+"""
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+from flint import arb
+
+from numerics import Batch, Trajectory, sensitivities, solve_scenes
+from numerics.linear.record import AT
+from numerics.trajectory.comparison import as_ball
+from numerics.trajectory.digits import ROUNDING
+from numerics.trajectory.export import as_record
+
+DIGITS, EVENTS = 60, 40
+SIDES, NAMES = ("left", "right"), ("t", "x1", "v1", "x2", "v2")
+CONSTANTS, WEIGHTS = ("m1", "m2", "a1", "a2"), ("a2", "m1", "", "m2")
+
+
+def _names(text: str) -> set[str]:
+    return set(text.split())
+
+
+NO_NUMBERS = _names(
+    """FORMAT ARITHMETICS COLUMNS EVENT_COLUMNS accuracy animate arithmetic bounded but certain context digits
+    end_bounds event_kinds event_rows final_mode floats frame kept load look_up_times message mode_at modes phase_lost
+    pieces plot reached record restored right_digits save scene signs status success t_eval to_csv to_dataframe tried"""
+)
+"""What says how and with which digits, and what gives the numbers below once more."""
+ROWS = _names(
+    """row_at row_changes row_code row_end row_excess row_flow row_lengths row_losses row_mode row_modes row_motion
+    row_numbers row_pieces row_signs row_states row_table row_times row_values"""
+)
+"""Of what the numbers below are made."""
+NUMBERS = _names(
+    """dissipated end_numbers end_time energy energy_excess event_states event_times events final final_energy
+    final_state initial ledger reduced segments sol t t_events units y y_events"""
+)
+NO_NUMBERS_OF_A_BATCH = _names(
+    "ANSWERS certain digits ends event_mode inputs kept mode numbers plot shape status success"
+)
+NUMBERS_OF_A_BATCH = {"t", "y", "energy_excess", "dissipated", "event_t", "event_y", "events"}
+
+
+class Compared(NamedTuple):
+    """A number, its bound (0 for balls: their own), and the true one."""
+
+    name: str
+    value: Any
+    bound: float
+    true: arb
+
+    @property
+    def ratio(self) -> float:
+        """How many times its bound the error is: 0 where a ball overlaps the true one."""
+        off = (as_ball(self.value) - as_ball(self.true)).abs_lower()
+        if off.is_zero():
+            return 0.0
+        return float(off / arb(self.bound)) if self.bound > 0.0 else math.inf
+
+
+def unlisted() -> set[str]:
+    """The public attributes of a run and of a batch that stand in no list."""
+    of_a_run = {name for name in dir(Trajectory) if name[0] != "_"} | {"arithmetic", "record", "bounded"}
+    of_a_batch = {name for name in dir(Batch) if name[0] != "_" and not name.endswith("_error")}
+    of_a_batch |= {"numbers", "ends", "kept", "shape"}
+    return of_a_run ^ (NO_NUMBERS | ROWS | NUMBERS) | of_a_batch ^ (NO_NUMBERS_OF_A_BATCH | NUMBERS_OF_A_BATCH)
+
+
+Bounds = dict[str, list[float]]
+
+
+class Bounded:
+    """What the bounds of the states of a run in floats make of all that is formed from them; in binary64.
+
+    Between events N (linear/error_set.py) of the error of the row before does not grow; an integral over the motion is
+    off by N and by roundings of the largest energy.
+    """
+
+    def __init__(self, run: Any) -> None:
+        """Read them off the record."""
+        self.run, rows, end, pair = run, run.record.rows, run.record.end, run.scene.pair
+        self.u, self.pair = ROUNDING[run.arithmetic.name], {name: float(getattr(pair, name)) for name in CONSTANTS}
+        self.length, self.rate, self.critical = run.floats(list(run.units))
+        errors = slice(AT["x1_error"], AT["x1_error"] + 4)
+        states = np.abs(run.floats(run.row_states))
+        self.rows, self.late = rows[:, errors].T.copy(), rows[:, AT["late"]]
+        self.rows[:, 0] = 2 * self.u * states[:, 0]
+        at = [0, *run.event_rows]
+        self.t, self.y, self.w = np.array([0.0, *run.accuracy.t]), self.rows[:, at], rows[at, AT["excess_error"]]
+        if run.reached:
+            states = np.column_stack([states, np.abs(run.floats(list(run.final_state)))])
+            self.t, self.w = np.append(self.t, run.end_bounds()[0]), np.append(self.w, end[AT["excess_error"]])
+            self.y = np.column_stack([self.y, run.accuracy.final])
+        self.sizes, self.weights = states.max(axis=1), np.array([self.pair[k] if k else 0.0 for k in WEIGHTS])
+        self.push = max((self._height(one) for one in run.pieces), default=0.0)
+        held = max(float(one.b) for one in run.pieces)
+        pull = self.pair["a2"] * self.sizes[0] + self.pair["a1"] * self.sizes[1] + self.push
+        self.fast = (pull + held) / min(self.pair["m1"], self.pair["m2"])
+        off = self.rows + self.late * np.array([[self.sizes[1]], [self.fast], [self.sizes[3]], [self.fast]])
+        self.norms, self.places = np.sqrt(self.weights) @ off, off[0] + off[2]
+        mass = self.pair["m1"] + self.pair["m2"]
+        self.kappa = math.sqrt(mass / self.pair["m1"] / self.pair["m2"])
+
+    @staticmethod
+    def _height(piece: Any) -> float:
+        """A bound on |u| in a piece, N."""
+        powers = (abs(c) * piece.length**k for k, c in enumerate(piece.polynomial))
+        return float(sum(powers, sum((abs(one.amplitude) for one in piece.sines), Fraction(0))))
+
+    def energies(self, y: Any, off: Any) -> Any:
+        """Of energies of states (4, n) that are off by so much."""
+        y = np.abs(self.run.floats(y))
+        return self.weights @ (off * (y + off / 2) + 4 * self.u * y * y) + 1e-322
+
+    def excesses(self, y: Any, off: Any, carried: Any) -> Any:
+        """Of E/E_cr - 1 of states, carried or formed from them."""
+        ratio = self.weights @ np.square(self.run.floats(y)) / 2 / self.critical
+        if self.run.row_excess is None:
+            return self.energies(y, off) / self.critical + 8 * self.u * (1 + ratio)
+        return carried + 4 * self.u * np.abs(ratio - 1) + 1e-322
+
+    def reduced(self, y: Any, off: Any, w: float) -> list[float]:
+        """Of X, V1, V2, Z and w of a state."""
+        x1, v1, x2, v2 = off + 8 * self.u * np.abs(self.run.floats(y))
+        speed = self.length * self.rate
+        return [x1 / self.length, v1 / speed, v2 / speed, (x1 + x2) / self.length, w]
+
+    def flowed(self, t: Any, side: str) -> Any:
+        """Of the states at times, (4, n)."""
+        rows, t = self.run.row_at(t, side), np.asarray(t, float)
+        since = t - self.run.floats(self.run.row_times)[rows]
+        norm, rounding = self.norms[rows], 64 * self.u * (self.sizes[:, None] + 0 * t)
+        moved = 8 * self.u * t * np.array([self.sizes[1], self.fast, self.sizes[3], self.fast])[:, None]
+        found = norm / np.sqrt(np.maximum(self.weights, 1e-320))[:, None] + rounding + moved
+        found[2] = found[0] + self.places[rows] + self.kappa * norm * since + rounding[2] + moved[2]
+        return found
+
+    @property
+    def taken(self) -> float:
+        """Of friction, viscosity and work over the run, and of what is left over."""
+        ledger, time, pair = self.run.ledger, float(self.run.end_time), self.pair
+        friction, viscous, work = (abs(float(one)) for one in (ledger.friction, ledger.viscous, ledger.work))
+        largest = max(abs(float(ledger.initial)), abs(float(ledger.final)), friction, viscous, work)
+        off, N = time / math.sqrt(pair["m1"]), self.norms.max()
+        held = max(float(one.b) for one in self.run.pieces)
+        damped = 2 * math.sqrt(viscous * pair["a1"] * time) * N / math.sqrt(pair["m1"]) + pair["a1"] * off * off * N * N
+        turned = 1 + self.rate * time / len(self.run.record.rows)
+        rounding = self.u * (largest + self.push * (self.sizes[0] + self.sizes[2])) * (64 + 8 * math.log2(turned))
+        return self.push * N * off + 2 * held * self.kappa * N * time + damped + rounding + self.energy + 1e-322
+
+    @property
+    def energy(self) -> float:
+        """Of the energies of the run."""
+        return float(self.energies(self.run.y, self.y).max())
+
+
+def bounds_of(run: Any, times: Any) -> Bounds:
+    """The bounds of `numbers_of` a run in floats."""
+    own, u, y = Bounded(run), ROUNDING[run.arithmetic.name], run.y
+    energies, excesses = own.energies(y, own.y), own.excesses(y, own.y, own.w)
+    reduced = [own.reduced(*one) for one in zip(y.T, own.y.T, excesses, strict=True)]
+    count = len(run.event_times)
+    inner = slice(1, count + 1)
+    events = [[t, *y, *r] for t, y, r in zip(own.t[inner], own.y.T[inner], reduced[inner], strict=True)]
+    t_events, y_events = (run._by_kind(one) for one in (own.t[inner], own.y.T[inner]))
+    late = 2 * own.late.max() + 16 * u * len(run.record.rows) * float(run.end_time)
+    end = [own.y[:, -1], [energies[-1]], [excesses[-1]]]
+    taken = own.taken
+    return {
+        "t": own.t,
+        "y": own.y.ravel(),
+        "energy": energies,
+        "energy_excess": excesses,
+        "event_times": own.t[inner],
+        "event_states": own.y[:, inner].ravel(),
+        "t_events": np.concatenate(t_events),
+        "y_events": np.concatenate([one.ravel() for one in y_events]),
+        "events": np.array(events).ravel(),
+        "end_time": own.t[-1:],
+        "final_state": own.y[:, -1],
+        "final_energy": energies[-1:],
+        "final": reduced[-1],
+        "initial": reduced[0],
+        "end_numbers": np.concatenate(end),
+        "dissipated": [run.accuracy.dissipated],
+        "ledger": [taken] * 6,
+        "units": [8 * u * one for one in (own.length, own.rate, own.critical)],
+        "segments": [one for segment in run.segments for one in (late, late, late, taken, taken)],
+        "sol": np.concatenate([own.flowed(times, side).ravel() for side in SIDES]),
+        "reduced": np.concatenate([_reduced(own, times, side) for side in SIDES]),
+    }
+
+
+def _reduced(own: Bounded, times: Any, side: str) -> list[float]:
+    found: list[float] = []
+    off, carried = own.flowed(times, side), np.nanmax(own.w, initial=0.0)
+    y = own.run.floats(own.run.sol(times, side))
+    ws = own.excesses(y, off, carried + own.taken / own.critical)
+    for one in zip(y.T, off.T, ws, strict=True):
+        found += own.reduced(*one)
+    return found
+
+
+def numbers_of(run: Any, times: Any) -> dict[str, list[Any]]:
+    """All numbers of a run by the names of its attributes, flat; `sol` and `reduced` at times, from both sides."""
+    with run.context():
+        return {name: list(_flat(_given(run, name, times))) for name in sorted(NUMBERS)}
+
+
+def _given(run: Any, name: str, times: Any) -> Any:
+    if name == "sol":
+        return [run.sol(times, side) for side in SIDES]
+    if name == "reduced":
+        return [run.reduced(t, side) for side in SIDES for t in times]
+    if name == "segments":
+        return [(one.start, one.end, one.length, *one.losses()) for one in run.segments]
+    if name == "events":
+        return [(one.t, one.y, one.reduced) for one in run.events]
+    if name == "ledger":
+        ledger = run.ledger
+        return [getattr(ledger, one) for one in ledger.__slots__]
+    found = getattr(run, name)
+    return found() if callable(found) else found
+
+
+def _flat(given: Any) -> Any:
+    if isinstance(given, tuple | list | np.ndarray):
+        for one in given.ravel() if isinstance(given, np.ndarray) else given:
+            yield from _flat(one)
+    else:
+        yield given
+
+
+def held(run: Any, truth: Any, times: Any) -> list[Compared]:
+    """Every number of a run against the true ones; of printed numbers the text is held, in units of its last place."""
+    found, true = numbers_of(run, times), numbers_of(truth, times)
+    bounds = bounds_of(run, times) if run.bounded else {name: [0.0] * len(one) for name, one in found.items()}
+    assert {name: len(one) for name, one in found.items()} == {name: len(one) for name, one in true.items()}
+    rows = [Compared(name, *one) for name in found for one in zip(found[name], bounds[name], true[name], strict=True)]
+    return rows + list(_printed(as_record(run), truth))
+
+
+def _printed(record: dict[str, Any], truth: Any) -> Any:
+    """The numbers of a JSON record, of which all others that are printed are made."""
+    with truth.context():
+        true = [dict(zip(NAMES, (e.t, *e.y), strict=False)) for e in truth.events]
+        true.append(dict(zip((*NAMES, "energy", "energy_excess"), (truth.end_time, *truth.end_numbers()), strict=True)))
+    for row, its in zip((*record["events"], record["final"]), true, strict=True):
+        for name, value in its.items():
+            if f"{name}_radius" in row:
+                yield Compared(f"printed {name}", Fraction(row[name]), float(Decimal(row[f"{name}_radius"])), value)
+            else:
+                place = int(Decimal(row[name]).as_tuple().exponent)
+                yield Compared(f"printed {name}", Fraction(row[name]), float(Decimal((0, (1,), place))), value)
+
+
+def derivatives(run: Any, truth: Any) -> list[Compared]:
+    """Every derivative, right to the digits of its arithmetic, relative to the largest of its kind."""
+    found, true, rows = sensitivities(run), sensitivities(truth), []
+    assert found.wrt == true.wrt
+    for name in ("t", "y", "final", "energy"):
+        got, its = getattr(found, name), getattr(true, name)
+        rows += [Compared(f"derivative of {name}", *one) for one in _paired(run, got, its)]
+    return rows
+
+
+def _paired(run: Any, got: Any, its: Any) -> Any:
+    if not got.size:
+        return []
+    sizes = np.vectorize(lambda one: float(abs(one).upper()), otypes=[float])(its)
+    largest = np.broadcast_to(sizes.max(axis=0) if sizes.ndim > 1 else sizes, sizes.shape)
+    unit = 0.0 if run.arithmetic.name == "ball" else 10.0 ** (1 - min(run.arithmetic.digits, 31))
+    return zip(got.ravel(), unit * largest.ravel(), its.ravel(), strict=True)
+
+
+def held_in_a_batch(scene: Any, truth: Any) -> list[Compared]:
+    """Every number of a batch of one scene against the true ones; none where its sequence is not certain."""
+    return batch_held(solve_scenes([scene], max_events=EVENTS, keep_events=EVENTS), 0, truth)
+
+
+def batch_held(batch: Batch, row: int, truth: Any) -> list[Compared]:
+    """Every number of a row of a batch."""
+    if not batch.certain[row]:
+        return []
+    count = int(batch.events[row])
+    times, states = truth.event_times, truth.event_states
+    assert count == len(times)
+    assert batch.event_mode[row, :count].tolist() == truth.signs[1 : count + 1]
+    named = [
+        (
+            "t",
+            batch.t[row],
+            2.0**-52 * batch.t[row] + batch.event_t_error[row, :count].max(initial=0.0),
+            truth.end_time,
+        ),
+        ("dissipated", batch.dissipated[row], batch.dissipated_error[row], truth.dissipated),
+        ("energy_excess", batch.energy_excess[row], batch.energy_excess_error[row], truth.final.w),
+    ]
+    named += [("y", *one) for one in zip(batch.y[:, row], batch.y_error[:, row], truth.final_state, strict=True)]
+    found = batch.event_t[row, :count], batch.event_t_error[row, :count], times
+    named += [("event_t", *one) for one in zip(*found, strict=True)]
+    each = batch.event_y[:, row, :count], batch.event_y_error[:, row, :count], states
+    named += [("event_y", *one) for one in zip(*(one.ravel() for one in each), strict=True)]
+    return [Compared(f"{name} of a batch", *rest) for name, *rest in named]
