@@ -40,7 +40,7 @@ def open_streams() -> None:
 def path(text: str) -> Path:
     """Return the path that a flag names; "" would be the current folder, which nobody means by it."""
     if not text:
-        raise argparse.ArgumentTypeError("the name is empty; give one")
+        raise argparse.ArgumentTypeError("the name is empty; give a file name")
     return Path(text)
 
 
@@ -49,9 +49,9 @@ def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
     if path is None:
         return None
     if path.is_dir():
-        return f"{str(path)!r} is a folder; name a file in it"
+        return f"{str(path)!r} is a folder; give a file in it"
     if not path.parent.is_dir():
-        return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
+        return f"folder {str(path.parent)!r} does not exist; create it, or write elsewhere"
     if figure_flag and path.suffix not in FIGURES:
         return f"{figure_flag} {path.name}: the name must end in one of {', '.join(FIGURES)}"
     is_device = path.exists() and not path.is_file()
@@ -101,12 +101,12 @@ class Version(argparse.Action):
         try:
             print(f"inertial-pair {version('inertial-pair')}")
         except PackageNotFoundError:
-            print("inertial-pair, from sources that are not installed")
+            print("inertial-pair, not installed (running from its sources)")
         parser.exit(OK)
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser, with its subparsers, that tells bad usage in one line on stderr; --help shows the usage."""
+    """A parser, with its subparsers, that reports bad usage in one line on stderr; --help shows the usage."""
 
     def error(self, message: str) -> NoReturn:
         """Print the one error line, with the nearest word for one that is mistyped, and exit with USAGE."""
@@ -117,5 +117,5 @@ class OneLineParser(argparse.ArgumentParser):
         elif "not allowed with" in message:
             message += "; leave one of them out"
         elif message.startswith(("the following", "unrecognized")) or "expected" in message:
-            message += "; --help tells what there is"
+            message += "; --help lists the options"
         self.exit(refuse(message, USAGE))

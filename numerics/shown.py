@@ -1,4 +1,4 @@
-"""What the commands show: tables, figures, and what is being done."""
+"""Output of the commands: tables, figures and progress."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 _EVERY = 5.0
-"""Seconds between two lines on what is being done, where stderr is no terminal."""
+"""Seconds between two progress lines, where stderr is no terminal."""
 
 
 def console(width: int | None) -> Console:

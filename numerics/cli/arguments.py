@@ -11,7 +11,7 @@ from numerics.exits import OneLineParser, Version, path, program_name
 from numerics.trade.command import measure_trade
 
 Option = tuple[str, dict[str, Any]]
-"""A flag or a place, and what argparse is told of it."""
+"""A flag or positional argument, and its options for argparse."""
 
 
 def natural(text: str, least: int = 0) -> int:
@@ -49,84 +49,84 @@ def _range(name: str, what: str, **how: Any) -> Option:
 
 def _size(how_long: str) -> Option:
     sizes = ["small", "default", "large"]
-    return _option("--size", f"{how_long} (%(default)s)", choices=sizes, default="default")
+    return _option("--size", f"duration: {how_long} (%(default)s)", choices=sizes, default="default")
 
 
-_IN_PLACE, _ALSO = "in place of the scene's; with", "also for a scene without a force"
+_IN_PLACE, _ALSO = "instead of the scene's; together with", "also for a scene without a force"
 _FIGURE = "write a figure: .svg, .pdf or .png"
 _PLOT, _CHART = _file("--plot", _FIGURE), _file("--out", _FIGURE, "FIGURE")
 _SCENE = _option("scene", "TOML file, - for standard input, or the short name of a shipped scene", metavar="SCENE")
-_JSON, _DIGITS = _switch("--json", "print the answer as JSON"), _count("--digits", 15, "right digits wanted")
-_WORKING = _count("--max-digits", 20_000, "cap on the working digits")
+_JSON, _DIGITS = _switch("--json", "print the result as JSON"), _count("--digits", 15, "right digits requested")
+_WORKING = _count("--max-digits", 20_000, "limit on the working digits")
 _ASKED = (
     _SCENE,
     _DIGITS,
     _count(
         "--max-digits",
         None,
-        "cap on the working digits (16 times the right digits wanted; 2000 where that takes milliseconds)",
+        "limit on the working digits (16 times the digits requested; 2000 where that takes milliseconds)",
     ),
     _JSON,
     _PLOT,
 )
-"""What a question about one scene takes: it is answered to some digits, printed or drawn."""
+"""Options of a question about one scene: digits of the result, and how it is printed or drawn."""
 _PLAN = _file("--out", "write the scene to F instead of printing it")
 _CELLS = (
-    _count("--depth", 10, "cells down to 2^-N of each side"),
-    _count("--jobs", 1, "processes that share the work"),
-    _option("--dask", "compute on the Dask cluster of this scheduler instead", metavar="ADDRESS"),
-    _file("--resume", "keep finished blocks in F, and go on from there"),
+    _count("--depth", 10, "smallest cell: 2^-N of each side of the window"),
+    _count("--jobs", 1, "number of processes"),
+    _option("--dask", "compute on the Dask cluster with this scheduler instead", metavar="ADDRESS"),
+    _file("--resume", "save finished blocks in F, and resume from them"),
     _CHART,
     _switch("--json", "print all cells as JSON"),
 )
-"""What all maps take: depth, roads, checkpoint, output."""
+"""Options of all maps: depth, processes or cluster, checkpoint, output."""
 _SOLVE = (
     _SCENE,
-    _count("--digits", None, "right digits wanted, in the cheapest arithmetic that has them"),
+    _count("--digits", None, "right digits requested; the cheapest arithmetic that has them is used"),
     _option(
         "--arithmetic",
-        "one for all; without --digits ball proves 15 digits, float64 and double-double bound their errors",
+        "use only this one; without --digits, ball proves 15 digits, float64 and double-double bound their errors",
         choices=["float64", "double-double", "mpmath", "ball"],
     ),
     _count("--max-events", 250_000, "stop after N events"),
     _WORKING,
-    _switch("--all", "print all events on a terminal, not the first and the last"),
-    _switch("--explain", "say on stderr which arithmetic was used, and why"),
-    _switch("--sensitivity", "add the derivatives by initial state, parameters and numbers of the force (SI units)"),
+    _switch("--all", "print all events on a terminal, not only the first and the last 20"),
+    _switch("--explain", "print to stderr which arithmetic was used, and why"),
+    _switch("--sensitivity", "add the derivatives by initial state, parameters and force coefficients (SI units)"),
 )
 _OUTPUT = [
     _switch("--json", "print the trajectory as JSON"),
     _switch("--csv", "print events and final state as CSV, with units"),
     _file("--npz", "write a NumPy archive"),
     _PLOT,
-    _file("--proof", "write a theorem for `python -m paper_checks.proofs F`, which checks it"),
+    _file("--proof", "write the events as a theorem; `python -m paper_checks.proofs F` checks it"),
 ]
-"""Of these a solve takes one."""
+"""Mutually exclusive."""
 
 
 Command = tuple[str, Callable[[argparse.Namespace], int], str, tuple[Option | list[Option], ...]]
-"""Its name, what runs it, what it does, and its options; of those in a list it takes one."""
+"""Its name, its function, its help, and its options; those in a list are mutually exclusive."""
 _COMMANDS: tuple[Command, ...] = (
     ("solve", solving.solve_scene, "solve one scene", (*_SOLVE, _OUTPUT)),
-    ("scenes", commands.list_scenes, "list the shipped scenes, a line each", ()),
+    ("scenes", commands.list_scenes, "list the shipped scenes, one per line", ()),
     (
         "energy",
         commands.print_energy,
-        "the energy at one time, however late, without stepping there",
+        "the energy at one time, even a very late one, without computing every event before it",
         (
             _SCENE,
             _option("--at", "time in s, a decimal such as 1e100", required=True, metavar="T"),
             _DIGITS,
             _JSON,
-            _switch("--explain", "say which method was used, and why"),
-            _count("--max-steps", 200_000, "cap on stepped events"),
+            _switch("--explain", "print which method was used, and why"),
+            _count("--max-steps", 200_000, "limit on the events computed one by one"),
             _WORKING,
         ),
     ),
     (
         "map",
         commands.chart_merging,
-        "which mass ratios merge from which energies on S0, in proved cells",
+        "for which mass ratios and energies on S0 the motion merges, in proved cells",
         (
             _range("--ratio", "range of m2/m1", default=["0.8", "100"]),
             _range("--energy", "range of E/E_cr", default=["1.01", "101"]),
@@ -136,22 +136,22 @@ _COMMANDS: tuple[Command, ...] = (
     (
         "response",
         control.print_response,
-        "what the pair does in the long run under its periodic force: thresholds, periodic motion, multipliers",
+        "long-time response to the periodic force: regime, thresholds, periodic motion, Floquet multipliers",
         (
             *_ASKED,
             _option("--amplitude", f"amplitude of the sine, N, {_IN_PLACE} --omega {_ALSO}", metavar="U"),
             _option("--omega", f"frequency of the sine, rad/s, {_IN_PLACE} --amplitude {_ALSO}", metavar="W"),
-            _count("--max-events", 10_000, "cap on events: a period of the motion may have a fifth"),
+            _count("--max-events", 10_000, "limit on events; one period may have a fifth of them"),
         ),
     ),
     (
         "response-map",
         commands.chart_response,
-        "which regime a sine brings, over frequency and amplitude, in proved cells",
+        "regime under a sine, over frequency and amplitude, in proved cells",
         (
-            _option("scene", "scene whose pair is taken; its force is ignored", metavar="SCENE"),
-            _range("--amplitude", "range of the amplitude, N", required=True),
-            _range("--omega", "range of the frequency, rad/s", required=True),
+            _option("scene", "scene whose pair is used; its force is ignored", metavar="SCENE"),
+            _range("--amplitude", "range of amplitudes, N", required=True),
+            _range("--omega", "range of frequencies, rad/s", required=True),
             *_CELLS,
         ),
     ),
@@ -168,10 +168,10 @@ _COMMANDS: tuple[Command, ...] = (
     (
         "move",
         control.print_transfer,
-        "the fastest transfer from rest to rest, its force as a scene",
+        "the fastest transfer from rest to rest, with its force as a scene",
         (
             *_ASKED,
-            _option("--distance", "how far body 2 goes, m; below 0: backwards", required=True, metavar="D"),
+            _option("--distance", "displacement of body 2, m; negative: backwards", required=True, metavar="D"),
             _option("--amplitude", "the force stays within -U and U, N", metavar="U"),
             _option("--margin", "the load stays within (1 - E) b (%(default)s)", default="0", metavar="E"),
             _PLAN,
@@ -180,37 +180,37 @@ _COMMANDS: tuple[Command, ...] = (
     (
         "ring",
         control.print_ring,
-        "when the relative motion enters its tolerance ring for good",
+        "the time from which on the relative motion stays inside its tolerance ring",
         (
             *_ASKED,
             _option("--radius", "radius of the ring about the limit of x1 - x2, m", required=True, metavar="R"),
-            _option("--rate", "divides v1 - v2, to make metres of it, 1/s (%(default)s)", default="1", metavar="W"),
+            _option("--rate", "rate that divides v1 - v2 to give metres, 1/s (%(default)s)", default="1", metavar="W"),
         ),
     ),
     (
         "audit",
         commands.audit_numerics,
-        "measure what this package claims of its own numbers",
+        "test the error bounds of this package on drawn scenes",
         (
-            _option("--seed", "other cases (%(default)s)", type=natural, default=0, metavar="N"),
+            _option("--seed", "seed of the drawn scenes (%(default)s)", type=natural, default=0, metavar="N"),
             _size("about 10 s, 4 min, or longer"),
-            _switch("--json", "print every figure as JSON, and the scenes that fail"),
+            _switch("--json", "print all results and the failing scenes as JSON"),
         ),
     ),
     (
         "trade",
         measure_trade,
-        "measure speed against accuracy, ours and other integrators'",
+        "measure speed against accuracy, for this package and other integrators",
         (
             _size("half a minute, some minutes or half an hour"),
             _option(
                 "--only",
-                "free, forced, surface or state scenes, or contenders and scenes whose names contain NAME",
+                "free, forced, surface or state scenes; or integrators and scenes whose names contain NAME",
                 nargs="+",
                 default=[],
                 metavar="NAME",
             ),
-            _switch("--interface", "only the public interface beside heyoka"),
+            _switch("--interface", "compare only the public functions with heyoka"),
             _switch("--json", "print every measurement as JSON"),
             _CHART,
         ),
@@ -223,12 +223,12 @@ _BELOW: dict[str, dict[str, Any]] = {
         "them.",
         "formatter_class": argparse.RawDescriptionHelpFormatter,
     },
-    "audit": {"epilog": "exit codes: 0 every row is as required; 1 some is not"},
+    "audit": {"epilog": "exit codes: 0 every property meets its requirement; 1 one does not"},
     "trade": {
-        "epilog": "what is not installed is left out and named; a run that hangs or fails is stopped and shown as such"
+        "epilog": "integrators that are not installed are listed and left out; runs that hang or fail are shown as such"
     },
 }
-"""What stands below the help of some commands."""
+"""Text below the help of some commands."""
 
 
 def parser() -> argparse.ArgumentParser:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def list_scenes(_: argparse.Namespace) -> int:
-    """Print the short names of the shipped scenes, and what each is, a line each."""
+    """Print the short name and a description of each shipped scene, one per line."""
     from numerics.scene.file import described_scenes
 
     for name, what in described_scenes().items():
@@ -52,14 +52,14 @@ def print_energy(options: argparse.Namespace) -> int:
         f"  energy = {shown['energy']} J\n  {LABELS['energy_excess']} = {shown['energy_excess']}",
         *number_lines(shown),
         f"{options.digits} right digits of the energy and its excess, proved",
-        *([f"{found.road.value} ({found.stepped} events stepped)"] if options.explain else []),
+        *([f"{found.road.value} ({found.stepped} events computed one by one)"] if options.explain else []),
     ]
     answer(options, shown | way, lines)
     return OK
 
 
 def audit_numerics(options: argparse.Namespace) -> int:
-    """Measure what the package claims of its numbers; FAILED if a row is not as required."""
+    """Test the error bounds of the package on drawn scenes; FAILED if a property misses its requirement."""
     from numerics.audit.solves import SIZES, as_record, audit, print_rows
 
     with shown_steps() as say:
@@ -84,7 +84,7 @@ def chart_response(options: argparse.Namespace) -> int:
     from numerics.scene.file import load_line
 
     scene = load_line(options.scene)
-    scene.require_one_b("a map of responses")
+    scene.require_one_b("a response map")
     compute = partial(response_map, scene.pair, options.amplitude, options.omega, options.depth)
     return _chart(options, compute, _drawn_response)
 
@@ -96,7 +96,7 @@ def _drawn_response(found: CellMap) -> Any:
 
 
 def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: Callable[[Any], Any]) -> int:
-    """Compute a map by the roads that were asked for, draw it, and print its cells or a summary."""
+    """Compute a map as the options say, draw it, and print its cells or a summary."""
     try:
         with shown_steps() as say:
             found = compute(
@@ -108,7 +108,7 @@ def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: C
     except KeyboardInterrupt:
         if options.resume is None:
             raise
-        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command goes on", INTERRUPTED)
+        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command resumes", INTERRUPTED)
     if options.out is not None:
         write_figure(draw(found), options.out)
     if options.json:
@@ -116,5 +116,5 @@ def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: C
         return OK
     for verdict, share in found.shares().items():
         print(f"{verdict.name.lower().replace('_', '-'):10}{share:8.2%} of the window (logarithmic axes)")
-    print(f"{len(found.leaves)} cells, sides down to 2^-{found.depth} of the window")
+    print(f"{len(found.leaves)} cells, the smallest 2^-{found.depth} of the window")
     return OK

@@ -1,7 +1,7 @@
-"""`python -m numerics response`, `track`, `move` and `ring`: what a control engineer asks of a pair.
+"""`python -m numerics response`, `track`, `move` and `ring`: control questions about a pair.
 
-The long run under a periodic force; references, transfers, and when a motion has settled. Each asks, solves the answer
-again by events where it is a scene, draws it, and prints it as JSON or as lines.
+Long-time response to a periodic force; references, transfers, settling. Each command computes its result, solves it
+again event by event where it is a scene, draws it, and prints it as JSON or as lines.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numerics.scene import Scene
 
 Shown = tuple[dict[str, Any], list[str]]
-"""An answer for JSON, and as lines."""
+"""A result for JSON, and as lines."""
 
 
 def print_response(options: argparse.Namespace) -> int:
@@ -34,7 +34,7 @@ def print_response(options: argparse.Namespace) -> int:
         if isinstance(found, RotatingResponse):
             record, lines = _of_rotating(found)
         else:
-            say("solving one period of it again by events")
+            say("solving one period again, event by event")
             several = isinstance(found, PeriodicMotions)
             for one in found.motions if several else [found]:
                 solved_again(one)
@@ -55,15 +55,15 @@ def _of_motions(found: PeriodicMotions) -> Shown:
 
 
 _SLIPS_FOR_EVER = {
-    "yes": "two reversals: at this amplitude that motion keeps slipping",
-    "below U**": "two reversals: none slips for ever so at this amplitude, which is below U**",
-    "turns back": "two reversals: U** is not enough here; at this amplitude the relative velocity changes its sign",
-    "undecided": "two reversals: it is not decided whether the relative velocity keeps its sign at this amplitude",
+    "yes": "two reversals per period: at this amplitude that motion slips permanently",
+    "below U**": "two reversals per period: no such motion slips permanently, as the amplitude is below U**",
+    "turns back": "two reversals per period: U** is not enough here; v1 - v2 changes its sign between them",
+    "undecided": "two reversals per period: undecided whether v1 - v2 keeps its sign between them",
 }
 
 
 def _slips_for_ever(found: Response) -> str:
-    """Return whether the motion that reverses twice a period slips for ever at the amplitude of the one sine."""
+    """Return whether the motion that reverses twice a period slips permanently at the amplitude of the one sine."""
     from numerics.arithmetic.ball import Ball
     from numerics.control.thresholds import NonStop
 
@@ -100,7 +100,7 @@ def _of_response(found: Response) -> Shown:
         lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
     record["multipliers"] = [numbers(found, re=one.real, im=one.imag, size=abs(one)) for one in multipliers]
     for one in multipliers:
-        lines.append(f"  multiplier {one.str(digits, radius=False)}, size {abs(one).str(digits, radius=False)}")
+        lines.append(f"  multiplier {one.str(digits, radius=False)}, modulus {abs(one).str(digits, radius=False)}")
     record["events"] = []
     for leg in found.orbit.events if found.orbit is not None else ():
         event = {"to": MODES[leg.side].value, **numbers(found, t=leg.start, x1=leg.state[0], v1=leg.state[1])}
@@ -110,7 +110,7 @@ def _of_response(found: Response) -> Shown:
 
 
 def _of_rotating(found: RotatingResponse) -> Shown:
-    """Return the motion that goes round with a force; vectors are complex, with the force along x at t = 0."""
+    """Return the motion that rotates with a force; vectors are complex, with the force along x at t = 0."""
     from flint import acb
 
     values: dict[str, Any] = {}
@@ -130,7 +130,7 @@ def _of_rotating(found: RotatingResponse) -> Shown:
 
 
 def print_tracking(options: argparse.Namespace) -> int:
-    """Print what a reference asks of the interface, and write the force that makes body 2 follow, as a scene."""
+    """Print the friction that a reference requires, and write the force that makes body 2 follow it, as a scene."""
     from numerics.arithmetic.ball import Ball
     from numerics.control.answers import solved_again
     from numerics.control.tracking import track
@@ -151,11 +151,13 @@ def print_tracking(options: argparse.Namespace) -> int:
                 shown["too_much_by"] = (one.force - Ball.number(one.b)).upper().str(3, radius=False)
             verdict = f"TOO MUCH by {shown['too_much_by']} N for"
         demands.append({"piece": one.number, "possible": one.possible, **shown, "from": start, "until": end, "b": b})
-        lines.append(f"piece {one.number}, {start} s to {end} s: asks {shown['asked']} N, {verdict} b = {b} N")
+        lines.append(f"piece {one.number}, {start} s to {end} s: requires {shown['asked']} N, {verdict} b = {b} N")
     if found.scene is not None and found.is_at_limit and found.force_error > 0:
-        lines.append(f"friction is at its limit: phases rounded to 60 digits change {found.force_error:.0e} N s in all")
+        lines.append(
+            f"friction is at its limit: phases rounded to 60 digits change u by {found.force_error:.0e} N s in total"
+        )
     record = {"possible": found.scene is not None, "demands": demands, "force_error": f"{found.force_error:.1e}"}
-    otherwise = "no force makes body 2 follow: friction cannot give what a piece asks"
+    otherwise = "no force makes body 2 follow: a piece requires more than friction can give"
     return _plan(options, found.scene, (record | {"digits": found.digits}, lines), otherwise)
 
 
@@ -172,14 +174,14 @@ def print_transfer(options: argparse.Namespace) -> int:
     shown = numbers(found, "bound", "time", "stuck_amplitude", "least_amplitude")
     lines = [f"{found.road.value}; {found.fastest}" if found.scene else found.fastest, *number_lines(shown)]
     if found.road is TransferKind.SLIP:
-        slips = "the written decimals leave slips of about 10^-20 m where the bodies stick"
-        lines.append(f"friction is at its limit: {slips}; a transfer with --margin keeps clear of them")
+        slips = "rounding to decimals leaves slips of about 10^-20 m where the bodies stick"
+        lines.append(f"friction is at its limit: {slips}; --margin avoids them")
     elif found.road is TransferKind.STUCK and found.margin == 0:
-        lines.append("friction is within 10^-18 of its limit, as far as decimals go; --margin keeps clear of it")
+        lines.append("friction is at its limit to within 10^-18, as the times are decimals; --margin avoids this")
     road = found.road.name.lower().replace("_", "-")
     record = {"road": road, "sentence": found.road.value, "fastest": found.fastest, **shown, "digits": found.digits}
     return _plan(
-        options, found.scene, (record, lines), "no transfer is given: at this amplitude the least time is open"
+        options, found.scene, (record, lines), "no transfer is given: the minimum time at this amplitude is not known"
     )
 
 
@@ -202,7 +204,7 @@ def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherw
 
 
 def print_ring(options: argparse.Namespace) -> int:
-    """Print when the relative motion of a scene enters its tolerance ring for good."""
+    """Print the time from which on the relative motion of a scene stays inside its tolerance ring."""
     from numerics.control.ring import ring_entry
     from numerics.scene.file import load_line
 
@@ -210,7 +212,7 @@ def print_ring(options: argparse.Namespace) -> int:
         found = ring_entry(load_line(options.scene), options.radius, **asked(options, "rate"))
     draw(options, "draw_ring", found)
     shown = numbers(found, "entry", "centre")
-    around, less = ("limit", "") if found.orbit is None else ("periodic motion", " less that of the periodic motion")
+    around, less = ("limit", "") if found.orbit is None else ("periodic motion", " minus that of the periodic motion")
     record = {**shown, "around": around, "why": found.why, "digits": found.digits}
     lines = [
         *number_lines(shown, centre=f"its centre, the limit of x1 - x2{less},"),

@@ -1,4 +1,4 @@
-"""How answers leave the commands: numbers with their radii, as JSON or as lines, text and figures as files."""
+"""Output of the commands: numbers with their radii, as JSON or as lines; text and figures as files."""
 
 from __future__ import annotations
 
@@ -17,32 +17,32 @@ NAMED = {
     "v1": ("v1", "m/s"),
     "v2": ("v2", "m/s"),
     "entrainment": ("U*", "N"),
-    "exception": ("other motions stick up to U*/cos(pi omega/(2 Omega))", "N"),
-    "non_stop": ("U**, needed to slip for ever with two reversals a period", "N"),
+    "exception": ("other motions can stick up to U*/cos(pi omega/(2 Omega))", "N"),
+    "non_stop": ("U**, required for permanent slip with two reversals per period", "N"),
     "drift": ("mean velocity of body 2", "m/s"),
-    "growth": ("v1's amplitude grows by", "m/s^2 at least"),
-    "decay": ("decay", "of a distance left a period"),
+    "growth": ("growth rate of the amplitude of v1", "m/s^2 at least"),
+    "decay": ("factor by which a distance changes per period", ""),
     "threshold": ("U* = U**", "N"),
     "speed": ("slip speed", "m/s"),
     "friction_along": ("friction along the force", "N"),
     "friction_across": ("friction across it", "N"),
-    "bound": ("no control arrives before", "s"),
-    "time": ("this transfer takes", "s"),
-    "stuck_amplitude": ("amplitude that sticking at the limit needs, or at the margin below it", "N"),
-    "least_amplitude": ("least amplitude with which the bound can be met", "N"),
-    "entry": ("inside the ring for good from t", "s"),
+    "bound": ("no force arrives before", "s"),
+    "time": ("duration of this transfer", "s"),
+    "stuck_amplitude": ("amplitude required for sticking at the limit, or at the margin below it", "N"),
+    "least_amplitude": ("minimum amplitude to arrive at the bound", "N"),
+    "entry": ("stays inside the ring from t", "s"),
     "centre": ("its centre", "m"),
 }
-"""What the lines of an answer call its numbers, and their units."""
+"""Names and units of the numbers in a result."""
 
 
 def asked(options: argparse.Namespace, *names: str) -> dict[str, Any]:
-    """Return what a question is asked with: the digits, and the options of these names."""
+    """Return the arguments of a question: the digits, and the options of these names."""
     return {name: getattr(options, name) for name in ("digits", "max_digits", *names)}
 
 
 def numbers(found: Any, *names: str, **values: Any) -> dict[str, str]:
-    """Return numbers of an answer, and other enclosures, as decimal text to its digits, their radii beside them.
+    """Return numbers of a result, and other enclosures, as decimal text to its digits, each with its radius.
 
     `name` and `name_radius`; None is left out, what is exactly infinite is "inf".
     """
@@ -63,17 +63,17 @@ def number_lines(shown: Mapping[str, Any], **names: str) -> list[str]:
     for key, (name, unit) in NAMED.items():
         if key in shown:
             within = f", within {shown[f'{key}_radius']}" if f"{key}_radius" in shown else ""
-            lines.append(f"  {names.get(key, name)} = {shown[key]} {unit}{within}")
+            lines.append(f"  {names.get(key, name)} = {shown[key]} {unit}".rstrip() + within)
     return lines
 
 
 def answer(options: argparse.Namespace, record: Mapping[str, Any], lines: Iterable[str]) -> None:
-    """Print an answer: as JSON where that was asked for, else as lines."""
+    """Print a result: as JSON if requested, else as lines."""
     print(json.dumps(record, indent=1) if options.json else "\n".join(lines))
 
 
 def draw(options: argparse.Namespace, name: str, *what: Any) -> None:
-    """Write the picture that --plot asks for, by the name of what draws it."""
+    """Write the figure that --plot requests, by the name of the function that draws it."""
     if options.plot is not None:
         from numerics.control import pictures
 

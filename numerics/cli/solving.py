@@ -1,4 +1,4 @@
-"""`python -m numerics solve`: solve one scene, and print, draw or write what was asked for."""
+"""`python -m numerics solve`: solve one scene, and print, draw or write the result."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
 SHOWN = 20
-"""On a terminal so many events are printed at the beginning, and as many at the end."""
+"""Number of events printed at the beginning, and at the end, on a terminal."""
 
 
 def solve_scene(options: argparse.Namespace) -> int:
@@ -66,12 +66,10 @@ def solve_scene(options: argparse.Namespace) -> int:
 def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
-        return (
-            f"--digits {options.digits} goes with ball or mpmath, not with {options.arithmetic}; leave one of them out"
-        )
+        return f"--digits {options.digits} needs ball or mpmath, not {options.arithmetic}; leave one of both out"
     for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
-            return f"--sensitivity goes with --json, --npz or the table; leave --{name} out"
+            return f"--sensitivity needs --json, --npz or the table; leave --{name} out"
     return None
 
 
@@ -79,30 +77,30 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     """Return what is not offered for a surface."""
     for flag in ("proof", "sensitivity"):
         if getattr(options, flag):
-            return f"--{flag} knows a line only; of a scene on a surface take --json, --csv, --npz, --plot or the table"
+            return f"--{flag} is available on a line only; on a surface use --json, --csv, --npz, --plot or the table"
     if options.arithmetic in {"double-double", "mpmath"}:
-        return f"--arithmetic {options.arithmetic} knows a line only; on a surface take float64 or ball"
+        return f"--arithmetic {options.arithmetic} is available on a line only; on a surface use float64 or ball"
     return None
 
 
 _EARLY = 1000
-"""Fewer events tell nothing of how many will come."""
+"""With fewer events there is no forecast of their number."""
 
 
 def _progress(scene: Any, most: int, say: Callable[[str], None]) -> Progress:
-    """Return what says how far a run is, and tells once, early, that its cap may come before its end."""
+    """Return what reports progress, and warns once, early, that the limit on events may come before the horizon."""
     from numerics.scene import Scene
     from numerics.trajectory.run import free_scene
 
     is_free, said = isinstance(scene, Scene) and free_scene(scene), False
-    remedy = "choose an earlier one" + is_free * ", or ask `energy` for a late time"
+    remedy = "choose an earlier horizon" + is_free * ", or use `energy` for a late time"
 
     def show(events: int, fraction: float) -> None:
         nonlocal said
         if not said and events > max(_EARLY, fraction * most) and fraction < 1:
             said = True
-            told = f"if it goes on like this, the cap of {most} events comes before the horizon"
-            print(f"{told}: {remedy}", file=sys.stderr)
+            warning = f"at this rate the limit of {most} events is reached before the horizon"
+            print(f"{warning}: {remedy}", file=sys.stderr)
         say(f"{events} events, {100 * fraction:.0f} % of the horizon")
 
     return show
@@ -142,7 +140,7 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
     found = record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
     lines: list[str] = lines_of(found["events"])
     if left_out:
-        lines.insert(len(lines) - SHOWN, f"... {left_out} events more; --all prints them too")
+        lines.insert(len(lines) - SHOWN, f"... {left_out} more events; --all prints them")
     final = found["final"]
     lines.append(f"at t = {final['t']} s, {final['mode']}; {found['message']}")
     for name in END_NAMES:
@@ -190,19 +188,19 @@ def _explained(trajectory: Trajectory) -> str:
     located, arithmetic = trajectory.record.events, trajectory.arithmetic
     why = f"{located} events located one by one"
     if free_scene(trajectory.scene):
-        why += ", as all of them were asked for (`energy` jumps over them)"
+        why += ", as all of them were requested (`energy` skips most of them)"
     if not located and trajectory.modes == (Mode.STICK,):
-        why = "the pair never slips: one rotation, whatever the horizon"
+        why = "the pair never slips: one closed form for every horizon"
     elif trajectory.status is Status.STUCK_FOR_EVER:
-        why = f"after {located} events the pair sticks for ever: a later horizon costs nothing more"
+        why = f"after {located} events the pair sticks permanently: a later horizon takes no longer"
     tried = f" ({trajectory.tried})" if trajectory.tried else ""
-    how = "digits count relative to the largest position, velocity or energy along the run, times to themselves"
+    how = "digits are relative to the largest position, velocity or energy along the run, those of a time to that time"
     return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}; {how}"
 
 
 def _surface_explained(trajectory: PlaneTrajectory) -> str:
-    """Return which arithmetic answered, what was tried before, and what its digits mean."""
-    tried = f" (before: {trajectory.tried})" if trajectory.tried else ""
-    how = "digits count relative to each number, near 0 to the largest of its axis along the run"
+    """Return which arithmetic was used, what was tried before, and what its digits mean."""
+    tried = f" (tried first: {trajectory.tried})" if trajectory.tried else ""
+    how = "digits are relative to each number, or near 0 to the largest of its axis along the run"
     working = f"{trajectory.arithmetic.name}, from a path with {trajectory.arithmetic.digits} working digits"
     return f"{working}{tried}; {len(trajectory.events)} events located one by one; {how}"

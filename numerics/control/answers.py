@@ -1,4 +1,4 @@
-"""How an answer is given: to the digits asked for, in decimals that a scene holds, and solved once more by events."""
+"""Results of this subpackage: to the digits requested, in decimals that a scene holds, and solved again by events."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def require_digits(digits: Any, **caps: Any) -> None:
 
 
 def most_digits(digits: int, max_digits: int | None) -> int:
-    """Return the cap on the working digits of what takes seconds: as given, else 16 times as many as are asked for."""
+    """Return the limit on working digits where they take seconds: as given, else 16 times the digits requested."""
     return max_digits or _MOST_TIMES * (digits + SPARE_DIGITS)
 
 
@@ -49,7 +49,7 @@ def rounded_up(x: arb, digits: int = KEPT_DIGITS) -> Fraction:
 
 
 class SecondSolveDiffers(NumericsError):
-    """The same scene solved by events does not do what an answer says of it: one of the two is wrong."""
+    """The same scene solved by events contradicts a result: one of the two is wrong."""
 
 
 class Prediction(NamedTuple):

@@ -1,4 +1,4 @@
-"""How a pair closes in on its periodic motion for good: a contraction of the period map, proved over a neighbourhood.
+"""How a pair converges to its periodic motion: a contraction of the period map, proved over a neighbourhood.
 
 From a time at which a trajectory is in a leg of the orbit and within eps of it in the norm N, both are followed as one
 box of states that have the same events (`one_round`). The derivative of the period map over the box bounds how much a

@@ -94,8 +94,8 @@ def search(drive: PeriodicDrive, *, sticks: bool, max_events: int) -> tuple[list
                 look(t, [a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True)], _FEW)
     if not (found or sticks):
         raise NotSettled(
-            f"no motion that comes back after a period was found from {starts} starts, others may come back later or "
-            f"never; the first search ended so: {failures[0]}"
+            f"no motion with the period of the force was found from {starts} starts; others may have a longer one or "
+            f"none; the first search ended with: {failures[0]}"
         )
     return found, starts
 
@@ -166,8 +166,8 @@ def _one_period(
     run = run_scene(scene, Ball(working_digits()), most + 1)
     if len(run.events) > most:
         raise NotSettled(
-            f"a period of {float(drive.period):.4g} s holds more than {most} events, a fifth of max_events; raise "
-            "max_events, or take frequencies with a shorter common period"
+            f"a period of {float(drive.period):.4g} s has more than {most} events, a fifth of max_events; raise "
+            "max_events, or use frequencies with a shorter common period"
         )
     x1, v1, _, v2 = run.final_state
     last = x1, v1, v2 if run.final_mode.sign else v1

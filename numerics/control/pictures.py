@@ -44,7 +44,7 @@ _DIGITS, _POINTS = 16, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
 LABELS = {
-    Regimes.ENTRAINED: "sticks for ever",
+    Regimes.ENTRAINED: "sticks permanently",
     Regimes.BETWEEN: "slips, with stops or more reversals",
     Regimes.NON_STOP: "never stops",
     Regimes.UNDECIDED: "undecided at this depth",
@@ -105,7 +105,7 @@ def draw_motions(found: Any) -> Figure:
         solved = solve(scene)
         curve = sampled(solved)
         w, leaves = curve.y[1] - curve.y[3], any(abs(size) > 1 for size in one.multipliers or ())
-        name = f"{number}: {one.regime.value.split(':')[0]}{', which others leave' if leaves else ''}"
+        name = f"{number}: {one.regime.value.split(':')[0]}{', unstable' if leaves else ''}"
         size = float(abs(w).max())
         # the widest lies below the others
         how: Any = {"color": colour, "ls": "--" if leaves else "-", "label": name, "zorder": 2 + 1 / (1 + size)}
@@ -114,7 +114,7 @@ def draw_motions(found: Any) -> Figure:
         fastest = max(fastest, size)
     speeds = np.linspace(-1, 1, 2 * _POINTS) * (1.15 * fastest or 1)
     given = np.sign(speeds) * float(found.drive.pair.b) * found.drive.cells.relative(speeds, 0 * speeds)
-    law.plot(speeds, given, color=GRAY, lw=6, alpha=0.4, zorder=0, label="what friction can be")
+    law.plot(speeds, given, color=GRAY, lw=6, alpha=0.4, zorder=0, label="friction law")
     law.set(xlabel=w_label, ylabel="friction on body 2 (N)", title="Friction against the speed")
     plane.set(xlabel="$x_1$ (m)", ylabel=w_label, title="The periodic motions")
     _legends_below((law, plane))
@@ -123,7 +123,7 @@ def draw_motions(found: Any) -> Figure:
 
 
 def threshold_curves(pair: Pair, omegas: Sequence[float]) -> Floats:
-    """Return U*, U** and the least U >= U** of a motion that slips for ever (N) at frequencies (rad/s), in binary64.
+    """Return U*, U** and the least U >= U** of a motion that slips permanently (N) at frequencies (rad/s), in binary64.
 
     Shape (3, n). Both last are infinite where U** is. The last is approximate: w is looked at on a grid of times
     (`NonStop.edge`).
@@ -154,9 +154,9 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
 def _lines(ax: Any, pair: Pair, omegas: Any) -> Floats:
     """Draw the `threshold_curves` over frequency into axes, logarithmic, and return them."""
     found = low, high, edge = threshold_curves(pair, omegas)
-    ax.plot(omegas, low, color=PURPLE, label="$U_*$: up to it a motion sticks for ever")
-    ax.plot(omegas, edge, color="black", label="no stops from this line on (drawn, not proved)")
-    ax.plot(omegas, high, color=PURPLE, ls="--", label="$U_{**}$: below it none slips on with two reversals")
+    ax.plot(omegas, low, color=PURPLE, label="$U_*$: permanent stick is possible up to it")
+    ax.plot(omegas, edge, color="black", label="no stops above this line (drawn, not proved)")
+    ax.plot(omegas, high, color=PURPLE, ls="--", label="$U_{**}$: no permanent slip with two reversals below it")
     ax.set(xscale="log", yscale="log", xlim=(omegas[0], omegas[-1]))
     ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     ax.xaxis.set_major_formatter("{x:g}")
@@ -177,7 +177,7 @@ def draw_response_map(found: CellMap) -> Figure:
     pair = Pair(**found.title["pair"])
     _lines(axes, pair, np.geomspace(*omega, 600))
     figure.legend(handles=[*handles, *axes.lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
-    what = f"What {'the pair' if pair.a1 else 'some motion'} does under a sine: every decided cell is proved"
+    what = f"Regime of {'the pair' if pair.a1 else 'some motion'} under a sine: every decided cell is proved"
     axes.set(ylim=amplitude, title=what)
     return figure
 
@@ -198,9 +198,9 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
             force.plot(t[:-1], [float(found.scene.force(float(at))) for at in t[:-1]], color=PURPLE)
     title = "The force on body 1 that makes body 2 follow"
     if found.scene is None:
-        title = "No force makes body 2 follow: the dashed pieces ask too much"
+        title = "No force makes body 2 follow: the dashed pieces require too much friction"
     path.set(ylabel="r (m)", title="The reference of body 2")
-    friction.set(ylabel="friction needed (N)", title="What it asks of friction; shaded: what friction can give")
+    friction.set(ylabel="friction needed (N)", title="Friction required; shaded: friction available")
     force.set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(found.demands[-1].end)), title=title)
     return figure
 
@@ -213,7 +213,7 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     figure, rows = _panels(8, 7.2, 3, 1, sharex=True)
     rows[2].plot(curve.t, curve.u, color=PURPLE, label="force u on body 1")
     for kind, ax in zip(("positions", "velocities", "load"), rows, strict=True):
-        label = "no control arrives before" if kind == "load" else None
+        label = "no force arrives before" if kind == "load" else None
         ax.axvline(float(found.bound), color="black", lw=0.8, ls="--", label=label)
         if found.time is not None:
             ax.axvline(float(found.time), color="black", lw=0.8, ls=":")
@@ -233,7 +233,7 @@ def draw_ring(found: Any) -> Figure:
     figure, (plane, time) = _panels(10.5, 5.2, 1, 2)
     late = curve.t >= entry
     plane.plot(*np.where(late, np.nan, (z, w)), color=GRAY, lw=0.9, label="before")
-    plane.plot(*np.where(late, (z, w), np.nan), color="black", lw=1.6, label="inside for good")
+    plane.plot(*np.where(late, (z, w), np.nan), color="black", lw=1.6, label="inside permanently")
     plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
     x1, v1, x2, v2 = solved.sol(entry)
     plane.plot(x1 - x2 - centre, v1 - v2, "o", color="black", ms=5, label=f"t = {entry:.6g} s")
@@ -243,7 +243,7 @@ def draw_ring(found: Any) -> Figure:
     time.semilogy(curve.t, np.where(distance > 0, distance, np.nan), color="black", lw=0.9)
     time.axhline(radius, color="black", ls="--", lw=0.9)
     time.axvline(entry, color=GRAY, lw=1)
-    time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="From the line on inside for good")
+    time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="Inside permanently from the line on")
     return figure
 
 

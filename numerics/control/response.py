@@ -1,8 +1,8 @@
-"""What a pair does in the long run under a periodic force: entrained, stick-slip, non-stop, or growing without bound.
+"""Long-time response of a pair to a periodic force: entrained, stick-slip, non-stop, or growing without bound.
 
-The last piece of the force decides, a constant and sines of commensurable frequencies, with the last friction. For a1 >
-0 there is one periodic (x1, v1, v2), and every motion tends to it. For a1 = 0 what is found exists; `attraction` says
-more. Where friction depends on the speed there may be several periodic motions (coexisting.py).
+The last piece of the force, a constant and sines of commensurable frequencies, and the last friction decide. For a1 >
+0 there is one periodic (x1, v1, v2), and every motion tends to it. For a1 = 0 the motion found exists; `attraction`
+says more. Where friction depends on the speed there may be several periodic motions (coexisting.py).
 """
 
 from __future__ import annotations
@@ -36,31 +36,32 @@ from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
 
-_EVERY, _NEXT = "every motion tends to it", "motions next to it tend to it"
+_EVERY, _NEXT = "every motion tends to it", "nearby motions tend to it"
 
 
 class Regime(Enum):
-    """What the pair does in every period; the value is the sentence that a user reads."""
+    """Long-time regime; the value is a sentence."""
 
-    ENTRAINED = "entrained: the bodies stick for ever"
+    ENTRAINED = "entrained: the bodies stick permanently"
     STICK_SLIP = "stick-slip: the bodies slip and stick in every period"
     NON_STOP = "non-stop: the bodies never stick"
-    GROWS = "grows without bound: friction cannot take what the force brings at resonance"
+    GROWS = "grows without bound: at resonance the force supplies more energy than friction dissipates"
 
 
 @dataclass(frozen=True, repr=False)
 class Response(ShortRepr):
     """The long-time behaviour of a scene under its periodic force; numbers are enclosures with `digits` right digits.
 
-    `drive`: pair, force and friction that repeat; `regime`; `attraction`: what is proved of other motions, a sentence;
-    `thresholds` (one sine only); `orbit`: the events of the periodic motion, None if it has none; `multipliers`:
-    Floquet multipliers of (x1, v1, v2), largest first, None where the linearisation does not exist; `drift`: mean
-    velocity of body 2, m/s; `growth`: the least rate at which v1's amplitude grows, m/s^2, 0 unless it grows.
+    `drive`: the periodic pair, force and friction; `regime`; `attraction`: a sentence on what is proved about other
+    motions; `thresholds` (one sine only); `orbit`: the events of the periodic motion, None if it has none;
+    `multipliers`: Floquet multipliers of (x1, v1, v2), dimensionless, largest first, None where the linearisation does
+    not exist; `drift`: mean velocity of body 2, m/s; `growth`: a lower bound on the growth rate of the amplitude of v1,
+    m/s^2, 0 unless it grows.
 
     >>> from numerics import load_scene
     >>> found = response(load_scene("forced-sine-entrained"), digits=8)
     >>> print(found.regime.value, found.orbit, found.growth, found.digits, sep="; ")
-    entrained: the bodies stick for ever; None; 0; 8
+    entrained: the bodies stick permanently; None; 0; 8
     >>> [abs(one).str(5, radius=False) for one in found.multipliers], found.drift.is_zero()
     (['0.73040', '0.73040', '0'], True)
     >>> float(found.one_period().until), found.drive.pair.b, found.claim()
@@ -78,18 +79,18 @@ class Response(ShortRepr):
     digits: int
 
     def plot(self) -> Any:
-        """Return a matplotlib figure: a period of the motion, the friction in it, and the thresholds over frequency.
+        """Return a matplotlib figure: one period of the motion, its friction, and the thresholds over frequency.
 
         Raises MissingTool.
         """
         return pictures().draw_response(self)
 
     def claim(self) -> Prediction | None:
-        """Return that its periodic motion comes back after a period, None without events."""
+        """Return the prediction that its motion repeats after a period, None without events."""
         return self.orbit.claim(self.digits) if self.orbit is not None else None
 
     def one_period(self) -> Scene | None:
-        """Return a period of its motion as a scene, in decimals; None without one, or if only others stick."""
+        """Return one period of its motion as a scene, in decimals; None if there is no such scene."""
         claim = self.claim()
         if claim is not None:
             return claim.scene
@@ -101,11 +102,11 @@ class Response(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class PeriodicMotions(ShortRepr):
-    """The periodic motions of a pair whose friction depends on the speed, as many as were found; each is proved.
+    """The periodic motions found of a pair whose friction depends on the speed; each is proved.
 
-    `motions`: a stuck one first if it exists, each a Response whose `attraction` speaks of motions next to it;
-    `entrainment`: U* (N), up to which a motion may stick for ever, one sine only; `starts`: so many were looked from.
-    `is_all`: no other exists, as B falls nowhere and a1 > 0, or as every motion grows.
+    `motions`: Responses, a stuck one first if it exists; their `attraction` is about nearby motions. `entrainment`: U*
+    (N), the largest amplitude with a permanently stuck motion, one sine only. `starts`: number of starts searched.
+    `is_all`: no other exists, because friction does not fall with speed and a1 > 0, or because every motion grows.
     """
 
     drive: PeriodicDrive
@@ -117,15 +118,15 @@ class PeriodicMotions(ShortRepr):
 
     @property
     def sentence(self) -> str:
-        """Return how many were found, and whether there may be more."""
+        """Return a sentence: how many were found, and whether there may be more."""
         if self.is_all:
-            return "there is no other long-time behaviour: it is the same from everywhere"
+            return "there is no other long-time behaviour: it is the same from every start"
         count = len(self.motions)
         found = "1 periodic motion was" if count == 1 else f"{count} periodic motions were"
-        return f"{found} found, from {self.starts} starts; there may be more, and motions that come back later or never"
+        return f"{found} found, from {self.starts} starts; there may be more, with this period, a longer one or none"
 
     def plot(self) -> Any:
-        """Return a matplotlib figure: friction against speed, and each motion as x1 against v1 - v2 and in time.
+        """Return a matplotlib figure: friction against speed, and each motion as x1 against v1 - v2.
 
         Raises MissingTool.
         """
@@ -143,13 +144,13 @@ def response(
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
-    For a scene without a force both together are its force, amplitude sin(omega t). On a surface the force goes round,
-    and the answer is a RotatingResponse (rotating.py). With a [weakening] by speed there may be several periodic
-    motions, and the answer is PeriodicMotions: those found, each proved. A period may have a fifth of `max_events`
-    events. What is being done is logged.
+    For a scene without a force, both together define its force, amplitude sin(omega t). On a surface the force must
+    rotate, and the result is a RotatingResponse (rotating.py). With a [weakening] by speed there may be several
+    periodic motions, and the result is PeriodicMotions: those found, each proved. A period may have a fifth of
+    `max_events` events. Progress is logged.
 
-    Raises InvalidScene (a force that is not periodic, friction by place), EventUndecided (nothing was proved at the cap
-    on digits, by default 16 times as many as are asked for), NotSettled (a period has too many events),
+    Raises InvalidScene (a force that is not periodic, friction that depends on displacement), EventUndecided (nothing
+    was proved at the limit on digits, by default 16 times those requested), NotSettled (a period has too many events),
     PrecisionExhausted, TypeError (no scene), ValueError (digits).
 
     >>> from numerics import load_scene
@@ -226,7 +227,7 @@ def steady_drive(scene: Scene) -> PeriodicDrive:
     drive = last_drive(scene)
     if drive is None or not drive.piece.sines:
         raise InvalidScene(
-            "the last piece of the force is not periodic; a response needs sines and at most a constant there"
+            "the last piece of the force is not periodic; for a response it must be sines and at most a constant"
         )
     return drive
 
@@ -241,8 +242,8 @@ def last_drive(scene: Scene) -> PeriodicDrive | None:
     if given is not None:
         if given.place:
             raise InvalidScene(
-                "where friction depends on the place a motion repeats only if x1 - x2 does, and stuck ones fill "
-                "intervals: a response is not worked out for that; leave place out of [weakening]"
+                "where friction depends on displacement a motion repeats only if x1 - x2 does, and stuck ones fill "
+                "intervals: a response is not available for that; leave place out of [weakening]"
             )
         given = Weakening([(w, one * b / pair.b) for w, one in given.speed], given.last_slope * b / pair.b)
     added = Force((replace(last, start=Fraction(0)),)) + Force()  # equal sines become one
@@ -254,15 +255,15 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
     every = _EVERY if drive.has_one_motion else ""
     touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
-    stays = "not all motions tend to it: a free oscillation of the stuck pair stays"
+    stays = "not all motions tend to it: a free oscillation of the stuck pair does not decay"
     if known is not None and known.exception is not None:  # a1 = 0
         why = f"{stays}; others"
         if not entrained(drive):
-            breaks = "but with a free oscillation that flattens the load's peaks they"
-            why = f"not all motions do; the response breaks, {breaks}"
+            breaks = "but motions with a free oscillation that flattens the peaks of the load"
+            why = f"not all motions do; the stuck response itself breaks, {breaks}"
         why = f"{why} stick up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
     elif touches:
-        multipliers, why = None, f"{every or 'what tends to it is open'}; its load touches the limit"
+        multipliers, why = None, f"{every or 'attraction is open'}; its load touches the limit"
     elif pair.a1 == 0:
         why = stays
     elif every:
@@ -291,12 +292,12 @@ def _attraction(orbit: Orbit, sizes: Sequence[arb]) -> str:
     if orbit.drive.has_one_motion:
         return _EVERY
     if weakening is not None and any(one > 1 for one in sizes):
-        return "almost all motions next to it leave it"
+        return "almost all nearby motions leave it"
     if weakening is not None:
-        return _NEXT if all(one < 1 for one in sizes) else "whether motions next to it tend to it is open"
+        return _NEXT if all(one < 1 for one in sizes) else "whether nearby motions tend to it is open"
     rate = number(pair.a2 / pair.m1).sqrt()
     for before, leg in zip((orbit.legs[-1], *orbit.legs), orbit.legs, strict=False):
         turns = rate * (leg.end - leg.start) / (2 * arb.pi())
         if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:
-            return f"{_EVERY}: a slip after a stick phase is no whole number of turns of body 1"
+            return f"{_EVERY}: a slip after a stick phase does not last a whole number of periods of body 1"
     return f"{_NEXT} if all multipliers are below 1"

@@ -1,4 +1,4 @@
-"""Which regime a sine of amplitude U and frequency omega brings, as a map of proved cells of one pair.
+"""The regime under a sine of amplitude U and frequency omega, as a map of proved cells of one pair.
 
     entrained  U <= U* over the whole cell
     non-stop   U >= U** over the cell, and w > 0 between the reversals: w rises with U there, so the least U is
@@ -55,8 +55,8 @@ def response_map(
 ) -> CellMap:
     """Return the map of a window of amplitudes (N) and frequencies (rad/s), cells down to 2^-depth of its sides.
 
-    In JSON a cell is [omega from, to, U from, to, verdict]. The roads (`jobs`, `dask`) and the checkpoint `resume` are
-    those of every map; they change nothing in the result.
+    In JSON a cell is [omega from, to, U from, to, verdict]. `jobs` (processes), `dask` (a scheduler's address) and
+    `resume` (a checkpoint file) do not change the result.
     Raises InvalidMap, MissingTool, TypeError.
 
     >>> from numerics import Pair

@@ -1,4 +1,4 @@
-"""The tolerance ring of Fig. 1: from when on the relative motion (z, w) = (x1 - x2, v1 - v2) stays near its limit.
+"""The tolerance ring of Fig. 1: the time from which on (z, w) = (x1 - x2, v1 - v2) stays near its limit.
 
 The ring is (z - z*)^2 + (w/rate)^2 <= R^2. Where the bodies end up together, or creep, its centre is the limit z* of z
 (the energy norm N sees w, but not z), at w = 0; around a periodic motion it goes along with that: z and w less those of
@@ -41,23 +41,23 @@ from numerics.trajectory.variation import legs
 
 _log = logging.getLogger(__name__)
 _FREE, _FORCED = (24, 100_000), (7, 2_000)
-"""So often the horizon is doubled until the motion is known for ever, and the cap on events."""
+"""Number of times the horizon is doubled until all later motion is known, and the limit on events."""
 _SEARCH_BITS = 96
 
 
 @dataclass(frozen=True, repr=False)
 class Ring(ShortRepr):
-    """When the relative motion of a scene is in its ring for good, of a `radius` (m); w counts as w / `rate` (1/s).
+    """From `entry` (s) on, (z - z*)^2 + (w/rate)^2 <= radius^2; `radius` in m, `rate` in 1/s.
 
-    `entry` (s), exactly 0 if it never leaves it; `centre` (m): z*, less the z of the periodic motion if there is an
-    `orbit`; enclosures with `digits` right digits. `why` says what keeps it inside for ever.
+    If there is an `orbit`, a periodic motion, z and w are minus those of it. `entry` is exactly 0 if the motion never
+    leaves the ring. `centre` (m): z*. Both are enclosures with `digits` right digits. `why`: why it stays inside.
 
     >>> from numerics import load_scene
     >>> found = ring_entry(load_scene("velocities"), "0.001", rate=20, digits=8)
     >>> float(found.radius), float(found.rate), found.centre.str(6, radius=False), found.entry.str(6, radius=False)
     (0.001, 20.0, '0.000326235', '4.17249')
     >>> found.orbit, found.why
-    (None, 'all slips after event 114 are bounded, to one side and the other in turn')
+    (None, 'all slips after event 114 are bounded, and alternate in sign')
     """
 
     scene: Scene
@@ -78,10 +78,11 @@ def ring_entry(
     digits: int = 15,
     max_digits: int | None = None,
 ) -> Ring:
-    """Return when the relative motion enters for good the ring of a radius (m) > 0; w counts as w/rate, rate (1/s) > 0.
+    """Return the time from which on the relative motion stays in a ring: (z - z*)^2 + (w/rate)^2 <= radius^2.
 
-    What is being done is logged. Raises InvalidScene, EventUndecided (the motion touches the ring), NotSettled (it
-    settles too late, or not for certain), PrecisionExhausted, TypeError, ValueError. max_digits is as in `response`.
+    `radius` (m) > 0, `rate` (1/s) > 0; max_digits is as in `response`. Progress is logged. Raises InvalidScene,
+    EventUndecided (the motion touches the ring), NotSettled (it settles too late, or this is not proved),
+    PrecisionExhausted, TypeError, ValueError.
 
     >>> from numerics import load_scene
     >>> ring_entry(load_scene("velocities"), "0.001").entry.str(8, radius=False)
@@ -93,14 +94,14 @@ def ring_entry(
     scene.require_one_b("a tolerance ring")
     drive = last_drive(scene)
     if drive is None:
-        raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
+        raise InvalidScene("the force grows without bound: for a ring its last piece must be a constant and sines")
 
     def attempt(arithmetic: Ball) -> tuple[Ring, list[arb]]:
         orbit = None
         if drive.piece.sines:
             found = response(scene, digits=arithmetic.digits)
             if found.growth > 0:
-                raise InvalidScene(f"{found.regime.value}; no ring is entered for good")
+                raise InvalidScene(f"{found.regime.value}; the motion leaves every ring")
             orbit = found.orbit
         trajectory, known = _settled(scene, drive, orbit, (size, per), arithmetic)
         entry = _last_on_ring(trajectory, known, size, per)
@@ -140,9 +141,9 @@ def _settled(
             # what acts at the horizon acts after it
             x1, _, x2, _ = trajectory.final_state
             since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
-            found = Settled(x1 - x2, since, "the pair has stuck for ever")
+            found = Settled(x1 - x2, since, "the pair sticks permanently")
         elif not drive.piece.sines and (slip := creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))):
-            why = f"all slips after event {slip.index + 1} are bounded, to one side and the other in turn"
+            why = f"all slips after event {slip.index + 1} are bounded, and alternate in sign"
             found = Settled(slip.limit, trajectory.events[slip.index].t, why)
         if found is not None:
             return trajectory, found
@@ -151,9 +152,9 @@ def _settled(
         until *= 2
     remedy = f"a later horizon{'' if drive.pair.a1 else ' or a larger radius'} may help"
     if orbit is not None:
-        remedy = "no proof was found that it closes in on the periodic motion; a larger radius may not help either"
+        remedy = "convergence to the periodic motion was not proved; a larger radius may not help either"
     elif drive.piece.sines:
-        remedy = "a larger radius does not help: the pair is not proved to stick for ever"
+        remedy = "a larger radius does not help: the pair is not proved to stick permanently"
     raise NotSettled(
         f"the motion is not known to settle to within a radius of {short(ring[0])} m by t = {short(longer.until)} s "
         f"or {most} events; {remedy}"

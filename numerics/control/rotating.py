@@ -1,7 +1,7 @@
-"""The round pair under a rotating force u = U (cos wt, sin wt), in closed form.
+"""The isotropic pair under a rotating force u = U (cos wt, sin wt), in closed form.
 
 With D = a2 - m1 w^2 + i a1 w and D_M = a2 - M w^2 + i a1 w there is one threshold, U* = b |D_M|/(m2 w^2): up to it the
-pair goes round stuck, above it body 2 slips with the constant speed rho = b p/(m2 w), p > 0 the root of
+pair sticks and rotates, above it body 2 slips with the constant speed rho = b p/(m2 w), p > 0 the root of
 
     |D|^2 p^2 + 2 a1 m2 w^3 p + |D_M|^2 = (U m2 w^2/b)^2,   s parallel to f, v2 = -i f/(m2 w).
 
@@ -31,17 +31,17 @@ _SPARE = 20
 
 @dataclass(frozen=True)
 class RotatingResponse:
-    """The motion that goes round with the force; enclosures. Complex numbers are vectors (x + iy) e^{-iwt}.
+    """The motion that rotates with the force; enclosures. Complex numbers are vectors (x + iy) e^{-iwt}.
 
-    `threshold` U* (N); `speed` of the slip (m/s), 0 if stuck; `friction` f and `v1`, `v2`, `q1` with the force U along
-    x at t = 0; `exponents` (1/s) of what is added to a slip in the rotating frame, none if stuck. `attracts`: whether
-    every motion is proved to tend to it; for U < U* without a damper not every one does.
+    `threshold` U* (N); `speed` of the slip (m/s), 0 if stuck; `friction` f (N), `q1` (m), `v1` and `v2` (m/s) with the
+    force U along x at t = 0; `exponents` (1/s) of perturbations of a slip in the rotating frame, none if stuck.
+    `attracts`: whether every motion is proved to tend to it; for U < U* without a damper not every one does.
 
     >>> found = rotating_response(PlanePair(m1=1, m2=1, a2=200, b="0.5", a1=1), "0.5", 12)
     >>> [one.str(6, radius=False) for one in (found.threshold, found.speed, found.exponents[0].real)]
     ['0.308383', '0.0633854', '-1.86943']
     >>> found.sentence, found.attracts, abs(found.v2).str(6, radius=False)
-    ('non-stop: body 2 slips round at a constant speed; there is no stick-slip, U** = U*', True, '0.0416667')
+    ('non-stop: body 2 slips on a circle at constant speed; there is no stick-slip, U** = U*', True, '0.0416667')
     """
 
     omega: Fraction
@@ -62,10 +62,10 @@ class RotatingResponse:
 
     @property
     def sentence(self) -> str:
-        """Return what the pair does in the long run."""
+        """Return the long-time behaviour as a sentence."""
         if self.speed.is_zero():
-            return "entrained: the bodies go round stuck, for U up to U*"
-        return "non-stop: body 2 slips round at a constant speed; there is no stick-slip, U** = U*"
+            return "entrained: the bodies stick and rotate with the force, for U up to U*"
+        return "non-stop: body 2 slips on a circle at constant speed; there is no stick-slip, U** = U*"
 
 
 def pictures() -> Any:
@@ -78,9 +78,9 @@ def pictures() -> Any:
 
 
 def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:
-    """Return the motion of a round pair that goes round with U (cos wt, sin wt).
+    """Return the motion of an isotropic pair that rotates with U (cos wt, sin wt).
 
-    Raises InvalidScene, EventUndecided (exponents that are not told apart).
+    Raises InvalidScene, EventUndecided (exponents that are not separated).
     """
     line, w = round_pair(pair), positive(omega, "omega", "give the frequency in rad/s")
     size = positive(amplitude, "amplitude", "give the size of the rotating force in N")
@@ -88,7 +88,7 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
     driven, slope = (a2 - m1 * w * w) ** 2 + (a1 * w) ** 2, a1 * m2 * w**3
     level = -load_margin(line, size, w) / b**2
     if level > 0 and not driven:
-        raise InvalidScene("body 1 alone resonates here without a damper, and U > U*: there is no such motion")
+        raise InvalidScene("undamped body 1 is at resonance, and U > U*: there is no such motion; change omega or a1")
 
     def attempt(_: Ball) -> tuple[RotatingResponse, list[arb]]:
         n, i = Ball.number, acb(0, 1)
@@ -105,7 +105,7 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
 
 
 def _exponents(line: Pair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...]:
-    """Return the six roots, with the least damped first."""
+    """Return the six roots, least damped first."""
     m1, m2, a1, a2, b = map(Ball.number, (line.m1, line.m2, line.a1, line.a2, line.b))
 
     def moved(sign: int) -> tuple[acb_poly, acb_poly]:
@@ -123,10 +123,10 @@ def _exponents(line: Pair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...
 
 
 def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fraction]:
-    """Return U and omega of a scene whose force goes round, to `digits` digits of pi/2 between its phases."""
+    """Return U and omega of a scene whose force rotates: its phases differ by pi/2 to `digits` digits."""
     refusal = InvalidScene(
-        "the force does not go round: give each of x and y one piece from 0 on with one sine of the same amplitude and "
-        "omega, phases pi/2 apart to the digits asked for"
+        "the force does not rotate: give each of x and y one piece from 0 on with one sine of the same amplitude and "
+        "omega, phases pi/2 apart to the digits requested"
     )
     pieces = [piece for one in scene.force for piece in one.pieces]
     turns = all(one.start == 0 and not one.polynomial and len(one.sines) == 1 for one in pieces)

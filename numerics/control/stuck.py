@@ -1,4 +1,4 @@
-"""Whether a pair sticks for ever under a periodic force, and in which motion; whether it grows without a damper.
+"""Whether a pair sticks permanently under a periodic force, and in which motion; whether it grows without a damper.
 
 The stuck pair is one body of the mass M on the spring. Its own response (`stuck_state`) is a motion of the pair exactly
 if its load stays within what friction holds at rest; for a1 = 0 others, with a free oscillation, may stick where that
@@ -122,7 +122,7 @@ def entrained(drive: PeriodicDrive) -> bool:
 
 
 def others_stick(drive: PeriodicDrive, known: Thresholds | None) -> bool:
-    """Return whether motions other than the response stick for ever (`Thresholds.exception`). Raises EventUndecided."""
+    """Return whether other motions than the response stick permanently (`Thresholds.exception`)."""
     if known is None or known.exception is None:
         return False
     under = known.exception - number(abs(drive.piece.sines[0].amplitude))

@@ -1,9 +1,9 @@
-"""Thresholds of a force U sin(omega t + phase): sticking for ever needs U <= U*, slip with two turns a period U >= U**.
+"""Thresholds of U sin(omega t + phase): permanent stick needs U <= U*, slip with two reversals a period U >= U**.
 
 With beta = b/m2, M = m1 + m2 and Z(m) = |a2 - m omega^2 + i a1 omega|:
 
     U*  = beta Z(M)/omega^2     the stuck response has the acceleration omega^2 U/Z(M), and friction gives body 2 beta
-    U** = (Z(m1)/omega) hypot(V, A/omega)    the least for a motion that slips for ever and reverses twice a period
+    U** = (Z(m1)/omega) hypot(V, A/omega)    the least for permanent slip with two reversals a period
 
 v1 = v2 = -beta T/4 where a slip of sign + starts; the square wave of friction alone puts x1 = -b h, v1 = -b h' there,
 and U supplies the rest of the velocity, V = b (pi/(2 m2 omega) - h'), and of the acceleration, which must be at least
@@ -45,11 +45,11 @@ _TIMES = 96
 class Thresholds(ShortRepr):
     """U* and U** (N) of a pair at one frequency omega (rad/s): enclosures with `digits` right digits.
 
-    `non_stop` is infinite where a1 = 0 and omega1/omega is an odd whole number > 1: there friction and body 1 are in
-    resonance, and no force keeps the pair slipping with two reversals a period. `entrainment` is exactly 0 at the
-    resonance of the stuck pair without damper. `exception` (N), None but where a1 = 0 and Omega/omega = n is an odd
-    whole number >= 3: up to U*/cos(pi/(2 n)) other stuck motions exist, whose free oscillation flattens the peaks of
-    the acceleration.
+    `entrainment`, U*: a permanently stuck motion needs U <= U*; exactly 0 at the resonance of the undamped stuck pair.
+    `non_stop`, U**: permanent slip with two reversals per period needs U >= U**; infinite where a1 = 0 and omega1/omega
+    is an odd integer > 1 (resonance of friction with body 1). `exception` (N) is None unless a1 = 0 and Omega/omega = n
+    is an odd integer >= 3: then other stuck motions exist up to U*/cos(pi/(2 n)), whose free oscillation flattens the
+    peaks of the acceleration.
 
     >>> from numerics import Pair
     >>> found = thresholds(Pair(m1=1, m2=1, a2=200, b="0.5"), "10/3", digits=6)
@@ -81,7 +81,7 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
         line = round_pair(pair)
 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
-        if isinstance(pair, PlanePair):  # under a force that goes round both are one
+        if isinstance(pair, PlanePair):  # under a rotating force both are equal
             both = entrainment_threshold(line, rate)
             return Thresholds(rate, both, both, None, digits), [both]
         low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)
@@ -98,7 +98,7 @@ def round_pair(pair: PlanePair) -> Pair:
     alike = pair.axes == 2 and pair.is_diagonal and pair.shape == "ellipsoid"
     diagonals = [tuple(m[i][i] for i in range(pair.axes)) for m in (pair.a1, pair.a2)]
     if not alike or any(len(set(one)) > 1 for one in (pair.m1, pair.m2, pair.b, *diagonals)):
-        raise InvalidScene("only a round pair has a closed form: two axes, ellipsoid, equal numbers on both")
+        raise InvalidScene("only an isotropic pair has a closed form: two axes, ellipsoid, equal numbers on both")
     return Pair(pair.m1[0], pair.m2[0], pair.a2[0][0], pair.b[0], pair.a1[0][0])
 
 
@@ -145,7 +145,7 @@ def flattest_peak(odd: int) -> arb:
 
 
 class NonStop:
-    """The motion that slips for ever and reverses twice a period, at a frequency (rad/s) or over a ball of them.
+    """The motion that slips permanently and reverses twice a period, at a frequency (rad/s) or over a ball of them.
 
     The names are those of the formulas above: `V` and `reach` = Z(m1)/omega, `least` = A/omega; SI units.
     """

@@ -1,4 +1,4 @@
-"""The force under which body 2 follows a reference r(t), or which part of the reference asks too much of the interface.
+"""The force under which body 2 follows a reference r(t), or the pieces that require more than friction can give.
 
 Body 2 has only the friction: x2 = r needs |r''| <= b/m2, and the pair sticks while it is less. Stuck all the way,
 
@@ -37,9 +37,10 @@ _MOST_PARTS, _FEW_BITS = 20_000, 64
 
 @dataclass(frozen=True, repr=False)
 class Demand(ShortRepr):
-    """What a piece of the reference asks of the interface between two times (s) at one b (N).
+    """The friction that a piece of the reference requires between the times `start` and `end` (s), at one `b` (N).
 
-    `force`: the largest m2 |r''| there, N, an enclosure; `at`: a time (s) at which it is all but reached.
+    `number`: of the piece, from 1; `force`: max m2 |r''| there, N, an enclosure; `at`: a time (s) at which it is
+    reached up to the digits requested; `possible`: whether it is at most b.
     """
 
     number: int
@@ -53,10 +54,10 @@ class Demand(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Tracking(ShortRepr):
-    """The demands of a reference, and the scene whose force makes body 2 follow it, None if some demand is too much.
+    """The demands of a reference, and the scene whose force makes body 2 follow it, None if a demand exceeds b.
 
-    `share`: the largest m2 |r''|/b of all, an enclosure. `force_error`: int |u - exact u| dt at most (N s), from phases
-    rounded; the motion is then off by at most force_error/sqrt(m1) in the norm N (sqrt J).
+    `share`: max m2 |r''|/b, dimensionless, an enclosure. `force_error`: upper bound on int |u - exact u| dt (N s), from
+    rounded phases; the error of the motion is at most force_error/sqrt(m1) in the norm N (sqrt J).
     `digits`: right digits of each number.
 
     >>> from numerics import load_reference, load_scene
@@ -78,11 +79,11 @@ class Tracking(ShortRepr):
 
     @property
     def is_at_limit(self) -> bool:
-        """Return whether the reference is not proved to stay below the limit of friction."""
+        """Return whether the reference is not proved to stay strictly below the limit of friction."""
         return not all(one.force < number(one.b) for one in self.demands)
 
     def claim(self) -> Prediction | None:
-        """Return that the pair sticks and x2 = r at the horizon; at the limit rounded phases may let it slip."""
+        """Return the prediction: stick, and x2 = r at the horizon; at the limit rounded phases may let it slip."""
         if self.scene is None:
             return None
         last = self.reference[self.demands[-1].number - 1]
@@ -94,9 +95,9 @@ class Tracking(ShortRepr):
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
 
-    The scene's own force is replaced, its friction in time counts. Raises InvalidScene (a jump of r or r', another
-    start), EventUndecided (an acceleration that touches the limit where that cannot be decided exactly), TypeError,
-    ValueError (digits).
+    The force is u = M r'' + a1 r' + a2 (r + x1(0) - r(0)), which needs m2 |r''| <= b(t); it replaces the scene's own.
+    Raises InvalidScene (r or r' jumps, or does not start at x2(0), v2(0)), EventUndecided (m2 |r''| touches b where
+    that cannot be decided exactly), TypeError, ValueError (digits).
 
     >>> from numerics import load_reference, load_scene
     >>> found = track(load_scene("at-rest"), load_reference("s-curve"))
@@ -130,12 +131,12 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
 def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     """Raise InvalidScene unless the reference is continuous with its velocity and starts where body 2 is."""
     if not isinstance(reference, Sequence) or not all(isinstance(one, Piece) for one in reference):
-        raise TypeError("track takes a reference, a tuple of Pieces in m; give it load_reference(...)")
+        raise TypeError("track takes a reference, a tuple of Pieces in m; use load_reference(...)")
     if not reference or reference[0].start != 0:
         raise InvalidScene("a reference must begin at from = 0; give its first piece there")
     Force(reference)  # in order of time
-    scene.require_one_b("a tracking")
-    scene.require_filippov("a tracking")
+    scene.require_one_b("tracking")
+    scene.require_filippov("tracking")
     at = scene.initial
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
@@ -150,7 +151,7 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
                 left, right = (float(side.rounded(_FEW_BITS)) for side in (ended, begun[index]))
                 raise InvalidScene(
                     f"{name} jumps from {left:g} to {right:g} at t = {short(after.start)}, where piece {index + 1} of "
-                    "the reference begins; no force can follow that, make it continuous"
+                    "the reference begins; no force can follow that; make it continuous"
                 )
 
 
@@ -216,11 +217,11 @@ def largest_size(piece: Piece, end: Fraction, digits: int) -> tuple[arb, arb]:
 
     parts, best, where = [(number(piece.start).lower(), number(end).upper())], arb(-1), arb(0)
     while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
-        middles = [((low + high) / 2).mid() for low, high in parts]
-        for t in (*parts[0], *parts[-1], *middles):
+        midpoints = [((low + high) / 2).mid() for low, high in parts]
+        for t in (*parts[0], *parts[-1], *midpoints):
             if (here := abs(over(piece, t)).lower()) > best:
                 best, where = here, t
-        halves = [half for (low, high), at in zip(parts, middles, strict=True) for half in ((low, at), (at, high))]
+        halves = [half for (low, high), at in zip(parts, midpoints, strict=True) for half in ((low, at), (at, high))]
         bounded = [(half, reach(*half)) for half in halves]
         parts = [half for half, bound in bounded if bound > best]
         most = max([best, *(bound for _, bound in bounded)])

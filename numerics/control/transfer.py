@@ -44,29 +44,29 @@ _MET = Fraction(1, 10**20)
 
 
 class TransferKind(Enum):
-    """How a transfer is made; the value is the sentence that a user reads."""
+    """Type of a transfer; the value is a sentence."""
 
-    STUCK = "the bodies stick all the way, at the limit of friction or the margin below it"
-    SLIP = "body 1 runs ahead through the first half and is met; the bodies stick through the second half"
-    BANG_BANG = "the bodies stick all the way under full force forwards, then backwards"
-    OPEN = "open: no least time is known for this amplitude"
+    STUCK = "the bodies stick throughout, at the limit of friction or the margin below it"
+    SLIP = "body 1 slips ahead in the first half; the bodies stick in the second half"
+    BANG_BANG = "the bodies stick throughout, under full force forwards, then backwards"
+    OPEN = "open: the minimum time for this amplitude is not known"
 
 
 @dataclass(frozen=True, repr=False)
 class Transfer(ShortRepr):
     """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
 
-    `margin`: the part of b that it leaves unused while stuck; `road`: how it is made, a Road.
-    `bound` (s) no control beats; `time` (s) this one takes; `stuck_amplitude` (N) sticking at (1 - margin) b needs;
-    `least_amplitude` (N) arriving at the bound needs at least, None where g' changes sign; `fastest`: what is proved of
-    `time`, a sentence.
+    `margin`: unused share of b while stuck, dimensionless; `road`: a TransferKind. `bound` (s): lower bound on the time
+    of every transfer; `time` (s): of this one. `stuck_amplitude` (N): required for sticking at (1 - margin) b.
+    `least_amplitude` (N): the minimum to arrive at the bound, None where g' changes sign. `fastest`: a sentence on
+    what is proved about `time`.
 
     >>> from numerics import load_scene
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
     >>> found.least_amplitude, found.fastest, found.claim().ends["v2"]
-    (None, 'no control that keeps the margin is faster: friction is at it all the time', 0)
+    (None, 'no force that keeps the margin is faster: friction is at it all the time', 0)
     """
 
     distance: Fraction
@@ -81,7 +81,7 @@ class Transfer(ShortRepr):
     digits: int
 
     def claim(self) -> Prediction | None:
-        """Return that body 2 rests at the distance in the end, and where it is so that the bodies stick all the way.
+        """Return the prediction: body 2 ends at rest at the distance; in a stuck transfer the bodies never slip.
 
         What the exact decimals of a scene leave of it is below 10^-18 of the distance.
         """
@@ -103,7 +103,7 @@ def fastest_transfer(
     digits: int = 15,
     max_digits: int | None = None,
 ) -> Transfer:
-    """Return the transfer of a scene's pair over a distance (m) from its initial state, which must be at rest.
+    """Return the fastest known transfer of a scene's pair over a distance (m) from its initial state, at rest.
 
     `amplitude` bounds |u| (N), else u is free; 0 <= margin < 1. Raises InvalidScene, EventUndecided (an amplitude on a
     boundary), PrecisionExhausted, TypeError (no scene), ValueError (digits).
@@ -129,14 +129,14 @@ def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
         raise InvalidScene("distance = 0 must not be 0; give a distance in metres")
     if not 0 <= margin < 1:
         raise InvalidScene(
-            f"margin = {short(margin)} must be at least 0 and below 1; give the part of b that stays free"
+            f"margin = {short(margin)} must be at least 0 and below 1; give the share of b to leave unused"
         )
     if any((at.x1, at.v1, at.v2)):
         raise InvalidScene(f"a transfer starts at rest with the spring unloaded, not from {at!r}; set x1 = v1 = v2 = 0")
     scene.require_one_b("a transfer")
     scene.require_filippov("a transfer")
     if scene.is_forced:
-        raise InvalidScene("a transfer brings its own force, at one friction; leave [[force]] and [[friction]] out")
+        raise InvalidScene("a transfer computes its own force, for constant b; leave [[force]] and [[friction]] out")
 
 
 def _transfer(
@@ -152,17 +152,17 @@ def _transfer(
     if most is None or suffices(stuck):
         found: Choice = _stuck(pair, far, margin)
     elif margin == 0 and least is not None and suffices(least) and (force := _slip_then_stick(pair, far, most, least)):
-        found = TransferKind.SLIP, bound, "no control is faster: friction is at its limit all the time", force
+        found = TransferKind.SLIP, bound, "no force is faster: friction is at its limit all the time", force
     elif bang := _bang_bang(pair, far, most, margin):
         found = bang
     else:
         known = f"a stuck transfer at the {'margin' if margin else 'limit'} needs {stuck.str(6, radius=False)} N"
         if least is None:
-            known += ", and whether slipping meets the bound with less is open, too"
+            known += "; whether a slip arrives at the bound with less is open too"
         elif suffices(least):
-            known += "; with less body 2 can meet the bound, but whether both bodies can rest then is open"
+            known += "; with less, body 2 can arrive at the bound, but whether both bodies can then be at rest is open"
         else:
-            known += f", and no control meets the bound with less than {least.str(6, radius=False)} N"
+            known += f", and no force arrives at the bound with less than {least.str(6, radius=False)} N"
         found = TransferKind.OPEN, None, f"{TransferKind.OPEN.value}; {known}", None
     road, time, fastest, force = found
     planned = None
@@ -214,7 +214,7 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
     force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
     faster, there = ("", "its limit") if margin == 0 else (" that keeps the margin", "it")
-    return TransferKind.STUCK, 2 * exact, f"no control{faster} is faster: friction is at {there} all the time", force
+    return TransferKind.STUCK, 2 * exact, f"no force{faster} is faster: friction is at {there} all the time", force
 
 
 def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:
@@ -248,7 +248,7 @@ def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> C
     first, second = rounded(go), rounded(stop)
     force = Force((Piece(0, (most,)), Piece(first, (-most,)), Piece(first + second, (pair.a2 * far,))))
     swing = (rate * (go + stop)).min(arb.pi()).cos()
-    proved = "no control that sticks is faster; whether slipping helps is open"
+    proved = "no force under which the bodies stick is faster; whether slip helps is open"
     if number(most) * (2 - swing) <= number(pair.mass * pair.b / pair.m2):
-        proved = "no control within the amplitude is faster: none can break the contact before"
+        proved = "no force within the amplitude is faster: none can make the bodies slip before"
     return TransferKind.BANG_BANG, go + stop, proved, force

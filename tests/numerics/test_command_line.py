@@ -104,7 +104,7 @@ solve start-at-6mm --digits ²
 solve start-at-6mm --max-events 0
 solve start-at-6mm --arithmetic decimal
 solve start-at-6mm --json --csv | leave one of them out
-solve start-at-6mm --arithmetic float64 --digits 9 | --digits 9 goes with
+solve start-at-6mm --arithmetic float64 --digits 9 | --digits 9 needs ball or mpmath
 solve start-at-6mm velocities
 solve start-at-6mm --dig 9
 solve start-at-6mm --digits 1e3
@@ -132,7 +132,7 @@ move at-rest --distance 1 --margin 1 | margin = 1
 move at-rest --distance 1 --margin -1 | margin = -1
 move at-rest --distance 1 --amplitude 0 | amplitude = 0
 move velocities --distance 1 | v1=0.15
-move forced-step --distance 1 | brings its own force
+move forced-step --distance 1 | computes its own force
 move start-at-6mm-literal --distance 1
 move at-rest --distance 1 --out no/where.toml
 track at-rest --reference none-such
@@ -148,7 +148,7 @@ solve velocites | did you mean velocities
 slove velocities | did you mean solve
 solve velocities --arithmetic flaot64 | did you mean float64
 track at-rest --reference s-curv | did you mean s-curve
-solve velocities --jsn | unrecognized arguments: --jsn; --help tells
+solve velocities --jsn | unrecognized arguments: --jsn; --help lists
 solve velocities --npz= | the name is empty
 solve no-such-scene | one of those that `inertial-pair scenes` lists
 solve velocities --plot /proc/x.svg | cannot be written to
@@ -162,7 +162,7 @@ trade --out no-such-folder/figure.png | does not exist
 """
 
 
-@pytest.mark.parametrize("line", [" | required: command; --help tells what there is", *BAD_USAGE.strip().splitlines()])
+@pytest.mark.parametrize("line", [" | required: command; --help lists the options", *BAD_USAGE.strip().splitlines()])
 def test_bad_usage_is_told_in_one_line_with_what_was_meant(run, monkeypatch, tmp_path, line):
     monkeypatch.chdir(tmp_path)
     for name in ("folder.npz", "folder.svg"):
@@ -230,7 +230,7 @@ def test_a_terminal_sees_the_first_and_the_last_events_and_how_to_get_all(run, m
     events = [line.split() for line in whole.splitlines() if " to " in line]
     shown = [line.split() for line in short.splitlines() if " to " in line]
     assert shown == events[:20] + events[-20:]
-    assert f"... {len(events) - 40} events more; --all prints them too" in short.splitlines()
+    assert f"... {len(events) - 40} more events; --all prints them" in short.splitlines()
     assert "--all" not in whole
 
 
@@ -273,7 +273,7 @@ def test_a_cap_that_comes_before_the_horizon_is_told_early_and_once(capsys):
     for events, fraction in ((1000, 0.21), (2000, 0.39), (3000, 0.5), (3001, 1.0)):
         show(events, fraction)
     told = capsys.readouterr().err
-    assert (told.count("the cap of 5000 events comes before the horizon"), told.count("\n")) == (1, 1)
+    assert (told.count("the limit of 5000 events is reached before the horizon"), told.count("\n")) == (1, 1)
     solving._progress(None, 5000, str)(3001, 1.0)
     assert capsys.readouterr().err == ""
 

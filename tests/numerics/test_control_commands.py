@@ -43,7 +43,7 @@ def test_response_tells_regime_thresholds_and_periodic_motion(
     assert (found["regime"], len(found["events"]), found["slips_for_ever"]) == (regime, events, said)
     edge = "0.8330872604435" if pair is DAMPED else "11.7618566"
     assert found["non_stop"].startswith(edge)
-    assert f"U**, needed to slip for ever with two reversals a period = {edge}" in lines
+    assert f"U**, required for permanent slip with two reversals per period = {edge}" in lines
     assert ("U** is not enough here" in lines) is (said == "turns back")
     assert (len(found["multipliers"]), lines.count("multiplier ")) == (3, 3)
     assert [f"t = {one['t']} s: {one['to']}" in lines for one in found["events"]] == [True] * events
@@ -87,8 +87,8 @@ WINDOW = ("--amplitude", "0.1", 10, "--omega", 4, 40, "--depth", 3)
         ("--plot", ("response", "forced-sine-stick-slip"), "stick-slip: the bodies slip and stick in every period"),
         ("--plot", ("track", "at-rest", "--reference", "s-curve"), "within b = 0.5 N"),
         ("--plot", ("move", "at-rest", "--distance", "0.001", "--amplitude", "1.08"), "slips of about 10^-20 m"),
-        ("--plot", ("move", "at-rest", "--distance", "0.01"), "friction is within 10^-18 of its limit"),
-        ("--plot", ("ring", "velocities", "--radius", "0.001"), "inside the ring for good from t = 4.755641299"),
+        ("--plot", ("move", "at-rest", "--distance", "0.01"), "friction is at its limit to within 10^-18"),
+        ("--plot", ("ring", "velocities", "--radius", "0.001"), "stays inside the ring from t = 4.755641299"),
         ("--out", ("response-map", "at-rest", *WINDOW), "entrained"),
     ],
 )

@@ -161,7 +161,10 @@ def test_on_the_threshold_the_load_touches_and_has_no_multipliers():
     assert found.regime is Regime.ENTRAINED
     assert "free oscillation" in found.attraction
     at_edge = response(under(FREE, "0.75", 20))  # beside it no other motion sticks for ever
-    assert (at_edge.multipliers, at_edge.attraction) == (None, "what tends to it is open; its load touches the limit")
+    assert (at_edge.multipliers, at_edge.attraction) == (
+        None,
+        "attraction is open; its load touches the limit",
+    )
     damped = Pair(1, 1, 68, "0.5", 5)  # at omega = 4: Z = |36 + 20 i|; with a1 = 12 it is |36 + 48 i| = 60
     exact = Pair(1, 1, 68, "0.5", 12)
     assert response(under(damped, "0.5", 4)).multipliers is not None
@@ -275,7 +278,7 @@ def test_what_has_no_periodic_response_is_refused(scene, more, said):
 
 def test_the_picture_names_each_motion_and_what_friction_can_be():
     law, plane = answer(LIGHTLY, "0.45", 14, FALLING).plot().axes
-    names = ["1: entrained", "2: non-stop, which others leave", "3: non-stop"]
+    names = ["1: entrained", "2: non-stop, unstable", "3: non-stop"]
     assert [line.get_label() for line in plane.lines] == names
     slip, given = law.lines[2], law.lines[-1]
     at = np.abs(slip.get_xdata()) > 1e-3

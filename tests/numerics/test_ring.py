@@ -1,4 +1,4 @@
-"""When the relative motion is in its ring for good, and what is said of all later times: against samples and runs."""
+"""When the relative motion stays in its ring, and what is said of all later times: against samples and runs."""
 
 import math
 from dataclasses import replace
@@ -103,7 +103,7 @@ def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
     scene = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.001"), 1)
     found = ring_entry(scene, 1)
     assert found.entry.is_zero()
-    assert "stuck" in found.why
+    assert "sticks" in found.why
 
 
 @pytest.mark.parametrize(
@@ -142,13 +142,13 @@ def test_where_a_run_ends_too_early_a_later_horizon_helps_and_a_larger_ring_does
     for radius in ("0.1", 1000):
         with pytest.raises(NotSettled, match="a later horizon may help"):
             ring_entry(scene, radius)
-    assert ring_entry(replace(scene, until=Fraction(3000)), "0.1").why == "the pair has stuck for ever"
+    assert ring_entry(replace(scene, until=Fraction(3000)), "0.1").why == "the pair sticks permanently"
 
 
 def test_a_motion_that_is_not_proved_to_close_in_on_the_periodic_one_is_refused(monkeypatch):
     monkeypatch.setattr(rings, "periodic_settled", lambda *_: None)
     monkeypatch.setattr(rings, "_FORCED", (1, 2_000))
-    with pytest.raises(NotSettled, match="closes in on the periodic motion; a larger radius may not help either"):
+    with pytest.raises(NotSettled, match="to the periodic motion was not proved; a larger radius may not help either"):
         ring_entry(Scene(DAMPED, State(v1=1), 1, force=Force.sine("0.5", 12)), "0.001")
 
 

@@ -70,43 +70,43 @@ def test_more_force_is_never_slower(distance, part):
 @pytest.mark.parametrize(
     ("distance", "asked", "road", "said"),
     [
-        ("0.01", {}, TransferKind.STUCK, "no control is faster: friction is at its limit"),
-        ("0.01", {"margin": "0.1"}, TransferKind.STUCK, "no control that keeps the margin is faster"),
+        ("0.01", {}, TransferKind.STUCK, "no force is faster: friction is at its limit"),
+        ("0.01", {"margin": "0.1"}, TransferKind.STUCK, "no force that keeps the margin is faster"),
         (
             "0.01",
             {"amplitude": "1.5"},
             TransferKind.OPEN,
-            "whether slipping meets the bound with less is open",
+            "whether a slip arrives at the bound with less is open",
         ),  # g' < 0
-        ("0.001", {"amplitude": 1}, TransferKind.OPEN, "no control meets the bound with less than 1.03496 N"),
+        ("0.001", {"amplitude": 1}, TransferKind.OPEN, "no force arrives at the bound with less than 1.03496 N"),
         ("0.001", {"amplitude": "0.999"}, TransferKind.OPEN, "at the limit needs 1.10000 N"),
         ("0.001", {"amplitude": "0.999", "margin": "0.1"}, TransferKind.OPEN, "at the margin needs 1.00000 N"),
         # enough to meet the bound by slipping, which takes friction to its limit, and too little to stick
-        ("0.001", {"amplitude": "1.08"}, TransferKind.SLIP, "no control is faster: friction is at its limit"),
+        ("0.001", {"amplitude": "1.08"}, TransferKind.SLIP, "no force is faster: friction is at its limit"),
         (
             "0.001",
             {"amplitude": "1.08", "margin": "0.01"},
             TransferKind.OPEN,
-            "whether both bodies can rest then is open",
+            "whether both bodies can then be at rest is open",
         ),
         (
             "0.0005",
             {"amplitude": "0.8"},
             TransferKind.BANG_BANG,
-            "no control within the amplitude is faster: none can break",
+            "no force within the amplitude is faster: none can make the bodies slip",
         ),
         (
             "0.0005",
             {"amplitude": "0.85"},
             TransferKind.BANG_BANG,
-            "no control that sticks is faster; whether slipping helps",
+            "no force under which the bodies stick is faster; whether slip helps",
         ),
         # holding takes more than a2 D = 6.873 N, as body 1 is ahead of body 2
         (
             "0.079",
             {"pair": AHEAD, "amplitude": "6.015"},
             TransferKind.OPEN,
-            "whether both bodies can rest then is open",
+            "whether both bodies can then be at rest is open",
         ),
     ],
 )
@@ -117,7 +117,7 @@ def test_what_is_proved_of_its_time_is_said(distance, asked, road, said):
     if road is TransferKind.BANG_BANG:
         # the contact holds for every control up to the time T of the transfer if U (2 - cos(Omega T)) <= b M/m2 = 1 N
         needed = float(asked["amplitude"]) * (2 - math.cos(10 * float(found.time)))
-        assert (needed <= 1) == found.fastest.startswith("no control within")
+        assert (needed <= 1) == found.fastest.startswith("no force within")
     if "margin" in asked and found.time is not None:
         assert found.time > planned(distance).time
 

@@ -1,4 +1,4 @@
-"""A force that goes round, in closed form, against runs; who sticks for ever; what the commands say of a surface."""
+"""A rotating force, in closed form, against runs; permanent stick; what the commands print about a surface."""
 
 import json
 
@@ -76,13 +76,13 @@ def test_a_pair_without_a_damper_is_attracted_but_at_two_frequencies():
     assert rotating_response(pair, 9, 4).attracts
     assert not rotating_response(pair, 9, 5).attracts
     assert not rotating_response(pair, "0.2", 4).attracts  # stuck, it keeps a free oscillation
-    with pytest.raises(InvalidScene, match="resonates"):
+    with pytest.raises(InvalidScene, match="resonance"):
         rotating_response(pair, 9, 10)
 
 
 def test_what_is_not_round_has_no_closed_form():
     for pair in (PlanePair(1, 1, 200, ["0.2", "0.3"]), PlanePair(1, 1, 200, "0.2", shape="box")):
-        with pytest.raises(InvalidScene, match="only a round pair"):
+        with pytest.raises(InvalidScene, match="only an isotropic pair"):
             thresholds(pair, 10)
 
 
@@ -94,8 +94,8 @@ def test_what_is_not_round_has_no_closed_form():
         Force([Piece(0, [1], [Sine(1, 10)])]),
     ],
 )
-def test_a_force_that_does_not_go_round_has_no_closed_form(wrong):
-    with pytest.raises(InvalidScene, match="does not go round"):
+def test_a_force_that_does_not_rotate_has_no_closed_form(wrong):
+    with pytest.raises(InvalidScene, match="does not rotate"):
         response(PlaneScene(PAIR, 1, force=[turning(1)[0], wrong]))
 
 

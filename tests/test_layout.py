@@ -1,4 +1,4 @@
-"""The plan of the house: which package may import which, and that the tests see the repository's own packages."""
+"""The repository layout: which package may import which, and that the tests see the repository's own packages."""
 
 import graphlib
 import importlib
@@ -37,7 +37,7 @@ def test_imports_point_one_way(package):
     assert not offenders
 
 
-FLOORS = {
+LAYERS = {
     "numerics": (
         ("errors",),
         ("exits", "files", "tasks"),
@@ -67,43 +67,43 @@ FLOORS = {
     ),
     "paper_checks.report": (("mathematics",), ("content",), ("formats",), ("output",)),
 }
-"""The rooms of a package from the ground up; each imports only rooms on lower floors, or itself."""
+"""The subpackages, lowest layer first; each imports only from lower layers and from itself."""
 
 
-def climbing(path: Path, package: str, room: str) -> set[str]:
-    """Return what a file of a room imports from its own floor, other than itself, or from above."""
-    floor = {name: number for number, rooms in enumerate(FLOORS[package]) for name in rooms}
+def climbing(path: Path, package: str, subpackage: str) -> set[str]:
+    """Return what a file imports from its own layer, other than its own subpackage, or from a higher one."""
+    layer = {name: number for number, subpackages in enumerate(LAYERS[package]) for name in subpackages}
     modules = [one.removeprefix(f"{package}.") for one in imported_modules(path) if one.startswith(f"{package}.")]
-    used = {one.split(".")[0] for one in modules} & floor.keys()
-    return {one for one in used - {room} if floor[one] >= floor[room]}
+    used = {one.split(".")[0] for one in modules} & layer.keys()
+    return {one for one in used - {subpackage} if layer[one] >= layer[subpackage]}
 
 
 def files_of(package: str) -> list[tuple[str, Path]]:
-    """Return every file with its room; numerics/__init__ names the public functions of all floors."""
+    """Return every file with its subpackage; numerics/__init__ imports from all layers."""
     base = ROOT.joinpath(*package.split("."))
     files = [path for path in base.rglob("*.py") if path != base / "__init__.py"]
     return [(path.relative_to(base).parts[0].removesuffix(".py"), path) for path in files]
 
 
-@pytest.mark.parametrize("package", FLOORS)
-def test_every_room_imports_lower_floors_only(package):
+@pytest.mark.parametrize("package", LAYERS)
+def test_every_subpackage_imports_lower_layers_only(package):
     assert len(files_of(package)) > 30
-    assert not {str(path): found for room, path in files_of(package) if (found := climbing(path, package, room))}
+    assert not {str(path): found for name, path in files_of(package) if (found := climbing(path, package, name))}
 
 
 @pytest.mark.parametrize(
-    ("line", "package", "room"),
+    ("line", "package", "subpackage"),
     [
         ("from numerics.solver.solve import solve", "numerics", "trajectory"),
         ("import paper_checks.proofs", "paper_checks", "evidence"),
     ],
 )
-def test_a_room_that_leans_on_what_stands_on_it_is_found_out(tmp_path, line, package, room):
+def test_an_import_from_a_higher_layer_is_found(tmp_path, line, package, subpackage):
     (tmp_path / "dense.py").write_text(f"import math\n{line}\n", "utf-8")
-    assert climbing(tmp_path / "dense.py", package, room)
+    assert climbing(tmp_path / "dense.py", package, subpackage)
 
 
-@pytest.mark.parametrize("package", FLOORS)
+@pytest.mark.parametrize("package", LAYERS)
 def test_no_two_files_import_each_other(package):
     graph = {}
     for _, path in files_of(package):
@@ -113,17 +113,17 @@ def test_no_two_files_import_each_other(package):
     assert graphlib.TopologicalSorter(graph).prepare() is None  # raises CycleError
 
 
-@pytest.mark.parametrize("package", FLOORS)
+@pytest.mark.parametrize("package", LAYERS)
 def test_no_file_is_longer_than_a_few_screens(package):
     lengths = {str(path): len(path.read_text("utf-8").splitlines()) for _, path in files_of(package)}
     assert not {path: lines for path, lines in lengths.items() if lines > 400}
 
 
 def test_what_numba_compiles_lives_where_the_cache_looks():
-    """numba's cache is named after the sources of these rooms; a function elsewhere would be missed when it changes."""
-    rooms = {room for room, path in files_of("numerics") if "@compilable" in path.read_text("utf-8")}
+    """numba's cache is named after the sources of these subpackages; a change elsewhere would be missed."""
+    subpackages = {name for name, path in files_of("numerics") if "@compilable" in path.read_text("utf-8")}
     listed = set(re.findall(r'"(\w+)"', re.search(r"_ROOMS = \(([^)]*)\)", COMPILED.read_text("utf-8")).group(1)))
-    assert {"arithmetic", "linear", "free"} <= rooms <= listed
+    assert {"arithmetic", "linear", "free"} <= subpackages <= listed
 
 
 @pytest.mark.parametrize("package", sorted(FORBIDDEN))
