@@ -51,7 +51,7 @@ def times(run: Trajectory, shares: list[Fraction]) -> list[Fraction]:
 
 def path(run: Trajectory, begin: Fraction, end: Fraction, modes: tuple[Mode, ...] = tuple(Mode)) -> arb:
     """What the bodies slide on each other between two times in some modes, m; in each mode x1 - x2 is monotone."""
-    events = [t for t in run.event_times if exact(begin) < t and t < exact(end)]
+    events = [t for t in run.event_times if exact(begin) < t < exact(end)]
     places = [x1 - x2 for x1, _, x2, _ in map(run.sol, (begin, *events, end))]
     passed = [run.mode_at(begin), *(run.mode_at(t) for t in events)]
     slid = [abs(there - here) for (here, there), mode in zip(pairwise(places), passed, strict=True) if mode in modes]
