@@ -19,7 +19,13 @@ settings.register_profile("dev", max_examples=15, **_COMMON)
 settings.register_profile("landing", max_examples=15, derandomize=True, database=None, **_COMMON)
 settings.register_profile("ci", max_examples=1000, derandomize=True, database=None, **_COMMON)
 settings.register_profile("nightly", max_examples=5000, **_COMMON)
-settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Load the profile that HYPOTHESIS_PROFILE names, or dev; --hypothesis-profile goes before both."""
+    if not config.getoption("--hypothesis-profile"):
+        settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
+
 
 FLINT_BITS, MPMATH_BITS = 53, 53
 

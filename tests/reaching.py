@@ -1,12 +1,14 @@
 """Properties whose every case is left out assert nothing: they fail.
 
 A case to which a property does not apply raises LeftOut, and `@reaching` above `@given` counts: at least one case of a
-run has to come to the end of the test.
+run has to come to the end of the test; `--hypothesis-show-statistics` says how many were left out.
 """
 
 import functools
 from collections.abc import Callable
 from typing import Any
+
+from hypothesis import event
 
 
 class LeftOut(Exception):
@@ -22,6 +24,7 @@ def reaching(test: Callable[..., None]) -> Callable[..., None]:
         try:
             inner(*arguments, **named)
         except LeftOut:
+            event("left out")
             return
         ends.append(True)
 

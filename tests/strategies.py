@@ -51,6 +51,79 @@ def driven_scenes() -> st.SearchStrategy[Scene]:
     return drawn(draws.driven)
 
 
+def magnitudes(low: int, high: int) -> st.SearchStrategy[Fraction]:
+    """Positive decimals of four digits, the first of them at 10^low to 10^high."""
+    return st.builds(lambda n, k: n * Fraction(10) ** (k - 3), st.integers(1000, 9999), st.integers(low, high))
+
+
+def near_root(square: Fraction) -> Fraction:
+    """A rational within a part in 10^30 of the square root of a positive one."""
+    places = Fraction(10) ** (30 + max(0, len(str(square.denominator)) - len(str(square.numerator))))
+    return Fraction(math.isqrt(math.floor(square * places**2))) / places
+
+
+@st.composite
+def free_pairs(draw, exponents: tuple[int, int] = (-9, 9), ratios: tuple[int, int] = (-4, 4), damped: bool = False):
+    """Pairs of any mass, mass ratio, stiffness and friction; a damper has 1e-9 to 1e3 of the critical damping."""
+    m1, a2, b = (draw(magnitudes(*exponents)) for _ in range(3))
+    m2 = m1 * draw(magnitudes(*ratios))
+    a1 = 2 * near_root(a2 * (m1 + m2)) * draw(magnitudes(-9, 2)) if damped else Fraction(0)
+    return Pair(m1, m2, a2, b, a1)
+
+
+@st.composite
+def free_starts(draw, pair: Pair, size: tuple[int, int] = (-3, 1)) -> State:
+    """Starts on S and off it, on the edge of S0 and at rest, in units of the pair."""
+    width, unit = pair.half_width, pair.half_width * near_root(pair.a2 / pair.mass)
+    x1, v1, v2 = (draw(signed(magnitudes(*size))) * one for one in (width, unit, unit))
+    kind = draw(st.sampled_from(["off S", "on S", "on the edge", "at rest"]))
+    if kind == "on the edge":
+        x1 = draw(st.sampled_from([-1, 1])) * width
+    if kind != "off S":
+        v2 = v1 = v1 * (kind != "at rest")
+    return State(x1, v1, 0, v2)
+
+
+@st.composite
+def free_motions(draw, damped: bool = False, size: tuple[int, int] = (-3, 1), law: Law = Law.FILIPPOV, **of) -> Scene:
+    """The pair without a force, from anywhere, for some periods."""
+    pair = draw(free_pairs(damped=damped, **of))
+    until = draw(st.integers(1, 30)) / near_root(pair.a2 / pair.mass)
+    return Scene(pair, draw(free_starts(pair, size)), until, law)
+
+
+def excesses(low: int, high: int) -> st.SearchStrategy[Fraction]:
+    """w = E/E_cr - 1 above 0 and below it, |w| < 1 below, by its exponent."""
+    return magnitudes(low, high) | magnitudes(low, -1).map(lambda w: -w)
+
+
+@st.composite
+def motions_of_energy(draw, w: st.SearchStrategy[Fraction], on_surface: bool | None = None, **of) -> Scene:
+    """The free pair with an energy of E_cr (1 + w), to a part in 10^30, on S, in S0 or outside it, and off S."""
+    pair = draw(free_pairs(**of))
+    on_surface = draw(st.booleans()) if on_surface is None else on_surface
+    at = draw(free_starts(pair, (-3, 0)))
+    at = State(at.x1, at.v1, 0, at.v1 if on_surface else at.v2)
+    wanted = pair.critical_energy * (1 + draw(w)) / Scene(pair, at, 1).energy
+    factor = near_root(wanted)
+    return Scene(pair, State(*(factor * one for one in (at.x1, at.v1, 0, at.v2))), 1)
+
+
+@st.composite
+def starts_on_a_ray(draw, decades: tuple[int, int] = (-30, -1), **of) -> Scene:
+    """The free pair as it leaves S0 by a ray with w = q y, y by its exponent and at most (pi/2 - 1)^2."""
+    pair = draw(free_pairs(**of))
+    y = draw(magnitudes(*decades)) * Fraction(3, 10)
+    side = draw(st.sampled_from([-1, 1]))
+    speed = side * near_root(2 * pair.critical_energy * pair.share * y / pair.mass)
+    return Scene(pair, State(side * pair.half_width, speed, 0, speed), 1)
+
+
+def late_times(low: int = 3, high: int = 100) -> st.SearchStrategy[Fraction]:
+    """Times from 10^low s to 10^high s, by their exponent."""
+    return magnitudes(low, high)
+
+
 def free_scenes() -> st.SearchStrategy[Scene]:
     """The paper's pair: ordinary, of any magnitude, next to E_cr, in long slips, under the literal law."""
     literal = scenes(law=Law.THREE_VALUED_SGN)

@@ -18,13 +18,15 @@ class NotEvaluatedError(ArithmeticError):
     """A function that has no value here."""
 
 
-def at_point(expression: sp.Expr, point: Mapping[sp.Symbol, sp.Rational]) -> Value:
-    """Return the value at a point, at flint's precision.
+def at_point(expression: sp.Expr, point: Mapping[sp.Symbol, sp.Rational | Value]) -> Value:
+    """Return the value at a point, at flint's precision; where a coordinate is a ball, a ball around all values on it.
 
     Raises ZeroDivisionError at an exact pole, NotEvaluatedError for a function that is not known. A ball that is not
     finite says that there may be a pole.
     """
-    known: dict[sp.Basic, Value] = {symbol: fmpq(int(one.p), int(one.q)) for symbol, one in point.items()}
+    known: dict[sp.Basic, Value] = {
+        symbol: fmpq(int(one.p), int(one.q)) if isinstance(one, sp.Rational) else one for symbol, one in point.items()
+    }
 
     def value(part: sp.Expr) -> Value:
         if part not in known:
