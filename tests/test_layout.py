@@ -5,7 +5,6 @@ import importlib
 import re
 import subprocess
 import sys
-import tomllib
 from pathlib import Path
 
 import pytest
@@ -143,9 +142,3 @@ def test_help_answers_without_heavy_imports(package):
     assert done.returncode == 0, done.stderr
     assert "usage:" in done.stdout
     assert done.stderr.strip().splitlines()[-1] == "[]"
-
-
-def test_version_is_said_once_and_the_same_everywhere():
-    version = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["version"]
-    citation = (ROOT / "CITATION.cff").read_text("utf-8")
-    assert f"version: {version}" in citation

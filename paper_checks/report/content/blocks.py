@@ -77,7 +77,7 @@ class Markup:
 
 @dataclass(frozen=True)
 class Folded:
-    """What is shown when a reader asks for it; paper has it where all steps are asked for."""
+    """What is shown when a reader asks for it; paper has nothing in its place."""
 
     title: str
     blocks: tuple[Block, ...]
@@ -106,11 +106,6 @@ def every(blocks: tuple[Block, ...]) -> Iterator[Block]:
         yield block
         if isinstance(block, Folded):
             yield from every(block.blocks)
-
-
-def unfolded(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
-    """Return the blocks without those that are folded, as paper has them."""
-    return tuple(block for block in blocks if not isinstance(block, Folded))
 
 
 def pictures(blocks: tuple[Block, ...]) -> Iterator[Picture]:

@@ -1,21 +1,17 @@
-"""The whole report as data: what every form of it writes, in the same order."""
+"""The whole report as data: what the pages write, and of which paper is a selection."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from paper_checks.claims import source
 from paper_checks.report.content import blocks, kernel, notation, opening, shared, trust
-from paper_checks.report.content.blocks import Block, Paragraph, Picture, Section
+from paper_checks.report.content.blocks import Block, Section
 from paper_checks.report.content.story import story
 from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
-STEPS = (
-    "Every row rests on checked steps, which are not printed here: the HTML form of this report unfolds them; `--steps` "
-    "prints them."
-)
 ROWS, ROWS_TITLE = "rows", "All claims and theorems"
 
 
@@ -28,16 +24,6 @@ class Document:
     rows: tuple[Row, ...]
     chapters: tuple[Section, ...]
     stories: Mapping[str, tuple[Block, ...]] = field(default_factory=dict)
-
-    def on_paper(self) -> Document:
-        """Return it without what a page folds, with a sentence on where that is, and each row's picture once."""
-        chapters = (*self.chapters, Section("steps", "The steps", (Paragraph(STEPS),)))
-        return replace(
-            self,
-            front=tuple(replace(one, blocks=blocks.unfolded(one.blocks)) for one in self.front),
-            chapters=tuple(replace(one, blocks=blocks.unfolded(one.blocks)) for one in chapters),
-            stories=_each_picture_once({name: blocks.unfolded(story) for name, story in self.stories.items()}),
-        )
 
     @property
     def anchors(self) -> Iterator[str]:
@@ -55,18 +41,6 @@ class Document:
             *(one.blocks for one in self.chapters),
         ]
         return tuple(dict.fromkeys(picture.name for some in everything for picture in blocks.pictures(some)))
-
-
-def _each_picture_once(stories: Mapping[str, tuple[Block, ...]]) -> Mapping[str, tuple[Block, ...]]:
-    """Return stories in which a picture of an earlier one is a link to that."""
-    shown: dict[str, str] = {}
-
-    def once(row: str, block: Block) -> Block:
-        if not isinstance(block, Picture) or shown.setdefault(block.name, row) == row:
-            return block
-        return Paragraph(f"{block.title}, drawn under `{shown[block.name]}`.", "Picture")
-
-    return {row: tuple(once(row, block) for block in story) for row, story in stories.items()}
 
 
 def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Sequence[str] = ()) -> Document:

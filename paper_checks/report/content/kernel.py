@@ -30,6 +30,10 @@ NAMES = (
     "Names without a dot are those of Coq's library of real numbers, `R` the numbers themselves, `Rabs` the size of one, `PI`, `sqrt`; and of Coquelicot: "
     "`is_lim f p_infty l` says that $f$ tends to $l$ at infinity. An arrow is an implication: all before the last one is assumed."
 )
+FILES = (
+    "The statements and proofs are not printed here. They are the Coq files in `paper_checks/proofs` of the software; "
+    "`python -m paper_checks.proofs` compiles them and compares each statement with the one on record."
+)
 SAME = "filippov-iff"
 """The theorem that says so."""
 WORDS = {
@@ -66,9 +70,20 @@ def theorems(rows: Sequence[Row]) -> dict[str, Evidence]:
     return dict(sorted(found.items()))
 
 
+def _known(rows: Sequence[Row]) -> dict[str, Evidence]:
+    """Return those of the theorems whose statements are pinned."""
+    return {name: step for name, step in theorems(rows).items() if name in pinned().theorems}
+
+
+def notion(rows: Sequence[Row]) -> tuple[Block, ...]:
+    """Return in words what a solution is, what the kernel takes for granted, and where its statements and proofs are."""
+    found = _known(rows).values()
+    return tuple(map(Paragraph, (SOLUTION, FILIPPOV, f"{_axioms(found)} {FILES}"))) if found else ()
+
+
 def section(rows: Sequence[Row]) -> Section:
     """Return the chapter; without any blocks where no row names a theorem of the kernel."""
-    found = {name: step for name, step in theorems(rows).items() if name in pinned().theorems}
+    found = _known(rows)
     users: dict[str, list[str]] = {}
     for row in rows:
         for name in theorems([row]):

@@ -32,7 +32,7 @@ STRENGTHS = {
     "an argument that a person wrote, over such steps": (EvidenceKind.ARGUMENT,),
 }
 """Kinds of steps, from the strongest; together they are all that can settle a row."""
-_WORDS = {
+WORDS = {
     Verdict.HOLDS: ("holds as written", "hold as written"),
     Verdict.HOLDS_CORRECTED: ("holds after a correction", "hold after a correction"),
     Verdict.REFUTED: ("is refuted", "are refuted"),
@@ -40,10 +40,9 @@ _WORDS = {
     Verdict.UNCHECKED: ("is unchecked, as a tool is missing", "are unchecked, as a tool is missing"),
 }
 EXPLORE = (
-    "Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
-    "becomes of it; on a second tab, the pair on a surface, seen from above."
+    "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
+    'becomes of it; on a second tab, the pair on a surface, seen from above.</p>\n<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
 )
-TO_EXPLORE = '<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
 POSITIVE = "$m_1,m_2,a_2,b>0$."
 FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."
 DRIVEN = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless it says more."
@@ -121,8 +120,7 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
                 Paragraph(MODEL),
                 Markup(motion.section()),
                 Paragraph(counts(rows)),
-                Paragraph(EXPLORE),
-                Markup(TO_EXPLORE),
+                Markup(EXPLORE),
             ),
         ),
         Section("refuted", "What fails", tuple(_refuted(rows))),
@@ -146,7 +144,7 @@ def counts(rows: Sequence[Row]) -> str:
     claims = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.CLAIM)
     theorems = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.THEOREM)
     total, proved = sum(claims.values()), theorems[Verdict.HOLDS]
-    parts = [f"{claims[verdict]} {_WORDS[verdict][claims[verdict] != 1]}" for verdict in Verdict if claims[verdict]]
+    parts = [f"{claims[verdict]} {WORDS[verdict][claims[verdict] != 1]}" for verdict in Verdict if claims[verdict]]
     of_claims = (
         f"Of the paper's {total} claims {_joined(parts)}."
         if total > 1

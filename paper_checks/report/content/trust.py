@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from importlib.metadata import PackageNotFoundError, version
 
 from paper_checks.claims import source
 from paper_checks.evidence.evidence import EvidenceKind
-from paper_checks.report.content.blocks import Code, Paragraph, Points, Section, Table
+from paper_checks.report.content import citation
+from paper_checks.report.content.blocks import Code, Heading, Paragraph, Points, Section, Table
 from paper_checks.running.runner import Row
 
 LAW = (
@@ -16,7 +16,6 @@ LAW = (
     "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ "
     "(`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they allow another motion, the row says so."
 )
-SOFTWARE = "inertial-pair"
 INSTALL = "python3 -m venv .venv && .venv/bin/python -m pip install -e '.[checks]' && .venv/bin/python -m paper_checks"
 """The first command of the README."""
 TRUST, PROVENANCE = "trust", "provenance"
@@ -24,7 +23,7 @@ GUARANTEES = {
     EvidenceKind.KERNEL: (
         "A theorem was proved line by line, and the small kernel of the proof assistant Coq accepted every line.",
         "the kernel, its axioms of the real numbers, and that the theorem says what the row says: its statement is pinned, its "
-        "definitions are tied to the formulas of this page",
+        "definitions are tied to the formulas of this report",
     ),
     EvidenceKind.SMT: (
         "Two solvers, z3 and cvc5, each found that the negation of a formula in real numbers has no solution; the assumptions "
@@ -65,7 +64,7 @@ def section(rows: Sequence[Row]) -> Section:
         (
             Paragraph(
                 "A row is as strong as the weakest step that its verdict needs. The table goes from the strongest kind of step to the "
-                "weakest. Samples settle nothing. To see the rows of a kind, choose it under “Weakest step”, above `rows` of the HTML form."
+                "weakest. Samples settle nothing."
             ),
             Table(
                 ("kind", "what is guaranteed", "what you have to believe", "rows"),
@@ -92,15 +91,8 @@ def _guards(rows: Sequence[Row]) -> Iterable[str]:
     yield "A row that needs a tool that is missing is unchecked, where a check breaks it is undecided: neither is ever a pass."
 
 
-def _version() -> str:
-    try:
-        return version(SOFTWARE)
-    except PackageNotFoundError:
-        return "unknown, as it is not installed"
-
-
 def provenance() -> Section:
-    """Return which text was checked, by which version of this software, and how to install that."""
+    """Return which text was checked, by which version of this software, how to install that, and how to cite both."""
     lines = (
         ("paper", source.TITLE),
         ("authors", ", ".join(source.AUTHORS)),
@@ -111,17 +103,19 @@ def provenance() -> Section:
     )
     return Section(
         PROVENANCE,
-        "Provenance",
+        "Provenance and citation",
         (
             Table(("", "of the paper"), lines, "Which text was checked"),
             Paragraph(
-                f"It was checked by {SOFTWARE}, version {_version()}. In its directory this installs it (Python 3.11 or later) and checks "
-                "every claim; the commands of this page then start with `.venv/bin/python`:"
+                f"It was checked by {citation.SOFTWARE}, version {citation.of_package('Version')}. In its directory this installs it (Python 3.11 or later) "
+                "and checks every claim; the commands of this report then start with `.venv/bin/python`:"
             ),
             Code(INSTALL),
             Paragraph(
                 "`python -m paper_checks source FILE` says whether a file is that text. Sentences are quoted by their place in print; "
                 "numbers of equations and figures are those of the printed paper."
             ),
+            Heading("How to cite"),
+            Code(citation.bibtex()),
         ),
     )

@@ -126,7 +126,7 @@ class HtmlWriter(Writer):
 
     def _cards(self, cards: Sequence[tuple[str, str, blocks.Picture]]) -> str:
         each = (
-            f"<article{self._breadth(one)}>{title}<p>{text}</p>\n{self._picture(one)}</article>\n"
+            f"<article{self._breadth(one)}><h3>{title}</h3><p>{text}</p>\n{self._picture(one)}</article>\n"
             for title, text, one in cards
         )
         return f'<div class="cards">\n{"".join(each)}</div>'

@@ -1,4 +1,4 @@
-"""The report as LaTeX source, an appendix that also compiles by itself; and as the PDF that pdfTeX makes of it."""
+"""The report as LaTeX source that compiles by itself, and as the PDF that pdfTeX makes of it: a paper, not the pages in print."""
 
 from __future__ import annotations
 
@@ -10,64 +10,117 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
+from paper_checks.evidence.claim import Kind
+from paper_checks.report.content import citation, paper
+from paper_checks.report.content.document import Document
 from paper_checks.report.content.phrases import kind
 from paper_checks.report.formats.latex_blocks import LatexWriter, label
 from paper_checks.report.mathematics.prose import latex
+from paper_checks.running.runner import Row
 
 REMEDY = "a PDF needs pdflatex on the PATH (TeX Live, or any other TeX); --format latex writes its source without it"
 SECONDS = 300
 """How long one pass of pdflatex may take; some take ten."""
+PASSES = 3
+"""The contents take room in the second pass, so that their page numbers are right from the third on."""
 PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
+\IfFileExists{microtype.sty}{\usepackage{microtype}}{}
 \usepackage[a4paper,margin=22mm]{geometry}
 \usepackage{amsmath,amssymb,array,graphicx,longtable}
 \usepackage[hidelinks,pdfcreator={},pdfproducer={}]{hyperref}
 \pdfinfoomitdate=1 \pdftrailerid{} \pdfsuppressptexinfo=-1
 \setlength{\emergencystretch}{3em}
 \setlength{\parindent}{0pt}
-\setlength{\parskip}{4pt}
+\setlength{\parskip}{2pt plus 1pt}
+\widowpenalty=10000 \clubpenalty=10000
+\setcounter{tocdepth}{1}
+\newcommand{\entry}{\small\setlength{\abovedisplayskip}{3pt}\setlength{\belowdisplayskip}{3pt}\par\addvspace{5pt plus 2pt}}
+\setlength{\LTpre}{4pt} \setlength{\LTpost}{4pt}
+\makeatletter
+\renewcommand{\l@section}{\@dottedtocline{1}{0em}{1.8em}}
+\renewcommand{\@listi}{\leftmargin\leftmargini \topsep 2pt \parsep 0pt \itemsep 2pt}
+\let\@listI\@listi
+\makeatother
 """
 
 
 def render(report: Document, figures: Mapping[str, str]) -> str:
     """Return the source. `figures` maps a figure's name to the file, beside the source, that holds it."""
-    writer = LatexWriter(figures, report.anchors)
-    parts = [PREAMBLE + r"\begin{document}", rf"\section*{{{latex(report.title)}}}", *map(writer.section, report.front)]
-    parts += _rows(report, writer)
-    parts += map(writer.section, report.chapters)
-    return "\n\n".join([*parts, r"\end{document}"]) + "\n"
+    parts = paper.parts(report)
+    sections = [part.section.id for part in parts]
+    writer = LatexWriter(figures, [*report.anchors, *sections], sections)
+    body = [
+        PREAMBLE + _metadata(report),
+        r"\begin{document}",
+        rf"\begin{{center}}{{\Large {latex(report.title)}\par}}\medskip {_by()}\end{{center}}",
+        writer.body(paper.abstract(report)),
+        r"\tableofcontents",
+        *(text for part in parts for text in _part(part, writer)),
+        r"\end{document}",
+    ]
+    return "\n\n".join(body) + "\n"
 
 
-def _rows(report: Document, writer: LatexWriter) -> Iterator[str]:
-    yield rf"{label(ROWS)}\subsection*{{{ROWS_TITLE}}}"
-    for row in report.rows:
-        verdict = f"{row.finding.verdict.value} ({latex(kind(row))})"
-        yield rf"{label(row.claim.id)}\subsubsection*{{{writer.text(f'`{row.claim.id}`')}: {verdict}}}"
-        yield writer.body(report.stories[row.claim.id])
+def _metadata(report: Document) -> str:
+    """Return the properties of the file: what a catalogue of documents shows."""
+    named = {
+        "pdftitle": report.title,
+        "pdfauthor": citation.of_package("Author"),
+        "pdfsubject": citation.of_package("Summary"),
+        "pdfkeywords": citation.of_package("Keywords").replace(",", ", "),
+        "pdflang": "en",
+    }
+    return rf"\hypersetup{{{','.join(f'{name}={{{latex(text)}}}' for name, text in named.items())}}}"
+
+
+def _by() -> str:
+    return latex(f"{citation.of_package('Author')}, version {citation.of_package('Version')}")
+
+
+def _part(part: paper.Part, writer: LatexWriter) -> Iterator[str]:
+    yield writer.title(part.section)
+    yield writer.body(part.section.blocks)
+    yield from (_entry(row, writer) for row in part.rows)
+    yield writer.body(part.below)
+
+
+def _entry(row: Row, writer: LatexWriter) -> str:
+    """Return a claim or theorem: its id, its place in the paper, its weakest step, and what is printed of it."""
+    where = f"{row.claim.where}; " if row.claim.kind is Kind.CLAIM else ""
+    name = rf"{label(row.claim.id)}\textbf{{{writer.text(f'`{row.claim.id}`')}}} ({latex(f'{where}{kind(row)}')})."
+    return rf"{{\entry{name} {writer.body([*paper.entry(row)])}\par}}"
 
 
 def pdf(source: str, figures: Mapping[str, bytes]) -> bytes:
-    """Return the PDF of a source with its figures by file, the same bytes every time. Raises ToolMissingError, and RuntimeError
-    with the end of the log where TeX refuses it."""
+    """Return the PDF of a source with its figures by file, the same bytes every time.
+
+    Raises ToolMissingError without pdflatex, and RuntimeError with the end of the log where TeX refuses the source.
+    """
+    return typeset(source, figures)[0]
+
+
+def typeset(source: str, figures: Mapping[str, bytes]) -> tuple[bytes, str]:
+    """Return the PDF and TeX's log; raises as `pdf` does."""
     if problem := missing():
         raise ToolMissingError(problem)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for file, content in {**figures, "report.tex": source.encode()}.items():
+            (folder / file).parent.mkdir(exist_ok=True)
             (folder / file).write_bytes(content)
         command = ["pdflatex", "-interaction=batchmode", "-halt-on-error", "-no-shell-escape", "report.tex"]
         environment = {**os.environ, "SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
-        for _ in range(2):  # links and the columns of tables are right from the second pass on
+        for _ in range(PASSES):
             done = subprocess.run(
                 command, cwd=folder, env=environment, capture_output=True, timeout=SECONDS, check=False
             )
+            log = (folder / "report.log").read_text(encoding="utf-8", errors="replace")
             if done.returncode:
-                log = (folder / "report.log").read_text(encoding="utf-8", errors="replace")
                 raise RuntimeError(f"pdflatex refused the report: {log[-600:]}")
-        return (folder / "report.pdf").read_bytes()
+        return (folder / "report.pdf").read_bytes(), log
 
 
 def missing() -> str | None:

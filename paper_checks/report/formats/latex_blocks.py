@@ -2,34 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
 
 from paper_checks.report.content import blocks
 from paper_checks.report.formats.writer import Writer, shares
 from paper_checks.report.mathematics import prose
 
-SIZE = r"width=\textwidth,height=0.42\textheight,keepaspectratio"
+_BREAK = re.compile(r"(?<=[-.])|(?<=\\_)")
+"""Where code may be broken at the end of a line."""
+SIZE = r"width=\linewidth,height=0.24\textheight,keepaspectratio"
 
 
 class LatexWriter(Writer):
-    """Writes blocks as LaTeX. `figures` maps names to files beside the source, `anchors` are the labels of the document."""
+    """Writes blocks as LaTeX. `figures` maps names to files beside the source, `anchors` are the labels of the document.
 
-    def section(self, section: blocks.Section) -> str:
-        """Return a section with its heading."""
-        return rf"{label(section.id)}\subsection*{{{self.text(section.title)}}}" + "\n\n" + self.body(section.blocks)
+    In a text the anchor of one of its `sections` is that section's number. What only a page can show is left out.
+    """
+
+    def __init__(self, figures: Mapping[str, str], anchors: Iterable[str], sections: Iterable[str]) -> None:
+        """Take the figures, the anchors, and those of them that are numbered sections."""
+        super().__init__(figures, anchors)
+        self._sections = frozenset(sections)
+
+    def title(self, section: blocks.Section) -> str:
+        """Return the heading of a section."""
+        return rf"\section{{{self.text(section.title)}}}\label{{{section.id}}}"
 
     def _prose(self, text: str) -> str:
         return prose.latex(text)
 
     def _code(self, code: str) -> str:
-        """Return code in typewriter, that may be broken at its hyphens; two of them must not join to a dash."""
+        """Return code in typewriter, that may be broken at its hyphens and dots; two of them must not join to a dash."""
+        if code in self._sections:
+            return rf"Section~\ref{{{code}}}"
         shown = prose.latex(code).replace("--", "-{-}")
-        shown = rf"\texttt{{{shown if ' ' in code else shown.replace('-', '-' + chr(92) + 'allowbreak{}')}}}"
+        breakable = shown if " " in code else _BREAK.sub(r"\\allowbreak{}", shown)
+        shown = rf"\texttt{{{breakable}}}"
         target = self._target(code)
         return rf"\hyperref[{target}]{{{shown}}}" if target else shown
 
     def _heading(self, text: str, anchor: str) -> str:
-        return rf"{label(anchor) if anchor else ''}\subsubsection*{{{self.text(text)}}}"
+        return rf"\subsection{{{self.text(text)}}}" + (rf"\label{{{anchor}}}" if anchor else "")
 
     def _paragraph(self, block: blocks.Paragraph) -> str:
         return (rf"\textbf{{{prose.latex(block.label)}.}} " if block.label else "") + self.text(block.text)
@@ -47,7 +61,8 @@ class LatexWriter(Writer):
         return ""
 
     def _folded(self, title: str, inside: str) -> str:
-        return rf"\textbf{{{self.text(title)}.}}" + "\n\n" + inside
+        del title, inside
+        return ""
 
     def _picture(self, picture: blocks.Picture) -> str:
         if picture.name not in self._figures:
@@ -59,7 +74,12 @@ class LatexWriter(Writer):
         )
 
     def _cards(self, cards: Sequence[tuple[str, str, blocks.Picture]]) -> str:
-        return "\n\n".join(f"{title}\n\n{text}\n\n{self._picture(picture)}" for title, text, picture in cards)
+        """Return pictures side by side, two in a line, each below what it shows."""
+        boxes = [
+            f"\\begin{{minipage}}[t]{{0.485\\textwidth}}\n\\small\\textbf{{{title}.}} {text}\n\n{self._picture(picture)}\n\\end{{minipage}}"
+            for title, text, picture in cards
+        ]
+        return "\n\n".join("\\hfill\n".join(boxes[first : first + 2]) for first in range(0, len(boxes), 2))
 
     def _table(self, table: blocks.Table) -> str:
         """Return a table as wide as the page, its columns as wide as their texts ask for, within limits."""

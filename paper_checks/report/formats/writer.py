@@ -8,9 +8,13 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from paper_checks.report.content import blocks
 from paper_checks.report.content.blocks import Block, Table
+from paper_checks.report.mathematics.prose import plain
 
 LISTED = ("theorem", "definition", "step", "symbol")
 """How anchors begin that stand in a list of their kind; in a text only the rest is code."""
+WIDE = 90
+"""Letters of a table in one line of paper."""
+_WORDS = re.compile(r"[^\s-]+-?|$")
 _CODE = re.compile(r"`([^`]+)`")
 
 
@@ -45,9 +49,7 @@ class Writer(ABC):
             case blocks.Picture():
                 return self._picture(block)
             case blocks.Cards(items):
-                return self._cards(
-                    [(self._heading(title, ""), self.text(text), picture) for title, text, picture in items]
-                )
+                return self._cards([(self.text(title), self.text(text), picture) for title, text, picture in items])
             case blocks.Code(text):
                 return self._lines(text)
             case blocks.Markup(html):
@@ -111,10 +113,16 @@ def _mention_of(anchors: Iterable[str]) -> re.Pattern[str] | None:
 
 
 def shares(table: Table) -> list[float]:
-    """Return the share of each column of the width (dimensionless, their sum 1): the root of its longest text's length."""
+    """Return the share of each column of the width (dimensionless, their sum 1).
+
+    Each has room for its longest word; what is left goes by the length of its longest text.
+    """
     columns = [
-        [len(line) for cell in column for line in cell.split("\n")]
+        [plain(line) for cell in column for line in cell.split("\n")]
         for column in zip(table.head, *table.rows, strict=True)
     ]
-    wishes = [max(*lengths, 6) ** 0.5 for lengths in columns]
-    return [wish / sum(wishes) for wish in wishes]
+    least = [max(len(word) for line in column for word in _WORDS.findall(line)) / WIDE for column in columns]
+    wishes = [max(map(len, column)) for column in columns]
+    if (left := 1 - sum(least)) <= 0:
+        return [one / sum(least) for one in least]
+    return [one + left * wish / sum(wishes) for one, wish in zip(least, wishes, strict=True)]

@@ -43,9 +43,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--format", type=forms, default=("html",), metavar="F[,F]", help=f"of {', '.join(FORMS)}; default: html"
     )
     parser.add_argument(
-        "--steps", action="store_true", help="print all steps in LaTeX and PDF; the HTML pages have them folded"
-    )
-    parser.add_argument(
         "--trade", type=path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
     )
 
@@ -91,7 +88,7 @@ def _written(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, com
     from paper_checks.report.output.finished import Finished, name_of, placed
 
     kept = Finished(options.trade) if options.program else None
-    names = {form: name_of(rows, form, (options.steps,)) for form in options.format}
+    names = {form: name_of(rows, form) for form in options.format}
     found = {form: kept.files(name) if kept and not options.fresh else None for form, name in names.items()}
     files = {form: one for form, one in found.items() if one is not None}
     if wanted := [form for form in names if form not in files]:
@@ -119,23 +116,29 @@ def _made(
     )
     from paper_checks.report.output.pictures import drawn, shown
 
-    report = None if len(rows) == len(CLAIMS) else document(rows)
-    figures, chapters = parts.figures(trade), () if report else tuple(map(parts.Chapter, parts.chapters(trade)))
-    kinds = dict.fromkeys(files.FIGURES_OF[form] for form in wanted)
-    drawings = [parts.Drawing(name, kind) for kind in kinds for name in (report.pictures if report else figures)]
+    report, figures = document(rows), parts.figures(trade)
+    whole = "html" in wanted and len(rows) == len(CLAIMS)  # chapters are pages only
+    chapters = tuple(map(parts.Chapter, parts.chapters(trade))) if whole else ()
+    drawings = dict.fromkeys(
+        parts.Drawing(name, files.FIGURES_OF[form])
+        for form in wanted
+        for name in (figures if whole and form == "html" else files.shown_in(form, report))
+    )
     found: dict[parts.Part, Any] = {}
     with progress.parts(len(chapters) + len(drawings)) as told:
         jobs = options.jobs or (available_cores() if options.program else 1)
         for part, made in parts.made([*chapters, *drawings], trade, jobs):
             told(part.name)
             found[part] = made
-    report = report or document(rows, [found[one] for one in chapters], [*speed.answers(trade)])
+    if whole:
+        report = document(rows, [found[one] for one in chapters], [*speed.answers(trade)])
     for form in wanted:
         kind = files.FIGURES_OF[form]
         pictures = {
-            name: found.get(parts.Drawing(name, kind)) or drawn(figures, name, kind) for name in report.pictures
+            name: found.get(parts.Drawing(name, kind)) or drawn(figures, name, kind)
+            for name in files.shown_in(form, report)
         }
-        yield form, files.made(form, report, shown(pictures, complaints), options.steps)
+        yield form, files.made(form, report, shown(pictures, complaints))
 
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from paper_checks.report.content import paper
 from paper_checks.report.content.document import Document
 from paper_checks.report.formats import html, latex
 from paper_checks.report.output.finished import Files
@@ -12,14 +13,20 @@ FIGURES_OF = {"html": "svg", "latex": "pdf", "pdf": "pdf"}
 """In which form a form of the report takes its figures."""
 
 
-def made(form: str, report: Document, figures: Mapping[str, bytes], steps: bool = False) -> Files:
+def shown_in(form: str, report: Document) -> tuple[str, ...]:
+    """Return the names of the figures that a form of the report shows."""
+    return report.pictures if form == "html" else paper.pictures(report)
+
+
+def made(form: str, report: Document, figures: Mapping[str, bytes]) -> Files:
     """Return the files of one of the forms `html`, `latex`, `pdf`; `figures` are in the form that it takes, by name.
 
-    On paper what the page folds is left out, unless all `steps` are asked for. Raises ToolMissingError for a PDF without TeX.
+    Raises ToolMissingError for a PDF without TeX.
     """
     if form == "html":
         pages = html.render(report, {one: content.decode() for one, content in figures.items()})
         return {file: text.encode() for file, text in pages.items()}
-    drawn = {f"{one}.pdf": content for one, content in figures.items()}
-    text = latex.render(report if steps else report.on_paper(), {one: f"{one}.pdf" for one in figures})
+    names = {one: f"figures/{one}.pdf" for one in figures}
+    drawn = {names[one]: content for one, content in figures.items()}
+    text = latex.render(report, names)
     return {"report.pdf": latex.pdf(text, drawn)} if form == "pdf" else {**drawn, "report.tex": text.encode()}

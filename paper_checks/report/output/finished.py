@@ -1,14 +1,14 @@
 """Reports kept in the user's cache, so that nothing is drawn or set twice: the bytes are those of a fresh run.
 
 They are kept under a hash of every source file, of the versions of all that draws and sets, of the kernel's, and of the
-trade that is shown, of the rows and the options.
+trade that is shown, of the rows and the form.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -46,9 +46,9 @@ class Finished:
         self._store.put(name, json.dumps(list(files)).encode())
 
 
-def name_of(rows: Sequence[Row], form: str, options: Iterable[object]) -> str:
+def name_of(rows: Sequence[Row], form: str) -> str:
     """Return a name for a form of the report on these rows: a hash of what they say, and not of how long they took."""
-    said = hashlib.sha256(repr((form, *options)).encode())
+    said = hashlib.sha256(form.encode())
     for row in rows:
         said.update(plain.as_json(replace(plain.plain(row), seconds=0.0)).encode() + b"\n")
     return f"{said.hexdigest()[:32]}.{form}"

@@ -1,22 +1,35 @@
-"""The LaTeX report carries the same content, compiles by itself, and is the PDF; without TeX there is a remedy."""
+"""The LaTeX source compiles by itself and is the PDF, which is a paper: short, with contents, nothing of a screen."""
 
 import re
 import shutil
+from dataclasses import replace
 
 import pytest
 
+from paper_checks.claims import CLAIMS
+from paper_checks.drawing.figures import FIGURES
 from paper_checks.errors import ToolMissingError
+from paper_checks.report.content import opening, paper
+from paper_checks.report.content.blocks import Code, Folded, Markup, Picture, Table
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import latex
+from paper_checks.report.formats.latex_blocks import LatexWriter
+from paper_checks.report.formats.writer import shares
 from paper_checks.report.output import pictures
 from paper_checks.report.output.files import made
+from paper_checks.running import rows as running
+from paper_checks.running.kept import Kept
+from paper_checks.running.runner import Context
 
 TEX = pytest.mark.skipif(not shutil.which("pdflatex"), reason="pdflatex is not installed")
+PAGES, TOO_WIDE = 25, 2.0
+"""How long the paper may be, and by how much a line may stick out (points)."""
+SCREEN = r"\b(explore|tab|fold|unfold|click|choose|scroll|search|filter|html|browser|page)s?\b"
 
 
 @pytest.fixture
 def source(rows):
-    return latex.render(document(rows), {"sine": "sine.pdf"})
+    return latex.render(document(rows), {"two-bodies": "figures/two-bodies.pdf"})
 
 
 def test_environments_and_labels_match(source, rows):
@@ -24,19 +37,68 @@ def test_environments_and_labels_match(source, rows):
     labels = re.findall(r"\\label\{([^}]+)\}", source)
     assert len(labels) == len(set(labels))
     assert {row.claim.id for row in rows} <= set(labels)
-    assert set(re.findall(r"\\hyperref\[([^]]+)\]", source)) <= set(labels)
-    assert r"keepaspectratio]{sine.pdf}" in source
-    assert r"\textless{}b\textgreater{}100\%" in source
+    assert {*re.findall(r"\\(?:hyperref\[|ref\{)([^]}]+)[]}]", source)} <= set(labels)
+    assert r"keepaspectratio]{figures/two-bodies.pdf}" in source
+    assert r"\textless{}script\textgreater{}" in source
+
+
+def test_a_claim_is_printed_with_what_is_wrong_and_a_theorem_with_what_it_assumes(rows):
+    printed = {row.claim.id: [*paper.entry(row)] for row in rows}
+    for row in rows:
+        text = " ".join(f"{one.label}: {one.text}" for one in printed[row.claim.id])
+        assert row.claim.statement in text
+        found = row.finding
+        for said in filter(None, (found.counterexample, found.corrected, found.missing)):
+            assert said in text
+    assert [one.label for one in printed["energy-rate"]] == ["", "Why"]
+    assert [one.label for one in printed["stiction-bracket"]] == ["", "Counterexample", "What is true"]
+
+
+def test_every_row_is_printed_once_and_below_its_verdict(rows):
+    parts = paper.parts(document(rows))
+    assert sorted(row.claim.id for part in parts for row in part.rows) == sorted(row.claim.id for row in rows)
+    for part in parts:
+        assert all(part.section.title == f"Claims that {opening.WORDS[row.finding.verdict][1]}" for row in part.rows)
+
+
+def test_what_only_a_page_can_show_is_left_out_and_a_section_is_a_number():
+    blocks = (Markup("<p>go</p>"), Folded("More", (Code("deep"),)), Picture("lost", "", "Lost"))
+    writer = LatexWriter({}, ["trust", "energy-rate"], ["trust"])
+    assert writer.body(blocks) == "The figure lost was not drawn."
+    assert writer.text("See `trust`, energy-rate.").count(r"\ref{trust}") == 1
+
+
+def test_no_column_is_narrower_than_its_longest_word():
+    """Columns of a table were printed over each other."""
+    table = Table(("row", "what"), (("synchronisation-time", "word " * 80),), "")
+    first, second = shares(table)
+    assert first > len("synchronisation-") / 95
+    assert first + second == pytest.approx(1)
+    assert shares(replace(table, rows=(("x" * 90, "y" * 90),))) == [0.5, 0.5]
 
 
 @TEX
 def test_it_compiles_to_the_same_bytes_every_time(rows, figures):
     readable = document([row for row in rows if row.claim.id != "hostile"])  # its mathematics is none on purpose
-    drawn = {"sine": pictures.drawn(figures, "sine", "pdf")}
+    drawn = {"two-bodies": pictures.drawn(figures, "two-bodies", "pdf")}
     first, second = (made("pdf", readable, drawn)["report.pdf"] for _ in "12")
     assert first == second
     assert first.startswith(b"%PDF-")
     assert not re.search(rb"CreationDate|dc:date", first)
+
+
+@TEX
+@pytest.mark.slow
+def test_the_whole_report_is_a_paper():
+    report = document(running.rows(CLAIMS, Context(), running.Manner(1, Kept(0)), running.Progress()))
+    drawn = {f"figures/{name}.pdf": pictures.drawn(FIGURES, name, "pdf") for name in paper.pictures(report)}
+    source = latex.render(report, {name: f"figures/{name}.pdf" for name in paper.pictures(report)})
+    _, log = latex.typeset(source, drawn)
+    assert int(re.search(r"Output written on report.pdf \((\d+) pages", log)[1]) <= PAGES
+    assert [one for one in re.findall(r"Overfull \\[hv]box \(([\d.]+)pt", log) if float(one) > TOO_WIDE] == []
+    assert "LaTeX Warning" not in log
+    assert re.findall(SCREEN, source.partition(r"\begin{document}")[2], re.IGNORECASE) == []
+    assert all(name in source for name in (r"\tableofcontents", "pdftitle", "pdfauthor", "pdfsubject", "pdfkeywords"))
 
 
 @TEX

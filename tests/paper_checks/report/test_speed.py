@@ -78,7 +78,7 @@ def test_the_shipped_record_is_told_in_every_form():
     tables = [one for one in whole.blocks if isinstance(one, Table)]
     assert all({len(row) for row in one.rows} == {len(one.head)} for one in tables)
     assert HtmlWriter({}, {}).section(whole).count("<table") == len(tables) == 2
-    assert LatexWriter({}).section(whole).count(r"\begin{longtable}") == 2
+    assert LatexWriter({}, (), ()).body(whole.blocks).count(r"\begin{longtable}") == 2
     assert not re.search(r"\bnan\b|\bNone\b|\binf\b", text_of(whole))
     assert set(whole.pictures) == set(speed.figures(recorded()))
     assert all("heyoka" in one or "ours wins on all" in one or "ours is" in one for one in speed.answers(recorded()))

@@ -1,0 +1,68 @@
+"""CITATION.cff has what its schema requires, and says what pyproject.toml, the package and the BibTeX entries say."""
+
+import datetime
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+
+from paper_checks.claims import source
+from paper_checks.report.content import citation
+
+ROOT = Path(__file__).parents[3]
+REQUIRED = {"authors", "cff-version", "message", "title"}
+ALLOWED = REQUIRED | {"abstract", "date-released", "keywords", "license", "references", "type", "url", "version"}
+"""Of Citation File Format 1.2.0: the keys that a file must have, and those of the others that this one may have."""
+
+
+@pytest.fixture
+def cited():
+    return yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+
+
+@pytest.fixture
+def project():
+    return tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+
+
+def test_the_file_is_of_its_format(cited):
+    assert REQUIRED <= set(cited) <= ALLOWED
+    assert (cited["cff-version"], cited["type"]) == ("1.2.0", "software")
+    assert isinstance(cited["date-released"], datetime.date)
+    assert all({"authors", "title", "type"} <= set(one) for one in cited["references"])
+
+
+def test_the_software_is_that_of_the_project(cited, project):
+    assert cited["title"] == f"{project['name']}: {project['description']}"
+    assert [cited[name] for name in ("version", "license", "authors", "keywords")] == [
+        project[name] for name in ("version", "license", "authors", "keywords")
+    ]
+    assert str(cited["date-released"]) == citation.DATE
+
+
+def test_the_paper_is_the_one_that_was_checked(cited, project):
+    (paper,) = cited["references"]
+    names = [f"{one['given-names']} {one['family-names']}" for one in paper["authors"]]
+    assert (paper["title"], names) == (source.TITLE, list(source.AUTHORS))
+    assert paper["identifiers"][0]["value"] == f"arXiv:{source.ARXIV}"
+    assert (str(paper["year"]), source.ARXIV[:2]) == (source.YEAR, source.YEAR[2:])
+    assert paper["url"] == project["urls"]["Paper"] == f"https://arxiv.org/abs/{source.ARXIV}"
+    assert source.SHA256 in paper["notes"]
+
+
+def test_the_entries_say_the_same(cited):
+    entries = [dict(re.findall(r"(\w+) = \{+(.*?)\}+,\n", one, re.DOTALL)) for one in citation.bibtex().split("@")[1:]]
+    software, paper = [{name: " ".join(text.split()) for name, text in one.items()} for one in entries]
+    assert software["title"] == cited["title"]
+    assert software["author"] == cited["authors"][0]["name"]
+    assert (software["year"], software["note"]) == (str(cited["date-released"].year), f"Version {cited['version']}")
+    assert paper["author"] == " and ".join(source.AUTHORS)
+    assert (paper["title"], paper["year"], paper["eprint"]) == (source.TITLE, source.YEAR, source.ARXIV)
+    assert citation.bibtex().count("{") == citation.bibtex().count("}")
+
+
+def test_without_an_installation_that_is_said(monkeypatch):
+    monkeypatch.setattr(citation, "SOFTWARE", "no-such-package")
+    assert citation.of_package("Version") == "unknown, as it is not installed"
