@@ -50,7 +50,7 @@ FLOORS = {
         ("plane",),
         ("solver",),
         ("control",),
-        ("audit", "trade"),
+        ("trade",),
         ("cli",),
         ("__main__",),
     ),

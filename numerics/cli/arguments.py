@@ -14,16 +14,11 @@ Option = tuple[str, dict[str, Any]]
 """A flag or a place, and what argparse is told of it."""
 
 
-def natural(text: str, least: int = 0) -> int:
-    """Return a whole number of a flag, >= 0 or another least one."""
-    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) >= least):
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from {least} to 999999999")
-    return int(text)
-
-
 def positive(text: str) -> int:
     """Return a whole number > 0 of a flag."""
-    return natural(text, 1)
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 999999999")
+    return int(text)
 
 
 def _option(name: str, what: str, **how: Any) -> Option:
@@ -45,11 +40,6 @@ def _file(name: str, what: str, metavar: str = "F") -> Option:
 
 def _range(name: str, what: str, **how: Any) -> Option:
     return _option(name, what, nargs=2, metavar=("A", "B"), **how)
-
-
-def _size(how_long: str) -> Option:
-    sizes = ["small", "default", "large"]
-    return _option("--size", f"{how_long} (%(default)s)", choices=sizes, default="default")
 
 
 _IN_PLACE, _ALSO = "in place of the scene's; with", "also for a scene without a force"
@@ -188,21 +178,16 @@ _COMMANDS: tuple[Command, ...] = (
         ),
     ),
     (
-        "audit",
-        commands.audit_numerics,
-        "measure what this package claims of its own numbers",
-        (
-            _option("--seed", "other cases (%(default)s)", type=natural, default=0, metavar="N"),
-            _size("about 10 s, 4 min, or longer"),
-            _switch("--json", "print every figure as JSON, and the scenes that fail"),
-        ),
-    ),
-    (
         "trade",
         measure_trade,
         "measure speed against accuracy, ours and other integrators'",
         (
-            _size("half a minute, some minutes or half an hour"),
+            _option(
+                "--size",
+                "half a minute, some minutes or half an hour (%(default)s)",
+                choices=["small", "default", "large"],
+                default="default",
+            ),
             _option(
                 "--only",
                 "free, forced, surface or state scenes, or contenders and scenes whose names contain NAME",
@@ -223,7 +208,6 @@ _BELOW: dict[str, dict[str, Any]] = {
         "them.",
         "formatter_class": argparse.RawDescriptionHelpFormatter,
     },
-    "audit": {"epilog": "exit codes: 0 every row is as required; 1 some is not"},
     "trade": {
         "epilog": "what is not installed is left out and named; a run that hangs or fails is stopped and shown as such"
     },
