@@ -23,7 +23,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import HTML, Markdown
 
-from numerics import Scene, Solver, State, load_scene, solve, solve_many
+from numerics import Scene, State, load_scene, solve, solve_many
 from numerics.trade.command import seconds_text
 from numerics.trade.contenders import CONTENDERS, answer_of
 from numerics.trade.judge import judge, proved
@@ -100,20 +100,6 @@ print(f"dissipated   {fast.ledger.friction:.12g} J, right to {accuracy.dissipate
 print(
     f"{accuracy.digits} digits of every one of these are right; the order of the events is certain: {accuracy.certain}"
 )
-
-# %% [markdown]
-# ## One pair, many starts, in your own loop
-#
-# A prepared `Solver` has read its pair; what is left is one run. Here it looks for the speed from which the pair makes
-# its tenth event within 5 s.
-
-# %%
-solver = Solver(scene.pair)
-low, high = 0.0, 0.15
-while high - low > 1e-6:
-    middle = (low + high) / 2
-    low, high = (low, middle) if len(solver(State(v1=middle), 5).t) > 11 else (middle, high)
-print(f"ten events from v1(0) = {high:.6f} m/s")
 
 # %% [markdown]
 # ## Many scenes

@@ -15,7 +15,6 @@ A scene, exact:
     scene_text          a scene as TOML text
 Solving:
     solve               one scene: its Trajectory, in the cheapest arithmetic that has the digits
-    Solver              one pair and many starts, for a loop of your own
     solve_many          arrays in, arrays out, on all cores: a Batch
     solve_scenes        the same from a list of scenes, one by one, on a line or on a surface
 Answers:
@@ -85,7 +84,6 @@ if TYPE_CHECKING:
     from numerics.solver.many import solve_many as solve_many
     from numerics.solver.many import solve_scenes as solve_scenes
     from numerics.solver.plane_batch import PlaneBatch as PlaneBatch
-    from numerics.solver.prepared import Solver as Solver
     from numerics.solver.solve import solve as solve
     from numerics.trajectory.sensitivity import sensitivities as sensitivities
     from numerics.trajectory.trajectory import Trajectory as Trajectory
@@ -96,7 +94,6 @@ _NAMES = {
     "scene.file": "load_reference load_scene scene_text",
     "scene.plane": "PlanePair PlaneScene",
     "solver.solve": "solve",
-    "solver.prepared": "Solver",
     "solver.many": "solve_many solve_scenes",
     "solver.batch": "Batch",
     "solver.plane_batch": "PlaneBatch",

@@ -34,7 +34,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     if refused := cache_refused():
         print(refused, file=sys.stderr)
-    needs = {"matplotlib": getattr(options, options.figure or "", None), "rich": options.command in {"audit", "trade"}}
+    needs = {"matplotlib": getattr(options, options.figure or "", None), "rich": options.command == "trade"}
     try:
         for name, given in vars(options).items():
             if isinstance(given, Path) and (wrong := wrong_path(given, f"--{name}" if name == options.figure else "")):

@@ -1,6 +1,6 @@
 """Every Hypothesis strategy. Values are built, not filtered; magnitudes are drawn by their exponent.
 
-Scenes are those of the audit: Hypothesis is the source of their random numbers, and shrinks them.
+Scenes are those of draws.py: Hypothesis is the source of their random numbers, and shrinks them.
 """
 
 import math
@@ -10,13 +10,13 @@ from functools import partial
 from operator import add, mul
 from typing import Any
 
+import draws
 import numpy as np
 from hypothesis import strategies as st
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, State, thresholds
 from numerics.arithmetic.pair import TwoFloats as WideNumber
 from numerics.arithmetic.pair import two_sum
-from numerics.audit import draws
 from numerics.control.response import Regime
 
 MODERATE = (-2, 2)
@@ -37,6 +37,8 @@ near_critical = partial(drawn, draws.near_critical)
 long_slips = partial(drawn, draws.long_slip)
 weakened_scenes = partial(drawn, draws.weakened)
 plane_scenes = partial(drawn, draws.surface, exponents=(0, 0), narrow=False)
+extreme_scenes = {kind: drawn(draw) for kind, draw in draws.KINDS.items()}
+"""Scenes of masses, rates, frictions and energies of many magnitudes, and on a surface."""
 forces = partial(drawn, draws.force, Fraction(1), Fraction(3), Fraction(10))
 frictions = partial(drawn, draws.friction, Fraction(1), Fraction(10))
 

@@ -49,7 +49,7 @@ LAYERS = {
         ("plane",),
         ("solver",),
         ("control",),
-        ("audit", "trade"),
+        ("trade",),
         ("cli",),
         ("__main__",),
     ),

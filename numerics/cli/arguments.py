@@ -14,16 +14,11 @@ Option = tuple[str, dict[str, Any]]
 """A flag or positional argument, and its options for argparse."""
 
 
-def natural(text: str, least: int = 0) -> int:
-    """Return a whole number of a flag, >= 0 or another least one."""
-    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) >= least):
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from {least} to 999999999")
-    return int(text)
-
-
 def positive(text: str) -> int:
     """Return a whole number > 0 of a flag."""
-    return natural(text, 1)
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 999999999")
+    return int(text)
 
 
 def _option(name: str, what: str, **how: Any) -> Option:
@@ -45,11 +40,6 @@ def _file(name: str, what: str, metavar: str = "F") -> Option:
 
 def _range(name: str, what: str, **how: Any) -> Option:
     return _option(name, what, nargs=2, metavar=("A", "B"), **how)
-
-
-def _size(how_long: str) -> Option:
-    sizes = ["small", "default", "large"]
-    return _option("--size", f"duration: {how_long} (%(default)s)", choices=sizes, default="default")
 
 
 _IN_PLACE, _ALSO = "instead of the scene's; together with", "also for a scene without a force"
@@ -188,21 +178,16 @@ _COMMANDS: tuple[Command, ...] = (
         ),
     ),
     (
-        "audit",
-        commands.audit_numerics,
-        "test the error bounds of this package on drawn scenes",
-        (
-            _option("--seed", "seed of the drawn scenes (%(default)s)", type=natural, default=0, metavar="N"),
-            _size("about 10 s, 4 min, or longer"),
-            _switch("--json", "print all results and the failing scenes as JSON"),
-        ),
-    ),
-    (
         "trade",
         measure_trade,
         "measure speed against accuracy, for this package and other integrators",
         (
-            _size("half a minute, some minutes or half an hour"),
+            _option(
+                "--size",
+                "half a minute, some minutes or half an hour (%(default)s)",
+                choices=["small", "default", "large"],
+                default="default",
+            ),
             _option(
                 "--only",
                 "free, forced, surface or state scenes; or integrators and scenes whose names contain NAME",
@@ -223,7 +208,6 @@ _BELOW: dict[str, dict[str, Any]] = {
         "them.",
         "formatter_class": argparse.RawDescriptionHelpFormatter,
     },
-    "audit": {"epilog": "exit codes: 0 every property meets its requirement; 1 one does not"},
     "trade": {
         "epilog": "integrators that are not installed are listed and left out; runs that hang or fail are shown as such"
     },

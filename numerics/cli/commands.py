@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, number_lines
 from numerics.cli.solving import LABELS
-from numerics.exits import FAILED, INTERRUPTED, OK, refuse
+from numerics.exits import INTERRUPTED, OK, refuse
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
@@ -56,19 +56,6 @@ def print_energy(options: argparse.Namespace) -> int:
     ]
     answer(options, shown | way, lines)
     return OK
-
-
-def audit_numerics(options: argparse.Namespace) -> int:
-    """Test the error bounds of the package on drawn scenes; FAILED if a property misses its requirement."""
-    from numerics.audit.solves import SIZES, as_record, audit, print_rows
-
-    with shown_steps() as say:
-        rows = list(audit(options.seed, *SIZES[options.size], say))
-    if options.json:
-        print(json.dumps(as_record(rows, options.seed, options.size), indent=1))
-    else:
-        print_rows(rows)
-    return OK if all(row.passed for row in rows) else FAILED
 
 
 def chart_merging(options: argparse.Namespace) -> int:

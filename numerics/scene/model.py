@@ -159,24 +159,9 @@ class Scene(ShortRepr):
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
         put(self, until=positive(until, "until", HORIZON))
 
-    @classmethod
-    def of(
-        cls,
-        pair: Pair,
-        initial: State,
-        until: Fraction,
-        law: Law,
-        force: Force = NO_FORCE,
-        friction: Friction = SAME_FRICTION,
-    ) -> Scene:
-        """Return a scene of parts that are checked already."""
-        scene: Scene = object.__new__(cls)
-        put(scene, pair=pair, initial=initial, until=until, law=law, force=force, friction=friction, made={})
-        return scene
-
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what pickles and copies are made of."""
-        return Scene.of, (self.pair, self.initial, self.until, self.law, self.force, self.friction)
+        return Scene, (self.pair, self.initial, self.until, self.law, self.force, self.friction)
 
     @property
     def is_forced(self) -> bool:

@@ -37,18 +37,11 @@ _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 class Rows(Answer):
     """A scene, the arithmetic it was solved in, and the rows of its record, in SI units and in numbers."""
 
-    def __init__(self, scene: Scene | Callable[[], Scene], arithmetic: Arithmetic, record: Record) -> None:
+    def __init__(self, scene: Scene, arithmetic: Arithmetic, record: Record) -> None:
         """Keep what a run wrote."""
-        self._given, self.arithmetic, self.record = scene, arithmetic, record
+        self.scene, self.arithmetic, self.record = scene, arithmetic, record
         self.bounded = arithmetic.name in {"float64", "double-double"}
         self._in_floats, self._is_ball = arithmetic.name == "float64", arithmetic.name == "ball"
-
-    @property
-    def scene(self) -> Scene:
-        """Return the scene; a prepared solver makes it when it is looked at."""
-        if not isinstance(self._given, Scene):
-            self._given = self._given()
-        return self._given
 
     @cached_property
     def _tables(self) -> tuple[dict[str, int], Array, Array]:

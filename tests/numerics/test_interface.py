@@ -20,7 +20,6 @@ from numerics import (
     Force,
     Pair,
     Scene,
-    Solver,
     State,
     fastest_transfer,
     load_scene,
@@ -150,8 +149,8 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
         (lambda: solve(PAPER).plot("phases"), "is not one of velocities"),
         (lambda: solve(PAPER).animate("film.avi"), "must end in .gif or .mp4"),
         (lambda: solve(PAPER).animate(duration=1e9), "frames"),
-        (lambda: Solver(PAPER.pair)(State(), until=0), "until = 0 must be > 0"),
-        (lambda: Solver(PAPER.pair)(State(v1="1e400"), until=1), r"v1 = 1e\+400 is beyond the range of float64"),
+        (lambda: Scene(PAPER.pair, State(), until=0), "until = 0 must be > 0"),
+        (lambda: solve(Scene(PAPER.pair, State(v1="1e400"), 1), arithmetic="float64"), r"v1 = 1e\+400 is beyond the"),
         (lambda: Pair(m1=[1, 2], m2=1, a2=1, b=1), r"not \[1, 2\]; give arrays to solve_many"),
         (lambda: many(progress=3), "progress = 3 must be a function"),
         (lambda: many(sines=3), "must be a list"),
@@ -176,7 +175,7 @@ def test_every_record_is_shown_in_one_short_line():
     found = response(forced, digits=8)
     run = solve(PAPER)
     records = [PAPER.pair, PAPER.initial, PAPER, forced, load_scene("forced-sweep"), Force.sine(1, 2), run.events[0]]
-    records += [run.segments[0], run.ledger, run.accuracy, found, found.thresholds, found.orbit, Solver(PAPER.pair)]
+    records += [run.segments[0], run.ledger, run.accuracy, found, found.thresholds, found.orbit]
     records += [fastest_transfer(load_scene("at-rest"), "0.01"), ring_entry(load_scene("velocities"), "0.001")]
     for one in records:
         assert repr(one).startswith(type(one).__name__)
@@ -276,14 +275,7 @@ ONE_HALF = [0.5, "0.5", "1/2", " 1 / 2 ", Decimal("0.5"), Fraction(1, 2), np.flo
 def test_every_kind_of_number_is_read(half):
     assert Pair(1, 1, 200, half) == PAPER.pair
     assert State(x1=half).x1 == Fraction(1, 2)
-    assert Solver(PAPER.pair)(State(v1="0.15"), half) == solve(Scene(PAPER.pair, PAPER.initial, half))
-
-
-def test_a_prepared_solver_keeps_the_state_that_it_was_given():
-    state = np.array([0.0, 0.15, 0.0, 0.0])
-    run = Solver(PAPER.pair)(state, 3)
-    state[:] = 0
-    assert run.scene.initial == State(v1=Fraction(0.15))
+    assert Scene(PAPER.pair, PAPER.initial, half).until == Fraction(1, 2)
 
 
 def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():

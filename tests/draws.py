@@ -1,4 +1,4 @@
-"""Random scenes, exponents first, every kind of extreme by name; the audit draws by a seed, the tests by Hypothesis."""
+"""Random scenes, magnitudes drawn by their exponent, every kind of extreme by name."""
 
 from __future__ import annotations
 
