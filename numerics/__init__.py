@@ -1,47 +1,47 @@
-"""What happens: trajectories of the inertial pair, two masses joined by dry friction, as numbers with a stated error.
+"""Trajectories of the inertial pair, two masses coupled by dry friction, with bounds on their errors.
 
 A scene, exact:
     Pair                the two bodies, their spring, damper and friction (kg, N/m, N s/m, N)
     State               positions and velocities at t = 0 (m, m/s)
-    Scene               a pair, a state, a horizon (s), and what acts in time
+    Scene               a pair, a state, a horizon (s), a force, and changes of friction
     Force               the force u(t) on body 1, N, by pieces; Force.sine, .step, .ramp, .trapezoid, .sweep
-    Piece, Sine         what a force is made of
+    Piece, Sine         the parts of a force
     Friction            the friction force b by pieces, N
-    Weakening           how friction depends on the speed of the slip and on the place
-    PlanePair           two bodies on a surface: lists for numbers
-    PlaneScene          such a pair, where it starts, and what acts on each axis
-    Law                 how sgn(0) is read where v1 = v2
-    load_scene          the scene of a TOML file, or a shipped one such as "velocities"
+    Weakening           friction that depends on slip speed and displacement
+    PlanePair           two bodies on a surface: one number per axis
+    PlaneScene          such a pair, its initial state, and the force on each axis
+    Law                 the reading of sgn(0) where v1 = v2
+    load_scene          a scene from a TOML file, or a shipped one such as "velocities"
     scene_text          a scene as TOML text
 Solving:
     solve               one scene: its Trajectory, in the cheapest arithmetic that has the digits
-    solve_many          arrays in, arrays out, on all cores: a Batch
-    solve_scenes        the same from a list of scenes, one by one, on a line or on a surface
-Answers:
+    solve_many          many scenes given as arrays, on all cores: a Batch
+    solve_scenes        many scenes given as a list, on a line or on a surface
+Results:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
-    PlaneTrajectory     the same of a scene on a surface
-    Batch, PlaneBatch   the ends of many runs as arrays, on a line and on a surface
+    PlaneTrajectory     the same for a scene on a surface
+    Batch, PlaneBatch   final states of many runs as arrays, on a line and on a surface
     Mode                slip+, slip- or stick
     sensitivities       derivatives of a trajectory by every number of its scene
 Control through the interface:
-    response            the motion in the long run under a periodic force
-    response_map        which regime a sine brings, over frequency and amplitude
-    thresholds          the amplitudes up to which the pair may stick, which slip with two reversals a period needs
-    fastest_transfer    the force that brings body 2 from rest to rest
+    response            the long-time response to a periodic force
+    response_map        the regime under a sine, over frequency and amplitude
+    thresholds          amplitudes: the largest for permanent stick, the smallest for slip with two reversals a period
+    fastest_transfer    the force that moves body 2 from rest to rest
     track               the force under which body 2 follows a reference
-    load_reference      a reference of a TOML file, or a shipped one such as "s-curve"
+    load_reference      a reference from a TOML file, or a shipped one such as "s-curve"
     ring_entry          when the relative motion has settled
-What is raised:
-    NumericsError       the base of all
-    InvalidScene        a number or a file that describes no scene; also a ValueError
-    EventUndecided      an order of events that the digits allowed do not settle
-    PrecisionExhausted  digits that were not reached
-    OutOfRange          a number that float64 cannot hold
+Exceptions:
+    NumericsError       the base class
+    InvalidScene        numbers or a file that are not a valid scene; also a ValueError
+    EventUndecided      an order of events that the permitted digits do not decide
+    PrecisionExhausted  the requested digits were not reached
+    OutOfRange          a number outside the range of float64
     NotDifferentiable   a motion without a derivative by its data
     NotSettled          a long-time motion that was not found
     MissingTool         an optional package that is not installed
 
-`help(numerics.solve)` tells one of them in full. Import them by name: `from numerics import *` brings none.
+`help(numerics.solve)` describes one of them in full. Import them by name: `from numerics import *` imports nothing.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Everything that can go wrong, as types: a caller can tell a bad scene from an undecided event."""
+"""Exceptions: one type for each way in which a question can fail."""
 
 from __future__ import annotations
 
@@ -8,44 +8,44 @@ class NumericsError(Exception):
 
 
 class InvalidScene(NumericsError, ValueError):
-    """A scene that describes no pair: the message names the quantity, its value, the bound and the remedy."""
+    """An invalid scene: the message names the quantity, its value, the bound and the remedy."""
 
 
 class EventUndecided(NumericsError):
-    """An order or a sign that the working precision does not settle.
+    """An order or a sign that the working precision does not decide.
 
     Attributes: `question` is what had to be decided, `enclosure` the number whose sign is not known (as text),
     `digits` the working precision in decimal digits.
     """
 
     def __init__(self, question: str, enclosure: str, digits: int) -> None:
-        """Keep the question, the enclosure that does not answer it, and the precision it was asked at."""
+        """Keep the question, the enclosure that does not decide it, and the precision used."""
         self.question, self.enclosure, self.digits = question, enclosure, digits
         super().__init__(
             f"undecided at {digits} working digits: {question} (enclosure {enclosure}); "
-            "leave arithmetic out, ask for more digits or raise max_digits, unless the data sit exactly on the boundary"
+            "leave arithmetic out, request more digits or raise max_digits, unless the data lie exactly on the boundary"
         )
 
 
 class PrecisionExhausted(NumericsError):
-    """The digits asked for were not reached below the cap on the working precision."""
+    """The requested digits were not reached within the limit on the working precision."""
 
 
 class NotSettled(NumericsError):
-    """No motion that lasts for ever was found, or proved, within a cap on work; the message says what may help."""
+    """No long-time motion was found, or proved, within a limit on the work; the message says what may help."""
 
 
 class OutOfRange(NumericsError, OverflowError):
-    """A number of this scene does not fit the arithmetic; another arithmetic may hold it.
+    """A number of this scene is outside the range of the arithmetic; another arithmetic may hold it.
 
-    Attributes: `beyond` is the name of the arithmetic and its range, where a number is beyond that.
+    Attributes: `beyond` is the name of the arithmetic and its range, if a number is outside it.
     """
 
     beyond: tuple[str, float, float] | None = None
 
     @classmethod
     def of(cls, what: str, arithmetic: str, least: float = 5e-324, most: float = 1.79e308) -> OutOfRange:
-        """Return the error for a number, which `what` names with its value."""
+        """Return the error for a number; `what` is its name and value."""
         found = cls(
             f"{what} is beyond the range of {arithmetic} ({least:.2g} to {most:.2g}); choose units that bring it into "
             'range, or use arithmetic="ball"'
@@ -55,24 +55,24 @@ class OutOfRange(NumericsError, OverflowError):
 
 
 class NoForceHere(NumericsError, ValueError):
-    """A question that is answered for a pair without a force only, asked of a scene with one."""
+    """The scene has a force, and the question is answered only without one."""
 
 
 class NotDifferentiable(NumericsError, ValueError):
-    """A scene whose motion has no derivative by its data: it differs to first order on either side of what it meets."""
+    """The motion of the scene has no derivative by its data: the one-sided derivatives differ."""
 
 
 class NoProof(NumericsError):
-    """A trajectory that is not written as a theorem: the message says what the checker does not cover."""
+    """A trajectory that cannot be written as a theorem: the message says what the checker does not cover."""
 
 
 class InvalidMap(InvalidScene):
-    """A map that cannot be computed: its window, its depth or its checkpoint; the message says what to give instead."""
+    """A map with an invalid window, depth or checkpoint; the message says what to give instead."""
 
 
 class InvalidFile(NumericsError, ValueError):
-    """A file that holds no saved trajectory: the message says why."""
+    """A file that is not a saved trajectory: the message says why."""
 
 
 class MissingTool(NumericsError):
-    """An optional package, or a cluster, that was asked for and is not there."""
+    """An optional package or a cluster that is required and missing."""

@@ -49,21 +49,21 @@ def write_figure(figure: Any, path: Path) -> None:
 
 
 class _Latest(logging.StreamHandler[Any]):
-    """What was logged last, on a terminal shown at once."""
+    """The last message logged; on a terminal it is shown at once."""
 
-    terminator, said = "", "at work"
+    terminator, said = "", "computing"
 
     def format(self, record: logging.LogRecord) -> str:
-        """Keep a message, and return it with what makes it the one on its line."""
+        """Keep a message, and return it so that it replaces the line on a terminal."""
         self.said = record.getMessage()
         return f"\r\033[K{self.said}" if sys.stderr.isatty() else ""
 
 
 @contextmanager
 def shown_steps() -> Iterator[Callable[[str], None]]:
-    """Show on stderr what is logged: on a terminal in one line that goes away at the end, else every few seconds.
+    """Show progress on stderr: on a terminal one line that disappears at the end, else a line every few seconds.
 
-    Yield the log.
+    Yields the function that logs a message.
     """
     log, latest, began, ended = logging.getLogger("numerics"), _Latest(), time.monotonic(), threading.Event()
 

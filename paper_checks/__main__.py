@@ -38,15 +38,15 @@ SCRIPT = "inertial-pair-checks"
 COMMANDS = ("run", "list", "report", "explore", "plant", "sign", "source")
 USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
 EPILOGUE = (
-    "Exit codes: 0 every verdict is the recorded one; 1 some verdict differs; 2 usage; "
-    "3 something stays unchecked, as a tool or a figure is missing."
+    "Exit codes: 0 every verdict is as recorded; 1 a verdict differs; 2 usage; "
+    "3 something stays unchecked, because a tool or a figure is missing."
 )
 
 
 def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> int:
     """Run a command and return the exit code.
 
-    As a program, rows come from the user's cache and from several processes; called from Python, from this process.
+    As a program, verdicts come from the user's cache and from several processes; called from Python, from this process.
     """
     open_streams()
     words = list(sys.argv[1:] if arguments is None else arguments)
@@ -110,49 +110,47 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action=Version, nargs=0, help="print the version and exit")
     commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant,sign,source}")
     run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
-    run.add_argument("ids", nargs="*", metavar="ID", help="claims to check; all without it (see list)")
+    run.add_argument("ids", nargs="*", metavar="ID", help="claims to check (see list); default: all")
     run.add_argument("--json", action="store_true", help="print a JSON list")
     run.add_argument("--times", action="store_true", help="show how long each claim took")
     run.set_defaults(command=_run)
-    claims = commands.add_parser("list", help="print the claims, their verdicts on record, and what those rest on")
+    claims = commands.add_parser("list", help="list the claims with recorded verdict and evidence level")
     claims.add_argument("--json", action="store_true", help="print a JSON list")
     claims.set_defaults(command=_list)
     report = commands.add_parser("report", help="write the report", epilog=EPILOGUE)
     command_line.add_arguments(report)
     report.set_defaults(command=_report)
-    explore = commands.add_parser("explore", help="write a page on which you can play with the pair")
+    explore = commands.add_parser("explore", help="write the interactive page")
     explore.add_argument(
         "--out",
         type=path,
         default="explore.html",
         metavar="F",
-        help="default: %(default)s; its folder is made, if need be",
+        help="file to write; default: %(default)s",
     )
     explore.set_defaults(command=_explore)
     plant = commands.add_parser(
-        "plant", help="plant faults in every formula of every clause, and count the rows that notice"
+        "plant", help="mutation tests: change every formula of every clause, and count the claims that fail"
     )
-    plant.add_argument("ids", nargs="*", metavar="ID", help="claims to plant faults in; all without it")
+    plant.add_argument("ids", nargs="*", metavar="ID", help="claims to test; default: all")
     plant.set_defaults(command=_plant)
-    sign = commands.add_parser("sign", help="show sentences and the kernel's statements behind them; sign them by key")
-    sign.add_argument(
-        "keys", nargs="*", metavar="KEY", help="pairs to sign; without it those are shown that nobody has"
+    sign = commands.add_parser(
+        "sign", help="show sentences beside their kernel theorems; record by key that they say the same"
     )
+    sign.add_argument("keys", nargs="*", metavar="KEY", help="pairs to record; default: show those not yet recorded")
     sign.set_defaults(command=_sign)
-    source = commands.add_parser("source", help="say whether a file is the text of the paper that was checked")
+    source = commands.add_parser("source", help="check whether a file is the text of the paper that was checked")
     source.add_argument("file", type=path, metavar="FILE")
     source.set_defaults(command=_source)
     for command in (run, report):
         command.add_argument(
-            "--seed", type=_seed, default=0, metavar="N", help="seed of the random cases; default: %(default)s"
+            "--seed", type=_seed, default=0, metavar="N", help="seed of the random test points; default: %(default)s"
         )
+        command.add_argument("--jobs", type=_number, metavar="N", help="number of processes; default: one per core")
         command.add_argument(
-            "--jobs", type=_number, metavar="N", help="processes that decide rows and draw figures; default: one a core"
+            "--fresh", action="store_true", help="recompute everything; use no cached verdict or figure"
         )
-        command.add_argument(
-            "--fresh", action="store_true", help="decide every row and draw every figure anew; take none from the cache"
-        )
-        command.add_argument("--debug", action="store_true", help="print the traceback of what fails")
+        command.add_argument("--debug", action="store_true", help="print the traceback of a check that fails")
     return parser
 
 
@@ -217,9 +215,9 @@ def _plant(options: argparse.Namespace) -> int:
     formulas, found = list(places(claims)), list(planted(claims))
     for one in found:
         if not one.turned:
-            print(f"{one.claim}, clause {one.clause}: survived with a changed {one.fault}: {one.latex}")
+            print(f"{one.claim}, clause {one.clause}: still passes with a changed {one.fault}: {one.latex}")
     turned = sum(one.turned for one in found)
-    print(f"{turned} of {len(found)} faults turned their rows, in {len(formulas)} formulas of {len(claims)} claims")
+    print(f"{turned} of {len(found)} mutations made their claim fail: {len(formulas)} formulas of {len(claims)} claims")
     return 0 if turned == len(found) else 1
 
 
@@ -262,7 +260,7 @@ def _explore(options: argparse.Namespace) -> int:
 
 
 def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
-    """Return the claims with these ids in ledger order; None, with one line on stderr, where one is unknown."""
+    """Return the claims with these ids in the paper's order; None, with one line on stderr, if an id is unknown."""
     from paper_checks.claims import CLAIMS
 
     known = [claim.id for claim in CLAIMS]
@@ -277,7 +275,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
-    """Come by the rows, with progress on stderr."""
+    """Return what was found about each claim, with progress on stderr."""
     from numerics.files import cache_refused
     from numerics.tasks import available_cores
     from paper_checks.report.formats.progress import progress

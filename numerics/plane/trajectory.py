@@ -36,7 +36,7 @@ MOST = 15
 
 
 class PlaneTrajectory(Answer):
-    """A solved scene on a surface, in the words of Trajectory; two are equal if every number is.
+    """A solved scene on a surface, with the attribute names of Trajectory; two are equal if every number is.
 
     Rows of `y` are x1, v1, x2, v2 by axes (m, m/s; rad, rad/s of an angle), columns belong to `t` (s): start, events,
     end; with t_eval, those times instead. Without `digits` they are floats, with proved bounds `t_error`, `y_error`

@@ -18,7 +18,7 @@ from numerics.scene.short_repr import ShortRepr
 
 
 class Law(Enum):
-    """How sgn(0) is read on the switching surface v1 = v2.
+    """The reading of sgn(0) on the switching surface v1 = v2.
 
     >>> Law.FILIPPOV.value, Law.THREE_VALUED_SGN.value
     ('filippov', 'three-valued-sgn')
@@ -32,7 +32,7 @@ class Law(Enum):
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
 class Pair(ShortRepr):
-    """The two bodies and what joins them.
+    """The two bodies, their spring, damper and friction.
 
     m1, m2 (kg) > 0; a1 (N s/m) >= 0 viscous damper and a2 (N/m) > 0 spring, both from body 1 to the ground;
     b (N) > 0 the Coulomb force of the interface. Exact. Raises InvalidScene.
@@ -117,10 +117,10 @@ NO_FORCE, SAME_FRICTION = Force(), Friction()
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
 class Scene(ShortRepr):
-    """A pair, its state at t = 0, the horizon `until` (s) > 0, the friction law, and what changes in time.
+    """A pair, its state at t = 0, the horizon `until` (s) > 0, the reading of sgn(0), force and friction.
 
-    `force` is u(t) on body 1, `friction` the pieces of b from their time on and how it depends on the state; most
-    scenes have neither. Raises InvalidScene.
+    `force` is u(t) on body 1 (default 0). `friction` gives b from later times on, and its dependence on the state
+    (default: the pair's b). Raises InvalidScene.
 
     >>> scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.005"), until=5)
     >>> scene.pair.half_width, scene.energy_excess, scene.energy
@@ -165,24 +165,22 @@ class Scene(ShortRepr):
 
     @property
     def is_forced(self) -> bool:
-        """Return whether anything acts on the paper's free pair: a force but 0, or friction other than one number b."""
+        """Whether the scene has a force that is not 0, or friction other than one number b."""
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
         return bool(pushes or self.friction.pieces or self.friction.weakening)
 
     @property
     def changes_later(self) -> bool:
-        """Return whether another piece of force or friction begins at the horizon or after it."""
+        """Whether another piece of force or friction begins at the horizon or after it."""
         return any(at >= self.until for at in (*self.force.starts, *self.friction.starts))
 
     def require_one_b(self, what: str) -> None:
-        """Raise InvalidScene, for what is worked out for Coulomb friction only, if friction depends on the state."""
+        """Raise InvalidScene, where only Coulomb friction is supported, if friction depends on the state."""
         if self.friction.weakening:
-            raise InvalidScene(
-                f"{what} is not worked out for friction that depends on the state; leave [weakening] out"
-            )
+            raise InvalidScene(f"{what} is not available for friction that depends on the state; leave [weakening] out")
 
     def require_filippov(self, what: str) -> None:
-        """Raise InvalidScene for sgn(0) = 0 read literally: such a stick lasts, whatever force that takes."""
+        """Raise InvalidScene for sgn(0) = 0 read literally: such a stick never ends, whatever friction it requires."""
         if self.law is not Law.FILIPPOV:
             raise InvalidScene(f'law = "{self.law.value}" has no such theory; leave the law out for {what}')
 
@@ -194,7 +192,7 @@ class Scene(ShortRepr):
 
     @property
     def energy_excess(self) -> Fraction:
-        """w = E/E_cr - 1 at t = 0, dimensionless, exact: the sign says whether the pair can stick for ever."""
+        """w = E/E_cr - 1 at t = 0, dimensionless, exact: permanent stick needs w <= 0 (free pair)."""
         return self.energy / self.pair.critical_energy - 1
 
 

@@ -51,7 +51,7 @@ class Sine(ShortRepr):
 class Piece(ShortRepr):
     """u(t) from `start` (s) until the next piece: sum_k polynomial[k] (t - start)^k plus the sines. Exact, N.
 
-    Raises InvalidScene for a start < 0 and for more terms than a piece may have.
+    Raises InvalidScene for a start < 0, more than 64 coefficients or more than 1000 sines.
 
     >>> piece = Piece(2, (0, "1/2"), (Sine("0.35", 5),))  # from 2 s on: (t - 2)/2 N and a sine
     >>> piece, piece.start, piece.polynomial[1], len(piece.sines)
@@ -84,7 +84,7 @@ class Piece(ShortRepr):
         put(self, polynomial=tuple(coefficients), sines=tuple(one for one in kept if one.amplitude != 0))
 
     def moved(self, start: Fraction) -> Piece:
-        """Return the same function of time as a piece that begins at another time; exact."""
+        """Return the same function of time as a piece with another start; exact."""
         if start == self.start:
             return self
         return Piece(start, shifted(self.polynomial, start - self.start), self.sines)
@@ -92,7 +92,7 @@ class Piece(ShortRepr):
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
 class Force(ShortRepr):
-    """The force u(t) on body 1, N: pieces in order of their start (s); before the first one, and with none, u = 0.
+    """The force u(t) on body 1, N: pieces in order of their start (s); u = 0 before the first piece.
 
     Exact. f + g and c f are forces again. Raises InvalidScene.
 
@@ -136,7 +136,7 @@ class Force(ShortRepr):
     def trapezoid(cls, start: Exact, rise: Exact, hold: Exact, fall: Exact, height: Exact) -> Force:
         """Return the force that rises for `rise` s, stays at `height` (N) for `hold` s and falls for `fall` s to 0.
 
-        rise, hold, fall >= 0, not all 0; where one of them is 0 that part is left out.
+        rise, hold, fall >= 0, not all 0; a part of length 0 is left out.
         """
         parts = {"rise": rise, "hold": hold, "fall": fall}
         lengths = {name: exact_decimal(one, name) for name, one in parts.items()}
@@ -155,7 +155,7 @@ class Force(ShortRepr):
 
     @classmethod
     def sweep(cls, amplitude: Exact, omegas: Iterable[Exact], duration: Exact, start: Exact = 0) -> Force:
-        """Return a staircase of sines, `duration` (s) each, whose phase goes on without a jump; the last one stays."""
+        """Return sines of stepped frequency, `duration` (s) each, with continuous phase; the last one does not end."""
         length = _length(duration, "duration")
         at, phase, before, pieces = exact_decimal(start, "start"), Fraction(0), Fraction(0), []
         for one in listed("omegas", omegas):
@@ -171,13 +171,13 @@ class Force(ShortRepr):
         return tuple(one.start for one in self.pieces)
 
     def piece_at(self, t: Fraction, side: int = 1) -> Piece:
-        """Return the piece that holds right after (side = 1) or right before (-1) the time t (s)."""
+        """Return the piece that acts just after (side = 1) or just before (-1) the time t (s)."""
         find = bisect_right if side > 0 else bisect_left
         index = find(self.pieces, t, key=lambda one: one.start)
         return self.pieces[index - 1] if index else Piece(0)
 
     def __call__(self, t: Exact, side: int = 1) -> Fraction | float:
-        """Return u(t) (N); exact where no sine acts, else in binary64. `side` = -1: the value right before t."""
+        """Return u(t) (N): exact if the piece has no sine, else binary64. `side` = -1: the left limit at t."""
         time = exact_decimal(t, "t")
         piece = self.piece_at(time, side)
         value = Fraction(0)
@@ -191,7 +191,7 @@ class Force(ShortRepr):
 
     @property
     def frequency(self) -> Fraction | None:
-        """Return the greatest omega (rad/s) of which all frequencies are multiples, exact: the period is 2 pi/omega.
+        """The largest omega (rad/s) of which all frequencies are multiples, exact; the period is 2 pi/omega.
 
         None unless the force is one piece from 0 on, of sines and at most a constant.
         """
@@ -229,12 +229,12 @@ class Force(ShortRepr):
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
 class Weakening(ShortRepr):
-    """F = sgn(w) (B(|w|) + C(z)), w = v1 - v2 (m/s), z = x1 - x2 (m): what friction is in slip; at rest B(0) + C(z).
+    """Friction in slip, F = sgn(w) (B(|w|) + C(z)), w = v1 - v2 (m/s), z = x1 - x2 (m); at rest at most B(0) + C(z).
 
-    B goes from the pair's b at w = 0 through the points `speed`, (|w|, B in N), linear between, and on from the last
-    one with `last_slope` (N s/m). C is linear between the points `place`, (z, C in N), and constant outside of them.
-    Where b changes in time by pieces, B and C are both scaled by b(t)/b. It is a part of the scene's friction:
-    `Scene(pair, state, until, friction=Friction(weakening=falling))`. Raises InvalidScene.
+    B is the pair's b at w = 0, linear between the points `speed`, (|w| in m/s, B in N), and continues from the last
+    one with `last_slope` (N s/m). C is linear between the points `place`, (z in m, C in N), and constant outside them.
+    Where b changes in time, B and C are both scaled by b(t)/b. It is a part of the scene's friction:
+    `Scene(pair, state, until, friction=Friction(weakening=falling))`. Exact. Raises InvalidScene.
 
     >>> falling = Weakening(speed=[("0.05", "0.3")], last_slope="0.4")
     >>> falling, falling.speed, falling.last_slope, falling.place
@@ -272,7 +272,7 @@ class Weakening(ShortRepr):
 class Friction(ShortRepr):
     """The friction force b by pieces, (start in s, b in N), in order; before the first one the pair's b. Exact.
 
-    `weakening` says how friction depends on speed and place besides; b is then what it is at rest, for C = 0.
+    `weakening`: its dependence on speed and displacement; b is then the friction at rest where C = 0.
 
     >>> friction = Friction([(4, "0.08")])
     >>> friction.pieces, friction.starts, friction.weakening

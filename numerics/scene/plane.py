@@ -32,7 +32,8 @@ Matrix = tuple[Vector, ...]
 class PlanePair(ShortRepr):
     """Two bodies on a surface, n = 2 or 3 axes: m1, m2, b > 0 (n,), a1 >= 0 and a2 > 0 symmetric (n, n). Exact.
 
-    A number stands for n equal ones, n numbers for a diagonal matrix. Raises InvalidScene.
+    SI units as in Pair; on the angle axis kg m^2, N m s, N m, N m. One number means n equal ones, n numbers a
+    diagonal matrix. Raises InvalidScene.
     `shape` "ellipsoid": sum (f_i/b_i)^2 <= 1; "box": |f_i| <= b_i.
 
     >>> pair = PlanePair(m1=1, m2=1, a2=[200, 120], b=["0.5", "0.25"], a1=0, shape="box")
@@ -77,17 +78,17 @@ class PlanePair(ShortRepr):
 
     @property
     def axes(self) -> int:
-        """Return n."""
+        """The number of axes n."""
         return len(self.b)
 
     @property
     def is_diagonal(self) -> bool:
-        """Return whether neither springs nor dampers couple the axes."""
+        """Whether neither springs nor dampers couple the axes."""
         return len(self.parts) == self.axes
 
     @property
     def parts(self) -> tuple[tuple[int, ...], ...]:
-        """Return the axes in groups that neither springs nor dampers couple to another one, by their indices."""
+        """The indices of the axes, in groups that springs and dampers do not couple to each other."""
         axes = range(self.axes)
         near = [{j for j in axes if i == j or self.a1[i][j] or self.a2[i][j]} for i in axes]
         groups = (set[int]().union(*(near[j] for j in one)) for one in near)  # three axes: two couplings at most
@@ -96,7 +97,7 @@ class PlanePair(ShortRepr):
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
 class PlaneScene(ShortRepr):
-    """A pair on a surface, x1, v1, x2, v2 (n,) at t = 0, the horizon `until` (s), u by axes, b by pieces. Exact.
+    """A pair on a surface, x1, v1, x2, v2 (n,) at t = 0, the horizon `until` (s), a force per axis, b by pieces. Exact.
 
     >>> from numerics import Force, solve
     >>> pair = PlanePair(m1=1, m2=1, a2=200, b="0.5")
@@ -143,7 +144,7 @@ class PlaneScene(ShortRepr):
 
     @property
     def is_forced(self) -> bool:
-        """Return whether anything acts in time."""
+        """Whether there is a force or a change of friction."""
         return bool(self.friction or any(one.pieces for one in self.force))
 
 

@@ -69,20 +69,20 @@ class Ends:
 
 
 class Batch(Ends):
-    """The ends of many runs; every array has the broadcast shape of the inputs, `y` and `y_error` (4, ...) in front.
+    """Final states of many runs; arrays have the broadcast shape of the inputs, `y` and `y_error` (4, ...).
 
     status         a Status                       events    how many there were
     mode           -1, 0, +1: sign of v1 - v2     t         s, the horizon or the last event
-    y              x1, v1, x2, v2 (m, m/s)        energy_excess   E/E_cr - 1, accurate in itself where no force acts
-    dissipated     J, the sum of what friction and viscosity took in every mode, which never cancels; of columns under a
-                   force formed when it is first looked at, by a second run
+    y              x1, v1, x2, v2 (m, m/s)        energy_excess   E/E_cr - 1, without cancellation where no force acts
+    dissipated     J, by friction and viscosity, summed over the modes; under a force given as arrays it takes a second
+                   run, at the first access
     *_error        bounds on the errors of these  digits    right digits of all that is kept, by the bounds
-    certain        whether no bound reaches as far as another sequence of events
+    certain        whether the bounds exclude any other sequence of events
     event_t, event_y, event_mode   the first `keep_events` events: (..., k), (4, ..., k), (..., k); nan and 0 beyond
     event_t_error, event_y_error   bounds on their errors
 
-    Digits count as in trajectory/digits.py: times relative to themselves, positions, velocities and energies to the
-    largest of each at the start, at the kept events and at the end.
+    Digits of a time are relative to that time, those of positions, velocities and energies to the largest of each at
+    the start, at the kept events and at the end.
 
     >>> from numerics import solve_many
     >>> found = solve_many(1, 1, 200, 0.5, v1=[0.05, 0.15], until=5, keep_events=2, jobs=1)
@@ -155,7 +155,7 @@ class Batch(Ends):
 
     @cached_property
     def events(self) -> Counts:
-        """Return how many events each run had."""
+        """Number of events of each run."""
         return np.nan_to_num(self._end("events")[0]).astype(np.int64)
 
     @cached_property
@@ -165,7 +165,7 @@ class Batch(Ends):
 
     @cached_property
     def certain(self) -> Array:
-        """Return whether no bound reaches as far as another sequence of events."""
+        """Whether the bounds exclude any other sequence of events."""
         return np.asarray((self._end("certain")[0] == 1.0) & (self._how != How.DOUBT))
 
     @cached_property
@@ -206,7 +206,7 @@ class Batch(Ends):
 
     @cached_property
     def dissipated(self) -> Floats:
-        """Return what friction and viscosity took, J."""
+        """Energy dissipated by friction and viscosity, J."""
         friction, viscous = self._taken("friction", "viscous")
         return np.asarray(friction + viscous)
 

@@ -76,20 +76,20 @@ def solve_many(
     progress: Progress | None = None,
     exact: bool = False,
 ) -> Batch:
-    """Solve the scenes of all numbers in arrays that broadcast together, in SI units as in Pair, State and Scene.
+    """Solve one scene for each element of arrays that broadcast together; SI units as in Pair, State and Scene.
 
-    Every scene runs as by solve(scene, arithmetic="float64"); an event that its bounds leave open is a status. Where
-    friction depends on the state it runs in balls, one after the other.
+    Each scene is solved like solve(scene, arithmetic="float64"); if the error bounds do not decide its events, its
+    status says so. If friction depends on the state, the scenes are solved in balls, one after the other.
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
-    numbers. For jumps, `force` and `friction`: a Force, a Friction, or sequences of them that broadcast; one Friction
-    for all beside `sines` costs no more than `sines` alone.
+    other arrays. For jumps use `force` and `friction`: a Force, a Friction, or sequences of them that broadcast; one
+    Friction for all scenes together with `sines` is as fast as `sines` alone.
 
-    The numbers are taken as the binary64 numbers that they are, exactly: 0.005 in an array is not 1/200, which matters
-    to a pair that starts on the very edge. With `exact` they are read as `solve` reads them: 0.005 is 1/200, and texts
-    such as "1/3" are numbers too, at the price of Python's time for every scene. `jobs`: threads of compiled code
-    (default: all cores); without numba one thread does it all. `progress(done, all)` is called now and then.
+    Numbers are read as binary64 numbers, exactly: 0.005 in an array is not 1/200, which matters for a start exactly on
+    the edge of the sliding region. With `exact` they are read as by `solve`: 0.005 is 1/200, and strings such as "1/3"
+    are numbers too; this is slower. `jobs`: threads of compiled code (default: all cores); without numba one thread is
+    used. `progress(done, all)` is called from time to time.
 
     Raises InvalidScene, naming the first number that is out of bounds, ValueError (arrays that do not broadcast, bad
     arguments).
@@ -157,12 +157,12 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Batch | PlaneBatch:
-    """Solve scenes one by one as by solve(scene, arithmetic="float64"); arrays of shape (len(scenes),).
+    """Solve each scene like solve(scene, arithmetic="float64"); the result has arrays of shape (len(scenes),).
 
-    Scenes on a surface, with one number of axes, run in `jobs` processes, which need joblib (default: all cores if it
-    is there), and make a PlaneBatch. Those on a line run in one thread; arrays of numbers are quicker by `solve_many`.
+    Scenes on a surface must have the same number of axes; they run in `jobs` processes, which need joblib (default: all
+    cores if it is installed), and give a PlaneBatch. Scenes on a line run in one thread; `solve_many` is faster.
 
-    Raises TypeError for what is no list of scenes of one kind, ValueError for bad arguments, MissingTool.
+    Raises TypeError for anything but a list of scenes of one kind, ValueError for bad arguments, MissingTool.
 
     >>> from numerics import load_scene
     >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()

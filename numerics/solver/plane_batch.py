@@ -24,11 +24,11 @@ _FEW = 8
 
 
 class PlaneBatch(Ends):
-    """The ends of many runs on a surface of n axes, arrays by rows; `y` and `y_error` (4, rows, n): x1, v1, x2, v2.
+    """Final states of many runs on a surface of n axes, one row per scene; `y`, `y_error` (4, rows, n): x1, v1, x2, v2.
 
-    status         a Status; SEQUENCE_OPEN where 64 bits do not tell what comes next, all else is nan then
-    message        a sentence that says so, (rows,)    events    how many there were
-    mode           "stick", "slip", or a box's word    t         s, the horizon or the last event
+    status         a Status; SEQUENCE_OPEN where float64 does not decide the next event, all else is nan then
+    message        the same as a sentence, (rows,)     events    number of events
+    mode           "stick", "slip", or signs of a box  t         s, the horizon or the last event
     energy         J                                   digits    right digits of all events and of the end
     *_error        proved bounds on the errors of these
     event_t, event_y, event_mode   the first `keep_events` events, (rows, k), (4, rows, k, n), (rows, k); nan, "" beyond

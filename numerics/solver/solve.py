@@ -72,31 +72,30 @@ def solve(  # type: ignore[misc]  # the options are those below
     max_digits: int = MAX_DIGITS,
     progress: Progress | None = None,
 ) -> Trajectory | PlaneTrajectory:
-    """Solve a scene and return its Trajectory; `arithmetic.name` says what answered, `tried` what did not, and why.
+    """Solve a scene and return its Trajectory; for a PlaneScene, a PlaneTrajectory.
 
-    Of a PlaneScene it is a PlaneTrajectory (plane/solve.py).
+    `arithmetic.name` of the result is the arithmetic used; `tried` lists those tried before, and why they failed.
 
-    Without `digits` and arithmetic: float64 with its own error bounds (Trajectory.accuracy). Only where these leave the
-    sequence of events open it climbs: to double-double, then to balls of 34, 68, 136 and 560 working digits.
+    Without `digits` and `arithmetic`: float64 with error bounds (Trajectory.accuracy). If these do not decide the
+    sequence of events: double-double, then balls of 34, 68, 136 and 560 working digits.
 
-    With `digits` = N: the cheapest arithmetic that has N right digits of every event time and state, and of state,
-    energy and excess at the end: float64 (N <= 15; where its own bounds leave fewer, its numbers are carried in
-    double-double and rounded once, as `tried` says), double-double (N <= 30), else balls, their precision raised
-    until the digits are proved. Times count relative to themselves, everything else relative to the largest such
-    quantity along the run (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest
-    |velocity|.
+    With `digits` = N: the cheapest arithmetic with N right digits of every event time and state, and of state, energy
+    and excess at the end. This is float64 (N <= 15; if its bounds leave fewer digits, double-double rounded once to
+    float64, as `tried` says), double-double (N <= 30), or balls, whose precision is raised until the digits are
+    proved. Digits of a time are relative to that time; all others are relative to the largest such quantity along the
+    run (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest |velocity|.
 
-    With `arithmetic`: "float64" or "double-double" as they are, where the free pair's events may stay open
-    (Trajectory.certain); "mpmath" with `digits` or 30, no bounds (of the free pair by steps of its own, else the
-    middles of balls of twice as many digits, as `tried` says); "ball" with `digits` or 15 proved digits.
+    With `arithmetic`: "float64" or "double-double" only, where the free pair's events may stay undecided
+    (Trajectory.certain); "mpmath" with `digits` or 30, without bounds (for the free pair an independent computation,
+    else midpoints of balls with twice as many digits, as `tried` says); "ball" with `digits` or 15 proved digits.
 
-    `max_digits`: the cap on working digits; float64 has its 15 under any, as no arithmetic has fewer.
+    `max_digits`: limit on working digits; float64 keeps its 15 under any limit.
     `t_eval`: times (s), in order, at which `t`, `y` and `energy` are given, instead of at the events.
-    `progress(events, fraction)` is called now and then. A float in a scene is read as the decimal that it shows: 0.1 is
-    1/10. (`solve_many` reads arrays as binary numbers.)
+    `progress(events, fraction)` is called from time to time. A float in a scene is read as the decimal that it prints:
+    0.1 is 1/10. (`solve_many` reads arrays as binary numbers.)
 
-    Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
-    reached), OutOfRange (a number does not fit float64), TypeError (no scene), ValueError (bad arguments).
+    Raises EventUndecided (at the limit on precision), PrecisionExhausted (N digits were not reached), OutOfRange (a
+    number does not fit float64), TypeError (no scene), ValueError (bad arguments).
 
     >>> from numerics import load_scene
     >>> scene = load_scene("velocities")
@@ -147,7 +146,7 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
         if working * (1 if free_scene(scene) else 2) > limits.digits:
             raise exhausted(working - SPARE_DIGITS, limits.digits)
         found = limits.run(scene, Multiprecision(working))
-        return found if free_scene(scene) else found.but(tried=f"the middles of balls of {2 * working} working digits")
+        return found if free_scene(scene) else found.but(tried=f"midpoints of balls of {2 * working} working digits")
     if arithmetic == "ball":
         return _solve_to_digits(scene, digits or 15, SPARE_DIGITS, limits)
     raise ValueError(f"arithmetic = {shown(arithmetic)} is not one of float64, double-double, mpmath, ball")

@@ -11,7 +11,7 @@ from numerics.shown import print_table, shown_steps, write_figure
 
 
 def measure_trade(options: argparse.Namespace) -> int:
-    """Measure speed against accuracy, or only the public interface beside heyoka; print, write the figure."""
+    """Measure speed against accuracy, or only the public functions against heyoka; print, write the figure."""
     from numerics.trade.contenders import CONTENDERS
     from numerics.trade.figure import draw_trade
     from numerics.trade.measure import NoSuchContender, trade
@@ -34,22 +34,22 @@ def measure_trade(options: argparse.Namespace) -> int:
 
 
 def print_ratios(trade: Any) -> None:
-    """Print how many times as fast as heyoka ours is: the least and the median over the scenes, then each of them."""
+    """Print the speed relative to heyoka: minimum and median over the scenes, then each scene."""
     found = {what.replace("`", ""): ratios for what, ratios in trade.ratios().items()}
     lines = [
         (what, str(len(some)), f"{min(some.values()):.3g}", f"{median(some.values()):.3g}", min(some, key=some.get))
         for what, some in found.items()
     ]
-    print_table(("how many times as fast as heyoka", "scenes", "least", "median", "least on"), lines)
+    print_table(("speed relative to heyoka", "scenes", "minimum", "median", "minimum on"), lines)
     for what, some in found.items():
         print(f"{what}: {', '.join(f'{scene} {ratio:.3g}' for scene, ratio in some.items())}")
     for one in trade.sweeps:
-        digits = f"{one.digits:.0f} and {one.peer_digits:.1f} digits, {one.peer_wrong} wrong"
-        print(f"{one.scene}, {one.size} at once: {one.ratio:.3g}, {digits}")
+        digits = f"{one.digits:.0f} digits; heyoka {one.peer_digits:.1f} digits, {one.peer_wrong} scenes wrong"
+        print(f"{one.scene}, {one.size} scenes in one call: {one.ratio:.3g}, {digits}")
 
 
 def print_trade(trade: Any) -> None:
-    """Print a table a scene, the machine, and what was left out."""
+    """Print one table per scene, the machine, and the integrators left out."""
     for scene, why in trade.scenes.items():
         lines = []
         for one in trade.of(scene):
@@ -57,15 +57,15 @@ def print_trade(trade: Any) -> None:
             events = one.note or ("none" if one.who.endswith("smoothed") else "right")
             lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, events))
         print(f"{scene}: {why}")
-        print_table(("", "setting", "time", "digits", "events"), lines)
+        print_table(("method", "setting", "time", "digits", "events"), lines)
         print()
     of = trade.machine
     versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())
     print(f"{of['processor']}, {of['cores']} cores, load {of['load']}; Python {of['python']}, {versions}")
     print(
-        "Times are processor times of warm calls, taken in turns with solve(scene) in one process. Digits are those of "
-        "the worst error: of the state at the horizon relative to L and L Omega, of the events' times and, on a line, "
-        "of the dissipated energy relative to themselves. A smoothed law has no events."
+        "Times are CPU times of calls after a warm-up, alternating with solve(scene) in one process. Digits are those "
+        "of the largest error: of the state at the horizon relative to L and L Omega, of the event times and, on a "
+        "line, of the dissipated energy relative to themselves. A smoothed friction law has no events."
     )
     for name, missing in trade.left_out.items():
         print(f"left out: {name}: needs {missing}")

@@ -1,4 +1,4 @@
-"""The trade as a picture: digits against time on every scene."""
+"""Figure of a trade: digits against time on every scene."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from numerics.trade.recorded import Trade
 
 MARKERS = "osD^vP*Xh"
-"""Contenders are told apart by them also without colour."""
+"""Methods differ by marker too, not only by colour."""
 
 
 def draw_trade(trade: Trade, columns: int = 4, panel_size: tuple[float, float] = (4.6, 3.2)) -> Any:

@@ -91,5 +91,5 @@ def first_difference(found: PeerRun, truth: PeerRun) -> str | None:
     for before, true, after, at in zip(times, times[1:], times[2:], found.times, strict=False):
         gap, off = min(true - before, after - true), abs(float(as_arb(at).mid()) - true)
         if not off <= gap / 2:
-            return f"the event at {true:.6g} s is {off:.1e} s off, its neighbour {gap:.1e} s away"
+            return f"the event at {true:.6g} s is off by {off:.1e} s, its neighbour is {gap:.1e} s away"
     return None

@@ -62,10 +62,10 @@ def _enclosed(trajectory: Rows) -> Iterator[tuple[arb, arb]]:
 
 @dataclass(frozen=True, repr=False)
 class Accuracy(ShortRepr):
-    """Error bounds of a float64 or double-double trajectory in SI units: what rounding can have done at each event.
+    """Bounds on the rounding errors of a float64 or double-double trajectory, in SI units.
 
     `t` (k,) s and `y` (k, 4) at the events, `final` (4,), `energy` and `dissipated` (J) and `energy_excess` at the end.
-    They are bounds with slack, not proofs; `certain` says that no bound reaches as far as another sequence of events.
+    The bounds are conservative and tested, not proved. `certain`: they exclude any other sequence of events.
     `digits` is the least number of right digits of times, states, and of energy and excess at the end, 0 if not
     certain: relative to each time, to the largest |position|, |velocity|, energy and excess along the run.
     """

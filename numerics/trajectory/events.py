@@ -92,10 +92,10 @@ class EnergyLedger(ShortRepr):
     event at the wrong place shows.
 
     >>> from numerics import load_scene, solve
-    >>> told = solve(load_scene("velocities")).ledger
-    >>> [round(float(one), 6) for one in (told.initial, told.final, told.friction, told.viscous, told.work)]
+    >>> books = solve(load_scene("velocities")).ledger
+    >>> [round(float(one), 6) for one in (books.initial, books.final, books.friction, books.viscous, books.work)]
     [0.01125, 2.9e-05, 0.011221, 0.0, 0.0]
-    >>> abs(told.residual) < 1e-15
+    >>> abs(books.residual) < 1e-15
     True
     """
 

@@ -1,4 +1,4 @@
-"""What a run answers: events, segments, any time, error bounds and ledger; each made when somebody asks."""
+"""Results of a run: events, segments, any time, error bounds and ledger; each computed on first access."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from numerics.trajectory.status import Status
 
 
 class Solution(Rows):
-    """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
+    """A run with the attribute names of SciPy's solution objects (trajectory.py)."""
 
     def look_up_times(self) -> None:
         """Raise ValueError for times in t_eval that are outside the run."""
@@ -41,17 +41,17 @@ class Solution(Rows):
     def message(self) -> str:
         """Return the sentence that says how the solve ended, and whether the phase was lost on the way to the end."""
         if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
-            return super().message.replace("shorten until", "ask `inertial-pair energy` for a late time")
+            return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
         if not self.phase_lost:
             return super().message
         return (
             f"{self.status.sentence}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end "
-            "the mode and the energy are known, x1, v1, x2 and v2 are not; ball arithmetic knows them"
+            "the mode and the energy are known, x1, v1, x2 and v2 are not; use ball arithmetic"
         )
 
     @property
     def phase_lost(self) -> bool:
-        """Return whether the last segment of a free motion turns through more radians than points have digits for."""
+        """Whether the last segment of a free motion is too long for the digits of its phase; always False for balls."""
         if self._is_ball or self.scene.is_forced:
             return False
         with self.context():

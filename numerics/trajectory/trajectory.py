@@ -16,13 +16,13 @@ Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", 
 
 
 class Trajectory(Solution):
-    """A solved scene, in the words of SciPy's solution objects and with the physics beside them.
+    """A solved scene, with the attribute names of SciPy's solution objects, and modes, events and energies.
 
     Rows of `y` are x1, v1 (m, m/s) and x2, v2; columns belong to `t` (s): start, events, end; with t_eval, those times
     instead. With float64 they are float arrays, otherwise object arrays of the arithmetic's numbers (enclosures for
     balls). Two trajectories are equal if every number is.
 
-    How it ended, its events (k of them, m = k + 2 columns), any time, how sure it is, and the energy (J):
+    Status, events (k of them, m = k + 2 columns), evaluation at any time, error bounds, and energy (J):
 
     >>> from numerics import Pair, Scene, State, solve
     >>> run = solve(Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(v1="0.15"), until=5))
@@ -51,7 +51,7 @@ class Trajectory(Solution):
     >>> round(run.final.w, 6), float(run.initial.X), round(run.reduced(0.5).w, 6), round(run.energy_excess[-1], 6)
     (0.027012, 0.0, 0.247939, 0.027012)
 
-    As tables, and in a file, from which it comes back to the last bit:
+    Tables, and a file from which it is restored to the last bit:
 
     >>> run.to_csv()[:22], len(run.to_dataframe())
     ('from,to,t (s),x1 (m),v', 34)

@@ -32,7 +32,7 @@ _FOLDERS = 400  # how many are kept, beside those of the last day: five whole li
 _PATIENCE = 900  # seconds for one file; the longest takes less than a tenth of that
 
 Progress = Callable[[int, int, str], None]
-"""Called with the files that are done, all files, and the name of the last one."""
+"""Called with the number of files done, that of all files, and the name of the last one; (0, 0, why) while waiting."""
 
 
 @cache
@@ -97,7 +97,7 @@ def locked(store: Path, progress: Progress | None = None) -> Iterator[None]:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError:
                 if progress:
-                    progress(0, 0, "wait for another process that compiles them")
+                    progress(0, 0, "waiting for another process that compiles the proofs")
                 fcntl.flock(file, fcntl.LOCK_EX)
         yield
         files.forget_unused(store, _FOLDERS)

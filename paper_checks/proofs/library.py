@@ -5,7 +5,9 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
@@ -113,9 +115,22 @@ def theorem(name: str) -> Proved:
     return _built().theorem(name)
 
 
+_REPORT: ContextVar[Progress | None] = ContextVar("report", default=None)
+
+
+@contextmanager
+def reported(progress: Progress) -> Iterator[None]:
+    """Report to `progress` while a check inside compiles the proofs, which it does only if it cites a theorem."""
+    token = _REPORT.set(progress)
+    try:
+        yield
+    finally:
+        _REPORT.reset(token)
+
+
 @cache
 def _built() -> Built:
-    return build()
+    return build(_REPORT.get())
 
 
 @cache

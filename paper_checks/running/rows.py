@@ -6,23 +6,23 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from paper_checks.evidence.claim import Claim
-from paper_checks.proofs.library import build
+from paper_checks.proofs.library import build, reported
 from paper_checks.running import early, plain, runner
 from paper_checks.running.kept import Kept
 from paper_checks.running.runner import Context
 
 
 class Progress:
-    """Tells nobody: the one for a pipe, and the shape of the others."""
+    """Shows nothing; base class of those that do."""
 
     def compiled(self, done: int, total: int, name: str) -> None:
-        """Tell how many proof files the kernel has read."""
+        """Show how many proof files are compiled; (0, 0, why) while waiting."""
 
     def begun(self, claim: Claim) -> None:
-        """Tell which claim is being decided."""
+        """Show which claim is being checked."""
 
     def found(self, row: runner.Row) -> None:
-        """Tell a row."""
+        """Show the verdict of a claim."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,9 @@ def _decided(claims: Sequence[Claim], context: Context, jobs: int, progress: Pro
     if min(jobs, len(claims)) < 2:
         for claim in claims:
             progress.begun(claim)
-            yield runner.run([claim], context)[0]
+            with reported(progress.compiled):
+                row = runner.run([claim], context)[0]
+            yield row
         return
     from paper_checks.running import workers
 

@@ -45,7 +45,7 @@ def moved(by):
         (f"{COUNT - 1} events, not {COUNT}", {"modes": MODES[:-1], "times": TIMES[:-1]}),
         (f"segment 1 is slip-, not {'slip+' if MODES[0] > 0 else 'stick'}", {"modes": [-1, *MODES[1:]]}),
         ("its neighbour", {"times": moved(GAP * 0.51)}),
-        (" nan s off", {"times": moved(math.nan)}),
+        ("off by nan s", {"times": moved(math.nan)}),
         (None, {"times": moved(GAP * 0.49)}),
     ],
 )
@@ -227,5 +227,5 @@ def test_the_whole_command_with_planted_answers(output, record, tmp_path):
     assert "near-critical" not in printed
     printed = output("trade", "--size", "small", "--interface")
     assert "solve(scene), without a force: relative-motion-b05 1, near-critical-1e-6 1" in printed
-    assert "forced-stick-slip, 20 at once: 30, 11 and 13.5 digits, 0 wrong" in printed
+    assert "forced-stick-slip, 20 scenes in one call: 30, 11 digits; heyoka 13.5 digits, 0 scenes wrong" in printed
     assert "forward Euler" not in printed

@@ -89,7 +89,7 @@ def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tm
 def test_a_file_is_compared_with_the_source(capsys, tmp_path):
     (tmp_path / "other.tex").write_text("another paper", encoding="utf-8")
     assert main(["source", str(tmp_path / "other.tex")]) == 1
-    assert "is not the text that was checked" in capsys.readouterr().out
+    assert "is not the text of the paper that was checked" in capsys.readouterr().out
     assert main(["source", str(tmp_path / "nowhere.tex")]) == 2
     assert "cannot be read: No such file or directory" in capsys.readouterr().err
 

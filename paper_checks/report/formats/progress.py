@@ -1,4 +1,4 @@
-"""How far a run is, on stderr: each verdict as it is found and a bar beneath; a line now and then where it is no terminal."""
+"""Progress on stderr: on a terminal each verdict with a bar below, otherwise one line every few seconds."""
 
 from __future__ import annotations
 
@@ -14,16 +14,21 @@ from paper_checks.running.rows import Progress
 from paper_checks.running.runner import Row
 
 
+def compiling(done: int, total: int, name: str) -> str:
+    """Return the text while Coq proofs are compiled, or why that waits."""
+    return f"compiling Coq proofs {done}/{total}" if total else name
+
+
 class OnTerminal(Progress):
-    """Tells a terminal."""
+    """Progress on a terminal."""
 
     def __init__(self, shown: Any, total: int) -> None:
         """Add one bar to what rich shows."""
         self._shown, self._bar = shown, shown.add_task("", total=total)
 
     def compiled(self, done: int, total: int, name: str) -> None:
-        """Show the proof file beside the bar."""
-        self._shown.update(self._bar, description=f"proofs {done}/{total} {name}")
+        """Show the number of compiled files beside the bar."""
+        self._shown.update(self._bar, description=compiling(done, total, name))
 
     def begun(self, claim: Claim) -> None:
         """Show the claim beside the bar."""
@@ -37,27 +42,32 @@ class OnTerminal(Progress):
 
 
 class OnPipe(Progress):
-    """Tells a pipe, now and then."""
+    """Progress off a terminal: the last message, every few seconds."""
 
-    def __init__(self, say: Callable[[str], None]) -> None:
-        """Take what shows its last line every few seconds."""
-        self._say = say
+    def __init__(self, say: Callable[[str], None], total: int) -> None:
+        """Take the function that shows a message, and the number of claims."""
+        self._say, self._total, self._done = say, total, 0
 
     def compiled(self, done: int, total: int, name: str) -> None:
-        """Tell the proof file."""
-        self._say(f"proofs {done}/{total} {name}")
+        """Say how many proof files are compiled."""
+        self._say(compiling(done, total, name))
+
+    def begun(self, claim: Claim) -> None:
+        """Say which claim is being checked."""
+        self._say(f"checking {claim.id}")
 
     def found(self, row: Row) -> None:
-        """Tell the claim."""
-        self._say(row.claim.id)
+        """Say how many claims are checked, and which was the last."""
+        self._done += 1
+        self._say(f"{self._done}/{self._total} claims checked, last {row.claim.id}")
 
 
 @contextmanager
 def progress(total: int) -> Iterator[Progress]:
-    """Show how many of `total` rows are found; off a terminal, which one was last."""
+    """Show how many of `total` claims are checked."""
     if not sys.stderr.isatty():
         with shown_steps() as say:
-            yield OnPipe(say)
+            yield OnPipe(say, total)
         return
     with _bar() as shown:
         yield OnTerminal(shown, total)
@@ -65,7 +75,7 @@ def progress(total: int) -> Iterator[Progress]:
 
 @contextmanager
 def parts(total: int) -> Iterator[Callable[[str], None]]:
-    """Show a bar for `total` chapters and figures; what is yielded tells that one is made."""
+    """Show a bar for `total` chapters and figures; call what is yielded with the name of each that is finished."""
     if not sys.stderr.isatty():
         with shown_steps() as say:
             yield say

@@ -37,13 +37,18 @@ def forms(text: str) -> tuple[str, ...]:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options of the command."""
-    parser.add_argument("ids", nargs="*", metavar="ID", help="rows to report on; all without it (see list)")
-    parser.add_argument("--out", type=path, default="report-out", metavar="DIR", help="default: %(default)s")
+    parser.add_argument("ids", nargs="*", metavar="ID", help="claims to report on (see list); default: all")
     parser.add_argument(
-        "--format", type=forms, default=("html",), metavar="F[,F]", help=f"of {', '.join(FORMS)}; default: html"
+        "--out", type=path, default="report-out", metavar="DIR", help="folder to write; default: %(default)s"
     )
     parser.add_argument(
-        "--trade", type=path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
+        "--format", type=forms, default=("html",), metavar="F[,F]", help=f"formats: {', '.join(FORMS)}; default: html"
+    )
+    parser.add_argument(
+        "--trade",
+        type=path,
+        metavar="F",
+        help="measurement by `python -m numerics trade --json`; default: the shipped one",
     )
 
 
@@ -150,5 +155,7 @@ def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) 
     except OSError as error:
         complain(f"{options.file} cannot be read: {error.strerror or error}")
         return USAGE
-    print(f"{options.file} {'is' if same else 'is not'} the text that was checked (SHA-256 {source.SHA256})")
+    print(
+        f"{options.file} {'is' if same else 'is not'} the text of the paper that was checked (SHA-256 {source.SHA256})"
+    )
     return 0 if same else 1

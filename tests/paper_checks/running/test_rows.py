@@ -18,6 +18,8 @@ from interruption import interrupted
 from paper_checks.claims import claim_named
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
+from paper_checks.proofs import library
+from paper_checks.report.formats.progress import OnPipe, compiling
 from paper_checks.running import kept, plain, workers
 from paper_checks.running import rows as running
 from paper_checks.running.kept import Kept
@@ -54,6 +56,22 @@ def test_a_row_comes_back_as_it_was_and_never_as_another_or_where_a_solver_was_s
         for proofs in (there.proofs * 2, there.proofs[:-1] or there.proofs * 3):
             with pytest.raises(ValueError, match="zip"):
                 plain.row(row.claim, replace(there, proofs=proofs))
+
+
+def test_one_claim_reports_the_proofs_that_it_compiles(monkeypatch):
+    """@example of minutes of compiling that were shown as "at work"."""
+    shown, theorems = [], library._not_run("", library.pinned())
+
+    def build(progress):
+        progress(3, 81, "Pair")
+        return theorems
+
+    monkeypatch.setattr(library, "build", build)
+    monkeypatch.setattr(library, "_built", library._built.__wrapped__)
+    running.rows([claim_named("energy-rate")], Context(), running.Manner(), OnPipe(shown.append, 1))
+    last = "1/1 claims checked, last energy-rate"
+    assert list(dict.fromkeys(shown)) == ["checking energy-rate", "compiling Coq proofs 3/81", last]
+    assert compiling(0, 0, "waiting") == "waiting"
 
 
 @pytest.mark.parametrize("fresh", [False, True])
