@@ -25,7 +25,6 @@ Answers:
     sensitivities       derivatives of a trajectory by every number of its scene
 Control through the interface:
     response            the motion in the long run under a periodic force
-    response_map        which regime a sine brings, over frequency and amplitude
     thresholds          the amplitudes up to which the pair may stick, which slip with two reversals a period needs
     fastest_transfer    the force that brings body 2 from rest to rest
     track               the force under which body 2 follows a reference
@@ -51,7 +50,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from numerics.control.response import response as response
-    from numerics.control.response_map import response_map as response_map
     from numerics.control.ring import ring_entry as ring_entry
     from numerics.control.thresholds import thresholds as thresholds
     from numerics.control.tracking import track as track
@@ -102,7 +100,6 @@ _NAMES = {
     "trajectory.sensitivity": "sensitivities",
     "linear.modes": "Mode",
     "control.response": "response",
-    "control.response_map": "response_map",
     "control.ring": "ring_entry",
     "control.thresholds": "thresholds",
     "control.tracking": "track",

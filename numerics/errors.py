@@ -66,13 +66,9 @@ class NoProof(NumericsError):
     """A trajectory that is not written as a theorem: the message says what the checker does not cover."""
 
 
-class InvalidMap(InvalidScene):
-    """A map that cannot be computed: its window, its depth or its checkpoint; the message says what to give instead."""
-
-
 class InvalidFile(NumericsError, ValueError):
     """A file that holds no saved trajectory: the message says why."""
 
 
 class MissingTool(NumericsError):
-    """An optional package, or a cluster, that was asked for and is not there."""
+    """An optional package that was asked for and is not there."""
