@@ -16,7 +16,7 @@
 # The paper shows that a pair which starts on $S_0$ "slightly" above $E_{cr}$ approaches it slowly and never merges. In
 # reduced coordinates more can be said: the pair without damper has one parameter, the mass share $r=m_2/(m_1+m_2)$, and
 # an excursion from $S_0$ and back is an explicit curve of one angle. From that curve come the whole return map, the
-# energy at any time, however late, and the set of all pairs and energies that do merge.
+# energy at any time, however late, and for every pair the energies that merge at the first landing.
 
 # %%
 # %matplotlib inline
@@ -29,8 +29,9 @@ from sympy import lambdify
 
 from numerics import Pair, Scene, State
 from numerics.free.energy import energy_at
-from numerics.free.merging import CRITICAL_SHARE, Merging
-from numerics.free.merging_map import draw_map, merging_cells
+from paper_checks.drawing.excursions import CRITICAL_SHARE
+from paper_checks.drawing.merging import merging_interval
+from paper_checks.drawing.style import house_style
 from paper_checks.evidence.formula import equation
 from theory import excursion, near_critical, return_map
 from theory.symbols import q, theta
@@ -91,7 +92,7 @@ Latex(equation("y'", return_map.return_map_series(5)))
 # %%
 maps = lambdify((theta, q), (before, after))
 figure, panels = plt.subplots(1, 3, figsize=(10, 3.8), layout="constrained")
-shares = (0.4, float(CRITICAL_SHARE), 0.8)
+shares = (0.4, CRITICAL_SHARE, 0.8)
 for axes, share, start in zip(panels, shares, (6, 10, 100), strict=True):
     ys, nexts = maps(angles, 1 - share)
     orbit = [start]
@@ -151,26 +152,17 @@ plt.show()
 # %% [markdown]
 # ## Which pairs merge from which energies
 #
-# The same two formulas, evaluated in balls over whole rectangles of mass ratios and energies, decide the fate of every
-# point in them. Cells that hold a piece of the boundary stay undecided and are cut again; here seven times. From the
-# command line, `python -m numerics map --jobs 2 --out map.png` goes to ten cuts, finer than the eye resolves.
+# The same two formulas decide where the first slip after $S_0$ ends below $E_{cr}$: exactly if
+# $R^2=(h/c)^2\leqslant r$, for each mass ratio an interval of energies.
 
 # %%
-chart = merging_cells(7)
-shares = {one.name.lower(): f"{share:.1%}" for one, share in chart.shares().items()}
-print(f"{len(chart.leaves)} cells: {shares}")
-draw_map(chart)
+with house_style():
+    figure = merging_interval()
+figure
 
 # %% [markdown]
-# Left of the dashed line, $m_2/M<r^*$, nothing merges. To its right tongues of merging open, one above the other: in
-# the lowest the first slip ends below $E_{cr}$, in the others a later one does. Below the lowest lies the paper's
-# "slightly above $E_{cr}$", now for each mass ratio exactly. Between the tongues the pair steps over every window, and
-# it creeps. As far as they are seen, these gaps close as $m_2/m_1$ grows. In the top right corner they are narrower
-# than the cells of this depth.
+# Left of the dashed line, $m_2/M<r^*$, nothing merges. Below the interval lies the paper's "slightly above $E_{cr}$",
+# now for each mass ratio exactly: there the pair creeps. Above it a later slip may end below $E_{cr}$.
 
 # %%
-merging = [cell.sides for cell in chart.leaves if cell.verdict is Merging.MERGES]
-tip = min(merging)
-low, high = (float(one) for one in tip[0])
-print(f"the first cell that merges: m2/m1 from {low:.4f} to {high:.4f}")
-print(f"the threshold: m2/m1 = {float(CRITICAL_SHARE / (1 - CRITICAL_SHARE)):.12f}")
+print(f"the threshold: m2/m1 = {CRITICAL_SHARE / (1 - CRITICAL_SHARE):.12f}")

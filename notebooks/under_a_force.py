@@ -32,15 +32,13 @@ from numerics import (
     load_reference,
     load_scene,
     response,
-    response_map,
     ring_entry,
     solve,
     thresholds,
     track,
 )
 from numerics.control.answers import solved_again
-from numerics.control.pictures import draw_response, draw_response_map
-from numerics.scene.decimals import exact_decimal
+from numerics.control.pictures import draw_response
 from paper_checks.drawing import under_a_force
 from paper_checks.drawing.style import house_style
 
@@ -77,13 +75,6 @@ print(shaken.regime.value)
 print("multipliers", [abs(one).str(15, radius=False) for one in shaken.multipliers])
 print("modes of a period, solved by events:", [mode.value for mode in again.modes])
 draw_response(shaken)
-
-# %% [markdown]
-# The same over frequency and amplitude, in cells that are proved as a whole.
-
-# %%
-window = [[exact_decimal(one, "window") for one in side] for side in (("0.1", "10"), ("4", "40"))]
-draw_response_map(response_map(pair, tuple(window[0]), tuple(window[1]), 5))
 
 # %% [markdown]
 # ## Resonance

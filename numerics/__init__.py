@@ -25,7 +25,6 @@ Results:
     sensitivities       derivatives of a trajectory by every number of its scene
 Control through the interface:
     response            the long-time response to a periodic force
-    response_map        the regime under a sine, over frequency and amplitude
     thresholds          amplitudes: the largest for permanent stick, the smallest for slip with two reversals a period
     fastest_transfer    the force that moves body 2 from rest to rest
     track               the force under which body 2 follows a reference
@@ -51,7 +50,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from numerics.control.response import response as response
-    from numerics.control.response_map import response_map as response_map
     from numerics.control.ring import ring_entry as ring_entry
     from numerics.control.thresholds import thresholds as thresholds
     from numerics.control.tracking import track as track
@@ -102,7 +100,6 @@ _NAMES = {
     "trajectory.sensitivity": "sensitivities",
     "linear.modes": "Mode",
     "control.response": "response",
-    "control.response_map": "response_map",
     "control.ring": "ring_entry",
     "control.thresholds": "thresholds",
     "control.tracking": "track",

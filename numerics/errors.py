@@ -66,13 +66,9 @@ class NoProof(NumericsError):
     """A trajectory that cannot be written as a theorem: the message says what the checker does not cover."""
 
 
-class InvalidMap(InvalidScene):
-    """A map with an invalid window, depth or checkpoint; the message says what to give instead."""
-
-
 class InvalidFile(NumericsError, ValueError):
     """A file that is not a saved trajectory: the message says why."""
 
 
 class MissingTool(NumericsError):
-    """An optional package or a cluster that is required and missing."""
+    """An optional package that is required and missing."""

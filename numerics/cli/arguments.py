@@ -38,10 +38,6 @@ def _file(name: str, what: str, metavar: str = "F") -> Option:
     return _option(name, what, type=path, metavar=metavar)
 
 
-def _range(name: str, what: str, **how: Any) -> Option:
-    return _option(name, what, nargs=2, metavar=("A", "B"), **how)
-
-
 _IN_PLACE, _ALSO = "instead of the scene's; together with", "also for a scene without a force"
 _FIGURE = "write a figure: .svg, .pdf or .png"
 _PLOT, _CHART = _file("--plot", _FIGURE), _file("--out", _FIGURE, "FIGURE")
@@ -61,15 +57,6 @@ _ASKED = (
 )
 """Options of a question about one scene: digits of the result, and how it is printed or drawn."""
 _PLAN = _file("--out", "write the scene to F instead of printing it")
-_CELLS = (
-    _count("--depth", 10, "smallest cell: 2^-N of each side of the window"),
-    _count("--jobs", 1, "number of processes"),
-    _option("--dask", "compute on the Dask cluster with this scheduler instead", metavar="ADDRESS"),
-    _file("--resume", "save finished blocks in F, and resume from them"),
-    _CHART,
-    _switch("--json", "print all cells as JSON"),
-)
-"""Options of all maps: depth, processes or cluster, checkpoint, output."""
 _SOLVE = (
     _SCENE,
     _count("--digits", None, "right digits requested; the cheapest arithmetic that has them is used"),
@@ -114,16 +101,6 @@ _COMMANDS: tuple[Command, ...] = (
         ),
     ),
     (
-        "map",
-        commands.chart_merging,
-        "for which mass ratios and energies on S0 the motion merges, in proved cells",
-        (
-            _range("--ratio", "range of m2/m1", default=["0.8", "100"]),
-            _range("--energy", "range of E/E_cr", default=["1.01", "101"]),
-            *_CELLS,
-        ),
-    ),
-    (
         "response",
         control.print_response,
         "long-time response to the periodic force: regime, thresholds, periodic motion, Floquet multipliers",
@@ -132,17 +109,6 @@ _COMMANDS: tuple[Command, ...] = (
             _option("--amplitude", f"amplitude of the sine, N, {_IN_PLACE} --omega {_ALSO}", metavar="U"),
             _option("--omega", f"frequency of the sine, rad/s, {_IN_PLACE} --amplitude {_ALSO}", metavar="W"),
             _count("--max-events", 10_000, "limit on events; one period may have a fifth of them"),
-        ),
-    ),
-    (
-        "response-map",
-        commands.chart_response,
-        "regime under a sine, over frequency and amplitude, in proved cells",
-        (
-            _option("scene", "scene whose pair is used; its force is ignored", metavar="SCENE"),
-            _range("--amplitude", "range of amplitudes, N", required=True),
-            _range("--omega", "range of frequencies, rad/s", required=True),
-            *_CELLS,
         ),
     ),
     (

@@ -3,18 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
-from collections.abc import Callable
-from functools import partial
-from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, number_lines
 from numerics.cli.solving import LABELS
-from numerics.exits import INTERRUPTED, OK, refuse
-from numerics.shown import shown_steps, write_figure
-
-if TYPE_CHECKING:
-    from numerics.free.quadtree import CellMap
+from numerics.exits import OK
 
 
 def list_scenes(_: argparse.Namespace) -> int:
@@ -55,53 +47,4 @@ def print_energy(options: argparse.Namespace) -> int:
         *([f"{found.road.value} ({found.stepped} events computed one by one)"] if options.explain else []),
     ]
     answer(options, shown | way, lines)
-    return OK
-
-
-def chart_merging(options: argparse.Namespace) -> int:
-    """Compute the merging map of a window; print its summary or its cells, draw it."""
-    from numerics.free.merging_map import draw_map, merging_cells
-
-    return _chart(options, partial(merging_cells, options.depth, options.ratio, options.energy), draw_map)
-
-
-def chart_response(options: argparse.Namespace) -> int:
-    """Compute the response map of a scene's pair; print its summary or its cells, draw it."""
-    from numerics.control.response_map import response_map
-    from numerics.scene.file import load_line
-
-    scene = load_line(options.scene)
-    scene.require_one_b("a response map")
-    compute = partial(response_map, scene.pair, options.amplitude, options.omega, options.depth)
-    return _chart(options, compute, _drawn_response)
-
-
-def _drawn_response(found: CellMap) -> Any:
-    from numerics.control.pictures import draw_response_map
-
-    return draw_response_map(found)
-
-
-def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: Callable[[Any], Any]) -> int:
-    """Compute a map as the options say, draw it, and print its cells or a summary."""
-    try:
-        with shown_steps() as say:
-            found = compute(
-                jobs=options.jobs,
-                dask=options.dask,
-                resume=options.resume,
-                progress=lambda done, blocks: say(f"{done} of {blocks} blocks"),
-            )
-    except KeyboardInterrupt:
-        if options.resume is None:
-            raise
-        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command resumes", INTERRUPTED)
-    if options.out is not None:
-        write_figure(draw(found), options.out)
-    if options.json:
-        print(json.dumps(found.as_record()))
-        return OK
-    for verdict, share in found.shares().items():
-        print(f"{verdict.name.lower().replace('_', '-'):10}{share:8.2%} of the window (logarithmic axes)")
-    print(f"{len(found.leaves)} cells, the smallest 2^-{found.depth} of the window")
     return OK

@@ -15,11 +15,9 @@ from matplotlib.ticker import LogLocator
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.response_map import Regimes
 from numerics.control.thresholds import NonStop, entrainment_threshold, non_stop_threshold
 from numerics.control.tracking import Tracking
 from numerics.control.transfer import Transfer
-from numerics.free.quadtree import CellMap
 from numerics.linear.ties import force_form
 from numerics.scene import Pair
 from numerics.solver.solve import solve
@@ -43,16 +41,12 @@ Floats = NDArray[np.float64]
 _DIGITS, _POINTS = 16, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
-LABELS = {
-    Regimes.ENTRAINED: "sticks permanently",
-    Regimes.BETWEEN: "slips, with stops or more reversals",
-    Regimes.NON_STOP: "never stops",
-    Regimes.UNDECIDED: "undecided at this depth",
+REGIME_COLOURS = {
+    "sticks permanently": "#dbe7f3",
+    "slips, with stops or more reversals": "#f6e3c5",
+    "never stops": "#e3cfe3",
 }
-"""What a motion does below U*, between the lines, and above the upper one."""
-COLOURS = dict(zip(LABELS, ("#dbe7f3", "#f6e3c5", "#e3cfe3", "#777777"), strict=True))
-"""They differ in grey too."""
-REGIME_COLOURS = {LABELS[one]: COLOURS[one] for one in LABELS if one is not Regimes.UNDECIDED}
+"""What a motion does below U*, between the lines, and above the upper one; the colours differ in grey too."""
 
 
 def _panels(width: float, height: float, *grid: int, **how: Any) -> tuple[Figure, Any]:
@@ -137,23 +131,11 @@ def threshold_curves(pair: Pair, omegas: Sequence[float]) -> Floats:
 
 
 def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
-    """Draw U*, U** and the edge of the non-stop regime over frequency into axes, and return the axes.
+    """Draw U*, U** and the edge of the non-stop regime over frequency into logarithmic axes, and return the axes.
 
     The regimes are shaded between U* and that edge, which is approximate as `threshold_curves` says.
     """
-    low, high, edge = _lines(ax, pair, omegas)
-    top = 4 * float(np.nanquantile(edge[np.isfinite(edge)], 0.85))
-    bottom = max(min(low.min(), np.nanmin(high)) / 3, top / 1e4)
-    borders = [np.clip(one, bottom, top) for one in (0 * low, low, np.maximum(low, edge), np.inf * low)]
-    for (below, above), colour in zip(pairwise(borders), REGIME_COLOURS.values(), strict=True):
-        ax.fill_between(omegas, below, above, color=colour, lw=0)
-    ax.set(ylim=(bottom, top), title="Thresholds over frequency")
-    return ax
-
-
-def _lines(ax: Any, pair: Pair, omegas: Any) -> Floats:
-    """Draw the `threshold_curves` over frequency into axes, logarithmic, and return them."""
-    found = low, high, edge = threshold_curves(pair, omegas)
+    low, high, edge = threshold_curves(pair, omegas)
     ax.plot(omegas, low, color=PURPLE, label="$U_*$: permanent stick is possible up to it")
     ax.plot(omegas, edge, color="black", label="no stops above this line (drawn, not proved)")
     ax.plot(omegas, high, color=PURPLE, ls="--", label="$U_{**}$: no permanent slip with two reversals below it")
@@ -161,25 +143,14 @@ def _lines(ax: Any, pair: Pair, omegas: Any) -> Floats:
     ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter("")
-    ax.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)")
-    return found
-
-
-def draw_response_map(found: CellMap) -> Figure:
-    """Return a matplotlib figure of the map: proved cells, U*, U**, and from where on a motion without stops exists.
-
-    That last line is approximate, as `threshold_curves` says; where it lies above U**, a cell between is not non-stop.
-    """
-    figure, axes = _panels(7.6, 6.4)
-    proved = {one: text if one is Regimes.UNDECIDED else f"proved: {text}" for one, text in LABELS.items()}
-    handles = found.draw(axes, COLOURS, proved)
-    omega, amplitude = ((float(low), float(high)) for low, high in found.window)
-    pair = Pair(**found.title["pair"])
-    _lines(axes, pair, np.geomspace(*omega, 600))
-    figure.legend(handles=[*handles, *axes.lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
-    what = f"Regime of {'the pair' if pair.a1 else 'some motion'} under a sine: every decided cell is proved"
-    axes.set(ylim=amplitude, title=what)
-    return figure
+    ax.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)", title="Thresholds over frequency")
+    top = 4 * float(np.nanquantile(edge[np.isfinite(edge)], 0.85))
+    bottom = max(min(low.min(), np.nanmin(high)) / 3, top / 1e4)
+    borders = [np.clip(one, bottom, top) for one in (0 * low, low, np.maximum(low, edge), np.inf * low)]
+    for (below, above), colour in zip(pairwise(borders), REGIME_COLOURS.values(), strict=True):
+        ax.fill_between(omegas, below, above, color=colour, lw=0)
+    ax.set(ylim=(bottom, top))
+    return ax
 
 
 def draw_tracking(found: Tracking, pair: Pair) -> Figure:

@@ -108,16 +108,14 @@ def load_margin(pair: Pair, amplitude: Fraction, omega: Fraction) -> Fraction:
     return pair.b**2 * squared - (pair.m2 * amplitude * omega**2) ** 2
 
 
-def entrainment_threshold(pair: Pair, omega: Fraction | arb) -> arb:
-    """Return an enclosure of U*, N, at a frequency or over a ball of them; in the arithmetic's context."""
-    rate = _ball(omega)
+def entrainment_threshold(pair: Pair, omega: Fraction) -> arb:
+    """Return an enclosure of U*, N, at a frequency; in the arithmetic's context."""
+    rate = number(omega)
     return number(pair.b / pair.m2) * abs(impedance(pair, pair.mass, omega)) / (rate * rate)
 
 
-def impedance(pair: Pair, mass: Fraction, omega: Fraction | arb) -> acb:
+def impedance(pair: Pair, mass: Fraction, omega: Fraction) -> acb:
     """Return an enclosure of a2 - mass omega^2 + i a1 omega, N/m, whose size is Z; exactly 0 at an exact resonance."""
-    if isinstance(omega, arb):
-        return acb(number(pair.a2) - number(mass) * omega * omega, number(pair.a1) * omega)
     return acb(number(pair.a2 - mass * omega**2), number(pair.a1 * omega))
 
 
@@ -145,15 +143,15 @@ def flattest_peak(odd: int) -> arb:
 
 
 class NonStop:
-    """The motion that slips permanently and reverses twice a period, at a frequency (rad/s) or over a ball of them.
+    """The motion that slips permanently and reverses twice a period, at a frequency (rad/s).
 
     The names are those of the formulas above: `V` and `reach` = Z(m1)/omega, `least` = A/omega; SI units.
     """
 
-    def __init__(self, pair: Pair, omega: Fraction | arb) -> None:
+    def __init__(self, pair: Pair, omega: Fraction) -> None:
         """Enclose what w consists of, in the arithmetic's context."""
         half_rate = pair.a1 / (2 * pair.m1)
-        b, self.omega, self.decay = number(pair.b), _ball(omega), number(half_rate)
+        b, self.omega, self.decay = number(pair.b), number(omega), number(half_rate)
         self.half, self.beta = arb.pi() / self.omega, number(pair.b / pair.m2)
         self.squared, self.reach = pair.a2 / pair.m1 - half_rate**2, abs(impedance(pair, pair.m1, omega)) / self.omega
         place, speed = square_wave_response(pair, self.omega)
@@ -233,7 +231,3 @@ def cosine_and_sine(squared_rate: Fraction, time: arb) -> tuple[arb, arb]:
     if squared_rate > 0:
         return angle.cos(), angle.sin() / rate
     return angle.cosh(), angle.sinh() / rate
-
-
-def _ball(omega: Fraction | arb) -> arb:
-    return omega if isinstance(omega, arb) else number(omega)

@@ -212,5 +212,5 @@ def merging_set() -> Case:
             """,
             "For $m_1/m_2\\to 0$ all of $[w_a,w_b]$ shrinks to $0$ like $q$; for $m_1/m_2>-\\cos\\theta^*$ it is empty.",
         ),
-        figure="merging-map",
+        figure="merging-interval",
     )

@@ -67,10 +67,10 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "A slip of angle $\\theta$ merges where the line of its mass share $r$ lies above the curve. The lowest line touches nothing, the "
         "dashed one, at the critical mass ratio, touches the curve in one point; the highest one has a whole interval.",
     ),
-    "merging-map": (
-        "Who merges from where",
-        "Each point is a pair and an energy on the sliding region. Left of the dashed line nothing ever merges. To its right bands that "
-        "merge lie one above the other. Every cell with a verdict is proved as a whole, in balls; the others hold an edge, or need finer cells.",
+    "merging-interval": (
+        "Which energies merge at the first landing",
+        "Each point is a pair and an energy on the sliding region. Left of the dashed line nothing ever merges. In the coloured region the "
+        "pair merges where it first meets $S$ after it left $S_0$; below it, it never merges; above it a later slip may merge.",
     ),
     "merging-bands": (
         "Speeds that merge come in bands",

@@ -10,14 +10,18 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sympy import lambdify
 
-from numerics.free.merging import CRITICAL_SHARE
+from paper_checks.claims.critical_ratio import critical_value
+from paper_checks.decide.balls import precision
 from paper_checks.drawing.style import panels
 from theory.excursion import h
 from theory.return_map import depth, depth_series
 from theory.symbols import theta
 
 Curve = NDArray[np.float64]
-SHARES = ((0.4, "#1b4f8f", "-"), (float(CRITICAL_SHARE), "black", "--"), (0.8, "#c8641e", "-."))
+with precision():
+    CRITICAL_SHARE = float(critical_value())
+    """r*, rounded to binary64."""
+SHARES = ((0.4, "#1b4f8f", "-"), (CRITICAL_SHARE, "black", "--"), (0.8, "#c8641e", "-."))
 """Mass shares r = m2/M that are drawn: below the critical share, at it, above it."""
 ANGLE = r"slip angle $\theta$ (dimensionless)"
 
@@ -97,7 +101,7 @@ def merging_window() -> Figure:
     for share, colour, dashes in SHARES:
         label = f"$r={share:.4g}$, $m_1/m_2={1 / share - 1:.4g}$"
         axes.axhline(share, color=colour, lw=1.2, ls=dashes, label=label)
-        if share > float(CRITICAL_SHARE):
+        if share > CRITICAL_SHARE:
             axes.fill_between(angles, ratio, share, where=(ratio < share).tolist(), color="#f3c9a8", lw=0)
     axes.set(xlabel=ANGLE, ylabel="$R^2$ and $r$ (dimensionless)", xlim=(1, 5.6), ylim=(0.3, 1.6))
     axes.legend()

@@ -6,7 +6,7 @@ from paper_checks.drawing.euler_convergence import euler_convergence
 from paper_checks.drawing.excursions import excursion_curves, merging_window, return_map
 from paper_checks.drawing.force_needed import force_needed
 from paper_checks.drawing.itineraries import itinerary_that_creeps, itinerary_that_merges
-from paper_checks.drawing.merging import merging_bands, merging_map, merging_share
+from paper_checks.drawing.merging import merging_bands, merging_interval, merging_share
 from paper_checks.drawing.model import two_bodies
 from paper_checks.drawing.past_the_line import rotating_force, static_friction, stuck_ellipses, two_motions
 from paper_checks.drawing.phase_portraits import relative_motion, start_at_6mm, start_with_speed
@@ -31,7 +31,7 @@ DRAWINGS = (
     excursion_curves,
     return_map,
     merging_window,
-    merging_map,
+    merging_interval,
     merging_bands,
     merging_share,
     rate_bounds_figure,

@@ -1,4 +1,4 @@
-"""The pictures of who merges: the map of masses and energies, the bands, the share of an energy sphere."""
+"""The pictures of who merges: the interval of energies, the bands of speeds, the share of an energy sphere."""
 
 from __future__ import annotations
 
@@ -10,26 +10,29 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.figure import Figure
 
-from numerics.free.merging import CRITICAL_SHARE
-from numerics.free.merging_map import COLOURS, LABELS, merging_cells
-from numerics.free.quadtree import CellMap
 from paper_checks.claims.merging_share import MERGES, SPEEDS, by_quadrature, decided, start
+from paper_checks.drawing.excursions import CRITICAL_SHARE, slip
 from paper_checks.drawing.style import panels
 
-DEPTH = 7
-"""Cuts of each side of the map that is drawn; the command `map` goes on."""
+LARGEST_RATIO = 100
+"""m2/m1 up to which the interval is shown; beyond, only its scale changes, with q."""
 SHARES = ((Fraction(3, 5), "#1b4f8f"), (Fraction(7, 10), "#2e8b3d"), (Fraction(4, 5), "#c8641e"))
 
 
-def merging_map() -> Figure:
-    """Draw the proved cells of mass ratio and energy."""
-    chart = _chart()
-    figure, axes = panels(6.4, 4.4)
-    handles = chart.draw(axes, COLOURS, LABELS)
-    axes.axvline(float(CRITICAL_SHARE / (1 - CRITICAL_SHARE)), color="black", lw=1.2, ls="--")
+def merging_interval() -> Figure:
+    """Draw the energies that merge at the first landing over the mass ratio: along their edge r = R^2 and w = q h^2."""
+    _, speed, deep = slip(last=6.2)
+    share = (speed / deep) ** 2
+    drawn = share < 1 - 0.1 / LARGEST_RATIO
+    share, excess = share[drawn], ((1 - share) * speed**2)[drawn]
+    figure, axes = panels(6.4, 3.6)
+    axes.fill(share / (1 - share), excess, color="#1b4f8f", alpha=0.35, lw=0)
+    axes.plot(share / (1 - share), excess, color="#1b4f8f", label="$w_a$ and $w_b$")
+    critical = CRITICAL_SHARE / (1 - CRITICAL_SHARE)
+    axes.axvline(critical, color="black", lw=1.2, ls="--", label=f"$m_2/M=r^*={CRITICAL_SHARE:.4f}$")
+    axes.set(xscale="log", yscale="log", xlim=(0.8, LARGEST_RATIO))
     axes.set(xlabel="$m_2/m_1$ (dimensionless)", ylabel="$E/E_{cr}-1$ on $S_0$ (dimensionless)")
-    axes.grid(visible=False)
-    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False)
+    axes.legend()
     return figure
 
 
@@ -50,11 +53,6 @@ def merging_bands() -> Figure:
     axes.set(xlabel="speed at $x_1=0$ on $S_0$, in $L\\Omega$ (dimensionless)", ylim=(-0.6, 2.6), xlim=(1, speeds[-1]))
     axes.set_yticks(range(3), [f"$r={float(share):g}$" for share, _ in SHARES])
     return figure
-
-
-@cache
-def _chart() -> CellMap:
-    return merging_cells(DEPTH)
 
 
 @cache
@@ -82,7 +80,7 @@ def merging_share() -> Figure:
     for share, colour, marker in (
         (0.2, "#1b4f8f", "o"),
         (0.4, "#2e8b3d", "s"),
-        (float(CRITICAL_SHARE), "#c8641e", "D"),
+        (CRITICAL_SHARE, "#c8641e", "D"),
     ):
         values = _shares(share, tuple(energies))
         axes.loglog(energies, values, color=colour, marker=marker, ms=3.5, lw=1, label=f"$r={share:.4g}$")

@@ -108,18 +108,7 @@ solve start-at-6mm --arithmetic float64 --digits 9 | --digits 9 needs ball or mp
 solve start-at-6mm velocities
 solve start-at-6mm --dig 9
 solve start-at-6mm --digits 1e3
-map --depth -1
-map --jobs 0
-map --energy 0.5 0.7
 energy forced-step --at 1
-map --depth 40
-map --ratio 2 1
-map --ratio 0 1
-map --energy 1 2
-map --energy 3 3
-map --energy x 2
-map --out map.txt
-map --out no/m.png
 response velocities
 response velocities --omega 0 | omega = 0
 response velocities --omega 3 | no force
@@ -141,9 +130,6 @@ ring velocities --radius x | radius
 ring velocities --radius 0 | radius = 0
 ring velocities --radius 1 --rate -1 | rate = -1
 ring velocities --radius 1 --rate 0 | rate = 0
-response-map at-rest --amplitude 1 1 --omega 1 2
-response-map at-rest --amplitude 1 2 --omega 0 2
-response-map at-rest --amplitude 1 2 --omega 1 2 --depth 40
 solve velocites | did you mean velocities
 slove velocities | did you mean solve
 solve velocities --arithmetic flaot64 | did you mean float64

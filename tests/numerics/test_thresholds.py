@@ -13,10 +13,7 @@ from numerics import Force, Pair, PrecisionExhausted, Scene, State
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.pictures import threshold_curves
-from numerics.control.response_map import Regimes, response_map
 from numerics.control.thresholds import NonStop, load_margin, thresholds
-
-PAIR = Pair(1, 1, 200, "0.5", 3)
 
 
 def test_resonances_are_exact():
@@ -89,26 +86,3 @@ def test_the_edge_of_the_non_stop_regime_lies_where_the_sign_is_kept(omega, edge
         )
         assert below is (None if edge is None else False)  # there is no such motion below U**
         assert above is True
-
-
-# the map of regimes
-
-WINDOW = ((Fraction(1, 10), Fraction(10)), (Fraction(4), Fraction(40)))
-
-
-def test_every_cell_agrees_with_the_thresholds_at_its_corners():
-    found = response_map(PAIR, *WINDOW, 5)
-    assert sum(cell.share for cell in found.leaves) == 1
-    assert set(found.shares()) == set(Regimes)
-    for cell in found.leaves[::7]:
-        for omega in cell.sides[0]:
-            known = thresholds(PAIR, omega)
-            for amplitude in cell.sides[1]:
-                level = Ball.number(amplitude)
-                if cell.verdict is Regimes.ENTRAINED:
-                    assert not level > known.entrainment
-                elif cell.verdict is Regimes.BETWEEN:
-                    assert not level < known.entrainment
-                    assert not level > known.non_stop
-                elif cell.verdict is Regimes.NON_STOP:
-                    assert not level < known.non_stop

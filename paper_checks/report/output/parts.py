@@ -16,7 +16,7 @@ from paper_checks.report.content.blocks import Section
 from paper_checks.report.output.pictures import Undrawn, drawn
 from paper_checks.running import processes
 
-LONGEST = ("merging-map", "euler-convergence", "work-precision")
+LONGEST = ("euler-convergence", "work-precision")
 """Figures that take longest, the longest first: it stands at the end, as processes begin at both ends."""
 
 
