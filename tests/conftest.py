@@ -15,6 +15,7 @@ _COMMON = {
     "suppress_health_check": [HealthCheck.too_slow],
     "phases": [Phase.explicit, Phase.reuse, Phase.generate, Phase.shrink],
 }
+# cases of a property: 15 new ones, after those that failed before; the same 15; the same 1000; 5000 new ones
 settings.register_profile("dev", max_examples=15, **_COMMON)
 settings.register_profile("landing", max_examples=15, derandomize=True, database=None, **_COMMON)
 settings.register_profile("ci", max_examples=1000, derandomize=True, database=None, **_COMMON)

@@ -1,7 +1,9 @@
-"""A property of which every case is left out fails; one that a single case reaches does not."""
+"""A property of which every case is left out fails; one that a single case reaches does not; and how many are tried."""
+
+import os
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 
@@ -34,3 +36,8 @@ def test_what_asserts_nothing_fails():
 def test_what_is_false_still_fails():
     with pytest.raises(AssertionError, match="assert 0 > 5"):
         false()
+
+
+def test_the_profile_that_is_asked_for_is_the_one_that_runs(pytestconfig):
+    asked = pytestconfig.getoption("--hypothesis-profile") or os.environ.get("HYPOTHESIS_PROFILE", "dev")
+    assert settings.default.max_examples == settings.get_profile(asked).max_examples

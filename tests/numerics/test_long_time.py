@@ -1,52 +1,17 @@
-"""The energy at times that nobody could step to: against stepping, the sharp law, and the rim behind it."""
+"""The energy at times that nobody could step to: which way it is found, as a command, and the rim behind it.
+
+What it is at late times, against stepping and the 1/t law: properties/."""
 
 from fractions import Fraction
 from itertools import pairwise
 
-import pytest
 from flint import acb, arb, fmpq
-from hypothesis import given
-from hypothesis import strategies as st
 
 from numerics import Pair, Scene, State, load_scene, solve
 from numerics.arithmetic.ball import Ball, digits_within
 from numerics.free.abel import arcs
 from numerics.free.energy import EnergyMethod, energy_at
 from numerics.linear.modes import EventKind
-
-
-@pytest.mark.parametrize(
-    "name", ["start-at-6mm", "start-with-speed", "velocities", "itinerary-that-merges", "start-with-speed-literal"]
-)
-@pytest.mark.parametrize("until", [3, 50, 400])
-def test_agrees_with_stepping(name, until):
-    scene = load_scene(name)
-    jumped = energy_at(scene, until, digits=30)
-    stepped = solve(Scene(scene.pair, scene.initial, until=until, law=scene.law), digits=30, arithmetic="ball")
-    with jumped.frame.arithmetic.context():
-        assert jumped.energy_excess.overlaps(stepped.final.w)
-        assert jumped.energy.overlaps(stepped.frame.energy(stepped.final))
-    assert jumped.excursions == stepped.event_kinds.count(EventKind.EXIT)
-    assert jumped.mode is stepped.modes[-1]
-
-
-@given(
-    share=st.fractions(Fraction(9, 20), Fraction(4, 5), max_denominator=50),
-    exponent=st.integers(6, 100),
-    speed=st.fractions(Fraction(1, 100), Fraction(1, 5), max_denominator=100),
-)
-def test_late_energy_follows_the_sharp_law(share, exponent, speed):
-    """tau w is within 1 % of 4 pi q/(9 r) at late times, whatever the start on S0; the digits are those of w itself."""
-    pair = Pair(m1=share, m2=1 - share, a2=1, b=1)
-    start = pair.half_width * (1 + speed)
-    scene = Scene(pair, State(v1=start, v2=start), until=1)
-    found = energy_at(scene, Fraction(10) ** exponent, digits=15)
-    with found.frame.arithmetic.context():
-        assert found.road is EnergyMethod.ABEL
-        tau = found.frame.rate * found.frame.arithmetic.number(Fraction(10) ** exponent)
-        ratio = tau * found.energy_excess * 9 * found.frame.r / (4 * arb.pi() * found.frame.q)
-        assert abs(ratio - 1) < arb(fmpq(1, 100))
-        assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= found.digits
 
 
 def test_viscous_scenes_and_merged_ones_take_the_short_road():

@@ -147,8 +147,9 @@ def test_an_energy_that_falls_to_another_level_is_found(factor, scene):
 
 
 @reaching
-@given(starts_on_a_ray((-4, -1), exponents=(-3, 3), ratios=(-2, 2)), st.integers(301, 330))
+@given(starts_on_a_ray((-4, -1), exponents=(-3, 3), ratios=(-2, 2)), st.integers(1, 20) | st.integers(301, 330))
 @example(load_scene("start-with-speed"), 320)
+@example(load_scene("start-with-speed-literal"), 320)
 @example(load_scene("itinerary-that-merges"), 320)
 def test_a_jump_gives_what_stepping_gives(scene, half_turns):
     t = half_turns * Fraction(float(arb.pi() / reduced_time(scene.pair, 1)))

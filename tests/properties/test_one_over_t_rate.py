@@ -17,7 +17,7 @@ from strategies import late_times, magnitudes, motions_of_energy, starts_on_a_ra
 from theory_values import energy_of, exact, excess_of, excursion_of, of_pair, reduced_time
 
 from numerics import EventUndecided, OutOfRange, Pair, Scene, State, load_scene, solve
-from numerics.arithmetic.ball import precision
+from numerics.arithmetic.ball import digits_within, precision
 from numerics.free.energy import EnergyMethod, energy_at
 from numerics.linear.modes import EventKind
 from paper_checks.claims.uniform_rate import rate_with_error
@@ -86,6 +86,7 @@ def excess_at(scene: Scene, t: Fraction) -> arb:
     assert found.energy.overlaps(of_pair(critical_energy(), scene.pair) * (1 + found.energy_excess))
     if not found.energy_excess > 0:
         raise LeftOut
+    assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= found.digits
     return found.energy_excess
 
 
