@@ -6,15 +6,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from paper_checks.evidence.claim import Kind
+from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content import blocks, kernel, opening, story
 from paper_checks.report.content.blocks import Block, Cards, Paragraph, Section
 from paper_checks.report.content.document import Document
-from paper_checks.report.content.phrases import in_short
+from paper_checks.report.content.phrases import in_short, kind
 from paper_checks.running.runner import Row
 
 FIRST, LAST = "model", ("open", "trust", "notation", "provenance")
 """The section that stands before the contents, and those after the theorems."""
+TITLES = {Verdict.HOLDS: "that hold as written", Verdict.HOLDS_CORRECTED: "that hold after a correction"}
+"""What claims of a verdict are called, where they are not just those that are refuted, undecided and so on."""
 READ = (
     "Below, a claim stands with its place in the paper and with the kind of the weakest check that its verdict needs; `trust` says "
     "what each kind guarantees. `python -m paper_checks run ID` prints all checks behind a claim, by its name."
@@ -64,10 +67,26 @@ def _in_words(section: Section) -> Section:
     return replace(section, blocks=(*cards, *(block for block in section.blocks if not isinstance(block, Cards))))
 
 
+def anchors(some: Sequence[Part]) -> Iterator[str]:
+    """Yield all that a link can point to."""
+    for part in some:
+        yield from blocks.anchors(part.section)
+        yield from (row.claim.id for row in part.rows)
+
+
 def pictures(report: Document) -> tuple[str, ...]:
     """Return the names of the figures that are printed, each once."""
     shown = (*abstract(report), *(block for part in parts(report) for block in (*part.section.blocks, *part.below)))
     return tuple(dict.fromkeys(picture.name for picture in blocks.pictures(shown)))
+
+
+def place(row: Row) -> str:
+    """Return where a claim stands in the paper, and the kind of its weakest check; of the kernel, by which theorems."""
+    clauses = (*row.claim.clauses, *row.claim.correction)
+    names = dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel)
+    by = kind(row) + (f": {', '.join(names)}" if row.established_by is EvidenceKind.KERNEL else "")
+    where = f"{'eq. ' * row.claim.where.startswith('(')}{row.claim.where}"
+    return by if _is_theorem(row) else f"{where}; {by}"
 
 
 def entry(row: Row) -> Iterator[Block]:
@@ -86,7 +105,8 @@ def entry(row: Row) -> Iterator[Block]:
 def _claims(rows: Sequence[Row], verdict: Verdict, below: tuple[Block, ...] = ()) -> Part:
     """Return the paper's claims with this verdict."""
     some = tuple(row for row in rows if not _is_theorem(row) and row.finding.verdict is verdict)
-    return Part(Section(verdict.value, f"Claims that {opening.WORDS[verdict][1]}", ()), some, below)
+    words = TITLES.get(verdict, f"that are {verdict.value.replace('-', ' ')}")
+    return Part(Section(verdict.value, f"Claims {words}", ()), some, below)
 
 
 def _is_theorem(row: Row) -> bool:

@@ -10,10 +10,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.evidence.claim import Kind
 from paper_checks.report.content import citation, paper
 from paper_checks.report.content.document import Document
-from paper_checks.report.content.phrases import kind
 from paper_checks.report.formats.latex_blocks import LatexWriter, label
 from paper_checks.report.mathematics.prose import latex
 from paper_checks.running.runner import Row
@@ -28,7 +26,7 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[utf8]{inputenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \IfFileExists{microtype.sty}{\usepackage{microtype}}{}
-\usepackage[a4paper,margin=22mm]{geometry}
+\usepackage[a4paper,hmargin=22mm,vmargin=20mm]{geometry}
 \usepackage{amsmath,amssymb,array,graphicx,longtable}
 \usepackage[hidelinks,pdfcreator={},pdfproducer={}]{hyperref}
 \pdfinfoomitdate=1 \pdftrailerid{} \pdfsuppressptexinfo=-1
@@ -43,6 +41,7 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 \renewcommand{\l@section}{\@dottedtocline{1}{0em}{1.8em}}
 \renewcommand{\@listi}{\leftmargin\leftmargini \topsep 2pt \parsep 0pt \itemsep 2pt}
 \let\@listI\@listi
+\begingroup\catcode`'=\active \g@addto@macro\@noligs{\let'\textquotesingle}\endgroup
 \makeatother
 """
 
@@ -50,8 +49,7 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 def render(report: Document, figures: Mapping[str, str]) -> str:
     """Return the source. `figures` maps a figure's name to the file, beside the source, that holds it."""
     parts = paper.parts(report)
-    sections = [part.section.id for part in parts]
-    writer = LatexWriter(figures, [*report.anchors, *sections], sections)
+    writer = LatexWriter(figures, paper.anchors(parts), [part.section.id for part in parts])
     body = [
         PREAMBLE + _metadata(report),
         r"\begin{document}",
@@ -88,9 +86,8 @@ def _part(part: paper.Part, writer: LatexWriter) -> Iterator[str]:
 
 
 def _entry(row: Row, writer: LatexWriter) -> str:
-    """Return a claim or theorem: its id, its place in the paper, its weakest step, and what is printed of it."""
-    where = f"{row.claim.where}; " if row.claim.kind is Kind.CLAIM else ""
-    name = rf"{label(row.claim.id)}\textbf{{{writer.text(f'`{row.claim.id}`')}}} ({latex(f'{where}{kind(row)}')})."
+    """Return a claim or theorem: its id, its place, and what is printed of it."""
+    name = rf"{label(row.claim.id)}\textbf{{{writer.text(f'`{row.claim.id}`')}}} [{writer.text(paper.place(row))}]"
     return rf"{{\entry{name} {writer.body([*paper.entry(row)])}\par}}"
 
 
