@@ -6,15 +6,15 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from itertools import chain
 from pathlib import Path
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.report.content import citation, paper
+from paper_checks.report.content import blocks, citation, paper
 from paper_checks.report.content.document import Document
-from paper_checks.report.formats.latex_blocks import LatexWriter, label
+from paper_checks.report.formats.latex_blocks import LatexWriter
 from paper_checks.report.mathematics.prose import latex
-from paper_checks.running.runner import Row
 
 REMEDY = "a PDF needs pdflatex on the PATH (TeX Live, or any other TeX); --format latex writes its source without it"
 SECONDS = 300
@@ -48,15 +48,16 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 
 def render(report: Document, figures: Mapping[str, str]) -> str:
     """Return the source. `figures` maps a figure's name to the file, beside the source, that holds it."""
-    parts = paper.parts(report)
-    writer = LatexWriter(figures, paper.anchors(parts), [part.section.id for part in parts])
+    before, *sections = paper.sections(report)
+    anchors = chain.from_iterable(map(blocks.anchors, sections))
+    writer = LatexWriter(figures, anchors, [one.id for one in sections])
     body = [
         PREAMBLE + _metadata(report),
         r"\begin{document}",
         rf"\begin{{center}}{{\Large {latex(report.title)}\par}}\medskip {_by()}\end{{center}}",
-        writer.body(paper.abstract(report)),
+        writer.body(before.blocks),
         r"\tableofcontents",
-        *(text for part in parts for text in _part(part, writer)),
+        *map(writer.section, sections),
         r"\end{document}",
     ]
     return "\n\n".join(body) + "\n"
@@ -76,19 +77,6 @@ def _metadata(report: Document) -> str:
 
 def _by() -> str:
     return latex(f"{citation.of_package('Author')}, version {citation.of_package('Version')}")
-
-
-def _part(part: paper.Part, writer: LatexWriter) -> Iterator[str]:
-    yield writer.title(part.section)
-    yield writer.body(part.section.blocks)
-    yield from (_entry(row, writer) for row in part.rows)
-    yield writer.body(part.below)
-
-
-def _entry(row: Row, writer: LatexWriter) -> str:
-    """Return a claim or theorem: its id, its place, and what is printed of it."""
-    name = rf"{label(row.claim.id)}\textbf{{{writer.text(f'`{row.claim.id}`')}}} [{writer.text(paper.place(row))}]"
-    return rf"{{\entry{name} {writer.body([*paper.entry(row)])}\par}}"
 
 
 def pdf(source: str, figures: Mapping[str, bytes]) -> bytes:
