@@ -9,7 +9,7 @@ import pytest
 from paper_checks.claims import CLAIMS
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.errors import ToolMissingError
-from paper_checks.report.content import paper
+from paper_checks.report.content import citation, paper
 from paper_checks.report.content.blocks import Folded, Markup, Picture, Table
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import latex
@@ -92,18 +92,31 @@ def test_it_compiles_to_the_same_bytes_every_time(rows, figures):
     assert not re.search(rb"CreationDate|dc:date", first)
 
 
+def properties(pdf):
+    """What a PDF says of itself: each text in UTF-16, its bytes as octal numbers."""
+    found = re.findall(rb"/(Title|Author|Subject|Keywords)\(([^)]*)\)", pdf)
+    plain = {name: re.sub(rb"\\(\d{3})", lambda byte: bytes([int(byte[1], 8)]), text) for name, text in found}
+    return {name.decode(): text.decode("utf-16") for name, text in plain.items()}
+
+
 @TEX
 @pytest.mark.slow
 def test_the_whole_report_is_a_paper():
     report = document(running.rows(CLAIMS, Context(), running.Manner(1, Kept(0)), running.Progress()))
     files = {name: f"figures/{name}.pdf" for name in shown_in("pdf", report)}
     source = latex.render(report, files)
-    _, log = latex.typeset(source, {file: pictures.drawn(FIGURES, name, "pdf") for name, file in files.items()})
+    pdf, log = latex.typeset(source, {file: pictures.drawn(FIGURES, name, "pdf") for name, file in files.items()})
     assert int(re.search(r"Output written on report.pdf \((\d+) pages", log)[1]) <= PAGES
     assert [one for one in re.findall(r"Overfull \\[hv]box \(([\d.]+)pt", log) if float(one) > TOO_WIDE] == []
     assert "LaTeX Warning" not in log
     assert re.findall(SCREEN, source.partition(r"\begin{document}")[2], re.IGNORECASE) == []
-    assert all(name in source for name in (r"\tableofcontents", "pdftitle", "pdfauthor", "pdfsubject", "pdfkeywords"))
+    assert source.count(r"\tableofcontents") == 1
+    assert properties(pdf) == {
+        "Title": report.title,
+        "Author": citation.of_package("Author"),
+        "Subject": citation.of_package("Summary"),
+        "Keywords": citation.of_package("Keywords").replace(",", ", "),
+    }
 
 
 @TEX
