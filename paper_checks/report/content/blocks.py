@@ -77,10 +77,11 @@ class Markup:
 
 @dataclass(frozen=True)
 class Folded:
-    """What is shown when a reader asks for it; paper has nothing in its place."""
+    """What is shown when a reader asks for it, and on paper is in small print; with an id, it can be pointed to there."""
 
     title: str
     blocks: tuple[Block, ...]
+    id: str = ""
 
 
 Block = Heading | Paragraph | Points | Table | Picture | Cards | Code | Markup | Folded
@@ -121,7 +122,7 @@ def anchors(section: Section) -> Iterator[str]:
     """Yield all that a link can point to in a section."""
     yield section.id
     for block in every(section.blocks):
-        if isinstance(block, Heading) and block.id:
+        if isinstance(block, Heading | Folded) and block.id:
             yield block.id
         elif isinstance(block, Table):
             yield from filter(None, block.ids)

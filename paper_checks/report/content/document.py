@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from paper_checks.claims import source
@@ -24,13 +24,6 @@ class Document:
     rows: tuple[Row, ...]
     chapters: tuple[Section, ...]
     stories: Mapping[str, tuple[Block, ...]] = field(default_factory=dict)
-
-    @property
-    def anchors(self) -> Iterator[str]:
-        """Yield all that a link can point to."""
-        yield from (row.claim.id for row in self.rows)
-        for section in (*self.front, *self.chapters):
-            yield from blocks.anchors(section)
 
     @property
     def pictures(self) -> tuple[str, ...]:

@@ -32,7 +32,7 @@ STRENGTHS = {
     "an argument that a person wrote, over such steps": (EvidenceKind.ARGUMENT,),
 }
 """Kinds of steps, from the strongest; together they are all that can settle a row."""
-WORDS = {
+_WORDS = {
     Verdict.HOLDS: ("holds as written", "hold as written"),
     Verdict.HOLDS_CORRECTED: ("holds after a correction", "hold after a correction"),
     Verdict.REFUTED: ("is refuted", "are refuted"),
@@ -144,7 +144,7 @@ def counts(rows: Sequence[Row]) -> str:
     claims = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.CLAIM)
     theorems = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.THEOREM)
     total, proved = sum(claims.values()), theorems[Verdict.HOLDS]
-    parts = [f"{claims[verdict]} {WORDS[verdict][claims[verdict] != 1]}" for verdict in Verdict if claims[verdict]]
+    parts = [f"{claims[verdict]} {_WORDS[verdict][claims[verdict] != 1]}" for verdict in Verdict if claims[verdict]]
     of_claims = (
         f"Of the paper's {total} claims {_joined(parts)}."
         if total > 1

@@ -2,92 +2,88 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import replace
 
 from paper_checks.evidence.claim import Kind
+from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.content import blocks, kernel, opening, story
-from paper_checks.report.content.blocks import Block, Cards, Paragraph, Section
+from paper_checks.report.content import kernel, opening, story
+from paper_checks.report.content.blocks import Block, Cards, Folded, Paragraph, Section
 from paper_checks.report.content.document import Document
-from paper_checks.report.content.phrases import in_short
+from paper_checks.report.content.phrases import in_short, kind
 from paper_checks.running.runner import Row
 
-FIRST, LAST = "model", ("open", "trust", "notation", "provenance")
-"""The section that stands before the contents, and those after the theorems."""
+TITLES = {Verdict.HOLDS: "that hold as written", Verdict.HOLDS_CORRECTED: "that hold after a correction"}
+"""What claims of a verdict are called, where they are not just those that are refuted, undecided and so on."""
 READ = (
     "Below, a claim stands with its place in the paper and with the kind of the weakest check that its verdict needs; `trust` says "
     "what each kind guarantees. `python -m paper_checks run ID` prints all checks behind a claim, by its name."
 )
 ASSUMED = "Each theorem says what it assumes; where it says nothing:"
+LAST = ("open", "trust", "notation", "provenance")
 
 
-@dataclass(frozen=True)
-class Part:
-    """A section in print: its blocks, the entries of claims or theorems, and what stands below them."""
-
-    section: Section
-    rows: tuple[Row, ...] = ()
-    below: tuple[Block, ...] = ()
+def sections(report: Document) -> tuple[Section, ...]:
+    """Return what is printed: what stands before the contents, then the numbered sections that have something to say."""
+    return tuple(one for one in _sections(report) if one.blocks)
 
 
-def abstract(report: Document) -> tuple[Block, ...]:
-    """Return what stands before the contents."""
-    known = next((one.blocks for one in report.front if one.id == FIRST), ())
-    return (*known, Paragraph(READ))
-
-
-def parts(report: Document) -> tuple[Part, ...]:
-    """Return the numbered sections in their order, those that have something to say."""
-    return tuple(one for one in _parts(report) if one.rows or one.section.blocks)
-
-
-def _parts(report: Document) -> Iterator[Part]:
+def _sections(report: Document) -> Iterator[Section]:
     known = {one.id: one for one in (*report.front, *report.chapters)}
-    empty = Section("", "", ())
-    shown = tuple(block for block in known.get("refuted", empty).blocks if isinstance(block, Cards))
-    yield _claims(report.rows, Verdict.REFUTED, shown)
-    yield Part(_in_words(known.get("results", empty)))
-    yield Part(known.get("derivation", empty))
-    yield from (_claims(report.rows, verdict) for verdict in Verdict if verdict is not Verdict.REFUTED)
-    if theorems := tuple(row for row in report.rows if _is_theorem(row)):
-        yield Part(Section("new", "Theorems past the paper", (Paragraph(f"{ASSUMED} {opening.FREE}"),)), theorems)
-    yield Part(Section(kernel.ID, kernel.TITLE, kernel.notion(report.rows)))
-    yield from (Part(known.get(name, empty)) for name in LAST)
+    some = {
+        name: known.get(name, Section(name, "", ())) for name in ("model", "refuted", "results", "derivation", *LAST)
+    }
+    claims = {verdict: _claims(report, verdict) for verdict in Verdict}
+    refuted = claims.pop(Verdict.REFUTED)
+    pictures = (block for block in some["refuted"].blocks if isinstance(block, Cards))
+    yield replace(some["model"], blocks=(*some["model"].blocks, Paragraph(READ)))
+    yield replace(refuted, blocks=(*refuted.blocks, *pictures))
+    yield replace(some["results"], blocks=tuple(_in_words(some["results"])))
+    yield some["derivation"]
+    yield from claims.values()
+    theorems = tuple(entry(row) for row in report.rows if row.claim.kind is Kind.THEOREM)
+    yield Section("new", "Theorems past the paper", theorems and (Paragraph(f"{ASSUMED} {opening.FREE}"), *theorems))
+    yield Section(kernel.ID, kernel.TITLE, kernel.notion(report.rows))
+    yield from (some[name] for name in LAST)
 
 
-def _in_words(section: Section) -> Section:
-    """Return a section with the texts of its cards, without their pictures."""
-    cards = (
-        Paragraph(text, title) for block in section.blocks if isinstance(block, Cards) for title, text, _ in block.items
-    )
-    return replace(section, blocks=(*cards, *(block for block in section.blocks if not isinstance(block, Cards))))
+def _claims(report: Document, verdict: Verdict) -> Section:
+    """Return the paper's claims with this verdict."""
+    of_paper = (row for row in report.rows if row.claim.kind is Kind.CLAIM)
+    words = TITLES.get(verdict, f"that are {verdict.value.replace('-', ' ')}")
+    entries = tuple(entry(row) for row in of_paper if row.finding.verdict is verdict)
+    return Section(verdict.value, f"Claims {words}", entries)
 
 
-def pictures(report: Document) -> tuple[str, ...]:
-    """Return the names of the figures that are printed, each once."""
-    shown = (*abstract(report), *(block for part in parts(report) for block in (*part.section.blocks, *part.below)))
-    return tuple(dict.fromkeys(picture.name for picture in blocks.pictures(shown)))
+def _in_words(section: Section) -> Iterator[Block]:
+    """Yield the blocks of a section, its cards without their pictures."""
+    for block in section.blocks:
+        if isinstance(block, Cards):
+            yield from (Paragraph(text, title) for title, text, _ in block.items)
+        else:
+            yield block
 
 
-def entry(row: Row) -> Iterator[Block]:
-    """Yield what is printed of a claim or theorem: the statement, and why it holds or what is true instead."""
-    finding = row.finding
-    hypotheses = opening.hypotheses(row.claim.id) if _is_theorem(row) else opening.FREE
+def entry(row: Row) -> Folded:
+    """Return what is printed of a claim or theorem: the statement, and why it holds or what is true instead."""
+    claim, finding = row.claim, row.finding
+    theorem = claim.kind is Kind.THEOREM
+    hypotheses = opening.hypotheses(claim.id) if theorem else opening.FREE
     assumed = "" if hypotheses == opening.FREE else f"{hypotheses} "
-    yield Paragraph(assumed + " ".join(map(story.displayed, row.claim.clauses)))
     texts = {"Counterexample": finding.counterexample, "What is true": finding.corrected}
-    if not _is_theorem(row) and not any(texts.values()):
+    if not theorem and not any(texts.values()):
         texts["Why"] = in_short(row)
     texts["Missing for a proof"] = finding.missing
-    yield from (Paragraph(text, label) for label, text in texts.items() if text)
+    statement = f"[{place(row)}] {assumed}{' '.join(map(story.displayed, claim.clauses))}"
+    parts = (Paragraph(text, label) for label, text in texts.items() if text)
+    return Folded(f"`{claim.id}`", (Paragraph(statement), *parts), claim.id)
 
 
-def _claims(rows: Sequence[Row], verdict: Verdict, below: tuple[Block, ...] = ()) -> Part:
-    """Return the paper's claims with this verdict."""
-    some = tuple(row for row in rows if not _is_theorem(row) and row.finding.verdict is verdict)
-    return Part(Section(verdict.value, f"Claims that {opening.WORDS[verdict][1]}", ()), some, below)
-
-
-def _is_theorem(row: Row) -> bool:
-    return row.claim.kind is Kind.THEOREM
+def place(row: Row) -> str:
+    """Return where a claim stands in the paper, and the kind of its weakest check; of the kernel, by which theorems."""
+    clauses = (*row.claim.clauses, *row.claim.correction)
+    names = dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel)
+    by = kind(row) + (f": {', '.join(names)}" if row.established_by is EvidenceKind.KERNEL else "")
+    where = f"{'eq. ' * row.claim.where.startswith('(')}{row.claim.where}"
+    return by if row.claim.kind is Kind.THEOREM else f"{where}; {by}"

@@ -77,7 +77,8 @@ class HtmlWriter(Writer):
     def _markup(self, html: str) -> str:
         return html
 
-    def _folded(self, title: str, inside: str) -> str:
+    def _folded(self, title: str, inside: str, anchor: str) -> str:
+        del anchor  # what is folded is pointed to by the page that it is on
         return f'<details class="folded"><summary>{self.text(title)}</summary>\n{inside}\n</details>'
 
     def _table(self, table: blocks.Table) -> str:

@@ -6,17 +6,15 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from itertools import chain
 from pathlib import Path
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.evidence.claim import Kind
-from paper_checks.report.content import citation, paper
+from paper_checks.report.content import blocks, citation, paper
 from paper_checks.report.content.document import Document
-from paper_checks.report.content.phrases import kind
-from paper_checks.report.formats.latex_blocks import LatexWriter, label
+from paper_checks.report.formats.latex_blocks import LatexWriter
 from paper_checks.report.mathematics.prose import latex
-from paper_checks.running.runner import Row
 
 REMEDY = "a PDF needs pdflatex on the PATH (TeX Live, or any other TeX); --format latex writes its source without it"
 SECONDS = 300
@@ -28,7 +26,7 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[utf8]{inputenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \IfFileExists{microtype.sty}{\usepackage{microtype}}{}
-\usepackage[a4paper,margin=22mm]{geometry}
+\usepackage[a4paper,hmargin=22mm,vmargin=20mm]{geometry}
 \usepackage{amsmath,amssymb,array,graphicx,longtable}
 \usepackage[hidelinks,pdfcreator={},pdfproducer={}]{hyperref}
 \pdfinfoomitdate=1 \pdftrailerid{} \pdfsuppressptexinfo=-1
@@ -43,22 +41,23 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 \renewcommand{\l@section}{\@dottedtocline{1}{0em}{1.8em}}
 \renewcommand{\@listi}{\leftmargin\leftmargini \topsep 2pt \parsep 0pt \itemsep 2pt}
 \let\@listI\@listi
+\begingroup\catcode`'=\active \g@addto@macro\@noligs{\let'\textquotesingle}\endgroup
 \makeatother
 """
 
 
 def render(report: Document, figures: Mapping[str, str]) -> str:
     """Return the source. `figures` maps a figure's name to the file, beside the source, that holds it."""
-    parts = paper.parts(report)
-    sections = [part.section.id for part in parts]
-    writer = LatexWriter(figures, [*report.anchors, *sections], sections)
+    before, *sections = paper.sections(report)
+    anchors = chain.from_iterable(map(blocks.anchors, sections))
+    writer = LatexWriter(figures, anchors, [one.id for one in sections])
     body = [
         PREAMBLE + _metadata(report),
         r"\begin{document}",
         rf"\begin{{center}}{{\Large {latex(report.title)}\par}}\medskip {_by()}\end{{center}}",
-        writer.body(paper.abstract(report)),
+        writer.body(before.blocks),
         r"\tableofcontents",
-        *(text for part in parts for text in _part(part, writer)),
+        *map(writer.section, sections),
         r"\end{document}",
     ]
     return "\n\n".join(body) + "\n"
@@ -78,20 +77,6 @@ def _metadata(report: Document) -> str:
 
 def _by() -> str:
     return latex(f"{citation.of_package('Author')}, version {citation.of_package('Version')}")
-
-
-def _part(part: paper.Part, writer: LatexWriter) -> Iterator[str]:
-    yield writer.title(part.section)
-    yield writer.body(part.section.blocks)
-    yield from (_entry(row, writer) for row in part.rows)
-    yield writer.body(part.below)
-
-
-def _entry(row: Row, writer: LatexWriter) -> str:
-    """Return a claim or theorem: its id, its place in the paper, its weakest step, and what is printed of it."""
-    where = f"{row.claim.where}; " if row.claim.kind is Kind.CLAIM else ""
-    name = rf"{label(row.claim.id)}\textbf{{{writer.text(f'`{row.claim.id}`')}}} ({latex(f'{where}{kind(row)}')})."
-    return rf"{{\entry{name} {writer.body([*paper.entry(row)])}\par}}"
 
 
 def pdf(source: str, figures: Mapping[str, bytes]) -> bytes:

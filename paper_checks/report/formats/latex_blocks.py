@@ -25,9 +25,9 @@ class LatexWriter(Writer):
         super().__init__(figures, anchors)
         self._sections = frozenset(sections)
 
-    def title(self, section: blocks.Section) -> str:
-        """Return the heading of a section."""
-        return rf"\section{{{self.text(section.title)}}}\label{{{section.id}}}"
+    def section(self, section: blocks.Section) -> str:
+        """Return a section with its heading."""
+        return rf"\section{{{self.text(section.title)}}}\label{{{section.id}}}" + "\n\n" + self.body(section.blocks)
 
     def _prose(self, text: str) -> str:
         return prose.latex(text)
@@ -60,9 +60,8 @@ class LatexWriter(Writer):
         del html
         return ""
 
-    def _folded(self, title: str, inside: str) -> str:
-        del title, inside
-        return ""
+    def _folded(self, title: str, inside: str, anchor: str) -> str:
+        return rf"{{\entry{label(anchor)}\textbf{{{self.text(title)}}} {inside}\par}}"
 
     def _picture(self, picture: blocks.Picture) -> str:
         if picture.name not in self._figures:
@@ -87,21 +86,13 @@ class LatexWriter(Writer):
             rf">{{\raggedright\arraybackslash}}p{{\dimexpr{share:.3f}\textwidth-2\tabcolsep}}"
             for share in shares(table)
         )
-        ids = table.ids or ("",) * len(table.rows)
-        lines = "\n".join(
-            (label(anchor) if anchor else "") + " & ".join(map(self._cell, row)) + r" \\"
-            for row, anchor in zip(table.rows, ids, strict=True)
-        )
+        lines = "\n".join(" & ".join(map(self.text, row)) + r" \\" for row in table.rows)
         titles = " & ".join(map(self.text, table.head))
         return (
             rf"{{\small\setlength{{\tabcolsep}}{{3pt}}\begin{{longtable}}{{{columns}}}"
             f"\n\\multicolumn{{{len(table.head)}}}{{@{{}}p{{\\textwidth}}@{{}}}}{{\\emph{{{self.text(table.caption)}}}}} \\\\[2pt]\n"
             f"{titles} \\\\ \\hline\\noalign{{\\vskip 2pt}} \\endhead\n{lines}\n\\end{{longtable}}}}"
         )
-
-    def _cell(self, text: str) -> str:
-        first, *remarks = text.split("\n")
-        return self.text(first) + "".join(rf"\newline{{\footnotesize {self.text(one)}}}" for one in remarks if one)
 
 
 def label(anchor: str) -> str:

@@ -54,8 +54,8 @@ class Writer(ABC):
                 return self._lines(text)
             case blocks.Markup(html):
                 return self._markup(html)
-            case blocks.Folded(title, inside):
-                return self._folded(title, self.body(inside))
+            case blocks.Folded(title, inside, anchor):
+                return self._folded(title, self.body(inside), anchor)
 
     @abstractmethod
     def _prose(self, text: str) -> str:
@@ -91,7 +91,7 @@ class Writer(ABC):
     def _markup(self, html: str) -> str: ...
 
     @abstractmethod
-    def _folded(self, title: str, inside: str) -> str: ...
+    def _folded(self, title: str, inside: str, anchor: str) -> str: ...
 
     def _target(self, code: str) -> str | None:
         """Return the anchor that code names: a row's id, or a theorem's, a definition's or a step's."""

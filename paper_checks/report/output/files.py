@@ -15,7 +15,9 @@ FIGURES_OF = {"html": "svg", "latex": "pdf", "pdf": "pdf"}
 
 def shown_in(form: str, report: Document) -> tuple[str, ...]:
     """Return the names of the figures that a form of the report shows."""
-    return report.pictures if form == "html" else paper.pictures(report)
+    if form == "html":
+        return report.pictures
+    return tuple(name for section in paper.sections(report) for name in section.pictures)
 
 
 def made(form: str, report: Document, figures: Mapping[str, bytes]) -> Files:
