@@ -73,7 +73,10 @@ def chart_response(options: argparse.Namespace) -> int:
     scene = load_line(options.scene)
     scene.require_one_b("a response map")
     compute = partial(response_map, scene.pair, options.amplitude, options.omega, options.depth)
-    return _chart(options, compute, _drawn_response)
+    code = _chart(options, compute, _drawn_response)
+    if code == OK and scene.pair.a1 == 0 and not options.json:
+        print("a1 = 0: entrained and non-stop say that some motion does so; other motions may differ")
+    return code
 
 
 def _drawn_response(found: CellMap) -> Any:

@@ -44,7 +44,7 @@ _DIGITS, _POINTS = 16, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
 LABELS = {
-    Regimes.ENTRAINED: "sticks permanently",
+    Regimes.ENTRAINED: "a motion sticks permanently",
     Regimes.BETWEEN: "slips, with stops or more reversals",
     Regimes.NON_STOP: "never stops",
     Regimes.UNDECIDED: "undecided at this depth",

@@ -10,7 +10,7 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content import blocks, kernel, opening, story
 from paper_checks.report.content.blocks import Block, Cards, Paragraph, Section
 from paper_checks.report.content.document import Document
-from paper_checks.report.content.phrases import in_short
+from paper_checks.report.content.phrases import COUNTED, in_short
 from paper_checks.running.runner import Row
 
 FIRST, LAST = "model", ("open", "trust", "notation", "provenance")
@@ -86,7 +86,7 @@ def entry(row: Row) -> Iterator[Block]:
 def _claims(rows: Sequence[Row], verdict: Verdict, below: tuple[Block, ...] = ()) -> Part:
     """Return the paper's claims with this verdict."""
     some = tuple(row for row in rows if not _is_theorem(row) and row.finding.verdict is verdict)
-    return Part(Section(verdict.value, f"Claims that {opening.WORDS[verdict][1]}", ()), some, below)
+    return Part(Section(verdict.value, f"Claims that {COUNTED[verdict][1]}", ()), some, below)
 
 
 def _is_theorem(row: Row) -> bool:
