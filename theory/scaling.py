@@ -12,9 +12,32 @@ from theory.energy import critical_energy, energy, slip_rate
 from theory.filippov import load_threshold, phi, sliding_field
 from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
-from theory.symbols import V1, V2, X, a1, a2, b, diff, m1, m2, put, q, r, total_mass, undamped, v1, v2, x1, zeta
+from theory.symbols import (
+    V1,
+    V2,
+    X,
+    a1,
+    a2,
+    acceleration1,
+    acceleration2,
+    b,
+    diff,
+    m1,
+    m2,
+    put,
+    q,
+    r,
+    total_mass,
+    u,
+    undamped,
+    v1,
+    v2,
+    x1,
+    zeta,
+)
 
 # Units of the reduced coordinates as free symbols: length (m), frequency (rad/s), mass (kg).
+radius = Symbol("R", positive=True)  # of an axis, m
 L, Omega, M = Symbol("L", positive=True), Symbol("Omega", positive=True), Symbol("M", positive=True)
 
 
@@ -44,6 +67,15 @@ def parameters() -> dict[Symbol, Expr]:
     force = root((half_width() - L).subs(masses), b).subs(a2, stiffness)
     viscosity = root(damping_ratio() - zeta, a1).subs(masses).subs(a2, stiffness)
     return {**masses, a2: together(stiffness), b: together(force), a1: together(viscosity)}
+
+
+def about_an_axis(expression: Expr) -> Expr:
+    """A quantity of translation at the radius R of an axis, in the letters of rotation: each letter now stands for its
+    counterpart there, a mass for a moment of inertia, a force for a torque, a place for an angle (exact).
+    """
+    lengths = {one: radius * one for one in (x1, v1, v2, acceleration1, acceleration2)}
+    coefficients = {one: one / radius**2 for one in (m1, m2, a1, a2)}
+    return put(expression, {**lengths, **coefficients, b: b / radius, u: u / radius})
 
 
 def to_reduced(expression: Expr) -> Expr:

@@ -42,7 +42,7 @@ _DIGITS, _POINTS = 16, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
 REGIME_COLOURS = {
-    "sticks permanently": "#dbe7f3",
+    "a motion sticks permanently": "#dbe7f3",
     "slips, with stops or more reversals": "#f6e3c5",
     "never stops": "#e3cfe3",
 }

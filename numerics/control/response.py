@@ -42,7 +42,7 @@ _EVERY, _NEXT = "every motion tends to it", "nearby motions tend to it"
 class Regime(Enum):
     """Long-time regime; the value is a sentence."""
 
-    ENTRAINED = "entrained: the bodies stick permanently"
+    ENTRAINED = "entrained: a motion in which the bodies stick permanently"
     STICK_SLIP = "stick-slip: the bodies slip and stick in every period"
     NON_STOP = "non-stop: the bodies never stick"
     GROWS = "grows without bound: at resonance the force supplies more energy than friction dissipates"
@@ -61,7 +61,7 @@ class Response(ShortRepr):
     >>> from numerics import load_scene
     >>> found = response(load_scene("forced-sine-entrained"), digits=8)
     >>> print(found.regime.value, found.orbit, found.growth, found.digits, sep="; ")
-    entrained: the bodies stick permanently; None; 0; 8
+    entrained: a motion in which the bodies stick permanently; None; 0; 8
     >>> [abs(one).str(5, radius=False) for one in found.multipliers], found.drift.is_zero()
     (['0.73040', '0.73040', '0'], True)
     >>> float(found.one_period().until), found.drive.pair.b, found.claim()
@@ -255,7 +255,10 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
     every = _EVERY if drive.has_one_motion else ""
     touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
-    stays = "not all motions tend to it: a free oscillation of the stuck pair does not decay"
+    stays = (
+        "a1 = 0, so not all motions tend to it: a free oscillation of the stuck pair does not decay, and motions that "
+        "slip may do so for thousands of periods"
+    )
     if known is not None and known.exception is not None:  # a1 = 0
         why = f"{stays}; others"
         if not entrained(drive):

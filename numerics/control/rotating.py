@@ -64,7 +64,7 @@ class RotatingResponse:
     def sentence(self) -> str:
         """Return the long-time behaviour as a sentence."""
         if self.speed.is_zero():
-            return "entrained: the bodies stick and rotate with the force, for U up to U*"
+            return "entrained: a motion in which the bodies stick and rotate with the force, for U up to U*"
         return "non-stop: body 2 slips on a circle at constant speed; there is no stick-slip, U** = U*"
 
 

@@ -9,18 +9,22 @@ from paper_checks.errors import LedgerError
 from paper_checks.evidence.claim import Claim
 
 _ORDER = """
-one-active-one-passive ring-of-tolerance target-or-set-point friction-opposes-displacement
-force-as-reference-or-disturbance free-interface
+importance-of-the-problem understudied-in-the-past modeling-is-challenging one-active-one-passive
+friction-processes-studied friction-as-evoked-damping friction-as-cause common-in-manufacturing ring-of-tolerance
+rigid-bodies-understood target-or-set-point coulomb-law-is-sufficient history-of-friction-laws secondary-as-damping
+friction-opposes-displacement most-general-notation energy-as-lyapunov-function
+translational-or-rotational force-as-reference-or-disturbance free-interface stiff-limit in-favour-of-analysis
 sgn-three-valued modes-from-closed-form stiction-bracket interface-force-balance viscous-no-direct-effect
-filippov-equivalence vector-fields energy-rate energy-dissipation-places transversality-outside transversality-strip
-sliding-region critical-energy supercritical-arcs infinitely-many-crossings return-alternatives dichotomy
+filippov-equivalence vector-fields energy-rate energy-dissipation-places parts-of-the-surface transversality-outside
+transversality-strip sliding-region two-senses-of-sliding sliding-modes-well-suited critical-energy supercritical-arcs infinitely-many-crossings return-alternatives dichotomy
 stick-durations slip-durations exits-near-endpoints relative-displacement-limit global-stability
 no-merging-near-critical slower-than-exponential rate-one-over-t viscous-energy-rate viscous-origin-stable
 itinerary-that-merges itinerary-that-creeps example-eigenfrequency example-reduction example-stiction-never-violated
 example-onset example-two-modes example-damped-oscillations start-at-6mm-sticks start-with-speed-synchronises
 constant-damping-rate saw-tooth synchronisation-time relative-motion-converges euler-reproduces-figures
-driven-body-steered synchronisation-all-parameters finite-time-then-alternation viscous-accelerates
-damping-for-tracking two-descriptions motions-on-a-surface acceleration-bound varying-interface excursion-closed-form
+transparent-view driven-body-steered synchronisation-all-parameters finite-time-then-alternation viscous-accelerates
+damping-for-tracking two-descriptions motions-on-a-surface surface-friction-is-nontrivial acceleration-bound
+efficient-control-is-challenging varying-interface excursion-closed-form
 excursion-monotone return-map-expansion sharp-rate-constant rate-bounds-explicit merging-set critical-mass-ratio
 merging-bands merging-share long-time-expansion rate-with-error uniform-rate forced-mode-rule forced-no-zeno
 forced-contraction forced-periodic-response forced-resonance-bound entrainment-threshold trackable-references

@@ -73,37 +73,25 @@ def one_active_one_passive() -> Case:
     "target-or-set-point",
     "I",
     "paragraph after Fig. 1",
-    HOLDS,
-    clause(
-        "target",
-        r"A controlled motion along a target trajectory,",
-    ),
-    clause(
-        "set-point",
-        """
-        or (even simpler) towards a set-point reference, remains largely unexplored for the manipulation of objects
-        that are solely connected via a frictional interface.
-        """,
-    ),
-    open=(
-        """
-        That such control remains largely unexplored is a statement about the literature, which is not judged here.
-        What is judged is what the sentence takes for granted: that there is such control, and that a set-point is the
-        simpler of both.
-        """,
-    ),
+    NOT_JUDGED,
+    """
+    A controlled motion along a target trajectory, or (even simpler) towards a set-point reference, remains largely
+    unexplored for the manipulation of objects that are solely connected via a frictional interface.
+    """,
 )
 def target_or_set_point() -> Case:
     """Which targets and which set-points there are."""
     return because(
         r"""
-        There is such control, and a set-point is the simpler of the two: from rest every one can be reached, in no
-        less than $2\sqrt{m_2D/b}$, and held, while a target trajectory can be followed exactly if it never asks for
-        more acceleration than $b/m_2$. At just $b/m_2$ that is so under Coulomb's law, which (3)–(4) then are not;
-        below it under both.
+        Not judged: a statement about the literature. Checked beside it was what it takes for granted, that there is
+        such control and that a set-point is the simpler of the two. From rest every set-point can be reached, in no
+        less than $2\sqrt{m_2D/b}$, and held; a target trajectory can be followed exactly if it never asks for more
+        acceleration than $b/m_2$. At just $b/m_2$ that is so under Coulomb's law, which (3)–(4) then are not; below it
+        under both.
         """,
-        carried("target", transfers.followed(), signum.stuck_below_the_limit()),
-        carried("set-point", transfers.least_time(), signum.stuck_below_the_limit()),
+        transfers.followed().as_support(),
+        transfers.least_time().as_support(),
+        signum.stuck_below_the_limit().as_support(),
     )
 
 

@@ -96,6 +96,7 @@ def same_fields() -> Steps:
         clause(
             "same",
             r"(2)–(4) with $a_1=u=0$ have the same solutions as (5)–(7) in Filippov's sense, one from each start.",
+            kernel="switching-iff filippov-well-posed",
         ),
         clause(
             "example",

@@ -161,7 +161,8 @@ def _gain() -> Expr:
 
 
 OPEN = (
-    "At which amplitudes between $U_*$ and $U_{**}$ a motion with two stops exists, and whether just one, is not decided; at that of the example above there is none.",
+    "For $a_1=0$ and $U\\leqslant U_*$, whether every motion tends to one that sticks for ever.",
+    "At which amplitudes between $U_*$ and $U_{**}$ a motion with two stops exists; at that of the example above there is none. Where one does, it is the only motion of the force's period for $a_1>0$, and for $a_1=0$ if $\\omega_1t_s\\notin 2\\pi\\mathbb Z$ (forced-periodic-response); for other $t_s$ without a damper there may be several.",
     "Motions that slip for ever and turn at other times than after each half period of the force are not treated but for this example: from which amplitude on there are any, with a damper or without, is open.",
 )
 LIGHT = Scene(Pair(m1="0.1", m2=1, a1="0.02", a2=90, b="0.01"), State(), 1, force=Force.sine(1, 10))

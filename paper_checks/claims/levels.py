@@ -20,6 +20,7 @@ LEVEL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
         "closed",
         r"For $E_0\leqslant E_{cr}$, «level», the intersection $\{E=E_0\}\cap S_0$ is a closed elliptic trajectory;",
         level=equal("E_{cr}", LEVEL, critical_energy),
+        kernel="ellipse-iff",
     ),
     clause("above", r"for $E_0>E_{cr}$ it is not.", kernel="ellipse-iff"),
 )

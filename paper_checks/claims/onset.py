@@ -256,6 +256,17 @@ def amplitude_is_constant(sign: int) -> Evidence:
     The piecewise linear dynamics (14) leads to the damped oscillations of $(x_1,\dot{x}_1)$ and, thus, to a
     synchronization of the orbits of both inertial bodies, $x_1(t)-x_2(t)\to\mathrm{const}$ and $\dot{z}\to 0$.
     """,
+    correction=(
+        clause(
+            "undamped",
+            r"With a constant sign (14) is an undamped oscillation of $(x_1,\dot x_1)$ about $x_1=\mp b/200$; it is the total energy that falls, at the rate $b|\dot z|$.",
+        ),
+        clause(
+            "synchronises",
+            r"For every initial state $\dot z\to 0$ and $x_1-x_2\to\mathrm{const}$.",
+            kernel="synchronisation displacement-limit",
+        ),
+    ),
 )
 def example_damped_oscillations() -> Case:
     """Show which part of (14) damps what, and prove that z' -> 0."""
@@ -296,14 +307,8 @@ def example_damped_oscillations() -> Case:
                 (own_rate, ">", 0),
             ),
         ),
-        correction(
-            *dissipation.in_every_mode(),
-            text=r"""
-            With a constant sign (14) is an undamped oscillation of $(x_1,\dot x_1)$ about $x_1=\mp b/200$; it is the
-            total energy that falls, at the rate $b|\dot z|$. For every initial state $\dot z\to 0$ and
-            $x_1-x_2\to\mathrm{const}$.
-            """,
-        ),
+        carried("undamped", *(amplitude_is_constant(sign) for sign in (1, -1)), dissipation.energy_rate()),
+        carried("synchronises", argument(" ".join(dissipation.SYNCHRONISATION), *dissipation.in_every_mode())),
         derivation=(
             *(equation(f"A^2|_{{\\mathrm{{sgn}}(\\dot{{z}})={sign}}}", amplitude_squared(sign)) for sign in (1, -1)),
             equation(r"\frac{d}{dt}\frac{a_2x_1^2+m_1v_1^2}{2}\Big|_{\dot{z}>0}", sp.factor(undamped(own_rate))),

@@ -130,7 +130,7 @@ def on_a_line() -> Evidence:
     ),
     open=(
         "What set of forces and moments a contact patch that turns can give, and with it which vector of coefficients is appropriate for a rotation, is not derived here.",
-        "Which motions in the plane merge, and how fast the others settle, is not decided here.",
+        "Which slipping motions in the plane merge, and how fast the others settle, is not decided here; which stuck ones stay so is (stuck-ellipses).",
     ),
 )
 def motions_on_a_surface() -> Case:

@@ -75,7 +75,7 @@ def point_of(scene: Scene) -> Point:
     "start-at-6mm-sticks",
     "IV",
     "Fig. 4 (a)",
-    REFUTED,
+    CORRECTED,
     r"""
     With $x_1(t_0)=0.006$, the other initial values zero and $b=0.5$, the system (11), (12) starts in the stiction
     mode (13) and remains in this mode at all times, featuring undamped harmonic oscillations with the synchronized
@@ -83,8 +83,12 @@ def point_of(scene: Scene) -> Point:
     """,
     correction=(
         clause(
+            "literal",
+            r"Of (11)–(12) as printed that is true, and of one of their solutions only. Without the bracket of (4) they have at least two from this start: the stuck $x_1=0.006\cos 10t$ that the paper shows, and one that slips at once. (3)–(4) and Coulomb's law have the second only:",
+        ),
+        clause(
             "from-rest",
-            r"From rest the pair sticks for ever exactly if $|x_1(0)|\leqslant L$, «width»; here «here».",
+            r"under them the pair sticks from rest for ever exactly if $|x_1(0)|\leqslant L$, «width»; here «here».",
             width=width(),
             here=equal(
                 "L",
@@ -102,10 +106,6 @@ def point_of(scene: Scene) -> Point:
             energy=equal("E(0)", Rational(9, 2500), lambda: energy().subs(START_AT_6MM)),
             level=equal("E_{cr}", Rational(1, 400), lambda: critical_energy().subs(START_AT_6MM)),
             kernel="slips-from-6-mm turning-point critical-mass-ratio-digits heavy-never-merges sticks-iff contact",
-        ),
-        clause(
-            "literal",
-            r"(3)–(4) have this motion only. (11)–(12) as printed, without the bracket of (4), have at least two solutions from there: the stuck $x_1=0.006\cos 10t$ that the paper shows, and that slip.",
         ),
     ),
 )
@@ -135,7 +135,7 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
     )
     return because(
         (
-            f"That is a solution of (11)–(12), not their only one, and none of (3)–(4) or Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
+            f"True of (11)–(12) as printed, which have another solution too; false of (3)–(4) and of Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
             f"{value_at(Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
             f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
             "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
@@ -143,7 +143,8 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
             "exactly and gives both bodies the same increments."
         ),
         counterexample(
-            "The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero.",
+            "The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero. The motion that slips at once solves (11)–(12) too, and it is the only one of (3)–(4).",
+            *two_solutions(),
             *witnesses,
         ),
         stuck_for_ever("(11), (12) read literally: sticks for ever, carried by 0.6 N > b", solved(literally(scene))),

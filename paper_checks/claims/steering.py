@@ -115,6 +115,10 @@ def off_the_place() -> Steps:
             r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $v_1$ and $v_2$ track it, and $x_1$ does but for the $\gamma$ of that force.",
         ),
         clause(
+            "controlled",
+            r"With a damper $a_1(t)\geqslant 0$ that is itself controlled in time two motions under one force still never move apart in the energy norm.",
+        ),
+        clause(
             "place",
             r"The place $x_2$ does not: a motion that differs in $x_2(0)$ only keeps that difference for ever,",
             kernel="displacement-unseen forced-well-posed",
@@ -125,7 +129,7 @@ def off_the_place() -> Steps:
         ),
     ),
     open=(
-        "A damper that is itself controlled, $a_1(t)$ or $a_1$ by the state, is not treated: here $a_1$ is constant and the force does not depend on the motion.",
+        "Under a controlled damper, whether any two motions approach each other: that is shown for a constant $a_1>0$. With a damper whose force on body 1 does not fall with the speed two motions still never move apart (friction-in-any-direction). A damper by the place, and a force that depends on the motion, are not treated.",
     ),
 )
 def damping_for_tracking() -> Case:
@@ -155,6 +159,13 @@ def damping_for_tracking() -> Case:
                 r"The stuck motion along a reference with $|\ddot x_{\mathrm{ref}}|\leqslant b/m_2$ is a motion under its force, and any two motions under a bounded force approach each other where $a_1>0$.",
                 transfers.followed(),
                 response.approach(),
+            ),
+        ),
+        carried(
+            "controlled",
+            argument(
+                r"At each time the rate of $N^2$ is that of a constant damper with the value $a_1(t)\geqslant 0$, so it is never positive.",
+                contraction.never_apart(),
             ),
         ),
         carried("place", tolerance.blind_to_x2()),
@@ -233,8 +244,7 @@ def damping_for_tracking() -> Case:
         ),
     ),
     open=(
-        "What the long-run motion is for a friction that varies with the time or depends on the state (who merges, how fast the others settle) is not decided here: $E_{cr}$ and the $1/t$ law are those of a constant $b$.",
-        "For a friction that jumps down where a stick ends (static above kinetic) a start may have several motions, those that stick and those that slip: which of them is meant is not decided here.",
+        "What the long-run motion is for a friction that varies with the time or depends on the state (who merges, how fast the others settle) is not decided here, except for static friction above kinetic where sticks are kept (static-friction-stops-creeping): $E_{cr}$ and the $1/t$ law are those of a constant $b$.",
     ),
 )
 def varying_interface() -> Case:

@@ -80,6 +80,7 @@ def synchronisation_all_parameters() -> Case:
         clause(
             "precedes",
             r"and that can follow on an adhesion in finite time, on an arc of $S_0$ above $E_{cr}$.",
+            kernel="well-posed first-adhesion sticks-iff turning-point critical-mass-ratio-digits heavy-never-merges exit-and-entry-times",
         ),
     ),
 )

@@ -44,6 +44,7 @@ def _underdamped() -> Formula:
                 b * (m1 + m2) / m2,
                 lambda: (Abs(load(damped=True)), "<=", load_threshold()),
             ),
+            kernel="free-case mode-stick mode-slip stuck-load",
         ),
     ),
 )

@@ -104,7 +104,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "thresholds-over-frequency": (
         "Three regimes under a sinusoidal force",
-        "Below $U_*$ the pair sticks for ever, from the upper full line on it never stops (without a damper: some motion does). In between, with a "
+        "Below $U_*$ some motion sticks for ever, from the upper full line on one never stops; with a damper every motion tends to it. In between, with a "
         "damper, it slips, and sticks or reverses more than twice in each period. Below the dashed $U_{**}$ no motion of the force's period slips for "
         "ever with two reversals a period; where the upper line leaves it, the bodies would meet once more. That line is computed on a grid, not proved. "
         "Left without a damper, right with one. Dotted: the stuck pair's own frequency, and that of body 1 alone.",

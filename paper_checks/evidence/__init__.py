@@ -3,6 +3,7 @@
 from paper_checks.evidence.claim import (
     CORRECTED,
     HOLDS,
+    NOT_JUDGED,
     REFUTED,
     Case,
     Claim,
@@ -20,6 +21,7 @@ from paper_checks.evidence.formula import equation, form, latex, stating
 __all__ = [
     "CORRECTED",
     "HOLDS",
+    "NOT_JUDGED",
     "REFUTED",
     "Case",
     "Claim",

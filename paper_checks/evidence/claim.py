@@ -14,7 +14,7 @@ from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, Steps, Subject, one_line
 from paper_checks.evidence.finding import Carried, Finding, Verdict, carried, conclude
 
-HOLDS, CORRECTED, REFUTED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED
+HOLDS, CORRECTED, REFUTED, NOT_JUDGED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED, Verdict.NOT_JUDGED
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
@@ -72,7 +72,7 @@ class Claim:
     `recorded` is the verdict that `run` compares with; `kind` says whether the statement is the paper's; `correction` is
     the nearest true statement of a claim that does not hold; `open` says, sentence by sentence, what the row leaves
     undecided beside its clauses; `case` makes the case for the verdict. Raises LedgerError where the id is not
-    lower-case words joined by hyphens, or an id of a clause is taken twice.
+    lower-case words joined by hyphens, an id of a clause is taken twice, or a sentence that is not judged has a formula.
     """
 
     id: str
@@ -93,6 +93,10 @@ class Claim:
         ids = [clause.id for clause in (*self.clauses, *self.correction)]
         if len(set(ids)) != len(ids):
             raise LedgerError(f"{self.id}: two clauses of one id among {', '.join(ids)}")
+        if self.recorded is NOT_JUDGED and any(one.formulas or one.kernel for one in self.clauses):
+            raise LedgerError(
+                f"{self.id} is not judged: nothing would check its formulas; quote them, or judge the claim"
+            )
 
     @property
     def clauses(self) -> tuple[Clause, ...]:

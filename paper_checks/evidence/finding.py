@@ -19,6 +19,8 @@ class Verdict(Enum):
     """False as written in some detail; the corrected statement is given and checked."""
     REFUTED = "refuted"
     """False, with a checked counterexample and the nearest true statement."""
+    NOT_JUDGED = "not-judged"
+    """An opinion, a plan, or a statement about the literature, which no check here can settle; the reason says which."""
     UNDECIDED = "undecided"
     """The evidence does not settle it."""
     UNCHECKED = "unchecked"
@@ -80,14 +82,16 @@ def objection_to(finding: Finding) -> str | None:
         return None if finding.missing else "it must say what is missing"
     if failed := next((item for item in finding.evidence if not item.passed), None):
         return f"its evidence did not pass: {failed.statement}"
-    if finding.verdict is Verdict.HOLDS:
-        return _objection_to_holds(finding)
+    if finding.verdict in (Verdict.HOLDS, Verdict.NOT_JUDGED):
+        return _objection_to_uncorrected(finding)
     return _objection_to_correction(finding)
 
 
-def _objection_to_holds(finding: Finding) -> str | None:
+def _objection_to_uncorrected(finding: Finding) -> str | None:
     if finding.corrected or finding.counterexample:
-        return "a claim that holds has no counterexample and needs no correction"
+        return "a claim that holds or is not judged has no counterexample and needs no correction"
+    if finding.verdict is Verdict.NOT_JUDGED:
+        return "no step carries what is not judged" if finding.carried else None
     if not _decided(finding.evidence, Subject.CLAIM):
         return "no decisive evidence (enclosure or stronger) passed for the claim"
     return None

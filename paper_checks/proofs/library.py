@@ -91,10 +91,10 @@ def build(progress: Progress | None = None, jobs: int = 2, store: Path | None = 
     if reason := kernel.why_not(os.environ.get("PATH")) or kernel.cannot_keep(store):
         return _not_run(reason, pins)
     with kernel.locked(store, progress):
-        sources = _sources(folder, store)
+        sources, unwritten = _sources(folder, store)
         compiled, untied = tied.compiled(sources, progress, jobs, store)
         facts, silence = _answers(compiled, sources, store)
-    broken = compiled.broken | untied
+    broken = compiled.broken | untied | unwritten
     theorems = {one: _judged(one, broken, facts, pins) for one in names()}
     problems = [line for source in sources.values() for line in source.unproved()]
     problems += [*broken.values(), *silence]
@@ -140,10 +140,10 @@ def names() -> dict[str, str]:
     return {one: name for one, (name, _sentence) in CITED.items()} | ties
 
 
-def _sources(folder: Path, store: Path) -> dict[str, Source]:
-    found = read(folder)
-    found[TIES] = Source(TIES, tied.text(store))
-    return found
+def _sources(folder: Path, store: Path) -> tuple[dict[str, Source], dict[str, str]]:
+    found, (text, problem) = read(folder), tied.text(store)
+    found[TIES] = Source(TIES, text)
+    return found, {TIES: problem} if problem else {}
 
 
 def _answers(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> tuple[_Facts, tuple[str, ...]]:

@@ -13,19 +13,25 @@ from paper_checks.store import Store, digest, version
 TIES = "Tie"
 
 
-def text(store: Path) -> str:
-    """The generated file. Deriving it takes seconds, so its text is kept under a hash of all that it is made from."""
+def text(store: Path) -> tuple[str, str]:
+    """The generated file, and why it is empty where a definition of `theory/` is none that Coq can read.
+
+    Deriving it takes seconds, so its text is kept under a hash of all that it is made from.
+    """
     import theory
 
     made_from = [*sorted(Path(theory.__file__).parent.rglob("*.py")), *sorted(FOLDER.glob("*.py"))]
     kept = Store("ties", digest(made_from, [f"sympy {version('sympy')}"]), store)
     if body := kept.get(f"{TIES}.v"):
-        return body.decode()
+        return body.decode(), ""
     from paper_checks.proofs import ties
 
-    found = ties.text()
+    try:
+        found = ties.text()
+    except Exception as error:  # noqa: BLE001  whatever theory raises, no definition of the proofs is tied to it then
+        return "", f"{TIES}: the ties to theory cannot be written: {type(error).__name__}: {error}"
     kept.put(f"{TIES}.v", found.encode())
-    return found
+    return found, ""
 
 
 def compiled(

@@ -62,7 +62,10 @@ def proofs(claim: Claim, finding: Finding) -> tuple[Proof, ...]:
     """Return the proof of each clause that the verdict stands on; a quoted clause that it does not is not among them.
 
     A clause whose steps the check does not name is carried by the finding's reason, an inference over its evidence.
+    Nothing is carried where the claim is not judged: what was checked beside it proves no part of it.
     """
+    if finding.verdict is Verdict.NOT_JUDGED:
+        return ()
     named = {one.clause: one.steps for one in finding.carried}
     used = {step for steps in named.values() for step in closure(steps)}
     found = []

@@ -10,7 +10,7 @@ from typing import Any
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, closure
 from paper_checks.evidence.finding import Carried, Finding, Verdict
-from paper_checks.running.graph import SETTLED, Proof, clauses, judged
+from paper_checks.running.graph import Proof, clauses, judged
 from paper_checks.running.runner import Row
 
 
@@ -27,7 +27,7 @@ class Plain:
     def lasting(self) -> bool:
         """Whether running it again, with the tools that there are, would find the same: every solver that was asked answered."""
         silent = any(step.kind is EvidenceKind.SMT and step.passed is None for step in self.steps)
-        return self.finding.verdict in (*SETTLED, Verdict.UNCHECKED) and not silent
+        return self.finding.verdict is not Verdict.UNDECIDED and not silent
 
     @property
     def steps(self) -> Steps:

@@ -45,9 +45,9 @@ class Row:
 
     @property
     def open(self) -> tuple[str, ...]:
-        """What the row leaves open, sentence by sentence: what the ledger names, and clauses that nothing establishes."""
-        left = (f"The clause `{proof.clause.id}` is not established." for proof in open_clauses(self.proofs))
-        return (*self.claim.open, *left)
+        """What the row leaves open, sentence by sentence: what the ledger names, and clauses that wait for a tool."""
+        waiting = open_clauses(self.proofs) if self.finding.verdict is Verdict.UNCHECKED else ()
+        return (*self.claim.open, *(f"The clause `{proof.clause.id}` is not established." for proof in waiting))
 
     @property
     def as_recorded(self) -> bool:
@@ -94,8 +94,16 @@ def failed(error: Exception) -> Finding:
     """Return what is found where a check did not run to its end: never a pass."""
     if isinstance(error, ToolMissingError):
         return Finding(Verdict.UNCHECKED, f"A tool is missing: {_literal(error)}.", missing=_literal(error))
-    text = f"{type(error).__name__}: {_literal(error)}"
-    return Finding(Verdict.UNDECIDED, f"The check failed. {text}", missing="a check that runs to its end")
+    text = f"{_place(error)} raised {type(error).__name__}: {_literal(error)}"
+    return Finding(Verdict.UNDECIDED, f"A check did not run to its end: {text}", missing=text)
+
+
+def _place(error: Exception) -> str:
+    """Return the innermost function of `theory` or of a claim in which an error was raised."""
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
+    names = [(str(frame.f_globals.get("__name__")), frame.f_code.co_name) for frame in frames]
+    ours = [f"{module}.{name}" for module, name in names if module.startswith(("theory.", "paper_checks.claims."))]
+    return ours[-1] if ours else "the check"
 
 
 def _literal(error: Exception) -> str:

@@ -43,6 +43,7 @@ def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Seq
     asked = opening.questions(rows, answers)
     after = (
         opening.new(rows),
+        opening.not_judged(rows),
         opening.still_open(rows),
         asked,
         *chapters,

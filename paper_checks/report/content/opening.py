@@ -17,7 +17,7 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import motion
 from paper_checks.proofs.cited import CITED
 from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
-from paper_checks.report.content.phrases import formula, in_short, kind, picture, place
+from paper_checks.report.content.phrases import formula, headline, in_short, kind, picture, place
 from paper_checks.report.content.trust import LAW
 from paper_checks.running.runner import Row
 
@@ -32,13 +32,6 @@ STRENGTHS = {
     "an argument that a person wrote, over such steps": (EvidenceKind.ARGUMENT,),
 }
 """Kinds of steps, from the strongest; together they are all that can settle a row."""
-_WORDS = {
-    Verdict.HOLDS: ("holds as written", "hold as written"),
-    Verdict.HOLDS_CORRECTED: ("holds after a correction", "hold after a correction"),
-    Verdict.REFUTED: ("is refuted", "are refuted"),
-    Verdict.UNDECIDED: ("is undecided", "are undecided"),
-    Verdict.UNCHECKED: ("is unchecked, as a tool is missing", "are unchecked, as a tool is missing"),
-}
 EXPLORE = (
     "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
     'becomes of it; on a second tab, the pair on a surface, seen from above.</p>\n<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
@@ -80,7 +73,7 @@ NEW: dict[str, tuple[str, str, str]] = {
     "entrainment-threshold": (
         "thresholds-over-frequency",
         "Three regimes under a sine",
-        "Stuck for ever, in between, and without a stop. Up to $U_*$ some motion sticks for ever; below $U_{**}$ none of the force's "
+        "Up to $U_*$ some motion sticks for ever, and with a damper every motion tends to it; below $U_{**}$ none of the force's "
         "period slips for ever with two reversals. Both are closed forms; between them not every amplitude has a motion with two stops",
     ),
     "uniform-rate": (
@@ -119,7 +112,7 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
             (
                 Paragraph(MODEL),
                 Markup(motion.section()),
-                Paragraph(counts(rows)),
+                Paragraph(headline(rows)),
                 Markup(EXPLORE),
             ),
         ),
@@ -139,31 +132,6 @@ def _filled(row: str, text: str) -> str:
     return _SLOT.sub(lambda place: formula(row, place[1], place[2]), text)
 
 
-def counts(rows: Sequence[Row]) -> str:
-    """Return how many of the paper's claims have which verdict, and how many theorems past it are proved."""
-    claims = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.CLAIM)
-    theorems = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.THEOREM)
-    total, proved = sum(claims.values()), theorems[Verdict.HOLDS]
-    parts = [f"{claims[verdict]} {_WORDS[verdict][claims[verdict] != 1]}" for verdict in Verdict if claims[verdict]]
-    of_claims = (
-        f"Of the paper's {total} claims {_joined(parts)}."
-        if total > 1
-        else f"The claim {parts[0][2:]}."
-        if total
-        else ""
-    )
-    missing = sum(theorems.values()) - proved
-    past = f"Past the paper {proved} {'theorem is' if proved == 1 else 'theorems are'} proved here." if proved else ""
-    still = f"{missing} more {'is' if missing == 1 else 'are'} not settled." if missing else ""
-    some = sum(bool(row.open) for row in rows)
-    part = f"{some} {'row leaves' if some == 1 else 'rows leave'} a part open." if some else ""
-    return " ".join(filter(None, [of_claims, past, still, part]))
-
-
-def _joined(parts: Sequence[str]) -> str:
-    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
-
-
 def _refuted(rows: Sequence[Row]) -> Iterator[Block]:
     """Yield a line for each of the paper's claims that is false as such, and the pictures of two."""
     failed = [row for row in rows if row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.REFUTED]
@@ -174,7 +142,7 @@ def _refuted(rows: Sequence[Row]) -> Iterator[Block]:
             tuple(lines),
             "False as such, not only in a detail",
         )
-    known = {row.claim.id for row in failed if row.as_recorded}
+    known = {row.claim.id for row in rows if row.as_recorded}
     cards = (
         make()
         for name, make in (("synchronisation-time", _synchronisation), ("start-at-6mm-sticks", _start_at_6mm))
@@ -200,7 +168,7 @@ def _start_at_6mm() -> tuple[str, str, Picture]:
     pair, start = scene.pair, Fraction(scene.initial.x1)
     needed = float(pair.m2 * pair.a2 / pair.mass * start)
     text = f"Carrying body 2 along takes {needed:g} N; friction gives at most {float(pair.b):g} N."
-    return f"From {float(start):g} m they slip at once", text, picture("force-needed")
+    return f"From {float(start):g} m they slip at once under (3), (4)", text, picture("force-needed")
 
 
 def strengths(rows: Sequence[Row]) -> tuple[tuple[str, ...], ...]:
@@ -283,6 +251,17 @@ def new(rows: Sequence[Row]) -> Section:
 def hypotheses(name: str) -> str:
     """Return what a theorem past the paper assumes besides what its statement says."""
     return ASSUMED.get(name, FREE)
+
+
+def not_judged(rows: Sequence[Row]) -> Section:
+    """Return the sentences of the paper that are not judged, each with the reason."""
+    lines = tuple(
+        (f"`{row.claim.id}`\n{row.claim.where}", row.claim.statement, row.finding.reason)
+        for row in rows
+        if row.finding.verdict is Verdict.NOT_JUDGED
+    )
+    table = Table(("claim", "the paper says", "why it is not judged"), lines, "Opinions, plans, and the literature")
+    return Section("not-judged", "Not judged", (table,) if lines else ())
 
 
 def still_open(rows: Sequence[Row]) -> Section:

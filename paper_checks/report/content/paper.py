@@ -11,11 +11,9 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content import kernel, opening, story
 from paper_checks.report.content.blocks import Block, Cards, Folded, Paragraph, Section
 from paper_checks.report.content.document import Document
-from paper_checks.report.content.phrases import in_short, kind
+from paper_checks.report.content.phrases import COUNTED, in_short, kind
 from paper_checks.running.runner import Row
 
-TITLES = {Verdict.HOLDS: "that hold as written", Verdict.HOLDS_CORRECTED: "that hold after a correction"}
-"""What claims of a verdict are called, where they are not just those that are refuted, undecided and so on."""
 READ = (
     "Below, a claim stands with its place in the paper and with the kind of the weakest check that its verdict needs; `trust` says "
     "what each kind guarantees. `python -m paper_checks run ID` prints all checks behind a claim, by its name."
@@ -51,9 +49,8 @@ def _sections(report: Document) -> Iterator[Section]:
 def _claims(report: Document, verdict: Verdict) -> Section:
     """Return the paper's claims with this verdict."""
     of_paper = (row for row in report.rows if row.claim.kind is Kind.CLAIM)
-    words = TITLES.get(verdict, f"that are {verdict.value.replace('-', ' ')}")
     entries = tuple(entry(row) for row in of_paper if row.finding.verdict is verdict)
-    return Section(verdict.value, f"Claims {words}", entries)
+    return Section(verdict.value, f"Claims that {COUNTED[verdict][1]}", entries)
 
 
 def _in_words(section: Section) -> Iterator[Block]:

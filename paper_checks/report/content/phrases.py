@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
 
 from paper_checks.claims import claim_named
 from paper_checks.decide.kernel import PROVED
@@ -13,6 +15,39 @@ from paper_checks.report.content.blocks import Picture
 from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
+COUNTED = {
+    Verdict.HOLDS: ("holds", "hold"),
+    Verdict.HOLDS_CORRECTED: ("holds after a correction", "hold after a correction"),
+    Verdict.REFUTED: ("is refuted", "are refuted"),
+    Verdict.NOT_JUDGED: ("is not judged", "are not judged"),
+    Verdict.UNDECIDED: ("is undecided", "are undecided"),
+    Verdict.UNCHECKED: ("is unchecked, as a tool is missing", "are unchecked, as a tool is missing"),
+}
+_PROVED = {**COUNTED, Verdict.HOLDS: ("is proved", "are proved")}
+"""What is said of one claim, or theorem, of a verdict, and of several."""
+
+
+def headline(rows: Sequence[Row]) -> str:
+    """Return how many of the paper's claims, and of the theorems past it, have which verdict."""
+    claims = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.CLAIM)
+    theorems = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.THEOREM)
+    parts = []
+    if claims:
+        parts.append(f"of the paper's {_number(claims, 'claim')}: {_verdicts(claims, COUNTED)}")
+    if theorems:
+        parts.append(f"of {_number(theorems, 'theorem')} past it: {_verdicts(theorems, _PROVED)}")
+    some = sum(bool(row.open) for row in rows)
+    left = f" {some} of them {'leaves' if some == 1 else 'leave'} a part open." if some else ""
+    text = "; ".join(parts)
+    return f"{text[:1].upper()}{text[1:]}.{left}"
+
+
+def _number(counted: Counter[Verdict], what: str) -> str:
+    return f"{counted.total()} {what}{'s' if counted.total() != 1 else ''}"
+
+
+def _verdicts(counted: Counter[Verdict], words: Mapping[Verdict, tuple[str, str]]) -> str:
+    return ", ".join(f"{counted[one]} {words[one][counted[one] != 1]}" for one in Verdict if counted[one])
 
 
 def is_new_theorem(row: Row) -> bool:

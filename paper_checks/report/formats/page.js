@@ -31,7 +31,7 @@ if (form) {
   const rows = [...document.querySelectorAll("[data-row]")];
   const make = (tag, of, ...inside) => { const one = Object.assign(document.createElement(tag), of); one.append(...inside); return one; };
   const search = make("input", { type: "search", id: "search", placeholder: "words of a row" });
-  const strongest = ["holds", "holds-corrected", "refuted", "undecided", "kernel", "smt", "exact", "enclosure", "argument"];
+  const strongest = ["holds", "holds-corrected", "refuted", "not-judged", "undecided", "kernel", "smt", "exact", "enclosure", "argument"];
   const TITLES = { section: "Section", verdict: "Verdict", step: "Weakest step", open: "Open part" };
   const filters = Object.keys(TITLES).map((name) => {
     const rank = (one) => strongest.indexOf(one) >>> 0, found = [...new Set(rows.map((row) => row.dataset[name]))];

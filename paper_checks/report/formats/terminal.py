@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -14,19 +13,23 @@ from rich.text import Text
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, Subject
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.content.phrases import OUTCOMES, in_short, is_new_theorem, kind, speaker
+from paper_checks.report.content.phrases import OUTCOMES, headline, in_short, is_new_theorem, kind, speaker
 from paper_checks.report.mathematics.prose import plain
+from paper_checks.running.failing import Failure, lowest
 from paper_checks.running.runner import Row
 
 STYLES = {
     Verdict.HOLDS: "green",
     Verdict.HOLDS_CORRECTED: "yellow",
     Verdict.REFUTED: "red",
+    Verdict.NOT_JUDGED: "cyan",
     Verdict.UNDECIDED: "magenta",
     Verdict.UNCHECKED: "bright_black",
 }
 
 
+SHOWN_FAILURES, SHOWN_CLAIMS = 4, 4
+"""How many failing steps are printed first, and of each how many claims by name."""
 ROOM_FOR_PLACES = 8
 """Columns that have to be left for the places; in fewer there would be nothing but dots."""
 ROOM_FOR_REASONS = 120
@@ -35,23 +38,38 @@ ROOM_FOR_REASONS = 120
 
 def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) -> None:
     """Print one row: its whole story. Print several: the table, the findings, and the count of verdicts."""
+    _print_failures(console, lowest(rows))
     if len(rows) == 1:
         _print_story(console, rows[0])
     else:
         console.print(_table(rows, console.width, times))
         _print_findings(console, rows)
+    differing: dict[str, list[str]] = {}
     for row in rows:
         if not row.as_recorded and row.finding.verdict is not Verdict.UNCHECKED:
-            found, recorded = row.finding.verdict.value, row.claim.recorded.value
-            _say(console, f"differs from the record: {row.claim.id} is {found}, recorded {recorded}")
+            change = f"{row.finding.verdict.value}, recorded {row.claim.recorded.value}"
+            differing.setdefault(change, []).append(row.claim.id)
+    for change, names in differing.items():
+        _say(console, f"differs from the record: {change}: {', '.join(names)}")
     if waiting := [row.claim.id for row in rows if row.finding.verdict is Verdict.UNCHECKED]:
         _say(console, f"unchecked, not what the record says, as a tool is missing: {', '.join(waiting)}")
     if why := _no_kernel(rows):
         _say(console, why)
-    counts = Counter(row.finding.verdict for row in rows)
-    _say(console, ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict]))
+    _say(console, headline(rows))
     if len(rows) > 1 and (some := [row.claim.id for row in rows if row.open]):
-        _say(console, f"a part is open in {len(some)}: {', '.join(some)}")
+        _say(console, f"part open: {', '.join(some)}")
+
+
+def _print_failures(console: Console, failures: Sequence[Failure]) -> None:
+    """Print the steps that fail first, each once, with the claims that it turns."""
+    for one in failures[:SHOWN_FAILURES]:
+        value = f" [{plain(one.value)}]" if one.value else ""
+        turned = f"{len(one.claims)} claim{'s' if len(one.claims) != 1 else ''}"
+        named = ", ".join(one.claims[:SHOWN_CLAIMS]) + ", ..." * (len(one.claims) > SHOWN_CLAIMS)
+        console.print(Text("Fails first: ", "bold red") + Text(f"{plain(one.statement)}{value}"))
+        console.print(Padding(Text(f"turns {turned}: {named}"), (0, 0, 0, 2)))
+    if more := len(failures) - SHOWN_FAILURES:
+        _say(console, f"{more} more steps fail\n" if more > 0 else "")
 
 
 def _no_kernel(rows: Sequence[Row]) -> str:

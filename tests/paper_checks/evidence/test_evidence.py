@@ -47,7 +47,7 @@ def test_vacuous_evidence_and_a_value_that_is_not_finite_are_no_pass(told, passe
 
 
 HOLDS, AMENDED, REFUTED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED
-UNDECIDED, UNCHECKED = Verdict.UNDECIDED, Verdict.UNCHECKED
+UNDECIDED, UNCHECKED, NOT_JUDGED = Verdict.UNDECIDED, Verdict.UNCHECKED, Verdict.NOT_JUDGED
 BOTH = (COUNTER, CORRECTION)
 
 
@@ -69,6 +69,8 @@ BOTH = (COUNTER, CORRECTION)
         (AMENDED, (*BOTH, FAILED.as_correction()), CORRECTED),
         (AMENDED, (FAILED, *BOTH), CORRECTED),
         (REFUTED, (*BOTH, SILENT.as_counterexample()), CORRECTED),
+        (NOT_JUDGED, (FAILED,), {}),  # what was checked beside it
+        (NOT_JUDGED, BOTH, CORRECTED),
     ],
 )
 def test_an_overreaching_finding_cannot_be_built_and_is_concluded_undecided(verdict, steps, more):
@@ -113,6 +115,20 @@ def test_steps_of_a_corrected_claim_speak_about_what_they_carry(about):
     assert found.verdict is AMENDED
     (steps,) = (part.steps for part in found.carried)
     assert {one.about for one in closure(steps)} == {Subject.CORRECTION if about == "correction" else Subject.CLAIM}
+
+
+def test_what_is_not_judged_is_established_by_nothing_and_nothing_carries_it():
+    quoted = Claim("a", "V", "w", "It is interesting.", NOT_JUDGED, case=lambda: because("An opinion.", EXACT))
+    found = row(quoted, quoted.decide(), 0.0)
+    assert (found.finding.verdict, found.established_by, found.proofs, found.as_recorded) == (
+        NOT_JUDGED,
+        None,
+        (),
+        True,
+    )
+    assert exit_code([found]) == 0
+    with pytest.raises(InvalidFindingError, match="not judged"):
+        Finding(NOT_JUDGED, "An opinion.", (EXACT,), carried=(carried("statement", EXACT),))
 
 
 # the graph of a proof

@@ -21,7 +21,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("needs_kernel")]
 def compiled():
     store = kernel.cache_folder()
     with kernel.locked(store):
-        sources = library._sources(library.FOLDER, store)
+        sources, _ = library._sources(library.FOLDER, store)
         assert not kernel.compile_all(sources, store=store).broken
     return sources
 

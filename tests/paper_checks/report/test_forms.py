@@ -14,7 +14,7 @@ from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.report.content import opening
 from paper_checks.report.content.document import document
-from paper_checks.report.content.phrases import kind
+from paper_checks.report.content.phrases import headline, kind
 from paper_checks.report.formats import html, latex
 from paper_checks.report.formats import json as json_report
 from paper_checks.report.formats.terminal import print_claims, print_rows
@@ -65,7 +65,9 @@ def test_every_form_tells_all_of_a_row(rows, theorem, form):
 def test_the_table_fits_80_columns_and_keeps_the_ids(rows):
     text = printed(rows)
     assert max(map(len, text.splitlines())) <= 80
-    table = [line.split() for line in text.splitlines()[1 : len(rows) + 1]]
+    lines = text.splitlines()
+    head = next(number for number, line in enumerate(lines) if line.startswith("claim "))
+    table = [line.split() for line in lines[head + 1 : head + 1 + len(rows)]]
     assert [line[0] for line in table] == [row.claim.id for row in rows]
     assert ["example-stiction-never-violated", "refuted", "argument"] in [line[:3] for line in table]
     assert "\x1b" not in text
@@ -81,9 +83,11 @@ def test_the_table_fits_80_columns_and_keeps_the_ids(rows):
 
 def test_rows_are_counted_and_those_that_differ_from_the_record_are_named(rows):
     text = " ".join(printed(rows).split())
-    assert "differs from the record: rate-one-over-t is undecided, recorded holds" in text
+    assert text.startswith("Fails first: a proof of w→0 turns 1 claim: rate-one-over-t")
+    assert "differs from the record: undecided, recorded holds: rate-one-over-t" in text
     assert "not what the record says, as a tool is missing: hostile" in text
-    assert "1 holds, 1 holds-corrected, 1 refuted, 1 undecided, 1 unchecked" in text
+    counted = "1 holds, 1 holds after a correction, 1 is refuted, 1 is undecided, 1 is unchecked, as a tool is missing."
+    assert f"Of the paper's 5 claims: {counted}" in text
 
 
 def test_json_has_the_shape_of_the_design(rows, theorem):
@@ -103,7 +107,7 @@ def test_json_has_the_shape_of_the_design(rows, theorem):
 
 def test_theorems_are_counted_apart_filtered_listed_and_told_as_ours(rows, theorem):
     files = html.render(document([*rows, theorem]), {})
-    assert "Past the paper 1 theorem is proved here." in files[html.FRONT]
+    assert "; of 1 theorem past it: 1 is proved." in files[html.FRONT]
     assert {"Section III", "Theorems"} <= {*re.findall(r'data-section="([^"]*)"', files[html.FRONT])}
     assert "The limit is one." in files["pages/new.html"]
     page = files["pages/sharp.html"]
@@ -118,11 +122,11 @@ def test_the_count_says_how_strong_they_are(rows, theorem):
 
 def test_a_part_that_is_open_is_counted_and_told(rows, theorem):
     part = replace(theorem, claim=replace(theorem.claim, open=("Whether $x=2$.",)))
-    assert "proved here. 1 row leaves a part open" in opening.counts([part, theorem])
-    assert "open" not in opening.counts([theorem])
+    assert headline([part, theorem]) == "Of 2 theorems past it: 2 are proved. 1 of them leaves a part open."
+    assert "open" not in headline([theorem])
     assert opening.still_open([part]).blocks[1].items == ("Whether $x=2$. (`sharp`)",)
     assert 'class="badge open"' in html.render(document([part]), {})["pages/sharp.html"]
-    assert "a part is open in 1: sharp" in printed([part, rows[0]])
+    assert "part open: sharp" in printed([part, rows[0]])
     assert json.loads(json_report.render([part]))[0]["open"] == ["Whether $x=2$."]
     assert "Open: Whether x=2." in printed([part])
     assert r"\item Whether $x=2$. (" in latex.render(document([part]), {})

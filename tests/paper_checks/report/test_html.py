@@ -8,6 +8,7 @@ import pytest
 from elements import Elements
 
 from paper_checks.report.content.document import document
+from paper_checks.report.content.phrases import headline
 from paper_checks.report.formats import html, vector
 from paper_checks.report.output import pictures
 
@@ -90,8 +91,7 @@ def test_the_first_page_counts_names_what_fails_and_knows_the_weakest_step(front
     assert 'href="pages/example-stiction-never-violated.html"' in failed
     assert 'href="pages/stiction-bracket.html"' not in failed  # corrected, not refuted
     found = unescape(front[: front.index('<h2 id="refuted">')])
-    assert "Of the paper's 5 claims 1 holds as written, 1 holds after a correction, 1 is refuted" in found
-    assert "1 is undecided and 1 is unchecked" in found
+    assert headline(rows) in found
 
 
 def test_hostile_texts_are_escaped(files):
