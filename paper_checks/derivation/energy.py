@@ -9,7 +9,7 @@ from paper_checks.claims.letters import ECR, WITHIN
 from paper_checks.claims.levels import LEVEL
 from paper_checks.claims.sliding import WIDTH
 from paper_checks.claims.words import *
-from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as, tidy, zero
+from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as, zero
 from paper_checks.derivation.surface import FREE, HALF_WIDTH, SLIDING_FIELD, in_width
 from theory.energy import (
     arc_speed_terms,
@@ -89,7 +89,7 @@ def in_level(expression: Expr) -> Expr:
 def stays_inside(formula: Formula) -> Evidence:
     """Decide that on S an energy of at most E_cr keeps the pair on S0."""
     below = signed(on_surface() - critical_energy(), "<=")
-    inside = signed(cleared(x1**2 - WIDTH**2), formula.relation)
+    inside = signed(cleared(x1**2 - formula.right.subs(HALF_WIDTH, WIDTH)), formula.relation)
     return prove(f"on $S$, $E\\leqslant E_{{cr}}$ implies ${formula.latex}$", [below], inside)
 
 
@@ -137,23 +137,23 @@ CRITICAL = Stage(
         Drawn("ellipse-in-strip"),
         Line(
             r"""
-            Subtract the squares. The difference has the sign of $E_{cr}-E_0$: the ellipse lies within the strip for
+            Subtract the squares. The difference has the sign of $E_0-E_{cr}$: the ellipse lies within the strip for
             $E_0\leqslant E_{cr}$, and reaches beyond it for $E_0>E_{cr}$.
             """,
             f"{CLOSED} {ABOVE}",
             lambda: (
                 Formula(
-                    r"L^2-x_1^2\big|_{v_1=0}",
+                    r"x_1^2\big|_{v_1=0}-L^2",
                     "=",
-                    tidy(in_level(semi_axis_margin())),
-                    zero(lambda right: right.subs(ECR, LEVEL) - (WIDTH**2 - 2 * E0 / a2)),
+                    in_level(-semi_axis_margin()),
+                    zero(lambda right: right.subs(ECR, LEVEL) - (2 * E0 / a2 - WIDTH**2)),
                 ),
             ),
             kernel="ellipse-iff",
         ),
         Line(
             r"The same for every point of the ellipse: on $S$, $E\leqslant E_{cr}$ implies",
-            CLOSED,
+            f"{CLOSED} {ABOVE}",
             lambda: (Formula("x_1^2", "<=", HALF_WIDTH**2, stays_inside),),
             kernel="ellipse-iff",
         ),
@@ -177,8 +177,8 @@ CRITICAL = Stage(
 def never_at_rest(formula: Formula) -> Evidence:
     """Decide that above E_cr no point of S0 is at rest."""
     above = signed(on_surface() - critical_energy(), ">")
-    conclusion = sp.Ne(v1, 0, evaluate=False) if formula.relation == "!=" else sp.Eq(v1, 0)
-    return prove(f"on $S_0$, $E>E_{{cr}}$ implies ${formula.latex}$", [above, *WITHIN()], conclusion)
+    differs = sp.Ne(v1, formula.right, evaluate=False)
+    return prove(f"on $S_0$, $E>E_{{cr}}$ implies ${formula.latex}$", [above, *WITHIN()], differs)
 
 
 SUPERCRITICAL = Stage(

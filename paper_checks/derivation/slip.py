@@ -11,7 +11,7 @@ from paper_checks.claims.slips import depth_grows, one_contact
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Line, Stage, gathered, of_clause, same_as, tidy, zero
 from paper_checks.derivation.surface import FREE
-from theory.excursion import excursion
+from theory.excursion import excursion, h_slope
 from theory.near_critical import cycle
 from theory.return_map import depth, gap, in_trigonometry, push, reduced_guard, return_map_slope_residual
 from theory.scaling import reduced_energy, reduced_slip, stick_frequency
@@ -114,6 +114,11 @@ SLIP = Stage(
             angle.
             """,
             CONTACT,
+            lambda: (
+                Formula(
+                    "h'", "=", h_slope(), same_as((2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2)
+                ),
+            ),
             steps=lambda: (*angle_of_excursion()[1:], *one_contact()),
         ),
         Line(
@@ -128,7 +133,7 @@ SLIP = Stage(
         Energy on one ray against energy on the next is the return map.
         """,
         Line(
-            r"Substitute $d=0$: the end of the slip lies at $X'=1-q\,c(\theta)$, inside $S_0$ for $c<2/q$.",
+            r"Substitute $d=0$: the slip ends at $X'=1-q\,c(\theta)$, on $S_0$ for $c\leqslant c^*$, where $X'=-1$ at $c^*$.",
             STAYS,
             of_clause(STAYS, "edge"),
             steps=lambda: (

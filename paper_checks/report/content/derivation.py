@@ -19,6 +19,8 @@ From the equations of motion to the $1/t$ law, every formula in order. Each line
 and which claim it carries. The formulas are printed from the expressions that the checks decide. A line that is an argument in
 words says so.
 """
+Theorems = Mapping[str, Evidence] | None
+"""What the kernel found of theorems, by their ids; None where only their names are wanted."""
 TOOLS = {
     EvidenceKind.EXACT: "symbolic identity",
     EvidenceKind.SMT: "two SMT solvers",
@@ -44,6 +46,13 @@ def is_whole(rows: Sequence[Row]) -> bool:
     return {name for line in LINES for name in line.claims} <= {row.claim.id for row in rows}
 
 
+def checked_anew() -> Iterator[Block]:
+    """Yield the stages with what their checks find now; of the kernel's theorems only the names."""
+    found = {place: line.evidence(place) for place, line in enumerate(LINES, start=1)}
+    for stage in STAGES:
+        yield from _stage(stage, found, None)
+
+
 def of_row(row: Row) -> dict[int, Steps]:
     """Return what the lines that a row rests on found, by their numbers."""
     found: dict[int, Steps] = {}
@@ -57,7 +66,7 @@ def _theorems(row: Row) -> dict[str, Evidence]:
     return {kernel.name_of(step): step for proof in row.proofs for step in proof.kernel}
 
 
-def _stage(stage: Stage, found: Mapping[int, Steps], theorems: Mapping[str, Evidence]) -> Iterator[Block]:
+def _stage(stage: Stage, found: Mapping[int, Steps], theorems: Theorems) -> Iterator[Block]:
     yield Heading(stage.title, stage.id)
     yield Paragraph(stage.assumed, "Assumed")
     for part in stage.parts:
@@ -67,9 +76,7 @@ def _stage(stage: Stage, found: Mapping[int, Steps], theorems: Mapping[str, Evid
             yield picture(part.name) if isinstance(part, Drawn) else Paragraph(part)
 
 
-def shown(
-    line: Line, found: Steps, theorems: Mapping[str, Evidence], *, anchor: str = "", own: str = ""
-) -> blocks.Line:
+def shown(line: Line, found: Steps, theorems: Theorems, *, anchor: str = "", own: str = "") -> blocks.Line:
     """Return a line with what its checks found and what the kernel says of its theorems; on the page of the claim `own`, or not."""
     try:
         formula = line.latex()
@@ -99,10 +106,11 @@ def _tool(step: Evidence) -> str:
     return f"{TOOLS[step.kind]}, over {below} checked step{'s' * (below != 1)}{cited}"
 
 
-def _kernel(names: Sequence[str], theorems: Mapping[str, Evidence]) -> Iterator[str]:
+def _kernel(names: Sequence[str], theorems: Theorems) -> Iterator[str]:
     for name in names:
-        status = kernel.STATUS[theorems[name].passed] if name in theorems else kernel.NOT_RUN
-        yield f"kernel theorem `{name}`" + (f" ({status})" if status != kernel.PROVED else "")
+        known = theorems is None or (name in theorems and theorems[name].passed is True)
+        status = kernel.STATUS[theorems[name].passed] if theorems and name in theorems else kernel.NOT_RUN
+        yield f"kernel theorem `{name}`" + ("" if known else f" ({status})")
 
 
 def story(row: Row) -> Iterator[Block]:
