@@ -89,7 +89,7 @@ def in_level(expression: Expr) -> Expr:
 def stays_inside(formula: Formula) -> Evidence:
     """Decide that on S an energy of at most E_cr keeps the pair on S0."""
     below = signed(on_surface() - critical_energy(), "<=")
-    inside = signed(cleared(x1**2 - formula.right.subs(HALF_WIDTH, WIDTH)), formula.relation)
+    inside = signed(cleared(x1**2 - sp.sympify(formula.right).subs(HALF_WIDTH, WIDTH)), formula.relation)
     return prove(f"on $S$, $E\\leqslant E_{{cr}}$ implies ${formula.latex}$", [below], inside)
 
 

@@ -290,7 +290,7 @@ def within_unit(formula: Formula) -> Evidence:
 
 def only_on_strip(formula: Formula) -> Evidence:
     """Decide that elsewhere on S it is not."""
-    inside = signed(cleared(x1**2 - formula.right.subs(HALF_WIDTH, WIDTH)), formula.relation)
+    inside = signed(cleared(x1**2 - sp.sympify(formula.right).subs(HALF_WIDTH, WIDTH)), formula.relation)
     return prove(f"$0\\leqslant\\alpha\\leqslant 1$ implies ${formula.latex}$", [signed(weight_margin(), ">=")], inside)
 
 
