@@ -46,10 +46,13 @@ def is_whole(rows: Sequence[Row]) -> bool:
     return {name for line in LINES for name in line.claims} <= {row.claim.id for row in rows}
 
 
-def checked_anew() -> Iterator[Block]:
-    """Yield the stages with what their checks find now; of the kernel's theorems only the names."""
-    found = {place: line.evidence(place) for place, line in enumerate(LINES, start=1)}
-    for stage in STAGES:
+def checked_anew(name: str = "") -> Iterator[Block]:
+    """Yield the stage of this anchor, or all, with what the checks find now; of the kernel's theorems only the names.
+
+    Raises KeyError where there is no such stage.
+    """
+    for stage in [{one.id: one for one in STAGES}[name]] if name else STAGES:
+        found = {number(line): line.evidence(number(line)) for line in stage.lines}
         yield from _stage(stage, found, None)
 
 

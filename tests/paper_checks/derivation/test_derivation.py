@@ -14,6 +14,7 @@ from paper_checks.derivation.line import clause_named
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content import blocks, derivation
+from paper_checks.report.formats import markdown
 from paper_checks.running import runner
 from paper_checks.running.planting import faults
 from paper_checks.running.runner import Context
@@ -134,6 +135,5 @@ def test_the_page_in_the_documentation_is_what_is_generated():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     assert (DOCS / "derivation.md").read_text("utf-8") == module.page(), "python docs/derivation.py writes it"
-    failed = blocks.Line(1, "x", "y", passed=False)
     with pytest.raises(ValueError, match="no block"):
-        module.markdown(failed)
+        markdown.written([blocks.Line(1, "x", "y", passed=False)])
