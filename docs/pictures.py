@@ -9,7 +9,9 @@ from matplotlib.figure import Figure
 
 from numerics import load_scene, solve
 from numerics.trajectory.figures import explain_below
+from paper_checks.drawing.ellipse_in_strip import ellipse_in_strip
 from paper_checks.drawing.model import two_bodies
+from paper_checks.drawing.style import house_style
 
 HERE = Path(__file__).resolve().parent
 matplotlib.rcParams["svg.hashsalt"] = "inertial-pair"  # the same bytes every time
@@ -24,5 +26,7 @@ def velocities() -> Figure:
 
 
 if __name__ == "__main__":
-    for name, figure in (("model", two_bodies()), ("velocities", velocities())):
+    with house_style():
+        ellipse = ellipse_in_strip()
+    for name, figure in (("model", two_bodies()), ("velocities", velocities()), ("ellipse-in-strip", ellipse)):
         figure.savefig(HERE / f"{name}.svg", metadata={"Date": None}, facecolor="white")

@@ -14,111 +14,33 @@
 # # One excursion, and the 1/t law
 #
 # From the slip between two phases of stick to the law by which the energy approaches $E_{cr}$, without a damper:
-# $a_1=0$. Every formula below is an object of the package `theory`, derived there from the model and set here as it is;
-# the sentence after each says what it means. `critical_energy_and_sliding_region` says where $S_0$, its rays $\ell_\pm$
-# and $E_{cr}$ come from.
+# $a_1=0$. The lines are those of the chapter "The derivation, line by line" of the report: each is checked again
+# as it is shown.
+# `critical_energy_and_sliding_region` has the lines before.
 
 # %%
 # %matplotlib inline
 # %config InlineBackend.figure_formats = ["svg"]
 import matplotlib.pyplot as plt
 import numpy as np
-from IPython.display import Latex
-from sympy import Order, lambdify, simplify, sqrt
+from IPython.display import Markdown
+from sympy import lambdify
 
-from paper_checks.evidence.formula import equation
-from theory import energy, excursion, near_critical, rate_bounds, scaling
-from theory.symbols import epsilon, q, theta, w
-
-# %% [markdown]
-# ## Reduced coordinates
-#
-# $L$, $\Omega$ and $M=m_1+m_2$ are taken as units: $X=x_1/L$, $V_i=v_i/(L\Omega)$, $\tau=\Omega t$.
+from numerics import load_scene
+from numerics.free.energy import energy_at
+from paper_checks.drawing.sharp_rate import limit_of
+from paper_checks.report.formats.markdown import stages
+from theory import excursion, near_critical, rate_bounds
+from theory.symbols import q, theta
 
 # %%
-Latex(equation("L", scaling.half_width()) + equation(r"\Omega", scaling.stick_frequency()))
+Markdown(stages("derivation-slip"))
 
 # %% [markdown]
-# The length is the half width of $S_0$, the frequency that of stick.
-
-# %%
-Latex(
-    equation(r"\tfrac{d}{d\tau}(X,V_1,V_2)\big|_{slip+}", scaling.reduced_slip(1))
-    + equation(r"\tfrac{d}{d\tau}(X,V_1,V_2)\big|_{slip-}", scaling.reduced_slip(-1))
-    + equation(r"\tfrac{d}{d\tau}(X,V_1,V_2)\big|_{stick}", scaling.reduced_stick())
-)
-
-# %% [markdown]
-# One parameter is left of the four, the mass fraction $q=m_1/M$; in what follows $r=1-q$.
-
-# %%
-Latex(
-    equation("E/E_{cr}", scaling.reduced_energy())
-    + equation(r"\tfrac{dw}{d\tau}\big|_{slip-}", scaling.excess_rate(-1))
-)
-
-# %% [markdown]
-# The excess energy $w=E/E_{cr}-1$ falls in slip; its sign decides whether a stuck pair stays stuck.
-
-# %% [markdown]
-# ## One excursion
-#
-# The pair leaves $S_0$ by $\ell_+$ at $X=1$, $V_1=V_2=\epsilon>0$, so with $w=\epsilon^2$.
-
-# %%
-slip = excursion.slip_from_ray()
-Latex(equation("X", slip.X) + equation("V_1", slip.V1) + equation("V_2", slip.V2))
-
-# %% [markdown]
-# This is the slip as a function of the slip angle $\theta=\tau/\sqrt q$.
-
-# %%
-double_root, remaining = excursion.guard_factors()
-Latex(equation("V_1-V_2", double_root * remaining) + equation(r"h(\theta)", excursion.h()))
-
-# %% [markdown]
-# The first factor is the double root at the start; the excursion ends where the other vanishes, at
-# $h(\theta)=\epsilon/\sqrt q$.
-
-# %%
-positive, increment = excursion.half_angle_slope()
-Latex(
-    equation(r"h'(2\phi)", positive * increment)
-    + equation(r"(\sin\phi-\phi\cos\phi)'", simplify(increment.diff(excursion.angle)))
-    + equation(r"h(0),\ h(2\pi)", excursion.h_limits())
-)
-
-# %% [markdown]
-# On $0<\phi<\pi$ both are positive, so $h$ rises from $0$ to $\infty$ on $(0,2\pi)$: there is exactly one such
-# $\theta$, and it can stand for $\epsilon$.
+# The map $w\mapsto w'$ by its parameter, the slip angle:
 
 # %%
 one = excursion.excursion()
-Latex(equation("w", one.excess) + equation("w'", excursion.next_excess()))
-
-# %% [markdown]
-# The excursion map $w\mapsto w'$ in closed form, by the parameter $\theta$.
-
-# %%
-Latex(equation("1-X", rate_bounds.reentry_depth()))
-
-# %% [markdown]
-# Re-entry is at depth $1-X$ behind the edge, which for $\theta\leqslant\pi$ is between $0$ and $2q<2$: inside $S_0$.
-
-# %%
-factors = excursion.next_excess_slope()
-Latex(
-    equation(r"\frac{dw'}{d\theta}\,\Big/\,(2q\,h\,h')", factors[-1])
-    + equation(r"w-w'-2r\,q\,D", excursion.energy_balance())
-    + equation("D'/h'", excursion.displacement_slope()[0])
-    + equation("w_{safe}", rate_bounds.no_merging_excess())
-)
-
-# %% [markdown]
-# The factor of $dw'/d\theta$ is $1-r(1-\cos\theta)>0$ up to $\theta=\pi/2$, where $w=w_{safe}$, and $D$ grows from
-# $0$: from $w\leqslant w_{safe}$ on, every excursion ends in $S_0$ with $0<w'<w$, so the pair never merges.
-
-# %%
 angles = np.linspace(0.01, np.pi, 400)
 before, after = lambdify((theta, q), one.excess), lambdify((theta, q), excursion.next_excess())
 figure, axes = plt.subplots(figsize=(7, 4.2), layout="constrained")
@@ -138,45 +60,24 @@ plt.show()
 # The curves are tangent to the diagonal at $0$, which is why the approach is slow; a light driving body
 # ($m_1/m_2<0.7926\ldots$) can lose so much in one excursion that $w'<0$: then the pair has merged.
 
-# %% [markdown]
-# ## The 1/t law
+# %%
+Markdown(stages("derivation-expansion"))
 
 # %%
-cycle = near_critical.cycle()
-Latex(
-    equation(r"\theta", cycle.slip_angle.coeff(epsilon, 1) * epsilon + Order(epsilon**3))
-    + equation("w'", cycle.next_excess.subs(epsilon, sqrt(w)) + Order(w**3))
-)
+Markdown(stages("derivation-rate"))
 
 # %% [markdown]
-# For small $w$ the slip lasts about $3\sqrt w$ in units of $1/\Omega$ and costs an amount of order $w^2$.
+# The law against the solver: $t\,(E-E_{cr})$ of a scene, over the constant.
 
 # %%
-Latex(
-    equation(r"\lim_{w\to 0}\frac{w'}{w}", near_critical.excess_ratio_limit())
-    + equation(r"\lim_{w\to 0}\left(\frac{1}{w'}-\frac{1}{w}\right)", near_critical.inverse_step())
-)
+scene = load_scene("velocities")
+critical = float(scene.pair.a2 * scene.pair.half_width**2 / 2)
+for power in (1, 2, 4, 8, 16):
+    excess = energy_at(scene, 10**power, digits=8).energy_excess
+    print(f"t = 1e{power} s: {10**power * float(excess.mid()) * critical / float(limit_of(scene.pair)):.6f}")
 
 # %% [markdown]
-# So the decay is slower than every exponential, and $1/w$ grows by the same amount with every excursion in the limit.
-
-# %%
-Latex(
-    equation(r"\lim_{w\to 0}(\tau_{slip}+\tau_{stick})", near_critical.cycle_limit())
-    + equation(r"\lim_{\tau\to\infty}\tau\,w", near_critical.cycle_limit() / near_critical.inverse_step())
-)
-
-# %% [markdown]
-# An excursion and the stick after it take half a period in the limit; time per excursion over gain of $1/w$ per
-# excursion is the limit of $\tau w$ (Stolz–Cesàro).
-
-# %%
-constant = near_critical.rate_constant()
-relative = simplify(constant / energy.critical_energy())
-Latex(equation(r"\lim_{t\to\infty}t\,(E-E_{cr})", constant) + equation(r"\lim_{t\to\infty}t\,w", relative))
-
-# %% [markdown]
-# In SI units: the constant contains the parameters of the pair and nothing of its initial state.
+# One excursion's gain of $1/w$, between two bounds that hold for all excursions from that angle on:
 
 # %%
 lower, upper = rate_bounds.inverse_step_bounds()

@@ -59,6 +59,7 @@ LAYERS = {
         ("evidence", "proofs"),
         ("decide",),
         ("claims",),
+        ("derivation",),
         ("running",),
         ("drawing", "explore"),
         ("report",),

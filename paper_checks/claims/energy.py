@@ -246,10 +246,6 @@ def rate_of_energy() -> Case:
             ),
         ),
         carried("sign"),
-        derivation=(
-            f"$$E={latex(energy())}$$",
-            f"$$\\dot E={latex(sp.factor(derivative_along(undamped(free_system(sigma)), energy())))}$$",
-        ),
     )
 
 
@@ -286,5 +282,4 @@ def energy_dissipation_places() -> Case:
         "The rate $-b|v_1-v_2|$ is negative exactly where the velocities differ.",
         carried("dissipated", energy_rate()),
         carried("conserved"),
-        derivation=("$$\\dot E<0\\iff v_1\\neq v_2$$",),
     )

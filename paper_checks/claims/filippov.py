@@ -216,7 +216,6 @@ def vector_fields() -> Case:
         """,
         carried("fields"),
         carried("jump", jump),
-        derivation=tuple(f"$$\\Phi_{name}={latex(phi(sign).T)}$$" for name, sign in (("-", -1), ("+", 1))),
     )
 
 

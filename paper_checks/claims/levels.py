@@ -53,10 +53,7 @@ def critical_energy_claim() -> Case:
             half_width() ** 2 - level_semi_axis() ** 2,
             semi_axis_margin(),
         ),
-        derivation=(
-            f"$$\\text{{semi-axis}}={latex(level_semi_axis())},\\qquad L={latex(half_width())}$$",
-            f"$$E_{{cr}}={latex(critical_energy())}$$",
-        ),
+        figure="ellipse-in-strip",
     )
 
 
@@ -111,8 +108,4 @@ def supercritical_arcs() -> Case:
         ),
         prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], signed(product(1), "<")),
         capture.mirror_image(),
-        derivation=(
-            f"$$\\ddot g|_{{\\ell_+}}={latex(contact.second)}$$",
-            f"$$v_1^2|_{{|x_1|=L}}={latex(edge_speed_squared())}$$",
-        ),
     )

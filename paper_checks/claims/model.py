@@ -148,11 +148,6 @@ def modes_from_closed_form() -> Case:
         ),
         carried("forced", agree()),
         carried("none", none_under_control()),
-        derivation=tuple(
-            f"Branch {one.name}: $$\\ddot{{x}}_1={latex(one.acceleration1)},\\qquad "
-            f"\\ddot{{x}}_2={latex(one.acceleration2)}$$"
-            for one in branches()
-        ),
     )
 
 

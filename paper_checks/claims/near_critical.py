@@ -23,7 +23,7 @@ from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.sliding import width
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import solved, within
-from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, rate_constant, truncate
+from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, truncate
 from theory.power_series import taylor
 
 HALF_PERIOD = pi * sqrt((m1 + m2) / a2)
@@ -193,7 +193,6 @@ def no_merging_near_critical() -> Case:
         carried("creeps", creeps_for_ever()),
         no_merging_at_any_energy(),
         derivation=(
-            "$$w'=q\\bigl(h^2-2rD\\bigr),\\qquad \\frac{dw'}{d\\theta}=2q\\,h\\,h'\\,\\bigl(1-r(1-\\cos\\theta)\\bigr)$$",
             "$$E_0\\leqslant E_{cr}\\Bigl(1+\\frac{m_1}{m_1+m_2}\\bigl(\\tfrac{\\pi}{2}-1\\bigr)^2\\Bigr)\\ \\Rightarrow\\ \\text{no merging}$$",
         ),
     )
@@ -291,13 +290,5 @@ def rate_one_over_t() -> Case:
         correction(
             enclosed_rate(Fraction(1, 2), Fraction(1, 2), 1000, Fraction(1, 20)),
             enclosed_rate(Fraction(1, 2), Fraction(1, 10), 1000, Fraction(1, 20)),
-        ),
-        derivation=(
-            _series("w'", cycle().next_excess, 7),
-            f"$$\\lim_{{t\\to\\infty}}t\\,(E-E_{{cr}})={latex(rate_constant())}$$",
-            """
-            Between two exits $w$ lies between $w_{k+1}$ and $w_k$, whose ratio tends to 1, as does $t_{k+1}/t_k$: the
-            limit along the exits is the limit in $t$.
-            """,
         ),
     )

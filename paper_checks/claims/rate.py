@@ -152,11 +152,6 @@ def sharp_rate_constant() -> Case:
         1, in $t$.
         """,
         depth_over_excess(),
-        derivation=(
-            r"""
-            $$\lim_{t\to\infty}t\,(E-E_{cr})=E_{cr}\,\frac{4\pi}{9}\,\frac{m_1}{m_2}\sqrt{\frac{m_1+m_2}{a_2}}=\frac{2\pi}{9}\,\frac{b^2m_1(m_1+m_2)^{5/2}}{a_2^{3/2}m_2^3}$$
-            """,
-        ),
         figure="sharp-rate",
     )
 

@@ -178,6 +178,6 @@ def return_map_expansion() -> Case:
         depth_grows()[0],
         *remainder(),
         cycle_time(),
-        derivation=("$$c(y)=" + "".join(terms) + "+\\cdots$$", "$$y'=y-r\\,c(y)^2,\\qquad w=q\\,y.$$"),
+        derivation=("$$c(y)=" + "".join(terms) + "+\\cdots$$",),
         figure="return-map",
     )

@@ -7,7 +7,7 @@ from paper_checks.claims.letters import BEYOND, WITHIN, guard_rate
 from paper_checks.claims.words import *
 from theory.closed_forms import DampingRegime, residual, solution
 from theory.energy import energy, stick_rate
-from theory.filippov import STATE, edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
+from theory.filippov import edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
 
 WIDTH = b * (m1 + m2) / (a2 * m2)
 
@@ -100,7 +100,6 @@ def transversality_outside() -> Case:
     return because(
         "Both products are $-(a_2m_2x_1\\pm b(m_1+m_2))/(m_1m_2)$: beyond either edge the spring term outweighs friction.",
         carried("signs"),
-        derivation=(*_products(), f"$$L={latex(half_width())}$$"),
     )
 
 
@@ -123,7 +122,6 @@ def transversality_strip() -> Case:
     return because(
         "The two products differ by $2b(m_1+m_2)/(m_1m_2)>0$; each vanishes at one edge of the strip only.",
         carried("signs"),
-        derivation=_products(),
     )
 
 
@@ -181,10 +179,6 @@ def sliding_region() -> Case:
             "$2E=a x_1^2+m_1v_1^2+m_2v_2^2$: its level sets are ellipsoids",
             2 * energy(),
             a2 * x1**2 + m1 * v1**2 + m2 * v2**2,
-        ),
-        derivation=(
-            f"$$\\alpha={latex(weight)}$$",
-            f"$$\\dot{{({latex(STATE.T)})}}={latex(sliding_field().T)}$$",
         ),
     )
 

@@ -8,6 +8,11 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Body 1 hangs on a spring and, where $a_1>0$, a damper; body 2 rests on body 1 and touches nothing else. The only force between them is dry friction: "
         "it holds them together up to $b$, and is $b$ against the motion when they slip.",
     ),
+    "ellipse-in-strip": (
+        "An ellipse in a strip",
+        "Levels of the energy on $S$, where both bodies move as one; motion runs clockwise. Up to $E_{cr}$ the ellipse lies within the strip $S_0$ (grey), and the pair "
+        "sticks at all later times. Above $E_{cr}$ the edges cut it into two arcs; the pair leaves by the rays $\\ell_+$ and $\\ell_-$.",
+    ),
     "force-needed": (
         "Fig. 4 (a): what sticking needs",
         "The curve is the size (absolute value) of the force that would keep the bodies together, the dashed line the most that friction can give. Where the curve is "

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from paper_checks.drawing.ellipse_in_strip import ellipse_in_strip
 from paper_checks.drawing.euler_convergence import euler_convergence
 from paper_checks.drawing.excursions import excursion_curves, merging_window, return_map
 from paper_checks.drawing.force_needed import force_needed
@@ -18,6 +19,7 @@ from paper_checks.drawing.velocities import velocities
 
 DRAWINGS = (
     two_bodies,
+    ellipse_in_strip,
     force_needed,
     relative_velocity,
     sharp_rate,

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from paper_checks.decide import kernel
+from paper_checks.derivation import chapter
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, argument, closure, weakest
@@ -17,7 +18,7 @@ SETTLED = (Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED)
 
 @dataclass(frozen=True)
 class Proof:
-    """A clause, the steps that carry it, the theorems of the kernel that prove it, and what binds its formulas."""
+    """A clause, the steps that carry it, the theorems of the kernel that prove it, and what binds its formulas: their checks, and lines of the derivation."""
 
     clause: Clause
     about: Subject
@@ -72,7 +73,8 @@ def proofs(claim: Claim, finding: Finding) -> tuple[Proof, ...]:
     for clause, about in clauses(claim, finding):
         steps = named.get(clause.id) or _by_reason(finding, about, used)
         theorems = tuple(kernel.step(name) for name in clause.kernel)
-        bindings = (*(one.evidence() for one in clause.formulas.values()), *signing.bindings(claim, clause))
+        formulas = (one.evidence() for one in clause.formulas.values())
+        bindings = (*formulas, *signing.bindings(claim, clause), *chapter.bindings(claim, clause))
         quoted = about is Subject.CLAIM and finding.counterexample is not None
         found.append(Proof(clause, about, steps, theorems, tuple(_about(one, about) for one in bindings), quoted))
     return tuple(found)

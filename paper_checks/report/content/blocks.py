@@ -69,6 +69,17 @@ class Code:
 
 
 @dataclass(frozen=True)
+class Line:
+    """A numbered line of a derivation: what was done, with the formula; who believed it; and whether the check passed."""
+
+    number: int
+    text: str
+    remark: str
+    passed: bool
+    id: str = ""
+
+
+@dataclass(frozen=True)
 class Markup:
     """What only a page can show, as HTML; paper has nothing in its place."""
 
@@ -84,7 +95,7 @@ class Folded:
     id: str = ""
 
 
-Block = Heading | Paragraph | Points | Table | Picture | Cards | Code | Markup | Folded
+Block = Heading | Paragraph | Points | Table | Picture | Cards | Code | Line | Markup | Folded
 
 
 @dataclass(frozen=True)
@@ -122,7 +133,7 @@ def anchors(section: Section) -> Iterator[str]:
     """Yield all that a link can point to in a section."""
     yield section.id
     for block in every(section.blocks):
-        if isinstance(block, Heading | Folded) and block.id:
+        if isinstance(block, Heading | Folded | Line) and block.id:
             yield block.id
         elif isinstance(block, Table):
             yield from filter(None, block.ids)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from paper_checks.claims import source
-from paper_checks.report.content import blocks, kernel, notation, opening, shared, trust
+from paper_checks.report.content import blocks, derivation, kernel, notation, opening, shared, trust
 from paper_checks.report.content.blocks import Block, Section
 from paper_checks.report.content.story import story
 from paper_checks.running.runner import Row
@@ -42,6 +42,7 @@ def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Seq
     common = shared.names(rows)
     asked = opening.questions(rows, answers)
     after = (
+        derivation.section(rows),
         opening.new(rows),
         opening.not_judged(rows),
         opening.still_open(rows),

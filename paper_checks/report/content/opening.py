@@ -16,6 +16,7 @@ from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import motion
 from paper_checks.proofs.cited import CITED
+from paper_checks.report.content import derivation
 from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
 from paper_checks.report.content.phrases import formula, headline, in_short, kind, picture, place
 from paper_checks.report.content.trust import LAW
@@ -32,6 +33,7 @@ STRENGTHS = {
     "an argument that a person wrote, over such steps": (EvidenceKind.ARGUMENT,),
 }
 """Kinds of steps, from the strongest; together they are all that can settle a row."""
+DERIVED = "How the paper's results follow from the equations of motion, line by line, and which check accepted each line: `derivation`."
 EXPLORE = (
     "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
     'becomes of it; on a second tab, the pair on a surface, seen from above.</p>\n<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
@@ -113,6 +115,7 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
                 Paragraph(MODEL),
                 Markup(motion.section()),
                 Paragraph(headline(rows)),
+                *(Paragraph(one) for one in (DERIVED,) if derivation.is_whole(rows)),
                 Markup(EXPLORE),
             ),
         ),
@@ -195,6 +198,12 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         law = claim_named("sharp-rate-constant").clauses[0]
         text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes no damper, $a_1=0$; no force, $u=0$; a constant $b>0$; and an energy above $E_{{cr}}$ at all times."
         yield "Which theorem carries the 1/t law, and what does it assume?", text
+    if derivation.is_whole([*shown.values()]):
+        yield "How is $E_{cr}$ derived?", "An ellipse in a strip, in six lines: `derivation-critical-energy`."
+        yield (
+            "Where does $1/t$ come from, and what is assumed?",
+            "From the return map of a slip, in seven lines that begin with what is assumed: `derivation-rate`.",
+        )
     if failed := [row for row in shown.values() if row.finding.verdict is Verdict.REFUTED]:
         some = "; ".join(f"`{row.claim.id}`: {(row.finding.counterexample or '–').rstrip('.')}" for row in failed)
         yield "Which claims fail, and what are the counterexamples?", f"{some}."

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from paper_checks.decide import kernel
+from paper_checks.derivation.line import number_in
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.report.content.blocks import Section, Table
 from paper_checks.report.content.phrases import OUTCOMES
@@ -21,9 +22,10 @@ def plain(step: Evidence) -> Evidence:
 
 
 def of_row(row: Row) -> Iterator[Evidence]:
-    """Yield the steps of a row, first those that others rest on; its own reason is none of them."""
+    """Yield the steps of a row, first those that others rest on; its reason and the derivation's lines are none of them."""
     of_proofs = (step for proof in row.proofs for step in (*proof.kernel, *proof.steps, *proof.bindings))
-    yield from (one for one in closure((*of_proofs, *row.finding.evidence)) if one.statement != row.finding.reason)
+    steps = closure((*of_proofs, *row.finding.evidence))
+    yield from (one for one in steps if one.statement != row.finding.reason and number_in(one) is None)
 
 
 def names(rows: Sequence[Row]) -> dict[Evidence, str]:

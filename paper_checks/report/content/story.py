@@ -13,7 +13,7 @@ from paper_checks.drawing.captions import caption
 from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
-from paper_checks.report.content import notation, shared, under_a_force
+from paper_checks.report.content import derivation, notation, shared, under_a_force
 from paper_checks.report.content.blocks import Block, Code, Folded, Paragraph, Points, Table
 from paper_checks.report.content.opening import hypotheses
 from paper_checks.report.content.phrases import picture, place
@@ -51,6 +51,7 @@ def _story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str])
     yield from _picture(row, elsewhere)
     if symbols := notation.used([row.claim.statement, *filter(None, chain(*texts.values()))], row.claim.id):
         yield Folded("Symbols", (notation.table(symbols, "", anchored=False),))
+    yield from derivation.story(row)
     yield from _folded(row, common)
     yield Code(f"python -m paper_checks run {row.claim.id}")
 
@@ -154,10 +155,9 @@ def _folded(row: Row, common: Mapping[Evidence, str]) -> Iterator[Block]:
         )
     if own:
         lines = (
-            (names[one], *shared.cells(one, (names[below] for below in one.rests_on if below in names)))
-            for one in reversed(own)
+            (names[one], *shared.cells(one, (names[below] for below in one.rests_on if below in names))) for one in own
         )
-        inside.append(Table(shared.HEAD[:-1], tuple(lines), "Steps, each above those it rests on"))
+        inside.append(Table(shared.HEAD[:-1], tuple(lines), "Steps, each below those it rests on"))
     if elsewhere := [f"`{names[step]}`" for step in steps if step not in numbers]:
         inside.append(
             Paragraph(

@@ -49,7 +49,8 @@ class HtmlWriter(Writer):
     def _code(self, code: str) -> str:
         shown = f"<code>{_breakable(code)}</code>"
         target = self._target(code)
-        return f'<a href="{self.link(target)}">{shown}</a>' if target else shown
+        own = f"pages/{target}.html" == self._page  # a page does not link to itself
+        return f'<a href="{self.link(target)}">{shown}</a>' if target and not own else shown
 
     def _heading(self, text: str, anchor: str) -> str:
         mark = f' id="{anchor}"' if anchor else ""
@@ -69,6 +70,14 @@ class HtmlWriter(Writer):
     def _lines(self, text: str) -> str:
         linked = _WORD.sub(lambda match: self._named(match[0]), escape(text, quote=False))
         return f'<pre class="wide"><code>{linked}</code></pre>'
+
+    def _numbered(self, line: blocks.Line) -> str:
+        mark = f' id="{line.id}"' if line.id else ""
+        state = "" if line.passed else " refuted"
+        return (
+            f'<div class="line{state}"{mark}><p><strong>({line.number})</strong> {self.text(line.text)}</p>'
+            f"<p><small>{self.text(line.remark)}</small></p></div>"
+        )
 
     def _named(self, word: str) -> str:
         target = self._target(word)

@@ -56,6 +56,11 @@ class LatexWriter(Writer):
     def _lines(self, text: str) -> str:
         return f"{{\\scriptsize\n\\begin{{verbatim}}\n{text}\n\\end{{verbatim}}}}"
 
+    def _numbered(self, line: blocks.Line) -> str:
+        mark = label(line.id) if line.id else ""
+        remark = self.text(line.remark) if line.passed else rf"\textbf{{{self.text(line.remark)}}}"
+        return rf"{mark}\textbf{{({line.number})}} {self.text(line.text)}" + f"\n\n{{\\footnotesize {remark}\\par}}"
+
     def _markup(self, html: str) -> str:
         del html
         return ""

@@ -52,6 +52,8 @@ class Writer(ABC):
                 return self._cards([(self.text(title), self.text(text), picture) for title, text, picture in items])
             case blocks.Code(text):
                 return self._lines(text)
+            case blocks.Line():
+                return self._numbered(block)
             case blocks.Markup(html):
                 return self._markup(html)
             case blocks.Folded(title, inside, anchor):
@@ -86,6 +88,10 @@ class Writer(ABC):
     @abstractmethod
     def _lines(self, text: str) -> str:
         """Return lines of fixed width."""
+
+    @abstractmethod
+    def _numbered(self, line: blocks.Line) -> str:
+        """Return a line of the derivation, one whose check did not pass marked."""
 
     @abstractmethod
     def _markup(self, html: str) -> str: ...

@@ -1,0 +1,26 @@
+"""Write the page of the derivation from its lines, as the report has them: python docs/derivation.py."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from paper_checks.report.content import derivation
+from paper_checks.report.content.blocks import Paragraph
+from paper_checks.report.formats.markdown import written
+
+HERE = Path(__file__).resolve().parent
+NOTE = (
+    "This page is written by `python docs/derivation.py`. Each check named here passed when it was written. Theorems "
+    "of the kernel are named for reference; the report says whether the kernel accepted them, and links every claim."
+)
+
+
+def page() -> str:
+    """Return the page in Markdown, with the pictures that these pages have."""
+    blocks = (Paragraph(derivation.OPENING), Paragraph(NOTE), *derivation.checked_anew())
+    pictures = [path.stem for path in HERE.glob("*.svg")]
+    return f"# {derivation.TITLE}\n\n{written(blocks, pictures)}\n"
+
+
+if __name__ == "__main__":
+    (HERE / "derivation.md").write_text(page(), encoding="utf-8")

@@ -1,0 +1,163 @@
+"""A line of the derivation: what was done, the formula that came out, how it is checked, and the claims that it carries.
+
+The check decides the formula that is shown, so a wrong sign in either turns the line, and with it the claims.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import sympy as sp
+
+from paper_checks.claims import claim_named
+from paper_checks.decide import Decide, identity
+from paper_checks.evidence import Clause, Evidence, Formula, Steps
+from paper_checks.evidence.evidence import one_line
+from theory.symbols import b
+
+_NAMED = re.compile(r"line \((\d+)\) of the derivation: ")
+
+
+def no_formulas() -> tuple[Formula, ...]:
+    """Return none: the formulas of a line that is an inference in words."""
+    return ()
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line: `done` says what was done, `formulas` is what came out; `carries` names clauses as `claim/clause`.
+
+    `steps` are checks of an inference in words. `kernel` names theorems of the proof kernel that state what the line
+    states. Texts are prose with LaTeX between dollars.
+    """
+
+    done: str
+    carries: str
+    formulas: Callable[[], Sequence[Formula]] = field(default=no_formulas, compare=False)
+    steps: Callable[[], Steps] = field(default=tuple, compare=False)
+    kernel: str = ""
+
+    def __post_init__(self) -> None:
+        """Write the text, which may be written over several lines, with single spaces."""
+        object.__setattr__(self, "done", one_line(self.done))
+
+    @property
+    def clauses(self) -> tuple[str, ...]:
+        """The clauses that it carries, each as claim/clause."""
+        return tuple(self.carries.split())
+
+    @property
+    def claims(self) -> tuple[str, ...]:
+        """The ids of the claims that it carries, each once."""
+        return tuple(dict.fromkeys(one.partition("/")[0] for one in self.clauses))
+
+    def latex(self) -> str:
+        """Return what came out, as displayed formulas; empty for an inference in words."""
+        texts = [one.latex for one in self.formulas()]
+        return "".join(f"$${text}$$" for text in in_rows(texts))
+
+    def evidence(self, number: int) -> Steps:
+        """Return what its checks find; each statement begins with the number of the line."""
+        found = (*(one.evidence() for one in self.formulas()), *self.steps())
+        return tuple(replace(one, statement=f"{named(number)}: {one.statement}") for one in found)
+
+
+def named(number: int) -> str:
+    """Return how the evidence of a line begins.
+
+    >>> named(7)
+    'line (7) of the derivation'
+    """
+    return f"line ({number}) of the derivation"
+
+
+def number_in(step: Evidence) -> int | None:
+    """Return the number of the line that a step belongs to; None for a step of no line."""
+    found = _NAMED.match(step.statement)
+    return int(found[1]) if found else None
+
+
+WIDE = 100
+"""Characters of LaTeX that fit beside each other in one displayed formula."""
+
+
+def in_rows(texts: Sequence[str]) -> list[str]:
+    """Return formulas beside each other where they fit into one displayed formula, else one a display.
+
+    >>> in_rows(["x=1", "y=2"])
+    ['x=1,\\\\qquad y=2']
+    """
+    beside = r",\qquad ".join(texts)
+    return [beside] if texts and len(beside) <= WIDE else list(texts)
+
+
+def zero(of: Callable[[sp.Basic], object]) -> Decide:
+    """Decide a formula by expressions in its right side that have to be 0 for all values of their symbols."""
+
+    def decide(formula: Formula) -> Evidence:
+        return identity(f"${formula.latex}$", of(sp.sympify(formula.right).doit()))
+
+    return decide
+
+
+def tidy(expression: sp.Expr) -> sp.Expr:
+    """Return a fraction as one writes it: b (m1 + m2) for both its terms, and (b - x)/m for -(x - b)/m."""
+    top, bottom = sp.fraction(expression)
+    top = sp.expand(top)
+    sign = -1 if all(one.could_extract_minus_sign() for one in sp.Add.make_args(top)) else 1
+    return sign * (sp.collect(sp.expand(sign * top), b, sp.factor) / bottom)
+
+
+def gathered(product: sp.Expr) -> sp.Expr:
+    """Return a product with one square root for all its factors of the power 1/2 and -1/2, not evaluated."""
+    half = [one for one in sp.Mul.make_args(product) if one.is_Pow and abs(one.exp) == sp.Rational(1, 2)]
+    inside = sp.Mul(*(one**2 for one in half))
+    others = sp.Mul(*(one for one in sp.Mul.make_args(product) if one not in half))
+    root = sp.Pow(inside, sp.Rational(1, 2), evaluate=False)
+    return root if others == 1 else sp.Mul(others, root, evaluate=False)
+
+
+def of_clause(key: str, *names: str) -> Callable[[], tuple[Formula, ...]]:
+    """Return formulas of the clause `claim/clause` by their names: what is claimed there, and how it is decided."""
+
+    def found() -> tuple[Formula, ...]:
+        formulas = clause_named(key).formulas
+        return tuple(formulas[name] for name in names)
+
+    return found
+
+
+def same_as(expected: sp.Basic) -> Decide:
+    """Decide a formula by what its right side has to be, written down without the theory."""
+    return zero(lambda right: right - expected)
+
+
+def clause_named(key: str) -> Clause:
+    """Return the clause `claim/clause`. Raises KeyError where there is none."""
+    name, _, part = key.partition("/")
+    claim = claim_named(name)
+    return {one.id: one for one in (*claim.clauses, *claim.correction)}[part]
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A figure at its place in the derivation, by its name."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stage of the derivation: its anchor, its title, what is assumed in it, and its text, lines and figures in order."""
+
+    id: str
+    title: str
+    assumed: str
+    parts: tuple[str | Line | Drawn, ...]
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """Its lines."""
+        return tuple(part for part in self.parts if isinstance(part, Line))
