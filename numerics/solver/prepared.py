@@ -59,18 +59,20 @@ class Solver:
         as in `solve_many`, and that is quicker: a loop that makes its states itself should give floats. Raises
         InvalidScene, OutOfRange, EventUndecided.
         """
-        if self._until[0] is not until:
+        horizon = self._until  # as another thread may solve to another
+        if horizon[0] is not until:
             end = positive(until, "until", HORIZON)
-            self._until = until, end, nearest(end) if end < 10**300 else None  # which a float holds
+            self._until = horizon = until, end, nearest(end) if end < 10**300 else None  # which a float holds
         if not isinstance(state, State):
             state = _four(state)  # kept as it is now, whatever becomes of a list or an array
         halves = _halves(state)
-        if self._row is not None and halves is not None and self._until[2] is not None:
-            self._row[_STATE], self._row[_UNTIL] = halves, self._until[2]
-            found = run_row(self._row, self.law is Law.THREE_VALUED_SGN, self.max_events)
+        if self._row is not None and halves is not None and horizon[2] is not None:
+            row = self._row.copy()
+            row[_STATE], row[_UNTIL] = halves, horizon[2]
+            found = run_row(row, self.law is Law.THREE_VALUED_SGN, self.max_events)
             if found is not None:
-                return Trajectory(partial(self._scene, state, self._until[1]), _FLOAT64, found)
-        return run_scene(self._scene(state, self._until[1]), _FLOAT64, self.max_events)
+                return Trajectory(partial(self._scene, state, horizon[1]), _FLOAT64, found)
+        return run_scene(self._scene(state, horizon[1]), _FLOAT64, self.max_events)
 
     def _scene(self, state: State | Four, until: Fraction) -> Scene:
         """Return the scene, exact."""

@@ -20,7 +20,7 @@ import numpy as np
 from flint import arb, arb_poly
 from mpmath.libmp import from_man_exp
 
-from numerics.arithmetic.ball import precision
+from numerics.arithmetic.precision import precision
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
 from numerics.scene.decimals import require_whole
