@@ -28,7 +28,7 @@ def cache_refused() -> str:
     """Return in one sentence why the user's cache is not used though it is there; "" where nothing is wrong with it."""
     folder = _user_cache()
     fault = "" if folder is None else _fault(folder)
-    return fault and f"the cache is not used: {fault}; correct its mode, or set XDG_CACHE_HOME to a folder of your own"
+    return fault and f"the cache is not used: {fault}; correct its owner or mode, or set XDG_CACHE_HOME to another"
 
 
 NOWHERE = Path(os.devnull) / "inertial-pair"
@@ -50,19 +50,20 @@ def _user_cache() -> Path | None:
 def _fault(folder: Path) -> str:
     """Return what lets others change what is in a folder; "" where nothing does, or the system has no such owners.
 
-    In a folder above that anybody can write (and not only add to, as to /tmp), another one could take its place. A
-    folder that is not there yet is made by us, for us alone.
+    As ssh asks of the folder of its keys: it and all folders above, also above a link to it, are written by their owner
+    alone, who is this user or the system (root). Above, a folder with the sticky bit will do, as /tmp: nobody else can
+    move what is ours there. A folder that is not there yet is made by us, for us alone.
     """
     if not hasattr(os, "getuid"):
         return ""
     real = Path(os.path.realpath(folder))
-    if real.exists() and real.stat().st_uid != os.getuid():
-        return f"{real} belongs to another user"
-    if real.exists() and real.stat().st_mode & (stat.S_IWGRP | stat.S_IWOTH):
-        return f"others can write {real}"
-    for above in (one for one in real.parents if one.exists()):
-        if above.stat().st_mode & (stat.S_IWOTH | stat.S_ISVTX) == stat.S_IWOTH:
-            return f"anybody can put another folder in the place of {real}, as anybody can write {above}"
+    for place in (real, *real.parents, *folder.parents):
+        if place.exists():
+            found = place.stat()
+            if found.st_uid not in ({os.getuid()} if place == real else {os.getuid(), 0}):
+                return f"{place} belongs to another user"
+            if found.st_mode & (stat.S_IWGRP | stat.S_IWOTH) and (place == real or not found.st_mode & stat.S_ISVTX):
+                return f"others can write {place}"
     return ""
 
 

@@ -15,7 +15,7 @@ from sixty_digits import forced_scene
 from strategies import KINDS, MODERATE, pairs, states
 
 from numerics import EventUndecided, Force, Friction, NumericsError, OutOfRange, Pair, Piece, Scene, Sine, State, solve
-from numerics.arithmetic.ball import precision
+from numerics.arithmetic.precision import precision
 
 
 def in_other_seconds(scene, factor):

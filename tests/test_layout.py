@@ -1,5 +1,6 @@
 """The repository layout: which package may import which, and that the tests see the repository's own packages."""
 
+import ast
 import graphlib
 import importlib
 import re
@@ -143,3 +144,56 @@ def test_help_answers_without_heavy_imports(package):
     assert done.returncode == 0, done.stderr
     assert "usage:" in done.stdout
     assert done.stderr.strip().splitlines()[-1] == "[]"
+
+
+OWN_PRECISION = {
+    ROOT / "numerics" / "arithmetic" / "precision.py",
+    ROOT / "numerics" / "trajectory" / "closed_forms.py",  # intervals of a command, in a context of their own
+}
+HELD = re.compile(r"\b(precision|series_terms|mpmath_precision|context|fine|terms)\(")
+
+
+def outside_the_lock(path: Path) -> list[str]:
+    """Return where a file sets a precision, holds one across a `yield`, or takes a cached_property that locks."""
+    found, tree = [], ast.parse(path.read_text("utf-8"))
+    managers = {
+        inner
+        for one in ast.walk(tree)
+        if isinstance(one, ast.FunctionDef) and "contextmanager" in map(ast.unparse, one.decorator_list)
+        for inner in ast.walk(one)
+    }
+    for one in ast.walk(tree):
+        if isinstance(one, ast.With) and one not in managers:
+            inner = (deep for statement in one.body for deep in ast.walk(statement))
+            if any(HELD.search(ast.unparse(item)) for item in one.items) and any(
+                isinstance(deep, ast.Yield | ast.YieldFrom) for deep in inner
+            ):
+                found.append(f"line {one.lineno}: yields within a precision")
+        elif isinstance(one, ast.Attribute) and one.attr in {"workprec", "workdps", "extraprec", "extradps"}:
+            found.append(f"line {one.lineno}: {one.attr}")
+        elif isinstance(one, ast.Attribute) and one.attr in {"prec", "dps", "cap"} and isinstance(one.ctx, ast.Store):
+            found.append(f"line {one.lineno}: sets {one.attr}")
+        elif isinstance(one, ast.ImportFrom) and one.module == "functools":
+            found += [f"line {one.lineno}: {name.name}" for name in one.names if name.name == "cached_property"]
+    return found
+
+
+def test_every_precision_is_set_under_one_lock():
+    files = [path for _, path in files_of("numerics") if path not in OWN_PRECISION]
+    assert not {str(path): found for path in files if (found := outside_the_lock(path))}
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "ctx.prec = 100",
+        "flint.ctx.cap, x = 3, 4",
+        "mpmath.mp.dps = 50",
+        "with mpmath.workdps(50): pass",
+        "def f():\n    with run.context():\n        yield 1",
+        "from functools import cached_property",
+    ],
+)
+def test_a_precision_that_is_set_elsewhere_is_found_out(tmp_path, line):
+    (tmp_path / "loose.py").write_text(line, "utf-8")
+    assert outside_the_lock(tmp_path / "loose.py")

@@ -10,6 +10,7 @@ from fractions import Fraction
 import flint
 from flint import arb
 
+from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.arithmetic.questions import QUESTIONS
 from numerics.errors import EventUndecided
@@ -21,8 +22,6 @@ EXACT = 10**9
 atan2, sine_cosine, finite = arb.atan2, arb.sin_cos, arb.is_finite
 resolved = finite
 """Of every finite angle: a phase that is lost shows in the radius."""
-precision = flint.ctx.workprec
-"""A context that sets flint's process-wide precision, bits, and restores it whatever happens."""
 
 
 def working_digits() -> int:
@@ -181,7 +180,7 @@ class Ball(Arithmetic):
         self.bits = math.ceil(digits * BITS_PER_DIGIT) + GUARD_BITS
 
     def context(self) -> AbstractContextManager[None]:
-        """Return a context that sets flint's process-wide precision, and restores it whatever happens."""
+        """Return the context of this precision (precision.py)."""
         return precision(self.bits)
 
     @staticmethod

@@ -8,7 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
+from mpmath.libmp import dps_to_prec
 
+from numerics.arithmetic.precision import mpmath_precision
 from numerics.arithmetic.protocol import Arithmetic, Number
 
 sqrt, atan2 = mpmath.sqrt, mpmath.atan2
@@ -48,7 +50,7 @@ def depth_and_cotangent(x: Number) -> tuple[Number, Number]:
 def _precisely(function: Callable[[], Number], x: Any) -> Number:
     """Return a value with the bits added that cancel near 0, two for each one that |x| is below 1, and a guard."""
     cancelled = max(0, -int(mpmath.mag(x))) if x and mpmath.isfinite(x) else 0
-    with mpmath.extraprec(2 * (cancelled + 8)):
+    with mpmath_precision(mpmath.mp.prec + 2 * (cancelled + 8)):
         value = function()
     return +value
 
@@ -94,8 +96,8 @@ class Multiprecision(Arithmetic):
         self.digits = digits
 
     def context(self) -> AbstractContextManager[object]:
-        """Return a context that sets mpmath's process-wide precision and restores it."""
-        return mpmath.workdps(self.digits)
+        """Return the context of this precision (precision.py)."""
+        return mpmath_precision(dps_to_prec(self.digits))
 
     @staticmethod
     def number(value: Fraction | int) -> Any:

@@ -12,12 +12,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
 from typing import NamedTuple
 
 from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, undecided, working_digits
+from numerics.arithmetic.precision import cached_property
 from numerics.control.answers import KEPT_DIGITS, Prediction, number, rounded, rounded_up
 from numerics.linear.cells import PLAIN, Cells, cells_of, mode_in
 from numerics.linear.pieces import pieces_of

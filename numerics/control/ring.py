@@ -21,7 +21,8 @@ import flint
 from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
+from numerics.arithmetic.ball import Ball, undecided, working_digits
+from numerics.arithmetic.precision import precision
 from numerics.control.answers import most_digits, number, require_digits
 from numerics.control.attraction import Passage, passage_at, passages, slide_left
 from numerics.control.orbit import Orbit, PeriodicDrive

@@ -21,7 +21,6 @@ z = x1 - x2 by E_cr q (y - F(y))/b.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -30,7 +29,8 @@ from typing import Any
 import flint
 from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_series
 
-from numerics.arithmetic.ball import Ball, precision, undecided, widened
+from numerics.arithmetic.ball import Ball, undecided, widened
+from numerics.arithmetic.precision import precision, series_terms
 from numerics.linear.modes import EventKind
 from numerics.scene import Pair
 
@@ -47,7 +47,7 @@ class AbelFunctions:
     def __init__(self, q: Fraction, order: int = ORDER) -> None:
         """Compute the series to `order` and the bounds of what they miss."""
         self.q, self.r, self.order = q, 1 - q, order
-        with _series_terms(2 * order + 12):
+        with series_terms(2 * order + 12):
             self._compute_series()
         with precision(_RIM_BITS):
             certified = ((radius, sup) for radius in _RADII if (sup := self._defects_on_rim(radius)) is not None)
@@ -256,13 +256,3 @@ def _scaled(series: fmpq_series, q: fmpq, shift: int) -> fmpq_series:
 def _polynomial(coefficients: list[fmpq]) -> arb_poly:
     """Return c_1 x + c_2 x^2 + ..., a function of balls, with coefficients at the precision that is set."""
     return arb_poly([0, *coefficients])
-
-
-@contextmanager
-def _series_terms(terms: int) -> Iterator[None]:
-    """Set flint's process-wide series length, and restore it."""
-    before, flint.ctx.cap = flint.ctx.cap, terms
-    try:
-        yield
-    finally:
-        flint.ctx.cap = before

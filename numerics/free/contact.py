@@ -23,9 +23,9 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from flint import arb, ctx
-from mpmath import mp, mpf
+from mpmath import mpf
 
-from numerics.arithmetic.ball import precision, undecided, widened
+from numerics.arithmetic.ball import undecided, widened
 from numerics.arithmetic.compiled import by_type, compilable
 from numerics.arithmetic.functions import (
     as_float,
@@ -38,6 +38,7 @@ from numerics.arithmetic.functions import (
     versine,
 )
 from numerics.arithmetic.pair import TwoFloats
+from numerics.arithmetic.precision import mpmath_precision, precision
 from numerics.arithmetic.protocol import Number
 
 _STEPS = 40
@@ -241,7 +242,7 @@ def _seed(gap: arb, push: arb) -> arb:
             near = _found(d, u)[0]
             if near > _SMALLEST_SEED:
                 return arb(near)
-    with mp.workprec(53):
+    with mpmath_precision(53):
         near = _found(*(mpf(tuple(map(int, one.mid().man_exp()))) for one in (gap, push)))[0]
         mantissa, exponent = near.man_exp
         return arb(int(mantissa)) * arb(2) ** int(exponent)

@@ -12,9 +12,10 @@ from typing import Any
 import flint
 from flint import arb
 
-from numerics.arithmetic.ball import precision, undecided
+from numerics.arithmetic.ball import undecided
 from numerics.arithmetic.compiled import by_type, compilable
 from numerics.arithmetic.functions import like, sqrt, tolerance
+from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Number
 
 Function = Callable[[Any, Number], tuple[Number, Number]]

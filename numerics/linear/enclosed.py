@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from flint import arb, ctx
+from flint import arb
 
 from numerics.arithmetic.ball import Ball, exact_middle, widened
+from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided
 from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, PLAIN, RIGHT
@@ -46,7 +47,7 @@ def run_enclosed(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
             )
     rows: list[Knot] = []
     events = 0
-    with ctx.workprec(arithmetic.bits + _MORE_BITS):
+    with precision(arithmetic.bits + _MORE_BITS):
         run = EnclosedRun(scene, arithmetic)
         for row in run.rows():
             if events == max_events and (row is None or row.event):

@@ -22,6 +22,7 @@ from functools import lru_cache
 from flint import arb, arb_mat, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball, widened
+from numerics.arithmetic.precision import precision
 from numerics.linear.system import FIRST, ONE, X1, X2, LinearMode, LocalNorm, Row, W, Z, matrix
 from numerics.scene import Pair, Piece, Sine
 
@@ -38,7 +39,7 @@ def exponential(generator: list[list[Fraction]], t: arb, z: list[arb]) -> list[a
     """Return exp(A t) z; long times are formed with more bits, since errors double with each squaring."""
     size = Ball.number(max(sum(map(abs, row)) for row in generator)) * t.abs_upper()
     squarings = max(0, math.ceil(float(size.mid().log().mid()) / math.log(2))) if size > 1 else 0
-    with ctx.workprec(ctx.prec + 3 * squarings + 16):
+    with precision(ctx.prec + 3 * squarings + 16):
         flow = (matrix(generator) * t).exp()
     return (flow * arb_mat(len(z), 1, z)).entries()
 
@@ -90,7 +91,7 @@ class Flow:
             after: dict[int, arb] = {}
             # what counts little within the reach needs few bits
             faded = max(0.0, faded + math.log2(len(found) / REACH))
-            with ctx.workprec(max(64, self.bits + 16 - int(faded))):
+            with precision(max(64, self.bits + 16 - int(faded))):
                 for i, one in at.items():
                     for j, c in self.generator[i]:
                         after[j] = after[j] + one * c if j in after else one * c

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
 from numerics.linear.cells import CEILING, FLOOR, FORCE
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
@@ -141,7 +142,7 @@ def short_step(
     With the time comes the last interval that was looked at as one; `short` is that of the step before.
     """
     for bits in (_SCAN_BITS, min(path.bits, _SHARP_BITS)) if max(at.orders) < MARGINAL else ():
-        with ctx.workprec(bits):
+        with precision(bits):
             found = scanned(path, at, flow, flow.rows(z), z, reach, short)
         if found is not None:
             return found
@@ -220,7 +221,7 @@ def refined(path: EnclosedPath, at: At, flow: Flow, z: list[arb], found: Bracket
     curve, tau = motion.row(which) * sign, guess
     slope = curve.derivative()
     for bits in reversed([path.bits >> k for k in range(8) if k == 0 or path.bits >> k > _COARSE]):
-        with ctx.workprec(bits):
+        with precision(bits):
             tau = _newton(curve + offset, slope, since, h, tau, (h * arb((1, -bits // 2 - 4))).mid())
     local = (at.local + tau).mid()
     tau = local - at.local  # so far the path goes; what that is rounded by counts as an error of the root

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from flint import ctx, fmpz_poly
+from flint import fmpz_poly
 
 from numerics.arithmetic.ball import exact_middle
+from numerics.arithmetic.precision import precision
 
 _BITS = 256
 
@@ -63,7 +64,7 @@ def _roots(polynomials: Polynomials) -> list[_Root]:
                 root = Fraction(-int(factor[0]), int(factor[1]))
                 found.append(_Root(root, root, multiplicity))
                 continue
-            with ctx.workprec(_BITS):
+            with precision(_BITS):
                 roots = [one.real for one, _ in factor.complex_roots() if one.imag.is_zero()]
                 found += [_Root(exact_middle(one.lower()), exact_middle(one.upper()), multiplicity) for one in roots]
     return sorted(found)

@@ -12,12 +12,13 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
+from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, Problem, constants
 from numerics.linear.pieces import ExactPiece, pieces_of
@@ -97,7 +98,7 @@ def reduced(phase: Fraction) -> Fraction:
 @lru_cache(maxsize=16)
 def _turn(bits: int) -> Fraction:
     """Return 2 pi to so many bits."""
-    with ctx.workprec(bits):
+    with precision(bits):
         return exact_middle(2 * arb.pi())
 
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from flint import arb, ctx
+from flint import arb
 
 from numerics.arithmetic.ball import Ball, exact_middle
+from numerics.arithmetic.precision import precision
 
 _FIRST_BITS = 128
 
@@ -81,7 +82,7 @@ class SineForm:
 
     def enclosed(self, bits: int) -> arb:
         """Return an enclosure, formed with so many bits."""
-        with ctx.workprec(bits):
+        with precision(bits):
             total = Ball.number(self.constant)
             for angle, (sine, cosine) in self.parts.items():
                 s, c = Ball.number(angle).sin_cos()

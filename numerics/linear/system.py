@@ -12,12 +12,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from typing import NamedTuple
 
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, sqrt
+from numerics.arithmetic.precision import cached_property
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair, Piece
 

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-import flint
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import BITS_PER_DIGIT, Ball, precision
+from numerics.arithmetic.ball import BITS_PER_DIGIT, Ball
+from numerics.arithmetic.precision import precision, series_terms
 from numerics.errors import EventUndecided
 from numerics.plane.reduced import Acting, ReducedPlane
 from numerics.plane.vector import Vector, exact
@@ -55,12 +55,9 @@ class System:
     @contextmanager
     def fine(self) -> Iterator[None]:
         """Compute with all bits: what defects show is where series are cut, no rounding. No series is cut by flint."""
-        before, flint.ctx.cap = flint.ctx.cap, self.bits + SPARE_BITS
-        try:
-            with precision(self.bits + SPARE_BITS):
-                yield
-        finally:
-            flint.ctx.cap = before
+        bits = self.bits + SPARE_BITS
+        with precision(bits), series_terms(bits):
+            yield
 
     def drive(self, at: Any) -> PlaneDrive:
         """Return what acts at a point of the path."""

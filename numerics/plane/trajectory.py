@@ -6,7 +6,7 @@ box in parts, the header of each part's own trajectory.
 
 from __future__ import annotations
 
-from functools import cached_property, partial
+from functools import partial
 from itertools import chain
 from pathlib import Path
 from typing import Any, Self
@@ -16,6 +16,7 @@ from flint import arb, arb_poly
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
+from numerics.arithmetic.precision import cached_property
 from numerics.linear.modes import EventKind
 from numerics.plane.answer import PlaneEvent, PlaneMotion, PlaneState, Working
 from numerics.plane.box import Parts

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from numerics.arithmetic.compiled import compiled
+from numerics.arithmetic.precision import cached_property
 from numerics.linear.errors_of import errors_of_rows
 from numerics.linear.record import AT, BOUNDS, How
 from numerics.trajectory.columns import STATE, Array, Counts, Floats

@@ -11,6 +11,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.pair import nearest
+from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.rows import solve_rows
 from numerics.linear.batch import Columns, follow_rows
@@ -78,7 +79,7 @@ def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Ite
     cores = (jobs or available_cores()) if can_compile() else 1
     size = max(_TOO_FEW, min(_CHUNK, -(-count // (4 * cores))))
     parts = [slice(start, start + size) for start in range(0, count, size)]
-    if cores == 1 or len(parts) <= 1:
+    if cores == 1 or len(parts) <= 1 or is_held():
         yield from map(task, parts)
         return
     with ThreadPoolExecutor(min(cores, len(parts))) as pool:

@@ -94,6 +94,8 @@ def solve(  # type: ignore[misc]  # the options are those below
     `progress(events, fraction)` is called from time to time. A float in a scene is read as the decimal that it prints:
     0.1 is 1/10. (`solve_many` reads arrays as binary numbers.)
 
+    Threads may call it at once; above 64 bits they take turns, as flint and mpmath have one precision for all of them.
+
     Raises EventUndecided (at the limit on precision), PrecisionExhausted (N digits were not reached), OutOfRange (a
     number does not fit float64), TypeError (no scene), ValueError (bad arguments).
 

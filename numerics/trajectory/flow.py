@@ -19,7 +19,8 @@ import mpmath
 import numpy as np
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits, precision
+from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
+from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.linear.system import FIRST, ONE, V1, X1, X2, LinearMode, LocalNorm, Motion, Row, W, matrix, value
 from numerics.scene import Pair, Piece, Sine

@@ -9,13 +9,14 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cached_property, reduce
+from functools import reduce
 from typing import Any, Literal
 
 import numpy as np
 
 from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.arithmetic.pair import TwoFloats
+from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in

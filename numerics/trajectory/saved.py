@@ -2,13 +2,15 @@
 
 The file is a NumPy archive. Its `header` is JSON in UTF-8: the scene as TOML text, the arithmetic, how the run ended,
 and what it wrote; numbers of mpmath and of balls have their mantissas as hexadecimal texts, arrays of floats their
-bytes as base64, column by column: decimals take three times as long.
+bytes as base64, column by column: decimals take three times as long. The comment at the end of the archive is the
+SHA-256 of all before it: nothing is read of a file in which a byte was changed.
 """
 
 from __future__ import annotations
 
+import hashlib
+import io
 import json
-import zipfile
 from base64 import b64decode, b64encode
 from decimal import Decimal
 from fractions import Fraction
@@ -20,21 +22,39 @@ import numpy as np
 from flint import arb, arb_poly
 from mpmath.libmp import from_man_exp
 
-from numerics.arithmetic.ball import precision
+from numerics.arithmetic.precision import precision
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
 from numerics.scene.decimals import require_whole
 from numerics.scene.file import parse_scene, scene_text
 
 _RADIUS_BITS = 30
+_MOST_BYTES = 2**30
+"""What is read of a file, and what a run may be written in; events of a run in float64 take some 1,000 bytes each."""
+_CHECKSUM_BYTES = 64
+_NO_COMMENT, _COMMENT = b"\0\0", bytes([_CHECKSUM_BYTES, 0])
+"""The end of an archive: the length of the comment that follows."""
 _REMEDY = "give a file that `save` of such a run has written (Trajectory's or PlaneTrajectory's; --npz is another form)"
 
 
 def save(trajectory: Any, file: str | Path) -> None:
-    """Write a trajectory to a file. Raises OSError, InvalidScene for a scene that no text of 1000 characters holds."""
-    text = np.frombuffer(json.dumps(contents(trajectory)).encode(), dtype=np.uint8)
-    with whole_file(Path(file)) as opened:
-        np.savez_compressed(opened, header=text)
+    """Write a trajectory to a file. Raises OSError, ValueError for another ending of its name than .npz.
+
+    Raises InvalidScene for a scene that no text of 1000 characters holds, or for a run that is too long for a file.
+    """
+    path = Path(file)
+    if path.suffix not in {"", ".npz"}:
+        raise ValueError(f"{str(path)!r} is a name of another kind of file; end it in .npz, or write to_csv() to it")
+    text = json.dumps(contents(trajectory)).encode()
+    if len(text) > _MOST_BYTES:
+        raise InvalidScene(
+            f"this run takes {len(text)} bytes, a file holds {_MOST_BYTES}; shorten until, or ask for fewer digits"
+        )
+    archive = io.BytesIO()
+    np.savez_compressed(archive, header=np.frombuffer(text, dtype=np.uint8))
+    content = archive.getvalue().removesuffix(_NO_COMMENT) + _COMMENT
+    with whole_file(path) as opened:
+        opened.write(content + _checksum(content))
 
 
 def load(file: str | Path, kind: Any) -> Any:
@@ -42,17 +62,26 @@ def load(file: str | Path, kind: Any) -> Any:
     path = Path(file)
     try:
         with path.open("rb") as opened:
-            is_archive = zipfile.is_zipfile(opened)
+            found = opened.read(_MOST_BYTES)
     except OSError as error:
         raise OSError(error.errno, f"{error.strerror}; {_REMEDY}", str(path)) from None
-    if not is_archive:
-        raise InvalidFile(f"{str(path)!r} is no NumPy archive, or not a whole one; {_REMEDY}")
+    content, checksum = found[:-_CHECKSUM_BYTES], found[-_CHECKSUM_BYTES:]
+    if _checksum(content) != checksum:
+        raise InvalidFile(f"{str(path)!r} is no file of `save`, or not a whole one, or was changed since; {_REMEDY}")
     try:
-        with np.errstate(invalid="raise"), np.load(path, allow_pickle=False) as archive:
+        with np.errstate(invalid="raise"), np.load(io.BytesIO(found), allow_pickle=False) as archive:
+            size = archive.zip.getinfo("header.npy").file_size
+            if size > 2 * _MOST_BYTES:
+                raise ValueError(f"its header has {size} bytes")
             return restored(_read(archive["header"].tobytes().decode()), kind)
-    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, EOFError, zipfile.BadZipFile) as error:
-        reason = " ".join(str(error).split())[:200]
+    except Exception as error:  # noqa: BLE001 - whatever may come of what somebody wrote with a checksum of his own
+        reason = " ".join(str(error).split())[:200] or type(error).__name__
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
+
+
+def _checksum(content: bytes) -> bytes:
+    """Return the SHA-256 of the content of an archive as a text."""
+    return hashlib.sha256(content).hexdigest().encode()
 
 
 def contents(trajectory: Any) -> dict[str, Any]:

@@ -29,7 +29,8 @@ from typing import Any, overload
 import numpy as np
 from flint import arb
 
-from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle, precision
+from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle
+from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner

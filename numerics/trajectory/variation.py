@@ -28,7 +28,8 @@ import flint
 import numpy as np
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball, magnitude_bits, precision
+from numerics.arithmetic.ball import Ball, magnitude_bits
+from numerics.arithmetic.precision import precision
 from numerics.linear.cells import FrictionLine, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot

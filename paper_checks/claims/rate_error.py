@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 import flint
 from flint import acb, arb, arb_poly, arb_series, fmpq
 
-from paper_checks.decide.balls import point, precision, terms
+from numerics.arithmetic.precision import series_terms
+from paper_checks.decide.balls import point, precision
 
 Quotient = Callable[["SlipByAngle", Any], tuple[Any, Any]]
 
@@ -141,7 +142,7 @@ class Near(NamedTuple):
 
 def near() -> Near:
     """Return them, at the precision that is set."""
-    with terms(ORDER + 12):
+    with series_terms(ORDER + 12):
         return Near(plain(arb_series([0, 1])), tuple(on_rim(theta) for theta in _rim()))
 
 
@@ -157,7 +158,7 @@ def rest(quotient: Quotient, slips: Near, p: arb) -> arb:
 
 def near_zero(quotient: Quotient, slips: Near, p: arb, missed: arb) -> arb:
     """Enclose a quotient for slip angles up to SPLIT: its Taylor polynomial, and what that leaves out."""
-    with terms(ORDER + 12):
+    with series_terms(ORDER + 12):
         above, below = quotient(slips.series, arb_series([p]))
         series = _shifted(above, ZEROS[quotient]) / _shifted(below, ZEROS[quotient])
         coefficients = [series[n] for n in range(0, ORDER, 2)]
@@ -179,7 +180,7 @@ class Beyond(NamedTuple):
 
 def slips_on(theta: arb) -> Beyond:
     """Return them, at the precision that is set."""
-    with terms(2):
+    with series_terms(2):
         along = on_box(theta)
         return Beyond(
             theta,
@@ -192,7 +193,7 @@ def slips_on(theta: arb) -> Beyond:
 def beyond(quotient: Quotient, slips: Beyond, p: arb) -> arb:
     """Enclose a quotient on a box by its value in the middle and its slopes on the box."""
     centre = p.mid()
-    with terms(2):
+    with series_terms(2):
         along = _ratio(quotient(slips.along, arb_series([p])))[1]
         across = _ratio(quotient(slips.fixed, arb_series([p, 1])))[1]
     value = _ratio(quotient(slips.middle, centre))

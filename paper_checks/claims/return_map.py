@@ -7,10 +7,11 @@ from functools import cache
 import sympy as sp
 from flint import acb, arb, fmpq, fmpq_series
 
+from numerics.arithmetic.precision import series_terms
 from paper_checks.claims.letters import C, H, R, in_angle, of_share
 from paper_checks.claims.slips import depth_grows, landings, rise_is_convex
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import point, precision, terms
+from paper_checks.decide.balls import point, precision
 from theory.near_critical import cycle
 from theory.return_map import depth_series, return_map_of_angle, return_map_series, scaled_excess
 
@@ -94,7 +95,7 @@ def remainder() -> Steps:
 
 def defect_in_angle() -> list[Rational]:
     """Return the coefficients of c^2 - P_8(h^2) in the slip angle below the power 2 ORDER + 2, exact."""
-    with terms(2 * ORDER + 6):
+    with series_terms(2 * ORDER + 6):
         theta = fmpq_series([0, 1])
         sine, cosine = theta.sin(), theta.cos()
         height = _divided(theta - sine, 2) / _divided(1 - cosine, 2)

@@ -3,35 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from fractions import Fraction
 
-import flint
 from flint import arb, fmpq
+
+from numerics.arithmetic.precision import precision as bits_of_precision
 
 DIGITS = 50
 """Digits that a constant is enclosed to."""
 
 
-@contextmanager
-def precision(digits: int = DIGITS) -> Iterator[None]:
-    """Set flint's process-wide precision, with guard digits, and restore it."""
-    before, flint.ctx.prec = flint.ctx.prec, math.ceil((2 * digits + 20) * math.log2(10))
-    try:
-        yield
-    finally:
-        flint.ctx.prec = before
-
-
-@contextmanager
-def terms(number: int) -> Iterator[None]:
-    """Set flint's process-wide length of series, and restore it."""
-    before, flint.ctx.cap = flint.ctx.cap, number
-    try:
-        yield
-    finally:
-        flint.ctx.cap = before
+def precision(digits: int = DIGITS) -> AbstractContextManager[None]:
+    """Return the context in which balls have so many digits, with guard digits."""
+    return bits_of_precision(math.ceil((2 * digits + 20) * math.log2(10)))
 
 
 def point(value: Fraction | int) -> arb:

@@ -11,10 +11,11 @@ from strategies import decimals, near_quarter_turns, wide_numbers
 
 from numerics import EventUndecided, OutOfRange
 from numerics.arithmetic import elementary, functions
-from numerics.arithmetic.ball import Ball, precision, proved_sign
+from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.pair import UNIT, TwoFloats, two_sum
+from numerics.arithmetic.precision import precision
 from numerics.arithmetic.questions import GRAZES
 from numerics.free.contact import contact
 from numerics.free.root import falling_root

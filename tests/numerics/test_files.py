@@ -4,6 +4,7 @@ import os
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import pytest
 from three_scenes import PAPER
@@ -90,7 +91,9 @@ def test_what_is_made_in_the_cache_is_the_user_s_alone(cache):
     [
         (".", 0o720, "others can write"),
         (".", 0o702, "others can write"),
-        ("../..", 0o777, "anybody can write"),
+        (".", 0o1777, "others can write"),
+        ("..", 0o720, "others can write"),
+        ("../..", 0o777, "others can write"),
         (".", 0o755, ""),
         ("..", 0o1777, ""),
     ],
@@ -114,6 +117,43 @@ def test_so_is_one_that_belongs_to_another_user_by_a_link_too(cache, tmp_path, n
     nobody.setattr(os, "getuid", lambda: owner + 1)
     assert "theirs belongs to another user" in cache_refused()
     assert cache_folder() != cache
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="the system has no owners of this kind")
+def test_so_is_one_by_a_link_in_a_folder_that_others_can_write(cache, tmp_path, nobody):
+    make_private(cache)
+    (tmp_path / "open").mkdir()
+    (tmp_path / "open" / "link").symlink_to(cache.parent)
+    nobody.setenv("XDG_CACHE_HOME", str(tmp_path / "open" / "link"))
+    assert cache_refused() == ""
+    (tmp_path / "open").chmod(0o777)
+    assert f"others can write {tmp_path / 'open'};" in cache_refused()
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="the system has no owners of this kind")
+@pytest.mark.parametrize(
+    ("place", "owner", "refused"), [(0, 0, True), (1, 12345, True), (2, 12345, True), (1, 0, False)]
+)
+@pytest.mark.parametrize("by_link", [False, True])
+def test_every_folder_above_belongs_to_the_user_or_to_the_system(
+    cache, tmp_path, nobody, place, owner, refused, by_link
+):
+    """Whoever owns a folder can put another one in the place of what is in it, and what is kept is believed."""
+    make_private(cache)
+    theirs = (cache, *cache.parents)[place]
+    if by_link:
+        (tmp_path / "link").symlink_to(cache.parent)
+        nobody.setenv("XDG_CACHE_HOME", str(tmp_path / "link"))
+    stat, us = Path.stat, 54321
+
+    def owned(path, **how):
+        found = stat(path, **how)
+        uid = owner if path == theirs else us if path.is_relative_to(tmp_path) else 0
+        return os.stat_result((*found[:4], uid, *found[5:10]))
+
+    nobody.setattr(os, "getuid", lambda: us)
+    nobody.setattr(Path, "stat", owned)
+    assert bool(cache_refused()) == refused == (f"{theirs} belongs to another user" in cache_refused())
 
 
 def test_a_byte_order_mark_is_no_part_of_a_scene(tmp_path):

@@ -9,7 +9,8 @@ from typing import Any
 from flint import acb, arb
 
 from numerics import EventUndecided, NumericsError, OutOfRange, solve
-from numerics.arithmetic.ball import Ball, precision
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.precision import precision
 from numerics.trajectory.comparison import as_ball
 from oracle.reading import scene_of
 

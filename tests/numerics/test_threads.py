@@ -1,0 +1,161 @@
+"""Threads share the precision of flint and of mpmath: each computes what it computes alone, and the precision stays."""
+
+import json
+import os
+import sys
+import threading
+from contextlib import suppress
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+from flint import arb
+from three_scenes import DAMPED, PAPER
+
+from numerics import load_scene, response, sensitivities, solve
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.precision import cached_property, mpmath_precision, precision, series_terms
+from numerics.solver.rows import in_chunks
+from numerics.trajectory.saved import plain
+
+SINE, ROUND = load_scene("forced-sine-stick-slip"), load_scene("plane-circle-merges")
+JOBS = [
+    *(
+        (scene, {"arithmetic": name, "digits": n})
+        for scene in (PAPER, SINE)
+        for n, name in ((20, "ball"), (60, "mpmath"))
+    ),
+    (PAPER, {"digits": 90}),
+    (DAMPED, {"digits": 40}),
+    (ROUND, {"digits": 30}),
+    (PAPER, {}),
+]
+SECONDS = 60.0
+"""A thread that waits for longer waits for one that waits for it."""
+
+
+def everything(scene, how):
+    """Return as text what a run wrote and what is made of it when it is looked at, to the last bit."""
+    run = solve(scene, **how)
+    numbers = [run.sol([0, "0.1", "1/3"]), run.energy]
+    if scene is not ROUND:
+        numbers += [run.dissipated, run.ledger.friction, run.final.w, run.initial.X]
+    if scene is DAMPED:
+        found = response(scene, amplitude=3, omega=7, digits=20)
+        numbers += [sensitivities(run).final, [one for one in vars(found).values() if isinstance(one, arb)]]
+    return json.dumps([run.kept(), plain(numbers)])
+
+
+def in_threads(works, seconds=SECONDS):
+    """Return what functions return, each in a thread of its own; all begin at once."""
+    found, begin = {}, threading.Barrier(len(works))
+
+    def run(place, work):
+        begin.wait()
+        found[place] = work()
+
+    threads = [threading.Thread(target=run, args=one, daemon=True) for one in enumerate(works)]
+    for one in threads:
+        one.start()
+    for one in threads:
+        one.join(seconds)
+        assert not one.is_alive(), "a thread waits for ever"
+    return [found[place] for place in range(len(works))]
+
+
+@pytest.fixture(autouse=True)
+def threads_change_often():
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(2e-5)
+    yield
+    sys.setswitchinterval(before)
+
+
+def test_eight_threads_compute_to_the_last_bit_what_one_does():
+    assert len(JOBS) == 8
+    alone = [everything(*job) for job in JOBS]
+    for turn in range(3):
+        order = np.roll(range(8), turn)
+        together = in_threads([lambda job=JOBS[k]: everything(*job) for k in order])
+        assert [together[[*order].index(k)] == alone[k] for k in range(8)] == [True] * 8
+    assert (flint.ctx.prec, mpmath.mp.prec) == (53, 53)
+
+
+def test_eight_threads_may_look_at_one_run():
+    run, alone = solve(SINE, arithmetic="ball"), plain(solve(SINE, arithmetic="ball").ledger.friction)
+    looked = in_threads([lambda: (plain(run.ledger.friction), len(run.events)) for _ in range(8)])
+    assert looked == [(alone, len(run.event_times))] * 8
+
+
+def test_who_looks_at_a_value_does_not_wait_for_one_who_waits_for_the_precision():
+    """As the cached_property of Python 3.11 did: the first thread has its lock, the second one the precision."""
+    is_looking, holds = threading.Event(), threading.Event()
+
+    class Looked:
+        @cached_property
+        def value(self):
+            is_looking.set()
+            with precision(100):
+                return 1
+
+    def first():
+        holds.wait()
+        return Looked().value
+
+    def second():
+        with precision(200):
+            holds.set()
+            is_looking.wait()
+            return Looked().value
+
+    assert in_threads([first, second], 10) == [1, 1]
+
+
+def test_a_batch_within_a_precision_does_not_wait_for_its_own_threads():
+    """What is left to Python in a chunk of rows may be solved in balls, in a thread for which the first one waits."""
+
+    def chunk(part):
+        with precision(100):
+            return part.stop - part.start
+
+    def batch():
+        with Ball(30).context():
+            return sum(in_chunks(chunk, 512, 2))
+
+    assert in_threads([batch], 10) == [512]
+
+
+def test_each_precision_is_restored_by_what_it_holds_and_after_an_error():
+    for block, now in (
+        (precision, lambda: flint.ctx.prec),
+        (series_terms, lambda: flint.ctx.cap),
+        (mpmath_precision, lambda: mpmath.mp.prec),
+    ):
+        before = now()
+        with suppress(ZeroDivisionError), block(200):
+            with block(300):
+                assert now() == 300
+            assert now() == 200
+            raise ZeroDivisionError
+        assert now() == before
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_a_process_that_is_forked_has_a_precision_of_its_own():
+    held, go = threading.Event(), threading.Event()
+
+    def hold():
+        with precision(500):
+            held.set()
+            go.wait(0.2)
+
+    other = threading.Thread(target=hold)
+    other.start()
+    held.wait()
+    child = os.fork()
+    if child == 0:  # the thread that held the precision is not there
+        with precision(100):
+            os._exit(0 if flint.ctx.prec == 100 else 1)
+    assert os.waitpid(child, 0)[1] == 0
+    other.join()
