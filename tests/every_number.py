@@ -16,7 +16,7 @@ from numerics import Batch, Trajectory, sensitivities, solve_scenes
 from numerics.linear.record import AT
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.digits import ROUNDING
-from numerics.trajectory.export import as_record
+from numerics.trajectory.export import as_record, knows_its_digits
 
 DIGITS, EVENTS = 60, 40
 SIDES, NAMES = ("left", "right"), ("t", "x1", "v1", "x2", "v2")
@@ -244,7 +244,7 @@ def held(run: Any, truth: Any, times: Any) -> list[Compared]:
     bounds = bounds_of(run, times) if run.bounded else {name: [0.0] * len(one) for name, one in found.items()}
     assert {name: len(one) for name, one in found.items()} == {name: len(one) for name, one in true.items()}
     rows = [Compared(name, *one) for name in found for one in zip(found[name], bounds[name], true[name], strict=True)]
-    return rows + list(_printed(as_record(run), truth))
+    return rows + (list(_printed(as_record(run), truth)) if knows_its_digits(run) else [])
 
 
 def _printed(record: dict[str, Any], truth: Any) -> Any:
