@@ -151,6 +151,69 @@ def weakened(random: Random) -> Scene:
     return Scene(of, given.initial, given.until, force=pushed, friction=Friction(pieces, table))
 
 
+def _times(one: Any, two: Any) -> Any:
+    return np.convolve(np.array(one, object), np.array(two, object))
+
+
+def _summed(one: Any, start: Fraction) -> Any:
+    """The integral of a polynomial, with a value at 0."""
+    return np.array([start, *(c / (k + 1) for k, c in enumerate(one))], object)
+
+
+def _slipped(random: Random, gap: Fraction, unit: Fraction, length: Fraction) -> Any:
+    """|v1 - v2| as a polynomial of t, from a gap to 0 at the length: of any order there, and at the start from 0.
+
+    Perhaps it touches 0 in between.
+    """
+    w = [gap] if gap else [Fraction(0)] * random.randint(1, 3) + [unit * decimal(random, -1, 0)]
+    for at in random.choice([[1], [1], [1, 1, 1], [Fraction(1, 2)] * 2 + [1]]):
+        w = _times(w, [Fraction(1), -1 / (at * length)])
+    return w
+
+
+def _needed(random: Random, length: Fraction) -> Any:
+    """What part of b a stick needs, a polynomial of t up to the length: within, on the edge, up to it, touching it."""
+    part, side = decimal(random, -1, -1), random.choice([-1, 1])
+    kinds = [part], [1], [part, (1 - part) / length], [1 - part, 4 * part / length, -4 * part / length**2]
+    return side * np.array([Fraction(one) for one in random.choice(kinds)], object)
+
+
+def tie(random: Random) -> Scene:
+    """A scene whose contacts, touches, exits and jumps of u and b fall on rational times, and on each other.
+
+    Chosen are the motions, v1 - v2 of a slip and x1'' of a stick, polynomials of time; the force follows from them.
+    After the last tie u goes on as it is, or as anything.
+    """
+    of = pair(random, (-1, 1), damped=None)
+    unit = Fraction(10) ** round(math.log10(math.sqrt(of.mass / of.a2)))
+    speed, b, t = of.b / of.m2 * unit, of.b, Fraction(0)
+    x1, v2 = (random.choice([0, 1]) * signed(random, -1, 0) * one for one in (speed * unit, speed))
+    side = random.choice([-1, 0, 1])
+    gap = abs(side) * random.choice([0, 1]) * decimal(random, -1, 0) * speed
+    begun, pieces, frictions = State(x1, v2 + side * gap, 0, v2), [], []
+    for _ in range(random.randint(1, 3)):
+        length = Fraction(random.randint(1, 20), 10) * unit
+        if side:
+            v_2 = np.array([v2, side * b / of.m2], object)
+            w = side * _slipped(random, gap, speed / unit, length)
+            v_1 = w + np.pad(v_2, (0, len(w) - 2))
+        else:
+            v_1 = v_2 = _summed(b / of.m2 * _needed(random, length), v2)
+        x_1, moved = _summed(v_1, x1), of.m1 if side else of.mass
+        u = of.a2 * x_1 + np.pad(of.a1 * v_1, (0, 1)) + np.pad(moved * np.arange(1, len(v_1)) * v_1[1:], (0, 2))
+        u[0] += side * b
+        pieces.append(Piece(t, u))
+        x1, v2 = (sum(c * length**k for k, c in enumerate(one)) for one in (x_1, v_2))
+        t, side, gap = t + length, random.choice([-1, 0, 1]), Fraction(0)
+        if random.choice([True, False]):
+            b = decimal(random, -1, 0) * of.b
+            frictions.append((t, b))
+    if random.choice([True, False]):
+        pieces += [Piece(t, [signed(random, 0, 1) * of.b], [sine(random, 3 * of.b, 1 / unit)])]
+    until = t + random.choice([Fraction(1, 3), 3]) * unit
+    return Scene(of, begun, until, force=Force(pieces), friction=Friction(frictions))
+
+
 def surface(random: Random, shape: str = "ellipsoid", exponents: Range = (-1, 0), narrow: bool = True) -> PlaneScene:
     """Return a scene on two axes or three: round or not, coupled or not, from anywhere, together, nearly on a line."""
     n = random.choice((2, 2, 3))
@@ -188,6 +251,7 @@ KINDS: dict[str, Callable[[Random], Scene | PlaneScene]] = {
     "force": lambda random: driven(random, 0, False),
     "sines": lambda random: driven(random, 3, False),
     "force and friction": lambda random: driven(random, 1),
+    "ties": tie,
     "friction of the state": weakened,
     "ellipsoid": surface,
     "box": lambda random: surface(random, "box"),

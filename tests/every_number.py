@@ -11,14 +11,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
+from reaching import LeftOut
 
-from numerics import Batch, Trajectory, sensitivities, solve_scenes
+from numerics import Batch, EventUndecided, NumericsError, Scene, Trajectory, sensitivities, solve, solve_scenes
+from numerics.arithmetic.ball import Ball
 from numerics.linear.record import AT
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.digits import ROUNDING
-from numerics.trajectory.export import as_record
+from numerics.trajectory.export import as_record, knows_its_digits
+from numerics.trajectory.run import run_scene
 
-DIGITS, EVENTS = 60, 40
+DIGITS, EVENTS, SHOWN = (60, 240, 1000), 40, 19
 SIDES, NAMES = ("left", "right"), ("t", "x1", "v1", "x2", "v2")
 CONSTANTS, WEIGHTS = ("m1", "m2", "a1", "a2"), ("a2", "m1", "", "m2")
 
@@ -53,7 +56,7 @@ class Compared(NamedTuple):
 
     name: str
     value: Any
-    bound: float
+    bound: Any
     true: arb
 
     @property
@@ -62,7 +65,7 @@ class Compared(NamedTuple):
         off = (as_ball(self.value) - as_ball(self.true)).abs_lower()
         if off.is_zero():
             return 0.0
-        return float(off / arb(self.bound)) if self.bound > 0.0 else math.inf
+        return float(off / as_ball(self.bound)) if self.bound > 0 else math.inf
 
 
 def unlisted() -> set[str]:
@@ -238,13 +241,44 @@ def _flat(given: Any) -> Any:
         yield given
 
 
+def compared(scene: Scene, arithmetic: str) -> tuple[Trajectory, list[Compared]]:
+    """A run, and every number of it and of a batch against the true ones. Raises LeftOut where nothing is sure."""
+    try:
+        run = solve(scene, arithmetic=arithmetic, max_events=EVENTS)
+    except NumericsError:
+        raise LeftOut from None
+    if not run.certain:
+        raise LeftOut
+    truth = solved_truly(scene)
+    assert (run.modes, run.event_kinds) == (truth.modes, truth.event_kinds)
+    end = Fraction(min(float(one.floats(one.end_time)) for one in (run, truth)))
+    events = [Fraction(t) for t in run.floats(run.event_times)[:SHOWN].tolist()]
+    shares = [Fraction(k, 7) * end for k in range(8)]
+    times = [t for t in sorted([*shares, *events]) if t <= min(end, scene.until)]
+    with truth.context(), np.errstate(all="ignore"):
+        rows = held(run, truth, times)
+        if arithmetic == "float64":
+            rows += batch_held(solve_scenes([scene], max_events=EVENTS, keep_events=EVENTS), 0, truth)
+        return run, rows
+
+
+def solved_truly(scene: Scene) -> Trajectory:
+    """A scene in balls of as many digits as decide its events."""
+    for digits in DIGITS[:-1]:
+        try:
+            return run_scene(scene, Ball(digits), EVENTS)
+        except EventUndecided:
+            continue
+    return run_scene(scene, Ball(DIGITS[-1]), EVENTS)
+
+
 def held(run: Any, truth: Any, times: Any) -> list[Compared]:
     """Every number of a run against the true ones; of printed numbers the text is held, in units of its last place."""
     found, true = numbers_of(run, times), numbers_of(truth, times)
     bounds = bounds_of(run, times) if run.bounded else {name: [0.0] * len(one) for name, one in found.items()}
     assert {name: len(one) for name, one in found.items()} == {name: len(one) for name, one in true.items()}
     rows = [Compared(name, *one) for name in found for one in zip(found[name], bounds[name], true[name], strict=True)]
-    return rows + list(_printed(as_record(run), truth))
+    return rows + (list(_printed(as_record(run), truth)) if knows_its_digits(run) else [])
 
 
 def _printed(record: dict[str, Any], truth: Any) -> Any:
@@ -255,10 +289,10 @@ def _printed(record: dict[str, Any], truth: Any) -> Any:
     for row, its in zip((*record["events"], record["final"]), true, strict=True):
         for name, value in its.items():
             if f"{name}_radius" in row:
-                yield Compared(f"printed {name}", Fraction(row[name]), float(Decimal(row[f"{name}_radius"])), value)
+                yield Compared(f"printed {name}", Fraction(row[name]), Fraction(row[f"{name}_radius"]), value)
             else:
                 place = int(Decimal(row[name]).as_tuple().exponent)
-                yield Compared(f"printed {name}", Fraction(row[name]), float(Decimal((0, (1,), place))), value)
+                yield Compared(f"printed {name}", Fraction(row[name]), Fraction(10) ** place, value)
 
 
 def derivatives(run: Any, truth: Any) -> list[Compared]:
@@ -278,11 +312,6 @@ def _paired(run: Any, got: Any, its: Any) -> Any:
     largest = np.broadcast_to(sizes.max(axis=0) if sizes.ndim > 1 else sizes, sizes.shape)
     unit = 0.0 if run.arithmetic.name == "ball" else 10.0 ** (1 - min(run.arithmetic.digits, 31))
     return zip(got.ravel(), unit * largest.ravel(), its.ravel(), strict=True)
-
-
-def held_in_a_batch(scene: Any, truth: Any) -> list[Compared]:
-    """Every number of a batch of one scene against the true ones; none where its sequence is not certain."""
-    return batch_held(solve_scenes([scene], max_events=EVENTS, keep_events=EVENTS), 0, truth)
 
 
 def batch_held(batch: Batch, row: int, truth: Any) -> list[Compared]:

@@ -14,7 +14,7 @@ import draws
 import numpy as np
 from hypothesis import strategies as st
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, State, thresholds
+from numerics import Force, Law, Pair, Scene, State, thresholds
 from numerics.arithmetic.pair import TwoFloats as WideNumber
 from numerics.arithmetic.pair import two_sum
 from numerics.control.response import Regime
@@ -35,6 +35,7 @@ states = partial(drawn, draws.state)
 scenes = partial(drawn, draws.scene)
 near_critical = partial(drawn, draws.near_critical)
 long_slips = partial(drawn, draws.long_slip)
+ties = partial(drawn, draws.tie)
 weakened_scenes = partial(drawn, draws.weakened)
 plane_scenes = partial(drawn, draws.surface, exponents=(0, 0), narrow=False)
 extreme_scenes = {kind: drawn(draw) for kind, draw in draws.KINDS.items()}
@@ -136,72 +137,6 @@ def viscous_scenes() -> st.SearchStrategy[Scene]:
     """Scenes with a1 > 0: every damping regime, starts on S, long slips, next to E_cr, both laws."""
     law = scenes(damped=True, law=Law.THREE_VALUED_SGN)
     return st.one_of(scenes(damped=True), law, long_slips(damped=True), near_critical((1, 14), damped=True))
-
-
-def _times(one: Any, two: Any) -> Any:
-    return np.convolve(np.array(one, object), np.array(two, object))
-
-
-def _summed(one: Any, start: Fraction) -> Any:
-    """The integral of a polynomial, with a value at 0."""
-    return np.array([start, *(c / (k + 1) for k, c in enumerate(one))], object)
-
-
-def _slipped(random: Any, gap: Fraction, unit: Fraction, length: Fraction) -> Any:
-    """|v1 - v2| as a polynomial of t, from a gap to 0 at the length: of any order there, and at the start from 0.
-
-    Perhaps it touches 0 in between.
-    """
-    w = [gap] if gap else [Fraction(0)] * random.randint(1, 3) + [unit * draws.decimal(random, -1, 0)]
-    for at in random.choice([[1], [1], [1, 1, 1], [Fraction(1, 2)] * 2 + [1]]):
-        w = _times(w, [Fraction(1), -1 / (at * length)])
-    return w
-
-
-def _needed(random: Any, length: Fraction) -> Any:
-    """What part of b a stick needs, a polynomial of t up to the length: within, on the edge, up to it, touching it."""
-    part, side = draws.decimal(random, -1, -1), random.choice([-1, 1])
-    kinds = [part], [1], [part, (1 - part) / length], [1 - part, 4 * part / length, -4 * part / length**2]
-    return side * np.array([Fraction(one) for one in random.choice(kinds)], object)
-
-
-def a_tie(random: Any) -> Scene:
-    """A scene whose contacts, touches, exits and jumps of u and b fall on rational times, and on each other.
-
-    Chosen are the motions, v1 - v2 of a slip and x1'' of a stick, polynomials of time; the force follows from them.
-    After the last tie u goes on as it is, or as anything.
-    """
-    pair = draws.pair(random, (-1, 1), damped=None)
-    unit = Fraction(10) ** round(math.log10(math.sqrt(pair.mass / pair.a2)))
-    speed, b, t = pair.b / pair.m2 * unit, pair.b, Fraction(0)
-    x1, v2 = (random.choice([0, 1]) * draws.signed(random, -1, 0) * one for one in (speed * unit, speed))
-    side = random.choice([-1, 0, 1])
-    gap = abs(side) * random.choice([0, 1]) * draws.decimal(random, -1, 0) * speed
-    start, pieces, frictions = State(x1, v2 + side * gap, 0, v2), [], []
-    for _ in range(random.randint(1, 3)):
-        length = Fraction(random.randint(1, 20), 10) * unit
-        if side:
-            v_2 = np.array([v2, side * b / pair.m2], object)
-            w = side * _slipped(random, gap, speed / unit, length)
-            v_1 = w + np.pad(v_2, (0, len(w) - 2))
-        else:
-            v_1 = v_2 = _summed(b / pair.m2 * _needed(random, length), v2)
-        x_1, moved = _summed(v_1, x1), pair.m1 if side else pair.mass
-        u = pair.a2 * x_1 + np.pad(pair.a1 * v_1, (0, 1)) + np.pad(moved * np.arange(1, len(v_1)) * v_1[1:], (0, 2))
-        u[0] += side * b
-        pieces.append(Piece(t, u))
-        x1, v2 = (sum(c * length**k for k, c in enumerate(one)) for one in (x_1, v_2))
-        t, side, gap = t + length, random.choice([-1, 0, 1]), Fraction(0)
-        if random.choice([True, False]):
-            b = draws.decimal(random, -1, 0) * pair.b
-            frictions.append((t, b))
-    if random.choice([True, False]):
-        pieces += [Piece(t, [draws.signed(random, 0, 1) * pair.b], [draws.sine(random, 3 * pair.b, 1 / unit)])]
-    until = t + random.choice([Fraction(1, 3), 3]) * unit
-    return Scene(pair, start, until, force=Force(pieces), friction=Friction(frictions))
-
-
-ties = partial(drawn, a_tie)
 
 
 def wide_numbers(low: int, high: int) -> st.SearchStrategy[WideNumber]:
