@@ -1,12 +1,12 @@
-"""What each figure is called, and what a reader should see in it."""
+"""Title and caption of each figure."""
 
 from __future__ import annotations
 
 CAPTIONS: dict[str, tuple[str, str]] = {
     "two-bodies": (
         "The two bodies",
-        "Body 1 hangs on a spring and, where $a_1>0$, a damper; body 2 rests on body 1 and touches nothing else. The only force between them is dry friction: "
-        "it holds them together up to $b$, and is $b$ against the motion when they slip.",
+        "Body 1 is held by a spring and, where $a_1>0$, a damper; body 2 rests on body 1 and touches nothing else. The only force between them is dry friction: "
+        "at most $b$ while they stick, and $b$ against the relative motion while they slip.",
     ),
     "ellipse-in-strip": (
         "An ellipse in a strip",
@@ -14,8 +14,8 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "sticks at all later times. Above $E_{cr}$ the edges cut it into two arcs; the pair leaves by the rays $\\ell_+$ and $\\ell_-$.",
     ),
     "force-needed": (
-        "Fig. 4 (a): what sticking needs",
-        "The curve is the size (absolute value) of the force that would keep the bodies together, the dashed line the most that friction can give. Where the curve is "
+        "Fig. 4 (a): the friction that stick requires",
+        "The curve is the absolute value of the force that would keep the bodies together, the dashed line the maximum friction force. Where the curve is "
         "above the line, in red, they cannot stick. The start is there.",
     ),
     "relative-velocity": (
@@ -30,12 +30,12 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "start-at-6mm": (
         "Fig. 4 (a), solved exactly and by forward Euler",
-        "Exactly (left) both bodies slip at once: the start lies outside the grey sliding region. Forward Euler on (11), (12) "
-        "(right) keeps them stuck, as the paper prints it.",
+        "Exact solution (left): both bodies slip at once, as the start lies outside the grey sliding region. Forward Euler on (11), (12) "
+        "(right) keeps them stuck, as in the printed figure.",
     ),
     "start-with-speed": (
         "Fig. 4 (b), solved exactly and by forward Euler",
-        "Exactly (left) the bodies stick and slip in turn for ever. Forward Euler (right) shows the same orbit, but its stick is a "
+        "Exact solution (left): stick and slip alternate permanently. Forward Euler (right) shows the same orbit, but its stick is a "
         "rapid change of sign.",
     ),
     "velocities": (
@@ -50,11 +50,11 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "itinerary-that-merges": (
         "Fig. 3 (a), a trajectory that merges",
-        "From $O$ the pair slips once, enters the sliding region at $A$ and stays on an ellipse inside it for ever.",
+        "From $O$ the pair slips once, enters the sliding region at $A$ and stays on an ellipse inside it permanently.",
     ),
     "itinerary-that-creeps": (
         "Fig. 3 (b), a trajectory that never merges",
-        "The points follow the paper's itinerary. After $A_2$ the pair leaves the sliding region by a ray again and again, and "
+        "The points follow the paper's itinerary. After $A_2$ the pair leaves the sliding region through a ray repeatedly, and "
         "tends to the dotted critical ellipse.",
     ),
     "excursion-curves": (
@@ -91,8 +91,8 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "The excess energy at each exit, times the time and divided by the limit, stays in the blue band that theory gives.",
     ),
     "long-time": (
-        "What is left after the logarithm",
-        "With the logarithm taken off, the rest tends to one number for each start: all that the motion remembers of it.",
+        "The remainder after the logarithm",
+        "Without the logarithmic term, the remainder tends to one number for each start, the only trace of the initial state.",
     ),
     "rate-with-error": (
         "The rest of the law stays within its bounds",
@@ -109,7 +109,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "thresholds-over-frequency": (
         "Three regimes under a sinusoidal force",
-        "Below $U_*$ some motion sticks for ever, from the upper full line on one never stops; with a damper every motion tends to it. In between, with a "
+        "Below $U_*$ some motion sticks permanently, above the upper full line one never stops; with a damper every motion tends to it. In between, with a "
         "damper, it slips, and sticks or reverses more than twice in each period. Below the dashed $U_{**}$ no motion of the force's period slips for "
         "ever with two reversals a period; where the upper line leaves it, the bodies would meet once more. That line is computed on a grid, not proved. "
         "Left without a damper, right with one. Dotted: the stuck pair's own frequency, and that of body 1 alone.",
@@ -121,13 +121,13 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "tracked-reference": (
         "A reference that body 2 follows",
-        "Top: the reference. Middle: the friction that it asks for, inside the green band of what there is. Bottom: the force on body 1 "
-        "that does it.",
+        "Top: the reference. Middle: the friction required, inside the green band of the friction available. Bottom: the force on body 1 "
+        "under which body 2 follows.",
     ),
     "fastest-transfer": (
         "One millimetre in the least time",
-        "Body 1 runs ahead through the first half, so friction is at its limit, and is met by body 2 at half time. In the second half both "
-        "stick at the limit. Nothing arrives before the line.",
+        "In the first half body 1 slips ahead, so friction is at its limit; at half time both velocities are equal. In the second half both "
+        "stick at the limit. No force arrives before the line.",
     ),
     "tolerance-ring-of-a-scene": (
         "Fig. 1, drawn for the scene of Fig. 5 (a)",
@@ -135,32 +135,32 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "from the limit over time.",
     ),
     "jumping-force": (
-        "Periodic motions beside one another",
+        "A continuum of periodic motions",
         "Left: three periodic motions under one force, without a damper; every one in between is periodic, too. Right: the force jumps where they leave "
         "their stick, and so do their loads, from inside the strip to outside.",
     ),
     "drift-against-asymmetry": (
-        "Asymmetry carries body 2 away",
+        "An asymmetric force makes body 2 drift",
         "The mean velocity of body 2 as a second harmonic is added to the force. Without it the force is symmetric and there is no drift. "
         "Each point is a periodic motion that is proved.",
     ),
     "static-friction": (
-        "What a slip from the edge costs",
-        "With one coefficient of friction a slip costs the less the smaller the excess is that it begins with, and the pair creeps. "
-        "With static friction above kinetic, and sticks that are kept, every such slip costs at least a fixed energy: there are few of them.",
+        "Energy loss of a slip from the edge",
+        "With one friction coefficient the loss of a slip tends to 0 with the excess energy at its start, and the pair creeps. "
+        "With static friction above kinetic, and sticks that are kept, every such slip loses at least a fixed energy: there are few of them.",
     ),
     "two-motions": (
         "Two motions of one force",
         "With a constant friction their distance never grows. Where friction falls with the speed it can grow.",
     ),
     "stuck-ellipses": (
-        "What sticks for ever on a surface",
+        "Permanent stick on a surface",
         "A stuck path that leaves the disc of the radius $L$ does not last. On a line the critical energy is the largest that fits, on a "
         "circle it is twice that; the red path has more energy than one that fits and less than another.",
     ),
     "rotating-force": (
-        "The speed of slip under a force that goes round",
-        "Up to the threshold (dot) the pair goes round stuck; from it on a motion slips at one constant speed; none of these sticks and slips in turn.",
+        "The slip speed under a rotating force",
+        "Up to the threshold (dot) the pair sticks and rotates; above it a motion slips at one constant speed; there is no stick-slip.",
     ),
 }
 """Title and caption by the figure's name, prose with LaTeX between dollars."""

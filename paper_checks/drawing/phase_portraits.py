@@ -51,7 +51,7 @@ def start_with_speed() -> Figure:
         solved("start-with-speed", SHOWN),
         euler("start-with-speed-literal", SHOWN),
         "Fig. 4 (b): $b=0.5$ N, $\\dot x_1(0)=150$ mm/s, else 0; up to $t=1.5$ s",
-        "exact: sticks and slips in turn for ever",
+        "exact: stick and slip alternate permanently",
         "forward Euler on (11), (12), step " + STEP_TEXT + ": chatter",
     )
 

@@ -2,7 +2,7 @@
 
 const shown = (value, digits = 4) => String(Number(value.toPrecision(digits))).replaceAll("-", "\u2212");
 
-/* Amplitudes of u/b = A sin(omega tau): up to `stuck` some motion sticks for ever; one that slips without a stop, one
+/* Amplitudes of u/b = A sin(omega tau): up to `stuck` some motion sticks permanently; one that slips without a stop, one
    way for half a period and then the other, needs at least `slipping`. */
 function thresholds({ q, r, zeta }, omega) {
   const stuck = Math.hypot(1 - omega * omega, 2 * zeta * omega) / (omega * omega * r) * harmonic(zeta, omega);
@@ -47,7 +47,7 @@ function freeRegime(solution) {
   const energy = energyAbout(solution, last.start), from = `From τ = ${shown(last.start.t)} on`;
   if (last.start.mode === STICK && (holdsForEver(last.motion, 0) || (pair.zeta === 0 && energy <= 1))) {
     const rest = pair.zeta > 0 ? "and come to rest" : `and oscillate as one body with E/E_cr = ${shown(energy)} ≤ 1`;
-    return { title: segments.length > 1 ? "Merges" : "Sticks for ever", text: `${from} the bodies stick for ever ${rest}.` };
+    return { title: segments.length > 1 ? "Merges" : "Sticks permanently", text: `${from} the bodies stick permanently ${rest}.` };
   }
   const count = `${segments.length - 1} events`;
   if (pair.zeta > 0) return { title: "Not settled yet", text: `${count} so far. Damping takes the energy; let it run longer.` };
@@ -68,7 +68,7 @@ function energyAbout({ pair, force }, state) {
 
 function drivenRegime(solution) {
   const { scene, pair } = solution, period = 2 * Math.PI / scene.omega, bound = thresholds(pair, scene.omega);
-  const limits = `u/b = ${shown(Math.abs(scene.amplitude))}: at this frequency some motion sticks for ever up to ${shown(bound.stuck)}; slipping without a stop, one way for half a period and then the other, needs at least ${shown(bound.slipping)}.`;
+  const limits = `u/b = ${shown(Math.abs(scene.amplitude))}: at this frequency some motion sticks permanently up to ${shown(bound.stuck)}; slipping without a stop, one way for half a period and then the other, needs at least ${shown(bound.slipping)}.`;
   const known = { row: "entrainment-threshold" };
   if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.`, ...known };
   const { stuck, stops } = lastPeriod(solution, period), repeats = repetition(solution, period);

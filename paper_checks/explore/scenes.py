@@ -31,7 +31,7 @@ class ReducedScene:
 
 @dataclass(frozen=True)
 class Button:
-    """What a button says, the scene that it loads, and what one unit is in SI, where the scene has such units."""
+    """Label of a button, the scene that it loads, and its units in SI, if it has such."""
 
     label: str
     scene: ReducedScene
@@ -54,7 +54,7 @@ PAPER = (
 """The paper's scenes by their shipped names; numbered as printed."""
 
 OWN = (
-    Button("Sticks for ever", ReducedScene(X=0.5, until=30)),
+    Button("Sticks permanently", ReducedScene(X=0.5, until=30)),
     Button("Next to the critical orbit", ReducedScene(X=1, V1=-0.1, V2=-0.1, until=120)),
     Button("Light driving body: merges", ReducedScene(ratio=0.1, X=1, V1=2, V2=2, until=40)),
     Button("Damped", ReducedScene(zeta=0.1, V1=8, V2=-4, until=40)),
@@ -78,7 +78,7 @@ def reduced(scene: Scene) -> ReducedScene:
     sine = acting.sines[0] if acting.sines else Sine(0, 1)
     simple = len(acting.polynomial) <= 1 and len(acting.sines) <= 1 and sine.phase == 0
     if not simple or scene.force.starts not in ((), (Fraction(0),)) or scene.friction.pieces:
-        raise ValueError("the page knows a constant force and one sine of phase 0, from t = 0 on, and one b")
+        raise ValueError("the page supports a constant force and one sine of phase 0, from t = 0 on, and one b")
     return ReducedScene(
         ratio=float(pair.m1 / pair.m2),
         zeta=float(pair.a1 / pair.mass) / (2 * omega),

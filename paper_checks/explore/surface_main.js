@@ -150,7 +150,7 @@ function regimeAbove(solution) {
   const most = last.mode === "stick" ? mostLoad(last.axes, last.duration) : Infinity, energy = energyAbove(solution, last.start);
   const slips = segments.filter(({ mode }) => mode === "slip").length, count = `${slips} slip${slips === 1 ? "" : "s"} so far.`;
   if (most <= 1 + TIE) {
-    const title = segments.length > 1 ? "Merges" : "Sticks for ever", from = `From \u03c4 = ${shown(last.start.t)} on the bodies stick for ever:`;
+    const title = segments.length > 1 ? "Merges" : "Sticks permanently", from = `From \u03c4 = ${shown(last.start.t)} on the bodies stick permanently:`;
     if (round) return { title, text: `${from} the load they need is at most ${shown(most)} b from the end of this run on. ${round}`, ...known };
     const rest = pair.zeta > 0 ? "they come to rest together." : `their ellipse has the longer half axis ${shown(most)} L, which is at most L, and the energy ${shown(energy)} E_cr (on the edge it is from 1 for a line to 2 for a circle).`;
     return { title, text: `${from} ${rest}`, ...known };
@@ -158,7 +158,7 @@ function regimeAbove(solution) {
   if (round) return { title: last.mode === "stick" ? "Stick and slip so far" : "Slips", text: round, ...known };
   if (pair.zeta > 0) return { title: "Not settled yet", text: `${count} Damping takes the energy; let it run longer.`, ...known };
   if (last.mode === "slip") return { title: "Still slipping", text: `${count} E/E_cr = ${shown(energy)} where this slip began.`, ...known };
-  const above = energy > 2 ? "With more than 2 E_cr nothing sticks for ever." : "Between E_cr and 2 E_cr the ellipse decides, not the energy alone.";
+  const above = energy > 2 ? "With more than 2 E_cr nothing sticks permanently." : "Between E_cr and 2 E_cr the ellipse decides, not the energy alone.";
   return { title: "Not merged yet", text: `${count} The last stuck ellipse has the longer half axis ${shown(most, 6)} L, more than L, and E/E_cr = ${shown(energy)}. ${above}`, ...known };
 }
 
@@ -166,7 +166,7 @@ function regimeAbove(solution) {
 function turningSentence({ scene, pair, segments }) {
   const { edge, speed } = turningAnswer(pair, scene), last = segments[segments.length - 1], most = shown(scene.size);
   if (pair.zeta === 0) return `|u|/b = ${most}; up to ${shown(edge)} a stuck circle stays. Without a damper it need not be approached.`;
-  if (scene.size <= edge) return `|u|/b = ${most} is at most ${shown(edge)}: every motion tends to one that goes round stuck, on a circle.`;
+  if (scene.size <= edge) return `|u|/b = ${most} is at most ${shown(edge)}: every motion tends to a permanently stuck one, on a circle.`;
   const now = size(stateAbove(last, last.duration).S), near = `at the end of this run |v\u2081 \u2212 v\u2082| = ${shown(now, 6)}`;
   return `|u|/b = ${most} is more than ${shown(edge)}: every motion tends to one that slips at the constant speed ${shown(speed, 6)} L\u03a9, round and round without a stop; ${near}.`;
 }

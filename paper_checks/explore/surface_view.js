@@ -10,7 +10,7 @@ function sampledAbove(solution, most = 6000) {
   });
 }
 
-/* The curve on which body 1 stays if the pair sticks for ever: an ellipse about the force, or the circle that goes round
+/* The curve on which body 1 stays if the pair sticks permanently: an ellipse about the force, or the circle that goes round
    with it; null if that is not settled in this run, or if a damper lets the pair come to rest. */
 function lastingCurve({ pair, force, segments }) {
   const last = segments[segments.length - 1], ring = Array.from({ length: 97 }, (_, n) => n * Math.PI / 48);

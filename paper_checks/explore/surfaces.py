@@ -44,12 +44,12 @@ SHIPPED = (("Circle: merges in one slip", "plane-circle-merges"), ("Ellipse: cre
 """Shipped scenes by their names."""
 _STUCK = (0.0, 0.7)
 OWN_SURFACES = (
-    SurfaceButton("Ellipse: sticks for ever", ReducedSurface(X=(0.98, 0.1), V1=_STUCK, V2=_STUCK, until=20)),
+    SurfaceButton("Ellipse: sticks permanently", ReducedSurface(X=(0.98, 0.1), V1=_STUCK, V2=_STUCK, until=20)),
     SurfaceButton("From a push", ReducedSurface(X=(0.5, 0), V1=(-1, 3), V2=(1, 0), until=20)),
     SurfaceButton("A slip that turns", ReducedSurface(X=(2, 0.5), V1=(-6, 0.3), size=4, until=12)),
     SurfaceButton("Damped", ReducedSurface(zeta=0.1, X=(4, 1), V1=(0, 3), V2=(0, -2), until=20)),
-    SurfaceButton("Goes round: sticks", ReducedSurface(zeta=0.5, V1=(2, 0), size=1.5, omega=1, until=40)),
-    SurfaceButton("Goes round: slips", ReducedSurface(zeta=0.5, size=10, omega=1, until=60)),
+    SurfaceButton("Rotating force: sticks", ReducedSurface(zeta=0.5, V1=(2, 0), size=1.5, omega=1, until=40)),
+    SurfaceButton("Rotating force: slips", ReducedSurface(zeta=0.5, size=10, omega=1, until=60)),
 )
 """Scenes of ours, round numbers in reduced coordinates."""
 
@@ -59,7 +59,7 @@ def reduced_surface(scene: PlaneScene) -> ReducedSurface:
     pair = scene.pair
     m1, m2, a1, a2, b = ({*one} for one in (pair.m1, pair.m2, _diagonal(pair.a1), _diagonal(pair.a2), pair.b))
     if scene.is_forced or not pair.is_diagonal or max(map(len, (m1, m2, a1, a2, b))) > 1 or pair.axes != 2:
-        raise ValueError("the page knows a pair on a surface that is the same in all directions")
+        raise ValueError("the page supports isotropic pairs on a surface only")
     first, second, damper, spring, friction = (float(*one) for one in (m1, m2, a1, a2, b))
     mass = first + second
     omega, length = (spring / mass) ** 0.5, friction * mass / (spring * second)

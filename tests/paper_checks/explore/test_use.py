@@ -23,7 +23,7 @@ def test_every_button_tells_what_becomes_of_its_scene(found):
             if word in name.lower():
                 assert regime.lower().startswith(word), name
     assert said["Sine: never sticks"].startswith("Slips all the time")
-    assert said["Sticks for ever"].startswith("Sticks for ever")
+    assert said["Sticks permanently"].startswith("Sticks permanently")
     assert said["Next to the critical orbit"].startswith("Creeps")
     assert found["pressed"] == 1
     assert found["proof"] == [True, None, "critical-mass-ratio.html"]
@@ -52,11 +52,11 @@ def test_the_second_tab_is_reached_and_used_by_the_keyboard(found):
     for name, regime in found["above"]:
         for word in ("merges", "sticks"):
             if word in name:
-                assert regime.startswith(("Merges", "Sticks for ever")), name
+                assert regime.startswith(("Merges", "Sticks permanently")), name
     said = dict(found["above"])
     assert len(said) == 8
     assert said["Ellipse: creeps"].startswith("Not merged yet")
-    assert "constant speed 4 L" in said["Goes round: slips"]
+    assert "constant speed 4 L" in said["Rotating force: slips"]
     assert found["dragged"] == ["0.5", "0.25", True]
     assert found["scrolled"] == [False, "0.5", "0.25"]  # a finger away from every handle scrolls the page
     assert found["taken"] == [True, "0.5", "0.35"]

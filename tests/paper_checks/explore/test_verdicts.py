@@ -29,9 +29,9 @@ EXPECTED = {
     at_centre(0.5, 1.001 * LEVEL): "Not merged yet",
     at_centre(0.7926, 0.5): "Not merged yet",
     at_centre(0.79264, 0.5): "Creeps",
-    at_centre(0.5, -0.001): "Sticks for ever",
+    at_centre(0.5, -0.001): "Sticks permanently",
     ReducedScene(constant=1.8, V1=0.8, V2=0.8, until=0.1): "Creeps",  # E/E_cr = 1.45 about the moved centre
-    ReducedScene(constant=4, X=2.5, until=3): "Sticks for ever",
+    ReducedScene(constant=4, X=2.5, until=3): "Sticks permanently",
     replace(SINE, amplitude=0.99 * STUCK): "Entrained",
     replace(SINE, amplitude=1.002 * STUCK): "Stick and slip",
     replace(SINE, amplitude=10.0): "Slips all the time",
