@@ -1,6 +1,6 @@
-"""`python -m paper_checks.proofs [check | pin | list | F.v [--out DIR]]`: compile the proofs; write the pins anew; name the
-theorems; judge a proof file that `python -m numerics solve --proof F.v` has written, or write it with all that it rests on
-into an empty folder, where plain coqc judges it."""
+"""`python -m paper_checks.proofs [check | pin | list | F.v [--out DIR]]`: compile the proofs and compare the statements with
+the recorded ones; record the statements; list the theorems; check a proof file written by `python -m numerics solve --proof
+F.v`, or write it with all files that it requires into an empty folder, where plain coqc checks it."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def main() -> int:
     """Run a command; 0 if all is proved (as pinned), 1 if something is not, 2 for bad usage, 3 without the kernel."""
     parser = OneLineParser(prog="python -m paper_checks.proofs", description=__doc__)
     parser.add_argument(
-        "command", nargs="?", default="check", help="check, pin, list, or a proof file: a name that ends in .v"
+        "command", nargs="?", default="check", help="check, pin, list, or a proof file (its name ends in .v)"
     )
-    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="files that are compiled at a time (2)")
-    out = "of a proof file: write it with all that it rests on into this empty folder, and print the commands of coqc"
+    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="files compiled in parallel (2)")
+    out = "for a proof file: write it with all files that it requires into this empty folder, and print the coqc commands"
     parser.add_argument("--out", type=Path, metavar="DIR", help=out)
     options = parser.parse_args()
     if options.out and not options.command.endswith(".v"):
@@ -31,7 +31,7 @@ def main() -> int:
             _write(Path(options.command), options.out) if options.out else _judge(Path(options.command), options.jobs)
         )
     if options.command not in ("check", "pin", "list"):
-        parser.error(f"{options.command!r} is neither check, pin or list nor a proof file, whose name ends in .v")
+        parser.error(f"{options.command!r} is not check, pin, list or a proof file, whose name ends in .v")
     if options.command == "list":
         for one, (name, sentence) in cited.CITED.items():
             print(f"{one:28} {name:34} {sentence}")

@@ -19,7 +19,7 @@ EXACT = Evidence(
     r"$\frac{d}{dt}\Bigl(\tfrac{1}{2}a_2x_1^2+\tfrac{1}{2}m_1v_1^2+\tfrac{1}{2}m_2v_2^2\Bigr)+b\,|v_1-v_2|=0$",
     True,
     5,
-    "difference simplifies to 0; zero at 5 rational points",
+    "left minus right simplifies to 0, and is 0 at 5 test points",
 )
 SMT = Evidence(
     EvidenceKind.SMT,

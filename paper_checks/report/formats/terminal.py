@@ -52,7 +52,7 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
     for change, names in differing.items():
         _say(console, f"differs from the record: {change}: {', '.join(names)}")
     if waiting := [row.claim.id for row in rows if row.finding.verdict is Verdict.UNCHECKED]:
-        _say(console, f"unchecked, not what the record says, as a tool is missing: {', '.join(waiting)}")
+        _say(console, f"unchecked, because a tool is missing: {', '.join(waiting)}")
     if why := _no_kernel(rows):
         _say(console, why)
     _say(console, headline(rows))
@@ -88,7 +88,7 @@ def print_claims(console: Console, claims: Sequence[Claim], found: Mapping[str, 
         table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), _cut(claim.where))
     console.print(table)
     if len(found) < len(claims):
-        _say(console, "–: not decided here yet; `python -m paper_checks` decides all claims")
+        _say(console, "–: not checked here yet; `python -m paper_checks` checks all claims")
 
 
 def _empty_table(*titles: str) -> Table:

@@ -101,7 +101,7 @@ def test_identities_pass_near_misses_fail_at_a_point_and_the_rest_is_open(left, 
     assert (evidence.passed, evidence.kind) == (passed, EvidenceKind.EXACT)
     assert evidence.cases >= 5 or passed is False
     assert evidence.value.startswith(
-        {True: "difference simplifies", False: "difference ", None: "the simplifier"}[passed]
+        {True: "left minus right simplifies", False: "difference ", None: "the simplifier"}[passed]
     )
 
 
