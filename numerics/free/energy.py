@@ -149,8 +149,8 @@ def _refuse_countless(y: float, half_turns: float, r: Fraction, digits: int, lef
     events = min((1 / reach - 1 / y) / a, half_turns / 2)
     if events > left:
         raise OutOfRange(
-            f"{digits} working digits need about {events:.0e} events before the return map takes over, "
-            f"the cap leaves {left}; ask for fewer digits, or raise max_steps"
+            f"{digits} working digits need about {events:.0e} events before the return map applies, "
+            f"the limit leaves {left}; request fewer digits, or raise max_steps"
         )
 
 

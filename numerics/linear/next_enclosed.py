@@ -68,8 +68,8 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
     short, far, begun = flow.reach, path.left(at), at.local
     if flow.fastest * far > _TOO_FAST:
         raise OutOfRange(
-            "rates of this scene lie too far apart: a mode turns more than 1e300 times; bring a1/m1, sqrt(a2/m1), "
-            "omega and 1/until closer to each other"
+            "the rates of this scene differ too much: a mode oscillates more than 1e300 times; bring a1/m1, "
+            "sqrt(a2/m1), omega and 1/until closer together"
         )
     for n in range(_MOST_STEPS):
         left, z, step = path.left(at), path.here(at)[1], None
@@ -95,7 +95,7 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
         raise path.undecided(at)  # more digits lead closer to the root
     raise OutOfRange(
         f"the mode at t = {path.time(at):.6g} s would take more than {_MOST_STEPS} steps; shorten the horizon, "
-        "leave a fast sine out, or begin on the tie that it begins next to"
+        "leave a fast sine out, or start exactly on the tie that is next to this start"
     )
 
 

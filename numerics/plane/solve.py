@@ -46,7 +46,7 @@ def solve_plane(
     "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
     """
     if arithmetic not in (None, "float64", "ball"):
-        raise InvalidScene(f"arithmetic = {shown(arithmetic)} does not know a surface; take float64 or ball")
+        raise InvalidScene(f"arithmetic = {shown(arithmetic)} is available on a line only; use float64 or ball")
     limits: dict[str, Any] = {"max_events": max_events, "progress": progress}
     floats, wanted = arithmetic == "float64" or (arithmetic is None and digits is None), digits or 15
     working, tried = _FLOAT if floats else wanted + _GUARD, list[str]()

@@ -73,9 +73,7 @@ def load_line(name_or_path: str | Path) -> Scene:
     """Return a scene of one line, as `load_scene`; one on a surface is refused."""
     scene: Scene | PlaneScene = load_scene(name_or_path)
     if isinstance(scene, PlaneScene):
-        raise InvalidScene(
-            "a scene on a surface can be solved, and asked for its response; this is known on one line only"
-        )
+        raise InvalidScene("this is available on a line only; of a scene on a surface there are solve and response")
     return scene
 
 
@@ -98,7 +96,7 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
     Raises InvalidScene.
     """
     if not isinstance(name_or_path, (str, os.PathLike)):
-        raise InvalidScene(f"{shown(name_or_path)} is no name of a {what}; give {form} or a shipped name")
+        raise InvalidScene(f"{shown(name_or_path)} is not the name of a {what}; give {form} or a shipped name")
     name, known = os.fspath(name_or_path), _names_in(folder)
     shipped = ", ".join(known) if len(known) < 9 else "those that `inertial-pair scenes` lists"
     if not name:
@@ -139,7 +137,7 @@ def parse_scene(text: str, file: str = "") -> Scene:
     if tables.get("weakening"):
         raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
     if law is not Law.FILIPPOV:
-        raise InvalidScene("on a surface the law is filippov; a sign that is 0 at 0 says nothing of a direction")
+        raise InvalidScene("on a surface the law is filippov; sgn(0) = 0 does not define a direction; leave it out")
     axes = [one.get("axis", "x") for one in force]
     for axis in axes:
         if axis not in AXES:

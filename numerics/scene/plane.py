@@ -59,7 +59,7 @@ class PlanePair(ShortRepr):
             )
         n = axes or max([2, *(len(one) for one in (m1, m2, a2, b, a1) if isinstance(one, list))])
         if n > len(AXES):
-            raise InvalidScene(f"a list of {n} numbers in [pair]; at most 3 axes are known: {', '.join(AXES)}")
+            raise InvalidScene(f"a list of {n} numbers in [pair]; there are at most 3 axes: {', '.join(AXES)}")
         if not isinstance(shape, str) or shape not in SHAPES:
             raise InvalidScene(f"shape = {shown(shape)} is not one of {', '.join(SHAPES)}")
         for name, given in (("m1", m1), ("m2", m2), ("b", b)):
@@ -190,8 +190,8 @@ def _matrix(given: Any, name: str, n: int) -> Matrix:
         one, two = found[i][j], found[j][i]
         if one != two:
             raise InvalidScene(
-                f"{name}[{i}][{j}] = {short(one)} and {name}[{j}][{i}] = {short(two)} must be equal; what one axis "
-                "does to another comes back"
+                f"{name}[{i}][{j}] = {short(one)} and {name}[{j}][{i}] = {short(two)} must be equal; "
+                "give a symmetric matrix"
             )
     return found
 

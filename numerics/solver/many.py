@@ -185,9 +185,7 @@ def _of_one_kind(given: Any) -> Any:
         raise TypeError("solve_scenes takes a list of Scenes, or of PlaneScenes; for one scene there is solve")
     kinds = {f"{one.pair.axes} axes" if isinstance(one, PlaneScene) else "one line" for one in kept}
     if len(kinds) > 1:
-        raise TypeError(
-            f"these scenes have {' and '.join(sorted(kinds))}; solve those of each kind in a call of its own"
-        )
+        raise TypeError(f"these scenes have {' and '.join(sorted(kinds))}; solve each kind in a separate call")
     return kept
 
 

@@ -88,7 +88,7 @@ def selected(
     labels, titles = {one.label: one for one in contenders}, {f"{kind(name)}: {name}": name for name in scenes}
     for word in only:
         if word.lower() not in (known := "; ".join([*labels, *titles])).lower():
-            raise NoSuchContender(f"--only {word[:40]!r} fits no contender and no scene; they are: {known}")
+            raise NoSuchContender(f"--only {word[:40]!r} matches no method and no scene; available: {known}")
 
     def fitting(named: dict[str, Any]) -> list[Any]:
         some = [one for name, one in named.items() if any(word.lower() in name.lower() for word in only)]

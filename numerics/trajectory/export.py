@@ -109,7 +109,7 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
             by_event, final = (truth.event_times, *truth.event_states), (truth.end_time, *truth.end_numbers())
     elif not knows_its_digits(trajectory):
         raise ValueError(
-            f"this trajectory in {arithmetic.name} does not know which of its digits are right; "
+            f"the number of right digits of this trajectory in {arithmetic.name} is not known; "
             "give `truth`, a solve of the same scene in balls"
         )
     elif not is_enclosed(trajectory):

@@ -352,7 +352,7 @@ def film(
     except ImportError:
         raise MissingTool("an animation needs matplotlib; python -m pip install matplotlib") from None
     if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
-        raise MissingTool("this film needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
+        raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
     figure, moving, show = drawn(times, trajectory.floats(trajectory.sol(times)))
     modes = trajectory.mode_at(times)

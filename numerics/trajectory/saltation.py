@@ -192,7 +192,7 @@ class Chain:
         fields = [self._field_from_contact(alone, *at) for *_, alone in jumping]
         if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
             when = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
-            raise NotDifferentiable(f"this scene has no derivatives: {when} counts; move one by a little")
+            raise NotDifferentiable(f"this scene has no derivatives: {when} counts; change one of them slightly")
         found, after = {}, self._field(here, *at, leg)
         for (kind, starts, alone), (from_contact, _) in zip(jumping, fields, strict=True):
             name = f"{kind}[{bisect_left(starts, here.start)}].from"

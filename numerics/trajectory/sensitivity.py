@@ -166,7 +166,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     scene, arithmetic, count = trajectory.scene, trajectory.arithmetic, trajectory.record.events
     until = math.inf if trajectory.reached else arithmetic.to_float(trajectory.event_times[-1])
     if scene.is_forced and (what := corner(scene, pieces_of(scene), until)) is not None:
-        raise NotDifferentiable(f"this scene has no derivatives: {what}; move it by a little")
+        raise NotDifferentiable(f"this scene has no derivatives: {what}; change it slightly")
     balls = trajectory if arithmetic.name == "ball" else None
     wanted = (trajectory.digits or 0) if balls else 17 if arithmetic.name == "float64" else arithmetic.digits
     digits = arithmetic.digits + (0 if balls else 17)

@@ -60,7 +60,11 @@ def identity(
     if unseen:
         return _evidence(statement, None, tried, f"{unseen} of the differences could be evaluated nowhere")
     zero = all(simplifies_to_zero(difference) for difference in differences)
-    text = f"left minus right simplifies to 0, and is 0 at {tried} test points" if zero else "the simplifier does not reach 0"
+    text = (
+        f"left minus right simplifies to 0, and is 0 at {tried} test points"
+        if zero
+        else "the simplifier does not reach 0"
+    )
     if zero and inexact:
         text += f" (to {DIGITS} digits at {inexact} of them)"
     return _evidence(statement, True if zero else None, tried, text)

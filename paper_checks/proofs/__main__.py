@@ -21,7 +21,9 @@ def main() -> int:
         "command", nargs="?", default="check", help="check, pin, list, or a proof file (its name ends in .v)"
     )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="files compiled in parallel (2)")
-    out = "for a proof file: write it with all files that it requires into this empty folder, and print the coqc commands"
+    out = (
+        "for a proof file: write it with all files that it requires into this empty folder, and print the coqc commands"
+    )
     parser.add_argument("--out", type=Path, metavar="DIR", help=out)
     options = parser.parse_args()
     if options.out and not options.command.endswith(".v"):

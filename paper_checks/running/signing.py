@@ -50,7 +50,9 @@ def sign(claims: Sequence[Claim], keys: Sequence[str]) -> int:
     """Print the pairs of these keys, and sign them; without keys print those that are not signed. Return the exit code."""
     known = pairs(claims)
     if unknown := [one for one in keys if one not in known]:
-        print(f"unknown key: {', '.join(unknown)}; without a key, the pairs not yet signed are printed", file=sys.stderr)
+        print(
+            f"unknown key: {', '.join(unknown)}; without a key, the pairs not yet signed are printed", file=sys.stderr
+        )
         return 2
     some = keys or [one for one, texts in known.items() if not signed.is_signed(one, texts)]
     for one in some:

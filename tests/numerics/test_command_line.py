@@ -143,7 +143,7 @@ solve velocities --plot folder.svg | is a folder
 solve velocities --npz absent/x.npz | does not exist
 solve velocities --plot x | must end in one of
 ring velocities --radius -1 | radius = -1
-trade --only nobody | fits no contender
+trade --only nobody | matches no method
 trade --out no-such-folder/figure.png | does not exist
 """
 

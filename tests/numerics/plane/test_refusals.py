@@ -54,7 +54,7 @@ def test_a_scene(given, told):
     [
         ({"t_eval": [0, 2]}, "outside"),
         ({"digits": 10, "arithmetic": "float64"}, "leave digits out"),
-        ({"arithmetic": "mpmath"}, "does not know a surface"),
+        ({"arithmetic": "mpmath"}, "is available on a line only"),
     ],
 )
 def test_a_solve_before_anything_is_computed(asked, told):

@@ -64,8 +64,8 @@ def test_what_is_not_decided_or_beyond_floats_is_a_status_of_its_row():
 @pytest.mark.parametrize(
     ("other", "says"),
     [
-        (load_scene("velocities"), "2 axes and one line; solve those of each kind in a call of its own"),
-        (PlaneScene(PlanePair(1, 1, 1, [1, 1, 1]), 1), "2 axes and 3 axes; solve those of each kind"),
+        (load_scene("velocities"), "2 axes and one line; solve each kind in a separate call"),
+        (PlaneScene(PlanePair(1, 1, 1, [1, 1, 1]), 1), "2 axes and 3 axes; solve each kind"),
         (3, "takes a list of Scenes, or of PlaneScenes"),
     ],
 )
