@@ -62,6 +62,17 @@ def test_a_box_of_which_a_part_has_left_its_mode_is_not_followed(of):
                 one_round(orbit.drive, t, started(orbit, t), arb("1e-3"), 8)
 
 
+def test_a_period_that_ends_in_another_mode_than_it_began_in_is_refused():
+    """It begins as a slip where the motion sticks; a period later that is over."""
+    orbit = ORBITS["that sticks"]()
+    with Ball(25).context():
+        stick = next(leg for leg in orbit.legs if leg.side == 0)
+        t = rounded((stick.start + stick.end) / 2)
+        x1, v1, v2 = started(orbit, t)
+        with pytest.raises(EventUndecided, match="come back"):
+            one_round(orbit.drive, t, [x1, v1, v2 + Fraction(1, 1000)], arb(0), 8)
+
+
 @pytest.mark.parametrize(("of", "amplitude"), [("that sticks", "0.2"), ("that slips", "0.2")])
 def test_events_that_no_motion_has_are_not_proved(of, amplitude):
     """Under so weak a force nothing slips."""
