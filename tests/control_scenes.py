@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 from forced_reference import Reference
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response, solve
+from numerics import Force, Pair, Piece, Scene, Sine, State, response, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
 from numerics.control.attraction import passage_at
 from numerics.control.orbit import Orbit
+from numerics.control.response import Response
 
-FREE, DAMPED, LIGHTLY = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3), Pair(1, 1, 200, "0.5", "0.2")
+FREE, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3)
 UNEVEN = Pair(3, "0.5", 200, "0.5", 3)
 """Under 3 N at 12 rad/s it sticks twice a period, under 5 N not at all."""
-FALLING = Weakening([("0.3", "0.15")])
 
 
 def under(pair: Pair, amplitude: object, omega: object = 12, **more: object) -> Scene:
@@ -26,19 +26,9 @@ def under(pair: Pair, amplitude: object, omega: object = 12, **more: object) -> 
 
 
 @cache
-def answer(pair: Pair, amplitude: str, omega: int = 12, weakening: Weakening | None = None) -> Any:
-    """The response to one sine, or the motions that are found where friction depends on the speed."""
-    return response(under(pair, amplitude, omega, friction=Friction((), weakening)), digits=10 if weakening else 15)
-
-
-def bistable() -> tuple[Any, ...]:
-    """A stuck motion, one between that others leave, and one that slips."""
-    return answer(LIGHTLY, "0.45", 14, FALLING).motions
-
-
-def two_that_attract() -> tuple[Any, ...]:
-    """One that sticks and slips and one that slips, and one between them."""
-    return answer(LIGHTLY, "0.45", 13, FALLING).motions
+def answer(pair: Pair, amplitude: str, omega: int = 12) -> Response:
+    """The response to one sine."""
+    return response(under(pair, amplitude, omega))
 
 
 def referred(scene: Scene, digits: int = 36) -> Reference:

@@ -14,7 +14,7 @@ from numerics.exits import FAILED, OK, refuse
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
-    from numerics.control.response import PeriodicMotions, Response
+    from numerics.control.response import Response
     from numerics.control.rotating import RotatingResponse
     from numerics.scene import Scene
 
@@ -25,7 +25,7 @@ Shown = tuple[dict[str, Any], list[str]]
 def print_response(options: argparse.Namespace) -> int:
     """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
     from numerics.control.answers import solved_again
-    from numerics.control.response import PeriodicMotions, response
+    from numerics.control.response import response
     from numerics.control.rotating import RotatingResponse
     from numerics.scene.file import load_scene
 
@@ -35,23 +35,12 @@ def print_response(options: argparse.Namespace) -> int:
             record, lines = _of_rotating(found)
         else:
             say("solving one period again, event by event")
-            several = isinstance(found, PeriodicMotions)
-            for one in found.motions if several else [found]:
-                solved_again(one)
-            record, lines = (_of_motions if several else _of_response)(found)
+            solved_again(found)
+            record, lines = _of_response(found)
         if options.plot is not None:
             write_figure(found.plot(), options.plot)
     answer(options, record, [*lines, f"{found.digits} right digits, proved"])
     return OK
-
-
-def _of_motions(found: PeriodicMotions) -> Shown:
-    edge, motions = numbers(found, "entrainment"), [_of_response(one) for one in found.motions]
-    record = {name: getattr(found, name) for name in ("sentence", "is_all", "starts", "digits")}
-    lines = [found.sentence, *number_lines(edge)]
-    for number, (_, (first, *others)) in enumerate(motions, start=1):
-        lines += [f"{number}: {first}", *others]
-    return record | edge | {"motions": [one for one, _ in motions]}, lines
 
 
 _SLIPS_FOR_EVER = {
@@ -102,7 +91,7 @@ def _of_response(found: Response) -> Shown:
     for one in multipliers:
         lines.append(f"  multiplier {one.str(digits, radius=False)}, modulus {abs(one).str(digits, radius=False)}")
     record["events"] = []
-    for leg in found.orbit.events if found.orbit is not None else ():
+    for leg in found.orbit.legs if found.orbit is not None else ():
         event = {"to": MODES[leg.side].value, **numbers(found, t=leg.start, x1=leg.state[0], v1=leg.state[1])}
         record["events"].append(event)
         lines.append(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")

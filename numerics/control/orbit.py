@@ -19,10 +19,9 @@ from flint import acb, acb_mat, arb, arb_mat
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.arithmetic.precision import cached_property
 from numerics.control.answers import KEPT_DIGITS, Prediction, number, rounded, rounded_up
-from numerics.linear.cells import PLAIN, Cells, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import V1, V2, X1, X2, Motion
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.linear.system import V1, V2, X1, X2, LinearMode, Motion
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.variation import Leg, legs
@@ -38,18 +37,14 @@ State3 = tuple[arb, arb, arb]
 
 @dataclass(frozen=True, repr=False)
 class PeriodicDrive(ShortRepr):
-    """A pair under a periodic force: sines and a constant (N), t from the start of the run.
-
-    `weakening` says how friction depends on the speed of the slip; b is then what it is at rest.
-    """
+    """A pair under a periodic force: sines and a constant (N), t from the start of the run."""
 
     pair: Pair
     piece: Piece
-    weakening: Weakening | None = None
 
     @cached_property
     def _scene(self) -> Scene:
-        return Scene(self.pair, State(), 1, force=Force((self.piece,)), friction=Friction((), self.weakening))
+        return Scene(self.pair, State(), 1, force=Force((self.piece,)))
 
     @property
     def frequency(self) -> Fraction:
@@ -67,23 +62,13 @@ class PeriodicDrive(ShortRepr):
         return all((one.omega / self.frequency) % 2 == 1 for one in self.piece.sines)
 
     @property
-    def has_one_motion(self) -> bool:
-        """Return whether one periodic (x1, v1, v2) is proved to exist for this pair, whatever the force is."""
-        return self.pair.a1 > 0 and (self.cells is None or self.cells.falling == 0)
-
-    @property
     def rest(self) -> Fraction:
         """Return where the constant part of the force holds body 1, m."""
         return sum(self.piece.polynomial, Fraction(0)) / self.pair.a2
 
-    @property
-    def cells(self) -> Cells | None:
-        """Return friction cut into cells, None where it is one number b in slip."""
-        return cells_of(self._scene)
-
-    def motion(self, side: int, state: Sequence[arb], t: arb, cell: tuple[int, int] = PLAIN) -> Motion:
-        """Return the motion from (x1, v1, x2, v2) at a time (s) in the mode `side`, in a cell of friction."""
-        return mode_in(self._scene, pieces_of(self._scene)[0], side, cell).motion(state, t)
+    def motion(self, side: int, state: Sequence[arb], t: arb) -> Motion:
+        """Return the motion from (x1, v1, x2, v2) at a time (s) in the mode `side`."""
+        return LinearMode(self.pair, self.pair.b, side, pieces_of(self._scene)[0]).motion(state, t)
 
     def one_period(self, begin: Fraction, at: Sequence[Fraction], digits: int) -> Scene:
         """Return a period from a time (s) and (x1, v1, v2) on as a scene; it is rounded up to so many digits."""
@@ -95,23 +80,18 @@ class PeriodicDrive(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Orbit(ShortRepr):
-    """A periodic motion by its legs in order of time; when the last ends the first begins again. Their x2 say nothing.
+    """A periodic motion by its legs in order of time, each from an event; after the last the first begins again.
 
-    Where friction depends on the speed some begin at a knot of that, which is no event.
+    Their x2 say nothing.
     """
 
     drive: PeriodicDrive
     legs: tuple[Leg, ...]
 
-    @property
-    def events(self) -> list[Leg]:
-        """Return the legs that begin with an event."""
-        return [leg for leg in self.legs if leg.is_event]
-
     def motion(self, leg: Leg, x2: int | arb = 0) -> Motion:
         """Return the motion of a leg from a place of body 2 (m) on."""
         x1, v1, _, v2 = leg.state
-        return self.drive.motion(leg.side, (x1, v1, arb(x2), v2), leg.start, leg.cell)
+        return self.drive.motion(leg.side, (x1, v1, arb(x2), v2), leg.start)
 
     @cached_property
     def places(self) -> list[arb]:
@@ -149,7 +129,7 @@ class Orbit(ShortRepr):
         with Ball(2 * digits + 20).context():
             begin, at = self.middle(leg)
             scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
-            ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.events]
+            ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.legs]
             return Prediction(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side))
 
     def middle(self, leg: Leg) -> tuple[Fraction, State3]:
@@ -171,7 +151,7 @@ def across(motion: Motion, length: arb, after: Motion) -> arb_mat:
     """
     flow = motion.flow(length)
     if motion.mode.side in {0, after.mode.side}:
-        return state_part(flow)  # at an exit both modes have the same accelerations, and so have both sides of a knot
+        return state_part(flow)  # at an exit both modes have the same accelerations
     before, behind = motion.rate(flow * motion.begin), after.rate(after.begin)
     closing = before[V1, 0] - before[V2, 0]
     jump = [(before[place, 0] - behind[place, 0]) / closing for place in STATE]
@@ -245,8 +225,7 @@ def one_round(drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], 
     run = run_scene(scene, Box(working_digits(), radius), most)
     parts = legs(run)
     left = drive.period - parts[-1].start
-    first, last = ((one.side, one.cell) for one in (parts[0], parts[-1]))
-    if not (run.reached and len(run.modes) > 1 and first == last and left > 0):
+    if not (run.reached and len(run.modes) > 1 and parts[0].side == parts[-1].side and left > 0):
         raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
     motions = [one.motion(scene) for one in parts]
     ended = zip(parts, motions, motions[1:], strict=False)
@@ -290,7 +269,7 @@ def solve_from(drive: PeriodicDrive, begin: Fraction, at: Sequence[arb], most: i
 def in_order(legs: Sequence[Leg], period: arb) -> tuple[Leg, ...]:
     """Return the legs of a period from the first slip + (else any leg) on that begins in [0, period)."""
     early = [one._replace(start=one.start - period * math.floor(float(one.start / period))) for one in legs]
-    first = min((one for one in early if one.is_event), key=lambda one: (one.side != 1, float(one.start)))
+    first = min(early, key=lambda one: (one.side != 1, float(one.start)))
     late = [one if float(one.start) >= float(first.start) else one._replace(start=one.start + period) for one in early]
     late.sort(key=lambda one: float(one.start))
     ends = *(one.start for one in late[1:]), first.start + period

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import cycle, pairwise
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -23,17 +23,14 @@ from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import (
-    BLUE,
     FIRST,
     GRAY,
     GREEN,
-    ORANGE,
     PURPLE,
     SECOND,
     draw,
     draw_path,
     explain_below,
-    friction_on_body_2,
 )
 from numerics.trajectory.trajectory import Trajectory
 
@@ -84,34 +81,6 @@ def draw_rotating(found: Any) -> Figure:
         ax.set(title=title, xlabel=f"x ({unit})", ylabel=f"y ({unit})", aspect="equal")
         ax.locator_params(nbins=5)
     explain_below(figure)
-    figure.suptitle(found.sentence)
-    return figure
-
-
-def draw_motions(found: Any) -> Figure:
-    """Return friction against the speed of the slip, and the cycles of PeriodicMotions as x1 against v1 - v2."""
-    figure, (law, plane) = _panels(10.4, 5, 1, 2)
-    fastest, w_label = 0.0, "$v_1 - v_2$ (m/s)"
-    for number, (one, colour) in enumerate(zip(found.motions, cycle((BLUE, ORANGE, GREEN, "black"))), start=1):
-        scene = one.one_period()
-        if scene is None:
-            continue
-        solved = solve(scene)
-        curve = sampled(solved)
-        w, leaves = curve.y[1] - curve.y[3], any(abs(size) > 1 for size in one.multipliers or ())
-        name = f"{number}: {one.regime.value.split(':')[0]}{', unstable' if leaves else ''}"
-        size = float(abs(w).max())
-        # the widest lies below the others
-        how: Any = {"color": colour, "ls": "--" if leaves else "-", "label": name, "zorder": 2 + 1 / (1 + size)}
-        law.plot(w, friction_on_body_2(solved, curve), **how)
-        plane.plot(curve.y[0], w, **how)
-        fastest = max(fastest, size)
-    speeds = np.linspace(-1, 1, 2 * _POINTS) * (1.15 * fastest or 1)
-    given = np.sign(speeds) * float(found.drive.pair.b) * found.drive.cells.relative(speeds, 0 * speeds)
-    law.plot(speeds, given, color=GRAY, lw=6, alpha=0.4, zorder=0, label="friction law")
-    law.set(xlabel=w_label, ylabel="friction on body 2 (N)", title="Friction against the speed")
-    plane.set(xlabel="$x_1$ (m)", ylabel=w_label, title="The periodic motions")
-    _legends_below((law, plane))
     figure.suptitle(found.sentence)
     return figure
 

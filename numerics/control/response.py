@@ -2,12 +2,11 @@
 
 The last piece of the force, a constant and sines of commensurable frequencies, and the last friction decide. For a1 >
 0 there is one periodic (x1, v1, v2), and every motion tends to it. For a1 = 0 the motion found exists; `attraction`
-says more. Where friction depends on the speed there may be several periodic motions (coexisting.py).
+says more. Friction that depends on the state is refused: there several periodic motions may exist.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
@@ -18,9 +17,9 @@ from flint import acb, arb
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, require_digits, rounded
-from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
 from numerics.control.rotating import pictures, rotating_force, rotating_response
+from numerics.control.search import MAX_EVENTS, search
 from numerics.control.stuck import (
     entrained,
     others_stick,
@@ -30,13 +29,13 @@ from numerics.control.stuck import (
 )
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
-from numerics.scene import Force, Piece, Scene, Weakening
+from numerics.scene import Force, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
 
-_EVERY, _NEXT = "every motion tends to it", "nearby motions tend to it"
+_EVERY = "every motion tends to it"
 
 
 class Regime(Enum):
@@ -100,39 +99,6 @@ class Response(ShortRepr):
             return state and self.drive.one_period(Fraction(0), [*map(rounded, state)], KEPT_DIGITS)
 
 
-@dataclass(frozen=True, repr=False)
-class PeriodicMotions(ShortRepr):
-    """The periodic motions found of a pair whose friction depends on the speed; each is proved.
-
-    `motions`: Responses, a stuck one first if it exists; their `attraction` is about nearby motions. `entrainment`: U*
-    (N), the largest amplitude with a permanently stuck motion, one sine only. `starts`: number of starts searched.
-    `is_all`: no other exists, because friction does not fall with speed and a1 > 0, or because every motion grows.
-    """
-
-    drive: PeriodicDrive
-    motions: tuple[Response, ...]
-    entrainment: arb | None
-    starts: int
-    is_all: bool
-    digits: int
-
-    @property
-    def sentence(self) -> str:
-        """Return a sentence: how many were found, and whether there may be more."""
-        if self.is_all:
-            return "there is no other long-time behaviour: it is the same from every start"
-        count = len(self.motions)
-        found = "1 periodic motion was" if count == 1 else f"{count} periodic motions were"
-        return f"{found} found, from {self.starts} starts; there may be more, with this period, a longer one or none"
-
-    def plot(self) -> Any:
-        """Return a matplotlib figure: friction against speed, and each motion as x1 against v1 - v2.
-
-        Raises MissingTool.
-        """
-        return pictures().draw_motions(self)
-
-
 def response(
     scene: Scene | PlaneScene,
     *,
@@ -145,11 +111,10 @@ def response(
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
     For a scene without a force, both together define its force, amplitude sin(omega t). On a surface the force must
-    rotate, and the result is a RotatingResponse (rotating.py). With a [weakening] by speed there may be several
-    periodic motions, and the result is PeriodicMotions: those found, each proved. A period may have a fifth of
-    `max_events` events. Progress is logged.
+    rotate, and the result is a RotatingResponse (rotating.py). A period may have a fifth of `max_events` events.
+    Progress is logged.
 
-    Raises InvalidScene (a force that is not periodic, friction that depends on displacement), EventUndecided (nothing
+    Raises InvalidScene (a force that is not periodic, friction that depends on the state), EventUndecided (nothing
     was proved at the limit on digits, by default 16 times those requested), NotSettled (a period has too many events),
     PrecisionExhausted, TypeError (no scene), ValueError (digits).
 
@@ -166,34 +131,27 @@ def response(
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
     require_kind("response", scene, Scene, BUILD)
     drive = _drive_under(scene, amplitude=amplitude, omega=omega)
-    known, orbits, starts, sines = None, list[Orbit](), 0, drive.piece.sines
+    known, orbit, sines = None, None, drive.piece.sines
     if len(sines) == 1:
         known = thresholds(drive.pair, sines[0].omega, digits=digits, max_digits=max_digits)
 
-    def attempt(_: Ball) -> tuple[list[Response], list[arb]]:
-        nonlocal orbits, starts
+    def attempt(_: Ball) -> tuple[Response, list[arb]]:
+        nonlocal orbit
         growth = resonant_growth(drive)
         if growth > 0:
             grows = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
-            return [grows], [growth]
-        sticks = entrained(drive) or others_stick(drive, known)
-        if orbits:
-            orbits = [solve_orbit(one) for one in orbits]
-        elif not (sticks and (drive.weakening is None or drive.has_one_motion)):
-            orbits, starts = search(drive, sticks=sticks, max_events=max_events)
-        found = [_entrained(drive, known, digits)] if sticks else []
-        found += [_of_orbit(one, known, digits) for one in orbits]
-        return found, [one for motion in found for one in _numbers(motion)]
+            return grows, [growth]
+        if entrained(drive) or others_stick(drive, known):
+            found = _entrained(drive, known, digits)
+        else:
+            orbit = search(drive, max_events) if orbit is None else solve_orbit(orbit)
+            found = _of_orbit(orbit, known, digits)
+        return found, _numbers(found)
 
     # v2 is lost beside a v1 that so much larger a force gives
     times = sum(abs(one.amplitude) for one in sines) / drive.pair.b
     lost = max(0, times.numerator.bit_length() - times.denominator.bit_length()) * 3 // 10
-    motions = to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
-    if drive.weakening is None:
-        return motions[0]
-    is_all = drive.has_one_motion or motions[0].regime is Regime.GROWS
-    without = tuple(replace(one, thresholds=None) for one in motions)
-    return cast("Response", PeriodicMotions(drive, without, known and known.entrainment, starts, is_all, digits))
+    return to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
 
 
 def _numbers(found: Response) -> list[arb]:
@@ -201,7 +159,7 @@ def _numbers(found: Response) -> list[arb]:
     sizes = [abs(one) for one in found.multipliers or ()]
     if found.orbit is None:
         return sizes if found.drive.pair.a1 > 0 else []
-    return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.events for one in (leg.start, *leg.state[:2]))]
+    return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.legs for one in (leg.start, *leg.state[:2]))]
 
 
 def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
@@ -224,6 +182,7 @@ def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
 def steady_drive(scene: Scene) -> PeriodicDrive:
     """Return what acts in the long run. Raises InvalidScene unless that is a constant and sines."""
     scene.require_filippov("a response")
+    scene.require_one_b("a response")
     drive = last_drive(scene)
     if drive is None or not drive.piece.sines:
         raise InvalidScene(
@@ -238,22 +197,14 @@ def last_drive(scene: Scene) -> PeriodicDrive | None:
     if len(last.polynomial) > 1:
         return None
     pair, b = scene.pair, scene.friction.pieces[-1][1] if scene.friction.pieces else scene.pair.b
-    given = scene.friction.weakening
-    if given is not None:
-        if given.place:
-            raise InvalidScene(
-                "where friction depends on displacement a motion repeats only if x1 - x2 does, and stuck ones fill "
-                "intervals: a response is not available for that; leave place out of [weakening]"
-            )
-        given = Weakening([(w, one * b / pair.b) for w, one in given.speed], given.last_slope * b / pair.b)
     added = Force((replace(last, start=Fraction(0)),)) + Force()  # equal sines become one
-    return PeriodicDrive(replace(pair, b=b), added.pieces[0], given)
+    return PeriodicDrive(replace(pair, b=b), added.pieces[0])
 
 
 def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
-    every = _EVERY if drive.has_one_motion else ""
+    every = _EVERY if pair.a1 > 0 else ""
     touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
     stays = (
         "a1 = 0, so not all motions tend to it: a free oscillation of the stuck pair does not decay, and motions that "
@@ -269,10 +220,8 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
         multipliers, why = None, f"{every or 'attraction is open'}; its load touches the limit"
     elif pair.a1 == 0:
         why = stays
-    elif every:
-        why = f"{every}, and sticks after a finite time"
     else:
-        why = f"{_NEXT}, and stick after a finite time"
+        why = f"{every}, and sticks after a finite time"
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
 
 
@@ -280,27 +229,20 @@ def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
     multipliers = tuple(orbit.multipliers())
-    attraction = _attraction(orbit, [abs(one) for one in multipliers])
+    attraction = _attraction(orbit)
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
     drift = arb(0) if drive.is_odd and attraction.startswith(_EVERY) else orbit.travel / drive.period
     return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
 
 
-def _attraction(orbit: Orbit, sizes: Sequence[arb]) -> str:
-    """Return what is proved of other motions, "every motion ..." if it is the only periodic one.
-
-    `sizes` are those of its multipliers.
-    """
-    pair, weakening = orbit.drive.pair, orbit.drive.weakening
-    if orbit.drive.has_one_motion:
+def _attraction(orbit: Orbit) -> str:
+    """Return what is proved of other motions, "every motion ..." if it is the only periodic one."""
+    pair = orbit.drive.pair
+    if pair.a1 > 0:
         return _EVERY
-    if weakening is not None and any(one > 1 for one in sizes):
-        return "almost all nearby motions leave it"
-    if weakening is not None:
-        return _NEXT if all(one < 1 for one in sizes) else "whether nearby motions tend to it is open"
     rate = number(pair.a2 / pair.m1).sqrt()
     for before, leg in zip((orbit.legs[-1], *orbit.legs), orbit.legs, strict=False):
         turns = rate * (leg.end - leg.start) / (2 * arb.pi())
         if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:
             return f"{_EVERY}: a slip after a stick phase does not last a whole number of periods of body 1"
-    return f"{_NEXT} if all multipliers are below 1"
+    return "nearby motions tend to it if all multipliers are below 1"

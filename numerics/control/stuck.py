@@ -18,7 +18,6 @@ from numerics.control.answers import number, rounded
 from numerics.control.orbit import PeriodicDrive, State3
 from numerics.control.thresholds import Thresholds, impedance, load_margin
 from numerics.linear.system import ONE, Motion, is_positive_on
-from numerics.scene import Weakening
 
 _PARTS = 8
 """Times of a period among which the one with the least load is taken."""
@@ -90,17 +89,13 @@ def _load(drive: PeriodicDrive, t: Fraction, state: State3) -> float:
 
 
 def resonant_growth(drive: PeriodicDrive) -> arb:
-    """Return (U^ - 4b/pi)/(2 m1) if a1 = 0 and the force's amplitude U^ at omega1 is above 4b/pi, m/s^2; else 0.
-
-    Where friction depends on the speed b is the most that it can be.
-    """
-    pair, weakening = drive.pair, drive.weakening or Weakening()
+    """Return (U^ - 4b/pi)/(2 m1) if a1 = 0 and the force's amplitude U^ at omega1 is above 4b/pi, m/s^2; else 0."""
+    pair = drive.pair
     resonant = [one for one in drive.piece.sines if one.omega**2 * pair.m1 == pair.a2]
-    if pair.a1 != 0 or not resonant or weakening.last_slope > 0:
+    if pair.a1 != 0 or not resonant:
         return arb(0)
-    most = max([pair.b, *(b for _, b in weakening.speed)])
     total = sum((acb.exp(acb(0, number(one.phase))) * number(one.amplitude) for one in resonant), acb(0))
-    over = abs(total) - 4 * number(most) / arb.pi()
+    over = abs(total) - 4 * number(pair.b) / arb.pi()
     grows = proved_sign(over, "does the force bring more than friction takes at resonance?") > 0
     return over / (2 * number(pair.m1)) if grows else arb(0)
 

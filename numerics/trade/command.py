@@ -54,8 +54,7 @@ def print_trade(trade: Any) -> None:
         lines = []
         for one in trade.of(scene):
             digits = "-" if one.digits is None else f"{one.digits:.1f}"
-            events = one.note or ("none" if one.who.endswith("smoothed") else "right")
-            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, events))
+            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, one.note or "right"))
         print(f"{scene}: {why}")
         print_table(("method", "setting", "time", "digits", "events"), lines)
         print()
@@ -65,7 +64,7 @@ def print_trade(trade: Any) -> None:
     print(
         "Times are CPU times of calls after a warm-up, alternating with solve(scene) in one process. Digits are those "
         "of the largest error: of the state at the horizon relative to L and L Omega, of the event times and, on a "
-        "line, of the dissipated energy relative to themselves. A smoothed friction law has no events."
+        "line, of the dissipated energy relative to themselves."
     )
     for name, missing in trade.left_out.items():
         print(f"left out: {name}: needs {missing}")

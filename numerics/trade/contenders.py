@@ -12,12 +12,10 @@ from numerics.plane.trajectory import PlaneTrajectory
 from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.comparisons.forward_euler import euler_peer
 from numerics.trade.comparisons.integrators import heyoka_arcs, scipy_arcs
-from numerics.trade.comparisons.smoothed import smoothed
 from numerics.trade.comparisons.switched import Call, PeerRun, switched
-from numerics.trade.scenes import KINDS
+from numerics.trade.scenes import KINDS, LINE
 
 MAX_EVENTS = 10**7
-LINE = "free", "forced"
 Prepare = Callable[[Any, float], Call]
 """prepare(scene, setting) builds and compiles everything; the call that it returns is timed, and solves each time."""
 
@@ -74,7 +72,6 @@ CONTENDERS = (
     Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy", LINE),
     Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), "heyoka", LINE),
     Contender("heyoka long double", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), "heyoka", LINE),
-    Contender("heyoka, smoothed", (1e-3, 1e-4, 1e-5), smoothed, "heyoka", ("surface", "state")),
 )
 
 

@@ -6,7 +6,7 @@
 - The state's error is the largest of |x_i - true|/L and |v_i - true|/(L Omega) at the horizon, with L = b M/(a2 m2) and
   Omega = sqrt(a2/M); that of the times the largest one of an event, relative to the time of the last; that of the
   dissipated energy is relative to the true one. On a surface L and Omega are those of each axis, and nobody counts the
-  energy; a smoothed law has no events, only its final state is judged.
+  energy.
 
 All are upper bounds: the radius of the reference is part of the error.
 """
@@ -48,7 +48,7 @@ class Judgement(NamedTuple):
 
 def judge(found: PeerRun, truth: PeerRun, scene: Any, digits: int = 0) -> Judgement:
     """Hold a run against the `proved` reference of as many digits."""
-    difference = first_difference(found, truth) if found.modes else None
+    difference = first_difference(found, truth)
     with Ball(working_digits(digits)).context():
         parts = list(zip(found.final, truth.final, scales(scene.pair), strict=True))
         if difference is None:

@@ -34,7 +34,7 @@ from numerics.trade.scenes import KINDS, kind
 SHIPPED = Path(__file__).with_name("recorded.json")
 COMMAND = "python -m numerics trade --json"
 PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka")
-OURS, PEERS = ("solve", "ball"), ("heyoka", "heyoka long double", "heyoka, smoothed")
+OURS, PEERS = ("solve", "ball"), ("heyoka", "heyoka long double")
 """Ours, and whom it is measured against: the fastest integrator of its kind that we know."""
 ASKED = {0: "`solve(scene)`", 12: "`digits=12`", 20: "`digits=20`"}
 """Our settings, as a user writes them."""

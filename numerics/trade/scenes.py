@@ -17,6 +17,8 @@ KINDS = {
     "state": "with friction of the state",
 }
 """How the names of scenes begin that are not free, and what the kinds are."""
+LINE = "free", "forced"
+"""Those that others are measured on, too."""
 
 
 def kind(name: str) -> str:

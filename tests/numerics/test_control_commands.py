@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from control_scenes import DAMPED, FALLING, FREE, LIGHTLY, answer, moved, under
+from control_scenes import DAMPED, FREE, answer, moved, under
 
 from numerics import Force, Mode, fastest_transfer, scene_text, solve, track
 from numerics.arithmetic.ball import Ball
@@ -57,17 +57,6 @@ def test_the_energy_excess_is_told_where_its_unit_means_something(output, record
     for scene, is_told in (("velocities", True), ("forced-step", False), ("forced-friction-by-pieces", False)):
         assert ("E_cr" in output("solve", scene)) is is_told
     assert "energy_excess" in record("solve", "forced-step")["final"]
-
-
-def test_response_tells_every_motion_of_a_falling_friction(monkeypatch, output, record):
-    several = answer(LIGHTLY, "0.45", 14, FALLING)
-    monkeypatch.setattr("numerics.control.response.response", lambda *_, **__: several)
-    found, lines = (how("response", "forced-sine-stick-slip") for how in (record, output))
-    told = [(one["regime"], len(one["events"])) for one in found["motions"]]
-    assert told == [("entrained", 0), ("non-stop", 2), ("non-stop", 2)]
-    assert (lines.splitlines()[0], found["is_all"], found["starts"]) == (several.sentence, False, several.starts)
-    assert all("slips_for_ever" not in one for one in found["motions"])
-    assert [line[:2] for line in lines.splitlines() if line[1] == ":"] == ["1:", "2:", "3:"]
 
 
 @pytest.mark.parametrize("on_terminal", [True, False])

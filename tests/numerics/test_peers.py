@@ -77,12 +77,3 @@ def test_what_does_not_get_on_is_stopped_(monkeypatch):
 )
 def test_the_chatter_of_forward_euler_is_read_as_sticking(sign, load, mode, events):
     assert list(events_of(np.array(sign), np.array(load), mode)) == events
-
-
-@pytest.mark.parametrize("name", ["surface-stick-slip", "state-weakening"])
-def test_a_smoothed_law_comes_nearer_with_less_smoothing(name):
-    scene = benchmark(name)
-    coarse, fine = (
-        judge(prepared("heyoka, smoothed", scene, eps)(), truth_of(scene), scene).digits for eps in (1e-2, 1e-4)
-    )
-    assert fine > max(coarse + 0.5, 1.5)

@@ -40,7 +40,7 @@ class PeerRun:
 
     modes: Sequence[Any]
     """The itinerary: the sign of v1 - v2 in every segment, 0 in stick; one more than there are events. On a surface
-    words; none where the law is smoothed, which has no events."""
+    words."""
     times: Sequence[Any]
     """The times of the events, s."""
     final: Sequence[Any]

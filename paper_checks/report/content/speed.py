@@ -15,7 +15,7 @@ from numerics.scene.file import load_scene
 from numerics.trade.euler import STEPS, EulerFigure, euler_figure, stick_energy
 from numerics.trade.figure import draw_trade
 from numerics.trade.recorded import ASKED, Trade
-from numerics.trade.scenes import KINDS, kind
+from numerics.trade.scenes import KINDS, LINE
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
 
@@ -58,24 +58,16 @@ def section(trade: Trade) -> Section:
 
 
 def answers(trade: Trade) -> Iterator[str]:
-    """Say for each kind of scene who is faster where no digits are asked for, how right both are, and where that turns."""
+    """Say for each kind of scene on a line who is faster where no digits are asked for, and where that turns."""
     ratios = trade.ratios()
-    for which, words in KINDS.items():
+    for words in (KINDS[which] for which in LINE):
         free, *asked = (ratios.get(f"{setting}, {words}", {}) for setting in ASKED.values())
-        leads = [lead for name in trade.scenes if kind(name) == which and (lead := trade.beside(name, 0))]
         said = [f"{words.capitalize()}, {told(free)}"]
-        if which in {"free", "forced"}:
-            for digits, some in zip([*ASKED][1:], asked, strict=True):
-                if lost := sum(one < 1 for one in some.values()):
-                    scenes = f"{lost} of {len(some)} scenes"
-                    said.append(f"Asked for {digits} digits, {PEER} wins on {scenes}; {_typical(some)}.")
-        elif leads:
-            peers, ours = ([getattr(lead, side).digits for lead in leads] for side in ("peer", "ours"))
-            said.append(
-                f"Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
-            )
-        if leads or which in {"free", "forced"}:
-            yield " ".join(said)
+        for digits, some in zip([*ASKED][1:], asked, strict=True):
+            if lost := sum(one < 1 for one in some.values()):
+                scenes = f"{lost} of {len(some)} scenes"
+                said.append(f"Asked for {digits} digits, {PEER} wins on {scenes}; {_typical(some)}.")
+        yield " ".join(said)
 
 
 def _typical(ratios: Mapping[str, float]) -> str:
@@ -116,8 +108,8 @@ def figures(trade: Trade) -> Figures:
 
 
 def events(trade: Trade) -> Iterator[str]:
-    """Say who has the event sequence right in every run; a smoothed law has none."""
-    judged = [one for one in trade.runs if one.right is not None and not one.who.endswith("smoothed")]
+    """Say who has the event sequence right in every run."""
+    judged = [one for one in trade.runs if one.right is not None]
     wrong = [one for one in judged if not one.right]
     bad = {one.who for one in wrong}
     good = list(dict.fromkeys(one.who for one in judged if one.who not in bad))
@@ -136,7 +128,7 @@ def provenance(trade: Trade) -> Iterator[Block]:
         f"{f' Left out: {missing}.' if missing else ''} Times are medians of warm runs, compilation apart; the answer is read. Digits are those of the "
         "worst error against balls: of the final state in units of $L$ and $L\\Omega$, of the events' times, of the dissipated energy. "
         "An integrator is used at its best: restarted at every event and jump, in coordinates that lose nothing; on a surface, and where "
-        "friction depends on the state, with a smoothed law, whose events nobody judges."
+        "friction depends on the state, ours was measured alone."
     )
     yield Paragraph(
         "`python -m numerics trade --out F` measures your machine and draws the figure; `python -m numerics trade --json > F`, then "
