@@ -1,4 +1,4 @@
-"""The Abel functions' error bounds against the truth, and jumps against stepping in state and side."""
+"""The Abel functions' error bounds against the truth."""
 
 from fractions import Fraction
 from functools import cache
@@ -7,10 +7,9 @@ from itertools import islice
 import pytest
 from flint import arb
 
-from numerics import EventUndecided, Pair, Scene, State, solve
+from numerics import EventUndecided, Pair
 from numerics.arithmetic.ball import Ball
 from numerics.free.abel import AbelFunctions
-from numerics.free.energy import EnergyMethod, energy_at
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
 
@@ -57,20 +56,3 @@ def test_beyond_what_is_certified_nothing_is_said():
         functions = AbelFunctions(Fraction(1, 2), 4)
         with pytest.raises(EventUndecided, match="within the certified"):
             functions.alpha(Ball(30).number(functions.largest_argument * Fraction(1001, 1000)))
-
-
-@pytest.mark.parametrize("share", [Fraction(1, 2), Fraction(2, 5)])
-@pytest.mark.parametrize("time", ["1400", "1403.1", "1404.7"])
-def test_a_jump_lands_where_stepping_does(share, time):
-    """Position, velocity and mode: the parity of the side, too."""
-    pair = Pair(m1=share, m2=1 - share, a2=1, b=1 - share)
-    start = State(v1=Fraction(11, 10), v2=Fraction(11, 10))
-    jumped = energy_at(Scene(pair, start, until=1), time, digits=12)
-    stepped = solve(Scene(pair, start, until=time), digits=20, arithmetic="ball", max_events=5000)
-    assert jumped.road is EnergyMethod.ABEL
-    x1, v1, _, v2 = stepped.sol(Fraction(time))
-    found = jumped.si_state
-    for one, other in ((found[0], x1), (found[1], v1), (found[3], v2)):
-        assert one.overlaps(other)
-        assert one.rad() < 1e-6
-    assert jumped.mode is stepped.mode_at(Fraction(time))

@@ -73,6 +73,10 @@ def sticks_exactly_below(scene: Scene, arithmetic: str, critical: fmpq) -> bool:
 @ARITHMETICS
 @reaching
 @given(scene=motions_of_energy(excesses(-25, 1)))
+@example(scene=Scene(PAIR, State(v1="0.005", v2="0.005"), 1))  # E_cr exactly
+@example(scene=Scene(PAIR, State(v1="0.005000001", v2="0.005000001"), 1))
+@example(scene=Scene(PAIR, State(x1="0.0004", v1="0.002"), 1))
+@example(scene=Scene(Pair(60, 1, 3701, 1), State(x1="0.0008", v2=1), 1))  # a stay above half of its bound
 def test_the_pair_sticks_for_good_exactly_up_to_the_critical_energy(scene, arithmetic):
     try:
         assert sticks_exactly_below(scene, arithmetic, critical_of(scene.pair))
@@ -158,6 +162,8 @@ def test_a_jump_gives_what_stepping_gives(scene, half_turns):
     with stepped.arithmetic.context():
         assert jumped.energy_excess.overlaps(stepped.final.w)
         assert jumped.energy.overlaps(energy_of(scene.pair, stepped.final_state))
+        for k in (0, 1, 3):  # x2 counts from an unknown origin after a jump
+            assert jumped.si_state[k].overlaps(stepped.final_state[k])
     assert jumped.excursions == stepped.event_kinds.count(EventKind.EXIT)
     assert jumped.mode is stepped.final_mode
 

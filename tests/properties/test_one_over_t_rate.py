@@ -78,14 +78,13 @@ def first_exit(scene: Scene) -> Exit:
 
 
 def excess_at(scene: Scene, t: Fraction) -> arb:
-    """w at a late time, by the jump; LeftOut where the pair has merged or too many events come first."""
+    """w at a late time after such an exit, by the jump; it never merges. LeftOut where too many events come first."""
     try:
         found = energy_at(scene, t, digits=20, max_steps=5000)
     except (OutOfRange, EventUndecided):
         raise LeftOut from None
     assert found.energy.overlaps(of_pair(critical_energy(), scene.pair) * (1 + found.energy_excess))
-    if not found.energy_excess > 0:
-        raise LeftOut
+    assert found.energy_excess > 0
     assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= found.digits
     return found.energy_excess
 
@@ -141,6 +140,21 @@ def test_the_excess_is_between_two_constants_over_the_time(scene, t):
         assert is_between(begun, t)
         low, high = (begun.value(one, s=begun.since(t)) for one in excess_bounds())
         assert low <= excess_at(scene, t) <= high
+
+
+@reaching
+@given(starts_on_a_ray((-9, -1), ratios=(-2, 2)), st.integers(1, 60))
+def test_in_float64_the_excess_is_between_the_same_bounds(scene, quarter_turns):
+    t = quarter_turns * Fraction(float(arb.pi() / reduced_time(scene.pair, 2)))
+    run = solve(Scene(scene.pair, scene.initial, t), arithmetic="float64")
+    if not (run.certain and run.accuracy.bounded):
+        raise LeftOut
+    with precision(BITS):
+        begun = first_exit(scene)
+        low, high = (begun.value(one, s=begun.since(t)) for one in excess_bounds())
+        w, off = exact(Fraction(run.final.w)), exact(Fraction(run.accuracy.energy_excess))
+        assert low - off <= w <= high + off
+        assert off < w / 10**3
 
 
 @reaching
