@@ -22,6 +22,8 @@ from paper_checks.evidence.evidence import Evidence, EvidenceKind
 Side: TypeAlias = "sp.Basic | int | Sequence[Any]"
 """An expression, or a list or matrix of sides."""
 _MANY = sp.MatrixBase | list | tuple
+NORMAL_FORM, SYMPY = "normal form", "sympy"
+"""What decides: `normal_form`, over FLINT's polynomials, or where that does not reach 0 one of sympy's rewritings."""
 POINTS = 5
 DIGITS = 45
 """Digits after the point to which a difference that is not rational at a point is enclosed."""
@@ -67,7 +69,8 @@ def identity(
     )
     if zero and inexact:
         text += f" (to {DIGITS} digits at {inexact} of them)"
-    return _evidence(statement, True if zero else None, tried, text)
+    engine = NORMAL_FORM if zero and all(map(is_zero, differences)) else SYMPY
+    return _evidence(statement, True if zero else None, tried, text, engine)
 
 
 def simplifies_to_zero(expression: sp.Expr) -> bool:
@@ -93,8 +96,8 @@ def _with_simple_roots(expression: sp.Expr) -> sp.Expr:
     return expression.replace(lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer, rooted)
 
 
-def _evidence(statement: str, passed: bool | None, cases: int, value: str) -> Evidence:
-    return Evidence(EvidenceKind.EXACT, "sympy", statement, passed, cases, value)
+def _evidence(statement: str, passed: bool | None, cases: int, value: str, engine: str = SYMPY) -> Evidence:
+    return Evidence(EvidenceKind.EXACT, engine, statement, passed, cases, value)
 
 
 def _entries(side: Side) -> list[sp.Expr]:

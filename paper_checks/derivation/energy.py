@@ -155,7 +155,6 @@ CRITICAL = Stage(
             r"The same for every point of the ellipse: on $S$, $E\leqslant E_{cr}$ implies",
             f"{CLOSED} {ABOVE}",
             lambda: (Formula("x_1^2", "<=", HALF_WIDTH**2, stays_inside),),
-            kernel="ellipse-iff",
         ),
         Line(
             r"""

@@ -30,7 +30,7 @@ class Line:
     """One line: `done` says what was done, `formulas` is what came out; `carries` names clauses as `claim/clause`.
 
     `steps` are checks of an inference in words. `kernel` names theorems of the proof kernel that state what the line
-    states. Texts are prose with LaTeX between dollars.
+    states, or more. Texts are prose with LaTeX between dollars.
     """
 
     done: str

@@ -45,9 +45,9 @@ LAW = Stage(
             A motion that never merges tends to the ellipse of $E_{cr}$, and from some time on it slips and sticks in turn,
             from ray to ray, with $w\to 0$.
             """,
-            BOTH,
+            f"{BOTH} stick-durations/sticks slip-durations/slips",
             steps=lambda: (argument(EVENTUALLY, merges_or_creeps()),),
-            kernel="sharp-law",
+            kernel="exit-and-entry-times",
         ),
         Line(
             "Divide: in one excursion $1/w$ gains, in the limit $w\\to 0$,",

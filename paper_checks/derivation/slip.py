@@ -116,7 +116,10 @@ SLIP = Stage(
             CONTACT,
             lambda: (
                 Formula(
-                    "h'", "=", h_slope(), same_as((2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2)
+                    "h'",
+                    "=",
+                    tidy(h_slope()),
+                    same_as((2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2),
                 ),
             ),
             steps=lambda: (*angle_of_excursion()[1:], *one_contact()),
@@ -140,7 +143,6 @@ SLIP = Stage(
                 vanishes(r"$1-X'=q\,c(\theta)$", 1 - excursion().position - q * in_trigonometry(depth())),
                 *depth_grows()[:2],
             ),
-            kernel="re-entry",
         ),
         Line(
             r"Write $y=w/q$, so that $y=h^2$ at the start. The return map, with $h$ and $c$ at one angle:",

@@ -336,7 +336,6 @@ FILIPPOV = Stage(
                 Formula(r"\alpha(1-\alpha)", ">=", 0, within_unit),
                 Formula("x_1^2", "<=", HALF_WIDTH**2, only_on_strip),
             ),
-            kernel="transversal-inside",
         ),
         Line(
             "Substitute the weight: Filippov's field. It is the stick mode, one mass $m_1+m_2$ on the spring.",

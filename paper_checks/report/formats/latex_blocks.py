@@ -57,9 +57,11 @@ class LatexWriter(Writer):
         return f"{{\\scriptsize\n\\begin{{verbatim}}\n{text}\n\\end{{verbatim}}}}"
 
     def _numbered(self, line: blocks.Line) -> str:
+        """Return a line with its remark below it, on one page with the formula."""
         mark = label(line.id) if line.id else ""
         remark = self.text(line.remark) if line.passed else rf"\textbf{{{self.text(line.remark)}}}"
-        return rf"{mark}\textbf{{({line.number})}} {self.text(line.text)}" + f"\n\n{{\\footnotesize {remark}\\par}}"
+        text = rf"{mark}\textbf{{({line.number})}} {self.text(line.text)}"
+        return f"{{\\postdisplaypenalty=10000 {text}\\par\\nopagebreak\n{{\\footnotesize {remark}\\par}}}}"
 
     def _markup(self, html: str) -> str:
         del html

@@ -83,7 +83,7 @@ def test_a_wrong_sign_in_theory_is_said_on_the_line_and_turns_verdict_and_exit_c
     broken = row_of("vector-fields")
     assert (broken.finding.verdict, runner.exit_code([broken])) == (Verdict.UNDECIDED, 1)
     assert not any(line.passed for line in shown(broken))
-    assert all("Failed: line (" in line.remark for line in shown(broken))
+    assert all("Failed: difference" in line.remark for line in shown(broken))
 
 
 def test_a_line_without_a_solver_or_without_its_row_is_unchecked(monkeypatch):
