@@ -63,13 +63,13 @@ def _in_words(section: Section) -> Iterator[Block]:
 
 
 def entry(row: Row) -> Folded:
-    """Return what is printed of a claim or theorem: the statement, and why it holds or what is true instead."""
+    """Return what is printed of a claim or theorem: the statement, and what is true instead or, without the kernel, why it holds."""
     claim, finding = row.claim, row.finding
     theorem = claim.kind is Kind.THEOREM
     hypotheses = opening.hypotheses(claim.id) if theorem else opening.FREE
     assumed = "" if hypotheses == opening.FREE else f"{hypotheses} "
     texts = {"Counterexample": finding.counterexample, "What is true": finding.corrected}
-    if not theorem and not any(texts.values()):
+    if not theorem and not any(texts.values()) and row.established_by is not EvidenceKind.KERNEL:
         texts["Why"] = in_short(row)
     texts["Missing for a proof"] = finding.missing
     statement = f"[{place(row)}] {assumed}{' '.join(map(story.displayed, claim.clauses))}"
@@ -83,4 +83,5 @@ def place(row: Row) -> str:
     names = dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel)
     by = kind(row) + (f": {', '.join(names)}" if row.established_by is EvidenceKind.KERNEL else "")
     where = f"{'eq. ' * row.claim.where.startswith('(')}{row.claim.where}"
-    return by if row.claim.kind is Kind.THEOREM else f"{where}; {by}"
+    found = [where] * (row.claim.kind is Kind.CLAIM) + [by] * (row.established_by is not None)
+    return "; ".join(found) or "not established"

@@ -26,21 +26,25 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[utf8]{inputenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \IfFileExists{microtype.sty}{\usepackage{microtype}}{}
-\usepackage[a4paper,hmargin=22mm,vmargin=20mm]{geometry}
+\usepackage[a4paper,margin=20mm]{geometry}
 \usepackage{amsmath,amssymb,array,graphicx,longtable}
 \usepackage[hidelinks,pdfcreator={},pdfproducer={}]{hyperref}
 \pdfinfoomitdate=1 \pdftrailerid{} \pdfsuppressptexinfo=-1
 \setlength{\emergencystretch}{3em}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{2pt plus 1pt}
-\widowpenalty=10000 \clubpenalty=10000
+\widowpenalty=500 \clubpenalty=500
 \setcounter{tocdepth}{1}
-\newcommand{\entry}{\small\setlength{\abovedisplayskip}{3pt}\setlength{\belowdisplayskip}{3pt}\par\addvspace{5pt plus 2pt}}
+\newcommand{\entry}{\small\par\addvspace{5pt plus 2pt}}
+\newcommand{\closer}{\setlength{\abovedisplayskip}{3pt plus 1pt}\setlength{\belowdisplayskip}{3pt plus 1pt}}
 \setlength{\LTpre}{4pt} \setlength{\LTpost}{4pt}
 \makeatletter
+\renewcommand{\section}{\@startsection{section}{1}{0pt}{-2.4ex plus -0.8ex}{0.9ex}{\normalfont\large\bfseries}}
+\renewcommand{\subsection}{\@startsection{subsection}{2}{0pt}{-1.8ex plus -0.6ex}{0.6ex}{\normalfont\normalsize\bfseries}}
 \renewcommand{\l@section}{\@dottedtocline{1}{0em}{1.8em}}
 \renewcommand{\@listi}{\leftmargin\leftmargini \topsep 2pt \parsep 0pt \itemsep 2pt}
 \let\@listI\@listi
+\g@addto@macro\normalsize{\closer} \g@addto@macro\small{\closer}
 \begingroup\catcode`'=\active \g@addto@macro\@noligs{\let'\textquotesingle}\endgroup
 \makeatother
 """

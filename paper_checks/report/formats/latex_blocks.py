@@ -11,7 +11,6 @@ from paper_checks.report.mathematics import prose
 
 _BREAK = re.compile(r"(?<=[-.])|(?<=\\_)")
 """Where code may be broken at the end of a line."""
-SIZE = r"width=\linewidth,height=0.24\textheight,keepaspectratio"
 
 
 class LatexWriter(Writer):
@@ -60,7 +59,7 @@ class LatexWriter(Writer):
         """Return a line with its remark below it, on one page with the formula."""
         mark = label(line.id) if line.id else ""
         remark = self.text(line.remark) if line.passed else rf"\textbf{{{self.text(line.remark)}}}"
-        text = rf"{mark}\textbf{{({line.number})}} {self.text(line.text)}"
+        text = rf"\par\addvspace{{4pt}}{mark}\textbf{{({line.number})}} {self.text(line.text)}"
         return f"{{\\postdisplaypenalty=10000 {text}\\par\\nopagebreak\n{{\\footnotesize {remark}\\par}}}}"
 
     def _markup(self, html: str) -> str:
@@ -70,22 +69,22 @@ class LatexWriter(Writer):
     def _folded(self, title: str, inside: str, anchor: str) -> str:
         return rf"{{\entry{label(anchor)}\textbf{{{self.text(title)}}} {inside}\par}}"
 
-    def _picture(self, picture: blocks.Picture) -> str:
+    def _picture(self, picture: blocks.Picture, wide: str = r"0.7\textwidth") -> str:
         if picture.name not in self._figures:
             return f"The figure {prose.latex(picture.name)} was not drawn."
         title = rf"\textbf{{{self.text(picture.title)}.}} " if picture.title else ""
         return (
-            rf"\begin{{center}}\includegraphics[{SIZE}]{{{self._figures[picture.name]}}}"
+            rf"\begin{{center}}\includegraphics[width={wide},height=0.27\textheight,keepaspectratio]{{{self._figures[picture.name]}}}"
             rf"\\ \small {title}{self.text(picture.caption)}\end{{center}}"
         )
 
     def _cards(self, cards: Sequence[tuple[str, str, blocks.Picture]]) -> str:
         """Return pictures side by side, two in a line, each below what it shows."""
-        boxes = [
-            f"\\begin{{minipage}}[t]{{0.485\\textwidth}}\n\\small\\textbf{{{title}.}} {text}\n\n{self._picture(picture)}\n\\end{{minipage}}"
-            for title, text, picture in cards
-        ]
+        boxes = [rf"\begin{{minipage}}[t]{{0.485\textwidth}}{self._card(*one)}\end{{minipage}}" for one in cards]
         return "\n\n".join("\\hfill\n".join(boxes[first : first + 2]) for first in range(0, len(boxes), 2))
+
+    def _card(self, title: str, text: str, picture: blocks.Picture) -> str:
+        return rf"\small\textbf{{{title}.}} {text}" + "\n\n" + self._picture(picture, r"\linewidth")
 
     def _table(self, table: blocks.Table) -> str:
         """Return a table as wide as the page, its columns as wide as their texts ask for, within limits."""
