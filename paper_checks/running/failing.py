@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
 from paper_checks.evidence.finding import Verdict
 from paper_checks.running.runner import Row
+
+BEFORE_THE_MODEL = ("Abstract", "I")
+"""Sections of the paper that speak of what later ones derive."""
 
 
 @dataclass(frozen=True)
@@ -22,32 +25,33 @@ class Failure:
 def lowest(rows: Iterable[Row]) -> list[Failure]:
     """Return the lowest failing steps of the claims whose verdict is not the recorded one.
 
-    A step of the kernel comes after all others, as it is tied to the expressions that they check; then the one with the
-    fewest steps below it comes first, and of these the one that turns most claims.
+    First, in the order of the paper from its model on, the formulas that are not what is derived: it is the order of the
+    derivation. Then those with the fewest steps below them, and of these the ones that turn most claims. A theorem of the kernel comes
+    last, as it is tied to the expressions that the others check.
     """
     claims: dict[tuple[str, str], list[str]] = {}
-    ranks: dict[tuple[str, str], tuple[bool, int]] = {}
-    for row in rows:
+    ranks: dict[tuple[str, str], tuple[bool, bool, int]] = {}
+    for row in sorted(rows, key=lambda row: row.claim.section in BEFORE_THE_MODEL):
         if row.as_recorded or row.finding.verdict is Verdict.UNCHECKED:
             continue
         steps = list(_lowest(row))
+        formulas = {step for proof in row.proofs for step in proof.bindings}
         for step in steps:
             name = step.statement, step.value
             claims.setdefault(name, []).append(row.claim.id)
-            ranks[name] = step.kind is EvidenceKind.KERNEL, len(closure(step.rests_on))
+            rank = step.kind is EvidenceKind.KERNEL, step not in formulas, len(closure(step.rests_on))
+            ranks[name] = min(rank, ranks.get(name, rank))
         if not steps:
             name = row.finding.missing or row.finding.reason, ""
             claims.setdefault(name, []).append(row.claim.id)
-            ranks[name] = False, 0
-    order = sorted(claims, key=lambda name: (ranks[name], -len(claims[name])))
+            ranks[name] = False, True, 0
+    order = sorted(claims, key=lambda name: (ranks[name], -len(claims[name]) * ranks[name][1]))
     return [Failure(*name, tuple(dict.fromkeys(claims[name]))) for name in order]
 
 
 def _lowest(row: Row) -> Iterator[Evidence]:
     """Yield the steps of a row that did not pass, and rest on none that did not."""
-    of_proofs: Sequence[Evidence] = [
-        step for proof in row.proofs for step in (*proof.kernel, *proof.steps, *proof.bindings)
-    ]
+    of_proofs = (step for proof in row.proofs for step in (*proof.kernel, *proof.steps, *proof.bindings))
     for step in closure((*row.finding.evidence, *of_proofs)):
         if step.passed is not True and all(below.passed is True for below in closure(step.rests_on)):
             yield step

@@ -6,12 +6,17 @@ import time
 import traceback
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from textwrap import shorten
 
 from paper_checks.errors import ToolMissingError
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.running.graph import SETTLED, Proof, established_by, judged, kernel_status, open_clauses, proofs
+
+
+SAID = 240
+"""Characters up to which an error is quoted."""
 
 
 @dataclass(frozen=True)
@@ -107,8 +112,8 @@ def _place(error: Exception) -> str:
 
 
 def _literal(error: Exception) -> str:
-    """Return the error's text so that none of it reads as mathematics."""
-    return " ".join(str(error).split()).replace("$", r"\$")
+    """Return the error's text, its beginning where it is long, so that none of it reads as mathematics."""
+    return shorten(str(error), SAID, placeholder=" ...").replace("$", r"\$")
 
 
 def exit_code(rows: Iterable[Row]) -> int:

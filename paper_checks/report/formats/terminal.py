@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from textwrap import shorten
 
 from rich.console import Console
 from rich.padding import Padding
@@ -28,8 +29,8 @@ STYLES = {
 }
 
 
-SHOWN_FAILURES, SHOWN_CLAIMS = 4, 4
-"""How many failing steps are printed first, and of each how many claims by name."""
+SHOWN_FAILURES, SHOWN_CLAIMS, SHOWN_STATEMENT, SHOWN_VALUE = 5, 4, 240, 120
+"""How many failing steps are printed first; of each, so many claims by name, and characters of what it says and found."""
 ROOM_FOR_PLACES = 8
 """Columns that have to be left for the places; in fewer there would be nothing but dots."""
 ROOM_FOR_REASONS = 120
@@ -62,11 +63,16 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
 
 def _print_failures(console: Console, failures: Sequence[Failure]) -> None:
     """Print the steps that fail first, each once, with the claims that it turns."""
+    if failures:
+        turned = len({name for one in failures for name in one.claims})
+        _say(console, f"{turned} {'claim differs' if turned == 1 else 'claims differ'} from the record.")
     for one in failures[:SHOWN_FAILURES]:
-        value = f" [{plain(one.value)}]" if one.value else ""
+        value = f" [{shorten(plain(one.value), SHOWN_VALUE)}]" if one.value else ""
         turned = f"{len(one.claims)} claim{'s' if len(one.claims) != 1 else ''}"
         named = ", ".join(one.claims[:SHOWN_CLAIMS]) + ", ..." * (len(one.claims) > SHOWN_CLAIMS)
-        console.print(Text("Fails first: ", "bold red") + Text(f"{plain(one.statement)}{value}"))
+        console.print(
+            Text("Fails first: ", "bold red") + Text(f"{shorten(plain(one.statement), SHOWN_STATEMENT)}{value}")
+        )
         console.print(Padding(Text(f"turns {turned}: {named}"), (0, 0, 0, 2)))
     if more := len(failures) - SHOWN_FAILURES:
         _say(console, f"{more} more steps fail\n" if more > 0 else "")

@@ -91,6 +91,27 @@ FAULTS = {
         "sliding.stick_rate": plus(-b * v1),
         "sliding.energy": plus(-a2 * x1**2),
     },
+    "energy-as-lyapunov-function": {
+        "interpretation.energy": plus(-m1 * v1**2),
+        "energy.energy": negated,
+    },
+    "translational-or-rotational": {
+        "theory.scaling.radius": lambda radius: radius**2,
+        "interpretation.driven_equation": plus(b),
+    },
+    "stiff-limit": {
+        "interpretation.slip_rate": other_sign,
+        "theory.presliding.other": changed(lambda one: -one),
+        "filippov.set_valued_sign": unbounded_sign,
+    },
+    "parts-of-the-surface": {
+        "interpretation.surface": part("sliding", lambda one: one.subs(b, 2 * b)),
+        "interpretation.half_width": halved,
+    },
+    "two-senses-of-sliding": {
+        "interpretation.guard": doubled,
+        "interpretation.sliding_field": plus(sp.ImmutableMatrix([0, b, 0])),
+    },
     "critical-energy": {
         "theory.energy.half_width": doubled,
         "levels.critical_energy": squared,
