@@ -8,22 +8,28 @@ from typing import Any
 
 from numerics.cli import commands, control, solving
 from numerics.exits import OneLineParser, Version, path, program_name
+from numerics.scene.decimals import MOST_DIGITS
 from numerics.trade.command import measure_trade
 
 Option = tuple[str, dict[str, Any]]
 """A flag or a place, and what argparse is told of it."""
 
 
-def natural(text: str, least: int = 0) -> int:
+def natural(text: str, least: int = 0, most: int = 999_999_999) -> int:
     """Return a whole number of a flag, >= 0 or another least one."""
-    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) >= least):
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from {least} to 999999999")
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and least <= int(text) <= most):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from {least} to {most}")
     return int(text)
 
 
 def positive(text: str) -> int:
     """Return a whole number > 0 of a flag."""
     return natural(text, 1)
+
+
+def digits(text: str) -> int:
+    """Return so many digits of a flag."""
+    return natural(text, 1, MOST_DIGITS)
 
 
 def _option(name: str, what: str, **how: Any) -> Option:
@@ -36,7 +42,8 @@ def _switch(name: str, what: str) -> Option:
 
 def _count(name: str, default: int | None, what: str) -> Option:
     shown = what if default is None else f"{what} (%(default)s)"
-    return _option(name, shown, type=positive, default=default, metavar="N")
+    kind = digits if name.endswith("digits") else positive
+    return _option(name, shown, type=kind, default=default, metavar="N")
 
 
 def _file(name: str, what: str, metavar: str = "F") -> Option:

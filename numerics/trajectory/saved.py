@@ -25,7 +25,7 @@ from mpmath.libmp import from_man_exp
 from numerics.arithmetic.precision import precision
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
-from numerics.scene.decimals import require_whole
+from numerics.scene.decimals import require_digits, require_whole
 from numerics.scene.file import parse_scene, scene_text
 
 _RADIUS_BITS = 30
@@ -110,7 +110,7 @@ def restored(header: dict[str, Any], kind: Any, scene: Any = None) -> Any:
     (name, digits), right = header["arithmetic"], header["digits"]
     if name not in kind.ARITHMETICS:
         raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
-    require_whole("digits", digits, 1)
+    require_digits(digits)
     if right is not None:
         require_whole("right digits", right, 0)
     found = kind.restored(scene, header)
