@@ -12,9 +12,11 @@ from typing import Any
 
 import draws
 import numpy as np
+from flint import arb
 from hypothesis import strategies as st
 
 from numerics import Force, Law, Pair, Scene, State, thresholds
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.pair import TwoFloats as WideNumber
 from numerics.arithmetic.pair import two_sum
 from numerics.control.response import Regime
@@ -137,6 +139,17 @@ def viscous_scenes() -> st.SearchStrategy[Scene]:
     """Scenes with a1 > 0: every damping regime, starts on S, long slips, next to E_cr, both laws."""
     law = scenes(damped=True, law=Law.THREE_VALUED_SGN)
     return st.one_of(scenes(damped=True), law, long_slips(damped=True), near_critical((1, 14), damped=True))
+
+
+def balls() -> st.SearchStrategy[arb]:
+    """Balls whose midpoints have up to 600 bits, and whose radii are of any size beside them, or 0."""
+
+    def built(mantissa: int, exponent: int, radius: int, smaller: int) -> arb:
+        with Ball(200).context():
+            return arb(arb((mantissa, exponent)), arb((radius, exponent - smaller)))
+
+    exponents = st.integers(-3000, 3000)
+    return st.builds(built, st.integers(-(2**600), 2**600), exponents, st.integers(0, 2**30 - 1), exponents)
 
 
 def wide_numbers(low: int, high: int) -> st.SearchStrategy[WideNumber]:

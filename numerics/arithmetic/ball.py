@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import copyreg
 import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from fractions import Fraction
 
 import flint
-from flint import arb
+from flint import acb, arb, arb_mat, arb_poly
 
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
@@ -17,6 +18,7 @@ from numerics.errors import EventUndecided
 
 BITS_PER_DIGIT = math.log2(10)
 GUARD_BITS = 8
+_RADIUS_BITS = 30
 EXACT = 10**9
 """Stands for "all digits": the number is exact."""
 atan2, sine_cosine, finite = arb.atan2, arb.sin_cos, arb.is_finite
@@ -156,6 +158,33 @@ def exact_middle(x: arb) -> Fraction:
     """Return the midpoint of a ball, exact."""
     middle = x.mid().fmpq()
     return Fraction(int(middle.p), int(middle.q))
+
+
+Parts = tuple[int, int] | float
+"""Mantissa and exponent of a point; of what is not finite a float."""
+
+
+def ball_of(middle: Parts, radius: Parts) -> arb:
+    """Return the ball with this midpoint and this radius, the very same one as that of which these are the parts."""
+    if isinstance(radius, tuple) and radius[0]:
+        # a radius is rounded up to the next of 30 bits, even if it has no more: it comes back from just below
+        shift = _RADIUS_BITS + 1 - radius[0].bit_length()
+        radius = (radius[0] << shift) - 1, radius[1] - shift
+    return arb(arb(middle), arb(radius))
+
+
+def _parts(x: arb) -> Parts:
+    if not x.is_finite():
+        return float(x)
+    mantissa, exponent = x.man_exp()
+    return int(mantissa), int(exponent)
+
+
+# python-flint has no pickles of its own: with these every answer can be copied, and sent to another process
+copyreg.pickle(arb, lambda x: (ball_of, (_parts(x.mid()), _parts(x.rad()))))
+copyreg.pickle(acb, lambda x: (acb, (x.real, x.imag)))
+copyreg.pickle(arb_poly, lambda x: (arb_poly, (x.coeffs(),)))
+copyreg.pickle(arb_mat, lambda x: (arb_mat, (x.tolist(),)))
 
 
 def widened(x: arb, by: arb) -> arb:

@@ -8,17 +8,23 @@ from typing import Any
 
 from numerics.cli import commands, control, solving
 from numerics.exits import OneLineParser, Version, path, program_name
+from numerics.scene.decimals import MOST_DIGITS
 from numerics.trade.command import measure_trade
 
 Option = tuple[str, dict[str, Any]]
 """A flag or positional argument, and its options for argparse."""
 
 
-def positive(text: str) -> int:
+def positive(text: str, most: int = 999_999_999) -> int:
     """Return a whole number > 0 of a flag."""
-    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 999999999")
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and 0 < int(text) <= most):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to {most}")
     return int(text)
+
+
+def digits(text: str) -> int:
+    """Return a number of digits of a flag."""
+    return positive(text, MOST_DIGITS)
 
 
 def _option(name: str, what: str, **how: Any) -> Option:
@@ -31,7 +37,8 @@ def _switch(name: str, what: str) -> Option:
 
 def _count(name: str, default: int | None, what: str) -> Option:
     shown = what if default is None else f"{what} (%(default)s)"
-    return _option(name, shown, type=positive, default=default, metavar="N")
+    kind = digits if name.endswith("digits") else positive
+    return _option(name, shown, type=kind, default=default, metavar="N")
 
 
 def _file(name: str, what: str, metavar: str = "F") -> Option:

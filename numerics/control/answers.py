@@ -12,7 +12,6 @@ from numerics.arithmetic.attempts import SPARE_DIGITS
 from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
 from numerics.scene import Scene
-from numerics.scene.decimals import require_whole
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
@@ -22,14 +21,6 @@ KEPT_DIGITS, TIME_DIGITS = 40, 20
 
 number = Ball.number
 """An exact rational as a ball, in the arithmetic's context."""
-
-
-def require_digits(digits: Any, **caps: Any) -> None:
-    """Raise ValueError, naming the argument, unless the digits, and every cap that is given, are whole numbers > 0."""
-    require_whole("digits", digits, 1)
-    for name, cap in caps.items():
-        if cap is not None:
-            require_whole(name, cap, 1)
 
 
 def most_digits(digits: int, max_digits: int | None) -> int:

@@ -16,7 +16,7 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, require_digits, rounded
+from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, rounded
 from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
 from numerics.control.rotating import pictures, rotating_force, rotating_response
 from numerics.control.search import MAX_EVENTS, search
@@ -30,7 +30,7 @@ from numerics.control.stuck import (
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Piece, Scene
-from numerics.scene.decimals import Exact, exact_decimal, positive
+from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr

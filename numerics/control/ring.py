@@ -23,7 +23,7 @@ from flint import arb
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.arithmetic.precision import precision
-from numerics.control.answers import most_digits, number, require_digits
+from numerics.control.answers import most_digits, number
 from numerics.control.attraction import Passage, passage_at, passages, slide_left
 from numerics.control.orbit import Orbit, PeriodicDrive
 from numerics.control.response import last_drive, response
@@ -32,7 +32,7 @@ from numerics.free.abel import creeping_place
 from numerics.free.root import falling_root
 from numerics.linear.system import LocalNorm, W, Z
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, positive, short
+from numerics.scene.decimals import Exact, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene

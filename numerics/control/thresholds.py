@@ -26,11 +26,11 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import number, require_digits
+from numerics.control.answers import number
 from numerics.errors import InvalidScene
 from numerics.linear.system import is_positive_on
 from numerics.scene import Pair
-from numerics.scene.decimals import Exact, positive
+from numerics.scene.decimals import Exact, positive, require_digits
 from numerics.scene.model import require_kind
 from numerics.scene.plane import PlanePair
 from numerics.scene.short_repr import ShortRepr

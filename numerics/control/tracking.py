@@ -21,13 +21,13 @@ from flint import arb, arb_poly
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, proved_sign, undecided
-from numerics.control.answers import Prediction, number, require_digits, rounded
+from numerics.control.answers import Prediction, number, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
-from numerics.scene.decimals import short
+from numerics.scene.decimals import require_digits, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 

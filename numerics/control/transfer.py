@@ -27,7 +27,6 @@ from numerics.control.answers import (
     TIME_DIGITS,
     Prediction,
     number,
-    require_digits,
     rounded,
     rounded_up,
 )
@@ -35,7 +34,7 @@ from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.linear.system import V1, X1, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
-from numerics.scene.decimals import Exact, exact_decimal, positive, short
+from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 

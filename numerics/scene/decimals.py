@@ -96,11 +96,24 @@ def decimal_text(value: Fraction) -> str:
         return f"{value.numerator}/{value.denominator}"
 
 
-def require_whole(name: str, value: Any, least: int) -> None:
-    """Raise ValueError, naming the argument, unless it is a whole number from `least` to 2^62."""
+MOST_DIGITS = 1_000_000
+"""Working digits that may be asked for: one number takes half a megabyte."""
+
+
+def require_whole(name: str, value: Any, least: int, most: int = 2**62) -> None:
+    """Raise ValueError, naming the argument, unless it is a whole number from `least` to `most`."""
     is_whole = hasattr(value, "__index__") and not isinstance(value, bool)
-    if not (is_whole and least <= operator.index(value) <= 2**62):
-        raise ValueError(f"{name} = {shown(value)} must be a whole number from {least} to 2^62; give one")
+    if not (is_whole and least <= operator.index(value) <= most):
+        bound = "2^62" if most == 2**62 else str(most)
+        raise ValueError(f"{name} = {shown(value)} must be a whole number from {least} to {bound}; give one")
+
+
+def require_digits(digits: Any, max_digits: Any = None, **caps: Any) -> None:
+    """Raise ValueError, naming the argument, unless the digits, and every cap that is given, are whole numbers > 0."""
+    require_whole("digits", digits, 1, MOST_DIGITS)
+    require_whole("max_digits", 1 if max_digits is None else max_digits, 1, MOST_DIGITS)
+    for name, cap in caps.items():
+        require_whole(name, 1 if cap is None else cap, 1)
 
 
 def listed(name: str, values: Any, of: str = "") -> Iterable[Any]:

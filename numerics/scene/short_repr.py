@@ -38,7 +38,7 @@ class ShortRepr:
 
 def _is(value: Any, default: Any) -> bool:
     """Return whether a value is the default one; arrays and balls are none."""
-    return value is default or bool(isinstance(value, Fraction | Enum | tuple | ShortRepr) and value == default)
+    return value is default or bool(isinstance(value, str | Fraction | Enum | tuple | ShortRepr) and value == default)
 
 
 def shortly(value: Any) -> str:

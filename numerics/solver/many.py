@@ -27,7 +27,7 @@ from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import SI, Batch, near
 from numerics.solver.rows import form_ledgers, frictions_of, in_chunks, solve_columns, solve_one
-from numerics.trajectory.columns import Floats
+from numerics.trajectory.columns import Floats, room
 from numerics.trajectory.run import MAX_EVENTS
 
 if TYPE_CHECKING:
@@ -47,6 +47,9 @@ class _BatchLimits(NamedTuple):
         """Raise ValueError for what is no limit."""
         require_whole("max_events", self.max_events, 1)
         require_whole("keep_events", self.keep_events, 0)
+        if self.keep_events > self.max_events:
+            most = f"max_events = {self.max_events}"
+            raise ValueError(f"keep_events = {self.keep_events} must be at most {most}; give fewer, or raise it")
         require_whole("jobs", 1 if self.jobs is None else self.jobs, 1)
         if self.progress is not None:
             require_function("progress", self.progress, "(done, all)")
@@ -118,7 +121,7 @@ def solve_many(
         arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
     objects = {"force": _all_of("force", Force, force), "friction": _all_of("friction", Friction, friction)}
     shape = _common_shape(arrays | objects)
-    flat = np.empty((math.prod(shape), len(arrays)))
+    flat = room(f"{math.prod(shape)} scenes", math.prod(shape), len(arrays))
     if not exact:
         _fill(flat.reshape(*shape, len(arrays)), arrays)
     if exact or not in_columns:
@@ -257,7 +260,9 @@ def _solved(
 
     Return the rows of first events and those of ends.
     """
-    ends, kept, done = np.zeros((count, END_ROW)), np.full((count, limits.keep_events + 1, ROW), np.nan), 0
+    what = f"{count} scenes with keep_events = {limits.keep_events}"
+    kept, ends, done = room(what, count, limits.keep_events + 1, ROW), room(what, count, END_ROW), 0
+    kept[:], ends[:] = np.nan, 0.0
 
     def solve(part: slice) -> int:
         hows = ends[part, AT["how"]]

@@ -16,7 +16,7 @@ from numerics.scene.plane import AXES, PlaneScene
 from numerics.solver.batch import Ends, near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
-from numerics.trajectory.columns import STATE
+from numerics.trajectory.columns import STATE, room
 from numerics.trajectory.status import Status
 
 _FEW = 8
@@ -57,8 +57,10 @@ class PlaneBatch(Ends):
         self.mode, self.message = np.full((2, rows), "", dtype=object)
         self.t, self.energy, self.energy_error = np.full((3, rows), np.nan)
         self.y, self.y_error = np.full((2, 4, rows, n), np.nan)
-        self.event_t, self.event_t_error = np.full((2, rows, keep_events), np.nan)
-        self.event_y, self.event_y_error = np.full((2, 4, rows, keep_events, n), np.nan)
+        kept = room(f"{rows} scenes with keep_events = {keep_events}", 2, 1 + 4 * n, rows, keep_events)
+        kept[:] = np.nan
+        (self.event_t, self.event_t_error), y = kept[:, 0], kept[:, 1:].reshape(2, 4, n, rows, keep_events)
+        self.event_y, self.event_y_error = np.moveaxis(y, 2, -1)
         self.event_mode = np.full((rows, keep_events), "", dtype=object)
 
     @property

@@ -14,7 +14,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from numerics.linear.record import rounded
 from numerics.scene import Scene
-from numerics.scene.decimals import require_function, require_whole, shown
+from numerics.scene.decimals import require_digits, require_function, shown
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.digits import proved_digits
@@ -115,9 +115,7 @@ def solve(  # type: ignore[misc]  # the options are those below
     if not isinstance(arithmetic, str | None):
         raise ValueError(f"arithmetic = {shown(arithmetic)} is not one of float64, double-double, mpmath, ball")
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
-        for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
-            if value is not None:
-                require_whole(name, value, 1)
+        require_digits(1 if digits is None else digits, max_digits, max_events=max_events)
         if digits is not None and arithmetic in ("float64", "double-double"):
             raise ValueError(
                 f"digits = {digits} with {arithmetic}, which has its own digits; leave digits out, or arithmetic"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import mpmath
@@ -15,6 +16,15 @@ Floats = NDArray[np.float64]
 Counts = NDArray[np.int64]
 STATE = ("x1", "v1", "x2", "v2")
 _WIDE_BITS = 106
+
+
+def room(what: str, *shape: int) -> Floats:
+    """Return an array that is not filled yet. Raises ValueError, naming what takes more memory than there is."""
+    try:
+        return np.empty(shape)
+    except (MemoryError, ValueError):
+        size = f"{8 * math.prod(shape) / 2**30:.3g} GiB"
+        raise ValueError(f"{what} take {size}, more memory than there is; ask for fewer at a time") from None
 
 
 def sums(high: Any, low: Any) -> list[mpmath.mpf]:

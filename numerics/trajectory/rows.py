@@ -371,6 +371,8 @@ def require_times(t_eval: Any, until: Fraction) -> None:
         given = np.asarray(t_eval)
     except ValueError:  # rows that differ in length
         given = np.asarray(None)
+    except MemoryError:
+        raise ValueError(f"t_eval = {shown(t_eval)} has more times than memory holds; give fewer at once") from None
     if given.ndim != 1:
         raise ValueError(f"t_eval = {shown(t_eval)} must be a sequence of times in seconds; give one such as [0, 0.5]")
     last = float(min(until, Fraction(10**300)))

@@ -22,13 +22,12 @@ import numpy as np
 from flint import arb, arb_poly
 from mpmath.libmp import from_man_exp
 
-from numerics.arithmetic.precision import precision
+from numerics.arithmetic.ball import ball_of
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
-from numerics.scene.decimals import require_whole
+from numerics.scene.decimals import require_digits, require_whole
 from numerics.scene.file import parse_scene, scene_text
 
-_RADIUS_BITS = 30
 _MOST_BYTES = 2**30
 """What is read of a file, and what a run may be written in; events of a run in float64 take some 1,000 bytes each."""
 _CHECKSUM_BYTES = 64
@@ -110,7 +109,7 @@ def restored(header: dict[str, Any], kind: Any, scene: Any = None) -> Any:
     (name, digits), right = header["arithmetic"], header["digits"]
     if name not in kind.ARITHMETICS:
         raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
-    require_whole("digits", digits, 1)
+    require_digits(digits)
     if right is not None:
         require_whole("right digits", right, 0)
     found = kind.restored(scene, header)
@@ -150,17 +149,6 @@ def _hexadecimal(mantissa: Any, exponent: Any) -> list[Any]:
     return [hex(int(mantissa)), int(exponent)]
 
 
-def _ball(middle: int, middle_exponent: int, radius: int, radius_exponent: int) -> arb:
-    """Return the ball of these parts of its middle and its radius, the very same one."""
-    with precision(max(53, middle.bit_length())):  # flint rounds what it is given
-        point = arb((middle, middle_exponent))
-        if radius == 0:
-            return point
-        # a radius is rounded up to the next of 30 bits, even if it has no more: it comes back from just below
-        shift = _RADIUS_BITS + 1 - radius.bit_length()
-        return arb(point, arb(((radius << shift) - 1, radius_exponent - shift)))
-
-
 def _number(found: dict[str, Any]) -> Any:
     """Return the number that an object of the JSON text stands for, or the array of floats; else the object."""
     if list(found) == ["floats"]:
@@ -173,7 +161,7 @@ def _number(found: dict[str, Any]) -> Any:
 
 
 _READ: dict[str, Any] = {
-    "ball": _ball,
+    "ball": lambda *parts: ball_of(parts[:2], parts[2:]),
     "mpf": lambda mantissa, exponent: mpmath.make_mpf(from_man_exp(mantissa, exponent)),
     "ratio": Fraction,
     "polynomial": lambda *coefficients: arb_poly(list(coefficients)),

@@ -14,7 +14,6 @@ from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.running.graph import SETTLED, Proof, established_by, judged, kernel_status, open_clauses, proofs
 
-
 SAID = 240
 """Characters up to which an error is quoted."""
 

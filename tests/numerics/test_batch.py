@@ -27,6 +27,7 @@ from numerics import (
     Sine,
     State,
     Weakening,
+    load_scene,
     solve,
     solve_many,
     solve_scenes,
@@ -288,11 +289,34 @@ def test_without_numba_the_same_numbers_come_out():
         ({"max_events": 10**20}, "from 1 to 2"),
         ({"exact": "x"}, "exact = 'x' must be True"),
         ({"keep_events": -1}, "keep_events = -1"),
+        ({"keep_events": 10**9}, "keep_events = 1000000000 must be at most max_events = 250000; give"),
+        ({"keep_events": 7, "max_events": 6}, "keep_events = 7 must be at most max_events = 6; give"),
+        (
+            {"keep_events": 10**15, "max_events": 10**15},
+            r"1 scenes with keep_events = 10* take [\d.e+]* GiB, more .*; ask",
+        ),
+        (
+            {"keep_events": 2**62, "max_events": 2**62},
+            r"1 scenes with keep_events = \d* take [\d.e+]* GiB, more .*; ask",
+        ),
+        (
+            {"v1": np.zeros((10**7, 1)), "v2": np.zeros(10**7)},
+            r"10{14} scenes take [\d.e+]* GiB, more .*; ask for fewer",
+        ),
     ],
 )
 def test_a_wrong_number_is_named(given_, said):
     with pytest.raises(ValueError, match=said):
         solve_many(**(PAPER | {"until": 5} | given_))
+
+
+def test_so_is_what_takes_more_memory_than_there_is_on_a_surface_and_of_a_list_of_scenes():
+    for scene in (load_scene("velocities"), load_scene("plane-circle-merges")):
+        with pytest.raises(
+            ValueError, match=r"1 scenes with keep_events = 10* take [\d.e+]* GiB, more .*; ask for fewer"
+        ):
+            solve_scenes([scene], keep_events=10**15, max_events=10**15)
+    assert solve_scenes([load_scene("velocities")], keep_events=6, max_events=6).events == 6
 
 
 def test_a_pair_at_rest_has_the_digits_that_its_bounds_leave():

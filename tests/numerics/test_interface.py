@@ -141,6 +141,10 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
     [
         (lambda: solve(PAPER.pair), r"build Scene\(Pair\(\.\.\.\)"),
         (lambda: solve(PAPER, max_events=1.5), "max_events = 1.5 must be a whole number from 1 to"),
+        (lambda: solve(PAPER, digits=10**9), "digits = 1000000000 must be a whole number from 1 to 1000000; give"),
+        (lambda: solve(PAPER, max_digits=10**6 + 1), "max_digits = 1000001 must be a whole number from 1 to 1000000"),
+        (lambda: response(PAPER, amplitude=1, omega=1, digits=10**9), "digits = 1000000000 must be a whole number"),
+        (lambda: solve(PAPER, t_eval=range(10**15)), "t_eval = .* has more times than memory holds; give fewer"),
         (lambda: solve(PAPER, arithmetic="decimal"), "is not one of float64"),
         (lambda: sensitivities(PAPER), r"give it solve\(scene\)"),
         (lambda: solve(PAPER, t_eval=1), "sequence of times"),

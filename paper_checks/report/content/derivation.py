@@ -87,7 +87,9 @@ def shown(line: Line, found: Steps, theorems: Theorems, *, anchor: str = "", own
         formula = f" (no formula: {type(error).__name__})"
     failed = [step for step in found if step.passed is not True]
     if failed or not found:
-        remark = f"Failed: {failed[0].value or failed[0].statement}" if failed else "Unchecked: its claim was not decided"
+        remark = (
+            f"Failed: {failed[0].value or failed[0].statement}" if failed else "Unchecked: its claim was not decided"
+        )
     else:
         remark = "Checked by: " + "; ".join([*tools(found), *_kernel(line.kernel.split(), theorems)])
     carried = ", ".join(f"`{name}`" for name in line.claims if name != own)
