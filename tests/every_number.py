@@ -33,7 +33,8 @@ def _names(text: str) -> set[str]:
 NO_NUMBERS = _names(
     """FORMAT ARITHMETICS COLUMNS EVENT_COLUMNS accuracy animate arithmetic bounded but certain context digits
     end_bounds event_kinds event_rows final_mode floats frame kept load look_up_times message mode_at modes phase_lost
-    pieces plot reached record restored right_digits save scene signs status success t_eval to_csv to_dataframe tried"""
+    pieces plot reached record restored right_digits save scene signs status success t_eval to_csv
+    to_dataframe tried without_digits"""
 )
 """What says how and with which digits, and what gives the numbers below once more."""
 ROWS = _names(
@@ -70,7 +71,7 @@ class Compared(NamedTuple):
 
 def unlisted() -> set[str]:
     """The public attributes of a run and of a batch that stand in no list."""
-    of_a_run = {name for name in dir(Trajectory) if name[0] != "_"} | {"arithmetic", "record", "bounded"}
+    of_a_run = {name for name in dir(Trajectory) if name[0] != "_"} | {"arithmetic", "record", "bounded", "scene"}
     of_a_batch = {name for name in dir(Batch) if name[0] != "_" and not name.endswith("_error")}
     of_a_batch |= {"numbers", "ends", "kept", "shape"}
     return of_a_run ^ (NO_NUMBERS | ROWS | NUMBERS) | of_a_batch ^ (NO_NUMBERS_OF_A_BATCH | NUMBERS_OF_A_BATCH)

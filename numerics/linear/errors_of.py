@@ -13,6 +13,8 @@ from numerics.linear.record import AT
 _EVENT, _PIECE, _LOCAL, _X1, _LATE = (AT[name] for name in ("event", "piece", "local", "x1", "late"))
 _EVENTS = AT["events"]
 _ERRORS, _EXCESS, _EXCESS_ERROR = (AT[name] for name in ("x1_error", "excess", "excess_error"))
+JUDGED = ("times", "positions", "velocities", "energy", "energy excess")
+"""What errors are told of."""
 _TINY = 2.0**-1060
 """More than squares can lose below the normal numbers."""
 
@@ -20,12 +22,13 @@ _TINY = 2.0**-1060
 @compilable_with(makes_arrays=True, forceinline=False)
 def errors_of(
     rows: Any, end: Any, starts: Any, weights: tuple[float, float, float], critical: float, rounding: float
-) -> tuple[Any, float, float, float]:
-    """Return the bounds of the events' times (s), of energy (J) and excess at the end, and the worst relative error.
+) -> tuple[Any, float, float, Any]:
+    """Return bounds on the events' times (s), on energy (J) and excess at the end, and the worst relative errors (5,).
 
-    It compares the high halves of numbers with bounds; `weights` are a2, m1 and m2; inf where a bound is no number.
+    These are of what JUDGED names. High halves of numbers are compared with bounds; `weights` are a2, m1 and m2; inf
+    where a bound is no number.
     """
-    count, events, late, worst = len(rows), 0, np.empty(len(rows)), 0.0
+    count, events, late, worst = len(rows), 0, np.empty(len(rows)), np.zeros(5)
     sizes, errors, highest, carried, last = np.zeros(2), np.zeros(2), 0.0, 0.0, 0.0
     for index in range(count + 1):
         row = rows[index] if index < count else end
@@ -40,7 +43,7 @@ def errors_of(
             t = abs(starts[int(row[_PIECE])] + row[_LOCAL])
             # 4 roundings: of where the piece begins, and of the sum
             late[events] = row[_LATE] + 4 * rounding * t
-            worst = worse(worst, late[events], t)
+            worst[0] = max(worst[0], relative(late[events], t))
             events += 1
     energy = 8 * rounding * last
     if end[_X1] != 0 or end[_X1 + 2] != 0 or end[_X1 + 6] != 0:
@@ -48,21 +51,28 @@ def errors_of(
     for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
         error = end[_ERRORS + k]
         energy += weight * error * (abs(end[_X1 + 2 * k]) + error / 2)
-    for error, size in ((errors[0], sizes[0]), (errors[1], sizes[1]), (energy, highest)):
-        worst = worse(worst, error, size)
+    rate = math.sqrt(weights[0] / (weights[1] + weights[2]))
+    worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], rate * sizes[0])
+    worst[3] = relative(energy, highest)
     excess = end[_EXCESS_ERROR]
     if math.isnan(end[_EXCESS]):  # not carried: formed from the energy
         excess = energy / critical + 8 * rounding * (1 + last / critical)
     else:
-        worst = worse(worst, excess, carried)
+        worst[4] = relative(excess, carried)
     return late[:events].copy(), energy, excess, worst
 
 
 @compilable
-def worse(worst: float, error: float, size: float) -> float:
-    """Return the larger of a relative error and that of error and size; inf where there is none."""
+def relative(error: float, size: float) -> float:
+    """Return an error relative to a size; inf where there is none, or no number."""
     ratio = 0.0 if error == 0.0 else error / size if size > 0.0 else math.inf
-    return math.inf if math.isnan(ratio) else max(worst, ratio)
+    return math.inf if math.isnan(ratio) else ratio
+
+
+@compilable
+def moved(error: float, size: float, scale: float) -> float:
+    """Return a relative error of velocities; of ones that may all be 0 the fourth root of that to a scale."""
+    return relative(error, scale) ** 0.25 if size <= error < 1e-4 * scale else relative(error, size)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -73,5 +83,5 @@ def errors_of_rows(numbers: Any, kept: Any, ends: Any, rounding: float) -> Any:
         m1, m2, a2, b = numbers[n, 0], numbers[n, 1], numbers[n, 2], numbers[n, 3]
         count, push = 1 + min(int(ends[n, _EVENTS]), kept.shape[1] - 1), b * (m1 + m2) / m2
         judged = errors_of(kept[n, :count], ends[n], at_once, (a2, m1, m2), push * push / (2 * a2), rounding)
-        found[0, n], found[1, n] = judged[2], judged[3]
+        found[0, n], found[1, n] = judged[2], judged[3].max()
     return found

@@ -53,7 +53,7 @@ class Ends:
 
     @property
     def success(self) -> Array:
-        """Return which runs got to their horizon, by events that are certain."""
+        """Return which runs got to their horizon, by events that are certain, with a right digit of every quantity."""
         return np.isin(self.status, (Status.REACHED_HORIZON, Status.STUCK_FOR_EVER))
 
     def plot(self, answer: str | None = None, along: Any = None, ax: Any = None) -> Any:
@@ -82,7 +82,7 @@ class Batch(Ends):
     event_t_error, event_y_error   bounds on their errors
 
     Digits of a time are relative to that time, those of positions, velocities and energies to the largest of each at
-    the start, at the kept events and at the end.
+    the start, at the kept events and at the end (trajectory/digits.py). If they are 0 the status is NO_RIGHT_DIGIT.
 
     >>> from numerics import solve_many
     >>> found = solve_many(1, 1, 200, 0.5, v1=[0.05, 0.15], until=5, keep_events=2, jobs=1)
@@ -151,7 +151,9 @@ class Batch(Ends):
     def status(self) -> Counts:
         """Return how each run ended, a Status."""
         open_ones = (self._how == How.DOUBT) | ((self._how < How.EVENT_LIMIT) & ~self.certain)
-        return np.where(open_ones, int(Status.SEQUENCE_OPEN), self._how)
+        blank = (self._how < How.EVENT_LIMIT) & (self.digits == 0)
+        ended = np.where(blank, int(Status.NO_RIGHT_DIGIT), self._how)
+        return np.where(open_ones, int(Status.SEQUENCE_OPEN), ended)
 
     @cached_property
     def events(self) -> Counts:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, exhausted, to_digits
@@ -39,7 +40,7 @@ _MOST_IN_BALLS = 10_000
 """With more events float64's open sequence stands: balls would take minutes."""
 _FLOAT64, _DOUBLE_DOUBLE = Float64(), DoubleDouble()
 _LADDER: tuple[Arithmetic, ...] = (_FLOAT64, _DOUBLE_DOUBLE, Ball(34), Ball(68), Ball(136), Ball(560))
-"""What decides a sequence, in the order in which they are tried."""
+"""What decides a sequence, and finds digits, in the order in which they are tried."""
 
 
 class _Limits(NamedTuple):
@@ -77,7 +78,9 @@ def solve(  # type: ignore[misc]  # the options are those below
     `arithmetic.name` of the result is the arithmetic used; `tried` lists those tried before, and why they failed.
 
     Without `digits` and `arithmetic`: float64 with error bounds (Trajectory.accuracy). If these do not decide the
-    sequence of events: double-double, then balls of 34, 68, 136 and 560 working digits.
+    sequence of events, or leave no right digit of a quantity (trajectory/digits.py): double-double, then balls of 34,
+    68, 136 and 560 working digits, and for digits alone of more. If none suffices up to `max_digits`, the status is
+    NO_RIGHT_DIGIT and `success` is False.
 
     With `digits` = N: the cheapest arithmetic with N right digits of every event time and state, and of state, energy
     and excess at the end. This is float64 (N <= 15; if its bounds leave fewer digits, double-double rounded once to
@@ -153,14 +156,17 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
 
 
 def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
-    """Return a trajectory in float64; where its bounds leave the events open, in the next arithmetic that does not."""
-    first: Trajectory | None = None
+    """Return a trajectory in float64; where its bounds leave the events open, or no digit, in the next arithmetic.
+
+    The last one that is sure of the events, or else the first, where none has a right digit of everything.
+    """
+    best: Trajectory | None = None
     refused: NumericsError | None = None
     tried: list[str] = []
-    for arithmetic in _LADDER:
-        if not limits.allow(arithmetic):
-            break
-        if arithmetic.name == "ball" and first is not None and first.record.events > _MOST_IN_BALLS:
+    for arithmetic in _ladder(limits):
+        if arithmetic.digits > _LADDER[-1].digits and (best is None or not best.certain):
+            break  # more digits than these are for numbers, not for events
+        if arithmetic.name == "ball" and best is not None and best.record.events > _MOST_IN_BALLS:
             break
         if arithmetic is _DOUBLE_DOUBLE and isinstance(refused, OutOfRange):
             continue  # its range and its steps are those of float64
@@ -172,13 +178,23 @@ def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
             refused = error
             tried.append(f"{arithmetic.name} with {arithmetic.digits} digits: {error}")
             continue
-        if found.certain:
+        if found.certain and not found.without_digits:
             return found.but(tried="; ".join(tried)) if tried else found
-        first = first or found
-        tried.append(f"{arithmetic.name} leaves the sequence of events open")
-    if first is None:
+        best = found if best is None or found.certain else best
+        blank = f"has no right digit of the {' and '.join(found.without_digits)}"
+        tried.append(f"{arithmetic.name} {blank if found.certain else 'leaves the sequence of events open'}")
+    if best is None:
         raise refused or EventUndecided("which event comes next", "", 0)
-    return first.but(tried="; ".join(tried))
+    return best.but(tried="; ".join(tried))
+
+
+def _ladder(limits: _Limits) -> Iterator[Arithmetic]:
+    """Yield what is tried one after the other, up to the cap on digits."""
+    yield from takewhile(limits.allow, _LADDER)
+    digits = 2 * _LADDER[-1].digits
+    while digits <= limits.digits:
+        yield Ball(digits)
+        digits *= 2
 
 
 def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:

@@ -70,7 +70,7 @@ class Answer:
 
     @property
     def success(self) -> bool:
-        """Return whether the horizon was reached, by events that are certain."""
+        """Return whether the horizon was reached, by events that are certain, with a right digit of every quantity."""
         return self.status.success
 
     @property

@@ -1,11 +1,12 @@
 """How many digits are right: read off the radii of balls, or off the error bounds that a run carried.
 
-In float64 and double-double an error counts relative to the size that its quantity has along the run: positions have
-one scale, the largest |x1| or |x2| at start, events, jumps of u or b, and end; velocities likewise; the energy the
-largest energy there; the excess E/E_cr - 1, where it is carried, the largest |excess|. Times count relative to
-themselves. An x1 that passes 0 has then as many right digits as its neighbours. In balls, where digits cost little, an
-error counts relative to each value itself; a value that may be 0 counts as right to n digits below 10^(-4 n) of its
-scale.
+An error counts relative to the size that its quantity has along the run: positions have one scale, the largest |x1| or
+|x2| at start, events, jumps of u or b, and end; velocities likewise; the energy the largest energy there; the excess
+E/E_cr - 1, where it is carried, the largest |excess|. Times count relative to themselves. An x1 that passes 0 has then
+as many right digits as its neighbours. Velocities that may be 0 all along, as of a pair in balance, count as right to
+n digits below 10^(-4 n) of Omega times the largest |position|. A run has no right digit of a quantity whose error is as
+large as that scale. Where digits of balls are asked for, an error counts relative to each value itself, and a zero to n
+digits below 10^(-4 n) of its scale, as digits cost little there.
 """
 
 from __future__ import annotations
@@ -13,13 +14,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import EXACT, digits_within
 from numerics.arithmetic.compiled import compiled, compiles_now
-from numerics.linear.errors_of import errors_of
+from numerics.linear.errors_of import JUDGED, errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
 from numerics.scene.short_repr import ShortRepr
@@ -67,7 +69,7 @@ class Accuracy(ShortRepr):
     `t` (k,) s and `y` (k, 4) at the events, `final` (4,), `energy` and `dissipated` (J) and `energy_excess` at the end.
     The bounds are conservative and tested, not proved. `certain`: they exclude any other sequence of events.
     `digits` is the least number of right digits of times, states, and of energy and excess at the end, 0 if not
-    certain: relative to each time, to the largest |position|, |velocity|, energy and excess along the run.
+    certain: relative to each time, to the largest |position|, |velocity|, energy and excess along the run (digits.py).
     """
 
     t: Floats
@@ -86,8 +88,19 @@ class Accuracy(ShortRepr):
         return self.certain and bool(np.all(np.isfinite(bounds)))
 
 
-def judged(trajectory: Rows) -> tuple[Floats, float, float, int]:
-    """Return bounds on the times of its events (s), its last energy (J) and excess, and how many digits are right."""
+class Judged(NamedTuple):
+    """Bounds on the times of events (s), on the last energy (J) and excess; and what has so many right digits."""
+
+    late: Floats
+    energy: float
+    excess: float
+    digits: int
+    without: tuple[str, ...]
+    """The quantities (JUDGED) that have no right digit."""
+
+
+def judged(trajectory: Rows) -> Judged:
+    """Return what the bounds of a run in floats leave."""
     record, name, scene = trajectory.record, trajectory.arithmetic.name, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
     if "weights" not in scene.made:  # with E_cr, J
@@ -98,12 +111,56 @@ def judged(trajectory: Rows) -> tuple[Floats, float, float, int]:
         late, energy, excess, worst = judge(
             record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING[name]
         )
-    digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0
-    return late, energy, excess, digits if trajectory.certain else 0
+    digits, without = _digits(worst.tolist(), MOST_DIGITS[name])
+    return Judged(late, energy, excess, digits if trajectory.certain else 0, without)
 
 
-def accuracy_of(trajectory: Rows, found: tuple[Floats, float, float, int]) -> Accuracy:
+def judged_balls(trajectory: Rows) -> tuple[int, tuple[str, ...]]:
+    """Return how many digits the balls of a run leave right, relative as in floats, and what has none."""
+    with trajectory.context():
+        frame, excess = trajectory.frame, trajectory.row_excess
+        states = np.column_stack([trajectory.row_states, trajectory.final_state])
+        energies = trajectory.scene.pair.energy(states, trajectory.arithmetic.number)
+        carried = [] if excess is None else [*excess, *trajectory.row_end("excess")]
+        x, v = (states[k::2].ravel() for k in range(2))
+        far = _largest(x)
+        worst = [
+            max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
+            _relative(x, far),
+            _relative(v, _largest(v), frame.rate * far),
+            _relative(energies[-1:], _largest(energies)),
+            _relative(carried[-1:], _largest(carried)),
+        ]
+    return _digits(worst, trajectory.arithmetic.digits)
+
+
+def _largest(balls: Any) -> arb:
+    """Return the largest midpoint."""
+    return max((abs(one.mid()) for one in balls), default=arb(0))
+
+
+def _relative(balls: Any, size: arb, scale: arb | None = None) -> float:
+    """Return the largest radius relative to a size, or as `moved` to a scale; inf of what is not finite."""
+    if not all(one.is_finite() for one in balls):
+        return math.inf
+    error = max((one.rad() for one in balls), default=arb(0))
+    if error.is_zero():
+        return 0.0
+    if error < size:
+        return float((error / size).upper())
+    if scale is not None and 10_000 * error < scale:
+        return float((error / scale).upper()) ** 0.25
+    return math.inf
+
+
+def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
+    """Return how many digits the worst relative errors leave right, `most` at most, and of what none."""
+    digits = [(min(most, math.floor(-math.log10(one))) if one > 0 else most) if one < 1 else 0 for one in worst]
+    return min(digits), tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == 0)
+
+
+def accuracy_of(trajectory: Rows, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
-    record, (late, energy, excess, digits) = trajectory.record, found
+    record, (late, energy, excess, digits, _) = trajectory.record, found
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["dissipated_error"]])
     return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)

@@ -12,7 +12,7 @@ from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How
 from numerics.trajectory.columns import Array
-from numerics.trajectory.digits import ROUNDING, Accuracy, accuracy_of, judged
+from numerics.trajectory.digits import ROUNDING, Accuracy, Judged, accuracy_of, judged, judged_balls
 from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
 from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.status import Status
@@ -34,19 +34,22 @@ class Solution(Rows):
             return Status.EVENT_LIMIT
         if not self.certain:
             return Status.SEQUENCE_OPEN
+        if self.without_digits:
+            return Status.NO_RIGHT_DIGIT
         is_stuck = self.record.how == How.STUCK and not self.scene.changes_later
         return Status.STUCK_FOR_EVER if is_stuck else Status.REACHED_HORIZON
 
     @property
     def message(self) -> str:
-        """Return the sentence that says how the solve ended, and whether the phase was lost on the way to the end."""
+        """Return the sentence that says how the solve ended, of what no digit is right, whether the phase was lost."""
         if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
             return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
+        said = super().message.replace("a quantity", " and ".join(self.without_digits))
         if not self.phase_lost:
-            return super().message
+            return said
         return (
-            f"{self.status.sentence}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end "
-            "the mode and the energy are known, x1, v1, x2 and v2 are not; use ball arithmetic"
+            f"{said}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end the mode and the "
+            "energy are known, x1, v1, x2 and v2 are not; use ball arithmetic"
         )
 
     @property
@@ -66,13 +69,24 @@ class Solution(Rows):
         return accuracy_of(self, self._judged) if self.bounded else None
 
     @cached_property
-    def _judged(self) -> tuple[Any, float, float, int]:
+    def _judged(self) -> Judged:
         return judged(self)
+
+    @cached_property
+    def _known(self) -> tuple[int, tuple[str, ...]]:
+        if self.bounded:
+            return self._judged.digits, self._judged.without
+        return judged_balls(self) if self._is_ball else (0, ())
 
     @property
     def right_digits(self) -> int:
-        """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
-        return self._judged[3] if self.bounded else 0
+        """Return how many digits its error bounds or balls leave right (digits.py); 0 without either."""
+        return self._known[0]
+
+    @property
+    def without_digits(self) -> tuple[str, ...]:
+        """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
+        return self._known[1]
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:

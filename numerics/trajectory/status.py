@@ -20,6 +20,9 @@ class Status(IntEnum):
     SEQUENCE_OPEN = 4
     """The run reached its end, but its error bounds do not exclude another sequence of events."""
 
+    NO_RIGHT_DIGIT = 5
+    """The sequence of events is certain, but no digit of some quantity is right (trajectory/digits.py)."""
+
     @property
     def sentence(self) -> str:
         """The status as a sentence."""
@@ -27,7 +30,7 @@ class Status(IntEnum):
 
     @property
     def success(self) -> bool:
-        """Whether the horizon was reached with a certain sequence of events."""
+        """Whether the horizon was reached with a certain sequence of events and a right digit of every quantity."""
         return self in {Status.REACHED_HORIZON, Status.STUCK_FOR_EVER}
 
 
@@ -37,4 +40,5 @@ _SENTENCES = {
     Status.EVENT_LIMIT: "stopped at the limit on events before the horizon; raise max_events",
     Status.OUT_OF_RANGE: "left the range of float64; use ball arithmetic, which has no such limit",
     Status.SEQUENCE_OPEN: "the error bounds do not decide the sequence of events; request digits or ball arithmetic",
+    Status.NO_RIGHT_DIGIT: "reached the horizon, but no digit of a quantity is right; request digits",
 }

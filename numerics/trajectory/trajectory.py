@@ -38,8 +38,8 @@ class Trajectory(Solution):
     ([16, 15, 1], [(16, 4), (15, 4), (1, 4)])
     >>> run.sol([[0.5, 1.0], [1.5, 2.0]]).shape, run.mode_at(0.5).value
     ((4, 2, 2), 'slip+')
-    >>> run.arithmetic.name, run.right_digits == run.accuracy.digits, run.certain, run.phase_lost
-    ('float64', True, True, False)
+    >>> run.arithmetic.name, run.right_digits == run.accuracy.digits, run.without_digits, run.certain, run.phase_lost
+    ('float64', True, (), True, False)
     >>> solve(run.scene, digits=20).digits, solve(run.scene, t_eval=[0, 1]).t_eval
     (20, [0, 1])
     >>> round(run.dissipated, 9), round(run.final_energy, 9), abs(run.ledger.residual) < 1e-15
