@@ -64,8 +64,8 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
 def _print_failures(console: Console, failures: Sequence[Failure]) -> None:
     """Print the steps that fail first, each once, with the claims that it turns."""
     if failures:
-        turned = len({name for one in failures for name in one.claims})
-        _say(console, f"{turned} {'claim differs' if turned == 1 else 'claims differ'} from the record.")
+        changed = len({name for one in failures for name in one.claims})
+        _say(console, f"{changed} {'claim differs' if changed == 1 else 'claims differ'} from the record.")
     for one in failures[:SHOWN_FAILURES]:
         value = f" [{shorten(plain(one.value), SHOWN_VALUE)}]" if one.value else ""
         turned = f"{len(one.claims)} claim{'s' if len(one.claims) != 1 else ''}"
