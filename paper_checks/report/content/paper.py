@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -78,10 +79,12 @@ def entry(row: Row) -> Folded:
 
 
 def place(row: Row) -> str:
-    """Return where a claim stands in the paper, and the kind of its weakest check; of the kernel, by which theorems."""
+    """Return where a claim stands in the paper, with its section, and the kind of its weakest check: of the kernel, its theorems."""
     clauses = (*row.claim.clauses, *row.claim.correction)
     names = dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel)
     by = kind(row) + (f": {', '.join(names)}" if row.established_by is EvidenceKind.KERNEL else "")
     where = f"{'eq. ' * row.claim.where.startswith('(')}{row.claim.where}"
+    if not re.search(rf"\b{row.claim.section}\b", where, re.IGNORECASE):
+        where = f"{row.claim.section}, {where}"
     found = [where] * (row.claim.kind is Kind.CLAIM) + [by] * (row.established_by is not None)
     return "; ".join(found) or "not established"

@@ -51,6 +51,7 @@ def test_a_claim_is_printed_with_what_is_wrong_and_what_is_true_instead(rows):
         for said in filter(None, (row.claim.statement, found.counterexample, found.corrected, found.missing)):
             assert said in text
     assert [one.label for one in printed["energy-rate"]] == ["", "Why"]
+    assert printed["energy-rate"][0].text.startswith("[III, after (8); argument] ")
     assert [one.label for one in printed["stiction-bracket"]] == ["", "Counterexample", "What is true"]
 
 
