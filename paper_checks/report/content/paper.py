@@ -66,16 +66,18 @@ def _in_words(section: Section) -> Iterator[Block]:
 def entry(row: Row) -> Folded:
     """Return what is printed of a claim or theorem: the statement, and what is true instead or, without the kernel, why it holds."""
     claim, finding = row.claim, row.finding
-    theorem = claim.kind is Kind.THEOREM
-    hypotheses = opening.hypotheses(claim.id) if theorem else opening.FREE
-    assumed = "" if hypotheses == opening.FREE else f"{hypotheses} "
-    texts = {"Counterexample": finding.counterexample, "What is true": finding.corrected}
-    if not theorem and not any(texts.values()) and row.established_by is not EvidenceKind.KERNEL:
-        texts["Why"] = in_short(row)
-    texts["Missing for a proof"] = finding.missing
-    statement = f"[{place(row)}] {assumed}{' '.join(map(story.displayed, claim.clauses))}"
-    parts = (Paragraph(text, label) for label, text in texts.items() if text)
-    return Folded(f"`{claim.id}`", (Paragraph(statement), *parts), claim.id)
+    said = [f"[{place(row)}]", *map(story.displayed, claim.clauses)]
+    if (hypotheses := opening.hypotheses(claim.id)) != opening.FREE:
+        said.insert(1, hypotheses)
+    if claim.kind is Kind.CLAIM and not finding.corrected and row.established_by is not EvidenceKind.KERNEL:
+        said.append(f"Why: {in_short(row)}")
+    texts = {
+        "": " ".join(said),
+        "Counterexample": finding.counterexample,
+        "What is true": finding.corrected,
+        "Missing for a proof": finding.missing,
+    }
+    return Folded(f"`{claim.id}`", tuple(Paragraph(text, label) for label, text in texts.items() if text), claim.id)
 
 
 def place(row: Row) -> str:

@@ -50,8 +50,9 @@ def test_a_claim_is_printed_with_what_is_wrong_and_what_is_true_instead(rows):
         found = row.finding
         for said in filter(None, (row.claim.statement, found.counterexample, found.corrected, found.missing)):
             assert said in text
-    assert [one.label for one in printed["energy-rate"]] == ["", "Why"]
-    assert printed["energy-rate"][0].text.startswith("[III, after (8); argument] ")
+    (whole,) = (one.text for one in printed["energy-rate"])
+    assert whole.startswith("[III, after (8); argument] ")
+    assert whole.endswith(" Why: An identity.")
     assert [one.label for one in printed["stiction-bracket"]] == ["", "Counterexample", "What is true"]
 
 
