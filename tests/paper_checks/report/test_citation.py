@@ -61,6 +61,7 @@ def test_the_entries_say_the_same(cited):
     assert paper["author"] == " and ".join(source.AUTHORS)
     assert (paper["title"], paper["year"], paper["eprint"]) == (source.TITLE, source.YEAR, source.ARXIV)
     assert citation.bibtex().count("{") == citation.bibtex().count("}")
+    assert f"```bibtex\n{citation.bibtex()}\n```" in (ROOT / "README.md").read_text("utf-8")
 
 
 def test_without_an_installation_that_is_said(monkeypatch):
