@@ -106,7 +106,15 @@ class Version(argparse.Action):
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser, with its subparsers, that reports bad usage in one line on stderr; --help shows the usage."""
+    """A parser, with its subparsers, that reports bad usage in one line on stderr; --help shows the usage.
+
+    What begins with a minus and a digit is a number, also where it has an exponent: no flag is named so.
+    """
+
+    def __init__(self, *given: Any, **named: Any) -> None:
+        """Take what argparse takes."""
+        super().__init__(*given, **named)
+        self._negative_number_matcher = re.compile(r"-\.?\d")
 
     def error(self, message: str) -> NoReturn:
         """Print the one error line, with the nearest word for one that is mistyped, and exit with USAGE."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli.printing import answer, asked, draw, number_lines, numbers, write_text
+from numerics.cli.printing import answer, asked, draw, in_brief, number_lines, numbers, write_text
 from numerics.exits import FAILED, OK, refuse
 from numerics.shown import shown_steps, write_figure
 
@@ -81,15 +81,16 @@ def _of_response(found: Response) -> Shown:
     lines, grows = [f"{found.regime.value}; {found.attraction}"], found.growth > 0
     if known is not None and not grows:
         record["slips_for_ever"] = _slips_for_ever(found)
-    decay = abs(multipliers[0]) if multipliers else None
+    decay = found.moduli[0] if multipliers else None
     record |= {} if known is None else numbers(known, "entrainment", "exception", "non_stop")
     record |= numbers(found, "drift", growth=found.growth if grows else None, decay=decay)
     lines += number_lines(record)
     if "slips_for_ever" in record:
         lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
-    record["multipliers"] = [numbers(found, re=one.real, im=one.imag, size=abs(one)) for one in multipliers]
-    for one in multipliers:
-        lines.append(f"  multiplier {one.str(digits, radius=False)}, modulus {abs(one).str(digits, radius=False)}")
+    record["multipliers"] = []
+    for one, size in zip(multipliers, found.moduli, strict=True):
+        record["multipliers"].append(numbers(found, re=one.real, im=one.imag, size=size))
+        lines.append(f"  multiplier {one.str(digits, radius=False)}, modulus {size.str(digits, radius=False)}")
     record["events"] = []
     for leg in found.orbit.legs if found.orbit is not None else ():
         event = {"to": MODES[leg.side].value, **numbers(found, t=leg.start, x1=leg.state[0], v1=leg.state[1])}
@@ -120,7 +121,6 @@ def _of_rotating(found: RotatingResponse) -> Shown:
 
 def print_tracking(options: argparse.Namespace) -> int:
     """Print the friction that a reference requires, and write the force that makes body 2 follow it, as a scene."""
-    from numerics.arithmetic.ball import Ball
     from numerics.control.answers import solved_again
     from numerics.control.tracking import track
     from numerics.scene.decimals import decimal_text
@@ -132,15 +132,14 @@ def print_tracking(options: argparse.Namespace) -> int:
     draw(options, "draw_tracking", found, scene.pair)
     demands, lines = [], []
     for one in found.demands:
-        shown = numbers(found, asked=one.force, at=one.at)
+        excess = None if one.possible else one.too_much
+        shown = numbers(found, asked=one.force, at=one.at, too_much_by=excess)
         start, end, b = (decimal_text(exact) for exact in (one.start, one.end, one.b))
-        verdict = "within"
-        if not one.possible:
-            with Ball(found.digits + 20).context():
-                shown["too_much_by"] = (one.force - Ball.number(one.b)).upper().str(3, radius=False)
-            verdict = f"TOO MUCH by {shown['too_much_by']} N for"
+        asks, verdict = in_brief(one.force, found.digits), "within"
+        if excess is not None:
+            verdict = f"TOO MUCH by {in_brief(excess, found.digits)} for"
         demands.append({"piece": one.number, "possible": one.possible, **shown, "from": start, "until": end, "b": b})
-        lines.append(f"piece {one.number}, {start} s to {end} s: requires {shown['asked']} N, {verdict} b = {b} N")
+        lines.append(f"piece {one.number}, {start} s to {end} s: requires {asks}, {verdict} b = {b} N")
     if found.scene is not None and found.is_at_limit and found.force_error > 0:
         lines.append(
             f"friction is at its limit: phases rounded to 60 digits change u by {found.force_error:.0e} N s in total"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Iterable, Mapping
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,16 @@ def numbers(found: Any, *names: str, **values: Any) -> dict[str, str]:
             if value is not None:
                 shown |= with_radius(name, value, found.digits) if value.is_finite() else {name: "inf"}
     return shown
+
+
+def in_brief(x: Any, digits: int) -> str:
+    """Return a force as a decimal of so many digits without zeros at its end, and what it may be off by, in N."""
+    from numerics.arithmetic.ball import Ball
+    from numerics.trajectory.rendering import with_radius
+
+    with Ball(digits + _SPARE).context():
+        text, radius = with_radius("", x, digits, spare=0).values()
+    return f"{Decimal(text).normalize()} N (+/- {radius})"
 
 
 def number_lines(shown: Mapping[str, Any], **names: str) -> list[str]:

@@ -77,6 +77,12 @@ class Response(ShortRepr):
     attraction: str
     digits: int
 
+    @property
+    def moduli(self) -> tuple[arb, ...]:
+        """Return the moduli of the multipliers, dimensionless: of a stuck pair without a damper exactly 1, 1 and 0."""
+        is_kept = self.regime is Regime.ENTRAINED and self.drive.pair.a1 == 0
+        return tuple(arb(one != 0) if is_kept else abs(one) for one in self.multipliers or ())
+
     def plot(self) -> Any:
         """Return a matplotlib figure: one period of the motion, its friction, and the thresholds over frequency.
 
@@ -156,10 +162,10 @@ def response(
 
 def _numbers(found: Response) -> list[arb]:
     """Return the numbers of a response that must have the digits asked for."""
-    sizes = [abs(one) for one in found.multipliers or ()]
+    moduli = found.moduli
     if found.orbit is None:
-        return sizes if found.drive.pair.a1 > 0 else []
-    return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.legs for one in (leg.start, *leg.state[:2]))]
+        return [*moduli] if found.drive.pair.a1 > 0 else []
+    return [found.drift or arb(0), *moduli, *(one for leg in found.orbit.legs for one in (leg.start, *leg.state[:2]))]
 
 
 def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:

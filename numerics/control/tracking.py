@@ -33,6 +33,8 @@ from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
 _MOST_PARTS, _FEW_BITS = 20_000, 64
+_LOST_DIGITS = 10
+"""Of the working digits, so many are not asked of the largest acceleration: they are what a search may lose."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -50,6 +52,11 @@ class Demand(ShortRepr):
     force: arb
     at: arb
     possible: bool
+
+    @property
+    def too_much(self) -> arb:
+        """Return by how much the force is more than friction gives, N, an enclosure; below 0 where it is less."""
+        return self.force - number(self.b)
 
 
 @dataclass(frozen=True, repr=False)
@@ -110,9 +117,9 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     starts, pieces = [one.start for one in reference], pieces_of(replace(scene, force=Force(reference)))
     parts = [(bisect_right(starts, one.start), one) for one in pieces]  # cut where b jumps, too
 
-    def attempt(_: Ball) -> tuple[tuple[Demand, ...], list[arb]]:
-        found = tuple(_demand(scene.pair.m2, *part, digits) for part in parts)
-        return found, [one.force for one in found]
+    def attempt(arithmetic: Ball) -> tuple[tuple[Demand, ...], list[arb]]:
+        found = tuple(_demand(scene.pair.m2, *part, arithmetic.digits - _LOST_DIGITS) for part in parts)
+        return found, [one.force if one.possible else one.too_much for one in found]
 
     demands = to_digits(attempt, digits, max_digits)
     share = max((one.force / number(one.b) for one in demands), key=float)
@@ -157,11 +164,14 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
     bend, limit, end = acceleration(piece), piece.b / m2, piece.start + piece.length
-    peak, where = largest_size(bend, end, digits + 2)
+    peak, where = largest_size(bend, end, digits)
     possible = is_within(bend, limit, piece.length)
     if possible is None:
         possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0
-    return Demand(index, piece.start, end, piece.b, number(m2) * peak, where, possible)
+    found = Demand(index, piece.start, end, piece.b, number(m2) * peak, where, possible)
+    if not possible:
+        proved_sign(found.too_much, "by how much does a piece ask too much?")
+    return found
 
 
 def acceleration(path: Piece | ExactPiece) -> Piece:

@@ -18,17 +18,17 @@ _SPARE_DIGITS = 3
 """Printed beyond the digits asked for, so that rounding the text costs none of them."""
 
 
-def with_radius(name: str, x: arb, digits: int) -> dict[str, str]:
+def with_radius(name: str, x: arb, digits: int, spare: int = _SPARE_DIGITS) -> dict[str, str]:
     """Return the text of a ball under a name, and its radius beside it, under `name_radius`.
 
-    `digits` significant digits and a few spare ones, or as many as the radius leaves; the radius in 3 digits upwards.
+    `digits` significant digits and `spare` ones, or as many as the radius leaves; the radius in 3 digits upwards.
 
     >>> with_radius("v1", arb(0.125, 0.25), 15), with_radius("v1", arb(1, 0.0625), 15)["v1"]
     ({'v1': '0', 'v1_radius': '0.376'}, '1.0')
     """
     bits = x.rel_accuracy_bits()
     known = math.floor(bits * math.log10(2)) + 2
-    text = str(x.mid().str(min(digits + _SPARE_DIGITS, known), radius=False)) if bits > 0 else "0"
+    text = str(x.mid().str(min(digits + spare, known), radius=False)) if bits > 0 else "0"
     return {name: text, f"{name}_radius": _upwards(abs(x - arb(text)).upper())}
 
 

@@ -1,5 +1,6 @@
 """The commands for control engineers: each answer solved again, printed, written, drawn; bad input in one line."""
 
+import json
 import sys
 from dataclasses import replace
 from fractions import Fraction
@@ -106,7 +107,55 @@ def test_track_prints_the_scene_and_names_what_is_too_much(run, record):
     assert found["possible"]
     assert set(solve(parse_scene(found["scene"])).modes) == {Mode.STICK}
     code, out, err = run("track", "at-rest", "--reference", "too-fast")
-    assert (code, "TOO MUCH by 0.0774 N" in out, err[:15]) == (1, True, "error: no force")
+    assert (code, "TOO MUCH by 0.0773502691896258 N (+/- " in out, err[:15]) == (1, True, "error: no force")
+
+
+@pytest.mark.parametrize(
+    ("polynomial", "digits", "said"),
+    [
+        ('[0, 0, "0.24"]', 15, "requires 0.48 N (+/- 1.96E-30), within b"),
+        ('[0, 0, "0.250000000000000000000000000001"]', 2, "TOO MUCH by 2E-30 N (+/- 5.34E-46) for b"),
+        ('[0, 0, "0.250000000000000000000000000001"]', 15, "TOO MUCH by 2E-30 N (+/- 5.34E-46) for b"),
+    ],
+)
+def test_track_prints_a_force_and_what_it_may_be_off_by(run, tmp_path, polynomial, digits, said):
+    (tmp_path / "ref.toml").write_text(f"[[reference]]\nfrom = 0\npolynomial = {polynomial}\n", "utf-8")
+    _, out, _ = run("track", "at-rest", "--reference", tmp_path / "ref.toml", "--digits", digits)
+    assert said in out
+    found = json.loads(run("track", "at-rest", "--reference", tmp_path / "ref.toml", "--json")[1])["demands"][0]
+    for name, value in (("asked", Fraction("0.5") + Fraction(2, 10**30)), ("too_much_by", Fraction(2, 10**30))):
+        if not found["possible"]:
+            assert abs(Fraction(found[name]) - value) <= Fraction(found[f"{name}_radius"]) < value / 10**14
+
+
+@pytest.mark.parametrize("a1", ["0", "0.5"])
+def test_a_stuck_pair_without_a_damper_keeps_its_distances_exactly(record, file_of, a1):
+    found = record("response", file_of(under(replace(FREE, a1=a1), "0.1", "12")))
+    assert found["regime"] == "entrained"
+    sizes = [(one["size"], one["size_radius"]) for one in found["multipliers"]]
+    assert (float(found["decay"]) == 1.0 and found["decay_radius"] == "0") is (a1 == "0")
+    assert sizes[0] == (found["decay"], found["decay_radius"]) == sizes[1]
+    assert float(sizes[2][0]) == 0
+
+
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        ("move at-rest --distance -1e-3", ""),
+        ("move at-rest --distance -1/1000", ""),
+        ("move at-rest --distance -.001", ""),
+        ("move at-rest --distance 1 --margin -1e-3", "must be"),
+        ("response at-rest --omega 1 --amplitude -1e-3", ""),
+        ("ring at-rest --rate 1 --radius -1E-3", "must be"),
+        ("energy velocities --at -1e2", "must be"),
+        ("map --ratio -1e-3 1", "is no range"),
+    ],
+)
+def test_a_number_below_0_may_follow_every_flag(run, command, said):
+    code, _, err = run(*command.split())
+    assert (code == 0) is (said == ""), err
+    assert said in err
+    assert "expected" not in err
 
 
 def test_an_answer_whose_scene_does_something_else_is_refused_by_the_second_solve():

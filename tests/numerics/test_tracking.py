@@ -46,6 +46,25 @@ def test_the_piece_that_asks_too_much_is_named_with_how_much():
     assert draw_tracking(found, FREE).axes
 
 
+@pytest.mark.parametrize("digits", [1, 2, 15, 31])
+@pytest.mark.parametrize(
+    ("reference", "excess"),
+    [
+        ((Piece(0, [0, 0, "0.250000000000000000000000000001"]),), Fraction(2, 10**30)),
+        ((Piece(0, [0, "-0.50000025"], [Sine("0.50000025", 1)]),), Fraction(25, 10**8)),
+    ],
+)
+def test_how_much_is_too_much_is_known_to_the_digits_asked_for_however_little_it_is(reference, excess, digits):
+    found = track(Scene(Pair(1, 1, 200, "0.5"), State(), 4), reference, digits=digits).demands[0]
+    with Ball(100).context():
+        true = Ball.number(excess)
+        assert not found.possible
+        assert found.too_much > 0
+        assert found.too_much.overlaps(true)
+        assert abs(found.too_much - true) < true / 10**digits
+        assert found.force.overlaps(true + Ball.number(Fraction(1, 2)))
+
+
 BUMP = (Piece(0, [0, 0, 0, "1/6", "-1/6", "1/20"]),)
 """r'' = t (1 - t)^2 is largest, 4/27, at t = 1/3, where it turns back."""
 TWO_SINES = (Piece(0, [0, "-0.45"], [Sine("0.3", 1), Sine("0.075", 2)]),)
