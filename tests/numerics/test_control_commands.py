@@ -148,7 +148,6 @@ def test_a_stuck_pair_without_a_damper_keeps_its_distances_exactly(record, file_
         ("response at-rest --omega 1 --amplitude -1e-3", ""),
         ("ring at-rest --rate 1 --radius -1E-3", "must be"),
         ("energy velocities --at -1e2", "must be"),
-        ("map --ratio -1e-3 1", "is no range"),
     ],
 )
 def test_a_number_below_0_may_follow_every_flag(run, command, said):
