@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import sys
 import threading
 from contextlib import suppress
@@ -155,6 +156,7 @@ def test_a_process_that_is_forked_has_a_precision_of_its_own():
     held.wait()
     child = os.fork()
     if child == 0:  # the thread that held the precision is not there
+        signal.alarm(10)  # and would be waited for
         with precision(100):
             os._exit(0 if flint.ctx.prec == 100 else 1)
     assert os.waitpid(child, 0)[1] == 0
