@@ -23,6 +23,7 @@ from numerics.linear.modes import EventKind
 from numerics.trajectory.status import Status
 from paper_checks.claims.energy import P, Q, lipschitz_constant
 from theory.energy import critical_energy, dwell_time_bound
+from theory.filippov import half_width
 from theory.uniform_rate import crossings_bound, upper_bound
 
 pytestmark = pytest.mark.critical_energy
@@ -42,6 +43,14 @@ def until(scene: Scene, t: Fraction | arb) -> Scene:
     """The same scene with another horizon, s; of a ball its upper end."""
     at = t if isinstance(t, Fraction) else Fraction(float(t.upper()) * (1 + 2**-40))
     return Scene(scene.pair, scene.initial, at, scene.law)
+
+
+@given(motions_of_energy(excesses(-25, 1)))
+def test_the_solver_has_the_critical_energy_that_theory_derives(scene):
+    assert exact(scene.pair.critical_energy) == critical_of(scene.pair)
+    assert exact(scene.pair.half_width) == of_pair(half_width(), scene.pair)
+    assert exact(scene.energy) == energy_of(scene.pair, start_of(scene))
+    assert exact(scene.energy_excess) == excess_of(scene)
 
 
 # E <= E_cr: stuck from the next contact on
