@@ -11,6 +11,9 @@ from paper_checks.report.mathematics import prose
 
 _BREAK = re.compile(r"(?<=[-.])|(?<=\\_)")
 """Where code may be broken at the end of a line."""
+_COMMANDS = re.compile(r"\\[A-Za-z]+|[\s{}_^\\]")
+ROW = 70
+"""Letters, digits and signs of displayed formulas that fit beside each other."""
 
 
 class LatexWriter(Writer):
@@ -59,7 +62,7 @@ class LatexWriter(Writer):
         """Return a line with its remark below it, on one page with the formula."""
         mark = label(line.id) if line.id else ""
         remark = self.text(line.remark) if line.passed else rf"\textbf{{{self.text(line.remark)}}}"
-        text = rf"\par\addvspace{{4pt}}{mark}\textbf{{({line.number})}} {self.text(line.text)}"
+        text = rf"\par\addvspace{{4pt}}{mark}\textbf{{({line.number})}} {self.text(_side_by_side(line.text))}"
         return f"{{\\postdisplaypenalty=10000 {text}\\par\\nopagebreak\n{{\\footnotesize {remark}\\par}}}}"
 
     def _markup(self, html: str) -> str:
@@ -75,7 +78,7 @@ class LatexWriter(Writer):
         title = rf"\textbf{{{self.text(picture.title)}.}} " if picture.title else ""
         return (
             rf"\begin{{center}}\includegraphics[width={wide},height=0.27\textheight,keepaspectratio]{{{self._figures[picture.name]}}}"
-            rf"\\ \small {title}{self.text(picture.caption)}\end{{center}}"
+            rf"\\* \small {title}{self.text(picture.caption)}\end{{center}}"
         )
 
     def _cards(self, cards: Sequence[tuple[str, str, blocks.Picture]]) -> str:
@@ -99,6 +102,12 @@ class LatexWriter(Writer):
             f"\n\\multicolumn{{{len(table.head)}}}{{@{{}}p{{\\textwidth}}@{{}}}}{{\\emph{{{self.text(table.caption)}}}}} \\\\[2pt]\n"
             f"{titles} \\\\ \\hline\\noalign{{\\vskip 2pt}} \\endhead\n{lines}\n\\end{{longtable}}}}"
         )
+
+
+def _side_by_side(text: str) -> str:
+    """Return a text with its displayed formulas in one row, where they fit beside each other."""
+    joined = text.replace("$$$$", r",\qquad ")
+    return joined if len(_COMMANDS.sub("", joined.partition("$$")[2])) <= ROW else text
 
 
 def label(anchor: str) -> str:
