@@ -16,6 +16,7 @@ from imported import imported_modules
 from interruption import interrupted
 
 from paper_checks.claims import claim_named
+from paper_checks.decide import kernel
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.proofs import library
@@ -58,7 +59,18 @@ def test_a_row_comes_back_as_it_was_and_never_as_another_or_where_a_solver_was_s
                 plain.row(row.claim, replace(there, proofs=proofs))
 
 
-def test_one_claim_reports_the_proofs_that_it_compiles(monkeypatch):
+@pytest.fixture
+def no_theorem_is_known():
+    """Theorems are asked for anew, and none that a test makes up is kept."""
+    caches = kernel.step, library.theorem
+    for one in caches:
+        one.cache_clear()
+    yield
+    for one in caches:
+        one.cache_clear()
+
+
+def test_one_claim_reports_the_proofs_that_it_compiles(monkeypatch, no_theorem_is_known):
     """@example of minutes of compiling that were shown as "at work"."""
     shown, theorems = [], library._not_run("", library.pinned())
 
