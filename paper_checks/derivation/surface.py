@@ -214,7 +214,7 @@ TRANSVERSALITY = Stage(
             lambda: both_at("sliding", WIDTH * (upper - lower), r"x_1=L(\lambda-\mu)"),
         ),
         Line(
-            "So, on $S_0$, each field points to $S$, or along it: (10). A motion that arrives there cannot cross $S$.",
+            "So, on $S_0$, each field points to $S$, or along it: (10). A motion that arrives inside the strip cannot cross $S$.",
             INSIDE,
             of_clause(INSIDE, "minus", "plus"),
             kernel="transversal-inside",
