@@ -4,7 +4,7 @@ import pytest
 from every_number import compared, unlisted
 from hypothesis import given
 from reaching import reaching
-from strategies import ties
+from strategies import extreme_scenes, ties
 
 
 def wrong(scene, arithmetic):
@@ -20,6 +20,21 @@ def test_no_number_goes_without_its_comparison():
 def test_every_number_of_a_tie_is_within_its_bound(arithmetic):
     @reaching
     @given(ties())
+    def hold(scene):
+        assert wrong(scene, arithmetic) == []
+
+    hold()
+
+
+ON_A_LINE = sorted(extreme_scenes.keys() - {"ellipsoid", "box", "friction of the state"})
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("arithmetic", ["float64", "ball"])
+@pytest.mark.parametrize("kind", ON_A_LINE)
+def test_every_number_of_a_scene_at_the_extremes_is_within_its_bound(kind, arithmetic):
+    @reaching
+    @given(extreme_scenes[kind])
     def hold(scene):
         assert wrong(scene, arithmetic) == []
 

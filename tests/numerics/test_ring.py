@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from control_scenes import DAMPED, FALLING, LIGHTLY, outside, under
+from control_scenes import DAMPED, outside, under
 from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -25,6 +25,7 @@ from numerics import (
     Scene,
     Sine,
     State,
+    Weakening,
     load_scene,
     response,
     ring_entry,
@@ -109,7 +110,7 @@ def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
 @pytest.mark.parametrize(
     ("scene", "said"),
     [
-        (under(LIGHTLY, "0.4", friction=Friction((), FALLING)), "tolerance ring"),
+        (under(DAMPED, "0.4", friction=Friction((), Weakening([("0.3", "0.15")]))), "tolerance ring"),
         (Scene(DAMPED, State(), 1, force=Force((Piece(0, [0, 1]),))), "grows"),
         (under(Pair(1, 1, 100, "0.5"), "0.7", 10), "grows without bound"),
     ],
