@@ -97,7 +97,7 @@ FAULTS = {
     },
     "translational-or-rotational": {
         "theory.scaling.radius": lambda radius: radius**2,
-        "interpretation.driven_equation": plus(b),
+        "interpretation.driven_equation": plus(x1),
     },
     "stiff-limit": {
         "interpretation.slip_rate": other_sign,

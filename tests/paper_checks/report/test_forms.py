@@ -83,7 +83,9 @@ def test_the_table_fits_80_columns_and_keeps_the_ids(rows):
 
 def test_rows_are_counted_and_those_that_differ_from_the_record_are_named(rows):
     text = " ".join(printed(rows).split())
-    assert text.startswith("Fails first: a proof of w→0 turns 1 claim: rate-one-over-t")
+    assert text.startswith(
+        "1 claim differs from the record. Fails first: a proof of w→0 turns 1 claim: rate-one-over-t"
+    )
     assert "differs from the record: undecided, recorded holds: rate-one-over-t" in text
     assert "unchecked, because a tool is missing: hostile" in text
     counted = "1 holds, 1 holds after a correction, 1 is refuted, 1 is undecided, 1 is unchecked, as a tool is missing."
