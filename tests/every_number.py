@@ -253,7 +253,7 @@ def compared(scene: Scene, arithmetic: str) -> tuple[Trajectory, list[Compared]]
     if not run.certain:
         raise LeftOut
     rows = against(run, truth := solved_truly(scene))
-    if arithmetic == "float64":
+    if arithmetic == "float64" or scene.friction.weakening:
         with truth.context():
             rows += batch_held(solve_scenes([scene], max_events=EVENTS, keep_events=EVENTS), 0, truth)
     return run, rows

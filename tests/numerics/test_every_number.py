@@ -10,7 +10,7 @@ from hypothesis import given
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
 from sixty_digits import forced_scene
-from strategies import driven_scenes, free_scenes, ties, viscous_scenes
+from strategies import driven_scenes, free_scenes, ties, viscous_scenes, weakened_scenes
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, State, load_scene, solve
 
@@ -43,6 +43,12 @@ def test_every_number_is_within_its_bound(kind, arithmetic):
         assert wrong(scene, arithmetic) == []
 
     hold()
+
+
+@reaching
+@given(weakened_scenes())
+def test_every_number_is_within_its_bound_where_friction_depends_on_the_state(scene):
+    assert wrong(scene, "ball") == []
 
 
 @pytest.mark.parametrize("name", [*FOUND, *RESTARTED.split(), "relative-motion-b05"])
