@@ -55,7 +55,11 @@ def told(counted: dict[str, Counter[str]], worst: dict[str, Any]) -> int:
     print(f"{'kind':24}" + "".join(f"{name:>12}" for name in columns) + "   worst error/bound")
     for kind, own in counted.items():
         whole.update(own)
-        print(f"{kind:24}" + "".join(f"{own[name]:12}" for name in columns) + "   {:.3f} {}".format(*worst[kind]))
+        print(
+            f"{kind:24}"
+            + "".join(f"{own[name]:12}" for name in columns)
+            + "   {:.3f} {}".format(*worst.get(kind, (0.0, "")))
+        )
     print(f"{'all':24}" + "".join(f"{whole[name]:12}" for name in columns))
     return whole["wrong"] + whole["raised"]
 

@@ -117,6 +117,8 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
                 value = getattr(knot, name)
                 row[AT[name]] = float(value.mid())
                 row[late + place] = float(value.rad()) + abs(row[AT[name]]) * 2.0**-52
-        taken = float(found.ledger.friction), float(found.ledger.viscous)
-    table[-1, ROW:] = record.how, record.events, 1.0, taken[0], 0.0, taken[1], 0.0, 2.0**-50 * sum(taken)
+        taken = [found.ledger.friction, found.ledger.viscous]
+        friction, viscous = (float(one.mid()) for one in taken)
+        off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
+    table[-1, ROW:] = record.how, record.events, 1.0, friction, 0.0, viscous, 0.0, off
     return table[:-1, :ROW], table[-1]

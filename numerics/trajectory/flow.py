@@ -32,7 +32,7 @@ _TERMS = 14
 _SPARE_BITS = 24
 _BITS_PER_DOUBLING = 5
 """What a flow may lose each time that it is squared."""
-_KEPT = 32
+_KEPT, _DOUBLINGS = 32, 6
 _STATE = tuple(((place, Fraction(1)),) for place in range(4))
 _PRODUCTS = 1.0 / np.add.outer(np.arange(_TERMS + 1), np.arange(1, _TERMS + 2))
 """int_0^1 s^i s^j ds."""
@@ -214,12 +214,26 @@ class Moving:
         return self._enclosed(self._taken, tau)
 
     def _enclosed(self, function: Callable[[Motion, arb], Sequence[arb]], tau: Number) -> tuple[Number, ...]:
-        """Return a function of the motion and of a time after its start, with the bits that squarings may lose."""
+        """Return a function of the motion and of a time after its start, with the bits that squarings may lose.
+
+        Powers of the time lose more, as k! in the derivatives of a force of high degree: bits are doubled until what is
+        left is a rounding, or half of the bits of balls, or more bits are of no help.
+        """
         with precision(self.bits):
             since = as_ball(tau)
-        with precision(self.bits + 2 * _halvings(self.generator, since)):
-            found = function(self.mode.motion(*self.start), since)
+        bits, before = self.bits + 2 * _halvings(self.generator, since), arb("inf")
+        for _ in range(_DOUBLINGS):
+            with precision(bits):
+                found = function(self.mode.motion(*self.start), since)
+                off, size = max(one.rad() for one in found), self._size(found)
+                if off * 2 > before or off <= size * arb(2) ** -(self.bits // 2 if self.is_ball else mpmath.mp.prec):
+                    break
+            bits, before = 2 * bits, off
         return tuple(+one if self.is_ball else self.arithmetic.number(exact_middle(one)) for one in found)
+
+    def _size(self, found: Sequence[arb]) -> arb:
+        """Return how large the numbers are that are found, or those of the start."""
+        return max(abs(one.mid()) for one in (*found, *self.start[0]))
 
     def _state(self, motion: Motion, tau: arb) -> Sequence[arb]:
         over = motion.over(tau)

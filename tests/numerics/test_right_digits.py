@@ -9,7 +9,7 @@ from hypothesis import given
 from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
-from numerics import Force, Pair, Scene, State, load_scene, solve, solve_many
+from numerics import Force, Pair, Piece, Scene, State, load_scene, solve, solve_many, solve_scenes
 from numerics.arithmetic.ball import Ball, widened
 from numerics.linear.errors_of import errors_of
 from numerics.linear.record import AT, END_ROW, ROW
@@ -153,3 +153,45 @@ def test_an_open_sequence_is_a_status_and_no_success():
 def test_the_true_value_is_within_a_unit_of_the_last_place_of_a_text(value, error):
     text = Decimal(right_digits_text(value, Ball.number(error), 17))
     assert abs(Fraction(text) - value) + error <= Fraction(10) ** text.as_tuple().exponent
+
+
+# quantities of which no digit is right
+
+SOFT = Scene(Pair(1, "1e10", "1e-20", "2.94"), State(v1=10), 10)
+"""A box that slides to a stop; the spring is so soft that float64's bound of the positions is 1e10 m."""
+STOPPED = 17.006802727687074
+"""x1 at its end, m: of a closed form."""
+
+
+def test_an_answer_without_a_right_digit_is_no_success_and_the_next_arithmetic_is_tried():
+    run = solve(SOFT, arithmetic="float64")
+    assert (run.status, run.success, run.right_digits) == (Status.NO_RIGHT_DIGIT, False, 0)
+    assert "no digit of times and positions and energy is right" in run.message
+    assert solve(SOFT, max_digits=15).status is Status.NO_RIGHT_DIGIT
+    found = solve(SOFT)
+    assert found.success
+    assert found.right_digits > 0
+    assert float(found.final_state[0]) == pytest.approx(STOPPED, rel=1e-9)
+    assert "no right digit of the times and positions and energy" in found.tried
+    batch = solve_scenes([SOFT, PAPER])
+    assert batch.status.tolist() == [Status.NO_RIGHT_DIGIT, Status.REACHED_HORIZON]
+    assert batch.success.tolist() == [False, True]
+
+
+def test_balls_without_a_right_digit_are_tried_with_more_digits():
+    """float() of [+/- 1.22e5] is 55,295 m."""
+    scene = Scene(Pair("1e30", 1, "1e-10", "2.94"), State(v2=10), 10)
+    found, few = solve(scene), solve(scene, max_digits=34)
+    assert found.success
+    assert float(found.final_state[2]) == pytest.approx(STOPPED, rel=1e-9)
+    assert (few.status, few.success, few.without_digits) == (Status.NO_RIGHT_DIGIT, False, ("positions",))
+
+
+@pytest.mark.parametrize("arithmetic", ["float64", "double-double", "ball"])
+@pytest.mark.parametrize("u", ["0", "0.2", "0.9"])
+def test_velocities_that_are_0_all_along_are_no_lost_digits(u, arithmetic):
+    """At rest in balance with the force, or with nothing."""
+    at = State(x1=Fraction(u) / 200)
+    run = solve(Scene(Pair(1, 1, 200, "0.5"), at, 3, force=Force([Piece(0, [u])])), arithmetic=arithmetic)
+    assert run.success
+    assert run.right_digits > 0
