@@ -54,7 +54,7 @@ def leaves_above_critical() -> Steps:
     leaving = (signed(transversality(sign), "<") for sign in (1, -1))
     return (
         prove(
-            r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ runs monotonically to an edge",
+            r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ moves monotonically to an edge",
             [above, *within],
             sp.Ne(v1, 0, evaluate=False),
         ),

@@ -107,7 +107,7 @@ def example_reduction() -> Case:
         r"""
         (12) follows from (4) for $\dot z\neq 0$, but at $\dot z=0$ only where $|\ddot x_1|<b$, that is $|x_1|<b/100$;
         (11) follows from (3) without a condition. Elsewhere on $\dot z=0$ the second bracket of (4) leaves body 2
-        without acceleration, or at equality with half of it, while (12) makes it stick whatever force that takes.
+        without acceleration, or at equality with half of it, while (12) makes it stick whatever force that requires.
         """,
         counterexample(
             (

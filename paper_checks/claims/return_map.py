@@ -149,7 +149,7 @@ def cycle_time() -> Evidence:
     ),
     clause(
         "remainder",
-        r"What the terms after $y^8$ add to $y'$ is at most $\tfrac{r}{3}(9y/4)^9$ for $0<y\leqslant 4/9$,",
+        r"The terms after $y^8$ add at most $\tfrac{r}{3}(9y/4)^9$ to $y'$ for $0<y\leqslant 4/9$,",
     ),
     clause(
         "time",
@@ -168,10 +168,10 @@ def return_map_expansion() -> Case:
     ]
     return because(
         r"""
-        One power series with rational coefficients is the return map of every pair; the mass ratio is a factor in it.
-        $h^2$ and $c$ are even analytic functions of the slip angle, $h^2=\theta^2/9+\cdots$, so $c$ is a power series
-        in $y=h^2$ without any parameter, and $y'=y-r\,c^2$. Its Taylor polynomials are exact; what they miss is
-        bounded on the rim of a disc in balls and by Schwarz's lemma inside.
+        One power series with rational coefficients gives the return map of every pair; the mass ratio is a factor in
+        it. $h^2$ and $c$ are even analytic functions of the slip angle, $h^2=\theta^2/9+\cdots$, so $c$ is a power
+        series in $y=h^2$ without any parameter, and $y'=y-r\,c^2$. Its Taylor polynomials are exact; the remainder is
+        bounded in ball arithmetic on the rim of a disc and by Schwarz's lemma inside.
         """,
         *landings()[3:],
         *coefficients(),
