@@ -68,9 +68,9 @@ def leaves_above_critical() -> Steps:
 
 @cache
 def stick_is_a_motion() -> Evidence:
-    """The closed form of stick solves (3), (4), and E is constant along it."""
+    """The closed form of stick solves the stick mode of (3), (4), and E is constant along it."""
     return identity(
-        "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves (3), (4), and $\\dot E=0$ along it",
+        "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves the stick mode of (3), (4), and $\\dot E=0$ along it",
         [*residual(solution("stick", DampingRegime.UNDAMPED)), undamped(stick_rate())],
     )
 

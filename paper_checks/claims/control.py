@@ -42,7 +42,7 @@ FIRST_PLACE, WAY_START = Symbol("{x_1(0)}", real=True), Symbol(r"{x_{\mathrm{ref
 @claim(
     "one-active-one-passive",
     "Abstract",
-    "abstract, sixth sentence",
+    "abstract, sixth sentence; I, first paragraph",
     HOLDS,
     clause(
         "freedoms",

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from paper_checks.claims import energy as dissipation
 from paper_checks.claims.filippov import bracket_is_off_in_slip
 from paper_checks.claims.points import PULL, START_AT_6MM
 from paper_checks.claims.words import *
@@ -162,7 +163,7 @@ def example_reduction() -> Case:
 @claim(
     "example-two-modes",
     "IV",
-    "eqs. (13), (14)",
+    "eqs. (13), (14); before (13)",
     HOLDS,
     clause(
         "first",
@@ -181,8 +182,11 @@ def example_reduction() -> Case:
         "together",
         r"""
         In the first the system behaves as a pair of synchronized undamped harmonic oscillators with
-        $x_1-x_2=\mathrm{const}$ and $\dot{x}_1=\dot{x}_2$.
+        $x_1-x_2=\mathrm{const}$ and $\dot{x}_1=\dot{x}_2$;
         """,
+    ),
+    clause(
+        "sliding", r"in the other the second mass slides with respect to the first one and, thus, dissipates energy."
     ),
 )
 def example_two_modes() -> Case:
@@ -203,6 +207,7 @@ def example_two_modes() -> Case:
             identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),
         ),
+        carried("sliding", dissipation.energy_rate(), dissipation.energy_never_grows()),
         derivation=(
             f"(13): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(0))}$$",
             *(

@@ -88,7 +88,7 @@ def _share(name: str) -> Rational:
 
 @cache
 def spurious_branch(name: str) -> Evidence:
-    """The relative acceleration in a branch of z' = 0 that the text omits."""
+    """The relative acceleration in a branch of z' = 0 that is no mode of the text."""
     found, share = branch_named(name), _share(name)
     return identity(
         f"in the branch with {name}, $\\ddot z={share}\\cdot\\ddot x_1$",

@@ -132,8 +132,8 @@ def _sliders_only_take() -> Evidence:
         it can be understood in combination with infinite stiffness within the pre-slide friction regime: let the
         interface be a spring of stiffness $k$ in series with a slider that slips at the force $b$. Its presliding
         displacement «deflection» vanishes as $k\to\infty$, and its motion tends to that of Coulomb's law from the same
-        start, uniformly on bounded times: $N$, their distance in energy, has «distance», where $V$ is the variation of
-        $\mathrm{sign}(v_1-v_2)$ in Coulomb's law until then.
+        start, uniformly on bounded times: $N$, their distance in energy, has «distance», where $V$ is the variation until
+        then of Coulomb's friction force over $b$, that of sticks included.
         """,
         deflection=equal(r"|\delta|\leqslant\delta_{\max}", b / stiffness, presliding.largest_deflection),
         distance=sharp(

@@ -21,6 +21,8 @@ RADIUS = 2
 
 
 ARCS = 512
+LEFT_OUT = r"\tfrac{r}{3}(9y/4)^9"
+"""Bound of what the terms after y^8 add to y', for 0 < y <= 4/9."""
 
 
 def printed_depth_coefficients() -> tuple[Rational, ...]:
@@ -85,7 +87,7 @@ def remainder() -> Steps:
         ),
         enclosed(
             f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
-            f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant\\tfrac{{r}}{{3}}\\,(9y/4)^9$ for $y\\leqslant 4/9$",
+            f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant {LEFT_OUT}$ for $y\\leqslant 4/9$",
             small,
             f"{text}; {printed}",
             ARCS,
@@ -149,7 +151,7 @@ def cycle_time() -> Evidence:
     ),
     clause(
         "remainder",
-        r"The terms after $y^8$ add at most $\tfrac{r}{3}(9y/4)^9$ to $y'$ for $0<y\leqslant 4/9$,",
+        f"The terms after $y^8$ add at most ${LEFT_OUT}$ to $y'$ for $0<y\\leqslant 4/9$,",
     ),
     clause(
         "time",
