@@ -30,7 +30,7 @@ from numerics.trajectory.comparison import as_fraction, require_same_sequence
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
-ARITHMETICS = ["float64", "double-double", "mpmath", "ball"]
+ARITHMETICS = ["float64", "mpmath", "ball"]
 
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)

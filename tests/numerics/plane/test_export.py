@@ -61,7 +61,7 @@ def test_what_was_saved_comes_back_to_the_last_bit(scene, asked, tmp_path):
 def test_what_is_no_such_file_is_refused(tmp_path):
     run, path = solve(SCENES[0]), tmp_path / "run.npz"
     solve(load_scene("velocities")).save(path)
-    with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 2'"):
+    with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 3'"):
         PlaneTrajectory.load(path)
     run.save(path)
     with pytest.raises(InvalidFile, match="surface trajectory 3'"):
@@ -106,7 +106,7 @@ def test_arrays_and_data_frame_have_the_numbers_of_the_run(turning, tmp_path, ca
 
 
 @pytest.mark.parametrize(
-    "flags", ["--proof F.v", "--sensitivity --json", "--arithmetic mpmath", "--arithmetic double-double"]
+    "flags", ["--proof F.v", "--sensitivity --json", "--arithmetic mpmath"]
 )
 def test_what_only_a_line_has_is_refused_in_a_sentence(flags, capsys):
     assert main(["solve", "plane-circle-merges", *flags.split()]) == 2
