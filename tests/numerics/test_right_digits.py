@@ -166,7 +166,7 @@ def test_balls_without_a_right_digit_are_tried_with_more_digits():
     assert (few.status, few.success, few.without_digits) == (Status.NO_RIGHT_DIGIT, False, ("positions",))
 
 
-@pytest.mark.parametrize("arithmetic", ["float64", "double-double", "ball"])
+@pytest.mark.parametrize("arithmetic", ["float64", "ball"])
 @pytest.mark.parametrize("u", ["0", "0.2", "0.9"])
 def test_velocities_that_are_0_all_along_are_no_lost_digits(u, arithmetic):
     """At rest in balance with the force, or with nothing."""

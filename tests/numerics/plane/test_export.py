@@ -105,9 +105,7 @@ def test_arrays_and_data_frame_have_the_numbers_of_the_run(turning, tmp_path, ca
     assert "working digits" in told.err
 
 
-@pytest.mark.parametrize(
-    "flags", ["--proof F.v", "--sensitivity --json", "--arithmetic mpmath"]
-)
+@pytest.mark.parametrize("flags", ["--proof F.v", "--sensitivity --json", "--arithmetic mpmath"])
 def test_what_only_a_line_has_is_refused_in_a_sentence(flags, capsys):
     assert main(["solve", "plane-circle-merges", *flags.split()]) == 2
     assert "knows a line only" in capsys.readouterr().err
