@@ -48,9 +48,7 @@ def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats
             rows = slice(None) if its.all() else its
             own, own_kept, own_ends = columns.part(rows), kept[rows], ends[rows]
             if its is free:
-                halves = np.zeros((len(own_ends), 2 * own.numbers.shape[1]))
-                halves[:, ::2] = own.numbers
-                compiled(solve_rows)(halves, literal, max_events, own_kept, own_ends)
+                compiled(solve_rows)(own.numbers, literal, max_events, own_kept, own_ends)
             else:
                 compiled(follow_rows)(own, literal, max_events, False, own_kept, own_ends)
             kept[rows], ends[rows] = own_kept, own_ends

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from three_scenes import HOW, PAPER
+from three_scenes import DAMPED, HOW, PAPER
 
 import numerics
 from numerics import (

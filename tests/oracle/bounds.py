@@ -107,7 +107,7 @@ def in_floats(scene: Scene, by: Any, size: float) -> Any:
 
 
 def in_rows(scene: Scene, by: Any, size: float) -> Any:
-    found = run_in_rows(scene, "float64", moved(scene, in_stick(scene, size * by)))
+    found = run_in_rows(scene, moved(scene, in_stick(scene, size * by)))
     return found if found.certain else None
 
 
