@@ -78,8 +78,8 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     for flag in ("proof", "sensitivity"):
         if getattr(options, flag):
             return f"--{flag} is available on a line only; on a surface use --json, --csv, --npz, --plot or the table"
-    if options.arithmetic == "mpmath":
-        return "--arithmetic mpmath is available on a line only; on a surface use float64 or ball"
+    if options.arithmetic not in (None, "ball"):
+        return f"--arithmetic {options.arithmetic} is available on a line only: balls solve a surface; leave it out"
     return None
 
 
@@ -199,8 +199,7 @@ def _explained(trajectory: Trajectory) -> str:
 
 
 def _surface_explained(trajectory: PlaneTrajectory) -> str:
-    """Return which arithmetic was used, what was tried before, and what its digits mean."""
-    tried = f" (tried first: {trajectory.tried})" if trajectory.tried else ""
+    """Return which arithmetic was used, and what its digits mean."""
     how = "digits are relative to each number, or near 0 to the largest of its axis along the run"
     working = f"{trajectory.arithmetic.name}, from a path with {trajectory.arithmetic.digits} working digits"
-    return f"{working}{tried}; {len(trajectory.events)} events located one by one; {how}"
+    return f"{working}; {len(trajectory.events)} events located one by one; {how}"

@@ -67,7 +67,7 @@ def solve(  # type: ignore[misc]  # the options are those below
     max_digits: int = MAX_DIGITS,
     progress: Progress | None = None,
 ) -> Trajectory | PlaneTrajectory:
-    """Solve a scene and return its Trajectory; for a PlaneScene, a PlaneTrajectory.
+    """Solve a scene and return its Trajectory; for a PlaneScene, a PlaneTrajectory, in balls: `digits` (15) are proved.
 
     `arithmetic.name` of the result is the arithmetic used; `tried` lists those tried before, and why they failed.
 

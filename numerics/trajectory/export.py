@@ -31,7 +31,7 @@ OF_ANGLE = {"m": "rad", "m/s": "rad/s", "N": "N m"}
 
 
 def is_enclosed(trajectory: Any) -> bool:
-    """Return whether the numbers of a trajectory are balls; a surface keeps them where it shows floats."""
+    """Return whether the numbers of a trajectory are balls."""
     return isinstance(trajectory.end_time, arb)
 
 
