@@ -9,8 +9,6 @@ from typing import NamedTuple
 import numpy as np
 
 from numerics import Pair, Scene, State
-from numerics.arithmetic.double_numbers import DoubleDouble
-from numerics.arithmetic.float64 import Float64
 from numerics.free.bounds import Errors, in_floats, with_exit
 from numerics.free.engine import begin_in_rows
 from numerics.free.frame import Begun
@@ -18,7 +16,6 @@ from numerics.free.rows import solve_start
 from numerics.linear.record import AT, END_ROW, ROW
 
 MOST = 40
-ARITHMETICS = {"float64": Float64(), "double-double": DoubleDouble()}
 COORDINATES = ("x1", "v1", "x2", "v2")
 
 
@@ -44,9 +41,9 @@ def unit_pair(q: Fraction) -> Pair:
     return Pair(m1=q, m2=1 - q, a2=1, b=1 - q)
 
 
-def run(scene: Scene, name: str, planted: Scene | None = None) -> Found:
+def run(scene: Scene, planted: Scene | None = None) -> Found:
     """Solve a scene by interpreted code; with the distance of the scene `planted` as an error of its start."""
-    begun, errors, given = begin_in_rows(scene, ARITHMETICS[name])
+    begun, errors, given = begin_in_rows(scene)
     if planted is not None:
         errors = _with_distance(begun, errors, scene, planted)
     rows, end = [[0.0] * ROW for _ in range(MOST + 1)], [0.0] * END_ROW
@@ -62,6 +59,14 @@ def _with_distance(begun: Begun, errors: Errors, scene: Scene, other: Scene) -> 
     planted = Errors(0, x1 / q, max(v1, v2) / math.sqrt(q), w, 0, slides, 0, distance, 0)
     at, start = in_floats(begun.at, begun.start)
     return with_exit(at, Errors(*map(add, errors, planted)), start)
+
+
+def in_units(scene: Scene, mass: Fraction, time: Fraction, length: Fraction) -> Scene:
+    """The scene in other units."""
+    pair, at, speed, stiff = scene.pair, scene.initial, length / time, mass / time**2
+    other = Pair(pair.m1 * mass, pair.m2 * mass, pair.a2 * stiff, pair.b * stiff * length)
+    start = State(at.x1 * length, at.v1 * speed, at.x2 * length, at.v2 * speed)
+    return Scene(other, start, scene.until * time)
 
 
 def draw_scene(random: Random) -> Scene:

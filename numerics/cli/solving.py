@@ -65,8 +65,8 @@ def solve_scene(options: argparse.Namespace) -> int:
 
 def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
-    if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
-        return f"--digits {options.digits} needs ball or mpmath, not {options.arithmetic}; leave one of both out"
+    if options.arithmetic == "float64" and options.digits is not None:
+        return f"--digits {options.digits} needs ball or mpmath, not float64; leave one of both out"
     for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
             return f"--sensitivity needs --json, --npz or the table; leave --{name} out"
@@ -78,8 +78,8 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     for flag in ("proof", "sensitivity"):
         if getattr(options, flag):
             return f"--{flag} is available on a line only; on a surface use --json, --csv, --npz, --plot or the table"
-    if options.arithmetic in {"double-double", "mpmath"}:
-        return f"--arithmetic {options.arithmetic} is available on a line only; on a surface use float64 or ball"
+    if options.arithmetic not in (None, "ball"):
+        return f"--arithmetic {options.arithmetic} is available on a line only: balls solve a surface; leave it out"
     return None
 
 
@@ -199,8 +199,7 @@ def _explained(trajectory: Trajectory) -> str:
 
 
 def _surface_explained(trajectory: PlaneTrajectory) -> str:
-    """Return which arithmetic was used, what was tried before, and what its digits mean."""
-    tried = f" (tried first: {trajectory.tried})" if trajectory.tried else ""
+    """Return which arithmetic was used, and what its digits mean."""
     how = "digits are relative to each number, or near 0 to the largest of its axis along the run"
     working = f"{trajectory.arithmetic.name}, from a path with {trajectory.arithmetic.digits} working digits"
-    return f"{working}{tried}; {len(trajectory.events)} events located one by one; {how}"
+    return f"{working}; {len(trajectory.events)} events located one by one; {how}"

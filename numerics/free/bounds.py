@@ -15,12 +15,15 @@ import math
 from typing import NamedTuple
 
 from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.elementary import UNIT
 from numerics.arithmetic.functions import as_float, cosine_deficit, sine_deficit, versine
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import Begun
 from numerics.free.motion import FREE, RAY, STICK, Landing, MotionState, Parameters, Reach, stick_reach
 from numerics.free.slip import Start
 
+ROW_UNIT = 4 * UNIT
+"""What errors are counted in where a run begins with binary64 numbers."""
 UNDERFLOW = 1e-290
 """What products below the normal numbers may have dropped from a sum."""
 
@@ -86,14 +89,22 @@ def lost() -> Errors:
 
 
 @compilable
-def initial(begun: Begun) -> Errors:
-    """Return the errors of a start whose numbers are exact rationals, rounded."""
+def initial(begun: Begun, formed: float) -> Errors:
+    """Return the errors of a start formed of exact rationals, for `formed` = 0, or of binary64 numbers, for 1.
+
+    Of rationals every number is rounded once. Of binary64 numbers, each off by a rounding, differences are off by
+    roundings of their terms besides: X by 10, E/E_cr by 32. `at.unit` is four of these roundings there (ROW_UNIT), as
+    q and r have up to four of them, not one.
+    """
     unit, (at, start) = begun.at.unit, in_floats(begun.at, begun.start)
     moving = at.sqrt_q * abs(as_float(begun.V1)) + math.sqrt(at.r) * abs(as_float(begun.V2))
-    gap, push = 2 * unit * abs(start.gap), 4 * unit * abs(start.push)
+    gap, push = 2 * unit * abs(start.gap), (4 + formed) * unit * abs(start.push)
     if start.kind == STICK:
         gap, push = gap / at.q, push / at.sqrt_q
-    w, place, norm = 2 * unit * abs(start.w), 2 * unit * abs(start.Z), 4 * unit * (abs(start.X) + moving)
+    gap += formed * 3 * unit * abs(start.X) / at.q
+    w = 2 * unit * abs(start.w) + formed * 9 * unit * abs(1 + start.w)
+    place = (2 + formed) * unit * abs(start.Z) + formed * unit * abs(start.X)
+    norm = 4 * unit * (abs(start.X) + moving)
     return with_exit(at, Errors(0.0, gap, push, w, 0.0, place, 0.0, norm, 0.0), start)
 
 

@@ -10,7 +10,7 @@ The left side falls strictly from +infinity (or u > 0, if d = 0) to -infinity: t
 Close to a full turn (u > 1) the angle that is missing to 2 pi is the variable, which theta would round away.
 
 Halley's method, which triples the right digits with each step, finds the root in binary64 and mpmath, from a guess.
-Double-double takes one more step from the root of binary64. Balls take steps up to half of the bits asked for, the
+Balls take steps up to half of the bits asked for, the
 precision tripled with each; there the function is evaluated once at full precision, at the price of one sine-cosine,
 and one interval Newton step encloses the root: its slope need only be known to half of the bits. The inclusion proves
 the root; that it is the only one in (0, 2 pi), hence the first, is a theorem.
@@ -37,7 +37,6 @@ from numerics.arithmetic.functions import (
     two_pi,
     versine,
 )
-from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.precision import mpmath_precision, precision
 from numerics.arithmetic.protocol import Number
 
@@ -149,21 +148,13 @@ def _contact_of_points(gap: Number, push: Number) -> tuple[Number, Number, Numbe
     return _one_step_on(_found(gap, push)[1])
 
 
-@compilable
-def _contact_of_pairs(gap: TwoFloats, push: TwoFloats) -> tuple[TwoFloats, TwoFloats, TwoFloats]:
-    """Return the contact in double-double, by one step from the root of binary64."""
-    return _one_step_on(point_at(gap, push, TwoFloats(_found(gap.high, push.high)[0], 0.0)))
-
-
-@by_type(_contact_of_points, _contact_of_pairs)
+@by_type(_contact_of_points)
 def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
     """Return theta, c(theta) and 1 - cos theta at the end of a slip from S with gap d >= 0 and push u (> 0 if d = 0).
 
     Each is accurate relative to itself; in points 1 - cos theta serves the error bounds only and has few digits. Raises
     EventUndecided in balls.
     """
-    if type(gap) is TwoFloats:
-        return _contact_of_pairs(gap, push)
     if type(gap) is not arb:
         return _contact_of_points(gap, push)
     found = enclosed_contact(gap, push)
@@ -178,7 +169,7 @@ def _ray_contact_of_points(w: Number, push: Number, q: Number, r: Number, _: Num
     return theta, depth, w - r * q * depth * depth, drop
 
 
-@by_type(_ray_contact_of_points, _ray_contact_of_points)
+@by_type(_ray_contact_of_points)
 def ray_contact(w: Number, push: Number, q: Number, r: Number, sqrt_q: Number) -> tuple[Number, ...]:
     """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w = q u^2."""
     if type(w) is not arb:

@@ -7,14 +7,15 @@ X = x1/L, V_i = v_i/(L Omega), Z = (x1 - x2)/L, tau = Omega t, w = E/E_cr - 1 (a
     slip, sign s     q V1' = -(X + 2 zeta V1 + r s),   V2' = s
     energy           E/E_cr = X^2 + q V1^2 + r V2^2,   w' = -2 r |V1 - V2| - 4 zeta V1^2
 
-The SI numbers of a start are wide: exact rationals, or double-double in compiled code. What a run needs of them is
-formed wide and narrowed once, by the function `narrow`. Rationals are narrowed to any arithmetic, and everything is
-known; double-double is narrowed to binary64, and says where 106 bits do not decide a sign or leave too few digits of a
-difference (`known` is False: convert exactly).
+The SI numbers of a start are exact rationals, or binary64 numbers in compiled code. What a run needs of them is formed
+in their own arithmetic and converted once, by the function `narrow`. From rationals every sign is exact and every
+number rounded once. From binary64 numbers a difference is off by roundings of its terms (bounds.initial), and
+`is_known` says whether all signs are certain and every difference keeps most of its digits; else convert exactly.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -22,20 +23,20 @@ from typing import Any, NamedTuple
 from flint import fmpq
 
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.functions import as_float, like, signed, sqrt
+from numerics.arithmetic.functions import like, signed, sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.motion import FREE, STICK, SURFACE, Parameters
 from numerics.free.slip import Start
 from numerics.scene import Pair
 
-Wide = Any
-"""fmpq, or Pair."""
-Narrow = Callable[[Wide], Number]
-_SURE = 2.0**-46
-"""A difference smaller than this, relative to its terms, is left to exact arithmetic: 60 bits of 106 remain above."""
+Given = Any
+"""fmpq, or float in compiled code."""
+Narrow = Callable[[Given], Number]
+_SURE = 2.0**-6
+"""A difference smaller than this, relative to its terms, is left to exact arithmetic."""
 
 
-def wide(x: Fraction) -> fmpq:
+def as_fmpq(x: Fraction) -> fmpq:
     """Return a rational as one of flint, which calculates several times as fast."""
     return fmpq(x.numerator, x.denominator)
 
@@ -61,7 +62,7 @@ def in_si(units: FrameUnits, at: Any) -> tuple[Number, Number, Number, Number]:
 
 
 class Begun(NamedTuple):
-    """How a scene begins: reduced parameters, first motion, velocities, horizon, units, whether all is known."""
+    """How a scene begins: reduced parameters, first motion, velocities, horizon, units."""
 
     at: Parameters
     start: Start
@@ -69,18 +70,17 @@ class Begun(NamedTuple):
     V2: Number
     horizon: Number
     units: FrameUnits
-    known: bool
 
 
 @compilable
-def _sign(x: Wide) -> int:
+def _sign(x: Given) -> int:
     zero = x - x
     return (x > zero) - (x < zero)
 
 
 @compilable
 def constants(
-    m1: Wide, m2: Wide, a2: Wide, b: Wide, literal: bool, narrow: Narrow, unit: float
+    m1: Given, m2: Given, a2: Given, b: Given, literal: bool, narrow: Narrow, unit: float
 ) -> tuple[Parameters, FrameUnits]:
     """Return the reduced parameters and the units of a pair; `unit` is the rounding of one operation."""
     mass, stiff = m1 + m2, a2 * m2
@@ -90,8 +90,8 @@ def constants(
 
 
 @compilable
-def begin(given: tuple[Wide, ...], literal: bool, narrow: Narrow, unit: float) -> Begun:
-    """Return how a scene with a1 = 0 begins, given m1, m2, a2, b, x1, v1, x2, v2 and until in SI units, wide.
+def begin(given: tuple[Given, ...], literal: bool, narrow: Narrow, unit: float) -> Begun:
+    """Return how a scene with a1 = 0 begins, given m1, m2, a2, b, x1, v1, x2, v2 and until in SI units.
 
     Which mode begins is the rule of linear/modes.py.
     """
@@ -99,32 +99,43 @@ def begin(given: tuple[Wide, ...], literal: bool, narrow: Narrow, unit: float) -
     at, units = constants(m1, m2, a2, b, literal, narrow, unit)
     mass = m1 + m2
     length, squared, q, r = mass * b / (a2 * m2), a2 / mass, m1 / mass, m2 / mass
-    x, v1, v2 = x1 / length, v1 / length, v2 / length  # X, and V_i Omega
+    x, apart = x1 / length, (v1 - v2) / length
+    v1, v2 = v1 / length, v2 / length  # V_i Omega
     X, V1, V2 = narrow(x), narrow(v1) / units.rate, narrow(v2) / units.rate
     Z, w = narrow((x1 - x2) / length), narrow(x * x + (q * v1 * v1 + r * v2 * v2) / squared - 1)
     horizon, zero = units.rate * narrow(until), like(X, 0.0)
-    mode, near = _sign(v1 - v2), 1 if _sign(x) >= 0 else -1
+    mode, near = _sign(apart), 1 if _sign(x) >= 0 else -1
     on_surface, outside = mode == 0, _sign(near * x - 1)
     # on the edge the pair leaves by the side to which it moves
     if on_surface and not literal and (outside > 0 or (outside == 0 and near * _sign(v1) > 0)):
         mode = -near
     way = -mode if mode != 0 else near
     beyond, side = way * x - 1, float(way)
-    offset = narrow(beyond)
-    known = abs(as_float(w)) > _SURE and (not on_surface or abs(as_float(offset)) > _SURE)
     if mode == 0:
-        start = Start(STICK, side, X, zero, offset, V1, zero, True, Z, w, zero, zero, zero)
-        return Begun(at, start, V1, V2, horizon, units, known)
+        start = Start(STICK, side, X, zero, narrow(beyond), V1, zero, True, Z, w, zero, zero, zero)
+        return Begun(at, start, V1, V2, horizon, units)
     gap = beyond / q
-    edge = gap * (2 + gap)
-    turning = edge + v1 * v1 / (squared * q)
-    known = known and (on_surface or abs(as_float(narrow(turning))) > _SURE * as_float(narrow(abs(edge) + turning)))
-    guard = narrow(-way * (v1 - v2)) / units.rate / at.sqrt_q
+    turning = gap * (2 + gap) + v1 * v1 / (squared * q)
+    guard = narrow(-way * apart) / units.rate / at.sqrt_q
     push = signed(side, V1) / at.sqrt_q
     driven = push if on_surface else signed(side, V2) / at.sqrt_q
     kind = SURFACE if on_surface else FREE
     start = Start(kind, side, X, guard, narrow(gap), push, driven, _sign(turning) > 0, Z, w, zero, zero, zero)
-    return Begun(at, start, V1, V2, horizon, units, known)
+    return Begun(at, start, V1, V2, horizon, units)
+
+
+@compilable
+def is_known(begun: Begun) -> bool:
+    """Return whether a start formed in binary64 has the signs of the exact one, and digits in all differences."""
+    start, q, size = begun.start, begun.at.q, 1.0 + abs(begun.start.X)
+    known = math.isfinite(start.w + begun.horizon) and abs(start.w) > _SURE * (1.0 + abs(1.0 + start.w))
+    if start.kind == STICK:
+        return known and abs(start.gap) > _SURE * size
+    if start.kind == SURFACE:
+        return known and q * abs(start.gap) > _SURE * size
+    square, gap = start.push * start.push, abs(start.gap)
+    turning = start.gap * (2.0 + start.gap) + square
+    return known and abs(turning) > _SURE * (square + (2.0 + gap) * (gap + size / q))
 
 
 class ReducedState(NamedTuple):
@@ -147,7 +158,7 @@ class Frame:
     def __init__(self, arithmetic: Arithmetic, pair: Pair) -> None:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
         self.arithmetic, narrow = arithmetic, narrowing(arithmetic)
-        m1, m2, a2, b = map(wide, (pair.m1, pair.m2, pair.a2, pair.b))
+        m1, m2, a2, b = map(as_fmpq, (pair.m1, pair.m2, pair.a2, pair.b))
         self.parameters, self.units = constants(m1, m2, a2, b, False, narrow, 0.0)
         self.q, self.r, self.sqrt_q, *_ = self.parameters
         self.length, self.rate, self.critical_energy = self.units

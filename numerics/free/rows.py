@@ -1,4 +1,4 @@
-"""The mode state machine in binary64 and double-double, with its error bounds, straight into rows (linear/record.py).
+"""The mode state machine in binary64, with its error bounds, straight into rows (linear/record.py).
 
 next_event -> bounds -> resolve -> record; it never samples. Compiled where numba is installed, one scene or many in one
 call; the same functions, interpreted, give the same bits.
@@ -6,17 +6,14 @@ call; the same functions, interpreted, give the same bits.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.elementary import UNIT
 from numerics.arithmetic.functions import as_float, clock, finite, sign
-from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
-from numerics.free.bounds import Errors, Off, after_event, at_horizon, at_start, before_horizon, initial
-from numerics.free.frame import Begun, begin, in_si
+from numerics.free.bounds import ROW_UNIT, Errors, Off, after_event, at_horizon, at_start, before_horizon, initial
+from numerics.free.frame import Begun, begin, in_si, is_known
 from numerics.free.motion import (
     MOVING,
     OUT_OF_RANGE,
@@ -41,21 +38,14 @@ _SUBNORMAL, _TINY = 1e-290, 2.0**-1060
 
 
 @compilable
-def put(x: Number, row: Any, column: int) -> None:
-    """Write a number to the columns of its halves."""
-    high = as_float(x)
-    row[column] = high
-    row[column + 1] = as_float(x - high)
-
-
-@compilable
 def _record(row: Any, start: Start, event: float, numbers: tuple[Number, ...], errors: Any) -> None:
     """Write a row: local, length, x1, v1, x2, v2, excess, and bounds on the errors of all but length."""
     row[0], row[1], row[2], row[3], row[4] = mode_of(start), order_of(start), event, 0.0, 0.0
-    column = _LOCAL
-    for number in numbers:
-        put(number, row, column)
-        column += 2
+    row[_LOCAL], row[_LOCAL + 1] = numbers[0], 0.0
+    column = _LOCAL + 2
+    for number in numbers[1:]:
+        row[column] = number
+        column += 1
     for error in errors:
         row[column] = error
         column += 1
@@ -147,55 +137,48 @@ def solve_start(begun: Begun, errors: Errors, given: tuple[Number, ...], most: i
     lost = _TINY + 2.0**-1070 * energy
     end[_END], end[_END + 1] = how, count
     end[_END + 2] = 1.0 if off.certain and how != OUT_OF_RANGE else 0.0
-    put(units.energy * here.spent, end, _FRICTION)
-    put(start.tau - start.tau, end, _FRICTION + 2)
+    end[_FRICTION], end[_FRICTION + 1] = as_float(units.energy * here.spent), 0.0
     end[_DISSIPATED] = taken + (lost if taken > 0.0 or spent > 0.0 else 0.0)
     return count
 
 
 @compilable
 def _in_range(row: Any) -> bool:
-    """Return whether double-double keeps its digits in products of these numbers."""
-    for index in range(0, 20, 2):  # noqa: SIM110 - numba has no generators in `all`
+    """Return whether binary64 keeps its digits in products of these numbers."""
+    for index in range(10):  # noqa: SIM110 - numba has no generators in `all`
         if not (row[index] == 0.0 or _SMALLEST < abs(row[index]) < _LARGEST):
             return False
     return True
 
 
 @compilable
-def _wide(row: Any, index: int) -> TwoFloats:
-    return TwoFloats(float(row[2 * index]), float(row[2 * index + 1]))
-
-
-@compilable
 def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
-    """Solve ten SI numbers (engine.si_numbers), each as its halves, in binary64: write the first rows and the end.
+    """Solve ten SI numbers (engine.si_numbers) in binary64: write the first rows and the end.
 
     Returns the number of events; UNKNOWN where the numbers must be converted exactly.
     """
     if not _in_range(row):
         return UNKNOWN
     si = (
-        _wide(row, 0),
-        _wide(row, 1),
-        _wide(row, 2),
-        _wide(row, 3),
-        _wide(row, 4),
-        _wide(row, 5),
-        _wide(row, 6),
-        _wide(row, 7),
-        _wide(row, 8),
+        float(row[0]),
+        float(row[1]),
+        float(row[2]),
+        float(row[3]),
+        float(row[4]),
+        float(row[5]),
+        float(row[6]),
+        float(row[7]),
+        float(row[8]),
     )
-    begun = begin(si, literal, as_float, UNIT)
-    if not begun.known or not math.isfinite(begun.start.w + begun.horizon):
+    begun = begin(si, literal, as_float, ROW_UNIT)
+    if not is_known(begun):
         return UNKNOWN
-    given = row[8], row[10], row[12], row[14], row[16]
-    return solve_start(begun, initial(begun), given, most, rows, end)
+    return solve_start(begun, initial(begun, 1.0), si[4:], most, rows, end)
 
 
 @compilable
 def solve_rows(table: Any, literal: bool, most: int, kept: Any, ends: Any) -> None:
-    """Solve every row of table (n, 20): keep its first rows in kept (n, k, ROW), its end in ends (n, END_ROW).
+    """Solve every row of table (n, 10): keep its first rows in kept (n, k, ROW), its end in ends (n, END_ROW).
 
     Where a row must be converted exactly its end says UNKNOWN in the place of how it ended.
     """

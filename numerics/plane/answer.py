@@ -34,10 +34,10 @@ class PlaneMotion(Protocol):
 class Working(Ball):
     """Balls that keep the bits of the path and of its defects."""
 
-    def __init__(self, digits: int, name: str) -> None:
-        """Fix the working digits, and the name under which numbers are given."""
+    def __init__(self, digits: int) -> None:
+        """Fix the working digits."""
         super().__init__(digits)
-        self.name, self.bits = name, self.bits + SPARE_BITS
+        self.bits += SPARE_BITS
 
 
 @dataclass(frozen=True, repr=False)

@@ -79,12 +79,12 @@ Run = tuple[Working, Status, str, tuple[PlaneEvent, ...], Parts]
 """What a PlaneTrajectory is made of: how the run ended, the mode at t = 0, the events, and any time."""
 
 
-def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], name: str, most: int) -> Run:
+def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], most: int) -> Run:
     """Return the motions of the parts, which `alone` solves in balls, as one. Raises EventUndecided, InvalidScene."""
     motion = Parts(scene, alone)
     if not all(one.success for one in motion.answers):
         raise InvalidScene(f"a part of the box has more than {most} events; raise the cap max_events")
-    arithmetic = Working(2 * max(one.arithmetic.digits for one in motion.answers), name)
+    arithmetic = Working(2 * max(one.arithmetic.digits for one in motion.answers))
     with arithmetic.context():
         return _joined(scene, motion, arithmetic)
 

@@ -5,36 +5,27 @@ then f dt = B^2 s dsigma, and
 
     q1' = h v1,   M2 v2' = B^2 s,   s' = M1^-1 (h (u - A2 q1 - A1 v1)) - kap B^2 s,   t' = h
 
-is analytic wherever s != 0, and s = 0 is at infinity: no step runs past it. Nothing is proved here: numbers are points,
-and what they are off is seen in the defect (defect.py). So compiled double-double does where few digits are asked for;
-where there are more, or numbers leave its range, the same lines (`expand`) are run on balls, of which the midpoints
-are taken.
+is analytic wherever s != 0, and s = 0 is at infinity: no step runs past it. Nothing is proved here: the midpoints of
+balls are taken, and what they are off is seen in the defect (defect.py).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
-from itertools import chain
+from itertools import chain, pairwise
 from operator import mul
 from typing import Any, NamedTuple
 
-import numpy as np
 from flint import arb, arb_poly
 
-from numerics.arithmetic.compiled import by_type, can_compile, compilable, compiled
-from numerics.arithmetic.functions import like, sqrt
-from numerics.arithmetic.pair import TwoFloats
 from numerics.plane.polynomial import log2, scaled, two_to
 from numerics.plane.system import PlaneDrive, System, highest
 from numerics.plane.vector import Vector
 
 _MORE = {True: 6, False: 2}
 """Terms beyond those of s with which the rest follows from it, by its own clock or not; loads are as good as these."""
-_BITS = 91
-"""Up to so many bits double-double has some to spare."""
-_RANGE = 2.0**240
-"""Of numbers up to this size, and down to its inverse, products of three have low halves."""
+Row = list[arb]
+"""Coefficients, of order 0 first."""
 
 
 class SeriesPoint(NamedTuple):
@@ -108,34 +99,15 @@ class PlaneExpansion:
     def __init__(self, system: System, at: SeriesPoint, friction: Sequence[arb | None] | None = None) -> None:
         """Form the series."""
         self.system, self.at, self.friction = system, at, friction
-        drive, n, degree = system.pieces[at.piece], system.n, system.degree
-        top = degree + _MORE[friction is None]
-        known, pairs = constants(system, drive)
+        drive = system.pieces[at.piece]
         self.start = [*at.s, *at.v2, *at.q1, at.t, *chain(*drive.swing(at.t))]
-        count, powers = len(self.start), len(drive.polynomial)
-        rate = (
-            highest(1 / drive.heavy) + drive.friction(at.s)[1] / system.period
-            if friction is None
-            else 1 / system.period
-        )
+        rate = 1 / system.period
+        if friction is None:
+            rate = highest(1 / drive.heavy) + drive.friction(at.s)[1] / system.period
         self.unit = two_to(-round(log2(rate)))
-        given = friction or [arb(0)] * n
-        slips, forces = np.array([f is not None for f in given]), [[f or arb(0) for f in given]]
-        sizes = slips, friction is None, degree, top, powers, len(drive.sines)
-        column = [*self.start, *[arb(0)] * (2 * n + 1), *(at.t**p for p in range(2, powers))]
-        shown: Any = np.zeros((2, len(column), top + 1))
-        if pairs is not None:
-            begin, push = halves([[x] for x in column]), halves(forces)
-            if _in_range(begin[:, :count]) and _in_range(push):
-                shown[..., :1] = begin
-                compiled(expand)(shown, pairs, push, *sizes, float(self.unit))
-        if shown.any() and np.isfinite(shown).all():
-            high, low = shown[:, :count].tolist()
-            self.polynomials = [arb_poly(x) + arb_poly(y) for x, y in zip(high, low, strict=True)]
-        else:
-            shown = [[x.mid(), *[arb(0)] * top] for x in column]
-            expand(shown, known, forces, *sizes, self.unit)
-            self.polynomials = [*map(arb_poly, shown[:count])]
+        rows = [[x.mid()] for x in self.start]
+        expand(rows, system, drive, friction, self.unit)
+        self.polynomials = [*map(arb_poly, rows)]
 
     def drawn(self, h: arb) -> TaylorCurve:
         """Return a step sigma = h x, 0 <= x <= 1."""
@@ -152,145 +124,69 @@ class PlaneExpansion:
         return curve_of(self.at, t, q1, v2, s, impulse, swing)
 
 
-@lru_cache(maxsize=8)
-def constants(system: System, drive: PlaneDrive) -> tuple[Any, ...]:
-    """Return what `expand` reads of a piece of force, in balls and in pairs (None: out of their range)."""
-    still = [arb(0)] * (system.n - 1)
-    waves = [one for omega, _, amplitudes in drive.sines for one in (amplitudes, [omega, *still])]
-    rows = [
-        system.m1,
-        system.m2,
-        system.mass,
-        drive.b_squared,
-        *system.a2,
-        *(system.a1 or system.a2 * 0),
-        *drive.polynomial,
-        *waves,
-    ]
-    good = system.bits <= _BITS and can_compile() and _in_range(pairs := halves(rows))
-    return rows, pairs if good else None
-
-
-def halves(rows: Sequence[Sequence[arb]]) -> Any:
-    """Return numbers as pairs of floats, (2, ...): high halves, then low ones."""
-    high = [[float(x.mid()) for x in row] for row in rows]
-    low = [[float((x - arb(y)).mid()) for x, y in zip(*both, strict=True)] for both in zip(rows, high, strict=True)]
-    return np.array([high, low], ndmin=3)
-
-
-def _in_range(pairs: Any) -> bool:
-    """Return whether high halves are 0 or of a size that leaves room."""
-    size = abs(pairs[0])
-    return bool(((size == 0) | ((size < _RANGE) & (size * _RANGE > 1))).all())
-
-
-def _pair_of(table: Any, row: int, k: int) -> TwoFloats:
-    return TwoFloats(table[0, row, k], table[1, row, k])
-
-
-def _put_pair(table: Any, row: int, k: int, x: TwoFloats) -> None:
-    table[0, row, k], table[1, row, k] = x.high, x.low
-
-
-def _product_of_pairs(table: Any, one: int, two: int, k: int) -> TwoFloats:
-    total = TwoFloats(0.0, 0.0)
-    for j in range(k + 1):
-        total = total + number(table, one, j) * number(table, two, k - j)
-    return total
-
-
-@by_type(_pair_of, _pair_of)
-def number(table: Any, row: int, k: int) -> Any:
-    """Return an entry of a table: of rows of balls; where it is compiled, of arrays of high and of low halves."""
-    return table[row][k]
-
-
-@by_type(_put_pair, _put_pair)
-def put(table: Any, row: int, k: int, x: Any) -> None:
-    """Write an entry."""
-    table[row][k] = x.mid()
-
-
-@by_type(_product_of_pairs, _product_of_pairs)
-def product(table: Any, one: int, two: int, k: int) -> Any:
+def product(one: Row, two: Row, k: int) -> arb:
     """Return the coefficient k of the product of two rows."""
-    return sum(map(mul, table[one][: k + 1], table[two][k::-1]))
+    return sum(map(mul, one[: k + 1], two[k::-1]))
 
 
-@compilable
-def by_clock(table: Any, row: int, rate: int, k: int, own: bool) -> Any:
-    """Return the coefficient k of what a rate by time is by the clock: the slip's own one, or the time itself."""
-    if own:
-        return product(table, row, rate, k)
-    return number(table, row, k)
-
-
-@compilable
 def expand(
-    table: Any,
-    given: Any,
-    friction: Any,
-    slips: Any,
-    own: bool,
-    degree: int,
-    top: int,
-    powers: int,
-    phases: int,
-    unit: Any,
+    table: list[Row], system: System, drive: PlaneDrive, friction: Sequence[arb | None] | None, unit: arb
 ) -> None:
-    """Fill a table of top + 1 columns whose column 0 has s, v2, q1, t, waves and powers; the rest is 0.
+    """Append coefficients of (sigma/unit)^k to rows with those of k = 0.
 
-    A column k has the coefficients of (sigma/unit)^k. Rows are n of s, v2 and q1 each, that of t, a sine and a cosine
-    for each phase, n of v1 and of the push u - A2 q1 - A1 v1, dt/dsigma, and t^2, t^3, ... Beyond the degree s ends,
-    and all else goes on with that, as where an axis sticks. Rows of `given`: m1, m2, m1 + m2, b^2, those of A2, of A1,
-    of u by powers of t, and for each phase the amplitudes and (omega, 0, ...); `friction` has one.
+    Rows are n of s, v2 and q1 each, that of t, a sine and a cosine for each phase. Beyond the degree s ends, and all
+    else goes on with that, as where an axis sticks.
     """
-    n = len(slips)
-    second, place, clock, wave = n, 2 * n, 3 * n, 3 * n + 1
-    first, push, rate = wave + 2 * phases, wave + 2 * phases + n, wave + 2 * phases + 2 * n
-    still, fixed, waves = rate - 1, 4 + 2 * n, 4 + 2 * n + powers  # t^p is row still + p
-    one = like(number(table, clock, 0), 1.0)
-    for k in range(top):
-        step = one * unit / float(k + 1)
-        for i in range(n):
-            put(table, first + i, k, number(table, second + i, k) + number(table, i, k))
-        if own:
-            square = one * 0.0
-            for i in range(n):
-                square = square + number(given, 3, i) * product(table, i, i, k)
-            if k == 0:
-                put(table, rate, 0, sqrt(square))
+    n, own, degree = system.n, friction is None, system.degree
+    s, v2, q1, t, waves = table[:n], table[n : 2 * n], table[2 * n : 3 * n], table[3 * n], table[3 * n + 1 :]
+    v1, push, rate = ([Row() for _ in range(n)], [Row() for _ in range(n)], Row())
+    powers = [t, *([t[0] ** p] for p in range(2, len(drive.polynomial)))]
+    acting = [_acting(system, drive, i, q1, v1, powers, waves[::2]) for i in system.axes]
+
+    def by_clock(row: Row, k: int) -> arb:
+        """Return the coefficient k of what a rate by time is by the clock: the slip's own one, or the time itself."""
+        return product(row, rate, k) if own else row[k]
+
+    for k in range(degree + _MORE[own]):
+        step = unit / (k + 1)
+        for i in system.axes:
+            v1[i].append((v2[i][k] + s[i][k]).mid())
+        rate.append(_speed(drive, s, rate, k) if own else arb(k == 0))
+        t.append((rate[k] * step).mid())
+        for p, (before, row) in enumerate(pairwise(powers), start=2):
+            row.append((by_clock(before, k) * step * p).mid())
+        for i in system.axes:
+            u = drive.polynomial[0][i] if k == 0 and drive.polynomial else arb(0)
+            push[i].append(sum((x * row[k] for x, row in acting[i]), u).mid())
+            taken = by_clock(push[i], k)
+            if k < degree and (friction is None or friction[i] is not None):
+                held = drive.b_squared[i] * s[i][k] if friction is None else friction[i] if k == 0 else arb(0)
+                s[i].append((((taken - held) / system.m1[i] - held / system.m2[i]) * step).mid())
+                v2[i].append((held / system.m2[i] * step).mid())
             else:
-                put(table, rate, k, (square - product(table, rate, rate, k)) / (number(table, rate, 0) * 2.0))
-        elif k == 0:
-            put(table, rate, 0, one)
-        put(table, clock, k + 1, number(table, rate, k) * step)
-        for p in range(2, powers):
-            before = clock if p == 2 else still + p - 1
-            put(table, still + p, k + 1, by_clock(table, before, rate, k, own) * step * float(p))
-        for i in range(n):
-            u = number(given, fixed, i) if k == 0 and powers > 0 else one * 0.0
-            for p in range(1, powers):
-                u = u + number(given, fixed + p, i) * number(table, clock if p == 1 else still + p, k)
-            for j in range(phases):
-                u = u + number(given, waves + 2 * j, i) * number(table, wave + 2 * j, k)
-            for j in range(n):
-                u = u - number(given, 4 + i, j) * number(table, place + j, k)
-                u = u - number(given, 4 + n + i, j) * number(table, first + j, k)
-            put(table, push + i, k, u)
-            taken = by_clock(table, push + i, rate, k, own)
-            if k < degree and slips[i]:
-                if own:
-                    held = number(given, 3, i) * number(table, i, k)
-                else:
-                    held = number(friction, 0, i) if k == 0 else one * 0.0
-                off = (taken - held) / number(given, 0, i) - held / number(given, 1, i)
-                put(table, i, k + 1, off * step)
-                put(table, second + i, k + 1, held / number(given, 1, i) * step)
-            else:
-                put(table, second + i, k + 1, taken / number(given, 2, i) * step)
-            put(table, place + i, k + 1, by_clock(table, first + i, rate, k, own) * step)
-        for j in range(phases):
-            turn, sine = number(given, waves + 2 * j + 1, 0) * step, wave + 2 * j
-            put(table, sine, k + 1, turn * by_clock(table, sine + 1, rate, k, own))
-            put(table, sine + 1, k + 1, -(turn * by_clock(table, sine, rate, k, own)))
+                s[i].append(arb(0))
+                v2[i].append((taken / system.mass[i] * step).mid())
+            q1[i].append((by_clock(v1[i], k) * step).mid())
+        for sine, cosine, (omega, *_) in zip(waves[::2], waves[1::2], drive.sines, strict=True):
+            grown, fallen = by_clock(cosine, k), by_clock(sine, k)
+            sine.append((omega * grown * step).mid())
+            cosine.append((-omega * fallen * step).mid())
+
+
+def _acting(
+    system: System, drive: PlaneDrive, i: int, q1: list[Row], v1: list[Row], powers: list[Row], sines: list[Row]
+) -> list[tuple[arb, Row]]:
+    """Return the rows of which the push u - A2 q1 - A1 v1 on an axis is a sum, each with its factor."""
+    pairs = [(-x[i], row) for x, row in zip(system.a2, q1, strict=True)]
+    pairs += [(-x[i], row) for x, row in zip(system.a1 or (), v1, strict=False)]
+    pairs += [(x[i], row) for x, row in zip(drive.polynomial[1:], powers, strict=False)]
+    pairs += [(wave[-1][i], row) for wave, row in zip(drive.sines, sines, strict=True)]
+    return [(x, row) for x, row in pairs if x != 0]
+
+
+def _speed(drive: PlaneDrive, s: list[Row], rate: Row, k: int) -> arb:
+    """Return the coefficient k of h(s), given those before."""
+    square = sum((b * product(row, row, k) for b, row in zip(drive.b_squared, s, strict=True)), arb(0))
+    if k == 0:
+        return square.sqrt().mid()
+    return ((square - sum(map(mul, rate[1:], rate[:0:-1]))) / (2 * rate[0])).mid()

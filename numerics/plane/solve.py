@@ -1,4 +1,4 @@
-"""Solve a scene on a surface: in balls whose precision is raised until the digits are there, or on the float64 road."""
+"""Solve a scene on a surface: in balls whose precision is raised until the digits are there."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from numerics.scene.decimals import shown
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
 
-_GUARD, _FLOAT, _MOST_TRIES = 6, 19, 2
-"""Working digits beyond those asked for; those of the float64 road, 64 bits; how often they are doubled (there +1)."""
+DIGITS, _GUARD, _MOST_TRIES = 15, 6, 2
+"""Proved digits where none are asked for; working digits beyond these; how often they are doubled."""
 _SPARE = 4
 """Working digits of a path that a part of one axis, solved to right digits by the line's engines, does without."""
 _MAX_LEGS = 200_000
@@ -40,46 +40,47 @@ def solve_plane(
 ) -> PlaneTrajectory:
     """Solve a scene on a surface; an axis of a box that no other acts on by `line`, the solve of a pair on a line.
 
-    Without digits and arithmetic: 64 bits, answers in floats with proved bounds, more bits only where these leave the
-    sequence open. With `digits`, or "ball" (15): as many proved digits, relative to each number, near 0 to the largest
-    of its axis along the run. (A direction that is not known is 0 with the radius 1.)
-    "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
+    As many proved digits as `digits` (15) says, relative to each number, near 0 to the largest of its axis along the
+    run. (A direction that is not known is 0 with the radius 1.)
+
+    Raises EventUndecided, PrecisionExhausted, InvalidScene.
     """
-    if arithmetic not in (None, "float64", "ball"):
-        raise InvalidScene(f"arithmetic = {shown(arithmetic)} is available on a line only; use float64 or ball")
+    if arithmetic not in (None, "ball"):
+        raise InvalidScene(
+            f"arithmetic = {shown(arithmetic)} is available on a line only: a surface is solved in balls; leave it out"
+        )
     limits: dict[str, Any] = {"max_events": max_events, "progress": progress}
-    floats, wanted = arithmetic == "float64" or (arithmetic is None and digits is None), digits or 15
-    working, tried = _FLOAT if floats else wanted + _GUARD, list[str]()
-    while floats or working <= max_digits:
+    wanted, undecided = digits or DIGITS, 0
+    working = wanted + _GUARD
+    while working <= max_digits:
         try:
-            found = _once(scene, line, working, "float64" if floats else "ball", limits)
-        except EventUndecided as error:
-            tried.append(str(error))
-            if arithmetic == "float64" or len(tried) > _MOST_TRIES + floats or 2 * working > max_digits:
+            found = _once(scene, line, working, limits)
+        except EventUndecided:
+            undecided += 1
+            if undecided > _MOST_TRIES or 2 * working > max_digits:
                 raise
             working *= 2
             continue
-        if floats or found.digits >= wanted:
-            tried, right = tried if floats else [], found.digits if floats else wanted
-            return found.but(t_eval=t_eval, tried="; ".join(tried), digits=right)
+        if found.digits >= wanted:
+            return found.but(t_eval=t_eval, digits=wanted)
         working += wanted - found.digits + 3
     raise exhausted(wanted, max_digits)
 
 
-def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
+def _once(scene: PlaneScene, line: Line, working: int, limits: dict[str, Any]) -> PlaneTrajectory:
     """Solve a scene once: a box part by part."""
     if scene.pair.shape == "ellipsoid" or len(scene.pair.parts) == 1:
-        return followed(scene, working, name, limits)
+        return followed(scene, working, limits)
 
     def alone(part: Scene | PlaneScene) -> Any:
         if isinstance(part, PlaneScene):
-            return followed(part, working, "ball", limits)
+            return followed(part, working, limits)
         return line(part, digits=working - _SPARE, arithmetic="ball", **limits)
 
-    return PlaneTrajectory(scene, *joined(scene, alone, name, limits["max_events"]))
+    return PlaneTrajectory(scene, *joined(scene, alone, limits["max_events"]))
 
 
-def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
+def followed(scene: PlaneScene, working: int, limits: dict[str, Any]) -> PlaneTrajectory:
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
     system = System(reduced(scene), working)
     kind = LinearRun if scene.pair.shape == "box" or system.n == 1 else PlaneRun
@@ -97,4 +98,4 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
     with system.fine():
         first = run.events[0].before if run.events else run.states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
-    return PlaneTrajectory(scene, Working(working, name), status, first, tuple(run.events), run.states)
+    return PlaneTrajectory(scene, Working(working), status, first, tuple(run.events), run.states)

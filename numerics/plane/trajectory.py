@@ -6,7 +6,6 @@ box in parts, the header of each part's own trajectory.
 
 from __future__ import annotations
 
-from functools import partial
 from itertools import chain
 from pathlib import Path
 from typing import Any, Self
@@ -32,27 +31,23 @@ from numerics.trajectory.answer import Answer
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
-MOST = 15
-"""Digits that a float shows."""
-
 
 class PlaneTrajectory(Answer):
     """A solved scene on a surface, with the attribute names of Trajectory; two are equal if every number is.
 
     Rows of `y` are x1, v1, x2, v2 by axes (m, m/s; rad, rad/s of an angle), columns belong to `t` (s): start, events,
-    end; with t_eval, those times instead. Without `digits` they are floats, with proved bounds `t_error`, `y_error`
-    beside them; else enclosures.
+    end; with t_eval, those times instead. All are enclosures; `floats` makes binary64 numbers of them.
 
     >>> from numerics import PlanePair, PlaneScene, solve
     >>> run = solve(PlaneScene(PlanePair(m1=1, m2=1, a2=200, b="0.5"), until=2, v1=["0.06", "0.01"]))
-    >>> run.success, run.status.name, run.message, run.digits >= 8, run.tried, run.is_float, run.arithmetic.name
-    (True, 'REACHED_HORIZON', 'reached the horizon', True, '', True, 'float64')
+    >>> run.success, run.status.name, run.message, run.digits, run.arithmetic.name
+    (True, 'REACHED_HORIZON', 'reached the horizon', 15, 'ball')
     >>> run.modes, run.final_mode, run.event_kinds[0].value, run.event_times.shape, run.t_eval
     (('slip', 'stick'), 'stick', 'entry', (1,), None)
-    >>> run.t.shape, run.y.shape, run.t_error.shape, run.y_error.shape, run.energy.shape
-    ((3,), (8, 3), (3,), (8, 3), (3,))
-    >>> float(run.end_time), len(run.final_state.x1), float(run.final_energy) < 0.00107, run.final_energy_error < 1e-15
-    (2.0, 2, True, True)
+    >>> run.t.shape, run.y.shape, run.energy.shape, run.floats(run.y).dtype
+    ((3,), (8, 3), (3,), dtype('float64'))
+    >>> float(run.end_time), len(run.final_state.x1), run.final_energy < 0.00107
+    (2.0, 2, True)
     >>> run.sol([0.5, 1]).shape
     (8, 2)
     >>> run.events[0].kind.value, run.mode_at(0.001), run.mode_at([0, "1/3"]), run.scene.pair.axes
@@ -67,8 +62,8 @@ class PlaneTrajectory(Answer):
     """
 
     FORMAT = "inertial-pair surface trajectory 3"
-    ARITHMETICS = ("float64", "ball")
-    COLUMNS = ("t", "y", "energy", "t_error", "y_error")
+    ARITHMETICS = ("ball",)
+    COLUMNS = ("t", "y", "energy")
     EVENT_COLUMNS = ("direction", "load")
 
     def __init__(
@@ -88,12 +83,7 @@ class PlaneTrajectory(Answer):
             until = Ball.number(scene.until)
             end = (until, self.motion.at(until)) if self.success else (self.events[-1].t, self.events[-1].y)
             self.end_time, self.final_state = end
-            self.digits: int = min(MOST if self.is_float else EXACT, self._right_digits())
-
-    @property
-    def is_float(self) -> bool:
-        """Return whether numbers are given as floats."""
-        return self.arithmetic.name == "float64"
+            self.digits: int = min(EXACT, self._right_digits())
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
@@ -108,7 +98,7 @@ class PlaneTrajectory(Answer):
     @property
     def event_times(self) -> NDArray[Any]:
         """Return the times of the events, s."""
-        return self._shown([one.t for one in self.events])
+        return _array([one.t for one in self.events])
 
     @cached_property
     def _points(self) -> tuple[list[arb], list[list[arb]]]:
@@ -123,38 +113,23 @@ class PlaneTrajectory(Answer):
     @property
     def t(self) -> NDArray[Any]:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return self._shown(self._points[0])
+        return _array(self._points[0])
 
     @property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4 n, m)."""
-        return self._shown(self._points[1]).T
-
-    @property
-    def t_error(self) -> NDArray[Any]:
-        """Return bounds on the errors of `t`, s."""
-        return _bounds(self._points[0])
-
-    @property
-    def y_error(self) -> NDArray[Any]:
-        """Return bounds on the errors of `y`."""
-        return _bounds(self._points[1]).T
+        return _array(self._points[1]).T
 
     @property
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J, shape (m,)."""
         with self.context():
-            return self._shown([*map(self.energy_of, self._points[1])])
+            return _array([*map(self.energy_of, self._points[1])])
 
     @property
-    def final_energy(self) -> Any:
+    def final_energy(self) -> arb:
         """Return the energy at the end, J."""
-        return self._shown(self.end_numbers()[-1:])[0]
-
-    @property
-    def final_energy_error(self) -> float:
-        """Return a bound on its error."""
-        return float(_bounds(self.end_numbers()[-1]))
+        return self.end_numbers()[-1]
 
     def energy_of(self, y: Any) -> arb:
         """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J. (A ball about 0 has no ** 2: flint answers nan.)"""
@@ -170,11 +145,11 @@ class PlaneTrajectory(Answer):
     def sol(self, t: Any) -> NDArray[Any]:
         """Return x1, v1, x2, v2 at time(s) t (s): shape (4 n,) for a number, (4 n, ...) for an array.
 
-        Enclosed, or floats of an enclosure. Raises ValueError outside [0, end].
+        Enclosed. Raises ValueError outside [0, end].
         """
         given = np.asarray(t, dtype=object)
         states = [[*chain(*self._at(one))] for one in given.flat]
-        return self._shown(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
+        return _array(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
 
     def mode_at(self, t: Any) -> Any:
         """Return the mode at time t (s), at an event the one after it; a list for several times."""
@@ -196,10 +171,6 @@ class PlaneTrajectory(Answer):
             shown = f"t = {str(t)[:40]} s is outside the solved time [0, {last.str(6, radius=False)}] s"
             raise ValueError(f"{shown}; give one within it, or solve further")
         return time
-
-    def _shown(self, numbers: Any) -> NDArray[Any]:
-        given = np.array(numbers, dtype=object)
-        return self.floats(given) if self.is_float else given
 
     def _right_digits(self) -> int:
         """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest."""
@@ -252,8 +223,8 @@ class PlaneTrajectory(Answer):
         """Return the trajectory of a scene with what its run wrote. Raises ValueError, and what others' files can."""
         if not isinstance(scene, PlaneScene):
             raise ValueError("its scene is on a line")
-        name, digits = header["arithmetic"]
-        working = Working(digits, name)
+        _, digits = header["arithmetic"]
+        working = Working(digits)
         with working.context():
             motion: Any
             if header["parts"] is None:
@@ -269,10 +240,8 @@ class PlaneTrajectory(Answer):
         return cls(scene, working, Status(header["status"]), header["mode"], events, motion)
 
 
-@partial(np.vectorize, otypes=[float])
-def _bounds(x: arb) -> float:
-    """Return how far the float of x may be off."""
-    return float(abs(x - arb(float(x.mid()))).upper()) * (1 + 1e-15)
+def _array(numbers: Any) -> NDArray[Any]:
+    return np.array(numbers, dtype=object)
 
 
 def _tuples(given: Any) -> Any:

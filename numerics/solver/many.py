@@ -162,8 +162,9 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
 ) -> Batch | PlaneBatch:
     """Solve each scene like solve(scene, arithmetic="float64"); the result has arrays of shape (len(scenes),).
 
-    Scenes on a surface must have the same number of axes; they run in `jobs` processes, which need joblib (default: all
-    cores if it is installed), and give a PlaneBatch. Scenes on a line run in one thread; `solve_many` is faster.
+    Scenes on a surface must have the same number of axes; they run in balls, in `jobs` processes, which need joblib
+    (default: all cores if it is installed), and give a PlaneBatch. Scenes on a line run in one thread; `solve_many` is
+    faster.
 
     Raises TypeError for anything but a list of scenes of one kind, ValueError for bad arguments, MissingTool.
 

@@ -1,4 +1,4 @@
-"""Many scenes on a surface: every one as by solve(scene, arithmetic="float64"), in processes; arrays out."""
+"""Many scenes on a surface: every one as by solve(scene), in processes; arrays out."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
+from flint import arb
 from numpy.typing import NDArray
 
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
@@ -16,7 +17,7 @@ from numerics.scene.plane import AXES, PlaneScene
 from numerics.solver.batch import Ends, near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
-from numerics.trajectory.columns import STATE, room
+from numerics.trajectory.columns import STATE, Floats, room
 from numerics.trajectory.status import Status
 
 _FEW = 8
@@ -26,11 +27,11 @@ _FEW = 8
 class PlaneBatch(Ends):
     """Final states of many runs on a surface of n axes, one row per scene; `y`, `y_error` (4, rows, n): x1, v1, x2, v2.
 
-    status         a Status; SEQUENCE_OPEN where float64 does not decide the next event, all else is nan then
+    status         a Status; SEQUENCE_OPEN where balls leave the next event open, all else is nan then
     message        the same as a sentence, (rows,)     events    number of events
     mode           "stick", "slip", or signs of a box  t         s, the horizon or the last event
-    energy         J                                   digits    right digits of all events and of the end
-    *_error        proved bounds on the errors of these
+    energy         J                                   digits    proved digits of all events and of the end
+    *_error        proved bounds on the errors of these floats
     event_t, event_y, event_mode   the first `keep_events` events, (rows, k), (4, rows, k, n), (rows, k); nan, "" beyond
     event_t_error, event_y_error   bounds on their errors
 
@@ -78,8 +79,10 @@ def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[i
     """Return what to write into a row, by the names of arrays."""
     row, scene = task
     try:
-        run = solve_plane(scene, solve, arithmetic="float64", max_events=max_events)
-        y, off = (x.reshape(4, scene.pair.axes, -1).swapaxes(1, 2) for x in (run.y, run.y_error))
+        run = solve_plane(scene, solve, max_events=max_events)
+        with run.context():
+            (t, late), (energy, energy_off), both = (_floats(x) for x in (run.t, run.final_energy, run.y))
+        y, off = (x.reshape(4, scene.pair.axes, -1).swapaxes(1, 2) for x in both)
         if not np.isfinite(off).all():
             raise OutOfRange(Status.OUT_OF_RANGE.sentence)
     except NumericsError as error:
@@ -93,17 +96,24 @@ def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[i
         "events": len(run.events),
         "digits": run.digits,
         "mode": run.final_mode,
-        "t": run.t[-1],
-        "energy": run.final_energy,
-        "energy_error": run.final_energy_error,
+        "t": t[-1],
+        "energy": energy,
+        "energy_error": energy_off,
         "y": y[:, -1],
         "y_error": off[:, -1],
-        "event_t": run.t[kept],
-        "event_t_error": run.t_error[kept],
+        "event_t": t[kept],
+        "event_t_error": late[kept],
         "event_y": y[:, kept],
         "event_y_error": off[:, kept],
         "event_mode": [event.after for event in run.events[:keep]],
     }
+
+
+def _floats(balls: Any) -> tuple[Floats, Floats]:
+    """Return the floats next to balls, and how far they may be off."""
+    near = np.vectorize(lambda x: float(x.mid()), otypes=[float])(balls)
+    off = np.vectorize(lambda x, y: float(abs(x - arb(y)).upper()), otypes=[float])(balls, near)
+    return near, off * (1 + 1e-15)
 
 
 def solve_surfaces(

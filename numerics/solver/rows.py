@@ -33,8 +33,8 @@ _FLOAT64, _DIGITS = Float64(), 68
 
 def frictions_of(friction: Friction) -> Floats:
     """Return the pieces of a friction without weakening as linear/batch.py reads them."""
-    pieces = [(*nearest(start), *nearest(b)) for start, b in friction.pieces]
-    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan, 0.0)]
+    pieces = [(*nearest(start), nearest(b)[0]) for start, b in friction.pieces]
+    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan)]
     return np.array([*first, *pieces])
 
 
@@ -48,9 +48,7 @@ def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats
             rows = slice(None) if its.all() else its
             own, own_kept, own_ends = columns.part(rows), kept[rows], ends[rows]
             if its is free:
-                halves = np.zeros((len(own_ends), 2 * own.numbers.shape[1]))
-                halves[:, ::2] = own.numbers
-                compiled(solve_rows)(halves, literal, max_events, own_kept, own_ends)
+                compiled(solve_rows)(own.numbers, literal, max_events, own_kept, own_ends)
             else:
                 compiled(follow_rows)(own, literal, max_events, False, own_kept, own_ends)
             kept[rows], ends[rows] = own_kept, own_ends
@@ -120,5 +118,5 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         taken = [found.ledger.friction, found.ledger.viscous]
         friction, viscous = (float(one.mid()) for one in taken)
         off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
-    table[-1, ROW:] = record.how, record.events, 1.0, friction, 0.0, viscous, 0.0, off
+    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, off
     return table[:-1, :ROW], table[-1]

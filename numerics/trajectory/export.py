@@ -31,7 +31,7 @@ OF_ANGLE = {"m": "rad", "m/s": "rad/s", "N": "N m"}
 
 
 def is_enclosed(trajectory: Any) -> bool:
-    """Return whether the numbers of a trajectory are balls; a surface keeps them where it shows floats."""
+    """Return whether the numbers of a trajectory are balls."""
     return isinstance(trajectory.end_time, arb)
 
 
@@ -102,7 +102,7 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
     arithmetic, digits = trajectory.arithmetic, right_digits(trajectory)
     if arithmetic.name == "ball":
         return lambda name, value, _: with_radius(name, value, digits)
-    most, given = MOST_DIGITS.get(arithmetic.name, arithmetic.digits), truth or trajectory
+    most, given = MOST_DIGITS if arithmetic.name == "float64" else arithmetic.digits, truth or trajectory
     if truth is not None:
         require_same_sequence(trajectory, truth)
         with truth.context():

@@ -12,27 +12,25 @@ from strategies import free_scenes
 from numerics import OutOfRange, load_scene
 from numerics.arithmetic import compiled as compiling
 from numerics.arithmetic.compiled import can_compile, compiled
-from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.free.engine import begin_in_rows
 from numerics.free.rows import solve_start
 from numerics.linear.record import END_ROW, ROW
 from numerics.trajectory.run import run_scene
 
-FLOATS, PAIRS = Float64(), DoubleDouble()
+FLOATS = Float64()
 needs_numba = pytest.mark.skipif(not can_compile(), reason="numba is not installed")
 
 
 @needs_numba
 @pytest.mark.slow
-@pytest.mark.parametrize("arithmetic", [FLOATS, PAIRS], ids=lambda one: one.name)
-def test_a_free_run_has_the_same_bits(arithmetic):
+def test_a_free_run_has_the_same_bits():
     @given(free_scenes())
     @example(load_scene("relative-motion-b05"))
     def check(case):
         rows, end = [[0.0] * ROW for _ in range(61)], [0.0] * END_ROW
         try:
-            arguments = begin_in_rows(case, arithmetic)
+            arguments = begin_in_rows(case)
             count = solve_start(*arguments, 60, rows, end)
         except (OutOfRange, ArithmeticError, ValueError):
             return

@@ -54,7 +54,8 @@ def test_a_scene(given, told):
     [
         ({"t_eval": [0, 2]}, "outside"),
         ({"digits": 10, "arithmetic": "float64"}, "leave digits out"),
-        ({"arithmetic": "mpmath"}, "is available on a line only"),
+        ({"arithmetic": "mpmath"}, "is available on a line only: a surface is solved in balls"),
+        ({"arithmetic": "float64"}, "is available on a line only: a surface is solved in balls"),
     ],
 )
 def test_a_solve_before_anything_is_computed(asked, told):

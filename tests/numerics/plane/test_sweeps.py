@@ -7,6 +7,7 @@ from importlib.util import find_spec
 
 import numpy as np
 import pytest
+from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import plane_scenes
@@ -30,24 +31,28 @@ def test_each_row_is_what_solve_says_of_its_scene(drawn):
     for row, scene in enumerate(scenes):
         if found.status[row] in {Status.SEQUENCE_OPEN, Status.OUT_OF_RANGE}:
             with pytest.raises(NumericsError) as refused:
-                solve(scene, arithmetic="float64")
+                solve(scene)
             assert found.message[row] == str(refused.value)
             assert np.isnan(found.y[:, row]).all()
             continue
-        one = solve(scene, arithmetic="float64")
+        one = solve(scene)
+        t, y, energy = map(one.floats, (one.t, one.y, one.final_energy))
         kept = min(keep, len(one.events))
         answers = {"status": one.status, "events": len(one.events), "mode": one.final_mode, "digits": one.digits}
-        answers |= {"t": one.t[-1], "energy": one.final_energy, "energy_error": one.final_energy_error}
+        answers |= {"t": t[-1], "energy": energy}
         assert {name: getattr(found, name)[row] for name in answers} == answers
         assert found.event_mode[row].tolist() == [event.after for event in one.events[:kept]] + [""] * (keep - kept)
-        for last in ("", "_error"):
-            y, event_t, event_y = (getattr(found, name + last) for name in ("y", "event_t", "event_y"))
-            times, states = getattr(one, "t" + last)[1 : 1 + kept], getattr(one, "y" + last)
-            assert np.array_equal(event_t[row], [*times, *[np.nan] * (keep - kept)], equal_nan=True)
-            assert np.array_equal(y[:, row].ravel(), states[:, -1])
-            events = event_y[:, row].swapaxes(1, 2).reshape(-1, keep)
-            assert np.array_equal(events[:, :kept], states[:, 1 : 1 + kept])
-            assert np.isnan(events[:, kept:]).all()
+        assert np.array_equal(found.event_t[row], [*t[1 : 1 + kept], *[np.nan] * (keep - kept)], equal_nan=True)
+        assert np.array_equal(found.y[:, row].ravel(), y[:, -1])
+        events = found.event_y[:, row].swapaxes(1, 2).reshape(-1, keep)
+        assert np.array_equal(events[:, :kept], y[:, 1 : 1 + kept])
+        assert np.isnan(events[:, kept:]).all()
+        with one.context():
+            ends = [*zip(one.y[:, -1], y[:, -1], found.y_error[:, row].ravel(), strict=True)]
+            ends += [*zip(one.t[1:], t[1 : 1 + kept], found.event_t_error[row], strict=False)]
+            for ball, near, off in [*ends, (one.final_energy, energy, found.energy_error[row])]:
+                assert float(ball.rad()) <= off
+                assert abs(ball - arb(float(near))) <= off
 
 
 def test_what_is_not_decided_or_beyond_floats_is_a_status_of_its_row():
