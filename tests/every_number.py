@@ -91,7 +91,7 @@ class Bounded:
     def __init__(self, run: Any) -> None:
         """Read them off the record."""
         self.run, rows, end, pair = run, run.record.rows, run.record.end, run.scene.pair
-        self.u, self.pair = ROUNDING[run.arithmetic.name], {name: float(getattr(pair, name)) for name in CONSTANTS}
+        self.u, self.pair = ROUNDING, {name: float(getattr(pair, name)) for name in CONSTANTS}
         self.length, self.rate, self.critical = run.floats(list(run.units))
         errors = slice(AT["x1_error"], AT["x1_error"] + 4)
         states = np.abs(run.floats(run.row_states))
@@ -169,7 +169,7 @@ class Bounded:
 
 def bounds_of(run: Any, times: Any) -> Bounds:
     """The bounds of `numbers_of` a run in floats."""
-    own, u, y = Bounded(run), ROUNDING[run.arithmetic.name], run.y
+    own, u, y = Bounded(run), ROUNDING, run.y
     energies, excesses = own.energies(y, own.y), own.excesses(y, own.y, own.w)
     reduced = [own.reduced(*one) for one in zip(y.T, own.y.T, excesses, strict=True)]
     count = len(run.event_times)
@@ -267,7 +267,9 @@ def against(run: Trajectory, truth: Trajectory) -> list[Compared]:
     shares = [Fraction(k, 7) * end for k in range(8)]
     times = [t for t in sorted([*shares, *events]) if t <= min(end, run.scene.until)]
     with truth.context(), np.errstate(all="ignore"):
-        return held(run, truth, times)
+        rows = held(run, truth, times)
+    # a bound that is no number claims nothing; such a run says that it has no right digit
+    return [one for one in rows if not (run.without_digits and one.bound != one.bound)]
 
 
 def solved_truly(scene: Scene) -> Trajectory:

@@ -44,18 +44,18 @@ class Run(NamedTuple):
         return np.array([starts[int(row[AT["piece"]])] + row[AT["local"]] for row in self.events])
 
 
-def begun(scene, mode=0, wide=False):
+def begun(scene, mode=0):
     """A problem, room in which a run of it begins in a mode, without errors, and where it is."""
-    problem, start, *_ = prepare(scene, wide=wide)
+    problem, start, *_ = prepare(scene)
     pair, rows = problem.pair, problem.tables.rows
-    room = make_room(rows.shape[4], rows.shape[5])
-    room.scale[:], room.y[:, 0] = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), start[STATE]
+    room = make_room(rows.shape[3], rows.shape[4])
+    room.scale[:], room.y[:] = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), start[STATE]
     return problem._replace(has_ledger=False), room, Now(0, mode, 0, 1, 1e300, 0.0)
 
 
-def run(scene, by=NOTHING, wide=False, most=60):
+def run(scene, by=NOTHING, most=60):
     """A run that is told that x1, v1, x2 and v2 may be off by so much at the start."""
-    prepared = prepare(scene, wide=wide)
+    prepared = prepare(scene)
     start, rows, end = prepared.start.copy(), np.empty((500, ROW)), np.zeros(END_ROW)
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)

@@ -11,7 +11,8 @@ from numerics import Scene, load_scene
 HERE = Path(__file__).parent
 NAMES = ("t", "x1", "v1", "x2", "v2", "energy", "energy_excess")
 SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
-WAYS = ("ball", "mpmath", "float64")
+WAYS = ("ball", "float64")
+"""With mpmath, a second computation of the free pair alone."""
 
 
 class Case(NamedTuple):
@@ -35,7 +36,7 @@ UNDECIDABLE = "touches-at-irrational-times"
 """What no number that is known nearly can decide."""
 # neighbours of a tie or of a contact, nearer than the bounds of float64; solve(scene) climbs there
 NEAR = {"jump-just-before-contact", "reversal-just-before-contact", "sine-barely-above-threshold", "mass-ratio-1e-6"}
-BEYOND = {"ball": {UNDECIDABLE}, "mpmath": {UNDECIDABLE}, "float64": {UNDECIDABLE, *NEAR}}
+BEYOND = {"ball": {UNDECIDABLE}, "float64": {UNDECIDABLE, *NEAR}}
 FEWER = {"sine-just-above-threshold": 7, "soft-spring": 8, "four-thousand-events": 8}
 """Right digits of float64 where a slip is so short that its end keeps fewer, or events are so many."""
 
@@ -50,7 +51,7 @@ def extreme_scene(name: str) -> Scene:
 
 def forced(name: str, way: str) -> Case:
     """A scene under a force; of those with very many events the first ones will do."""
-    answer, most = FORCED[name], {"ball": 51, "mpmath": 13, "float64": 10_000}[way]
+    answer, most = FORCED[name], {"ball": 51, "float64": 10_000}[way]
     asked = {"arithmetic": way, "max_events": most} | ({} if way == "float64" else {"digits": 40})
     asked |= {"max_digits": 120} if name == UNDECIDABLE else {}
     rows = [(one["n"], one["row"], one["cause"]) for one in answer["events"] if one["n"] < most]
@@ -59,7 +60,7 @@ def forced(name: str, way: str) -> Case:
     right = {"right", "EventUndecided"} if name in BEYOND[way] else {"right"}
     sizes = [max(abs(Decimal(row[k])) for _, row, _ in rows) for k in range(5)]
     far, fast = max(sizes[1], sizes[3]), max(sizes[2], sizes[4])
-    digits = {"ball": 38, "mpmath": 30, "float64": FEWER.get(name, 9)}[way]
+    digits = {"ball": 38, "float64": FEWER.get(name, 9)}[way]
     scales = [Decimal(0), far, fast, far, fast]
     return Case(forced_scene(name), asked, right, digits, scales, answer["modes"][: most + 1], rows)
 

@@ -106,11 +106,10 @@ def require_agreement(scene):
                 assert abs(one.mid() - two) <= scale * arb(10) ** -28
 
 
-@pytest.mark.parametrize(("arithmetic", "most"), [("ball", 500), ("mpmath", 900)])
-def test_more_digits_than_a_float_has_decades_are_reached_at_once(arithmetic, most):
+def test_more_digits_than_a_float_has_decades_are_reached_at_once():
     """Beyond 308 digits what is rough is 0: it once ended Newton's method early, and no precision was enough."""
     scene = forced_scene("sine-stick-slip")
-    few, many = (solve(scene, digits=n, arithmetic=arithmetic, max_digits=most) for n in (360, 400))
+    few, many = (solve(scene, digits=n, arithmetic="ball", max_digits=500) for n in (360, 400))
     with precision(2000):
         for one, two in zip(few.event_times, many.event_times, strict=True):
             texts = (run.arithmetic.text(t, 380) for run, t in ((few, one), (many, two)))

@@ -14,6 +14,7 @@ from oracle.holding import compared, held, same
 from oracle.reading import data, scene_of
 
 from numerics import NumericsError, Trajectory, solve
+from numerics.trajectory.run import free_scene
 from numerics.trajectory.status import Status
 
 SCENES = data()["scenes"]
@@ -53,14 +54,15 @@ def test_some_scenes_are_answered_as_ever(kind, way):
     require(SystemRandom().sample([one for one in SCENES if one["name"].startswith(f"{kind}/")], SOME), way)
 
 
-@pytest.mark.parametrize("way", ["float64", "double-double", "mpmath", "digits=12", "digits=20"])
+@pytest.mark.parametrize("way", ["float64", "mpmath", "digits=12", "digits=20"])
 def test_some_scenes_are_answered_as_ever_by_name(way):
-    require(SystemRandom().sample(SCENES, 12 if way == "mpmath" else 24), way)
+    those = [one for one in SCENES if free_scene(scene_of(one))] if way == "mpmath" else SCENES
+    require(SystemRandom().sample(those, 12 if way == "mpmath" else 24), way)
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("part", range(20))
-@pytest.mark.parametrize("way", ["ball", "default", "float64", "double-double", "digits=12", "digits=20"])
+@pytest.mark.parametrize("way", ["ball", "default", "float64", "digits=12", "digits=20"])
 def test_all_scenes_are_answered_as_ever(way, part):
     require(SCENES[part::20], way)
 

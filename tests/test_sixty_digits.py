@@ -21,6 +21,7 @@ from sixty_digits import (
 from numerics import EventUndecided, NumericsError, solve
 from numerics.free.energy import energy_at
 from numerics.solver.truth import record
+from numerics.trajectory.run import free_scene
 
 
 def solved(case):
@@ -33,7 +34,7 @@ def solved(case):
         pytest.param(kind, name, way, id=f"{name}-{way}")
         for kind, names in ((forced, FORCED), (extreme, EXTREMES))
         for name in names
-        for way in WAYS
+        for way in (*WAYS, *["mpmath"] * (kind is extreme and free_scene(extreme_scene(name))))
     ],
 )
 def test_right_to_the_digits_claimed_or_refused(kind, name, way):

@@ -9,7 +9,6 @@ DAMPED = Scene(Pair(1, 1, 200, "0.5", a1=4), State(v1="0.45"), until=3)
 STUCK = Scene(PAPER.pair, State(x1="0.001"), until=3)
 ARITHMETICS: list[dict[str, Any]] = [
     {},
-    {"arithmetic": "double-double"},
     {"arithmetic": "mpmath"},
     {"arithmetic": "ball", "digits": 20},
 ]

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 
 
 def arithmetic_named(name: str, digits: int) -> Arithmetic:
-    """Return an arithmetic; float64 and double-double have the digits that they have."""
+    """Return an arithmetic; float64 has its own digits."""
     if name == "float64":
         return Float64()
-    if name == "double-double":
-        return DoubleDouble()
     return Ball(digits) if name == "ball" else Multiprecision(digits)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, Protocol
 
 Number = Any
-"""float, Pair (double-double), mpmath.mpf or flint.arb: what an arithmetic computes with."""
+"""float, mpmath.mpf or flint.arb: what an arithmetic computes with."""
 
 
 class Arithmetic(Protocol):

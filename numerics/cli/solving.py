@@ -65,8 +65,8 @@ def solve_scene(options: argparse.Namespace) -> int:
 
 def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
-    if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
-        return f"--digits {options.digits} needs ball or mpmath, not {options.arithmetic}; leave one of both out"
+    if options.arithmetic == "float64" and options.digits is not None:
+        return f"--digits {options.digits} needs ball or mpmath, not float64; leave one of both out"
     for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
             return f"--sensitivity needs --json, --npz or the table; leave --{name} out"

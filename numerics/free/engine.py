@@ -19,7 +19,7 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.functions import as_float, sign
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.arithmetic.questions import BEFORE_HORIZON
-from numerics.errors import EventUndecided, NoForceHere
+from numerics.errors import NoForceHere
 from numerics.free.bounds import Errors, initial
 from numerics.free.excursions import left_range, motions
 from numerics.free.frame import Begun, as_fmpq, begin, in_si, narrowing
@@ -43,8 +43,6 @@ _runs = [0]
 
 def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
-    if arithmetic.name == "double-double":
-        raise EventUndecided("the free pair has no double-double: use balls", "", arithmetic.digits)
     if arithmetic.name != "float64":
         return _run_exactly(scene, arithmetic, max_events, progress)
     found = _run_in_rows(scene, max_events)

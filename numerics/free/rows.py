@@ -38,19 +38,14 @@ _SUBNORMAL, _TINY = 1e-290, 2.0**-1060
 
 
 @compilable
-def put(x: float, row: Any, column: int) -> None:
-    """Write a number to its two columns; the second one stays 0."""
-    row[column], row[column + 1] = x, 0.0
-
-
-@compilable
 def _record(row: Any, start: Start, event: float, numbers: tuple[Number, ...], errors: Any) -> None:
     """Write a row: local, length, x1, v1, x2, v2, excess, and bounds on the errors of all but length."""
     row[0], row[1], row[2], row[3], row[4] = mode_of(start), order_of(start), event, 0.0, 0.0
-    column = _LOCAL
-    for number in numbers:
-        put(number, row, column)
-        column += 2
+    row[_LOCAL], row[_LOCAL + 1] = numbers[0], 0.0
+    column = _LOCAL + 2
+    for number in numbers[1:]:
+        row[column] = number
+        column += 1
     for error in errors:
         row[column] = error
         column += 1
@@ -142,8 +137,7 @@ def solve_start(begun: Begun, errors: Errors, given: tuple[Number, ...], most: i
     lost = _TINY + 2.0**-1070 * energy
     end[_END], end[_END + 1] = how, count
     end[_END + 2] = 1.0 if off.certain and how != OUT_OF_RANGE else 0.0
-    put(units.energy * here.spent, end, _FRICTION)
-    put(start.tau - start.tau, end, _FRICTION + 2)
+    end[_FRICTION], end[_FRICTION + 1] = as_float(units.energy * here.spent), 0.0
     end[_DISSIPATED] = taken + (lost if taken > 0.0 or spent > 0.0 else 0.0)
     return count
 

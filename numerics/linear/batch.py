@@ -16,7 +16,7 @@ from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, times, two_s
 from numerics.linear.columns import Constants, Drive, Problem, Room, constants, make_room
 from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_in
 from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
-from numerics.linear.table import FIRST, REACH, TERMS, Tables, form, make_tables, most_terms
+from numerics.linear.table import FIRST, Tables, form, make_tables, most_terms
 
 _MODE, _JUMP, _PIECE, _LOCAL, _X1, _HOW = (AT[name] for name in ("mode", "jump", "piece", "local", "x1", "how"))
 
@@ -25,9 +25,9 @@ class Columns(NamedTuple):
     """Rows of scenes as compiled code reads them, all numbers binary64.
 
     `numbers` (n, 10): those of a scene in SI units (solver/batch.py). u = sum_k polynomial[:, k] t^k
-    + sum amplitude sin(omega t + phase), with `polynomial` (n, p) and `sines` (n, s, 3). `frictions` (k, 4), the same
-    for all rows: when a piece begins (s), the first one at 0, and its b (N), as halves; nan for the row's own b. With
-    more than one piece the polynomial is a constant at most.
+    + sum amplitude sin(omega t + phase), with `polynomial` (n, p) and `sines` (n, s, 3). `frictions` (k, 3), the same
+    for all rows: when a piece begins (s), the first one at 0, what its rounding left out, and its b (N); nan for the
+    row's own b. With more than one piece the polynomial is a constant at most.
     """
 
     numbers: NDArray[np.float64]
@@ -56,7 +56,7 @@ def follow_row(
 
     Tuples of arrays are made here, where no references are counted, which would cost some percent of a row.
     """
-    problem, log = Problem(pair, drive, tables, False, has_ledger), Log(kept, end, max_events, False)
+    problem, log = Problem(pair, drive, tables, has_ledger), Log(kept, end, max_events, False)
     return follow_in(problem, room, start, -1.0, log)
 
 
@@ -70,18 +70,18 @@ def follow_rows(given: Columns, literal: bool, max_events: int, has_ledger: bool
     """
     numbers, polynomial, sines, frictions = given
     terms, waves, pieces = polynomial.shape[1], sines.shape[1], frictions.shape[0]
-    columns, coefficients = FIRST + terms + 2 * waves, most_terms(terms, TERMS)
+    columns, coefficients = FIRST + terms + 2 * waves, most_terms(terms)
     tables, room = make_tables(1, columns, coefficients), make_room(columns, coefficients)
     pair, whole, start = np.zeros((5, 2)), make_drive(terms, waves, pieces), np.zeros(END_ROW)
     for row in range(numbers.shape[0]):
         mass, time, length = put_bodies(numbers[row], pair, start)
         force, own_b, until = mass + length - 2 * time, numbers[row, 3], numbers[row, 8]
         for k in range(terms):
-            whole.coefficients[k, 0] = math.ldexp(polynomial[row, k], k * time - force)
+            whole.coefficients[k] = math.ldexp(polynomial[row, k], k * time - force)
         count, longest = put_pieces(frictions, own_b, until, sines[row], (time, force), whole)
         how, rows, end = OUT_OF_RANGE, kept[row], ends[row]
         if count > 0:
-            form(tables, 0, pair, terms, whole.sines[:waves, 1], longest, REACH, False)
+            form(tables, 0, pair, terms, whole.sines[:waves, 1], longest)
             drive = Drive(whole.places[:count], whole.b[:count], whole.length[:count], whole.coefficients, whole.sines)
             own = constants(pair, literal)
             how, count = follow_row(own, drive, tables, room, start, max_events, has_ledger, rows, end)
@@ -98,8 +98,8 @@ def make_drive(terms: int, waves: int, pieces: int) -> Drive:
     """Return room for a drive whose pieces have one polynomial, sines of their own, and jumps between them."""
     places = np.zeros((pieces, 6), dtype=np.int64)
     places[:, 1], places[:, 2], places[:, 3], places[:, 5] = terms, waves * np.arange(pieces), waves, 1
-    b, length = np.zeros((pieces, 2)), np.zeros((pieces, 2))
-    return Drive(places, b, length, np.zeros((terms, 2)), np.zeros((pieces * waves, 3, 2)))
+    b, length = np.zeros(pieces), np.zeros((pieces, 2))
+    return Drive(places, b, length, np.zeros(terms), np.zeros((pieces * waves, 3, 2)))
 
 
 @compilable
@@ -112,7 +112,7 @@ def put_bodies(numbers: Any, pair: Any, start: Any) -> tuple[int, int, int]:
     put(pair[1], two_sum(pair[0, 0], pair[2, 0]))
     pair[3, 0], pair[4, 0] = math.ldexp(a1, time - mass), math.ldexp(a2, 2 * time - mass)
     for i in range(4):
-        start[_X1 + 2 * i] = math.ldexp(numbers[4 + i], -length + (time if i % 2 else 0))
+        start[_X1 + i] = math.ldexp(numbers[4 + i], -length + (time if i % 2 else 0))
     start[_MODE] = np.sign(numbers[5] - numbers[7])
     start[_JUMP] = 1.0 if start[_MODE] == 0.0 else 0.0
     return mass, time, length
@@ -135,8 +135,7 @@ def put_pieces(
         lasts = plus(after, TwoFloats(-begin.high, -begin.low))
         length[count, 0], length[count, 1] = math.ldexp(lasts.high, -time_unit), math.ldexp(lasts.low, -time_unit)
         longest = max(longest, length[count, 0])
-        b[count, 0] = math.ldexp(own_b if math.isnan(given_b) else given_b, -force_unit)
-        b[count, 1] = math.ldexp(frictions[count, 3], -force_unit)
+        b[count] = math.ldexp(own_b if math.isnan(given_b) else given_b, -force_unit)
         for k in range(waves):
             sine = moved[count * waves + k]
             sine[0, 0], sine[1, 0] = math.ldexp(sines[k, 0], -force_unit), math.ldexp(sines[k, 1], time_unit)

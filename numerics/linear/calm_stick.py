@@ -11,9 +11,9 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, plus, product
 from numerics.linear.columns import Now, Problem, Room, force_columns, state_columns
 from numerics.linear.error_set import norm_of, take_in
-from numerics.linear.evolve import end_step, full_step, wide_step
+from numerics.linear.evolve import end_step, full_step
 from numerics.linear.ledger import of_square
-from numerics.linear.table import FIRST, UNIT, V1, WIDE_UNIT, X1
+from numerics.linear.table import FIRST, PAIR_UNIT, UNIT, V1, X1
 
 
 class Calm(NamedTuple):
@@ -49,18 +49,18 @@ def rest_is_calm(problem: Problem, room: Room, now: Now) -> bool:
     y^2 + (M/a2) y'^2 never grows. Only for polynomials up to t^2, whose part of x'' is constant, away from resonance.
     """
     pair, drive, z = problem.pair, problem.drive, room.z
-    place, b = drive.places[now.piece], drive.b[now.piece, 0]
+    place, b = drive.places[now.piece], drive.b[now.piece]
     terms, first_sine, sines = place[1], place[2], place[3]
     if terms > 3:
         return False
-    u0 = z[0, FIRST] if terms > 0 else 0.0
-    u1 = z[0, FIRST + 1] if terms > 1 else 0.0
-    steady = 2.0 * z[0, FIRST + 2] / pair.a2 if terms > 2 else 0.0
+    u0 = z[FIRST] if terms > 0 else 0.0
+    u1 = z[FIRST + 1] if terms > 1 else 0.0
+    steady = 2.0 * z[FIRST + 2] / pair.a2 if terms > 2 else 0.0
     first = FIRST + terms
     for i in range(sines):
-        u0 += z[0, first + 2 * i]
-        u1 += drive.sines[first_sine + i, 1, 0] * z[0, first + 2 * i + 1]
-    x, v = room.y[0, 0], room.y[1, 0]
+        u0 += z[first + 2 * i]
+        u1 += drive.sines[first_sine + i, 1, 0] * z[first + 2 * i + 1]
+    x, v = room.y[0], room.y[1]
     bend = (u0 - pair.a2 * x - pair.a1 * v) / pair.mass
     free, rate = bend - steady, (u1 - pair.a1 * bend - pair.a2 * v) / pair.mass
     most = abs(steady)
@@ -71,7 +71,7 @@ def rest_is_calm(problem: Problem, room: Room, now: Now) -> bool:
         square = stiff * stiff + drag * drag
         if not square > 1e-12 * pair.a2 * pair.a2:
             return False
-        sine, cosine = z[0, first + 2 * i], z[0, first + 2 * i + 1]
+        sine, cosine = z[first + 2 * i], z[first + 2 * i + 1]
         scale = omega * omega / square
         free += scale * (stiff * sine - drag * cosine)
         rate += scale * omega * (stiff * cosine + drag * sine)
@@ -88,9 +88,9 @@ def long_step(problem: Problem, room: Room, now: Now) -> tuple[float, float, flo
 
     Return int v1^2 dt, its size, and what the steps add to N.
     """
-    (pair, drive, tables, wide, _), length = problem, problem.drive.length[now.piece, 0]
+    (pair, drive, tables, _), length = problem, problem.drive.length[now.piece, 0]
     kind = drive.places[now.piece, 4]
-    h, count, unit = tables.h[kind, 1], tables.count[kind], WIDE_UNIT if wide else UNIT
+    h, count = tables.h[kind, 1], tables.count[kind]
     levels = 1 + max(0, math.floor(math.log2((length - room.clock[0, 0]) / h)))
     powers, forms = doubled(problem, tables.ends[kind, 1], tables.squares[kind, 1], count, levels)
     take_in(room.E, room.R, room.basis, room.column)
@@ -105,21 +105,19 @@ def long_step(problem: Problem, room: Room, now: Now) -> tuple[float, float, flo
             taken, its_size = of_square(forms[level], room.z, count)
             damped, size = damped + taken, size + its_size
         # each squaring doubles the relative error of the power
-        off, power = unit + math.ldexp(WIDE_UNIT, level), powers[level]
+        off, power = UNIT + math.ldexp(PAIR_UNIT, level), powers[level, 0]
         full_step(room, power, count, off)
-        if wide:
-            wide_step(room, power, count)
-        grown += end_step(pair, room, 0, TwoFloats(math.ldexp(h, level), 0.0), power[0, X1, V1], power[0, V1, V1])
+        grown += end_step(pair, room, 0, TwoFloats(math.ldexp(h, level), 0.0), power[X1, V1], power[V1, V1])
         take_in(room.E, room.R, room.basis, room.column)
-        force_columns(room, drive, now.piece, 0.0, wide)
+        force_columns(room, drive, now.piece, 0.0)
         state_columns(room, 0, drive.b[now.piece])
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
 def doubled(problem: Problem, end: Any, square: Any, count: int, levels: int) -> tuple[Any, Any]:
-    """Return exp(A h 2^k) of stick, high and low parts, and int v1^2 dt over that time, a quadratic form of z.
+    """Return exp(A h 2^k) of stick, and int v1^2 dt over that time, a quadratic form of z.
 
-    exp(2 A t) is the square of exp(A t).
+    exp(2 A t) is the square of exp(A t): formed in pairs, as each squaring doubles the relative error.
     """
     powers, forms = np.zeros((levels, 2, count, count)), np.zeros((levels, count, count))
     powers[0] = end[:, :count, :count]

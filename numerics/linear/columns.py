@@ -1,6 +1,6 @@
-"""What the engine works with in float64 and double-double: a pair, its drive, room for a run; and the columns of z.
+"""What the engine works with in float64: a pair, its drive, room for a run; and the columns of z.
 
-Taylor coefficients over a step are linear in z (table.py). Where `wide`, numbers carry a low part.
+Taylor coefficients over a step are linear in z (table.py).
 """
 
 from __future__ import annotations
@@ -12,8 +12,7 @@ import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, times
-from numerics.arithmetic.pair_elementary import sine_cosine
-from numerics.linear.table import FIRST, FRICTION, NODES, PRECISE, Tables
+from numerics.linear.table import FIRST, FRICTION, NODES, Tables
 
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
 
@@ -26,7 +25,6 @@ class Constants(NamedTuple):
 
     m1: float
     m2: float
-    m2_low: float
     mass: float
     a1: float
     a2: float
@@ -38,18 +36,19 @@ class Constants(NamedTuple):
 
 @compilable
 def constants(pair: Any, literal: bool) -> Constants:
-    """Return the constants of a pair: m1, m1 + m2, m2, a1, a2 as pairs (5, 2)."""
+    """Return the constants of a pair: m1, m1 + m2, m2, a1, a2 (5, 2), each with the rest."""
     m1, mass, m2, a1, a2 = pair[0, 0], pair[1, 0], pair[2, 0], pair[3, 0], pair[4, 0]
     pull, slack = math.hypot(math.sqrt(a2), a1 / math.sqrt(m1)), 1.0 + 1e-12  # for the rounding of the bounds
     kappa, share = math.sqrt(mass / (m1 * m2)) * slack, m2 / mass
-    return Constants(m1, m2, pair[2, 1], mass, a1, a2, kappa, pull / m1 * slack, share * pull * slack, literal)
+    return Constants(m1, m2, mass, a1, a2, kappa, pull / m1 * slack, share * pull * slack, literal)
 
 
 class Drive(NamedTuple):
-    """Force and friction by pieces. places (n, 6): first coefficient, their number, first sine, their number, kind of
+    """Force and friction by pieces: b (n,) and coefficients (k,).
 
-    force, 1 where u or b may jump. b, length (n, 2), coefficients (k, 2) and sines (k, 3, 2): amplitude, omega, phase
-    where the piece begins; all numbers as pairs.
+    places (n, 6): first coefficient, their number, first sine, their number, kind of force, 1 where u or b may jump.
+    length (n, 2) and sines (k, 3, 2), amplitude, omega and phase where the piece begins: each with what its rounding
+    left out, which counts in long runs.
     """
 
     places: Any
@@ -60,12 +59,11 @@ class Drive(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """What a run follows, in pairs if `wide`; `has_ledger`: what friction and viscosity take is formed, too."""
+    """What a run follows; `has_ledger`: what friction and viscosity take is formed, too."""
 
     pair: Constants
     drive: Drive
     tables: Tables
-    wide: bool
     has_ledger: bool
 
 
@@ -88,17 +86,17 @@ class Room(NamedTuple):
     """Arrays to work in, made once for a run."""
 
     y: Any
-    """(4, 2) x1, v1, x2, v2 as pairs."""
+    """(4,) x1, v1, x2, v2."""
     clock: Any
-    """(2, 2) time in the piece, time since the last row."""
+    """(2, 2) time in the piece, time since the last row; each with what its rounding left out."""
     z: Any
-    """(2, n) high and low parts of z."""
+    """(n,)"""
     size: Any
     """(n,) what the roundings of z are counted in."""
     X: Any
-    """(2, 2, terms) high and low parts of the coefficients of x1 and x2."""
+    """(2, terms) coefficients of x1 and x2."""
     g: Any
-    """(2, terms) high and low parts of a guard."""
+    """(terms,) a guard, and that without the coefficients that are exactly 0."""
     q: Any
     inverse: Any
     """(terms,) 1/(k + 1)."""
@@ -122,12 +120,12 @@ class Room(NamedTuple):
 def make_room(count: int, terms: int) -> Room:
     """Return room for n columns."""
     return Room(
-        np.zeros((4, 2)),
+        np.zeros(4),
         np.zeros((2, 2)),
-        np.zeros((2, count)),
         np.zeros(count),
-        np.zeros((2, 2, terms)),
+        np.zeros(count),
         np.zeros((2, terms)),
+        np.zeros(terms),
         np.zeros(terms),
         1.0 / np.arange(1, terms + 1),
         np.arange(1.0, terms + 1) * np.arange(2.0, terms + 2),
@@ -144,7 +142,7 @@ def make_room(count: int, terms: int) -> Room:
 
 
 @compilable
-def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool) -> tuple[float, float, float]:
+def force_columns(room: Room, drive: Drive, piece: int, late: float) -> tuple[float, float, float]:
     """Form the columns of z that belong to u at the time of the clock; return u, a bound on |u'| within `late` of it,
 
     and the size of u's terms.
@@ -152,77 +150,55 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
     place, z, size, time = drive.places[piece], room.z, room.size, pair_of(room.clock[0])
     first, terms, first_sine, sines = place[0], place[1], place[2], place[3]
     for k in range(terms):
-        value, most = TwoFloats(0.0, 0.0), 0.0
+        value, most = 0.0, 0.0
         for n in range(terms - 1, k - 1, -1):
             factor = 1.0  # n over k
             for i in range(k):
                 factor = factor * (n - i) / (i + 1)
-            own = pair_of(drive.coefficients[first + n])
-            most = most * time.high + abs(own.high) * factor * (2.0 + 2.0 * n)
-            if wide:
-                value = plus(product(value, time), times(own, factor))
-            else:
-                value = TwoFloats(value.high * time.high + own.high * factor, 0.0)
-        z[0, FIRST + k], z[1, FIRST + k], size[FIRST + k] = value.high, value.low, most
+            own = drive.coefficients[first + n] * factor
+            most = most * time.high + abs(own) * (2.0 + 2.0 * n)
+            value = value * time.high + own
+        z[FIRST + k], size[FIRST + k] = value, most
     u0, u1, height = 0.0, 0.0, 0.0
     if terms > 0:
-        u0, height = z[0, FIRST], size[FIRST]
+        u0, height = z[FIRST], size[FIRST]
     for k in range(terms - 1, 0, -1):
-        u1 = u1 * late + k * abs(z[0, FIRST + k])
+        u1 = u1 * late + k * abs(z[FIRST + k])
     for i in range(sines):
         sine, at = drive.sines[first_sine + i], FIRST + terms + 2 * i
         phase = plus(product(pair_of(sine[1]), time), pair_of(sine[2]))
-        if wide:
-            for n, wave in enumerate(sine_cosine(phase)):
-                z[0, at + n], z[1, at + n] = product(wave, pair_of(sine[0]))
-        else:
-            turns = np.rint(phase.high * 0.15915494309189535)
-            rest = plus(phase, times(TwoFloats(6.283185307179586, 2.4492935982947064e-16), -turns))
-            s, c = math.sin(rest.high), math.cos(rest.high)
-            z[0, at], z[0, at + 1] = sine[0, 0] * (s + c * rest.low), sine[0, 0] * (c - s * rest.low)
-        # a phase is a pair, so that it is off by a rounding of double-double of its own size; a small sine stays sharp
-        one, two, turned = abs(z[0, at]), abs(z[0, at + 1]), abs(phase.high) * (1.0 if wide else 2.0**-48)
+        turns = np.rint(phase.high * 0.15915494309189535)
+        rest = plus(phase, times(TwoFloats(6.283185307179586, 2.4492935982947064e-16), -turns))
+        s, c = math.sin(rest.high), math.cos(rest.high)
+        z[at], z[at + 1] = sine[0, 0] * (s + c * rest.low), sine[0, 0] * (c - s * rest.low)
+        # the phase is off by 2^-101 of its own size, so that a small sine stays sharp
+        one, two, turned = abs(z[at]), abs(z[at + 1]), abs(phase.high) * 2.0**-48
         size[at], size[at + 1] = 2.0 * one + turned * two, 2.0 * two + turned * one
-        u0 += z[0, at]
+        u0 += z[at]
         u1 += sine[1, 0] * (two + min(1.0, sine[1, 0] * late) * one)
         height += size[at]
     return u0, u1, height
 
 
 @compilable
-def state_columns(room: Room, mode: int, b: Any) -> None:
+def state_columns(room: Room, mode: int, b: float) -> None:
     """Put the state and the friction force into z."""
     for i in range(4):
-        room.z[0, i], room.z[1, i] = room.y[i, 0], room.y[i, 1]
-        room.size[i] = abs(room.y[i, 0])
-    room.z[0, FRICTION], room.z[1, FRICTION] = mode * b[0], mode * b[1]
-    room.size[FRICTION] = b[0] if mode != 0 else 0.0
+        room.z[i], room.size[i] = room.y[i], abs(room.y[i])
+    room.z[FRICTION], room.size[FRICTION] = mode * b, b if mode != 0 else 0.0
 
 
 @compilable_with(**FAST)
-def narrow_product(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) -> None:
-    """Form X = W z in float64, of both bodies or of the first one."""
+def coefficients_of(rows: Any, degrees: Any, z: Any, count: int, bodies: int, X: Any) -> None:
+    """Form X = W z, of both bodies or of the first one."""
     for i in range(bodies):
-        x, first, factor = X[0, i], rows[0, i, 0], z[0, 0]
+        x, first, factor = X[i], rows[i, 0], z[0]
         for k in range(x.shape[0]):
             x[k] = first[k] * factor
         for j in range(1, count):
-            row, factor = rows[0, i, j], z[0, j]
+            row, factor = rows[i, j], z[j]
             for k in range(degrees[i, j]):
                 x[k] += row[k] * factor
-
-
-@compilable_with(forceinline=False)
-def wide_product(rows: Any, degrees: Any, room: Room, count: int) -> None:
-    """Form the first terms of X = W z in pairs; the others are those of `narrow_product`."""
-    z, X = room.z, room.X
-    for i in range(2):
-        high, low = X[0, i, :PRECISE], X[1, i, :PRECISE]
-        high[:], low[:] = 0.0, 0.0
-        for j in range(count):
-            row, rest, factor = rows[0, i, j], rows[1, i, j], TwoFloats(z[0, j], z[1, j])
-            for k in range(min(PRECISE, degrees[i, j])):
-                high[k], low[k] = plus(TwoFloats(high[k], low[k]), product(TwoFloats(row[k], rest[k]), factor))
 
 
 @compilable
@@ -245,12 +221,12 @@ def place_of(problem: Problem, now: Now) -> tuple[int, int]:
 
 @compilable
 def expand(problem: Problem, room: Room, now: Now) -> None:
-    """Form z, and the Taylor coefficients of x1 and x2 over a step of the mode, in float64."""
+    """Form z, and the Taylor coefficients of x1 and x2 over a step of the mode."""
     tables, at, X = problem.tables, place_of(problem, now), room.X
     state_columns(room, now.mode, problem.drive.b[now.piece])
     bodies = 1 if now.mode == 0 else 2
-    narrow_product(tables.rows[at], tables.degrees[at], room.z, tables.count[at[0]], bodies, X)
+    coefficients_of(tables.rows[at], tables.degrees[at], room.z, tables.count[at[0]], bodies, X)
     if now.mode == 0:  # body 2 goes as body 1 does, bit by bit
-        X[0, 1, 0] = room.y[2, 0]
-        for k in range(1, X.shape[2]):
-            X[0, 1, k] = X[0, 0, k]
+        X[1, 0] = room.y[2]
+        for k in range(1, X.shape[1]):
+            X[1, k] = X[0, k]

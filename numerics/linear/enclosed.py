@@ -1,7 +1,7 @@
 """The engine in balls: next_event, evolve, resolve, record, from event to event; everything is proved.
 
 What a point of the path is and what its error does in one mode is said in path_enclosed.py, how the next event is found
-in next_enclosed.py. A run in mpmath is the middles of balls.
+in next_enclosed.py.
 """
 
 from __future__ import annotations
@@ -10,9 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, exact_middle, widened
+from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
-from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided
 from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, PLAIN, RIGHT
 from numerics.linear.exact_start import ExactKnot, exact_knots
@@ -32,19 +31,12 @@ _AHEAD = 20
 """So many steps a stick is followed past the horizon until it is proved to last for ever, or ends."""
 
 
-def run_enclosed(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
-    """Solve a scene in Ball(n), up to the horizon or to as many events; in another arithmetic give the middles.
+def run_enclosed(scene: Scene, arithmetic: Ball, max_events: int, progress: Progress | None = None) -> Record:
+    """Solve a scene in Ball(n), up to the horizon or to as many events: balls that enclose the numbers of its motion.
 
-    Balls enclose the numbers of the true motion; middles are those of balls of twice as many digits, rounded. Raises
-    EventUndecided where the working digits do not settle what comes next, OutOfRange where a mode takes more steps than
-    anybody waits for.
+    Raises EventUndecided where the working digits do not settle what comes next, OutOfRange where a mode takes more
+    steps than anybody waits for.
     """
-    if not isinstance(arithmetic, Ball):
-        found = run_enclosed(scene, Ball(2 * arithmetic.digits), max_events, progress)
-        with arithmetic.context():
-            return found._replace(
-                rows=[_middles(row, arithmetic) for row in found.rows], end=_middles(found.end, arithmetic)
-            )
     rows: list[Knot] = []
     events = 0
     with precision(arithmetic.bits + _MORE_BITS):
@@ -60,11 +52,6 @@ def run_enclosed(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
                 if progress is not None and len(rows) % 64 == 0:
                     progress(events, float(run.pieces[row.piece].start / scene.until))
         return Record(rows[:-1], rows[-1], run.how, events)
-
-
-def _middles(row: Knot, arithmetic: Arithmetic) -> Knot:
-    """Return a row with the middles of its balls."""
-    return Knot._make(arithmetic.number(exact_middle(one)) if isinstance(one, arb) else one for one in row)
 
 
 class EnclosedRun(EnclosedPath):

@@ -1,8 +1,7 @@
 """The engine: any scene, solved once in one arithmetic, as a Record.
 
-float64 and double-double run the compiled kernel (kernel.py); balls, and mpmath by their middles, the loop of
-enclosed.py. Where the kernel is in doubt the run starts again from what is known exactly: ties, touches, jumps that
-meet an event.
+float64 runs the compiled kernel (kernel.py), balls the loop of enclosed.py. Where the kernel is in doubt the run starts
+again from what is known exactly: ties, touches, jumps that meet an event.
 """
 
 from __future__ import annotations
@@ -13,50 +12,56 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import compiled
+from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.columns import Problem
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
-from numerics.linear.prepare import Prepared, halves, prepare
+from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
-from numerics.linear.table import ORDERS, UNIT, WIDE_UNIT
+from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
 _MOST_ORDER = ORDERS - 1
 """Derivatives of a guard that may vanish at an exact start."""
-_NUMBERS = slice(AT["local"], AT["excess"])
-_OF_EXACT = [AT[name] for name in ("order", "event", "jump", "length", "length_low")]
+_STATE = slice(AT["x1"], AT["excess"])
+_OF_EXACT = [AT[name] for name in ("order", "event", "jump", "length")]
 """What the kernel does not know of a start that is exact."""
 
 
 def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange."""
-    if arithmetic.name in {"float64", "double-double"}:
+    if isinstance(arithmetic, Float64):
         if scene.friction.weakening:
             raise OutOfRange('friction that depends on the state is solved in balls only; use arithmetic="ball"')
-        return run_pairs(scene, wide=arithmetic.name == "double-double", max_events=max_events, progress=progress)
+        return run_floats(scene, max_events, progress)
+    if not isinstance(arithmetic, Ball):
+        raise ValueError(
+            f'{arithmetic.name} solves the free pair only (a1 = 0, no force, constant b); use arithmetic="ball"'
+        )
     from numerics.linear.enclosed import run_enclosed
 
     return run_enclosed(scene, arithmetic, max_events, progress)
 
 
 @np.errstate(all="ignore")  # where nothing is compiled numpy's scalars warn of what the kernel itself looks for
-def run_pairs(scene: Scene, *, wide: bool, max_events: int, progress: Progress | None = None) -> Record:
-    """Solve a scene in float64, or in double-double if `wide`. Raises EventUndecided, OutOfRange."""
-    prepared = prepare(scene, wide=wide)
+def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) -> Record:
+    """Solve a scene in float64. Raises EventUndecided, OutOfRange."""
+    prepared = prepare(scene)
     how, rows, end = _run(prepared, prepared.start, -1.0, max_events)
     if how == How.DOUBT:
         known = exact_knots(scene, prepared.pieces)
         if len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
             how, rows, end = _from_exact(prepared, known, max_events)
-    _require_answer(how, prepared, end, wide=wide)
+    _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
     if not compiled(finish)(rows, end, *prepared.units):
-        raise OutOfRange.of("a position, a velocity or an energy on the way", _name(wide))
+        raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, How(how), int(end[AT["events"]]))
 
 
@@ -130,30 +135,25 @@ def _with_ledger(
 
 def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.float64]:
     """Return the rows of starts that are known exactly, in the kernel's units; their states are rounded once."""
-    rows, units, wide = np.zeros((len(known), ROW)), prepared.units, prepared.problem.wide
+    rows, units = np.zeros((len(known), ROW)), prepared.units
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
         row[: len(CODES)] = one.mode, one.order, one.is_event, one.is_jump, one.piece
+        row[AT["local"] : AT["length"]] = halves(one.local, units.time)
+        row[AT["length"]] = rounded(t - before, units.time)
         state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
-        numbers = zip((one.local, t - before, *state), (*[units.time] * 2, *[units.length, speed] * 2), strict=True)
-        row[_NUMBERS] = [half for number in numbers for half in halves(*number)]
-    rows[:, AT["excess"] : AT["excess_low"] + 1] = np.nan
-    states = rows[:, AT["x1"] : AT["excess"]]
-    rows[:, AT["x1_error"] : AT["excess_error"]] = (WIDE_UNIT if wide else UNIT) * np.abs(states[:, ::2])
-    states[:, 1::2] *= wide
+        row[_STATE] = [rounded(x, unit) for x, unit in zip(state, [units.length, speed] * 2, strict=True)]
+    rows[:, AT["excess"]] = np.nan
+    rows[:, AT["x1_error"] : AT["excess_error"]] = UNIT * np.abs(rows[:, _STATE])
     return rows
 
 
-def _name(wide: bool) -> str:
-    return "double-double" if wide else "float64"
-
-
-def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64], *, wide: bool) -> None:
+def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> None:
     """Raise what says why a run could not go on."""
     if how in {How.REACHED, How.STUCK, How.EVENT_LIMIT}:
         return
     if how == How.OUT_OF_RANGE:
-        raise OutOfRange(f'a number of this scene left the range of {_name(wide)} on the way; use arithmetic="ball"')
+        raise OutOfRange('a number of this scene left the range of float64 on the way; use arithmetic="ball"')
     local = np.ldexp(end[AT["local"]], prepared.units.time)
     at = float(prepared.pieces[int(end[AT["piece"]])].start) + local
     if how == TOO_MANY:
@@ -165,5 +165,5 @@ def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64], *, w
         raise EventUndecided(
             "which event comes next under this force, or does its guard only touch?",
             f"after t = {at:.6g} s",
-            31 if wide else 15,
+            15,
         )

@@ -25,7 +25,7 @@ def errors_of(
 ) -> tuple[Any, float, float, Any]:
     """Return bounds on the events' times (s), on energy (J) and excess at the end, and the worst relative errors (5,).
 
-    These are of what JUDGED names. High halves of numbers are compared with bounds; `weights` are a2, m1 and m2; inf
+    These are of what JUDGED names; `weights` are a2, m1 and m2; inf
     where a bound is no number.
     """
     count, events, late, worst = len(rows), 0, np.empty(len(rows)), np.zeros(5)
@@ -34,9 +34,9 @@ def errors_of(
         row = rows[index] if index < count else end
         for k in range(4):
             error = row[_ERRORS + k]
-            sizes[k % 2] = max(sizes[k % 2], abs(row[_X1 + 2 * k]))
+            sizes[k % 2] = max(sizes[k % 2], abs(row[_X1 + k]))
             errors[k % 2] = max(errors[k % 2], math.inf if math.isnan(error) else error)
-        x1, v1, v2 = row[_X1], row[_X1 + 2], row[_X1 + 6]
+        x1, v1, v2 = row[_X1], row[_X1 + 1], row[_X1 + 3]
         last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
         highest, carried = max(highest, last), max(carried, abs(row[_EXCESS]))
         if index < count and row[_EVENT] == 1.0:
@@ -46,11 +46,11 @@ def errors_of(
             worst[0] = max(worst[0], relative(late[events], t))
             events += 1
     energy = 8 * rounding * last
-    if end[_X1] != 0 or end[_X1 + 2] != 0 or end[_X1 + 6] != 0:
+    if end[_X1] != 0 or end[_X1 + 1] != 0 or end[_X1 + 3] != 0:
         energy += _TINY
     for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
         error = end[_ERRORS + k]
-        energy += weight * error * (abs(end[_X1 + 2 * k]) + error / 2)
+        energy += weight * error * (abs(end[_X1 + k]) + error / 2)
     rate = math.sqrt(weights[0] / (weights[1] + weights[2]))
     worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], rate * sizes[0])
     worst[3] = relative(energy, highest)

@@ -1,14 +1,13 @@
-"""The engine in float64 and in double-double: one loop over steps and events, compiled where numba is there.
+"""The engine in float64: one loop over steps and events, compiled where numba is there.
 
     resolve       which mode follows an event, if the error bounds leave no doubt (resolve.py)
     record        a row for the start of every segment (record.py)
     next event    the guard's first root over a step, from Taylor coefficients that are linear in z (next_event.py)
     evolve        the state, and the set of its errors, to the event or to the end of the step (evolve.py)
 
-Both precisions are one loop: where `wide`, numbers carry a low part, roots are isolated in float64 all the same, and
-only coefficients, values and Newton's last steps are formed in pairs. A step has so many Taylor terms that truncation
-is below rounding. Nothing is sampled; what the bounds leave open ends the run as DOUBT. What a number may be off by is
-counted in roundings of the terms that it is a sum of, and carried by error_set.py.
+A step has so many Taylor terms that truncation is below rounding. Nothing is sampled; what the bounds leave open ends
+the run as DOUBT. What a number may be off by is counted in roundings of the terms that it is a sum of, and carried by
+error_set.py. Only the clock keeps what its roundings leave out: over a long run these would add up.
 """
 
 from __future__ import annotations
@@ -17,7 +16,6 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import TwoFloats, pair_of, put
 from numerics.linear.calm_stick import Calm, step_over
 from numerics.linear.columns import Now, Problem, Room, expand, force_columns, make_room, place_of
 from numerics.linear.error_set import box
@@ -27,13 +25,14 @@ from numerics.linear.modes import UNDECIDED as UNDECIDED_MODE
 from numerics.linear.next_event import Next, Step, next_event, step_from
 from numerics.linear.record import AT, ROW
 from numerics.linear.resolve import CONTACT, EXIT, NOTHING, PIECE, SLIP_END, StepEnd, lateness, resolve
-from numerics.linear.table import UNIT, WIDE_UNIT
+from numerics.linear.table import UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
 """How a call ended, if it did: the first five as in record.How; or more steps are needed."""
 MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
-_LOCAL, _X1, _EXCESS, _LATE = (AT[name] for name in ("local", "x1", "excess", "late"))
+_LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
+_X1, _EXCESS, _LATE = (AT[name] for name in ("x1", "excess", "late"))
 _ERRORS = AT["x1_error"]
 _HOW, _EVENTS, _CERTAIN, _FRICTION, _VISCOUS, _LOST = (
     AT[name] for name in ("how", "events", "certain", "friction", "viscous", "dissipated_error")
@@ -56,7 +55,7 @@ class Log(NamedTuple):
 def follow(problem: Problem, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
     """Follow the modes (follow_in) in a room of its own."""
     rows = problem.tables.rows
-    return follow_in(problem, make_room(rows.shape[4], rows.shape[5]), start, clear_until, log)
+    return follow_in(problem, make_room(rows.shape[3], rows.shape[4]), start, clear_until, log)
 
 
 @compilable_with(forceinline=False)
@@ -70,7 +69,7 @@ def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log:
     now, event = begin(problem, room, start)
     calm, how = Calm(False, 0, 0), DOUBT
     for step in range(MOST_STEPS):
-        u = force_columns(room, problem.drive, now.piece, event.late, problem.wide)
+        u = force_columns(room, problem.drive, now.piece, event.late)
         if event.kind != NOTHING:
             after = resolve(problem, room, now, event, u)
             if after.mode == UNDECIDED_MODE:
@@ -100,7 +99,7 @@ def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log:
 @compilable
 def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
-    pair, y, scale, E, unit = problem.pair, room.y, room.scale, room.E, WIDE_UNIT if problem.wide else UNIT
+    pair, y, scale, E = problem.pair, room.y, room.scale, room.E
     scale[0] = scale[2] = math.sqrt(pair.a2)
     scale[1], scale[3] = math.sqrt(pair.m1), math.sqrt(pair.m2)
     E[:, :] = 0.0
@@ -109,10 +108,10 @@ def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
     for i, column in enumerate((_FRICTION, _VISCOUS, _LOST)):
         room.ledger[i] = start[column] if problem.has_ledger else math.nan
     for i in range(4):
-        put(y[i], pair_of(start[_X1 + 2 * i :]))
-        E[i, i] = unit * abs(y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]
-    put(room.clock[0], pair_of(start[_LOCAL:]))
-    put(room.clock[1], TwoFloats(0.0, 0.0))
+        y[i] = start[_X1 + i]
+        E[i, i] = (UNIT * abs(y[i]) + start[_ERRORS + i]) * scale[i]
+    room.clock[0, 0], room.clock[0, 1] = start[_LOCAL], start[_REST]
+    room.clock[1, :] = 0.0
     now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 1, 1e300, E[0, 0] + E[1, 1] + E[3, 3])
     return now, StepEnd(CONTACT if start[_JUMP] == 1.0 else PIECE, 0.0, 0.0, 0.0)
 
@@ -121,22 +120,22 @@ def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
 def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, StepEnd, int]:
     """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
     (piece, mode, order, edge, since, N), nothing, y = now, StepEnd(NOTHING, 0.0, 0.0, 0.0), room.y
-    if not abs(y[0, 0]) + abs(y[1, 0]) + abs(y[2, 0]) + abs(y[3, 0]) + N < 1e300:
+    if not abs(y[0]) + abs(y[1]) + abs(y[2]) + abs(y[3]) + N < 1e300:
         return now, nothing, OUT_OF_RANGE
     if ahead.how == ROOT:
         h = problem.tables.h[place_of(problem, now)]
-        late, off, added = lateness(problem.pair, room, ahead, mode, problem.drive.b[piece, 0], since, N)
-        is_near = ahead.room * h < 16.0 * late or (step.end.high - ahead.s.high) * h < 4.0 * late
+        late, off, added = lateness(problem.pair, room, ahead, mode, problem.drive.b[piece], since, N)
+        is_near = ahead.room * h < 16.0 * late or (step.end - ahead.s) * h < 4.0 * late
         kind = SLIP_END if mode != 0 else EXIT
         if mode == 0:
             mode, order, since = ahead.side, 2, 0.0
         now = Now(piece, mode, order, edge, since, N + added)
         return now, StepEnd(kind, late, ahead.slope, off), DOUBT if is_near else GOES_ON
-    if not step.is_last or ahead.s.high != step.end.high:
+    if not step.is_last or ahead.s != step.end:
         return now, nothing, GOES_ON
     if piece + 1 == problem.drive.places.shape[0]:
         return now, nothing, STUCK if is_calm or (mode == 0 and problem.pair.literal) else REACHED
-    put(room.clock[0], TwoFloats(0.0, 0.0))
+    room.clock[0, :] = 0.0
     kind = CONTACT if mode == 0 and problem.drive.places[piece + 1, 5] == 1 else PIECE
     return Now(piece + 1, mode, order, edge, since, N), StepEnd(kind, 0.0, 0.0, 0.0), GOES_ON
 
@@ -161,7 +160,7 @@ def record(
         row[_JUMP] = 1.0 if event.kind in (PIECE, CONTACT) else 0.0
         for k in range(ROW if may_end and count < room_for else 0):
             log.rows[count, k] = row[k]
-    put(room.clock[1], TwoFloats(0.0, 0.0))
+    room.clock[1, :] = 0.0
     counts[0] += 1 if begins or log.keeps_all else 0
     return GOES_ON
 
@@ -169,17 +168,16 @@ def record(
 @compilable
 def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tuple[float, float, float]) -> None:
     """Write the state at the clock, its bounds, what else record.py says of a row, and what was taken up to an end."""
-    pair, b = problem.pair, problem.drive.b[now.piece, 0]
+    pair, b = problem.pair, problem.drive.b[now.piece]
     row[_MODE], row[_PIECE] = now.mode, now.piece
-    for i in range(2):
-        put(row[_LOCAL + 2 * i :], pair_of(room.clock[i]))
+    row[_LOCAL], row[_REST], row[_LENGTH] = room.clock[0, 0], room.clock[0, 1], room.clock[1, 0]
     for i in range(4):
-        put(row[_X1 + 2 * i :], pair_of(room.y[i]))
-    row[_EXCESS] = row[_EXCESS + 1] = math.nan
+        row[_X1 + i] = room.y[i]
+    row[_EXCESS] = math.nan
     row[_LATE] = late
-    E, R, scale, v = room.E, room.R, room.scale, abs(room.y[1, 0])
+    E, R, scale, v = room.E, room.R, room.scale, abs(room.y[1])
     # within `late` of an event either mode may act; only the stick of the literal law may need more than b
-    force = u[2] + pair.a2 * abs(room.y[0, 0]) + pair.a1 * v
+    force = u[2] + pair.a2 * abs(room.y[0]) + pair.a1 * v
     most = (force + b) / pair.m1 + b / pair.m2
     push = max(b / pair.m2, force / pair.mass) if pair.literal else b / pair.m2
     far = (v + most * late) * late
@@ -191,7 +189,6 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float, u: tupl
     row[_ERRORS + 4] = 0.0
     if row.shape[0] > ROW:
         row[_FRICTION], row[_VISCOUS], row[_LOST] = room.ledger[0], room.ledger[1], room.ledger[2]
-        row[_FRICTION + 1] = row[_VISCOUS + 1] = 0.0
 
 
 @compilable

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.columns import FAST, Now, Problem, Room, place_of
-from numerics.linear.next_event import rounding
 from numerics.linear.table import NODES, UNIT, WEIGHTS, parts
 
 
@@ -27,14 +26,14 @@ def slid_and_damped(problem: Problem, room: Room, now: Now, s: float) -> Taken:
     if now.mode != 0:
         g, square, odd = room.g, s * s, 0.0
         for k in range(terms - 2, -1, -2):
-            slid = slid * square + g[0, k] * room.inverse[k]
-            odd = odd * square + g[0, k + 1] * room.inverse[k + 1]
+            slid = slid * square + g[k] * room.inverse[k]
+            odd = odd * square + g[k + 1] * room.inverse[k + 1]
         slid = s * (slid + s * odd)
     if pair.a1 > 0.0 and s == 1.0:
         damped, size = of_square(tables.squares[at], room.z, tables.count[at[0]])
         return Taken(slid, damped, size)
     if pair.a1 > 0.0:
-        X, place, v, cut = room.X[0, 0], room.nodes[0], room.nodes[1], parts(terms)
+        X, place, v, cut = room.X[0], room.nodes[0], room.nodes[1], parts(terms)
         for part in range(cut):
             for n in range(NODES.shape[0]):
                 place[n], v[n] = s / cut * (part + NODES[n]), (terms - 1) * X[terms - 1]
@@ -55,30 +54,26 @@ def of_square(form: Any, z: Any, count: int) -> tuple[float, float]:
     for i in range(count):
         total = 0.0
         for j in range(count):
-            total += form[i, j] * z[0, j]
-        value += total * z[0, i]
-        size += form[i, i] * z[0, i] * z[0, i]
+            total += form[i, j] * z[j]
+        value += total * z[i]
+        size += form[i, i] * z[i] * z[i]
     return max(value, 0.0), count * size
 
 
 @compilable
 def enter(problem: Problem, room: Room, now: Now, taken: Taken, N: float, time: float) -> None:
-    """Enter a step of this time; N at its end.
-
-    Speeds are formed in floats here, also in double-double: of large terms that cancel they keep few digits. In float64
-    N has that already.
-    """
-    pair, tables, ledger, at = problem.pair, problem.tables, room.ledger, place_of(problem, now)
-    b, v1, count = problem.drive.b[now.piece, 0], room.y[1, 0], tables.count[at[0]]
+    """Enter a step of this time; N at its end."""
+    pair, ledger, piece = problem.pair, room.ledger, problem.drive.places[now.piece]
+    b, count = problem.drive.b[now.piece], problem.tables.count[piece[4]]
     ledger[0] += b * taken.slid
     ledger[1] += pair.a1 * taken.damped
-    lost, off = 2.0 * UNIT * (ledger[0] + ledger[1]), 0.0
-    if problem.wide:  # the terms of a stick's guard, and the first of v1, which it has not, are at least those of v1
-        off = 2.0 * rounding(room, tables.sums[at][0], count) / tables.h[at]
+    lost = 2.0 * UNIT * (ledger[0] + ledger[1])
     if now.mode != 0:
-        lost += b * time * (2.0 * pair.kappa * N + off)
+        lost += b * time * 2.0 * pair.kappa * N
     if pair.a1 > 0.0:
-        speed = math.sqrt(taken.damped / time) + abs(v1) if taken.damped > 0.0 else 0.0  # a last step may take no time
-        off += N / room.scale[1] + 2.0 * UNIT * (count + 6) * speed
+        speed = (
+            math.sqrt(taken.damped / time) + abs(room.y[1]) if taken.damped > 0.0 else 0.0
+        )  # a last step may take no time
+        off = N / room.scale[1] + 2.0 * UNIT * (count + 6) * speed
         lost += pair.a1 * (64.0 * UNIT * taken.damped_size + time * off * (4.0 * speed + off))
     ledger[2] += lost

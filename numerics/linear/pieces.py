@@ -58,7 +58,7 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
 
 
 def starts_of(scene: Scene) -> NDArray[np.float64]:
-    """Return when the pieces begin, s, shape (2, n): numbers of double-double; made once and kept with the scene."""
+    """Return when the pieces begin (s) and what rounding left out of it, shape (2, n); kept with the scene."""
     if not (scene.force.pieces or scene.friction.pieces):
         return _AT_ONCE
     if "starts" not in scene.made:

@@ -1,4 +1,4 @@
-"""A scene as the kernel reads it: units in which powers stay in the range of floats, pairs of floats, tables.
+"""A scene as the kernel reads it: units in which powers stay in the range of floats; tables.
 
 Units of mass, time and length are powers of 2, so that they change no bit of what comes out.
 """
@@ -25,10 +25,6 @@ from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, END_ROW
 from numerics.linear.table import (
     FIRST,
-    REACH,
-    TERMS,
-    WIDE_REACH,
-    WIDE_TERMS,
     Tables,
     form,
     make_tables,
@@ -40,8 +36,8 @@ from numerics.scene.decimals import short
 Halves = tuple[float, float]
 _EVENTS_PER_HALF_TURN = 3
 """So many events a half turn of the fastest rate (of body 1 alone, of a sine) is given room for."""
-_STATE = slice(AT["x1"], AT["x1"] + 8)
-"""Where x1, v1, x2 and v2 stand in a row, as halves."""
+_STATE = slice(AT["x1"], AT["x1"] + 4)
+"""Where x1, v1, x2 and v2 stand in a row."""
 
 
 class KernelUnits(NamedTuple):
@@ -80,11 +76,16 @@ class Prepared(NamedTuple):
 
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
-    """Return x 2^-exponent as a pair of floats. Raises OutOfRange."""
+    """Return x 2^-exponent as a float, and what its rounding left out. Raises OutOfRange."""
     try:
         return nearest(x, exponent)
     except OverflowError:
         raise OutOfRange.of(f"{short(x)}, or that in units of this pair,", "float64") from None
+
+
+def rounded(x: Fraction, exponent: int = 0) -> float:
+    """Return the float nearest to x 2^-exponent. Raises OutOfRange."""
+    return halves(x, exponent)[0]
 
 
 def reduced(phase: Fraction) -> Fraction:
@@ -108,13 +109,13 @@ def _exponent(x: Fraction) -> int:
 
 @lru_cache(maxsize=256)
 def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], KernelUnits]:
-    """Return the constants of a pair, its m1, M, m2, a1 and a2 as halves, and the units of all numbers.
+    """Return the constants of a pair, its m1, M, m2, a1 and a2 with their rests, and the units of all numbers.
 
     In these M and a2 are about 1, and the other numbers not far from it, if they can. Raises OutOfRange, also where
-    floats do not hold what the answer is told in beside its own numbers: L and E_cr.
+    floats do not hold L and E_cr, in which the answer is given, too.
     """
     for value in (pair.half_width, pair.critical_energy):
-        if halves(value)[0] == 0.0:
+        if rounded(value) == 0.0:
             raise OutOfRange.of(f"L or E_cr of this pair, {short(value)},", "float64")
     mass = _exponent(pair.mass)
     units = KernelUnits(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
@@ -123,20 +124,19 @@ def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], Ker
     return constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units
 
 
-def prepare(scene: Scene, *, wide: bool) -> Prepared:
+def prepare(scene: Scene) -> Prepared:
     """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange."""
-    if wide in scene.made:
-        return scene.made[wide]
+    if "prepared" in scene.made:
+        return scene.made["prepared"]
     pair, numbers, units = _bodies_of(scene.pair, scene.law)
     pieces = pieces_of(scene)
     drive, kinds, longest = _drive(pieces, units)
-    tables = _tables(numbers, tuple(kinds), longest, wide)
+    tables = _tables(numbers, tuple(kinds), longest)
     at, start, place, speed = scene.initial, np.zeros(END_ROW), units.length, units.of(length=1, time=-1)
-    values = halves(at.x1, place), halves(at.v1, speed), halves(at.x2, place), halves(at.v2, speed)
-    start[_STATE] = [half for value in values for half in value]
-    start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
+    start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
+    start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
     start[AT["jump"]] = gap == 0
-    scene.made[wide] = found = Prepared(Problem(pair, drive, tables, wide, True), start, units, pieces)
+    scene.made["prepared"] = found = Prepared(Problem(pair, drive, tables, True), start, units, pieces)
     return found
 
 
@@ -148,34 +148,31 @@ def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dic
     """Return the table of the pieces, the kinds of force in it, and the length of the longest piece."""
     force, second = units.of(mass=1, length=1, time=-2), units.time
     places: list[tuple[int, ...]] = []
-    b: list[Halves] = []
+    b: list[float] = []
     length: list[Halves] = []
-    coefficients: list[Halves] = []
+    coefficients: list[float] = []
     sines: list[tuple[Halves, Halves, Halves]] = []
     kinds: dict[Kind, int] = {}
     for one in pieces:
         omegas = tuple([halves(sine.omega, -second) for sine in one.sines])
         index = kinds.setdefault((len(one.polynomial), omegas), len(kinds))
         places.append((len(coefficients), len(one.polynomial), len(sines), len(one.sines), index, int(one.is_jump)))
-        b.append(halves(one.b, force))
+        b.append(rounded(one.b, force))
         length.append(halves(one.length, second))
-        coefficients += [halves(c, force - k * second) for k, c in enumerate(one.polynomial)]
+        coefficients += [rounded(c, force - k * second) for k, c in enumerate(one.polynomial)]
         for sine, omega in zip(one.sines, omegas, strict=True):
             phase = sine.phase + sine.omega * one.start if one.start else sine.phase
             sines.append((halves(sine.amplitude, force), omega, halves(reduced(phase))))
-    numbers = np.array(coefficients).reshape(-1, 2), np.array(sines).reshape(-1, 3, 2)
+    numbers = np.array(coefficients), np.array(sines).reshape(-1, 3, 2)
     drive = Drive(np.array(places, dtype=np.int64), np.array(b), np.array(length), *numbers)
     return drive, kinds, max(length)[0]
 
 
 @lru_cache(maxsize=64)
-def _tables(pair: tuple[Halves, ...], kinds: tuple[Kind, ...], longest: float, wide: bool) -> Tables:
+def _tables(pair: tuple[Halves, ...], kinds: tuple[Kind, ...], longest: float) -> Tables:
     """Return the tables of all kinds of force."""
     columns, most = max(FIRST + terms + 2 * len(omegas) for terms, omegas in kinds), max(terms for terms, _ in kinds)
-    reach, terms = (WIDE_REACH, WIDE_TERMS) if wide else (REACH, TERMS)
-    tables = make_tables(len(kinds), columns, most_terms(most, terms))
+    tables = make_tables(len(kinds), columns, most_terms(most))
     for index, (coefficients, omegas) in enumerate(kinds):
-        compiled(form)(
-            tables, index, np.array(pair), coefficients, np.array(omegas).reshape(-1, 2), longest, reach, wide
-        )
+        compiled(form)(tables, index, np.array(pair), coefficients, np.array(omegas).reshape(-1, 2), longest)
     return tables

@@ -34,9 +34,9 @@ class StepEnd(NamedTuple):
 @compilable
 def resolve(problem: Problem, room: Room, now: Now, event: StepEnd, u: tuple[float, float, float]) -> Now:
     """Return where a run is after an event, in which mode; UNDECIDED if the error bounds leave a doubt."""
-    pair, b = problem.pair, problem.drive.b[now.piece, 0]
+    pair, b = problem.pair, problem.drive.b[now.piece]
     (piece, mode, order, _, since, N), late = now, event.late
-    edge = 1 if u[0] - pair.a2 * room.y[0, 0] - pair.a1 * room.y[1, 0] > 0.0 else -1
+    edge = 1 if u[0] - pair.a2 * room.y[0] - pair.a1 * room.y[1] > 0.0 else -1
     if event.kind == EXIT:
         N += errors_after_stick(pair, room, u, late, event.slope, event.off)
     elif event.kind != PIECE:
@@ -64,11 +64,11 @@ def lateness(
         off = share * width(room.E, room.R, pair.a2 / scale[0], pair.a1 / scale[1], 0.0)
         off = min(off, pair.lam * N) + ahead.own
         return 1.25 * (off / ahead.slope + ahead.window), max(off, 5e-324), 0.0
-    gap = abs((y[1, 0] - y[3, 0]) + (y[1, 1] - y[3, 1]))
+    gap = abs(y[1] - y[3])
     off = min(width(room.E, room.R, 0.0, 1.0 / scale[1], -1.0 / scale[3]), min(pair.kappa, pair.kappa1 * since) * N)
     off += gap + ahead.own
     room.R[0] += scale[1] * gap
-    y[1, 0], y[1, 1] = y[3, 0], y[3, 1]
+    y[1] = y[3]
     late = 1.25 * (off / ahead.slope + ahead.window)
     return late, 0.0, 2.0 * b * pair.kappa * ahead.window + scale[1] * gap
 
@@ -77,9 +77,8 @@ def lateness(
 def mode_after(pair: Constants, room: Room, u: tuple[float, float, float], b: float, N: float, late: float) -> int:
     """Return the mode that follows where v1 = v2 within `late` of now."""
     share = pair.m2 / pair.mass
-    x, v = room.y[0, 0], room.y[1, 0]
+    x, v = room.y[0], room.y[1]
     load = share * (u[0] - pair.a2 * x - pair.a1 * v)
-    # low parts of the state are left out of the load, so a rounding of float64 counts
     off = 16.0 * UNIT * (share * (u[2] + pair.a2 * abs(x) + pair.a1 * abs(v)) + b)
     off += min(share * width(room.E, room.R, pair.a2 / room.scale[0], pair.a1 / room.scale[1], 0.0), pair.lam * N)
     change = (abs(u[0] - pair.a2 * x - pair.a1 * v) + b) / pair.m1  # of v1, per second
@@ -103,8 +102,8 @@ def errors_after_slip(
     m1 v1 + m2 v2 goes on; the error of w is multiplied by w'(new)/w'(old), in [0, 1], to first order in `late`.
     """
     E, R, scale = room.E, room.R, room.scale
-    share, v = pair.m1 / pair.mass, room.y[1, 0]
-    force = u[0] - pair.a2 * room.y[0, 0] - pair.a1 * v
+    share, v = pair.m1 / pair.mass, room.y[1]
+    force = u[0] - pair.a2 * room.y[0] - pair.a1 * v
     kept = 0.0
     if after != 0:
         kept = ((force - after * b) / pair.m1 - after * b / pair.m2) / (-before * slope)

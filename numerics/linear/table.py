@@ -22,16 +22,12 @@ from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, put, tim
 from numerics.linear.first_root import value_slope
 
 X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
-UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
-"""A rounding of float64; one of double-double, with what its operations lose."""
-PRECISE = 22
-"""So many terms of a series are formed in pairs: later ones, 1.5^22/22! and less, weigh so little that floats do."""
+UNIT, PAIR_UNIT = 2.0**-53, 2.0**-101
+"""A rounding of float64; one of a pair of floats, with what its operations lose."""
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
 REACH, TERMS = 2.0, 28
-"""rate h of a step in float64, and how many Taylor terms make truncation smaller than rounding."""
-WIDE_REACH, WIDE_TERMS = 1.5, 36
-"""The same in double-double."""
+"""rate h of a step, and how many Taylor terms make truncation smaller than rounding."""
 ORDERS = 8
 """A guard starts with so many vanishing coefficients at most, less one."""
 
@@ -49,11 +45,11 @@ class Tables(NamedTuple):
     count: Any
     """(kinds,): the number of columns."""
     rows: Any
-    """(kinds, 2, 2, 2, n, terms): high and low parts of the coefficients of x1 and x2 in (t/h)^k of each component."""
+    """(kinds, 2, 2, n, terms): the coefficients of x1 and x2 in (t/h)^k of each component."""
     degrees: Any
     """(kinds, 2, 2, n): how many terms of each there are, rounded up to an even number; later ones are 0."""
     ends: Any
-    """(kinds, 2, 2, n, n): high and low parts of exp(A h)."""
+    """(kinds, 2, 2, n, n): exp(A h), and what its rounding left out, which its powers take (calm_stick.py)."""
     sums: Any
     """(kinds, 2, ORDERS, n): what rounding and truncation do to h (v1 - v2), in stick to h^2 x2'', less p coefficients,
 
@@ -67,9 +63,9 @@ class Tables(NamedTuple):
 
 
 @compilable
-def most_terms(coefficients: int, least: int) -> int:
+def most_terms(coefficients: int) -> int:
     """Return how many Taylor terms a table has: an even number, 14 beyond the degree of the polynomial of u or more."""
-    return max(least, coefficients + 14 + coefficients % 2)
+    return max(TERMS, coefficients + 14 + coefficients % 2)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -79,7 +75,7 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
         np.zeros((kinds, 7 + n)),
         np.zeros((kinds, 2)),
         np.zeros(kinds, dtype=np.int64),
-        np.zeros((kinds, 2, 2, 2, n, terms)),
+        np.zeros((kinds, 2, 2, n, terms)),
         np.zeros((kinds, 2, 2, n), dtype=np.int64),
         np.zeros((kinds, 2, 2, n, n)),
         np.zeros((kinds, 2, ORDERS, n)),
@@ -90,14 +86,12 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def form(
-    tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest: float, reach: float, wide: bool
-) -> None:
+def form(tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest: float) -> None:
     """Form the tables of one kind of force: so many coefficients of a polynomial, and frequencies (k, 2) as pairs;
 
     if they were not formed of these numbers before.
 
-    `pair` (5, 2): m1, m1 + m2, m2, a1, a2 as pairs. A step is `reach` over the fastest rate, or `longest`.
+    `pair` (5, 2): m1, m1 + m2, m2, a1, a2 as pairs. A step is REACH over the fastest rate, or `longest`.
     """
     n, made_of, is_new = FIRST + terms + 2 * omegas.shape[0], tables.made_of[kind], False
     for k in range(5):
@@ -107,7 +101,7 @@ def form(
         for k in range(omegas.shape[0]):
             rate = max(rate, omegas[k, 0])
             is_new = differs(made_of, 7 + k, omegas[k, 0]) or is_new
-        fraction, exponent = math.frexp(min(longest, reach / rate))  # of 20 bits: steps of it add up exactly
+        fraction, exponent = math.frexp(min(longest, REACH / rate))  # of 20 bits: steps of it add up exactly
         h = math.ldexp(math.floor(math.ldexp(fraction, 20)), exponent - 20)
         is_new = differs(made_of, 5 + side, h) or is_new
     if not is_new:
@@ -117,9 +111,9 @@ def form(
         at, h = (kind, side), made_of[5 + side]
         tables.h[at] = h
         cut = expand_units(generator(pair, terms, omegas, side == 1), h, tables.rows[at], tables.ends[at])
-        count_roundings(tables, kind, side, cut, wide)
+        count_roundings(tables, kind, side, cut)
         if pair[3, 0] > 0.0:
-            square(tables.rows[at][0, 0], h, n, tables.squares[at])
+            square(tables.rows[at][0], h, n, tables.squares[at])
 
 
 @compilable
@@ -157,7 +151,7 @@ def generator(pair: Any, terms: int, omegas: Any, is_stick: bool) -> Any:
 @compilable_with(makes_arrays=True, forceinline=False)
 def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
     """Write Taylor coefficients and value of every unit vector over a step h; return what the first leave out (n,)."""
-    count, terms, places = A.shape[0], rows.shape[3], np.argwhere(A[:, :, 0])
+    count, terms, places = A.shape[0], rows.shape[2], np.argwhere(A[:, :, 0])
     z, after, total, cut = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2)), np.zeros(count)
     for e in range(len(places)):
         to, of = places[e, 0], places[e, 1]
@@ -169,7 +163,7 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
         for k in range(terms + 2):
             for i in range(2):
                 if k < terms:
-                    rows[0, i, j, k], rows[1, i, j, k] = z[2 * i, 0], z[2 * i, 1]
+                    rows[i, j, k] = z[2 * i, 0]
                 else:  # the first two that are left out; all later ones are less than these again
                     cut[j] += 2.0 * abs(z[2 * i, 0])
             after[:, :] = 0.0
@@ -188,13 +182,13 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def count_roundings(tables: Tables, kind: int, side: int, cut: Any, wide: bool) -> None:
+def count_roundings(tables: Tables, kind: int, side: int, cut: Any) -> None:
     """Count the terms of each series, and its roundings, 2 k + n + 4 of c_k s^k, at s = 0 (of its first term) and at
 
-    s = 1 (of all). Where `wide`, later terms are formed in floats. A guard's sums are those of floats, and what is cut.
+    s = 1 (of all). A guard's sums have what is cut, too.
     """
-    at, terms = (kind, side), tables.rows.shape[5]
-    rows, n, degrees, sums = tables.rows[at][0], tables.count[kind], tables.degrees[at], tables.sums[at]
+    at, terms = (kind, side), tables.rows.shape[4]
+    rows, n, degrees, sums = tables.rows[at], tables.count[kind], tables.degrees[at], tables.sums[at]
     own, guard = tables.state_own[at], tables.own[at]
     degrees[:, :] = 0
     own[:, :, :] = 0.0
@@ -202,7 +196,7 @@ def count_roundings(tables: Tables, kind: int, side: int, cut: Any, wide: bool) 
     for j in range(n):
         sums[:, j] = cut[j] * terms * 2.0**53 * (terms if side == 1 else 1)
     for k in range(terms):
-        weight = (2 * k + n + 4) * (UNIT / WIDE_UNIT if wide and k >= PRECISE else 1.0)
+        weight = 2 * k + n + 4
         order, power = (k - 1, k) if side == 0 else (k - 2, k * (k - 1))
         for j in range(n):
             for i in range(2):

@@ -20,7 +20,6 @@ from numerics.trajectory.status import Status
 
 SI = ("m1", "m2", "a2", "b", *STATE, "until", "a1")
 """The numbers of a scene, as the compiled engines take them (free/frame.py)."""
-_UNIT = ROUNDING["float64"]
 
 
 def near(x: Fraction) -> float:
@@ -189,7 +188,7 @@ class Batch(Ends):
     def _judged(self) -> Floats:
         """Return bounds on the error of the excess at the end, and the worst relative errors, a line each."""
         with np.errstate(all="ignore"):
-            found = compiled(errors_of_rows)(self.numbers, self.kept, self.ends, _UNIT)
+            found = compiled(errors_of_rows)(self.numbers, self.kept, self.ends, ROUNDING)
         return np.asarray(found).reshape(2, *self.shape)
 
     @cached_property
@@ -235,7 +234,7 @@ class Batch(Ends):
     @cached_property
     def event_t_error(self) -> Floats:
         """Return bounds on the errors of event_t."""
-        return np.asarray(self._event("late")[0] + 4 * _UNIT * self.event_t)
+        return np.asarray(self._event("late")[0] + 4 * ROUNDING * self.event_t)
 
     @cached_property
     def event_y_error(self) -> Floats:
@@ -246,5 +245,5 @@ class Batch(Ends):
     def digits(self) -> Counts:
         """Return the right digits of the kept events and of the end, 0 where the events are not certain."""
         with np.errstate(divide="ignore"):
-            right = np.floor(-np.log10(np.maximum(self._judged[1], _UNIT)))
-        return np.where(self.certain, np.clip(right, 0, MOST_DIGITS["float64"]), 0).astype(np.int64)
+            right = np.floor(-np.log10(np.maximum(self._judged[1], ROUNDING)))
+        return np.where(self.certain, np.clip(right, 0, MOST_DIGITS), 0).astype(np.int64)

@@ -33,8 +33,8 @@ _FLOAT64, _DIGITS = Float64(), 68
 
 def frictions_of(friction: Friction) -> Floats:
     """Return the pieces of a friction without weakening as linear/batch.py reads them."""
-    pieces = [(*nearest(start), *nearest(b)) for start, b in friction.pieces]
-    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan, 0.0)]
+    pieces = [(*nearest(start), nearest(b)[0]) for start, b in friction.pieces]
+    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan)]
     return np.array([*first, *pieces])
 
 
@@ -118,5 +118,5 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         taken = [found.ledger.friction, found.ledger.viscous]
         friction, viscous = (float(one.mid()) for one in taken)
         off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
-    table[-1, ROW:] = record.how, record.events, 1.0, friction, 0.0, viscous, 0.0, off
+    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, off
     return table[:-1, :ROW], table[-1]

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args, overload
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, exhausted, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
-from numerics.linear.record import rounded
 from numerics.scene import Scene
 from numerics.scene.decimals import require_digits, require_function, shown
 from numerics.scene.model import BUILD, require_kind
@@ -26,20 +24,16 @@ from numerics.trajectory.trajectory import Trajectory
 if TYPE_CHECKING:
     from numerics.plane.trajectory import PlaneTrajectory
 
-ArithmeticName = Literal["float64", "double-double", "mpmath", "ball"]
+ArithmeticName = Literal["float64", "mpmath", "ball"]
 MAX_DIGITS = 20_000
 _SPARE_DIGITS = 4
 """Digits that balls get beyond what a run before has shown that the scene costs."""
-_HAS = {"float64": 16, "double-double": 32}
-"""Digits that are there before a run."""
-_WORTH_A_TRY = {"float64": 15, "double-double": 30}
-"""Right digits up to which each is tried."""
-_FORCED_IN_FLOATS = 10
-"""Right digits that float64's bounds leave under a force or damping: for more double-double runs at once."""
+_HAS, _WORTH_A_TRY = 16, 15
+"""Digits that float64 has before a run; right digits up to which it is tried."""
 _MOST_IN_BALLS = 10_000
 """With more events float64's open sequence stands: balls would take minutes."""
-_FLOAT64, _DOUBLE_DOUBLE = Float64(), DoubleDouble()
-_LADDER: tuple[Arithmetic, ...] = (_FLOAT64, _DOUBLE_DOUBLE, Ball(34), Ball(68), Ball(136), Ball(560))
+_FLOAT64 = Float64()
+_LADDER: tuple[Arithmetic, ...] = (_FLOAT64, Ball(34), Ball(68), Ball(136), Ball(560))
 """What decides a sequence, and finds digits, in the order in which they are tried."""
 
 
@@ -78,19 +72,18 @@ def solve(  # type: ignore[misc]  # the options are those below
     `arithmetic.name` of the result is the arithmetic used; `tried` lists those tried before, and why they failed.
 
     Without `digits` and `arithmetic`: float64 with error bounds (Trajectory.accuracy). If these do not decide the
-    sequence of events, or leave no right digit of a quantity (trajectory/digits.py): double-double, then balls of 34,
-    68, 136 and 560 working digits, and for digits alone of more. If none suffices up to `max_digits`, the status is
-    NO_RIGHT_DIGIT and `success` is False.
+    sequence of events, or leave no right digit of a quantity (trajectory/digits.py): balls of 34, 68, 136 and 560
+    working digits, and for digits alone of more. If none suffices up to `max_digits`, the status is NO_RIGHT_DIGIT and
+    `success` is False.
 
-    With `digits` = N: the cheapest arithmetic with N right digits of every event time and state, and of state, energy
-    and excess at the end. This is float64 (N <= 15; if its bounds leave fewer digits, double-double rounded once to
-    float64, as `tried` says), double-double (N <= 30), or balls, whose precision is raised until the digits are
-    proved. Digits of a time are relative to that time; all others are relative to the largest such quantity along the
-    run (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest |velocity|.
+    With `digits` = N: N right digits of every event time and state, and of state, energy and excess at the end. This
+    is float64 where its bounds leave N <= 15 digits, else balls, whose precision is raised until the digits are proved.
+    Digits of a time are relative to that time; all others are relative to the largest such quantity along the run
+    (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest |velocity|.
 
-    With `arithmetic`: "float64" or "double-double" only, where the free pair's events may stay undecided
-    (Trajectory.certain); "mpmath" with `digits` or 30, without bounds (for the free pair an independent computation,
-    else midpoints of balls with twice as many digits, as `tried` says); "ball" with `digits` or 15 proved digits.
+    With `arithmetic`: "float64" only, where the free pair's events may stay undecided (Trajectory.certain); "ball" with
+    `digits` or 15 proved digits; "mpmath" with `digits` or 30, without bounds: a second, independent computation of the
+    free pair (a1 = 0, no force, constant b), and of no other scene.
 
     `max_digits`: limit on working digits; float64 keeps its 15 under any limit.
     `t_eval`: times (s), in order, at which `t`, `y` and `energy` are given, instead of at the events.
@@ -115,13 +108,12 @@ def solve(  # type: ignore[misc]  # the options are those below
     """
     if not isinstance(scene, PlaneScene):
         require_kind("solve", scene, Scene, BUILD)
-    if not isinstance(arithmetic, str | None):
-        raise ValueError(f"arithmetic = {shown(arithmetic)} is not one of float64, double-double, mpmath, ball")
+    require_arithmetic(arithmetic)
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
         require_digits(1 if digits is None else digits, max_digits, max_events=max_events)
-        if digits is not None and arithmetic in ("float64", "double-double"):
+        if digits is not None and arithmetic == "float64":
             raise ValueError(
-                f"digits = {digits} with {arithmetic}, which has its own digits; leave digits out, or arithmetic"
+                f"digits = {digits} with float64, which has its own digits; leave digits out, or arithmetic"
             )
         if digits is not None and digits > max_digits:
             raise exhausted(digits, max_digits)
@@ -139,20 +131,25 @@ def solve(  # type: ignore[misc]  # the options are those below
     return found if t_eval is None else found.but(t_eval=t_eval)
 
 
+def require_arithmetic(name: Any) -> None:
+    """Raise ValueError for what names no arithmetic; None stands for the one that a scene needs."""
+    if name == "double-double":
+        raise ValueError('arithmetic = double-double is no longer offered; use digits=N, or arithmetic="ball"')
+    if name is not None and (not isinstance(name, str) or name not in get_args(ArithmeticName)):
+        raise ValueError(f"arithmetic = {shown(name)} is not one of {', '.join(get_args(ArithmeticName))}")
+
+
 def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Limits) -> Trajectory:
     if arithmetic is None:
         return _solve_surely(scene, limits) if digits is None else _solve_cheaply(scene, digits, limits)
-    if arithmetic in ("float64", "double-double"):
-        return limits.run(scene, _FLOAT64 if arithmetic == "float64" else _DOUBLE_DOUBLE)
-    if arithmetic == "mpmath":
-        working = (digits or 30) + SPARE_DIGITS
-        if working * (1 if free_scene(scene) else 2) > limits.digits:
-            raise exhausted(working - SPARE_DIGITS, limits.digits)
-        found = limits.run(scene, Multiprecision(working))
-        return found if free_scene(scene) else found.but(tried=f"midpoints of balls of {2 * working} working digits")
+    if arithmetic == "float64":
+        return limits.run(scene, _FLOAT64)
     if arithmetic == "ball":
         return _solve_to_digits(scene, digits or 15, SPARE_DIGITS, limits)
-    raise ValueError(f"arithmetic = {shown(arithmetic)} is not one of float64, double-double, mpmath, ball")
+    working = (digits or 30) + SPARE_DIGITS
+    if working > limits.digits:
+        raise exhausted(working - SPARE_DIGITS, limits.digits)
+    return limits.run(scene, Multiprecision(working))
 
 
 def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
@@ -168,8 +165,6 @@ def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
             break  # more digits than these are for numbers, not for events
         if arithmetic.name == "ball" and best is not None and best.record.events > _MOST_IN_BALLS:
             break
-        if arithmetic is _DOUBLE_DOUBLE and isinstance(refused, OutOfRange):
-            continue  # its range and its steps are those of float64
         try:
             found = limits.run(scene, arithmetic)
         except (EventUndecided, OutOfRange) as error:
@@ -198,40 +193,26 @@ def _ladder(limits: _Limits) -> Iterator[Arithmetic]:
 
 
 def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
-    """Return a trajectory in float64, or double-double, if its error bounds leave enough digits, else a proved one.
+    """Return a trajectory in float64, if its error bounds leave enough digits, else a proved one.
 
-    What one of them has lost of its digits is also what the next will lose.
+    What float64 has lost of its digits is also what balls will lose.
     """
-    tried: list[str] = []
-    guard = SPARE_DIGITS
-    is_linear, may_round = not free_scene(scene), True
-    for arithmetic in (_FLOAT64, _DOUBLE_DOUBLE):
-        name, lost = arithmetic.name, 0 if guard == SPARE_DIGITS else guard - _SPARE_DIGITS
-        if digits > _WORTH_A_TRY[name] or digits + lost > _HAS[name]:
-            continue
-        if (arithmetic is _FLOAT64 and is_linear and digits > _FORCED_IN_FLOATS) or not limits.allow(arithmetic):
-            continue
+    tried, guard = "", SPARE_DIGITS
+    if digits <= _WORTH_A_TRY:
         try:
-            found = limits.run(scene, arithmetic)
+            found = limits.run(scene, _FLOAT64)
         except (EventUndecided, OutOfRange) as error:
-            tried.append(f"{name} cannot: {error}")
-            may_round = False  # what float64 does not decide is not called float64
-            continue
-        if not found.certain:
-            tried.append(f"{name} leaves the sequence of events open")
-            continue
-        if arithmetic is _DOUBLE_DOUBLE and may_round and digits <= _WORTH_A_TRY["float64"]:
-            short = Trajectory(scene, _FLOAT64, rounded(found.record))
-            if short.right_digits >= digits:
-                return short.but(digits=digits, tried="; ".join([*tried, "carried in double-double, rounded once"]))
-        reached = found.right_digits
-        tried.append(f"{name} has {reached} right digits by its error bounds")
-        if reached >= digits:
-            return found.but(digits=digits, tried="; ".join(tried))
-        if reached:
-            guard = _HAS[name] + _SPARE_DIGITS - reached
+            tried = f"float64 cannot: {error}; "
+        else:
+            reached = found.right_digits
+            if reached >= digits:
+                return found.but(digits=digits, tried=f"float64 has {reached} right digits by its error bounds")
+            if found.certain and reached:
+                guard = _HAS + _SPARE_DIGITS - reached
+            blank = f"has {reached} right digits by its error bounds"
+            tried = f"float64 {blank if found.certain else 'leaves the sequence of events open'}; "
     balls = _solve_to_digits(scene, digits, guard, limits)
-    return balls.but(tried="; ".join([*tried, f"{digits} are asked for"]))
+    return balls.but(tried=f"{tried}{digits} are asked for")
 
 
 def _solve_to_digits(scene: Scene, digits: int, guard: int, limits: _Limits) -> Trajectory:

@@ -29,8 +29,8 @@ from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.rows import Rows
 
-ROUNDING = {"float64": 2.0**-53, "double-double": 2.0**-105}
-"""The rounding of one operation."""
+ROUNDING = 2.0**-53
+"""Of one operation in float64."""
 _ZERO_BITS = 3
 """A ball that holds 0 has no more accurate bits than that."""
 
@@ -64,7 +64,7 @@ def _enclosed(trajectory: Rows) -> Iterator[tuple[arb, arb]]:
 
 @dataclass(frozen=True, repr=False)
 class Accuracy(ShortRepr):
-    """Bounds on the rounding errors of a float64 or double-double trajectory, in SI units.
+    """Bounds on the rounding errors of a float64 trajectory, in SI units.
 
     `t` (k,) s and `y` (k, 4) at the events, `final` (4,), `energy` and `dissipated` (J) and `energy_excess` at the end.
     The bounds are conservative and tested, not proved. `certain`: they exclude any other sequence of events.
@@ -101,17 +101,15 @@ class Judged(NamedTuple):
 
 def judged(trajectory: Rows) -> Judged:
     """Return what the bounds of a run in floats leave."""
-    record, name, scene = trajectory.record, trajectory.arithmetic.name, trajectory.scene
+    record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
     if "weights" not in scene.made:  # with E_cr, J
         pair = scene.pair
         scene.made["weights"] = (float(pair.a2), float(pair.m1), float(pair.m2)), float(pair.critical_energy)
     weights, critical = scene.made["weights"]
     with np.errstate(all="ignore"):
-        late, energy, excess, worst = judge(
-            record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING[name]
-        )
-    digits, without = _digits(worst.tolist(), MOST_DIGITS[name])
+        late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
+    digits, without = _digits(worst.tolist(), MOST_DIGITS)
     return Judged(late, energy, excess, digits if trajectory.certain else 0, without)
 
 

@@ -102,7 +102,7 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
     arithmetic, digits = trajectory.arithmetic, right_digits(trajectory)
     if arithmetic.name == "ball":
         return lambda name, value, _: with_radius(name, value, digits)
-    most, given = MOST_DIGITS.get(arithmetic.name, arithmetic.digits), truth or trajectory
+    most, given = MOST_DIGITS if arithmetic.name == "float64" else arithmetic.digits, truth or trajectory
     if truth is not None:
         require_same_sequence(trajectory, truth)
         with truth.context():

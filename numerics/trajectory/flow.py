@@ -3,8 +3,7 @@
 What the ledger needs are integrals of quadratic forms of z, over a short interval, and then doubled. In binary64 a time
 is a sum of intervals h 2^k, by its binary digits, and of a rest; over h the fastest rate turns through 1/2. The flow
 over every such interval comes from balls and is rounded once, what happens within h is Taylor's; approximate, without a
-bound. In every other arithmetic a motion is that of LinearMode, for balls as it is, for mpmath and double-double its
-middle.
+bound. In every other arithmetic a motion is that of LinearMode, for balls as it is, for mpmath its midpoint.
 """
 
 from __future__ import annotations

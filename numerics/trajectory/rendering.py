@@ -12,8 +12,8 @@ from fractions import Fraction
 
 from flint import arb
 
-MOST_DIGITS = {"float64": 17, "double-double": 31}
-"""The most digits that numbers of an arithmetic can show."""
+MOST_DIGITS = 17
+"""The most digits that a float can show."""
 _SPARE_DIGITS = 3
 """Printed beyond the digits asked for, so that rounding the text costs none of them."""
 

@@ -15,7 +15,6 @@ from typing import Any, Literal
 import numpy as np
 
 from numerics.arithmetic.compiled import compiled, compiles_now
-from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
@@ -27,7 +26,7 @@ from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.scene.decimals import short, shown
 from numerics.trajectory.answer import Answer
-from numerics.trajectory.columns import STATE, Array, Counts, Floats, sums
+from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.flow import Moving, changes
 
 Side = Literal["left", "right"]
@@ -41,8 +40,7 @@ class Rows(Answer):
     def __init__(self, scene: Scene, arithmetic: Arithmetic, record: Record) -> None:
         """Keep what a run wrote."""
         self.scene, self.arithmetic, self.record = scene, arithmetic, record
-        self.bounded = arithmetic.name in {"float64", "double-double"}
-        self._in_floats, self._is_ball = arithmetic.name == "float64", arithmetic.name == "ball"
+        self.bounded, self._is_ball = arithmetic.name == "float64", arithmetic.name == "ball"
 
     @cached_property
     def _tables(self) -> tuple[dict[str, int], Array, Array]:
@@ -68,12 +66,7 @@ class Rows(Answer):
         return found
 
     def _read(self, rows: Array, names: tuple[str, ...]) -> Array:
-        high = [self._tables[0][name] for name in names]
-        if self.arithmetic.name != "double-double":
-            return np.asarray(rows.T[high])
-        found = np.empty((len(names), len(rows)), dtype=object)
-        found.ravel()[:] = sums(rows.T[high].ravel(), rows.T[[one + 1 for one in high]].ravel())
-        return found
+        return np.asarray(rows.T[[self._tables[0][name] for name in names]])
 
     @property
     def reached(self) -> bool:
@@ -130,11 +123,7 @@ class Rows(Answer):
         if not self.row_pieces.any():
             return self._read(rows, ("local",))[0]
         if self.bounded:
-            column, starts = AT["local"], starts_of(self.scene)[:, pieces]
-            if self._in_floats:
-                return np.asarray(starts[0] + rows[:, column])
-            high, low = TwoFloats(*starts) + TwoFloats(*rows.T[column : column + 2])
-            return np.array(sums(high, low), dtype=object)
+            return np.asarray(starts_of(self.scene)[0, pieces] + rows[:, AT["local"]])
         with self.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
             return np.asarray(starts[pieces] + self._read(rows, ("local",))[0])
@@ -165,7 +154,7 @@ class Rows(Answer):
     def _table(self) -> tuple[Counts, Array]:
         """Return the rows at which segments start, and t, x1, v1, x2, v2 there and at a horizon that was reached."""
         record, count = self.record, self.record.events + 1
-        if self._in_floats:
+        if self.bounded:
             read = compiled(tabulate) if compiles_now() else tabulate
             return read(record.rows, record.end, count, starts_of(self.scene)[0], float(self.scene.until), self.reached)
         at = np.append(0, self.event_rows)
@@ -223,14 +212,14 @@ class Rows(Answer):
             given = np.asarray(t)
         except ValueError:
             raise ValueError("t must be a time in seconds or an array of times; its rows differ in length") from None
-        if self._in_floats and given.dtype.kind in "fiu" and ((given >= 0) & (given <= self.end_time)).all():
+        if self.bounded and given.dtype.kind in "fiu" and ((given >= 0) & (given <= self.end_time)).all():
             return given.astype(float)
-        each = np.vectorize(self._time, otypes=[float if self._in_floats else object])
+        each = np.vectorize(self._time, otypes=[float if self.bounded else object])
         return np.asarray(each(np.asarray(t, dtype=object)))
 
     def _time(self, t: Any) -> Number:
         """Return a time as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
-        own, to_float = not self._in_floats and isinstance(t, type(self.end_time)), self.arithmetic.to_float
+        own, to_float = not self.bounded and isinstance(t, type(self.end_time)), self.arithmetic.to_float
         end, until = to_float(self.end_time), self.scene.until if self.reached else Fraction(0)
         exact: Any = to_float(t) if own else exact_time(t)
         if not 0 <= exact <= max(until, Fraction(end)):
@@ -310,21 +299,21 @@ class Rows(Answer):
 
     def _since(self, times: Array, rows: Counts) -> Array:
         """Return how long after the starts of their rows times are, s."""
-        if not self._in_floats:
+        if not self.bounded:
             return np.asarray(times - self.row_times[rows])
         starts = np.array([float(piece.start) for piece in self.pieces])
-        local, low = self.record.rows[rows, AT["local"] : AT["length"]].T  # low halves keep short slips apart
-        return np.asarray(np.maximum((times - starts[self.row_pieces[rows]]) - local - low, 0.0))
+        local, rest = self.record.rows[rows, AT["local"] : AT["length"]].T  # which keeps short slips apart
+        return np.asarray(np.maximum((times - starts[self.row_pieces[rows]]) - local - rest, 0.0))
 
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
-        if self._in_floats:
+        if self.bounded:
             return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:4])
         return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
 
     def row_losses(self, rows: Counts, since: Array) -> Array:
         """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
-        if self._in_floats:
+        if self.bounded:
             return self.row_changes(rows, since, integrals=True)[4:7]
         return _columns([self.row_motion(row).losses(tau) for row, tau in zip(rows, since, strict=True)])
 

@@ -27,7 +27,7 @@ def run_scene(
 ) -> Trajectory:
     """Solve a scene once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange.
 
-    The free engine leaves it to `Trajectory.certain` whether float64 or double-double is sure of the events.
+    The free engine leaves it to `Trajectory.certain` whether float64 is sure of the events.
     """
     run = run_free if free_scene(scene) else run_linear
     try:

@@ -65,7 +65,7 @@ class Solution(Rows):
 
     @cached_property
     def accuracy(self) -> Accuracy | None:
-        """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
+        """Return the error bounds of a float64 trajectory, else None (balls carry their own)."""
         return accuracy_of(self, self._judged) if self.bounded else None
 
     @cached_property
@@ -153,7 +153,7 @@ class Solution(Rows):
 
     def end_bounds(self) -> tuple[float, ...]:
         """Return bounds on the errors of time, state, energy and excess at the end, of numbers that have them."""
-        found, late = accuracy_of(self, self._judged), abs(float(self.end_time)) * 4 * ROUNDING[self.arithmetic.name]
+        found, late = accuracy_of(self, self._judged), abs(float(self.end_time)) * 4 * ROUNDING
         late += 0.0 if self.reached else float(found.t[-1])
         return late, *found.final, found.energy, found.energy_excess
 

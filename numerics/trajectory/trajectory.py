@@ -62,8 +62,8 @@ class Trajectory(Solution):
     True
     """
 
-    FORMAT = "inertial-pair trajectory 2"
-    ARITHMETICS = ("float64", "double-double", "mpmath", "ball")
+    FORMAT = "inertial-pair trajectory 3"
+    ARITHMETICS = ("float64", "mpmath", "ball")
     COLUMNS = ("t", "y", "energy", "energy_excess")
 
     def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
@@ -109,7 +109,7 @@ class Trajectory(Solution):
         (name, digits), (events, certain) = header["arithmetic"], header["rest"]
         rows: Any
         end: Any
-        if name in cls.ARITHMETICS[:2]:
+        if name == "float64":
             rows, end = (np.array(header[one], dtype=float) for one in ("rows", "end"))
             if rows.shape[1:] != (ROW,) or end.shape != (END_ROW,):
                 raise ValueError("its rows have other lengths")

@@ -36,6 +36,7 @@ from numerics.control.response import Regime, response
 from numerics.free.root import falling_root
 from numerics.linear.modes import EventKind
 from numerics.trajectory.comparison import require_same_sequence
+from numerics.trajectory.run import free_scene
 from numerics.trajectory.status import Status
 
 
@@ -49,7 +50,7 @@ def test_nothing_but_typed_errors(scene, arithmetic):
 
 
 OVERDAMPED = [(-2, -2, -5), (0, 0, 20), (2, 5, -15), (0, -5, 15), (-5, -5, -25)]
-"""x1, v1, v2 of slips whose guard has one turn at most; the next one is at infinity, no number in double-double."""
+"""x1, v1, v2 of slips whose guard has one turn at most; the next one is at infinity, no number in float64."""
 CRITICAL = [((8, 7), 8, 2, ("-5.4", "-0.4", "3.4")), ((1, 5), 6, 1, ("5.1", "-1.1", "-1.1"))]
 """Masses, the mass that moves, its rate, a start: both rates of decay may be one float; float64 lost turns there."""
 RISING = [[Piece(0, [0] * power + [c], [Sine("0.01", 100)])] for power in (5, 7) for c in (1, "0.01")]
@@ -78,7 +79,7 @@ HUMP = Piece(
 )
 def test_no_event_is_lost_in_any_arithmetic(scene):
     balls = solve(scene, digits=20, arithmetic="ball")
-    for arithmetic in ("float64", "double-double", "mpmath"):
+    for arithmetic in ("float64", *["mpmath"] * free_scene(scene)):
         points = solve(scene, arithmetic=arithmetic)
         assert points.certain
         require_same_sequence(points, balls)

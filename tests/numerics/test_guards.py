@@ -58,14 +58,12 @@ def test_the_orbit_of_a_damped_pair_needs_no_phase():
 
 def test_a_damped_slip_of_1e22_radians_is_solved_in_balls_and_refused_by_floats():
     scene = Scene(Pair(1, 1, 200, "0.05", a1="1e-24"), State(x1="0.01", v2="1e20"), until="1e25")
-    for arithmetic in ("float64", "double-double"):
-        with pytest.raises(OutOfRange, match="steps"):
-            solve(scene, max_events=3, arithmetic=arithmetic)
+    with pytest.raises(OutOfRange, match="steps"):
+        solve(scene, max_events=3, arithmetic="float64")
     # a float of the wait and of its bound agree long before the wait is over: balls used to give up here
     balls = solve(scene, digits=30, arithmetic="ball", max_events=3)
-    points = solve(scene, arithmetic="mpmath", digits=80, max_events=3)
     climbed = solve(scene, max_events=3)
-    assert balls.modes == points.modes == climbed.modes
+    assert balls.modes == climbed.modes
     assert climbed.arithmetic.name == "ball"
 
 

@@ -14,10 +14,11 @@ from three_scenes import DAMPED, HOW, PAPER, STUCK
 from numerics import PlaneTrajectory, Trajectory, load_scene, sensitivities, solve
 from numerics.errors import InvalidFile, InvalidScene
 from numerics.trajectory import saved
+from numerics.trajectory.run import free_scene
 
 
 def runs(scene=PAPER):
-    return [solve(scene, **how) for how in HOW if scene.pair.a1 == 0 or how.get("arithmetic") != "double-double"]
+    return [solve(scene, **how) for how in HOW if free_scene(scene) or how.get("arithmetic") != "mpmath"]
 
 
 @pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces")])
@@ -80,7 +81,7 @@ def test_a_file_that_holds_no_trajectory_is_refused_in_a_sentence(tmp_path, chan
         b"{}",
         b"7",
         b"\xff\xfe",
-        b'{"format": "inertial-pair trajectory 2"}',
+        b'{"format": "inertial-pair trajectory 3"}',
         b'{"ball": ["0x1", ' + b"9" * 300 + b', "0x0", 0]}',
         b'{"ratio": ["0x1", "0x0"]}',
         b'{"floats": ["AAAA", 1000000000000]}',

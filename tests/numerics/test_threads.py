@@ -24,8 +24,7 @@ SINE, ROUND = load_scene("forced-sine-stick-slip"), load_scene("plane-circle-mer
 JOBS = [
     *(
         (scene, {"arithmetic": name, "digits": n})
-        for scene in (PAPER, SINE)
-        for n, name in ((20, "ball"), (60, "mpmath"))
+        for scene, n, name in ((PAPER, 20, "ball"), (SINE, 20, "ball"), (PAPER, 60, "mpmath"), (SINE, 60, "ball"))
     ),
     (PAPER, {"digits": 90}),
     (DAMPED, {"digits": 40}),

@@ -11,7 +11,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from itertools import islice, product
+from itertools import islice
 from random import Random
 from typing import Any, NamedTuple
 
@@ -80,12 +80,10 @@ def runs() -> Iterator[Run]:
         scene = replace(scene, until=scene.until * (40 if k % 8 == 7 and k > 12 else 1))  # a stick may be stepped over
         by = np.array(errors(random, scene), dtype=float)
         by /= max(abs(by).max(), 1e-9)
-        for wide in (False, True):
-            yield Run("floats", f"{k} {wide}", partial(in_floats, scene, by, wide), partial(of_floats, scene))
+        yield Run("floats", f"{k} kernel", partial(in_floats, scene, by), partial(of_floats, scene))
     for k in range(100):
         scene, by = draw_scene(Random(k)), np.random.default_rng(k).uniform(-1, 1, 4)
-        for name in ("float64", "double-double"):
-            yield Run("floats", f"{k} {name}", partial(in_rows, scene, by, name), partial(of_floats, scene))
+        yield Run("floats", f"{k} float64", partial(in_rows, scene, by), partial(of_floats, scene))
     for name, scene in scenes().items():
         for engine in [run_enclosed, *[run_free] * free_scene(scene)]:
             yield Run("balls", f"{name} {engine.__name__}", partial(in_balls, scene, engine), of_balls)
@@ -103,13 +101,13 @@ def scenes() -> dict[str, Scene]:
     return {name: scene for name, scene in found.items() if isinstance(scene, Scene)}
 
 
-def in_floats(scene: Scene, by: Any, wide: bool, size: float) -> Any:
-    found = run_kernel(scene, size * by, wide)
+def in_floats(scene: Scene, by: Any, size: float) -> Any:
+    found = run_kernel(scene, size * by)
     return None if found.modes is None else found
 
 
-def in_rows(scene: Scene, by: Any, name: str, size: float) -> Any:
-    found = run_in_rows(scene, name, moved(scene, in_stick(scene, size * by)))
+def in_rows(scene: Scene, by: Any, size: float) -> Any:
+    found = run_in_rows(scene, moved(scene, in_stick(scene, size * by)))
     return found if found.certain else None
 
 
@@ -174,10 +172,10 @@ def asked(frozen: Frozen, part: int = 0, of: int = 1) -> Iterator[tuple[str, str
             yield "answers", name, answers
     if part:
         return
-    for name, way in product(EXTREMES, ("float64", "double-double")):
+    for name in EXTREMES:
         with suppress(NumericsError):
-            found = solve(extreme_scene(name), arithmetic=way, max_events=EVENTS).accuracy
-            yield "rounded floats", f"{name} {way}", parts(found, "t y final energy energy_excess dissipated digits")
+            found = solve(extreme_scene(name), arithmetic="float64", max_events=EVENTS).accuracy
+            yield "rounded floats", f"{name} float64", parts(found, "t y final energy energy_excess dissipated digits")
     for name, found in batches():
         yield "answers", name, parts(found, "y event_t event_y energy_excess dissipated status events event_mode")
         errors_of_it = "y_error event_t_error event_y_error energy_excess_error dissipated_error digits"

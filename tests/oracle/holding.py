@@ -17,7 +17,6 @@ from oracle.reading import scene_of
 WAYS: dict[str, dict[str, Any]] = {
     "ball": {"arithmetic": "ball", "digits": 30, "max_digits": 1500},
     "float64": {"arithmetic": "float64"},
-    "double-double": {"arithmetic": "double-double"},
     "mpmath": {"arithmetic": "mpmath", "digits": 40},
     "default": {},
     "digits=12": {"digits": 12, "max_digits": 1500},
@@ -26,7 +25,7 @@ WAYS: dict[str, dict[str, Any]] = {
 """What solve is asked for."""
 RIGHT = {"ball": 29, "digits=12": 11, "digits=20": 19, "default": 6}
 """How many digits a ball must have, of its scale."""
-FIXED = {"float64", "double-double", "mpmath"}
+FIXED = {"float64", "mpmath"}
 """Those that do not climb: they may say that they are in doubt."""
 SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
 BITS = 5000
@@ -151,7 +150,7 @@ def bounds_of(found: Any, index: int, scales: list[arb]) -> list[Any]:
     if index >= 0:
         return [accuracy.t[index], *accuracy.y[index]]
     last = accuracy.t[-1] if not found.reached else 0.0
-    rounding = 2.0 ** (-50 if found.arithmetic.name == "float64" else -100)
+    rounding = 2.0**-50
     return [(scales[0] * rounding + last).upper(), *accuracy.final]
 
 
