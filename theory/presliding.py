@@ -16,7 +16,7 @@ from theory.symbols import b
 stiffness = Symbol("k", positive=True)  # N/m
 deflection = Symbol("delta", real=True)  # of that spring, m
 deflection_rate, slider_rate = symbols(r"\dot{\delta} s", real=True)  # m/s; their sum is v1 - v2
-variation = Symbol("V", nonnegative=True)  # total variation of the sign in Coulomb's law, dimensionless
+variation = Symbol("V", nonnegative=True)  # of friction over b in slips and sticks, dimensionless
 
 
 @cache

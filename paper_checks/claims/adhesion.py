@@ -64,7 +64,7 @@ _AFTER = (Mode.STICK, Mode.SLIP_MINUS, Mode.STICK, Mode.SLIP_PLUS)
         ),
         clause(
             "for-ever",
-            r"they stick and slip in turn for ever, with $|\dot z|\leqslant\beta$, «bound» mm/s, falling from slip to slip to 0 as $t\to\infty$.",
+            r"they stick and slip in turn without end, with $|\dot z|\leqslant\beta$, «bound» mm/s, falling from slip to slip to 0 as $t\to\infty$.",
             bound=Formula(r"\beta", "=...", Rational("2.320"), decimal(_later_speed)),
         ),
     ),
@@ -92,8 +92,8 @@ def synchronisation_time(
     return because(
         (
             f"Read as: no slip after about that time. At $t={float(time):g}$ s the bodies slip at {slipping} mm/s, almost the fastest that they ever slip after {ends} s. They stick first "
-            f"from {begins} s to {ends} s, again from {again} s, and so on for ever: no time of lasting synchronisation exists, and "
-            f"$\\dot z\\to 0$ only as $t\\to\\infty$. Under (11)–(12) read literally they stick for ever, but from {first_contact(friction)} s on. "
+            f"from {begins} s to {ends} s, again from {again} s, and so on without end: no time of lasting synchronisation exists, and "
+            f"$\\dot z\\to 0$ only as $t\\to\\infty$. Under (11)–(12) read literally they stick permanently, but from {first_contact(friction)} s on. "
             f"Forward Euler with steps of $10^{{-4}}$ s or $2\\cdot 10^{{-4}}$ s misses the first adhesion and first sticks at {euler} s "
             "(see euler-reproduces-figures): the printed 4.7 s may come from such a step."
         ),

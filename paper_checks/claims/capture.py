@@ -54,7 +54,7 @@ def leaves_above_critical() -> Steps:
     leaving = (signed(transversality(sign), "<") for sign in (1, -1))
     return (
         prove(
-            r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ runs monotonically to an edge",
+            r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ moves monotonically to an edge",
             [above, *within],
             sp.Ne(v1, 0, evaluate=False),
         ),
@@ -68,9 +68,9 @@ def leaves_above_critical() -> Steps:
 
 @cache
 def stick_is_a_motion() -> Evidence:
-    """The closed form of stick solves (3), (4), and E is constant along it."""
+    """The closed form of stick solves the stick mode of (3), (4), and E is constant along it."""
     return identity(
-        "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves (3), (4), and $\\dot E=0$ along it",
+        "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves the stick mode of (3), (4), and $\\dot E=0$ along it",
         [*residual(solution("stick", DampingRegime.UNDAMPED)), undamped(stick_rate())],
     )
 

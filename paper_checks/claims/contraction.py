@@ -59,7 +59,7 @@ def never_apart() -> Evidence:
 def one_solution() -> Evidence:
     """Existence by Filippov, uniqueness by the distance."""
     return argument(
-        r"The set-valued right side is bounded on bounded sets, convex and closed, and measurable in time: there is a solution. Two from one start have the distance $0$ for ever.",
+        r"The set-valued right side is bounded on bounded sets, convex and closed, and measurable in time: there is a solution. Two from the same initial state have the distance $0$ at all later times.",
         same_modes(),
         never_apart(),
         cites=("Filippov's theorem on existence",),
@@ -97,11 +97,11 @@ def friction_of_the_state() -> Evidence:
     return argument(
         r"""
         $b\sigma-\tilde b\tilde\sigma=b(\sigma-\tilde\sigma)+(b-\tilde b)\tilde\sigma$: the first part is that of one
-        friction, the second gains at most $|b-\tilde b|\,|\dot z-\dot{\tilde z}|$, with $a_2(x_1-\tilde
+        friction law, the second adds at most $|b-\tilde b|\,|\dot z-\dot{\tilde z}|$, with $a_2(x_1-\tilde
         x_1)^2\leqslant N^2$ and $(\dot z-\dot{\tilde z})^2\leqslant\kappa N^2$. A friction $F(\dot z)=b(|\dot
         z|)\,\sigma$ that falls by at most $\ell$ times the speed has $(F-\tilde F)(\dot z-\dot{\tilde
-        z})\geqslant-\ell(\dot z-\dot{\tilde z})^2$. Gronwall's inequality bounds $N$, or $N^2+(z-\tilde z)^2$ where
-        $b$ depends on $z$, so a start has one motion; there is one by Filippov's theorem.
+        z})\geqslant-\ell(\dot z-\dot{\tilde z})^2$. Gronwall's inequality bounds $N$, or $N^2+(z-\tilde z)^2$ where $b$
+        depends on $z$, so each initial state has at most one motion; it has one by Filippov's theorem.
         """,
         identity(
             r"$b\sigma-\tilde b\tilde\sigma$ in these two parts",
@@ -131,7 +131,7 @@ def braked() -> Evidence:
 def pieces_without_end() -> Evidence:
     """What holds up to each time holds for ever."""
     return argument(
-        r"Up to any time there are finitely many pieces, and one motion. That up to a later time is, up to the earlier one, the same: together they are one motion for all times, and rates and bounds hold at each.",
+        r"Up to any time there are finitely many pieces, and one motion. The motion up to a later time agrees with that up to an earlier one: together they are one motion for all times, and rates and bounds hold at each.",
         friction_in_time(),
     )
 
@@ -141,8 +141,8 @@ def friction_in_time() -> Evidence:
     """b enters the rates by its value only: b(t) changes none of them."""
     return argument(
         """
-        The equations of motion have $b$ and no rate of it, and $E$ and $N$ do not have it at all: at each time the
-        rates are those of a constant friction with that value, and both terms of the contraction keep their signs.
+        The equations of motion contain $b$ but not its rate, and $E$ and $N$ do not contain $b$: at each time the rates
+        are those of a constant friction with that value, and both terms of the contraction keep their signs.
         """,
         energy_rate(),
         never_apart(),
@@ -189,12 +189,12 @@ def _quotable() -> dict[Basic, Basic]:
     clause("distance", r"so their distance $N$ never grows.", kernel="forced-contraction"),
     clause(
         "unique",
-        r"For every force with a continuous impulse $\int u\,dt$ there is one solution from every start.",
+        r"For every force with a continuous impulse $\int u\,dt$ there is exactly one solution from every initial state.",
         kernel="forced-well-posed",
     ),
     clause(
         "forces",
-        r"Under two forces that are continuous but for jumps $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
+        r"Under two forces that are continuous except for jumps $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
         speed=Formula(
             m1 * (v1 - v1_other) ** 2,
             "<=",
@@ -205,21 +205,24 @@ def _quotable() -> dict[Basic, Basic]:
     ),
     clause(
         "interface",
-        r"With a friction $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, too, and the distance of two never grows.",
+        r"With a friction $b(t)>0$ that is constant on each of finitely many pieces of time there is exactly one solution from every initial state, too, and the distance of two never grows.",
         kernel="varying-contraction varying-well-posed",
     ),
     clause(
         "interface-rates",
-        r"The rate of the energy holds with $b(t)$ in the place of $b$, and the bound under two forces as it is,",
+        r"The rate of the energy holds with $b(t)$ in place of $b$, and the bound under two forces holds as it is,",
         kernel="varying-energy-rate varying-input-to-state",
     ),
     clause("interface-contraction", r"and so does the rate of $N^2$;"),
-    clause("interface-for-ever", r"all of it where there are finitely many pieces in every bounded time, without end."),
+    clause(
+        "interface-for-ever",
+        r"all of it also where there are infinitely many pieces, finitely many in every bounded time interval.",
+    ),
 )
 def forced_contraction() -> Case:
     """The force cancels in the distance of two solutions."""
     return because(
-        "Two motions under one force never move apart: it cancels in their distance. A friction that depends on the place would not: the friction of one solution is then not a monotone function of its own relative velocity alone.",
+        "Under any force the flow is non-expansive in the energy norm: the force cancels in the difference of two motions. Friction that depends on position would not cancel: the friction of one solution is then not a monotone function of its own relative velocity alone.",
         carried("rate", filippov.never_apart()),
         carried("interface-contraction", friction_in_time()),
         carried("interface-for-ever", pieces_without_end()),

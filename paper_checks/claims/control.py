@@ -42,7 +42,7 @@ FIRST_PLACE, WAY_START = Symbol("{x_1(0)}", real=True), Symbol(r"{x_{\mathrm{ref
 @claim(
     "one-active-one-passive",
     "Abstract",
-    "abstract, sixth sentence",
+    "abstract, sixth sentence; I, first paragraph",
     HOLDS,
     clause(
         "freedoms",
@@ -53,7 +53,7 @@ def one_active_one_passive() -> Case:
     """Where the force stands in the equations of motion."""
     field = forced.forced_system(sigma)
     return because(
-        "The force acts on body 1 alone. Body 2 feels nothing but friction, which is never more than b: it moves only as the interface lets it.",
+        "The force acts on body 1 alone. Nothing but friction acts on body 2, and friction is at most b.",
         carried(
             "freedoms",
             argument(
@@ -83,11 +83,10 @@ def target_or_set_point() -> Case:
     """Which targets and which set-points there are."""
     return because(
         r"""
-        Not judged: a statement about the literature. Checked beside it was what it takes for granted, that there is
-        such control and that a set-point is the simpler of the two. From rest every set-point can be reached, in no
-        less than $2\sqrt{m_2D/b}$, and held; a target trajectory can be followed exactly if it never asks for more
-        acceleration than $b/m_2$. At just $b/m_2$ that is so under Coulomb's law, which (3)–(4) then are not; below it
-        under both.
+        Not judged: a statement about the literature. What it presupposes was checked: that such control exists, and
+        that a set-point is the simpler task. From rest every set-point can be reached, in no less than
+        $2\sqrt{m_2D/b}$, and held; a target trajectory can be followed exactly if it never requires more acceleration
+        than $b/m_2$. At exactly $b/m_2$ this holds under Coulomb's law, but not under (3)–(4); below it, under both.
         """,
         transfers.followed().as_support(),
         transfers.least_time().as_support(),
@@ -100,8 +99,8 @@ def target_or_set_point() -> Case:
     clause(
         "iff",
         r"""
-        Let «place» and «speed». Under Coulomb's law, from a suitable start of body 1, some force makes body 2 follow
-        the velocity $\dot x_{\mathrm{ref}}$ exactly if «gentle» for all times $t_1$, $t_2$: no force gives body 2
+        Let «place» and «speed». Under Coulomb's law, from a suitable initial state of body 1, some force makes body 2
+        follow the velocity $\dot x_{\mathrm{ref}}$ exactly if «gentle» for all times $t_1$, $t_2$: no force achieves
         more.
         """,
         place=equal(r"x_{\mathrm{ref}}(0)", PLACE_START, lambda: control.followed_start()[0], lambda: START),
@@ -120,7 +119,7 @@ def target_or_set_point() -> Case:
     ),
     clause(
         "sticks",
-        r"While «slower» the pair must stick. So where that is so at the start, body 1 has to start with $v_1(0)=v_2(0)$.",
+        r"While «slower» the pair must stick. So where that holds at the start, $v_1(0)=v_2(0)$ is necessary.",
         slower=sharp(Abs(WAY_BEND), "<", b / m2, lambda: (Abs(WAY_BEND), "<", control.strongest())),
         kernel="must-stick",
     ),
@@ -144,7 +143,7 @@ def target_or_set_point() -> Case:
 def trackable_references() -> Case:
     """Friction is the only force on body 2."""
     return because(
-        "Body 2 can follow exactly the references that ask for no more than friction can give: that is all that the interface can pass on. Each is followed by a pair that sticks, under a force that can be written down.",
+        "Body 2 can follow exactly the references that require no more force than the interface can transmit. A pair that sticks follows each of them, under an explicit force.",
         carried("literal", signum.stuck_below_the_limit()),
         carried("force", transfers.stuck_force()),
     )
@@ -172,17 +171,17 @@ def trackable_references() -> Case:
     ),
     clause(
         "least",
-        r"From rest to rest over $D>0$ it takes at least «time», and under Coulomb's law that is attained by a pair that sticks at the limit, $|\Lambda|=b$.",
+        r"From rest to rest over $D>0$ it takes at least «time», and under Coulomb's law a pair that sticks at the limit, $|\Lambda|=b$, attains that.",
         time=equal("T", 2 * sqrt(m2 * path / b), control.least_time),
         kernel="least-time least-time-attained",
     ),
     clause(
         "literal",
-        r"(3)–(4) do not have that motion (sgn-three-valued); under them a stuck pair does it in every longer time.",
+        r"(3)–(4) do not have that motion (sgn-three-valued); under them a stuck pair achieves it in every longer time.",
     ),
     clause(
         "stuck",
-        r"From $x_1(0)=0$ that stuck transfer, and to stay, needs $|u|$ up to the largest of «turn», «hold», and, if «late», of «peak».",
+        r"From $x_1(0)=0$ that stuck transfer, and staying there, needs $|u|$ up to the largest of «turn», «hold», and, if «late», of «peak».",
         turn=equal(
             "u_1",
             b * MASS / m2 + a1 * sqrt(b * path / m2) + a2 * path / 2,
@@ -200,10 +199,10 @@ def trackable_references() -> Case:
     clause(
         "slip",
         r"""
-        To arrive the pair may slip. Let «half», and let $g$, the place of body 1 on its spring and damper after
-        a unit impulse, not fall on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time
+        The pair may slip on the way. Let «half», and let $g$, the position of body 1 on its spring and damper after a
+        unit impulse, be nondecreasing on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time
         $2t_{1/2}$ under some $|u|\leqslant U$ exactly if $U\geqslant U_{\min}$, «least» with $g=g(t_{1/2})$. Under
-        Coulomb's law body 1 can be at rest then, too, if the pair may stick at the limit through the second half under
+        Coulomb's law body 1 can be at rest then, too, if the pair can stick at the limit through the second half under
         such a force.
         """,
         half=equal(HALF, sqrt(m2 * path / b), lambda: control.least_time() / 2),
@@ -225,8 +224,8 @@ def trackable_references() -> Case:
     clause(
         "weak",
         """
-        For a weak force, $a_1=0$, «weak» and «held», «share», nothing breaks the stuck pair in time, and from rest at
-        $x_1=0$ to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
+        For a weak force, $a_1=0$, «weak» and «held», «share», no such force breaks adhesion in that time, and from rest
+        at $x_1=0$ to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
         angle, $-U$ over the second.
         """,
         weak=sharp(
@@ -250,13 +249,13 @@ def trackable_references() -> Case:
         ),
     ),
     open=(
-        "The least time of a transfer for forces between the weak ones and those that attain the bound, and for weak forces with $a_2D>U$ or with a damper.",
+        "The minimum transfer time for forces between the weak ones and those that attain the bound, and for weak forces with $a_2D>U$ or with a damper.",
     ),
 )
 def minimum_transfer_time() -> Case:
     """A bound for every control, and what attaining it costs."""
     return because(
-        "The least time is set by the interface alone, whatever the force. How strong a force must be is another matter: body 1 can run ahead of body 2 through the first half and be met at half time, which takes less than to stick all the way.",
+        "The minimum time is set by the interface alone, whatever the force. The force amplitude needed is another matter: if body 1 slips ahead of body 2 in the first half, and both have the same velocity at half time, less is needed than if the pair sticks all the way.",
         carried("literal", signum.stuck_below_the_limit()),
         carried("weak", transfers.weak_force()),
         derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),

@@ -70,9 +70,9 @@ def merges_or_creeps() -> Evidence:
     """Merging in finite time, or the critical orbit."""
     return argument(
         r"""
-        If $E\leqslant E_{cr}$ at some time, the next contact with $S$, within a bounded time, is in $S_0$, and the
-        pair sticks from there on for ever: it merges. Otherwise $\frac{1}{2}aR^2=\lim E\geqslant
-        E_{cr}=\frac{1}{2}aL^2$, so $R=L$: the trajectory tends to one motion on the critical ellipse.
+        If $E\leqslant E_{cr}$ at some time, the next contact with $S$, within a bounded time, is in $S_0$, and the pair
+        sticks from then on: it merges. Otherwise $\frac{1}{2}aR^2=\lim E\geqslant E_{cr}=\frac{1}{2}aL^2$, so $R=L$:
+        the trajectory tends to one motion on the critical ellipse.
         """,
         each_turn_has_a_cost(),
         contact_again(),
@@ -99,8 +99,8 @@ def stays_stuck() -> Evidence:
     """On S with E <= E_cr sticking for ever is a solution, and the only one."""
     return argument(
         """
-        Sticking on the ellipse is a solution, as it needs no more force than friction gives; no other one starts
-        there, as two solutions never move apart.
+        Sticking on the ellipse is a solution, as it needs no more force than friction gives; no other one starts there,
+        as the flow is non-expansive.
         """,
         capture.stays_below_critical(),
         capture.stick_is_a_motion(),
@@ -134,8 +134,8 @@ def infinitely_many_crossings() -> Case:
         r"""
         Solutions exist for all time (the set-valued field is bounded on the level sets of $E$, which never grows). A
         stay in $\Omega_+$ or $\Omega_-$ lasts at most $2\sqrt{2Em_2}/b$, since there $v_2$ changes at a constant rate
-        and is bounded by the energy. So the times at which a trajectory is on $S$ have no last one; one that sticks
-        is on $S$ at every instant.
+        and is bounded by the energy. So there is no last time at which a trajectory is on $S$; one that sticks is on
+        $S$ at every instant.
         """,
         carried("crossings", contact_again()),
         derivation=(
@@ -166,7 +166,7 @@ def dichotomy(seed: int) -> Case:
         If $E\leqslant E_{cr}$ at some time, the next contact with $S$, which comes within a bounded time, is in $S_0$
         and is never left: the trajectory merges. Otherwise the pair, turned back by the angle $\Omega t$ of stick,
         converges, as only slip moves it and slip costs energy: it tends to one rotation of a radius $R$. Beyond $L$
-        each turn would cost a fixed energy, so $R=L$: it tends to one motion on the critical ellipse.
+        each turn would dissipate a fixed energy, so $R=L$: it tends to one motion on the critical ellipse.
         """,
         carried("dichotomy", merges_or_creeps()),
         identity(r"on $S_0$, $\dot E=0$: the level sets there are orbits", undamped(stick_rate())),
@@ -180,8 +180,8 @@ def dichotomy(seed: int) -> Case:
             v_2|\geqslant a\delta/m_1$; a rotation of a radius beyond $L$ would slip a fixed path in every turn.
             """,
             r"""
-            Step 4 (capture): on $S$ with $E\leqslant E_{cr}$ the pair sticks for ever; two solutions never move
-            apart, so this is the only one. No limit sets, no compactness: the motion itself converges.
+            Step 4 (capture): on $S$ with $E\leqslant E_{cr}$ the pair sticks permanently; the flow is non-expansive, so
+            this is the only solution. No limit sets and no compactness are needed: the motion itself converges.
             """,
         ),
     )
@@ -208,7 +208,7 @@ def relative_displacement_limit() -> Case:
         carried(
             "limit",
             argument(
-                "The path of $x_1-x_2$ has the length $\\int|v_1-v_2|\\,dt\\leqslant E(0)/b$: a path of finite length has an end.",
+                "The path of $x_1-x_2$ has the length $\\int|v_1-v_2|\\,dt\\leqslant E(0)/b$: a path of finite length converges.",
                 *capture.energy_decreases(),
             ),
         ),
@@ -234,17 +234,16 @@ def global_stability() -> Case:
     """Stability by contraction, attraction by the dichotomy."""
     return because(
         """
-        As no two solutions move apart in the energy norm, the distance of a trajectory to it never grows (stability),
-        and by the dichotomy it tends to 0 (attraction). The same shows that every single periodic orbit is stable;
-        none attracts on its own. The statement is about $(x_1,v_1,v_2)$: $x_2$ drifts to a limit.
+        As the flow is non-expansive in the energy norm, the distance of a trajectory to it never grows (stability), and
+        by the dichotomy it tends to 0 (attraction). The same shows that every single periodic orbit is stable; none is
+        attracting by itself. The statement is about $(x_1,v_1,v_2)$: $x_2$ drifts to a limit.
         """,
         carried(
             "stable",
             argument(
                 """
-                The distance to the set never grows, as each of its orbits is a solution and no two solutions move
-                apart; and it tends to 0, as every trajectory merges with one of these orbits or tends to the critical
-                one.
+                The distance to the set never grows, as each of its orbits is a solution and the flow is non-expansive;
+                and it tends to 0, as every trajectory merges with one of these orbits or tends to the critical one.
                 """,
                 *capture.contraction(),
                 capture.stick_is_a_motion(),

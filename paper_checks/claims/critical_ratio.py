@@ -163,7 +163,7 @@ def _critical_ratio() -> arb:
     ),
     clause(
         "lighter",
-        r"If $m_1/m_2<\mu^*$, an interval of energies on $S_0$ merges where the pair first meets $S$ after it left $S_0$, and some energy does if they are equal:",
+        r"If $m_1/m_2<\mu^*$, the pair merges where it first meets $S$ after it left $S_0$ from an interval of energies on $S_0$, and from some energy if they are equal:",
         kernel="merging-set",
     ),
     clause("equal", r"then just one.", kernel="merging-set"),
@@ -172,13 +172,13 @@ def mass_ratio() -> Case:
     """The least excess after any slip from S touches zero at one slip from the ray, for one share."""
     return because(
         r"""
-        Slips from $S$ above $E_{cr}$ can merge only if $m_1/m_2\leqslant-\cos\theta^*$, which is $0.79263\ldots$:
-        heavier driving bodies never merge after their first contact. For $r=r^*$ the least excess after a slip from
-        $S$ is that on the ray for angles up to $\theta_1$ and from $\theta^*$ on, where $2r^*\sin^2\varphi\leqslant
-        1$; there $y'$ rises from $0$ at $\theta=0$, and from $c^2(R^2-r^*)=0$ at $\theta^*$. In between it is $\min_T
-        w'$, which falls to the same $0$ at $\theta^*$. So $w'\geqslant 0$, with equality at one slip from the ray. As
-        $w'$ falls with $r$, it is positive after every slip from $S$ for $r<r^*$, and negative after that one for
-        $r>r^*$.
+        Slips from $S$ above $E_{cr}$ can merge only if $m_1/m_2\leqslant-\cos\theta^*$, which is $0.79263\ldots$: pairs
+        with a heavier driving body never merge after their first contact. For $r=r^*$ the least excess after a slip
+        from $S$ is that on the ray for angles up to $\theta_1$ and from $\theta^*$ on, where
+        $2r^*\sin^2\varphi\leqslant 1$; there $y'$ rises from $0$ at $\theta=0$, and from $c^2(R^2-r^*)=0$ at
+        $\theta^*$. In between it is $\min_T w'$, which falls to the same $0$ at $\theta^*$. So $w'\geqslant 0$, with
+        equality at one slip from the ray. As $w'$ falls with $r$, it is positive after every slip from $S$ for $r<r^*$,
+        and negative after that one for $r>r^*$.
         """,
         *one_turning_point(),
         derivation=(
@@ -191,10 +191,10 @@ def mass_ratio() -> Case:
             critical point of $w'$ in both variables, so a sign of the derivative there would prove nothing; its
             factors $1-2r\sin^2\varphi$ and $\varphi-r(\varphi-\sin\varphi\cos\varphi)$ do.
             """,
-            "At $r=r^*$ itself one energy merges by its first slip: from $w=q\\,h(\\theta^*)^2$ on a ray the pair lands on $E=E_{cr}$ inside $S_0$. Others come to that $w$ after some slips.",
+            "At $r=r^*$ itself one energy merges by its first slip: from $w=q\\,h(\\theta^*)^2$ on a ray the pair lands on $E=E_{cr}$ inside $S_0$. Others reach that $w$ after some slips.",
             r"""
             So for $r<r^*$ a trajectory in the whole state space merges exactly if $E\leqslant E_{cr}$ where it first
-            meets $S$; it then sticks there for ever. Otherwise it sticks up to a ray or slips on from $S$, with
+            meets $S$; it then sticks there permanently. Otherwise it sticks up to a ray or slips on from $S$, with
             $E>E_{cr}$ after each slip, and tends to $E_{cr}$ by the dichotomy.
             """,
         ),

@@ -58,7 +58,7 @@ def readings_part() -> Steps:
     literal, filippov = solved(load_scene("start-at-6mm-literal")), solved(load_scene("start-at-6mm"))
     apart = abs(literal.sol(COMPARED_AT)[2] - filippov.sol(COMPARED_AT)[2])
     return (
-        stuck_for_ever("from the start of Fig. 4 (a), (11)–(12) read literally stick for ever", literal),
+        stuck_for_ever("from the start of Fig. 4 (a), (11)–(12) read literally stick permanently", literal),
         itinerary("Filippov's solution slips at once, then sticks", filippov, [Mode.SLIP_MINUS, Mode.STICK]),
         compare("at $t=0.2$ s their values of $x_2$ are more than 0.4 mm apart", apart, ">", exact(APART)),
     )
@@ -95,7 +95,7 @@ def same_fields() -> Steps:
     correction=(
         clause(
             "same",
-            r"(2)–(4) with $a_1=u=0$ have the same solutions as (5)–(7) in Filippov's sense, one from each start.",
+            r"(2)–(4) with $a_1=u=0$ have the same solutions as (5)–(7) in Filippov's sense, one from each initial state.",
             kernel="switching-iff filippov-well-posed",
         ),
         clause(
@@ -116,16 +116,16 @@ def two_descriptions() -> Case:
     )
     return because(
         """
-        The two readings describe the same motion for (2)–(4) with $u=0$, and not beyond. There the stiction bracket
-        makes them agree. Under a force that holds the load at the limit $b$ of a stuck pair (3)–(4) have no solution;
-        and for (11)–(12), where the bracket is dropped, they part. There the three-valued signum (1) lets the bodies
-        stick beyond $S_0$, where friction cannot hold them: that is a different law, and the convergence shown for
-        the Filippov system says nothing about such solutions. Both agree until the pair first meets $S$ outside
+        The two readings describe the same motion for (2)–(4) with $u=0$, where the stiction bracket makes them agree,
+        and not beyond. Under a force that holds the load of a stuck pair at the limit $b$, (3)–(4) have no solution;
+        and for (11)–(12), where the bracket is dropped, the readings differ. There the three-valued signum (1) lets the
+        bodies stick beyond $S_0$, where friction cannot hold them: that is a different law, and the convergence shown
+        for the Filippov system says nothing about such solutions. Both agree until the pair first meets $S$ outside
         $S_0$, or leaves $S_0$ by a ray.
         """,
         counterexample(
             (
-                "Fig. 4 (a), $x_1(0)=0.006$, $b=0.5$, at rest: read literally, (11)–(12) stick for ever and give "
+                "Fig. 4 (a), $x_1(0)=0.006$, $b=0.5$, at rest: read literally, (11)–(12) stick permanently and give "
                 f"$x_2(0.2)=$ {text(literal)} m; the Filippov law, and (3)–(4), slip at once and give {text(filippov)} m."
             ),
             *readings_part(),
@@ -139,7 +139,7 @@ def two_descriptions() -> Case:
         carried(
             "example",
             argument(
-                "In slip and on $S_0$ (11)–(12) have Filippov's accelerations, so his solutions satisfy them; a stick that is kept beyond $S_0$ is another solution.",
+                "In slip and on $S_0$ (11)–(12) have Filippov's accelerations, so Filippov solutions satisfy them; a stick that is kept beyond $S_0$ is another solution.",
                 *same_fields(),
                 *readings_part(),
             ),
@@ -190,7 +190,7 @@ def acceleration_bound() -> Case:
     rest = [one for one in branches() if one.name in ("half adhesion", "broken adhesion")]
     return because(
         r"""
-        What the control can demand of body 2 is bounded by friction: $|\ddot x_2|\leqslant b/m_2$ in every mode under
+        What a control can achieve on body 2 is bounded by friction: $|\ddot x_2|\leqslant b/m_2$ in every mode under
         the Filippov law and (3)–(4), attained throughout slip. The equation $\ddot x_1=\ddot x_2$ of (13) is not that
         bound: in slip $|\ddot x_2|$ exceeds $|\ddot x_1|$ when the driving body passes its rest position. Under
         (11)–(12) read literally nothing bounds $|\ddot x_2|=100\,|x_1|$ in stick.

@@ -131,7 +131,7 @@ REST = (
     """,
     r"""
     From some time on $E$ is below the captive level. A slip ends in finite time on $S$, where the level lies in the
-    strip $|a_2x_1+a_1v_1|\leqslant b(m_1+m_2)/m_2$; the pair sticks there and, as $E$ does not grow, for ever.
+    strip $|a_2x_1+a_1v_1|\leqslant b(m_1+m_2)/m_2$; the pair sticks there and, as $E$ does not grow, permanently.
     """,
 )
 

@@ -85,14 +85,14 @@ def below_non_stop() -> Evidence:
     """Whatever slips for ever by halves of the force's period makes a motion that is its own negative half a period later."""
     return argument(
         r"""
-        Let $\dot z>0$ for half a period, $T/2=\pi/\omega$, and $\dot z<0$ for the next, for ever. Friction is the
+        Let $\dot z>0$ for half a period, $T/2=\pi/\omega$, and $\dot z<0$ for the next, and so on. Friction is the
         square wave then. If $a_1>0$ or $\omega_1/\omega$ is no integer, the motion is one of the period $T$ and a free
-        oscillation of body 1, and the mean of its shifts by $T,2T,\ldots$ takes the latter away: what is left has the
-        same friction, $\dot z\geqslant 0$ and $\dot z\leqslant 0$. If $\omega_1/\omega$ is even it has the period $T$
+        oscillation of body 1, and the mean of its shifts by $T,2T,\ldots$ removes the latter: what remains has the same
+        friction, $\dot z\geqslant 0$ and $\dot z\leqslant 0$. If $\omega_1/\omega$ is even it has the period $T$
         itself. Half of the difference between that and itself half a period later has the same friction and, as
-        $u(t+T/2)=-u(t)$, the same force, and is its own negative half a period later. At its turn
-        $\Lambda\geqslant b$, which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$. For a motion of the
-        period $T$ itself this is the kernel's theorem, whose condition $A>0$ is $-c_*>0$.
+        $u(t+T/2)=-u(t)$, the same force, and is its own negative half a period later. At its turn $\Lambda\geqslant b$,
+        which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$. For a motion of the period $T$ itself this
+        is the kernel's theorem, whose condition $A>0$ is $-c_*>0$.
         """,
         square_wave(),
         non_stop(),
@@ -161,9 +161,9 @@ def _gain() -> Expr:
 
 
 OPEN = (
-    "For $a_1=0$ and $U\\leqslant U_*$, whether every motion tends to one that sticks for ever.",
+    "For $a_1=0$ and $U\\leqslant U_*$, whether every motion tends to one that sticks permanently.",
     "At which amplitudes between $U_*$ and $U_{**}$ a motion with two stops exists; at that of the example above there is none. Where one does, it is the only motion of the force's period for $a_1>0$, and for $a_1=0$ if $\\omega_1t_s\\notin 2\\pi\\mathbb Z$ (forced-periodic-response); for other $t_s$ without a damper there may be several.",
-    "Motions that slip for ever and turn at other times than after each half period of the force are not treated but for this example: from which amplitude on there are any, with a damper or without, is open.",
+    "Motions that slip permanently and turn at other times than after each half period of the force are not treated except in this example: from which amplitude on they exist, with or without a damper, is open.",
 )
 LIGHT = Scene(Pair(m1="0.1", m2=1, a1="0.02", a2=90, b="0.01"), State(), 1, force=Force.sine(1, 10))
 """A light damper, and a body 1 alone of three times the frequency of its force: U** is far above the amplitudes at which stops end."""
@@ -196,8 +196,8 @@ def _above_six_turns() -> arb:
     clause(
         "stuck",
         r"""
-        Let $u=U\sin\omega t$ and $a_1>0$. Some motion sticks for ever exactly if $U\leqslant U_*$, «threshold». Then
-        every motion tends to the stuck response, and if $U<U_*$, it sticks for ever after a finite time.
+        Let $u=U\sin\omega t$ and $a_1>0$. Some motion sticks permanently exactly if $U\leqslant U_*$, «threshold». Then
+        every motion tends to the stuck response, and if $U<U_*$, it sticks permanently after a finite time.
         """,
         threshold=equal(
             "U_*",
@@ -209,9 +209,9 @@ def _above_six_turns() -> arb:
     clause(
         "undamped",
         r"""
-        For $a_1=0$ some motion sticks for ever exactly if $U\leqslant U_*$, «threshold», unless «pace» is an odd
-        multiple of $\omega$. If $\Omega=n\omega$, $n=3,5,\ldots$, some do exactly if $U\leqslant U_n$, «harmonic», as
-        a free oscillation flattens the peaks of $\ddot x_1$; if $\Omega=\omega$, none does for $U>0$.
+        For $a_1=0$ some motion sticks permanently exactly if $U\leqslant U_*$, «threshold», unless «pace» is an odd
+        multiple of $\omega$. If $\Omega=n\omega$, $n=3,5,\ldots$, some do exactly if $U\leqslant U_n$, «harmonic», as a
+        free oscillation flattens the peaks of $\ddot x_1$; if $\Omega=\omega$, none does for $U>0$.
         """,
         threshold=equal(
             "U_*",
@@ -225,7 +225,7 @@ def _above_six_turns() -> arb:
         "letters",
         """
         Let «decline», «ringing» (positive or imaginary) and «left». Body 1 alone has the gain «gain», and under a
-        square wave of 1 N, where its sign turns to $1$, the place and the velocity «place» and «speed».
+        square wave of 1 N, where its sign changes to $1$, the position «place» and the velocity «speed».
         """,
         decline=equal(decline, a1 / (2 * m1), lambda: response.rates()[0]),
         ringing=equal(
@@ -270,14 +270,14 @@ def _above_six_turns() -> arb:
     clause(
         "halves",
         """
-        A motion of the force's period that slips for ever, one way for half a period and then the other way, exists
+        A motion of the force's period that slips permanently, one way for half a period and then the other way, exists
         exactly if one that is its own negative half a period later does; each for some phase of the force.
         """,
         kernel="nonstop-by-halves",
     ),
     clause(
         "below",
-        r"Below $U_{**}$ no motion slips for ever, one way for half a period of the force and then the other way, whatever its own period is, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
+        r"Below $U_{**}$ no motion slips permanently, one way for half a period of the force and then the other way, whatever its own period is, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
     ),
     clause(
         "over-damped",
@@ -286,7 +286,7 @@ def _above_six_turns() -> arb:
     clause(
         "more-turns",
         r"""
-        A motion that turns more often may do with less. For $m_1=0.1$, $m_2=1$, $a_1=0.02$, $a_2=90$, $b=0.01$ and
+        A motion that turns more often may need less. For $m_1=0.1$, $m_2=1$, $a_1=0.02$, $a_2=90$, $b=0.01$ and
         $\omega=10$, with «threshold» N, every motion tends at $U=1$ N to one that never stops and turns six times in
         each period: so none of this period has two stops.
         """,
@@ -346,7 +346,7 @@ def _above_six_turns() -> arb:
 def entrainment_threshold() -> Case:
     """Stuck, two stops, and no stop."""
     return because(
-        "The amplitude up to which the pair may stick for ever is a closed form, and so is that below which no motion of the force's period slips for ever with two reversals. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
+        "The amplitude up to which the pair can stick permanently has a closed form, and so has that below which no motion of the force's period slips permanently with two reversals. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
         carried("undamped", undamped_stuck()),
         carried("letters", square_wave()),
         carried("below", below_non_stop()),

@@ -40,7 +40,7 @@ def euler_reproduces_figures() -> Case:
             "Forward Euler does give what the figures show, but by two different laws. Fig. 4 (a) is the stuck solution "
             "of (11)–(12) read literally, kept because the run starts at $\\dot z=0$ exactly; Fig. 4 (b) and Fig. 5 are chatter about "
             "$\\dot z=0$, which no step ever meets, and this chatter imitates Filippov's sliding, not the branch sgn = 0 of (11)–(12), "
-            "which would stick for ever at the first contact. And the step matters: in Fig. 5 (a) a step of 0.01 s makes the "
+            "which would stick permanently at the first contact. The step matters, too: in Fig. 5 (a) a step of 0.01 s makes the "
             f"oscillation grow, {_listed(sticks)}, and only a smaller step finds the true {true} s. The printed 4.7 s is near what the two smallest of these steps give."
         ),
         counterexample(
@@ -48,7 +48,7 @@ def euler_reproduces_figures() -> Case:
                 f"The paper's own scene of Fig. 5 (a): (11)–(12) read literally stick from {contact} s on; Euler with the step "
                 f"$10^{{-4}}$ s has $\\dot z\\neq 0$ at each of its {fine.steps} steps and first chatters at {sticks[Fraction('1e-4')]} s."
             ),
-            stuck_for_ever("the solution of (11), (12) with sgn(0) = 0 from Fig. 5 sticks for ever", literal),
+            stuck_for_ever("the solution of (11), (12) with sgn(0) = 0 from Fig. 5 sticks permanently", literal),
             within("from its first contact on, at (s)", literal.events[0].t, "0.106886", "0.106887"),
             *(_never_meets(), _grows(), *_misses()),
         ),

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from paper_checks.claims import energy as dissipation
 from paper_checks.claims.filippov import bracket_is_off_in_slip
 from paper_checks.claims.points import PULL, START_AT_6MM
 from paper_checks.claims.words import *
@@ -107,7 +108,7 @@ def example_reduction() -> Case:
         r"""
         (12) follows from (4) for $\dot z\neq 0$, but at $\dot z=0$ only where $|\ddot x_1|<b$, that is $|x_1|<b/100$;
         (11) follows from (3) without a condition. Elsewhere on $\dot z=0$ the second bracket of (4) leaves body 2
-        without acceleration, or at equality with half of it, while (12) makes it stick whatever force that takes.
+        without acceleration, or at equality with half of it, while (12) makes it stick whatever force that requires.
         """,
         counterexample(
             (
@@ -162,7 +163,7 @@ def example_reduction() -> Case:
 @claim(
     "example-two-modes",
     "IV",
-    "eqs. (13), (14)",
+    "eqs. (13), (14); before (13)",
     HOLDS,
     clause(
         "first",
@@ -181,8 +182,11 @@ def example_reduction() -> Case:
         "together",
         r"""
         In the first the system behaves as a pair of synchronized undamped harmonic oscillators with
-        $x_1-x_2=\mathrm{const}$ and $\dot{x}_1=\dot{x}_2$.
+        $x_1-x_2=\mathrm{const}$ and $\dot{x}_1=\dot{x}_2$;
         """,
+    ),
+    clause(
+        "sliding", r"in the other the second mass slides with respect to the first one and, thus, dissipates energy."
     ),
 )
 def example_two_modes() -> Case:
@@ -203,6 +207,7 @@ def example_two_modes() -> Case:
             identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),
         ),
+        carried("sliding", dissipation.energy_rate(), dissipation.energy_never_grows()),
         derivation=(
             f"(13): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(0))}$$",
             *(

@@ -157,8 +157,8 @@ def creeps_for_ever() -> Evidence:
     return argument(
         r"""
         On $S_0$ above $E_{cr}$ the pair sticks up to a ray. From there with $w\leqslant q(\pi/2-1)^2$ every excursion
-        ends inside $S_0$ with $0<w'<w$, by induction without end; so $E>E_{cr}$ for ever, and the trajectory tends to
-        the critical orbit.
+        ends inside $S_0$ with $0<w'<w$, by induction without end; so $E>E_{cr}$ permanently, and the trajectory tends
+        to the critical orbit.
         """,
         *capture.leaves_above_critical(),
         *angle_of_excursion(),

@@ -29,8 +29,8 @@ ARGUMENT = (
     strip at isolated times only, since the load has no double zero there. So it meets (3), (4) at almost every time.
     """,
     """
-    Existence is Filippov's theorem (the set-valued right side is bounded on bounded sets, convex and closed). Two
-    solutions never move apart in the energy norm, so forward in time there is only one.
+    Existence is Filippov's theorem (the set-valued right side is bounded on bounded sets, convex and closed). The flow
+    is non-expansive in the energy norm, so forward in time there is only one.
     """,
 )
 
@@ -88,7 +88,7 @@ def _share(name: str) -> Rational:
 
 @cache
 def spurious_branch(name: str) -> Evidence:
-    """The relative acceleration in a branch of z' = 0 that the text omits."""
+    """The relative acceleration in a branch of z' = 0 that is no mode of the text."""
     found, share = branch_named(name), _share(name)
     return identity(
         f"in the branch with {name}, $\\ddot z={share}\\cdot\\ddot x_1$",
@@ -146,7 +146,7 @@ def never_apart() -> Evidence:
     return prove(
         r"""
         $-(\sigma-\tilde\sigma)(\dot z-\dot{\tilde z})\leqslant 0$ for all $\sigma\in\mathrm{Sign}(\dot z)$,
-        $\tilde\sigma\in\mathrm{Sign}(\dot{\tilde z})$ (here $s,h$ and $w,k$): two solutions never move apart
+        $\tilde\sigma\in\mathrm{Sign}(\dot{\tilde z})$ (here $s,h$ and $w,k$): the flow is non-expansive
         """,
         [set_valued_sign(first, relative), set_valued_sign(second, other)],
         signed(friction, "<="),
@@ -251,16 +251,15 @@ def filippov_equivalence() -> Case:
     inside = signed(x1**2 - half_width() ** 2, "<")
     return because(
         r"""
-        Read with the three-valued signum of eq. (1), which the text prefers, (5)–(7) has no solution through the
-        interior of $S_0$ with $x_1\neq 0$; read in Filippov's sense, as Section III does, it has the same solutions
-        as (2)–(4). With sgn(0) = 0 a solution would have to stay on $S$, but its accelerations differ there. On $S$
-        outside the open strip the right sides of (3)–(4) and of Filippov's system differ too, at isolated instants
-        only.
+        With the three-valued signum of eq. (1), which the text prefers, (5)–(7) has no solution through the interior of
+        $S_0$ with $x_1\neq 0$; in Filippov's sense, as in Section III, it has the same solutions as (2)–(4). With
+        sgn(0) = 0 a solution would have to stay on $S$, but its accelerations differ there. On $S$ outside the open
+        strip the right sides of (3)–(4) and of Filippov's system differ too, at isolated instants only.
         """,
         counterexample(
             r"""
-            $m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (5)–(7) with sgn(0) = 0 asks for
-            $\dot v_1=-0.8$, $\dot v_2=0$ on $S$ and for a return to $S$ off it.
+            $m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (5)–(7) with sgn(0) = 0 requires
+            $\dot v_1=-0.8$, $\dot v_2=0$ on $S$, and off $S$ leads back to it.
             """,
             identity(
                 "with sgn(0) = 0 in (5)–(7), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",

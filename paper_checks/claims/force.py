@@ -39,9 +39,9 @@ AT_REST = {**EXAMPLE_PAIR, u: Rational("0.01"), x1: Rational("0.00005")}
         clause(
             "input",
             r"""
-            With the feedback $-k_1(x_1-x_{\mathrm{ref}})-k_2(v_1-\dot x_{\mathrm{ref}})$ and a disturbing force
-            $u_d$, (3) and (4) hold with $a_2+k_1$, $a_1+k_2$ in the places of $a_2$, $a_1$ and «input»: the reference
-            enters through the gains, as a force.
+            With the feedback $-k_1(x_1-x_{\mathrm{ref}})-k_2(v_1-\dot x_{\mathrm{ref}})$ and a disturbing force $u_d$,
+            (3) and (4) hold with $a_2+k_1$, $a_1+k_2$ in place of $a_2$, $a_1$ and with «input»: the reference enters
+            through the gains, as a force.
             """,
             input=equal(
                 "u",
@@ -55,8 +55,8 @@ def force_as_reference_or_disturbance() -> Case:
     """Put a feedback into (3), and a reference in the place of the force."""
     return because(
         """
-        Feedback terms do join spring and damper, and what is left is an exogenous force. A reference trajectory is a
-        place in m, though, and $u$ a force in N: the reference enters as the force that the gains make of it.
+        Feedback terms do add to spring and damper, and what is left is an exogenous force. But a reference trajectory
+        is a position in m, and $u$ a force in N: the reference enters through the gains, as a force.
         """,
         counterexample(
             "$m_1=m_2=1$, $a_2=200$, $b=0.5$, at rest under the constant $u=x_{\\mathrm{ref}}=0.01$: by (3) it is $x_1=x_{\\mathrm{ref}}/a_2=0.00005$, not $x_{\\mathrm{ref}}$.",
@@ -113,8 +113,7 @@ def free_interface() -> Case:
     return because(
         """
         Friction is tangential; the normal load is not its effect but limits it. The second body is free along the
-        surface, as the paper says. A force normal to the surface takes no power from a motion along it, and friction
-        does.
+        surface, as the paper says. A force normal to the surface does no work in a motion along it, and friction does.
         """,
         counterexample(
             "Fig. 4 (b), $b=0.5$, $\\dot x_1=0.15$, $\\dot x_2=0$: the interface takes 0.075 W, which no force normal to the surface does.",

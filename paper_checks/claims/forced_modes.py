@@ -90,10 +90,10 @@ def leading_term() -> Evidence:
     rate = c * t ** (k + 1) / (inertia * (k + 1))
     return argument(
         r"""
-        Let $p=c\,t^k(1+O(t))$, $c\neq 0$. From $\eta=\dot\eta=0$ at $t=0$, with $m_1\leqslant I\leqslant M$ even
-        where the modes take turns, Gronwall's inequality gives $|\dot\eta|\leqslant C|t|^{k+1}$, $|\eta|\leqslant
-        C|t|^{k+2}$ on both sides of $0$. So $\Lambda-sb=(m_2/M)\,p\,(1+O(t))$ has the sign of $p$ near $0$, and in
-        slip $\dot z=\dot\eta=c\,t^{k+1}(1+O(t))/((k+1)m_1)$.
+        Let $p=c\,t^k(1+O(t))$, $c\neq 0$. From $\eta=\dot\eta=0$ at $t=0$, with $m_1\leqslant I\leqslant M$ even where
+        the modes alternate, Gronwall's inequality gives $|\dot\eta|\leqslant C|t|^{k+1}$, $|\eta|\leqslant C|t|^{k+2}$
+        on both sides of $0$. So $\Lambda-sb=(m_2/M)\,p\,(1+O(t))$ has the sign of $p$ near $0$, and in slip $\dot
+        z=\dot\eta=c\,t^{k+1}(1+O(t))/((k+1)m_1)$.
         """,
         deviation(),
         excess(),
@@ -149,17 +149,17 @@ def finitely_many_events() -> Evidence:
     """No accumulation of events, from the right or from the left."""
     return argument(
         r"""
-        From the right events cannot accumulate: the rule names a mode that lasts. Let them accumulate from the left
-        at a time, $t=0$. Then $\dot z(0)=0$, and $u$, $b$ are analytic up to $0$. If $|\Lambda(0)|\neq b$, either
+        Events cannot accumulate from the right: the rule gives a mode that lasts. Let them accumulate from the left at
+        a time, $t=0$. Then $\dot z(0)=0$, and $u$, $b$ are analytic up to $0$. If $|\Lambda(0)|\neq b$, either
         $|\Lambda|<b$ near $0$, and once stuck the pair sticks up to $0$; or $s\Lambda>b$, and $s\dot z$ increases in
         every mode, so $\dot z$ has one zero. Let $\Lambda(0)=sb$. Near $0$ slip of sign $-s$ has $s\ddot z>0$, so it
-        does not begin, and only slip of sign $s$ and stick are left. If $p=0$ near $0$, $\eta=0$ and $\ddot z=0$
-        there in both modes: no event. Else $\Lambda-sb$ has one sign on some $(-\epsilon,0)$: if it is that of $s$
-        there is no stick, and $s\dot z$ increases; if not, a pair once stuck sticks up to $0$. In each case only
-        finitely many events are left. With a friction $b(t)$ by pieces, analytic in each, the same holds with
-        $m_2\ddot r=sb(t)$. Where $b$ and $\Lambda$ both fall to $0$ at the end of a piece, friction changes
-        $\Lambda$ there by less than every multiple of $b$, so $\Lambda/b$ has a limit: where that is not $\pm 1$ it is
-        as where $|\Lambda(0)|\neq b$, where it is $s$ as where $\Lambda(0)=sb$.
+        does not begin, and only slip of sign $s$ and stick are left. If $p=0$ near $0$, $\eta=0$ and $\ddot z=0$ there
+        in both modes: no event. Else $\Lambda-sb$ has one sign on some $(-\epsilon,0)$: if it is that of $s$ there is
+        no stick, and $s\dot z$ increases; if not, a pair once stuck sticks up to $0$. In each case only finitely many
+        events are left. With a piecewise analytic friction $b(t)$ the same holds with $m_2\ddot r=sb(t)$. Where $b$ and
+        $\Lambda$ both fall to $0$ at the end of a piece, friction changes $\Lambda$ there by less than every multiple
+        of $b$, so $\Lambda/b$ has a limit: where that is not $\pm 1$ it is as where $|\Lambda(0)|\neq b$, where it is
+        $s$ as where $\Lambda(0)=sb$.
         """,
         leading_term(),
         marginal_rule(),
@@ -226,7 +226,7 @@ def tie(order: int) -> Callable[[int], Expr]:
     ),
     clause(
         "marginal",
-        r"Where all of them are zero, and $u$ is analytic, slip of sign $s$ and stick are one and the same motion.",
+        r"Where all of them are zero and $u$ is analytic, slip of sign $s$ and stick are the same motion.",
         kernel="mode-marginal",
     ),
     clause(
@@ -239,8 +239,9 @@ def forced_mode_rule() -> Case:
     """Both modes beside the motion that they share at a tie."""
     return because(
         """
-        The force that sticking needs decides between stick and slip, on the edge by its derivatives. Where it is just the friction that there is, slip and stick agree to
-        second order, and the first derivative in which the force leaves their common motion decides.
+        The force that sticking needs decides between stick and slip, on the edge by its derivatives. Where it equals
+        the friction limit, slip and stick agree to second order, and the first derivative in which the force departs
+        from their common motion decides.
         """,
         slip_rates(),
         derivation=(
@@ -254,9 +255,9 @@ def forced_mode_rule() -> Case:
     clause(
         "deviation",
         r"""
-        Let $\Lambda=sb$ and $v_1=v_2$ at a time, here $t=0$, and let $\eta$ be the place of body 1 beside the motion
-        with the constant acceleration $sb/m_2$ through the state at that time. With $I=m_1$ in slip of sign $s$ and
-        $I=M$ in stick, before as after, «deviation» $=p(t)$ and «excess».
+        Let $\Lambda=sb$ and $v_1=v_2$ at a time, here $t=0$, and let $\eta$ be the position of body 1 relative to the
+        motion with the constant acceleration $sb/m_2$ through the state at that time. With $I=m_1$ in slip of sign $s$
+        and $I=M$ in stick, before as after, «deviation» $=p(t)$ and «excess».
         """,
         deviation=Formula(
             r"I\ddot\eta+a_1\dot\eta+a_2\eta",
@@ -274,20 +275,21 @@ def forced_mode_rule() -> Case:
     clause(
         "finite",
         """
-        Where $u$ is analytic by pieces, their ends included (polynomials plus sinusoids by pieces are), and $b>0$ is constant on each of
-        finitely many pieces of time, the pair changes its mode finitely often in every bounded interval of time.
+        Where $u$ is piecewise analytic, the ends of the pieces included (as piecewise polynomials plus sinusoids are),
+        and $b>0$ is constant on each of finitely many pieces of time, the pair changes its mode finitely often in every
+        bounded time interval.
         """,
         kernel="no-zeno-varying scenes-analytic",
     ),
     clause(
         "finite-friction",
-        r"So it does where $b>0$, too, is analytic by pieces.",
+        r"So it does where $b>0$ is piecewise analytic, too.",
     ),
 )
 def forced_no_zeno() -> Case:
     """The load beside the edge has one sign before a time of accumulation."""
     return because(
-        "Where the force is analytic by pieces, modes cannot alternate without end in a bounded time: what decides a tie for the time after it decides it for the time before it too, so next to any instant the load keeps one side of each edge.",
+        "Under a piecewise analytic force no motion is Zeno: what decides a tie for the time after it decides it for the time before it too, so close to any instant the load stays on one side of each edge.",
         carried("deviation"),
         carried("finite-friction", finitely_many_events()),
     )

@@ -35,7 +35,7 @@ def energy_as_lyapunov_function() -> Case:
     return because(
         """
         The energy is positive definite in $(x_1,v_1,v_2)$ and never grows, with a damper or without. It is no strict
-        Lyapunov function of the origin: without a damper it is constant in stick, and the periodic motions there stay.
+        Lyapunov function of the origin: without a damper it is constant in stick, so periodic motions persist there.
         """,
         carried("positive", prove("$E>0$ unless $x_1=v_1=v_2=0$", [moved], signed(energy(), ">"))),
         carried("falls", *capture.energy_decreases(), dissipation.stick_keeps_together()),
@@ -57,8 +57,8 @@ def translational_or_rotational() -> Case:
         r"""
         With angles for displacements, moments of inertia for masses and torques for forces, (3) and (4) are the same
         equations. At a radius $R$, with $x=R\varphi$, $m=J/R^2$, a force that is a torque over $R$, and $a_1,a_2,b$
-        accordingly, each of them is multiplied by $1/R$, what is under each signum by $R>0$, and the energy by 1. So
-        every statement on one holds for the other, with its units.
+        accordingly, each of them is multiplied by $1/R$, the argument of each signum by $R>0$, and the energy by 1. So
+        every statement about one holds for the other, in its units.
         """,
         carried(
             "statement",
@@ -68,7 +68,7 @@ def translational_or_rotational() -> Case:
                 equations,
             ),
             identity(
-                r"and $\dot z$ and $|\ddot x_1|-b/m_2$ become $R>0$ times what they are there: both signs stay",
+                r"and $\dot z$ and $|\ddot x_1|-b/m_2$ become $R>0$ times their counterparts: both signs are unchanged",
                 [about_an_axis(one) for one in arguments],
                 [radius * one for one in arguments],
             ),
@@ -122,7 +122,7 @@ def _sliders_only_take() -> Evidence:
         "rate",
         """
         The Coulomb frictional force represents a rate-independent damping: where all velocities are $c>0$ times as
-        large it takes the power «power», so its work along a path does not depend on how fast the path is run through;
+        large it takes the power «power», so its work along a path does not depend on the speed;
         """,
         power=equal(r"\dot E", -PACE * b * SIGN * (v1 - v2), lambda: _power_at(PACE)),
     ),
@@ -132,8 +132,8 @@ def _sliders_only_take() -> Evidence:
         it can be understood in combination with infinite stiffness within the pre-slide friction regime: let the
         interface be a spring of stiffness $k$ in series with a slider that slips at the force $b$. Its presliding
         displacement «deflection» vanishes as $k\to\infty$, and its motion tends to that of Coulomb's law from the same
-        start, uniformly on bounded times: $N$, their distance in energy, has «distance», where $V$ is the variation of
-        $\mathrm{sign}(v_1-v_2)$ in Coulomb's law until then.
+        start, uniformly on bounded times: $N$, their distance in energy, has «distance», where $V$ is the variation until
+        then of Coulomb's friction force over $b$, that of sticks included.
         """,
         deflection=equal(r"|\delta|\leqslant\delta_{\max}", b / stiffness, presliding.largest_deflection),
         distance=sharp(
@@ -157,10 +157,11 @@ def stiff_limit() -> Case:
             "stiffness",
             argument(
                 r"""
-                Both sliders only take, so $\tfrac12\frac{d}{dt}(N^2+k\delta^2)\leqslant b\tilde\sigma\dot\delta$. By
-                parts $\int\tilde\sigma\dot\delta\,dt\leqslant(2+V)\,b/k$ as $|\delta|\leqslant b/k$, and $k\delta^2\leqslant
-                b^2/k$ at the start. For a $\tilde\sigma$ of infinite variation the integral still tends to 0, as $\delta$
-                does uniformly, $\dot\delta$ is bounded by the energy, and smooth functions approximate $\tilde\sigma$.
+                Both sliders only dissipate, so $\tfrac12\frac{d}{dt}(N^2+k\delta^2)\leqslant b\tilde\sigma\dot\delta$.
+                By parts $\int\tilde\sigma\dot\delta\,dt\leqslant(2+V)\,b/k$ as $|\delta|\leqslant b/k$, and
+                $k\delta^2\leqslant b^2/k$ at the start. For a $\tilde\sigma$ of infinite variation the integral still
+                tends to 0, as $\delta$ does uniformly, $\dot\delta$ is bounded by the energy, and smooth functions
+                approximate $\tilde\sigma$.
                 """,
                 _spring_against_coulomb(),
                 _sliders_only_take(),
@@ -214,7 +215,7 @@ def parts_of_the_surface() -> Case:
                 strip,
             ),
             prove(
-                r"and each $x_1=\pm(L+d)$, $d>0$, on $S$ is outside: as near to the rays as one likes",
+                r"and each $x_1=\pm(L+d)$, $d>0$, on $S$ is outside: arbitrarily close to the rays",
                 [on_surface, sp.Or(*(signed(side * x1 - beside, "=") for side in (1, -1)))],
                 sp.Not(strip, evaluate=False),
             ),

@@ -44,7 +44,7 @@ ARGUMENT = (
     """,
     r"""
     With $w'>0$ the pair sticks along an arc of $E=E_0>E_{cr}$ until it reaches a ray, after less than half a period,
-    and leaves by it with $w'<w<q\pi^2/4$: the same again, without end.
+    and leaves by it with $w'<w<q\pi^2/4$; this repeats without end.
     """,
     r"""
     During a slip $|V_1-V_2|=\sqrt q\,\bigl(\nu(1-\cos\theta)-(\theta-\sin\theta)\bigr)$, largest where
@@ -185,8 +185,8 @@ def itinerary_that_merges(scene: Scene | None = None) -> Case:
     for_ever = trajectory.status is Status.STUCK_FOR_EVER
     return because(
         """
-        The paper gives no numbers; the scene itinerary-that-merges is one such trajectory. It slips once, enters
-        $S_0$ and sticks for ever on an ellipse below the critical one.
+        The paper gives no numbers; the scene itinerary-that-merges is one such trajectory. It slips once, enters $S_0$
+        and sticks permanently on an ellipse below the critical one.
         """,
         carried(
             "statement",
@@ -256,7 +256,7 @@ def itinerary_that_creeps(scene: Scene | None = None) -> Case:
         carried(
             "creeps",
             argument(
-                "No later slip merges, so $E>E_{cr}$ for ever, and the trajectory tends to the critical orbit.",
+                "No later slip merges, so $E>E_{cr}$ permanently, and the trajectory tends to the critical orbit.",
                 *never_merges(trajectory, "itinerary-that-creeps"),
                 merges_or_creeps(),
             ),

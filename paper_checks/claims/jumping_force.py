@@ -107,7 +107,7 @@ def returns() -> Evidence:
 def keeps_apart() -> Evidence:
     """Two members keep their distance for ever, so none attracts another."""
     return argument(
-        r"Under a force with $u(t+H)=-u(t)$ the state after $H$ is minus the state before for ever, so each member has the period $2H$. Two of them have the same distance after each period, which is not $0$.",
+        r"Under a force with $u(t+H)=-u(t)$ the state after $H$ is always minus the state before, so each member has the period $2H$. Two of them have the same distance after each period, which is not $0$.",
         returns(),
         sticks(),
         identity(

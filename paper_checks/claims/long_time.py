@@ -125,11 +125,10 @@ def long_time_expansion() -> Case:
     """The Abel function of the return map, to the order that leaves a convergent sum."""
     return because(
         r"""
-        The next term of $w$ is a logarithm, with $B=1-\frac{2}{5r}$; the start enters after it, as one number $K$.
-        Along the exits $A(y)=\frac{1}{\alpha y}+B\ln y$ grows by $1+O(y^2)$ and the time by $\pi+O(y^{3/2})$; both
+        The next term of $w$ is a logarithm, with $B=1-\frac{2}{5r}$; the initial state enters after it, as one number
+        $K$. Along the exits $A(y)=\frac{1}{\alpha y}+B\ln y$ grows by $1+O(y^2)$ and the time by $\pi+O(y^{3/2})$; both
         errors are summable, as $y_n\sim\frac{1}{\alpha n}$, so $\pi A(y_n)-\tau_n$ tends to a number $K$, with the
-        error $O(\tau^{-1/2})$ of the second tail. Solved for $y$ that is the expansion. $K$ is all that is left of
-        the start.
+        error $O(\tau^{-1/2})$ of the second tail. Solved for $y$ that is the expansion. Only $K$ depends on the start.
         """,
         *landings()[3:],
         *coefficients(),

@@ -38,7 +38,7 @@ def sign_of_excess() -> Steps:
             half_angle_form(ray_excess() - deep**2 * (ratio() ** 2 - share)),
         ),
         prove(
-            r"$w'\leqslant 0$ on $S$, $X^2+V^2\leqslant 1$, is on $S_0$: the pair sticks there, for ever",
+            r"$w'\leqslant 0$ on $S$, $X^2+V^2\leqslant 1$, is on $S_0$: the pair sticks there permanently",
             [position**2 + velocity**2 <= 1],
             position**2 <= 1,
         ),
@@ -52,8 +52,8 @@ def never_from_below() -> Steps:
     return (
         prove(
             r"""
-            for $\theta<\theta_a$, where $R^2>r$: $0<y'=h^2-r\,c^2<y=h^2<y_a$, and so on without end: each re-enters
-            $S_0$, as $c$ rises with $\theta$ and $w'=0$ at $\theta_a$ puts its end into $|X'|\leqslant 1$
+            for $\theta<\theta_a$, where $R^2>r$: $0<y'=h^2-r\,c^2<y=h^2<y_a$, and so on: each slip re-enters $S_0$, as
+            $c$ rises with $\theta$ and $w'=0$ at $\theta_a$ puts its end into $|X'|\leqslant 1$
             """,
             [share < 1, rise_value**2 > share * deep**2, rise_value**2 < y_a],
             And(
@@ -177,12 +177,12 @@ def merging_set() -> Case:
     """R falls and rises once, so the excursions that merge form one interval of angles."""
     return because(
         r"""
-        If body 2 is heavy enough, the energies on $S_0$ that merge at the first re-entry form one interval, whether
-        the pair crosses $S$ before it or not; below it the pair creeps for ever. $w'/q=c^2(R^2-r)$ with $R=h/c$, which falls from $\infty$ to
-        $\sqrt{r^*}$ and rises to $\infty$: $R^2\leqslant r$ is one interval $[\theta_a,\theta_b]$, empty for $r<r^*$,
-        and $w=q\,h^2$ rises with $\theta$. Below it $0<w'<w$ repeats for ever. As $R$ is strictly monotone on both
-        sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and short slips in
-        turn, and its re-entry, at the end of a short one, is above $E_{cr}$.
+        If body 2 is heavy enough, the energies on $S_0$ that merge at the first re-entry form one interval, whether the
+        pair crosses $S$ before it or not; below it the pair never merges. $w'/q=c^2(R^2-r)$ with $R=h/c$, which falls
+        from $\infty$ to $\sqrt{r^*}$ and rises to $\infty$: $R^2\leqslant r$ is one interval $[\theta_a,\theta_b]$,
+        empty for $r<r^*$, and $w=q\,h^2$ rises with $\theta$. Below it $0<w'<w$ repeats without end. As $R$ is strictly
+        monotone on both sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and
+        short slips in turn, and its re-entry, at the end of a short one, is above $E_{cr}$.
         """,
         carried("leads", first_landing()),
         carried("below", below_the_interval()),

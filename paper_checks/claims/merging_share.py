@@ -103,16 +103,16 @@ def exact_share() -> Evidence:
         r"""
         Every state off $S$ comes to a first contact. For $r\leqslant r^*$ it merges exactly if $X^2+V^2\leqslant 1$
         there: later slips stay above $E_{cr}$, for $r=r^*$ as the limit of smaller $r$ not below it, and at it on a
-        null set only. Going back from such a contact the slip never meets $S$ again, as no slip from $S$ leads there;
-        so its energy grows without bound and passes $E$ once. The slip's flow keeps volume, so the states that it
-        comes from have the measure of the flux through $S$ over the rate at which $E$ is passed; both half-spaces are
-        mirror images.
+        null set only. Backwards in time from such a contact the slip never meets $S$ again, as no slip from $S$ leads
+        there; so its energy grows without bound and passes $E$ once. The flow of slip preserves volume, so the states
+        that it comes from have the measure of the flux through $S$ over the rate at which $E$ is passed; both
+        half-spaces are mirror images.
         """,
         contact_again(),
         stays_below_critical(),
         kernel.step("no-low-level"),
         kernel.step("heavy-never-merges"),
-        identity("the slip's flow keeps volume: its divergence is 0", divergence()),
+        identity("the flow of slip preserves volume: its divergence is 0", divergence()),
         identity("the flux through $S$ is $(1-X)/q$", flux(), (1 - X) / q),
         identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
         identity(
@@ -137,7 +137,7 @@ def just_above() -> Evidence:
         While $E\leqslant 2E_{cr}$ the rate of $V_1-V_2$ is bounded, by $K$. A state with $|V_1-V_2|\geqslant\eta$ has
         half of that at least for the time $\eta/(2K)$, in which $E/E_{cr}$ falls by $r\,\eta^2/(2K)$ at least: from
         below $1+r\,\eta^2/(2K)$ to below $1$, and the pair merges. The states with $|V_1-V_2|<\eta$ are a share that
-        tends to $0$ with $\eta$, evenly up to $2E_{cr}$.
+        tends to $0$ with $\eta$, uniformly up to $2E_{cr}$.
         """,
         contact_again(),
         stays_below_critical(),
@@ -150,7 +150,7 @@ def just_above() -> Evidence:
 def limit() -> Evidence:
     """The share at large energies."""
     return argument(
-        "Where the slip has the energy $E$, $X$ and $V_1$ are bounded, so $r\\,|V_1-V_2|^2/E\\to 1$ as $E\\to\\infty$, evenly on the disc.",
+        "Where the slip has the energy $E$, $X$ and $V_1$ are bounded, so $r\\,|V_1-V_2|^2/E\\to 1$ as $E\\to\\infty$, uniformly on the disc.",
         exact_share(),
         identity("$E$ times the share tends to $\\frac{1}{2\\sqrt q}$", large_energy_limit(), 1 / (2 * sqrt(q))),
     )
@@ -229,7 +229,7 @@ def _bands(share: Fraction) -> Formula:
         third=_bands(Fraction(4, 5)),
     ),
     open=(
-        r"That there are infinitely many bands for every $r>r^*$, equally spaced in $\sqrt w$ in the limit, is seen in numbers and not proved.",
+        r"That there are infinitely many bands for every $r>r^*$, equally spaced in $\sqrt w$ in the limit, is observed numerically and not proved.",
     ),
 )
 def merging_bands() -> Case:
@@ -237,8 +237,8 @@ def merging_bands() -> Case:
     return because(
         """
         For three mass ratios the energies on $S_0$ that ever merge form many bands: between two that merge lies one
-        that never does. Each trajectory is solved in balls until it sticks for ever, or leaves $S_0$ by a ray so
-        little above $E_{cr}$ that it never merges.
+        that never does. Each trajectory is solved in ball arithmetic until it sticks permanently, or leaves $S_0$ by a
+        ray so little above $E_{cr}$ that it never merges.
         """,
         carried(
             "bands",
@@ -282,9 +282,9 @@ def merging_share(seed: int) -> Case:
     """The share of the energy sphere, as an integral; random states beside it."""
     return because(
         """
-        Merging in finite time is the common case just above $E_{cr}$ in the whole state space, though it never
-        happens from $S_0$ there: up to $r^*$ the share of the states that merge is an integral over the disc of
-        captive contacts, and falls like $1/E$.
+        Merging in finite time is the common case just above $E_{cr}$ in the whole state space, though it never happens
+        from $S_0$ there: up to $r^*$ the share of the states that merge is an integral over the disc of captive
+        contacts, and falls like $1/E$.
         """,
         carried("share", exact_share()),
         carried("near", just_above()),

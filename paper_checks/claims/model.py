@@ -60,7 +60,7 @@ def is_mode(name: str) -> Evidence:
 @claim(
     "modes-from-closed-form",
     "II",
-    "eqs. (3), (4)",
+    "eqs. (3), (4); V, first paragraph",
     CORRECTED,
     clause(
         "equations",

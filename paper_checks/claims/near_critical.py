@@ -268,15 +268,15 @@ def rate_one_over_t() -> Case:
     t = Symbol("t", positive=True)
     return because(
         r"""
-        Corrected near $t=0$ only: from any $t_0>0$ on the bounds hold as written. At first $c_1/t$ is unbounded while
-        $E(t)-E_{cr}\leqslant E(0)-E_{cr}$. More is true: $1/w$ gains $9r/(4q)$ per
-        excursion in the limit, and an excursion takes $\pi/\Omega$ in the limit, so $t(E-E_{cr})$ has a limit, which
-        does not depend on $E(0)$. That $E(0)$ alone fixes the constants is right for such solutions, which start on
-        $S_0$; over all with one $E(0)$ that never merge there is an upper constant and no lower one (uniform-rate).
+        Corrected near $t=0$ only: from any $t_0>0$ on the bounds hold as written. As $t\to 0$, $c_1/t$ is unbounded
+        while $E(t)-E_{cr}\leqslant E(0)-E_{cr}$. More is true: $1/w$ gains $9r/(4q)$ per excursion in the limit, and an
+        excursion takes $\pi/\Omega$ in the limit, so $t(E-E_{cr})$ has a limit, which does not depend on $E(0)$. That
+        $E(0)$ alone fixes the constants is right for such solutions, which start on $S_0$; over all solutions of one
+        $E(0)$ that never merge there is an upper constant and no lower one (uniform-rate).
         """,
         counterexample(
             r"""
-            Any solution with $E(0)>E_{cr}$ and any $c_1>0$: at $t=c_1/(2(E(0)-E_{cr}))$ the lower bound asks for
+            Any solution with $E(0)>E_{cr}$ and any $c_1>0$: at $t=c_1/(2(E(0)-E_{cr}))$ the lower bound requires
             $E(t)-E_{cr}\geqslant 2(E(0)-E_{cr})$, but energy never increases.
             """,
             prove(

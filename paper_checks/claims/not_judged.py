@@ -78,8 +78,8 @@ CAUSE = quoted(
     source and the relative displacement as the result.
     """,
     """
-    The equations (3), (4) hold between force and acceleration at the same time and single out no cause. That body 2 is
-    moved by friction alone is judged in one-active-one-passive.
+    The equations (3), (4) relate force and acceleration at the same time and single out no cause. That body 2 is moved
+    by friction alone is judged in one-active-one-passive.
     """,
 )
 APPLICATIONS = quoted(
@@ -143,8 +143,8 @@ NOTATION = quoted(
     with one spatial degree of freedom is the single restriction.
     """,
     """
-    "Most general" has no stated class of systems to compare with. What (3), (4) mean is judged claim by claim; motions
-    with more degrees of freedom are in motions-on-a-surface.
+    No class of systems is stated in which this would be "most general". What (3), (4) mean is judged claim by claim;
+    motions with more degrees of freedom are in motions-on-a-surface.
     """,
 )
 FAVOUR = quoted(

@@ -157,9 +157,9 @@ def comes_apart() -> Steps:
         clause(
             "ever",
             r"""
-            Under (3)–(4) the bodies move relative to each other at some time exactly if $\dot x_1(0)\neq\dot x_2(0)$
-            or $E(0)>E_{cr}$; for the example $\dot x_1(0)=\dot x_2(0)$ stays together for ever exactly if «together»
-            at the start.
+            Under (3)–(4) the bodies move relative to each other at some time exactly if $\dot x_1(0)\neq\dot x_2(0)$ or
+            $E(0)>E_{cr}$; in the example a pair with $\dot x_1(0)=\dot x_2(0)$ stays together permanently exactly
+            if «together» at the start.
             """,
             together=Formula(
                 100 * x1**2 + Symbol("v_1", real=True) ** 2,
@@ -185,15 +185,16 @@ def example_onset() -> Case:
     resting = solved(scene_at(INSIDE, "1000"))
     return because(
         r"""
-        Stored energy does not ensure relative motion: from rest inside $S_0$ the pair oscillates as one body for
-        ever, under the Filippov law, under (3)–(4) and under (11)–(12). Friction lets go only if the spring can pull
-        with more than it holds. Read literally, (11)–(12) with $\dot x_1=\dot x_2$ never need to leave $\dot z=0$.
+        Stored energy does not ensure relative motion: from rest inside $S_0$ the pair oscillates as one body
+        permanently, under the Filippov law, under (3)–(4) and under (11)–(12). Adhesion breaks only if the spring can
+        pull with more than friction holds. Read literally, (11)–(12) with $\dot x_1=\dot x_2$ never need to leave $\dot
+        z=0$.
         """,
         counterexample(
             (
                 "$b=0.5$, $x_1=0.004$, both bodies at rest: $E=$ "
                 f"${value_at(energy(), INSIDE)}<{value_at(critical_energy(), INSIDE)}=E_{{cr}}$. The motion is "
-                "$x_1=0.004\\cos 10t$, $x_1-x_2$ constant, for ever; friction has to give at most "
+                "$x_1=0.004\\cos 10t$, $x_1-x_2$ constant, at all times; friction has to give at most "
                 f"${value_at(abs(case_study_mode(0)[1]), INSIDE)}<0.5$ N."
             ),
             exhibit(
@@ -202,7 +203,7 @@ def example_onset() -> Case:
                 (energy(), ">", 0),
                 (energy(), "<", critical_energy()),
             ),
-            stuck_for_ever("from there the pair sticks for ever", resting),
+            stuck_for_ever("from there the pair sticks permanently", resting),
             itinerary("its itinerary is one stick phase", resting, [Mode.STICK]),
             exhibit(
                 "the same with a velocity, $\\dot x_1=\\dot x_2=0.03$ at $x_1=0$",
@@ -210,7 +211,7 @@ def example_onset() -> Case:
                 (v1, "!=", 0),
                 (energy(), "<", critical_energy()),
             ),
-            stuck_for_ever("from there it sticks for ever too", solved(scene_at(TOGETHER, "1000"))),
+            stuck_for_ever("from there it sticks permanently, too", solved(scene_at(TOGETHER, "1000"))),
             identity(
                 "stick satisfies (3)–(4) and (11)–(12), by substitution",
                 residual(solution("stick", DampingRegime.UNDAMPED)),

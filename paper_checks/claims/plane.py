@@ -29,7 +29,7 @@ def one_size() -> Evidence:
     """In the direction of the slip it has the size b, along it, for every slip."""
     friction = plane.by_direction(SLIP)
     return identity(
-        r"$b\,\mathbf w/|\mathbf w|$ has the size $b$ and takes the power $b|\mathbf w|$",
+        r"$b\,\mathbf w/|\mathbf w|$ has the magnitude $b$ and dissipates the power $b|\mathbf w|$",
         [friction.dot(friction), friction.dot(SLIP) ** 2],
         [b**2, b**2 * SLIP.dot(SLIP)],
     )
@@ -54,8 +54,8 @@ def never_apart() -> Evidence:
         r"""
         Where $|\mathbf p|\leqslant 1$ and $\mathbf p\cdot\mathbf w=|\mathbf w|$, and so with tildes, $(\mathbf
         p-\tilde{\mathbf p})\cdot(\mathbf w-\tilde{\mathbf w})$ is $|\mathbf w|-\tilde{\mathbf p}\cdot\mathbf
-        w+|\tilde{\mathbf w}|-\mathbf p\cdot\tilde{\mathbf w}$, and neither product is larger than the size of its
-        second factor. So $N$ does not grow; and motions exist, as the set of frictions is convex and closed.
+        w+|\tilde{\mathbf w}|-\mathbf p\cdot\tilde{\mathbf w}$, and neither product is larger than the magnitude of its
+        second factor. So $N$ does not grow; and motions exist, as the set of friction forces is convex and closed.
         """,
         identity(
             r"friction adds $-b(\mathbf p-\tilde{\mathbf p})\cdot(\mathbf w-\tilde{\mathbf w})$ to $\frac12\frac{d}{dt}N^2$, in these four products",
@@ -78,7 +78,7 @@ def on_a_line() -> Evidence:
     speed = Symbol("w", positive=True)
     line = plane.along(plane.direction)
     return argument(
-        r"With scalar masses, spring and damper all forces on a motion along a line are in it, and friction is $b\,\mathrm{sgn}(w)$ along it: the equations are those of the pair, and there is one motion from each start.",
+        r"With scalar masses, spring and damper all forces on a motion along a line act along it, and friction is $b\,\mathrm{sgn}(w)$: the equations are those of the pair, and there is one motion from each initial state.",
         identity(
             r"for $\mathbf w=\pm w\,\mathbf e$ friction is $\pm b\,\mathbf e$",
             [*plane.by_direction(line * speed), *plane.by_direction(-line * speed)],
@@ -122,31 +122,31 @@ def on_a_line() -> Evidence:
             r"""
             What carries over is the friction in the direction of the slip, $\mathbf f=b\,\mathbf w/|\mathbf w|$,
             $\mathbf w=\mathbf v_1-\mathbf v_2$, and any $|\mathbf f|\leqslant b$ in stick, which is not (4) by
-            components: with scalar masses, spring and damper $\dot E=-b|\mathbf w|-a_1|\mathbf v_1|^2$ for $u=0$,
-            there is one motion from every start, and two never move apart.
+            components: with scalar masses, spring and damper $\dot E=-b|\mathbf w|-a_1|\mathbf v_1|^2$ for $u=0$, there
+            is one motion from every initial state, and the flow is non-expansive.
             """,
         ),
-        clause("line", r"Along a line it is the pair with Coulomb's law exactly, and so for $u=0$ that of (2)–(4)."),
+        clause("line", r"Along a line it is exactly the pair with Coulomb's law, and so for $u=0$ that of (2)–(4)."),
     ),
     open=(
-        "What set of forces and moments a contact patch that turns can give, and with it which vector of coefficients is appropriate for a rotation, is not derived here.",
-        "Which slipping motions in the plane merge, and how fast the others settle, is not decided here; which stuck ones stay so is (stuck-ellipses).",
+        "Which forces and moments a rotating contact patch can transmit, and so which vector of coefficients is appropriate for a rotation, is not derived here.",
+        "Which slipping motions in the plane merge, and how fast the others converge, is not decided here; which stuck motions remain stuck is (stuck-ellipses).",
     ),
 )
 def motions_on_a_surface() -> Case:
     """What of (2)-(4) carries over to two translations, and in which form."""
     return because(
         r"""
-        By components friction would depend on the axes; in the direction of the slip it does not, and with it energy
-        falls, a start has one motion, and two motions never move apart, as on a line. A signum for each component is
-        friction that is $\sqrt2$ times as strong along the diagonal as along an axis. The paper itself asks for care
-        with the coupling terms.
+        Defined by components, friction would depend on the axes. Defined by the direction of slip it does not: then
+        energy falls, each initial state has one motion, and the flow is non-expansive, as on a line. A signum for each
+        component gives friction that is $\sqrt2$ times as strong along the diagonal as along an axis. The paper itself
+        asks for care with the coupling terms.
         """,
         counterexample(
             r"""
-            $b=1$ N for $x$ and for $y$, a slip with $\mathbf w=(1,1)$ m/s: by components $\mathbf f=(1,1)$ N, of size
-            $\sqrt2>b$. Turned by 45° the same contact has $\mathbf w=(\sqrt2,0)$ and $|\mathbf f|=b$: the law depends
-            on how the axes are drawn.
+            $b=1$ N for $x$ and for $y$, a slip with $\mathbf w=(1,1)$ m/s: by components $\mathbf f=(1,1)$ N, of
+            magnitude $\sqrt2>b$. Rotated by 45° the same contact has $\mathbf w=(\sqrt2,0)$ and $|\mathbf f|=b$: the
+            law depends on how the axes are drawn.
             """,
             depends_on_axes(),
         ),

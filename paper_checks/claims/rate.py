@@ -195,11 +195,11 @@ def rate_bounds_explicit() -> Case:
     """Bounds of one step and of one cycle, valid for all later ones, summed."""
     return because(
         r"""
-        From an exit with $w_0\leqslant q(\pi/2-1)^2$ on, $E-E_{cr}$ lies between two explicit functions of time.
-        $c/y$ falls with $y$ from $\tfrac{3}{2}$ ($c$ is concave in $y$) and $c^2/y=R^{-2}$ rises for
-        $\theta\leqslant\pi/2$, so for $y\leqslant y_0$: $a'y^2\leqslant y-y'\leqslant\frac{9r}{4}y^2$ and
-        $y'/y\geqslant 1-r\,c_0^2/y_0$. Hence $1/y$ gains between $a'$ and $A$ per excursion; a cycle lasts between
-        $T_-$ and $T_+$; and between two exits $w$ lies between its values there.
+        From an exit with $w_0\leqslant q(\pi/2-1)^2$ on, $E-E_{cr}$ lies between two explicit functions of time. $c/y$
+        falls with $y$ from $\tfrac{3}{2}$ ($c$ is concave in $y$) and $c^2/y=R^{-2}$ rises for $\theta\leqslant\pi/2$,
+        so for $y\leqslant y_0$: $a'y^2\leqslant y-y'\leqslant\frac{9r}{4}y^2$ and $y'/y\geqslant 1-r\,c_0^2/y_0$. Hence
+        $1/y$ gains between $a'$ and $A$ per excursion; a cycle lasts between $T_-$ and $T_+$; and between two exits $w$
+        lies between its values there.
         """,
         *angle_of_excursion(),
         *rise_is_convex(),
@@ -216,7 +216,7 @@ def rate_bounds_explicit() -> Case:
         derivation=(
             "$$\\frac{1}{y_0}+n\\,a'\\leqslant\\frac{1}{y_n}\\leqslant\\frac{1}{y_0}+n\\,A,\\qquad n\\,T_-\\leqslant\\tau_n-\\tau_0\\leqslant n\\,T_+.$$",
             "For $\\tau_n\\leqslant\\tau<\\tau_{n+1}$, $s=\\tau-\\tau_0$: $n>s/T_+-1$ and $n+1\\leqslant s/T_-+1$, with $w_{n+1}\\leqslant w\\leqslant w_n$.",
-            "As $y_0\\to 0$ both $a'$ and $A$ tend to $\\tfrac{9}{4}r$ and both $T_\\pm$ to $\\pi$: the bounds close on the sharp constant.",
+            "As $y_0\\to 0$ both $a'$ and $A$ tend to $\\tfrac{9}{4}r$ and both $T_\\pm$ to $\\pi$: the bounds converge to the sharp constant.",
         ),
         figure="rate-bounds",
     )

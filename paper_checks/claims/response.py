@@ -38,11 +38,11 @@ def approach() -> Evidence:
     """With a damper two motions under one bounded force approach each other."""
     return argument(
         r"""
-        $N$ has a limit. Motions from which it is taken (limits of both, moved in time) keep their distance, so
-        $v_1=\tilde v_1$ and the friction forces differ by $-a_2(x_1-\tilde x_1)$, a constant; as $v_2-\tilde v_2$ is
-        bounded, the constant is $0$. Then $\dot z-\dot{\tilde z}=c$ is constant under equal friction. If $c\neq 0$,
-        $\dot z$ and $\dot z-c$ never have opposite signs, so $\dot z$ does not enter the interval between $0$ and
-        $c$: it keeps one sign, friction is always $b$ or always $-b$, and $v_2$ is not bounded. So $N\to 0$.
+        $N$ has a limit. Limits of both motions, shifted in time, attain it and keep their distance, so $v_1=\tilde v_1$
+        and the friction forces differ by $-a_2(x_1-\tilde x_1)$, a constant; as $v_2-\tilde v_2$ is bounded, the
+        constant is $0$. Then $\dot z-\dot{\tilde z}=c$ is constant under equal friction. If $c\neq 0$, $\dot z$ and
+        $\dot z-c$ never have opposite signs, so $\dot z$ does not enter the interval between $0$ and $c$: it keeps one
+        sign, friction is always $b$ or always $-b$, and $v_2$ is not bounded. So $N\to 0$.
         """,
         bounded(),
         never_apart(),
@@ -66,12 +66,12 @@ def goes_round() -> Evidence:
     """On a surface what keeps its distance from a motion whose friction goes round is that motion."""
     return argument(
         r"""
-        Let $\mathbf v_i^*$ go round with the force, with the friction $\mathbf f^*$ of rotating-force. No motion moves
-        away from it, so $N$ has a limit, and motions from which it is taken keep their distance: $\mathbf v_1=\mathbf
-        v_1^*$, so $\mathbf f-\mathbf f^*$ is a constant, which is $0$, as $\mathbf v_2$ is bounded, and $\mathbf
-        w-\mathbf w^*=\mathbf c$ is a constant, too. Where $|\mathbf f^*|<b$ neither slips, and $\mathbf c=0$. Where
-        $|\mathbf f^*|=b$ both $\mathbf w$ and $\mathbf w^*$ are along $\mathbf f^*$, or $0$: so is $\mathbf c$ while
-        $\mathbf f^*$ goes round, and $\mathbf c=0$.
+        Let $\mathbf v_i^*$ rotate with the force, with the friction $\mathbf f^*$ of rotating-force. The flow is
+        non-expansive, so $N$ has a limit, and limit motions keep their distance: $\mathbf v_1=\mathbf v_1^*$, so
+        $\mathbf f-\mathbf f^*$ is a constant, which is $0$, as $\mathbf v_2$ is bounded, and $\mathbf w-\mathbf
+        w^*=\mathbf c$ is a constant, too. Where $|\mathbf f^*|<b$ neither slips, and $\mathbf c=0$. Where $|\mathbf
+        f^*|=b$ both $\mathbf w$ and $\mathbf w^*$ are along $\mathbf f^*$, or $0$: so is $\mathbf c$ while $\mathbf
+        f^*$ rotates, and $\mathbf c=0$.
         """,
         plane.never_apart(),
     )
@@ -84,15 +84,15 @@ def undamped_attraction() -> Evidence:
     frequency = Symbol("omega_1", positive=True)
     return argument(
         r"""
-        Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one moved by periods: $N(\zeta-\eta_*)$ is
+        Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one shifted by periods: $N(\zeta-\eta_*)$ is
         constant, so at almost every time both have the same $\dot z$ or the same friction. While $\eta_*$ sticks with
-        $|\Lambda_*|<b$ then $\zeta$ sticks; while $\eta_*$ slips $\zeta$ has its friction $sb$. At the exit both
-        loads are continuous, as $u$ is. Before it neither is beyond $b$; after it both have friction $sb$ and $s\dot
+        $|\Lambda_*|<b$ then $\zeta$ sticks; while $\eta_*$ slips $\zeta$ has its friction $sb$. At the exit both loads
+        are continuous, as $u$ is. Before it neither is beyond $b$; after it both have friction $sb$ and $s\dot
         z\geqslant 0$, so neither is within. So both loads are $sb$ there, hence $x_1=\tilde x_1$, and both velocities
         differ by one $\beta$. In the slip $v_2-\tilde v_2=\beta$ and $v_1-\tilde v_1=\beta\cos\omega_1t$. At its end
-        $\dot z_*=0$. At times after it, as close to it as one likes, friction of $\eta_*$ is not $sb$; then $\zeta$
-        has the same friction or the same $\dot z$, either way $s\dot z\leqslant 0$. So $\dot z=0$ for $\zeta$ at that
-        end, too, hence $\beta(\cos\omega_1t_s-1)=0$, $\beta=0$, and $\zeta=\eta_*$.
+        $\dot z_*=0$. At times after it, arbitrarily close to it, friction of $\eta_*$ is not $sb$; then $\zeta$ has the
+        same friction or the same $\dot z$, either way $s\dot z\leqslant 0$. So $\dot z=0$ for $\zeta$ at that end, too,
+        hence $\beta(\cos\omega_1t_s-1)=0$, $\beta=0$, and $\zeta=\eta_*$.
         """,
         identity(
             r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
@@ -132,7 +132,7 @@ def grows() -> Evidence:
     return argument(
         r"""
         Over a period $T$ the force adds $U_1T/(2m_1)$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$,
-        takes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
+        removes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
         """,
         resonant_rate(),
         most_friction(),
@@ -151,11 +151,11 @@ def stays_bounded() -> Evidence:
     slope = diff(response.path_beside(offset), offset)
     return argument(
         r"""
-        Over $n$ periods $A$ and $v_2$ change by at most a constant, $|A|=R$. So the work of $u$ is at most
-        $R\,U_1nT/2$ and a constant (for $\omega_1T\notin 2\pi\mathbb Z$: $R\,\epsilon nT$, with $\epsilon$ as small
-        as one likes for a large $n$), and the path of $\dot z$ is at least the integral of $|R\cos\omega_1t-v_2|$
-        with one $v_2$, less a constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over $n$ periods $E$
-        falls wherever it is large enough, and in between it rises by a bounded factor only.
+        Over $n$ periods $A$ and $v_2$ change by at most a constant, $|A|=R$. So the work of $u$ is at most $R\,U_1nT/2$
+        and a constant (for $\omega_1T\notin 2\pi\mathbb Z$: $R\,\epsilon nT$, with $\epsilon$ arbitrarily small for
+        large $n$), and the path of $\dot z$ is at least the integral of $|R\cos\omega_1t-v_2|$ with one $v_2$, less a
+        constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over $n$ periods $E$ falls wherever it is
+        large enough, and in between it rises by a bounded factor only.
         """,
         energy_rate(),
         resonant_rate(),
@@ -195,24 +195,24 @@ DISTANCE = Symbol("N", nonnegative=True)
     ),
     clause(
         "drift",
-        r"In one period body 2 moves on by $\int_0^T v_2\,dt$ of that motion; by nothing if $u(t+T/2)=-u(t)$.",
+        r"In one period body 2 advances by $\int_0^T v_2\,dt$ of that motion; by nothing if $u(t+T/2)=-u(t)$.",
         kernel="drift no-drift",
     ),
     clause(
         "round",
         r"""
-        On a surface, with scalar masses, spring and damper, $a_1>0$, and friction of at most $b$ against the slip, every
-        motion under the force of rotating-force tends to the one that goes round with it.
+        On a surface, with scalar masses, spring and damper, $a_1>0$, and friction of at most $b$ against the slip,
+        every motion under the force of rotating-force tends to the one that rotates with it.
         """,
     ),
     clause(
         "undamped",
         r"""
-        Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant at which $u$ is continuous and
-        before which $|\Lambda|<b$, slip with one sign $s$ for a time $t_s$, after which friction is no longer $sb$,
-        and have $\omega_1t_s\notin 2\pi\mathbb Z$, «natural». Then every motion tends to it. For what keeps its
+        Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant at which $u$ is continuous and before
+        which $|\Lambda|<b$, slip with one sign $s$ for a time $t_s$, after which friction is no longer $sb$, and have
+        $\omega_1t_s\notin 2\pi\mathbb Z$, «natural». Then every motion tends to it. For a motion that keeps its
         distance from it differs in that slip by «place» and «relative» at the time $t$ after the exit, $\beta$ being
-        the lead of both velocities at it, and both pairs have $\dot z=0$ at $t=t_s$.
+        the difference of both velocities at the exit, and both have $\dot z=0$ at $t=t_s$.
         """,
         natural=equal(NATURAL, sqrt(a2 / m1), lambda: undamped(rates()[1])),
         place=equal(
@@ -232,9 +232,9 @@ DISTANCE = Symbol("N", nonnegative=True)
         "jump",
         r"""
         Where $u$ jumps at the exit, that may fail. For $m_1=m_2=a_2=b=1$, $a_1=0$, let «push» for the time «slip»,
-        $u=0$ for the time «stick» after it, and then the same with the opposite sign, again and again. From «place»,
+        $u=0$ for the time «stick» after it, and then the same with the opposite sign, repeatedly. From «place»,
         $v_1=v_2=v$, every $v$ with «slowest» and «fastest» starts a motion of the period $2(t_s+t_h)$ with
-        $\omega_1t_s=\pi/2$: a slip and a stick in each half period. Two of them keep the distance «apart» for ever:
+        $\omega_1t_s=\pi/2$: a slip and a stick in each half period. Two of them keep the distance «apart» permanently:
         none attracts another.
         """,
         push=equal("u", 1 - pi / 4, lambda: jumping.PUSH),
@@ -252,9 +252,10 @@ def forced_periodic_response() -> Case:
     """One response, what moves body 2 on, and when the same holds without a damper."""
     return because(
         """
-        With a damper a periodic force has one response, and every motion tends to it. Without one, a single exit from stick has the same effect if
-        the slip after it has the right length and the force does not jump at that exit. With a jump there whole
-        families of periodic motions may lie beside one another.
+        With a damper a periodic force has one response, and every motion tends to it. Without a damper, a single exit
+        from stick has the same effect if the slip after it does not last a multiple of the natural period of body 1
+        alone and the force does not jump at that exit. With a jump there, whole families of periodic motions may
+        coexist.
         """,
         carried("round", goes_round()),
         carried("undamped", undamped_attraction()),
@@ -282,7 +283,7 @@ def forced_periodic_response() -> Case:
     ),
     clause(
         "bounded",
-        r"If $U_1<U_{\mathrm{res}}$, every motion has bounded $x_1,v_1,v_2$; body 2 may be carried away all the same.",
+        r"If $U_1<U_{\mathrm{res}}$, every motion has bounded $x_1,v_1,v_2$; body 2 may drift away nevertheless.",
     ),
     clause(
         "sine",
@@ -294,7 +295,7 @@ def forced_periodic_response() -> Case:
 def forced_resonance_bound() -> Case:
     """What friction can take out of a resonant oscillation at most."""
     return because(
-        r"Without a damper a resonant force makes every motion grow, if it is stronger than what the interface takes: friction of size $b$ takes at most the mean of $b|\cos|$ out of an oscillation.",
+        r"Without a damper a resonant force makes every motion grow if it exceeds what the interface can dissipate: friction of magnitude $b$ takes at most the mean of $b|\cos|$ out of an oscillation.",
         carried("rate"),
         carried("grows", grows()),
         carried("bounded", stays_bounded()),

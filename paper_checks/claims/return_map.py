@@ -21,6 +21,8 @@ RADIUS = 2
 
 
 ARCS = 512
+LEFT_OUT = r"\tfrac{r}{3}(9y/4)^9"
+"""Bound of what the terms after y^8 add to y', for 0 < y <= 4/9."""
 
 
 def printed_depth_coefficients() -> tuple[Rational, ...]:
@@ -85,7 +87,7 @@ def remainder() -> Steps:
         ),
         enclosed(
             f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
-            f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant\\tfrac{{r}}{{3}}\\,(9y/4)^9$ for $y\\leqslant 4/9$",
+            f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant {LEFT_OUT}$ for $y\\leqslant 4/9$",
             small,
             f"{text}; {printed}",
             ARCS,
@@ -149,7 +151,7 @@ def cycle_time() -> Evidence:
     ),
     clause(
         "remainder",
-        r"What the terms after $y^8$ add to $y'$ is at most $\tfrac{r}{3}(9y/4)^9$ for $0<y\leqslant 4/9$,",
+        f"The terms after $y^8$ add at most ${LEFT_OUT}$ to $y'$ for $0<y\\leqslant 4/9$,",
     ),
     clause(
         "time",
@@ -168,10 +170,10 @@ def return_map_expansion() -> Case:
     ]
     return because(
         r"""
-        One power series with rational coefficients is the return map of every pair; the mass ratio is a factor in it.
-        $h^2$ and $c$ are even analytic functions of the slip angle, $h^2=\theta^2/9+\cdots$, so $c$ is a power series
-        in $y=h^2$ without any parameter, and $y'=y-r\,c^2$. Its Taylor polynomials are exact; what they miss is
-        bounded on the rim of a disc in balls and by Schwarz's lemma inside.
+        One power series with rational coefficients gives the return map of every pair; the mass ratio is a factor in
+        it. $h^2$ and $c$ are even analytic functions of the slip angle, $h^2=\theta^2/9+\cdots$, so $c$ is a power
+        series in $y=h^2$ without any parameter, and $y'=y-r\,c^2$. Its Taylor polynomials are exact; the remainder is
+        bounded in ball arithmetic on the rim of a disc and by Schwarz's lemma inside.
         """,
         *landings()[3:],
         *coefficients(),

@@ -36,10 +36,10 @@ def agree() -> Evidence:
     """Every solution of (3), (4) is the motion of Coulomb's law, which is one of them if it is at the limit almost never."""
     return argument(
         r"""
-        A solution of (3), (4) has $\ddot z=0$ at almost every time with $\dot z=0$, so neither half nor broken
-        adhesion there: it sticks with $|\Lambda|<b$, and is the one motion of Coulomb's law. Conversely, that motion
-        has $\ddot z=0$ at almost every time with $\dot z=0$, so its friction is $\Lambda$, $|\Lambda|\leqslant b$;
-        where $|\Lambda|<b$ it meets (3), (4), and where $|\Lambda|=b$ it does not, as (4) hands on half.
+        A solution of (3), (4) has $\ddot z=0$ at almost every time with $\dot z=0$, so neither half nor broken adhesion
+        there: it sticks with $|\Lambda|<b$, and is the one motion of Coulomb's law. Conversely, that motion has $\ddot
+        z=0$ at almost every time with $\dot z=0$, so its friction is $\Lambda$, $|\Lambda|\leqslant b$; where
+        $|\Lambda|<b$ it meets (3), (4), and where $|\Lambda|=b$ it does not, as (4) transmits half.
         """,
         spurious_branch("half adhesion"),
         spurious_branch("broken adhesion"),
@@ -57,9 +57,9 @@ def stuck_below_the_limit() -> Evidence:
     return argument(
         r"""
         A pair that sticks along a reference has the load $m_2\ddot x_{\mathrm{ref}}$: with $|\ddot
-        x_{\mathrm{ref}}|<b/m_2$ it obeys (3), (4) as it obeys Coulomb's law. Half of the way with the acceleration
-        $4D/T^2$ and half with its opposite takes the time $T$, and asks for less than $b/m_2$ if $T$ exceeds the
-        least time.
+        x_{\mathrm{ref}}|<b/m_2$ it satisfies (3), (4) as it satisfies Coulomb's law. Half of the way with the
+        acceleration $4D/T^2$ and half with its opposite takes the time $T$, and requires less than $b/m_2$ if $T$
+        exceeds the least time.
         """,
         stuck_force(),
         agree(),
@@ -125,7 +125,7 @@ def two_solutions() -> Steps:
     slipping = solved(load_scene("start-at-6mm"))
     stuck, loose = (solution(mode, DampingRegime.UNDAMPED) for mode in ("stick", "slip-"))
     return (
-        identity("a pair that sticks for ever satisfies (11), (12) (stick, by substitution)", residual(stuck)),
+        identity("a pair that sticks permanently satisfies (11), (12) (stick, by substitution)", residual(stuck)),
         identity(
             "a pair that slips with $\\dot z<0$ satisfies them too (slip, by substitution)",
             residual(loose),
@@ -206,15 +206,15 @@ def sgn_three_valued() -> Case:
         r"""
         What gives (3)–(4) well-defined solutions at $\dot z=0$ is the total mass in (3) with the stiction bracket in
         (4), not $\mathrm{sgn}(0)=0$. With $u=0$ every initial state has exactly one solution, the Filippov solution,
-        and under a force it has that one or none. Put into Coulomb's law alone, (5)–(7), the three-valued signum
-        leaves no solution through the interior of $S_0$ with $x_1\neq 0$; where the bracket is dropped, (11)–(12),
-        solutions are not unique; and under a control that holds $|\ddot x_1|=b/m_2$, (3)–(4) itself has none.
+        and under a force it has that one or none. In Coulomb's law alone, (5)–(7), the three-valued signum leaves no
+        solution through the interior of $S_0$ with $x_1\neq 0$; where the bracket is dropped, (11)–(12), solutions are
+        not unique; and under a control that holds $|\ddot x_1|=b/m_2$, (3)–(4) itself has none.
         """,
         counterexample(
             (
                 "$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. (5)–(7) with $\\mathrm{sgn}(0)=0$ from $x_1=0.004$ at "
                 f"rest: $\\dot v_1={value_at(literal[1], INSIDE)}$ and $\\dot v_2=0$ on $S$, while off $S$ both fields lead back: no "
-                "solution. (11)–(12) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ for ever, and a slip with "
+                "solution. (11)–(12) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ permanently, and a slip with "
                 f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two of its solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none."
             ),
             no_solution_inside(),

@@ -197,9 +197,9 @@ def sliding_region() -> Case:
         clause(
             "alternatives",
             r"""
-            Any trajectory from $\Omega_-$ that meets $S$ enters $S_0$ and stays in it for some time, or crosses $S$
-            at an isolated instant into $\Omega_+$, at a point of $S_-$ or of $\ell_-$, or touches $S$ at a point of
-            $\ell_+$ and goes on in $\Omega_-$; the same holds from $\Omega_+$ with all signs exchanged.
+            Any trajectory from $\Omega_-$ that meets $S$ enters $S_0$ and stays in it for some time, or crosses $S$ at
+            an isolated instant into $\Omega_+$, at a point of $S_-$ or of $\ell_-$, or touches $S$ at a point of
+            $\ell_+$ and continues in $\Omega_-$; the same holds from $\Omega_+$ with all signs exchanged.
             """,
             kernel="return-alternatives return-alternatives-mirror sticks-inside slips-on-ray",
         ),
@@ -231,17 +231,17 @@ def return_alternatives() -> Case:
     )
     return because(
         r"""
-        The sentence misses two cases, both at the edges of $S_0$: a trajectory may touch $S$ and go on as before, or
-        cross $S$ at a point that is not in $S_\pm$. In $\Omega_-$ the guard $v_1-v_2$ is negative, so where it
-        reaches 0 its rate $\Phi_-\cdot n_S$ is not negative: the point has $x_1\leqslant L$. On $S_-$ both products
-        are positive and the crossing is transversal; the rest is $S_0$. At a point of $\ell_+$ the trajectory touches
-        $S$ and goes on in $\Omega_-$, and through $\ell_-$ it crosses into $\Omega_+$, at a point that is not in
-        $S_-$. Only starts on surfaces lead there; for all others the sentence holds as it stands.
+        The sentence misses two cases, both at the edges of $S_0$: a trajectory may touch $S$ and continue as before, or
+        cross $S$ at a point that is not in $S_\pm$. In $\Omega_-$ the guard $v_1-v_2$ is negative, so where it reaches
+        0 its rate $\Phi_-\cdot n_S$ is not negative: the point has $x_1\leqslant L$. On $S_-$ both products are
+        positive and the crossing is transversal; the rest is $S_0$. At a point of $\ell_+$ the trajectory touches $S$
+        and continues in $\Omega_-$, and through $\ell_-$ it crosses into $\Omega_+$, at a point that is not in $S_-$.
+        Only starts on surfaces lead there; for all others the sentence holds as it stands.
         """,
         counterexample(
             r"""
-            For every pair and every $v>0$ the slip with $\dot z<0$ through $x_1=L$, $v_1=v_2=v$ comes from
-            $\Omega_-$, touches $S$ there and goes on in $\Omega_-$: it neither enters $S_0$ nor crosses $S_-$.
+            For every pair and every $v>0$ the slip with $\dot z<0$ through $x_1=L$, $v_1=v_2=v$ comes from $\Omega_-$,
+            touches $S$ there and continues in $\Omega_-$: it neither enters $S_0$ nor crosses $S_-$.
             """,
             touches,
             turns,
@@ -254,7 +254,7 @@ def return_alternatives() -> Case:
                 A guard that is negative arrives at 0 with a rate that is not negative, so at $x_1\leqslant L$. With
                 $x_1<-L$ both rates are positive: it crosses. With $|x_1|<L$ both fields push to $S$: it stays. At
                 $x_1=L$ the rate is 0 and the guard has a maximum if $v_1>0$, where it touches; with $v_1\leqslant 0$
-                the stick goes on inside. At $x_1=-L$ with $v_1<0$ the pair leaves by $\ell_-$ at once, and with
+                the stick continues inside. At $x_1=-L$ with $v_1<0$ the pair leaves by $\ell_-$ at once, and with
                 $v_1\geqslant 0$ it sticks.
                 """,
                 prove(

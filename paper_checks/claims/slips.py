@@ -273,11 +273,11 @@ def excursion_closed_form() -> Case:
     """The end of every slip from S, whether it stays, and the ray that the pair leaves by next."""
     return because(
         r"""
-        Every slip from $S$ ends at the root of one monotone equation, and all that it does is an elementary function
-        of its angle. With the root at its start divided out, the guard of a slip from $S$ is one monotone function of
-        the slip angle, so the slip has exactly one end; there everything is an elementary function of the angle. On
-        $S_0$ above $E_{cr}$ the velocity keeps its sign up to the ray, so the sign of $V'=\sqrt q\,(h-\theta)$ tells
-        the ray; $V'=0$ inside $S_0$ is below $E_{cr}$.
+        Every slip from $S$ ends at the root of one monotone equation, and its result is an elementary function of its
+        angle. With the root at its start divided out, the guard of a slip from $S$ is a monotone function of the slip
+        angle, so the slip has exactly one end, where the state is an elementary function of the angle. On $S_0$ above
+        $E_{cr}$ the velocity keeps its sign up to the ray, so the sign of $V'=\sqrt q\,(h-\theta)$ determines the ray;
+        $V'=0$ inside $S_0$ is below $E_{cr}$.
         """,
         contact(),
         first_factor_positive(),

@@ -52,7 +52,7 @@ def time(letter: str, digits: str, scene: str, number: int) -> Formula:
 
 
 ALTERNATION = (Mode.STICK, Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS)
-FROM_REST = "Stuck from rest, $|x_1|\\leqslant|x_1(0)|$, so the force that sticking needs is at most $b$ for ever exactly if $|x_1(0)|\\leqslant L$."
+FROM_REST = "Stuck from rest, $|x_1|\\leqslant|x_1(0)|$, so the force that sticking needs is at most $b$ at all times exactly if $|x_1(0)|\\leqslant L$."
 VANISHING = r"""
 In every mode $\dot E\leqslant-b|\dot z|$, so $b\int_0^\infty|\dot z|\,dt\leqslant E(0)$; and $|\ddot z|\leqslant K$
 on $\{E\leqslant E(0)\}$. A Lipschitz function with a finite integral tends to 0 (Barbalat): $\dot z\to 0$.
@@ -88,7 +88,7 @@ def point_of(scene: Scene) -> Point:
         ),
         clause(
             "from-rest",
-            r"under them the pair sticks from rest for ever exactly if $|x_1(0)|\leqslant L$, «width»; here «here».",
+            r"under them the pair sticks from rest permanently exactly if $|x_1(0)|\leqslant L$, «width»; here «here».",
             width=width(),
             here=equal(
                 "L",
@@ -137,7 +137,7 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
         (
             f"True of (11)–(12) as printed, which have another solution too; false of (3)–(4) and of Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
             f"{value_at(Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
-            f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
+            f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn without end. Only (11)–(12) read literally, with sgn(0) = 0 and without "
             "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
             "solution meets (11)–(12) at all but isolated times too. Forward Euler picks the stuck one, as it starts at $\\dot z=0$ "
             "exactly and gives both bodies the same increments."
@@ -147,7 +147,7 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
             *two_solutions(),
             *witnesses,
         ),
-        stuck_for_ever("(11), (12) read literally: sticks for ever, carried by 0.6 N > b", solved(literally(scene))),
+        stuck_for_ever("(11), (12) read literally: sticks permanently, with 0.6 N > b", solved(literally(scene))),
         carried("from-rest", argument(FROM_REST, *_from_rest(scene))),
         carried("slips", argument(" ".join(ARGUMENT), *witnesses)),
         carried("literal", equivalent(), *two_solutions()),
@@ -177,7 +177,7 @@ def _from_rest(scene: Scene) -> Steps:
             (a2 * m2 / total_mass()) ** 2 * (x1**2 - half_width() ** 2),
         ),
         stuck_for_ever(
-            "from $x_1(0)=L=0.005$ exactly, the pair sticks for ever", solved(replace(scene, initial=State(x1=edge)))
+            "from $x_1(0)=L=0.005$ exactly, the pair sticks permanently", solved(replace(scene, initial=State(x1=edge)))
         ),
         itinerary("from $x_1(0)=0.005+10^{-300}$ it slips at once", solved(hair), (Mode.SLIP_MINUS, *ALTERNATION)),
     )
@@ -203,7 +203,7 @@ def _from_rest(scene: Scene) -> Steps:
         clause(
             "for-ever",
             r"""
-            from then on it sticks and slips in turn for ever; $\dot z\to 0$ as $t\to\infty$, in infinitely many
+            from then on it sticks and slips in turn without end; $\dot z\to 0$ as $t\to\infty$, in infinitely many
             slips, each slower than the one before.
             """,
         ),
@@ -225,8 +225,7 @@ def synchronises(speed: Fraction = Fraction(15, 100)) -> Case:
     return because(
         (
             "The bodies start in relative motion, as the paper says, but no period of time ends it. They stick first from "
-            f"{rounded(found.events[1].t, 4)} s to {rounded(found.events[2].t, 4)} s, and then slip again and again, for ever; $\\dot z$ tends to zero only as $t\\to\\infty$. Under (11)–(12) read "
-            f"literally they would stick for ever at their first contact, at {rounded(contact.t, 4)} s, by a force beyond $b$."
+            f"{rounded(found.events[1].t, 4)} s to {rounded(found.events[2].t, 4)} s, and then slip again and again, without end; $\\dot z$ tends to zero only as $t\\to\\infty$. Under (11)–(12) read literally they would stick permanently from their first contact on, at {rounded(contact.t, 4)} s, by a force beyond $b$."
         ),
         exhibit("$\\dot z(0)=0.15>0$: starts in mode (14)", point_of(scene), (v1 - v2, ">", 0)),
         counterexample(
@@ -236,7 +235,7 @@ def synchronises(speed: Fraction = Fraction(15, 100)) -> Case:
             """,
             *witnesses,
         ),
-        stuck_for_ever("(11), (12) read literally: sticks for ever after its first contact", literal),
+        stuck_for_ever("(11), (12) read literally: sticks permanently after its first contact", literal),
         within("that contact is at $t=0.07688$ s", contact.t, "0.076878", "0.076879"),
         within("and at $x_1=0.00805$ m, outside $S_0$ ($L=0.005$ m)", contact.y[0], "0.00805", "0.00806"),
         carried("adheres", witnesses[0]),
@@ -306,11 +305,12 @@ def convergence(speed: Fraction = Fraction(15, 100)) -> Case:
     for_ever = [item for name, run in runs for item in (*starts_below(run, name), _decline(run, name))]
     return because(
         r"""
-        $\dot z\to 0$ and $z$ has a limit, but $\dot z=0$ is not invariant. All three motions leave it again and
-        again. Friction takes $b|\dot z|$ from a finite energy, so the integral of $|\dot z|$ is finite; as $\dot z$
-        is Lipschitz continuous, $\dot z\to 0$. For all three values of $b$ that takes for ever: after the first exit
-        from $S_0$ the pair sticks and slips in turn without end, each slip slower than the one before. The state
-        tends to the part $E=E_{cr}$ of $S_0$. Under (11)–(12) read literally $\dot z=0$ from the first contact on.
+        $\dot z\to 0$ and $z$ has a limit, but $\dot z=0$ is not invariant. All three motions leave it again and again.
+        Friction dissipates $b|\dot z|$ of a finite energy, so the integral of $|\dot z|$ is finite; as $\dot z$ is
+        Lipschitz continuous, $\dot z\to 0$. For all three values of $b$ convergence takes infinitely long: after the
+        first exit from $S_0$ the pair sticks and slips in turn without end, each slip slower than the one before. The
+        state tends to the part $E=E_{cr}$ of $S_0$. Under (11)–(12) read literally $\dot z=0$ from the first contact
+        on.
         """,
         counterexample(
             (
@@ -347,7 +347,7 @@ def convergence(speed: Fraction = Fraction(15, 100)) -> Case:
             ),
         ),
         *(
-            stuck_for_ever(f"{name}: (11), (12) read literally stick for ever", solved(literally(run.scene)))
+            stuck_for_ever(f"{name}: (11), (12) read literally stick permanently", solved(literally(run.scene)))
             for name, run in runs
         ),
         derivation=(VANISHING, *ARGUMENT),

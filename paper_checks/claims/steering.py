@@ -43,8 +43,8 @@ def driven_body_steered() -> Case:
     return because(
         """
         Body 2 can be brought from rest to rest over any distance, by a force on body 1 alone, under (3)–(4) and under
-        Coulomb's law (in just the least time by a stuck pair: under the latter only). All energy comes from that
-        force: damper and interface only take.
+        Coulomb's law (in exactly the minimum time by a stuck pair: under the latter only). All energy comes from that
+        force: damper and interface only dissipate.
         """,
         carried("unbounded", signum.stuck_below_the_limit(), transfers.least_time()),
         carried("source", contraction.energy_rate()),
@@ -94,7 +94,7 @@ def off_the_place() -> Steps:
             "<",
             exact(Rational(1, 10**6)),
         ),
-        compare("and is far from its place (m)", abs(end[2] - place), ">", exact(Rational(1, 4))),
+        compare("and is far from its position (m)", abs(end[2] - place), ">", exact(Rational(1, 4))),
     )
 
 
@@ -112,24 +112,24 @@ def off_the_place() -> Steps:
         ),
         clause(
             "velocity",
-            r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $v_1$ and $v_2$ track it, and $x_1$ does but for the $\gamma$ of that force.",
+            r"so under the force of trackable-references, if bounded, every motion eventually takes on the velocity of the reference: $v_1$ and $v_2$ track it, and $x_1$ does except for the $\gamma$ of that force.",
         ),
         clause(
             "controlled",
-            r"With a damper $a_1(t)\geqslant 0$ that is itself controlled in time two motions under one force still never move apart in the energy norm.",
+            r"With a damper $a_1(t)\geqslant 0$ that is itself controlled in time the flow under a force is still non-expansive in the energy norm.",
         ),
         clause(
             "place",
-            r"The place $x_2$ does not: a motion that differs in $x_2(0)$ only keeps that difference for ever,",
+            r"The position $x_2$ does not: a motion that differs only in $x_2(0)$ keeps that difference permanently,",
             kernel="displacement-unseen forced-well-posed",
         ),
         clause(
             "offset",
-            r"and one that starts with the place and the velocity of the reference, but with another motion of body 1, can be left with an offset.",
+            r"and one that starts with the position and the velocity of the reference, but with another motion of body 1, can keep an offset.",
         ),
     ),
     open=(
-        "Under a controlled damper, whether any two motions approach each other: that is shown for a constant $a_1>0$. With a damper whose force on body 1 does not fall with the speed two motions still never move apart (friction-in-any-direction). A damper by the place, and a force that depends on the motion, are not treated.",
+        "Under a controlled damper, whether any two motions approach each other: that is shown for a constant $a_1>0$. With a damper whose force on body 1 does not fall with speed the flow is still non-expansive (friction-in-any-direction). A damper that depends on position, and a force that depends on the motion, are not treated.",
     ),
 )
 def damping_for_tracking() -> Case:
@@ -138,11 +138,11 @@ def damping_for_tracking() -> Case:
     offset = off_the_place()
     return because(
         r"""
-        The velocity of body 2 tracks, its place may be left with an offset. Under the force of trackable-references
-        one motion follows the reference. With a damper and a bounded force every other motion approaches it in
-        $(x_1,v_1,v_2)$; without a damper a free oscillation may stay. But no force depends on $x_2$, of which the paper
-        says that it is a variable of interest. The damper costs $a_1\dot x_{\mathrm{ref}}$ in that force. It does not
-        speed up every motion: see damping-can-desynchronise.
+        The velocity of body 2 tracks; its position may keep an offset. Under the force of trackable-references one
+        motion follows the reference. With a damper and a bounded force every other motion approaches it in
+        $(x_1,v_1,v_2)$; without a damper a free oscillation may persist. But no force depends on $x_2$, which the paper
+        calls a variable of interest. The damper costs $a_1\dot x_{\mathrm{ref}}$ in that force. It does not speed up
+        every motion: see damping-can-desynchronise.
         """,
         counterexample(
             (
@@ -193,23 +193,23 @@ def damping_for_tracking() -> Case:
     correction=(
         clause(
             "time",
-            r"For $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, and two never move apart;",
+            r"For $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every initial state, and the flow is non-expansive;",
             kernel="varying-contraction varying-well-posed",
         ),
         clause(
             "rate",
-            r"so it is with pieces without end, finitely many in every bounded time, with «contraction»;",
+            r"the same holds for infinitely many pieces, finitely many in every bounded time interval, with «contraction»;",
             contraction=equal(
                 r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
                 -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
                 forced.contraction_rate,
             ),
         ),
-        clause("rule", r"the mode rule stays as it is, with the values of $b$ from the right."),
+        clause("rule", r"the mode rule is unchanged, with the values of $b$ from the right."),
         clause(
             "state",
             r"""
-            Where $b$ depends on the place the contraction is lost: for two slips of one sign $s$ under $b$ and
+            Where $b$ depends on position, non-expansiveness is lost: for two slips of one sign $s$ under $b$ and
             $\tilde b$, $a_1=0$, it becomes «rate», which can be positive.
             """,
             rate=Formula(
@@ -222,10 +222,10 @@ def damping_for_tracking() -> Case:
         clause(
             "unique",
             r"""
-            One motion from every start there is all the same: if $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$,
-            $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ so it is with $(z-\tilde z)^2$
-            added to $N^2$ and another $\gamma$, and for $b(|\dot z|)$ that falls by at most $\ell$ times the increase
-            of the speed with «speed»: where $b$ does not fall with the speed, $\ell=0$, $N$ never grows.
+            There is still one motion from every initial state: if $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$,
+            $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ the same holds with $(z-\tilde
+            z)^2$ added to $N^2$ and another $\gamma$, and for $b(|\dot z|)$ that falls by at most $\ell$ times the
+            increase of the speed with «speed»: where $b$ does not fall with the speed, $\ell=0$, $N$ never grows.
             """,
             place=equal(
                 r"\gamma",
@@ -240,11 +240,11 @@ def damping_for_tracking() -> Case:
         ),
         clause(
             "synchronises",
-            r"And as long as $b$ stays between some $b_{\min}>0$ and some $b_{\max}$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
+            r"As long as $b$ stays between some $b_{\min}>0$ and some $b_{\max}$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
         ),
     ),
     open=(
-        "What the long-run motion is for a friction that varies with the time or depends on the state (who merges, how fast the others settle) is not decided here, except for static friction above kinetic where sticks are kept (static-friction-stops-creeping): $E_{cr}$ and the $1/t$ law are those of a constant $b$.",
+        "The long-run motion for a friction that varies with time or depends on the state (which motions merge, how fast the others converge) is not decided here, except for static friction above kinetic where sticks are kept (static-friction-stops-creeping): $E_{cr}$ and the $1/t$ law are those of a constant $b$.",
     ),
 )
 def varying_interface() -> Case:
@@ -252,13 +252,14 @@ def varying_interface() -> Case:
     rate = forced.place_dependent_rate(1)
     return because(
         """
-        A part of the problem is not open: with a friction that varies in time a start has one motion, and two motions
-        never move apart. Where it varies with the state they may, but if it does so without jumps, with bounded
-        slopes, a start still has one motion; and without a force friction that stays above some least value, whatever
-        it depends on, brakes every relative motion down. How the long run looks is open in both cases.
+        Part of the problem is not open: with a friction that varies in time each initial state has one motion, and the
+        flow is non-expansive. With a friction that varies with the state two motions may separate, but if it varies
+        without jumps, with bounded slopes, each initial state still has one motion; and without a force, friction that
+        stays above some positive value, whatever it depends on, brings every relative motion to rest. The long-run
+        motion is open in both cases.
         """,
         counterexample(
-            "For $b(t)$ this much of the effect is known: from every start there is one solution, and two solutions never move apart in $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
+            "For $b(t)$ this much of the effect is known: from every initial state there is one solution, and the flow is non-expansive in the norm $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
             contraction.friction_in_time(),
         ),
         carried(

@@ -46,8 +46,8 @@ def sticks_for_ever() -> Evidence:
     """With a damper: exactly up to U*, and then all motions tend to it."""
     return argument(
         r"""
-        A motion that sticks for ever is that of one damped body, so it tends to the response and needs its friction:
-        $U\leqslant U_*$. If so, the response is a motion, periodic, and attracts all. If $U<U_*$, near it
+        A motion that sticks permanently is that of one damped body, so it tends to the response and needs the same
+        friction: $U\leqslant U_*$. If so, the response is a motion, periodic, and attracts all. If $U<U_*$, near it
         $|\Lambda|\leqslant b-\eta$: a slip has $s\ddot z\leqslant-\kappa\eta$ and ends, and the stick after it lasts.
         """,
         stuck_response(),
@@ -91,12 +91,12 @@ def undamped_stuck() -> Evidence:
     """Without a damper: the response with any free oscillation."""
     return argument(
         r"""
-        A motion that sticks for ever has $\ddot x_1=-\omega^2X\sin\omega t$ and a free oscillation of frequency
+        A motion that sticks permanently has $\ddot x_1=-\omega^2X\sin\omega t$ and a free oscillation of frequency
         $\Omega$. Take the values at $\omega t=\pi/2+\pi k$ with the signs $(-1)^k$ and their mean over $k$: the first
         part gives $\omega^2X$, the second one a geometric mean that tends to $0$, unless $\Omega/\omega$ is odd. So
         $\omega^2X\leqslant b/m_2$ is needed. If $\Omega=n\omega$, $n\geqslant 3$ odd, take $\omega t=\pi/2\pm\pi/2n$:
-        the mean is $\omega^2X\cos(\pi/2n)$ whatever is added, and a free oscillation attains it. If $\Omega=\omega$
-        the stuck motion grows like $t$.
+        the mean is $\omega^2X\cos(\pi/2n)$ whatever is added, and a free oscillation attains it. If $\Omega=\omega$ the
+        stuck motion grows like $t$.
         """,
         stuck_response(),
         harmonic_curve(),

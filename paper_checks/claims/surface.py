@@ -14,10 +14,10 @@ def load_and_place() -> Evidence:
     return argument(
         r"""
         Stuck, $(m_1+m_2)\ddot{\mathbf q}=-a_2\mathbf q$ moves body 1 on an ellipse with the frequency $\Omega$, and the
-        force on body 2 is $m_2\ddot{\mathbf q}$, of the size $m_2a_2|\mathbf q|/(m_1+m_2)$. With $\mathbf p=\dot{\mathbf
-        q}/\Omega$ the energy is $\frac{a_2}2(|\mathbf q|^2+|\mathbf p|^2)$.
+        force on body 2 is $m_2\ddot{\mathbf q}$, of the magnitude $m_2a_2|\mathbf q|/(m_1+m_2)$. With $\mathbf
+        p=\dot{\mathbf q}/\Omega$ the energy is $\frac{a_2}2(|\mathbf q|^2+|\mathbf p|^2)$.
         """,
-        identity(r"this size at $|\mathbf q|=L$ is $b$", m2 * a2 * half_width() / (m1 + m2), b),
+        identity(r"this magnitude at $|\mathbf q|=L$ is $b$", m2 * a2 * half_width() / (m1 + m2), b),
         identity(r"$\frac{a_2}2L^2=E_{cr}$", a2 * half_width() ** 2 / 2, critical_energy()),
     )
 
@@ -27,14 +27,14 @@ def load_and_place() -> Evidence:
     clause(
         "load",
         r"""
-        With round friction $|\mathbf f|\leqslant b$, scalar masses and spring, no damper and no force, a stuck pair moves on
-        $\mathbf q\cos\Omega t+\mathbf p\sin\Omega t$, its load stays within $b$ exactly while this is within $L$ of the
-        origin, and its energy is $\frac{a_2}2(|\mathbf q|^2+|\mathbf p|^2)$, $\frac{a_2}2L^2=E_{cr}$.
+        With isotropic friction $|\mathbf f|\leqslant b$, scalar masses and spring, no damper and no force, a stuck pair
+        moves on $\mathbf q\cos\Omega t+\mathbf p\sin\Omega t$, its load stays within $b$ exactly while this is within
+        $L$ of the origin, and its energy is $\frac{a_2}2(|\mathbf q|^2+|\mathbf p|^2)$, $\frac{a_2}2L^2=E_{cr}$.
         """,
     ),
     clause(
         "axis",
-        r"It stays there for ever exactly if the semi-major axis of this ellipse is at most $L$:",
+        r"It stays there permanently exactly if the semi-major axis of this ellipse is at most $L$:",
         kernel="plane-stuck-iff",
     ),
     clause(
@@ -55,12 +55,14 @@ def load_and_place() -> Evidence:
         """,
         kernel="plane-landing",
     ),
-    open=("Which slipping motions on a surface stick for ever, and how fast the others settle, is not decided here.",),
+    open=(
+        "Which slipping motions on a surface eventually stick permanently, and how fast the others converge, is not decided here.",
+    ),
 )
 def stuck_ellipses() -> Case:
     """The load turns with the place."""
     return because(
-        "On a surface a stuck pair sticks for ever exactly if its ellipse fits into the disc of the radius $L$: stuck, the load is in proportion to the place. An ellipse of given energy fits the better the rounder it is.",
+        "On a surface a stuck pair sticks permanently exactly if its ellipse fits into the disc of radius $L$: while stuck, the load is proportional to the displacement. At a given energy, the rounder the ellipse, the better it fits.",
         carried("load", load_and_place()),
         figure="stuck-ellipses",
     )
@@ -84,7 +86,7 @@ def one_quadratic() -> Evidence:
         "motion",
         r"""
         Under the force $U(\cos\omega t,\sin\omega t)$ on body 1, $U>0$, with scalar masses, spring and damper, there is
-        a motion with a friction of the constant size $f>0$, along a slip of the constant speed $\rho\geqslant 0$,
+        a motion with a friction of the constant magnitude $f>0$, along a slip of the constant speed $\rho\geqslant 0$,
         wherever $(m_2\omega^2U)^2=f^2|D_M|^2+2a_1m_2^2\omega^4f\rho+m_2^2\omega^2|D|^2\rho^2$,
         $D=a_2-m_1\omega^2+ia_1\omega$, $D_M=a_2-(m_1+m_2)\omega^2+ia_1\omega$.
         """,
@@ -93,9 +95,9 @@ def one_quadratic() -> Evidence:
     clause(
         "threshold",
         r"""
-        Let $D\neq 0$ and $U_*=b|D_M|/(m_2\omega^2)$. Up to $U_*$ this holds with $\rho=0$ and a friction
-        $f=bU/U_*$ that sticking can give; with $f=b$ it holds for a speed $\rho>0$ exactly if $U>U_*$, and for one
-        only: for these motions both thresholds are one.
+        Let $D\neq 0$ and $U_*=b|D_M|/(m_2\omega^2)$. Up to $U_*$ this holds with $\rho=0$ and a friction $f=bU/U_*$
+        that sticking can give; with $f=b$ it holds for a speed $\rho>0$ exactly if $U>U_*$, and for only one: for these
+        motions both thresholds coincide.
         """,
         kernel="rotating-threshold",
     ),
@@ -109,12 +111,12 @@ def one_quadratic() -> Evidence:
         """,
         kernel="rotating-characteristic",
     ),
-    open=("That $X(0)<0$ makes the motion repel its neighbours is not proved here.",),
+    open=("That $X(0)<0$ makes the motion unstable is not proved here.",),
 )
 def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""
     return because(
-        "Under a force that goes round a motion that goes round with it sticks up to one threshold and, but where body 1 resonates without a damper, slips at one speed above it: in axes that turn with the force it rests, and its equations are one quadratic for that speed. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$. With a damper every motion tends to this one: see forced-periodic-response.",
+        "Under a rotating force a motion that rotates with it sticks up to one threshold and, unless body 1 resonates without a damper, slips at one speed above it: in axes that rotate with the force it is at rest, and its equations reduce to one quadratic for that speed. From the amplitude on at which sticking needs more than $b$ that speed is positive. With a damper every motion tends to this one: see forced-periodic-response.",
         one_quadratic(),
         figure="rotating-force",
     )

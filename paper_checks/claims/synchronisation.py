@@ -34,9 +34,10 @@ def synchronisation_all_parameters() -> Case:
     """Prove z' -> 0 step by step, for all parameters and all initial states."""
     return because(
         r"""
-        Under the Filippov law, whose solutions are those of (3)–(4), friction takes $b|\dot z|$ from a finite energy,
-        so $\int|\dot z|\,dt\leqslant E(0)/b$, and $|\ddot z|$ is bounded in every mode: an integrable function with a
-        bounded rate tends to 0. Each step is checked for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$. (11)–(12) read literally with a stick that never ends reach $\dot z=0$ at the first contact.
+        Under the Filippov law, whose solutions are those of (3)–(4), friction dissipates $b|\dot z|$ of a finite
+        energy, so $\int|\dot z|\,dt\leqslant E(0)/b$, and $|\ddot z|$ is bounded in every mode: an integrable function
+        with a bounded rate tends to 0. Each step is checked for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$. (11)–(12) read
+        literally with a stick that never ends reach $\dot z=0$ at the first contact.
         """,
         carried("synchronises", dissipation.synchronises()),
         derivation=(
@@ -60,21 +61,21 @@ def synchronisation_all_parameters() -> Case:
     correction=(
         clause(
             "both-modes",
-            r"No slip lasts for ever: from every start with $\dot z\neq 0$ the pair meets $S$ after a finite time.",
+            r"No slip is permanent: from every initial state with $\dot z\neq 0$ the pair meets $S$ after a finite time.",
             kernel="contact",
         ),
         clause(
             "one-mode",
             r"""
             Without a damper, $a_1=0$, a pair that starts on $S$ with $E\leqslant E_{cr}$ is synchronised in one mode,
-            stick, for ever; so no alternation follows once it moves on a synchronised orbit $\{E=E_0\}\cap S_0$,
+            stick, permanently; so no alternation follows once it moves on a synchronised orbit $\{E=E_0\}\cap S_0$,
             $E_0\leqslant E_{cr}$.
             """,
             kernel="sticks-iff capture",
         ),
         clause(
             "alternates",
-            r"For every such pair, $a_1=0$, some motion sticks and slips in turn for ever;",
+            r"For every such pair, $a_1=0$, some motion sticks and slips in turn without end;",
             kernel="stick-slip-for-ever",
         ),
         clause(
@@ -106,18 +107,18 @@ def finite_time_then_alternation() -> Case:
             (v1, "=", 0),
             (on_surface(), "<", critical_energy()),
         ),
-        stuck_for_ever("from there the pair sticks for ever", solved(scene_at(INSIDE, "1000"))),
+        stuck_for_ever("from there the pair sticks permanently", solved(scene_at(INSIDE, "1000"))),
     )
     return because(
         r"""
-        On a synchronised orbit, $E\leqslant E_{cr}$, the pair is in one mode for ever. From a slip both modes are
-        needed; once a trajectory moves on such an orbit, no alternation follows. What can precede an alternation
-        without end is an adhesion in finite time, on an arc of $S_0$ with an energy above $E_{cr}$: the scene
+        On a synchronised orbit, $E\leqslant E_{cr}$, the pair is permanently in one mode. From a slip both modes are
+        needed; once a trajectory moves on such an orbit, no alternation follows. What can precede an endless
+        alternation is an adhesion in finite time, on an arc of $S_0$ with an energy above $E_{cr}$: the scene
         itinerary-that-creeps ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\dot x_1(0)=0.21$) adheres after a finite, enclosed
-        time and then sticks and slips in turn for ever, which is proved and not extrapolated.
+        time and then sticks and slips in turn without end, which is proved and not extrapolated.
         """,
         counterexample(
-            "The pair of Section IV with $b=0.5$, both bodies at rest at $x_1=0.004$: $\\dot z=0$ for ever in the one mode of stick, and no alternation follows.",
+            "The pair of Section IV with $b=0.5$, both bodies at rest at $x_1=0.004$: $\\dot z=0$ permanently in the one mode of stick, and no alternation follows.",
             *one_mode,
         ),
         carried(
@@ -146,7 +147,7 @@ def merges_with_a_damper() -> Steps:
         energy = trajectory.frame.energy(last.reduced)
     return (
         stuck_for_ever(
-            f"Fig. 5 (a) with $a_1=5$ N s/m sticks for ever after {len(trajectory.events)} events", trajectory
+            f"Fig. 5 (a) with $a_1=5$ N s/m sticks permanently after {len(trajectory.events)} events", trajectory
         ),
         compare("the last of them is before $t=1$ s", last.t, "<", exact(1)),
         compare("there $E$ is below the captive level of that damper", energy, "<", level),
@@ -166,7 +167,7 @@ def merges_with_a_damper() -> Steps:
     correction=(
         clause(
             "ends",
-            r"For every $a_1>0$ every trajectory sticks for ever from a finite time on, and tends to the origin;",
+            r"For every $a_1>0$ every trajectory sticks permanently from a finite time on, and tends to the origin;",
             kernel="viscous-decay viscous-rest",
         ),
         clause(
@@ -182,7 +183,7 @@ def merges_with_a_damper() -> Steps:
         clause(
             "alternates",
             """
-            for $a_1=0$ it may alternate for ever and then tends to the orbit $E=E_{cr}$. So damping the driving body
+            for $a_1=0$ it may alternate without end and then tends to the orbit $E=E_{cr}$. So damping the driving body
             can accelerate the synchronisation, and it replaces the endless alternation by a finite one.
             """,
             kernel="no-merging-from-S0 exit-and-entry-times viscous-rest",
@@ -196,16 +197,15 @@ def viscous_accelerates() -> Case:
     return because(
         r"""
         A damper can accelerate the synchronisation, but it changes the mechanism, too: with $a_1=0$ whole families of
-        trajectories creep to $E_{cr}$ by endless stick and slip, with $a_1>0$ every trajectory sticks for ever from a
-        finite time on and comes to rest. The trajectory of Fig. 5 (a) never stops slipping without a damper; with
-        $a_1=5$ N s/m it merges within a second. The sliding region is tilted: $|a_2x_1+a_1v_1|\leqslant
+        trajectories converge to $E_{cr}$ by endless stick and slip, with $a_1>0$ every trajectory sticks permanently
+        from a finite time on and comes to rest. The trajectory of Fig. 5 (a) never stops slipping without a damper;
+        with $a_1=5$ N s/m it merges within a second. The sliding region is tilted: $|a_2x_1+a_1v_1|\leqslant
         b(m_1+m_2)/m_2$.
         """,
         counterexample(
             (
                 "$m_1=m_2=1$, $a_2=200$, $b=0.05$, $\\dot x_1(0)=0.15$: with $a_1=0$ the pair never merges, from its "
-                f"first exit at $t=$ {text(itineraries.first_exit(undamped_run).t)} s on it sticks and slips in turn for ever; "
-                f"with $a_1=5$ it merges for ever at $t=$ {text(damped_run.events[-1].t)} s."
+                f"first exit at $t=$ {text(itineraries.first_exit(undamped_run).t)} s on it sticks and slips in turn without end; with $a_1=5$ it sticks permanently from $t=$ {text(damped_run.events[-1].t)} s on."
             ),
             *itineraries.never_merges(undamped_run, "velocities"),
             *merges_with_a_damper(),
@@ -214,7 +214,7 @@ def viscous_accelerates() -> Case:
         carried(
             "captive",
             argument(
-                "Below the level, $S$ is met inside the strip, where the pair sticks and, as $E$ does not grow, for ever.",
+                "Below the level, $S$ is met inside the strip, where the pair sticks and, as $E$ does not grow, permanently.",
                 dissipation.captive_margin(),
                 dissipation.captive_level(),
                 contact_again(),

@@ -50,7 +50,7 @@ def ring_contains() -> Evidence:
 def blind_to_x2() -> Evidence:
     """No acceleration depends on x2."""
     return identity(
-        r"no acceleration depends on $x_2$: a start moved by $c$ in $x_2$ keeps $c$ for ever",
+        r"no acceleration depends on $x_2$: an initial shift of $x_2$ by $c$ is permanent",
         [diff(entry, x2) for entry in forced.forced_system(sigma)],
     )
 
@@ -59,7 +59,7 @@ def blind_to_x2() -> Evidence:
 def centre() -> Evidence:
     """Nothing depends on x2; the path of the relative displacement is paid."""
     return argument(
-        r"A motion with $x_2(0)$ moved by $c$ is the same motion with $x_2$ moved by $c$. Without a force $b\int_t^\infty|\dot z|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
+        r"A motion with $x_2(0)$ shifted by $c$ is the same motion with $x_2$ shifted by $c$. Without a force $b\int_t^\infty|\dot z|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
         blind_to_x2(),
         identity(r"of the energy lost $\mathrm dE$ friction takes $b\,|\mathrm dz|$", control.path_per_energy(), 1 / b),
         *energy.in_every_mode()[:2],
@@ -70,7 +70,7 @@ def centre() -> Evidence:
 def sticks_for_ever_below() -> Evidence:
     """On S with E <= E_cr the free pair is captured."""
     return argument(
-        r"On $S$ with $E\leqslant E_{cr}$ the pair is in $S_0$; stuck it keeps its energy, so it sticks for ever.",
+        r"On $S$ with $E\leqslant E_{cr}$ the pair is in $S_0$; stuck it keeps its energy, so it sticks permanently.",
         capture.stays_below_critical(),
         capture.stick_is_a_motion(),
         filippov.one_solution(),
@@ -84,14 +84,14 @@ def heavy_damping() -> Evidence:
     return argument(
         r"""
         $E$ never grows, so $|a_2x_1+b\sigma|\leqslant F$ with an $F$ that does not depend on $a_1$, and
-        $|v_1|\leqslant|v_1(0)|e^{-a_1t/m_1}+F/a_1$: but for a time of order $\ln a_1/a_1$ body 1 has a velocity of
+        $|v_1|\leqslant|v_1(0)|e^{-a_1t/m_1}+F/a_1$: except for a time of order $\ln a_1/a_1$ body 1 has a velocity of
         order $1/a_1$. While $|v_2|$ exceeds that, it falls at the rate $b/m_2$, so both velocities meet at
-        $m_2|v_2(0)|/b$, but for terms that tend to $0$; from then on both are small, and so is the time to the next
+        $m_2|v_2(0)|/b$, up to terms that tend to $0$; from then on both are small, and so is the time to the next
         contact, as $v_2$ has the rate $\pm b/m_2$ in slip. In slip of sign $s$, $p=a_2x_1+a_1v_1$ obeys $\dot
         p=a_2v_1-(a_1/m_1)(p+bs)$ and tends to $-bs$. The first slip may cross $S$. One that starts at a contact does
-        not: there $-sp\geqslant bM/m_2>b$, so $-sp$ stays above $b$, but for terms that tend to $0$, and where the
-        slip ends $0<s\Lambda=-sp\,m_2/M\leqslant b$. So the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets $|p|$ fall
-        from its edge $bM/m_2$: it sticks for ever.
+        not: there $-sp\geqslant bM/m_2>b$, so $-sp$ stays above $b$, up to terms that tend to $0$, and where the slip
+        ends $0<s\Lambda=-sp\,m_2/M\leqslant b$. So the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets $|p|$ fall from
+        its edge $bM/m_2$: it sticks permanently.
         """,
         energy.energy_never_grows(),
         identity(r"there the load is $m_2b\sigma/M$", load, m2 * b * sigma / total_mass()),
@@ -125,8 +125,8 @@ OTHER_PLACE = Symbol(r"\tilde{x}_2", real=True)
         clause(
             "response",
             r"""
-            Under a bounded periodic force and with $a_1>0$, $(x_1,v_1,v_2)$ has one periodic orbit; every motion
-            enters each tube $N\leqslant\varepsilon$ around it, once and for good;
+            Under a bounded periodic force and with $a_1>0$, $(x_1,v_1,v_2)$ has one periodic orbit; every motion enters
+            each tube $N\leqslant\varepsilon$ around it once, and stays;
             """,
             kernel="periodic-response forced-contraction",
         ),
@@ -139,8 +139,8 @@ OTHER_PLACE = Symbol(r"\tilde{x}_2", real=True)
         clause(
             "displacement",
             """
-            the relative displacement is not drawn anywhere: a start with another $x_2(0)$ keeps the difference for
-            ever. So a ring in it can only be centred on a limit of the motion's own, and without a force there is one.
+            nothing attracts the relative displacement: a difference in $x_2(0)$ is permanent. So a ring in it can only
+            be centred on a limit of the motion itself, and without a force there is one.
             """,
             kernel="displacement-unseen displacement-limit",
         ),
@@ -151,19 +151,19 @@ def ring_of_tolerance() -> Case:
     start, moved = {**INSIDE, x2: 0}, {**INSIDE, x2: Rational("0.001")}
     return because(
         """
-        With a damper the ring of Fig. 1 is entered for good, in the relative velocity and around the one
-        response. In the relative displacement there is no orbit that attracts: nothing acts on it, so each start
-        keeps its own.
+        With a damper the motion enters the ring of Fig. 1 and stays, in the relative velocity and around the one
+        response. In the relative displacement no orbit attracts: nothing acts on it, so each initial value keeps its
+        own.
         """,
         counterexample(
             r"""
             The pair of Section IV with $b=0.5$, at rest at $x_1=0.004$, once with $x_2(0)=0$ and once with
-            $x_2(0)=0.001$: both stick for ever, and the relative motions $(x_1-x_2,\dot x_1-\dot x_2)$ rest at
+            $x_2(0)=0.001$: both stick permanently, and the relative motions $(x_1-x_2,\dot x_1-\dot x_2)$ rest at
             $(0.004,0)$ and at $(0.003,0)$. No ring narrower than 1 mm that holds one of them is ever reached by the
             other.
             """,
             exhibit(
-                "both starts are on $S$ with $E\\leqslant E_{cr}$, so both pairs stick for ever",
+                "both starts are on $S$ with $E\\leqslant E_{cr}$, so both pairs stick permanently",
                 start,
                 (on_surface(), "<=", critical_energy()),
                 (v1, "=", 0),
@@ -196,7 +196,7 @@ def ring_of_tolerance() -> Case:
     ),
     clause(
         "ring",
-        r"In the tube the relative velocities differ by at most «radius», «kappa»: «within», and no smaller factor will do.",
+        r"In the tube the relative velocities differ by at most «radius», «kappa»: «within», and no smaller factor suffices.",
         radius=equal(
             r"r_\varepsilon",
             sqrt(KAPPA) * control.tolerance,
@@ -220,8 +220,8 @@ def ring_of_tolerance() -> Case:
     clause(
         "blind",
         """
-        $N$ does not see $x_1-x_2$: moving $x_2(0)$ moves the relative motion by as much, for ever. So a ring in the
-        plane of $x_1-x_2$ and its rate can only be centred on a limit of the motion itself.
+        $N$ does not contain $x_1-x_2$: a shift of $x_2(0)$ shifts the relative motion by as much permanently. So a ring
+        in the plane of $x_1-x_2$ and its rate can only be centred on a limit of the motion itself.
         """,
         kernel="displacement-unseen",
     ),
@@ -240,7 +240,7 @@ def ring_of_tolerance() -> Case:
 def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
     return because(
-        "A ring that holds the image of the tube is entered no later than the tube, and not left once the tube is entered. The energy distance does not see the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may be carried away.",
+        "A ring that contains the image of the tube is entered no later than the tube, and not left once the tube is entered. The energy distance does not contain the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may drift away.",
         ring_contains(),
     )
 
@@ -249,7 +249,7 @@ def tolerance_ring() -> Case:
     "damping-can-desynchronise",
     clause(
         "sticks",
-        r"Let a free pair be stuck at $x_1=0$ with the velocity $v_1>0$. Without a damper it sticks for ever if «captive».",
+        r"Let a free pair be stuck at $x_1=0$ with the velocity $v_1>0$. Without a damper it sticks permanently if «captive».",
         captive=sharp(
             v1**2,
             "<=",
@@ -267,9 +267,9 @@ def tolerance_ring() -> Case:
     clause(
         "heavy",
         r"""
-        As $a_1\to\infty$ body 1 creeps, with «creeps» in slip of sign $\sigma$ and the velocity of body 1 of order
-        $1/a_1$, and from every start the time after which the pair sticks for ever tends to «time», with $v_2$ at the
-        start.
+        As $a_1\to\infty$ body 1 moves slowly, with «creeps» in slip of sign $\sigma$ and the velocity of body 1 of
+        order $1/a_1$, and from every initial state the time after which the pair sticks permanently tends to «time»,
+        with the initial $v_2$.
         """,
         creeps=Formula(r"a_2x_1+a_1v_1", "->", -b * sigma, equals(forced.creeping_load)),
         time=Formula("T", "->", m2 * Abs(v2) / b, equals(lambda: Abs(v2) / control.strongest())),
@@ -278,6 +278,6 @@ def tolerance_ring() -> Case:
 def damping_can_desynchronise() -> Case:
     """A damper pulls at body 1 only."""
     return because(
-        "A damper acts on body 1 alone, so a strong one tears a moving pair apart that would have stuck for ever without it: more damping is not always faster synchronisation.",
+        "A damper acts on body 1 alone, so a strong one breaks the adhesion of a moving pair that would have stuck permanently without it: more damping does not always synchronise faster.",
         carried("heavy", heavy_damping()),
     )

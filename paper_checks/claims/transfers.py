@@ -63,7 +63,7 @@ def spread() -> Evidence:
         """,
         gentle(),
         identity(
-            r"so the place is $s$ away from $\frac T2(v_2(0)+v_2(T))$",
+            r"so the position is $s$ away from $\frac T2(v_2(0)+v_2(T))$",
             control.spread(),
             b / (4 * m2) * (control.duration**2 - (m2 * control.velocity_gain / b) ** 2),
         ),
@@ -79,7 +79,7 @@ def least_time() -> Evidence:
         spread(),
         followed(),
         identity(
-            r"both halves meet at half the time: place and velocity",
+            r"both halves meet at half the time: position and velocity",
             Matrix([control.bang(True) - control.bang(False), diff(control.bang(True) + control.bang(False), t)]).subs(
                 t, turn
             ),

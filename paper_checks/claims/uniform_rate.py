@@ -201,21 +201,21 @@ def _depths() -> dict[Basic, Basic]:
         upper=Formula("R_n", "<=", (5 * first_excess + sqrt(first_excess) / 10) / R, bounds_error),
     ),
     open=(
-        r"Whether the upper bound needs its factor $1/r$. The lower one does, as is seen in numbers: for small $r$ the late $r\,R_n$ come near to $\pi\int_0^{y_0}\bigl(\frac{4}{9y^2}+\frac{2}{5y}-\frac{1}{c^2}\bigr)\,dy<0$, $c$ as a function of $y$.",
+        r"Whether the upper bound needs its factor $1/r$. The lower one does, as observed numerically: for small $r$ the late $r\,R_n$ come near to $\pi\int_0^{y_0}\bigl(\frac{4}{9y^2}+\frac{2}{5y}-\frac{1}{c^2}\bigr)\,dy<0$, $c$ as a function of $y$.",
     ),
 )
 def rate_with_error() -> Case:
     """What one cycle adds to both sides of the law, enclosed and summed."""
     return because(
         r"""
-        The next term of the $1/t$ law is a logarithm, and what is left is bounded by the start alone. One cycle adds
-        $\pi G-F$ to what is left. Each of the two is at most a constant, the same for every mass ratio, times a
-        difference that telescopes along the exits; so the sum is bounded.
+        The next term of the $1/t$ law is a logarithm, and the remainder is bounded by the initial state alone. One
+        cycle adds $\pi G-F$ to the remainder. Each of the two is at most a constant, the same for every mass ratio,
+        times a difference that telescopes along the exits; so the sum is bounded.
         """,
         carried("error", law_with_error()),
         derivation=(
             "$$\\frac{C}{w_n}+\\pi B\\ln\\frac{w_n}{w_0}=\\frac{C}{w_0}+\\tau_n+R_n,\\qquad R_n=\\sum_{k<n}(\\pi G_k-F_k).$$",
-            "The bounds are uniform in $n$; they are loose for small $r=m_2/M$, where the law itself takes long to set in.",
+            "The bounds are uniform in $n$; they are loose for small $r=m_2/M$, where the law itself sets in late.",
         ),
         figure="rate-with-error",
     )
@@ -276,8 +276,8 @@ def uniform_rate() -> Case:
     return because(
         """
         $E(0)$ fixes an upper bound of $E-E_{cr}$ over all trajectories that never merge, and no lower one. From above:
-        $S$ is met within a bounded time, few slips cross, and every other cycle adds to $1/w$. From below:
-        trajectories with one $E(0)$ may lose as much of it as one likes in their first slip. For starts on $S_0$
+        $S$ is met within a bounded time, few slips cross, and every other cycle adds to $1/w$. From below: trajectories
+        of one $E(0)$ may lose arbitrarily much of the excess $E(0)-E_{cr}$ in their first slip. For starts on $S_0$
         slightly above $E_{cr}$ both constants exist (rate-one-over-t).
         """,
         carried("upper", from_above()),

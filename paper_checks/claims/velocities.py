@@ -140,9 +140,7 @@ def damping_rate(friction: Fraction | None = None) -> Case:
         (
             f"The loss per cycle is nearly constant, not exactly, and only while the pair slips. The {len(peaks)} positive peaks of $v_1$ before the first adhesion fall "
             f"by {_milli(lost[0])}, {_milli(lost[1])}, ..., {_milli(lost[-2])}, {_milli(lost[-1])} mm/s: never twice by the same, each "
-            f"time by less. The first seven decrements are within 1 % of $4b/\\sqrt{{a_2m_1}}={_milli(linear)}$ mm/s per cycle, which Coulomb "
-            "friction takes from an oscillator; the nine spread by 7 %. From the first adhesion on the peaks creep to $L\\Omega=5$ "
-            f"mm/s, and no rate is constant. (Under (11)–(12) read literally nothing is damped after the first contact, at {first_contact(friction)} s.)"
+            f"time by less. The first seven decrements are within 1 % of $4b/\\sqrt{{a_2m_1}}={_milli(linear)}$ mm/s per cycle, which Coulomb friction takes from an oscillator; the nine vary by 7 %. From the first adhesion on the peaks approach $L\\Omega=5$ mm/s slowly, and no rate is constant. (Under (11)–(12) read literally nothing is damped after the first contact, at {first_contact(friction)} s.)"
         ),
         counterexample(
             r"""
@@ -165,7 +163,7 @@ def damping_rate(friction: Fraction | None = None) -> Case:
             *_linear_decay(),
             within("first decrement over $4b/\\sqrt{a_2m_1}$", lost[0] / linear, "0.99", "1"),
             within("seventh decrement: relative distance from it", seventh, "0", "0.01"),
-            within("spread of the nine decrements over it", spread, "0.068", "0.069"),
+            within("range of the nine decrements over it", spread, "0.068", "0.069"),
             within("not exponential: ratio of the first two peaks", ratios[0], "0.89", "0.90"),
             within("and of the last two", ratios[1], "0.43", "0.44"),
         ),
@@ -175,8 +173,8 @@ def damping_rate(friction: Fraction | None = None) -> Case:
             $2b/a_2$: $$A_-^2-A_+^2=-\frac{4b}{a_2}x_1,\qquad A_+-A_-=\frac{2b}{a_2}\cdot\frac{2x_1}{A_++A_-}.$$
             """,
             r"""
-            Were $v_1=0$ at the crossings, $2x_1=A_++A_-$ and each cycle would take exactly $4b/a_2$ of amplitude,
-            $4b/\sqrt{a_2m_1}$ of $v_1$. But the pair crosses at $v_1=v_2\neq 0$, so it takes less, and the less the
+            If $v_1$ were 0 at the crossings, $2x_1=A_++A_-$ and each cycle would remove exactly $4b/a_2$ of amplitude,
+            $4b/\sqrt{a_2m_1}$ of $v_1$. But the pair crosses at $v_1=v_2\neq 0$, so it removes less, the less the
             smaller the amplitude.
             """,
         ),
@@ -252,6 +250,6 @@ def literal_reading(friction: Fraction | None) -> Steps:
     run = solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN))
     return (
         itinerary("(11), (12) read literally: slip+, then stick", run, (Mode.SLIP_PLUS, Mode.STICK)),
-        stuck_for_ever("and that stick lasts for ever", run),
+        stuck_for_ever("and that stick is permanent", run),
         within("from the first contact on, at (s)", run.events[0].t, "0.106886", "0.106887"),
     )

@@ -154,8 +154,8 @@ def viscous_energy_rate() -> Case:
         clause(
             "ends",
             """
-            the switching does not go on: every trajectory sticks for ever from a finite time on, while without a
-            damper whole families stick and slip in turn for ever;
+            the switching ends: every trajectory sticks permanently from a finite time on, while without a damper whole
+            families stick and slip in turn without end;
             """,
             kernel="viscous-rest no-merging-from-S0 exit-and-entry-times",
         ),
@@ -175,15 +175,15 @@ def viscous_origin_stable() -> Case:
     return because(
         r"""
         The origin is stable as the paper says, but the switching is not similar: with a damper, however small, every
-        trajectory switches finitely often; without one whole families stick and slip in turn for ever. With a damper
-        a trajectory is captured below a level of energy and sticks from there on (see viscous-accelerates). Inside
-        $S_0$ the motion is a spiral exactly if $a_1<2\sqrt{a_2(m_1+m_2)}$, which makes "relatively small" precise.
-        Two solutions never move apart, and $E\to 0$ along every trajectory.
+        trajectory switches finitely often; without one whole families stick and slip in turn without end. With a damper
+        a trajectory is captured below a level of energy and sticks from then on (see viscous-accelerates). Inside $S_0$
+        the motion is a spiral exactly if $a_1<2\sqrt{a_2(m_1+m_2)}$, which makes "relatively small" precise. The flow
+        is non-expansive, and $E\to 0$ along every trajectory.
         """,
         counterexample(
             r"""
             $m_1=m_2=1$, $a_2=200$, $b=0.05$, $\dot x_1(0)=0.15$: without a damper the pair sticks and slips in turn
-            for ever; with any $a_1>0$ it sticks for ever from a finite time on.
+            without end; with any $a_1>0$ it sticks permanently from a finite time on.
             """,
             *never_merges(creeping, "the start of Fig. 5 (a) without a damper"),
             dissipation.captured(),

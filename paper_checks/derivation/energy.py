@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.claims import capture
+from paper_checks.claims import capture, filippov
 from paper_checks.claims.letters import ECR, WITHIN
 from paper_checks.claims.levels import LEVEL
 from paper_checks.claims.sliding import WIDTH
@@ -100,7 +100,7 @@ CRITICAL = Stage(
     (
         r"""
         In stick the pair is one mass $M=m_1+m_2$ on the spring, and conserves its energy. So it moves on an ellipse, and it
-        sticks from some time on exactly if this ellipse lies within the strip $|x_1|\leqslant L$. In one line:
+        sticks from then on exactly if this ellipse lies within the strip $|x_1|\leqslant L$. In one line:
         on $S$, $E=\frac12a_2x_1^2+\frac12Mv_1^2$; at $v_1=0$, $|x_1|=\sqrt{2E/a_2}$; sticking needs $|x_1|\leqslant L$; hence
         $E\leqslant\frac12a_2L^2=E_{cr}$.
         """,
@@ -149,7 +149,6 @@ CRITICAL = Stage(
                     zero(lambda right: right.subs(ECR, LEVEL) - (2 * E0 / a2 - WIDTH**2)),
                 ),
             ),
-            kernel="ellipse-iff",
         ),
         Line(
             r"The same for every point of the ellipse: on $S$, $E\leqslant E_{cr}$ implies",
@@ -159,12 +158,16 @@ CRITICAL = Stage(
         Line(
             r"""
             So for $E_0\leqslant E_{cr}$ the whole ellipse is a motion in stick: it solves (3) and (4), its energy is constant, and
-            it never meets an edge of $S_0$ with $v_1\neq 0$.
+            it never meets an edge of $S_0$ with $v_1\neq 0$. For $E_0=E_{cr}$ it touches each edge once a period, with
+            $|\ddot x_1|=b/m_2$: at these instants friction is at its limit $b$, and (4) does not hold.
             """,
             f"{CLOSED} {ABOVE}",
             steps=lambda: (
                 argument(
-                    "the ellipse is a closed trajectory", capture.stays_below_critical(), capture.stick_is_a_motion()
+                    "the ellipse is a closed trajectory",
+                    capture.stays_below_critical(),
+                    capture.stick_is_a_motion(),
+                    filippov.stick_region(),
                 ),
             ),
             kernel="ellipse-iff",

@@ -15,6 +15,7 @@ from theory.near_critical import inverse_step, rate_constant, reduced_rate_const
 
 LIMIT = "sharp-rate-constant/limit"
 BOTH = f"{LIMIT} rate-one-over-t/limit"
+STICKS, SLIPS = "stick-durations/sticks", "slip-durations/slips"
 
 
 def gained(formula: Formula) -> Evidence:
@@ -38,14 +39,16 @@ LAW = Stage(
         r"""
         Near $E_{cr}$ the pair slips for a short time, loses an excess of the order $w^2$, sticks for about half a period, and
         slips again. A quantity that loses a multiple of its square in each period decays like $1/t$: its reciprocal grows by the
-        same amount each time. The quotient of time and growth is the constant.
+        same amount each time. The quotient of time and growth is the constant. Every motion from $S_0$ slightly above $E_{cr}$
+        is one that never merges, as the slope of the return map showed.
         """,
         Line(
             r"""
             A motion that never merges tends to the ellipse of $E_{cr}$, and from some time on it slips and sticks in turn,
-            from ray to ray, with $w\to 0$.
+            from ray to ray, with $w\to 0$. It sticks for the times $t_k\leqslant t\leqslant\tau_k$ and slips between them:
             """,
-            f"{BOTH} stick-durations/sticks slip-durations/slips",
+            f"{BOTH} {STICKS} {SLIPS}",
+            lambda: (*of_clause(STICKS, "limit")(), *of_clause(SLIPS, "limit")()),
             steps=lambda: (argument(EVENTUALLY, merges_or_creeps()),),
             kernel="exit-and-entry-times",
         ),

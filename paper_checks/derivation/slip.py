@@ -6,7 +6,7 @@ import sympy as sp
 
 from paper_checks.claims.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import R
-from paper_checks.claims.return_map import remainder
+from paper_checks.claims.return_map import LEFT_OUT, remainder
 from paper_checks.claims.slips import depth_grows, one_contact
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Line, Stage, gathered, of_clause, same_as, tidy, zero
@@ -86,7 +86,7 @@ SLIP = Stage(
         ),
         r"""
         A slip that starts on $S$ starts on the edge or beyond it: at $X=1+q\,d$, $d\geqslant 0$, up to the mirror image, and with
-        $V_1=V_2=\sqrt q\,\nu$. Its angle is $\theta=\tau/\sqrt q$.
+        $V_1=V_2=\sqrt q\,\nu$, where $\nu>0$ if $d=0$. Its angle is $\theta=\tau/\sqrt q$.
         """,
         Line(
             r"Solve the linear equations, and subtract the velocities: the guard along the slip.",
@@ -110,8 +110,8 @@ SLIP = Stage(
         ),
         Line(
             r"""
-            Differentiate it. It increases, from below $0$ to infinity on $(0,2\pi)$, so the slip ends at exactly one
-            angle.
+            Differentiate $h$. On $(0,2\pi)$ it increases from $0$ to infinity, and $-d\cot(\theta/2)$ increases from
+            $-\infty$ for $d>0$. So their sum is $\nu$, and the slip ends, at exactly one angle.
             """,
             CONTACT,
             lambda: (
@@ -132,7 +132,7 @@ SLIP = Stage(
         ),
         r"""
         From now on the slip starts on the ray $\ell_+$, that is $d=0$ and $w=\varepsilon^2$, $\varepsilon=\sqrt q\,\nu>0$.
-        It ends inside $S_0$ if it is short; then the pair sticks up to the next ray, with its energy unchanged.
+        It ends inside $S_0$ if it is short; then, if $w'>0$, the pair sticks up to the next ray, with its energy unchanged.
         Energy on one ray against energy on the next is the return map.
         """,
         Line(
@@ -183,7 +183,7 @@ EXPANSION = Stage(
             ),
         ),
         Line(
-            r"Bound what the expansion up to $y^8$ leaves out.",
+            f"Bound what the expansion of $y'$ up to $y^8$ leaves out: at most ${LEFT_OUT}$ for $0<y\\leqslant 4/9$.",
             "return-map-expansion/remainder",
             steps=remainder,
         ),

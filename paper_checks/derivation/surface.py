@@ -40,7 +40,7 @@ def accelerations(name: str, left: str) -> Formula:
 
 
 def relative(name: str, share: Rational, relation: str) -> Formula:
-    """Return the relative acceleration in a branch at z' = 0 that the text omits, where |x1''| relation b/m2."""
+    """Return the relative acceleration in a branch at z' = 0 that is no mode of the text, where |x1''| relation b/m2."""
     found = branch_named(name)
     difference = found.acceleration1 - found.acceleration2
     mass, load = m1 + m2, u - a1 * v1 - a2 * x1
@@ -85,7 +85,7 @@ MODEL = Stage(
         Line(
             r"""
             Substitute $\mathrm{sgn}(\dot z)=0$ and $0$ or $1$ for the second signum, that is $|\ddot x_1|\geqslant
-            b/m_2$, and solve: two more branches, which the text does not mention. In the first the relative
+            b/m_2$, and solve: two more branches, which are neither of the modes of the text. In the first the relative
             acceleration is half of $\ddot x_1$, in the second it is $\ddot x_1$.
             """,
             "modes-from-closed-form/branches",
@@ -93,8 +93,8 @@ MODEL = Stage(
         ),
         Line(
             r"""
-            Neither branch lasts in the free system: $|\ddot x_1|\geqslant b/m_2>0$ there, so $\ddot z\neq 0$ and
-            $\dot z=0$ is left at once. What is left are the two modes, stick and slip.
+            Neither branch lasts in the free system: $|\ddot x_1|\geqslant b/m_2>0$ there, so $\ddot z\neq 0$, while
+            $\dot z=0$ over some time needs $\ddot z=0$. At all but isolated instants two modes are left, stick and slip.
             """,
             "modes-from-closed-form/instants",
             steps=lambda: (argument("both branches leave $\\dot z=0$ at once", *modes.leaves_the_surface()),),
@@ -348,7 +348,6 @@ FILIPPOV = Stage(
                     zero(lambda right: [right - SLIDING_FIELD, right - undamped(branch_named("stick").field)]),
                 ),
             ),
-            kernel="sticks-inside",
         ),
     ),
 )

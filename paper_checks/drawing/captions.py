@@ -80,7 +80,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     "merging-bands": (
         "Speeds that merge come in bands",
         "Coloured: speeds at $x_1=0$ from which the pair merges sooner or later; white: speeds from which it never does. Far up the bands "
-        "look equally spaced, which is not proved. Drawn in float64; the row proves speeds in many of the bands.",
+        "look equally spaced, which is not proved. Drawn in float64; the claim proves speeds in many of the bands.",
     ),
     "merging-share": (
         "How many states merge",
@@ -110,8 +110,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     "thresholds-over-frequency": (
         "Three regimes under a sinusoidal force",
         "Below $U_*$ some motion sticks permanently, above the upper full line one never stops; with a damper every motion tends to it. In between, with a "
-        "damper, it slips, and sticks or reverses more than twice in each period. Below the dashed $U_{**}$ no motion of the force's period slips for "
-        "ever with two reversals a period; where the upper line leaves it, the bodies would meet once more. That line is computed on a grid, not proved. "
+        "damper, it slips, and sticks or reverses more than twice in each period. Below the dashed $U_{**}$ no motion of the force's period slips permanently with two reversals a period; where the upper line leaves it, the bodies would meet once more. That line is computed on a grid, not proved. "
         "Left without a damper, right with one. Dotted: the stuck pair's own frequency, and that of body 1 alone.",
     ),
     "resonance": (

@@ -1,4 +1,4 @@
-"""The pictures of who merges: the interval of energies, the bands of speeds, the share of an energy sphere."""
+"""The pictures of which motions merge: the interval of energies, the bands of speeds, the share of an energy sphere."""
 
 from __future__ import annotations
 

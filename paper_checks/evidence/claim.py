@@ -24,7 +24,7 @@ class Kind(Enum):
     CLAIM = "claim"
     """The paper's: it is judged as the paper puts it."""
     THEOREM = "theorem"
-    """Ours, past the paper: it is proved, or it is not there."""
+    """Ours, beyond the paper: it is proved, or it is not there."""
 
 
 @dataclass(frozen=True)
@@ -160,5 +160,5 @@ def claim(
 
 
 def theorem(id: str, *said: Clause, open: tuple[str, ...] = ()) -> Callable[[Callable[..., Case]], Claim]:
-    """Make a theorem past the paper of the function that makes the case for it: it is proved, or it is not there."""
-    return lambda case: Claim(id, "Theorems", "past the paper", said, HOLDS, Kind.THEOREM, (), open, case)
+    """Make a theorem beyond the paper of the function that makes the case for it: it is proved, or it is not there."""
+    return lambda case: Claim(id, "Theorems", "beyond the paper", said, HOLDS, Kind.THEOREM, (), open, case)

@@ -54,7 +54,7 @@ function tell() {
 function proofIn(row) {
   const name = EXPLORE.beside.includes(row) ? Object.assign(document.createElement("a"), { href: `${row}.html` }) : document.createElement("code");
   name.textContent = row;
-  return ["See row ", name, "."];
+  return ["See claim ", name, "."];
 }
 
 const MODE_NAMES = { 1: "slip+", 0: "stick", "-1": "slip\u2212" };

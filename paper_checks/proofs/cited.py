@@ -15,7 +15,7 @@ _FREE: dict[str, tuple[str, str]] = {
     # Section III, every solution
     "well-posed": (
         "Existence.well_posed",
-        "From every start there is a solution, and only one, with damping or without.",
+        "From every initial state there is exactly one solution, with or without damping.",
     ),
     "filippov-iff": (
         "Filippov.filippov_iff",
@@ -27,12 +27,12 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "filippov-well-posed": (
         "Filippov.filippov_well_posed",
-        "From every start there is one Filippov solution, and only one, with damping or without.",
+        "From every initial state there is exactly one Filippov solution, with or without damping.",
     ),
-    "contraction": ("Pair.contraction", "The energy distance of two solutions never grows, with damping or without."),
-    "uniqueness": ("Pair.unique", "Two solutions that meet are the same from there on, with damping or without."),
+    "contraction": ("Pair.contraction", "The flow is non-expansive in the energy norm, with or without damping."),
+    "uniqueness": ("Pair.unique", "Two solutions that meet coincide from then on, with or without damping."),
     "energy-rate": ("Pair.energy_rate", r"$\dot E=-b|v_1-v_2|-a_1v_1^2$ at every time, from the right."),
-    "energy-decreases": ("Pair.energy_decreases", "The energy never increases, with damping or without."),
+    "energy-decreases": ("Pair.energy_decreases", "The energy never increases, with or without damping."),
     "bounded-stay": ("Pair.dwell", r"A stay off $S$ lasts at most $2\sqrt{2Em_2}/b$."),
     "contact": (
         "Stick.contact",
@@ -42,7 +42,7 @@ _FREE: dict[str, tuple[str, str]] = {
         "Stick.ellipse_solution",
         "Every ellipse on $S$ with energy up to $E_{cr}$ is a solution: the stuck pair.",
     ),
-    "capture": ("Stick.capture", "A solution on $S$ with energy up to $E_{cr}$ moves along its ellipse for ever."),
+    "capture": ("Stick.capture", "A solution on $S$ with energy up to $E_{cr}$ moves along its ellipse permanently."),
     "merging": (
         "Stick.merging",
         "Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time.",
@@ -57,15 +57,15 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "displacement-paid": (
         "Corollaries.displacement_paid",
-        r"$b\,|z(t)-z(r)|\leqslant E(r)-E(t)$ for the relative displacement $z=x_1-x_2$ and $r\leqslant t$, with damping or without.",
+        r"$b\,|z(t)-z(r)|\leqslant E(r)-E(t)$ for the relative displacement $z=x_1-x_2$ and $r\leqslant t$, with or without damping.",
     ),
     "displacement-limit": ("Corollaries.displacement_limit", "The relative displacement $x_1-x_2$ has a limit."),
-    "sticks-iff": ("Cross.sticks_iff", "On $S$ the pair sticks for ever exactly if its energy is at most $E_{cr}$."),
+    "sticks-iff": ("Cross.sticks_iff", "On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$."),
     # one slip, one stick
-    "follow": ("Slip.follow", "A solution that meets the start of an explicit arc that obeys the law runs along it."),
+    "follow": ("Slip.follow", "A solution that meets the start of an explicit arc that satisfies the law follows it."),
     "slip-arc": (
         "Gap.slip",
-        r"From the right exit ray at the push $h$ of an angle every solution slips up to that angle, and lands where the closed form says.",
+        r"From the right exit ray with the exit speed $h$ of an angle every solution slips up to that angle, and ends where the closed form says.",
     ),
     "stick-arc": (
         "Cycle.stick",
@@ -89,7 +89,10 @@ _FREE: dict[str, tuple[str, str]] = {
         r"With $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where "
         r"$h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$.",
     ),
-    "h-increases": ("Excursion.h_increases", r"$h$ increases on $(0,2\pi)$: no two slip angles have one push."),
+    "h-increases": (
+        "Excursion.h_increases",
+        r"$h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed.",
+    ),
     "depth-upper": ("Rate.depth_upper", r"The depth of an excursion is at most $\tfrac{3}{2}h^2$."),
     "depth-lower": (
         "Rate.depth_lower",
@@ -99,12 +102,11 @@ _FREE: dict[str, tuple[str, str]] = {
     # slowly to E_cr
     "never-merges": (
         "Sharp.never_merges",
-        r"From an exit ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the energy stays above $E_{cr}$ for ever.",
+        r"From an exit ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the energy stays above $E_{cr}$ at all later times.",
     ),
     "no-merging-from-S0": (
         "Law.no_merging_from_S0",
-        "From $S_0$ at a small level above $E_{cr}$: never merging, one critical motion as the limit, and the "
-        "sharp law.",
+        "From $S_0$ slightly above $E_{cr}$ a solution never merges, tends to one critical motion and obeys the sharp law.",
     ),
     "sharp-law": (
         "Law.sharp_law",
@@ -113,11 +115,11 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "trichotomy": (
         "Law.trichotomy",
-        "Every solution merges in finite time, or tends to one critical motion by the sharp law.",
+        "Every solution merges in finite time, or tends to one critical motion and obeys the sharp law.",
     ),
     "two-sided-rate": (
         "Law.two_sided",
-        r"Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, that from above where $6\sqrt{w_0}<\pi$.",
+        r"Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the upper one where $6\sqrt{w_0}<\pi$.",
     ),
     "one-over-t": (
         "Paper.one_over_t",
@@ -125,8 +127,7 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "settling-time": (
         "Uniform.settles",
-        "For each level above $E_{cr}$ there is one time after which every solution from below another level is "
-        "below it.",
+        "For each level above $E_{cr}$ there is one time after which every solution that starts below another level is below it.",
     ),
     "uniform-upper-rate": (
         "Uniform.uniform_upper",
@@ -134,8 +135,7 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "no-uniform-lower-rate": (
         "Uniform.no_lower_constant",
-        "Of every energy above $E_{cr}$ there are solutions that never merge and are as close to $E_{cr}$ as one "
-        r"likes from the time $\sqrt{2E(0)m_2}/b$ on.",
+        r"From every energy above $E_{cr}$ some solutions never merge and are arbitrarily close to $E_{cr}$ from the time $\sqrt{2E(0)m_2}/b$ on.",
     ),
     "exit-and-entry-times": (
         "Paper.times",
@@ -144,16 +144,16 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "exits-near-endpoints": (
         "Ends.exits_near_endpoints",
-        "A solution that never merges leaves $S_0$ exactly at its ends; the places of its entries tend to them, and all "
+        "A solution that never merges leaves $S_0$ exactly at its end points; the positions of its entries tend to them, and all "
         "velocities there to 0.",
     ),
     "slower-than-exponential": (
         "Consequences.slower_than_exponential",
-        "A solution that never merges keeps its excess energy above every decaying exponential in the end.",
+        "The excess energy of a solution that never merges is eventually above every decaying exponential.",
     ),
     "stick-slip-for-ever": (
         "Perpetual.stick_slip_for_ever",
-        "For all $m_1,m_2,a_2,b>0$ there is a solution that sticks and slips in turn for ever.",
+        "For all $m_1,m_2,a_2,b>0$ there is a solution that sticks and slips in turn without end.",
     ),
     # the surface, the sliding region and the case study, for solutions
     "rate-above": ("Surface.rate_above", r"While $v_1>v_2$ the relative velocity has the rate $\Phi_+\cdot n_S$."),
@@ -187,13 +187,11 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "return-alternatives": (
         "Consequences.return_alternatives",
-        "From $v_1<v_2$ every solution comes into $S_0$, or to $S$ beyond the left end, whence it goes on into "
-        "$v_1>v_2$ at once.",
+        "From $v_1<v_2$ every solution reaches $S_0$, or $S$ beyond its left edge, from where it passes into $v_1>v_2$ at once.",
     ),
     "return-alternatives-mirror": (
         "Consequences.return_alternatives_mirror",
-        "From $v_1>v_2$ every solution comes into $S_0$, or to $S$ beyond the right end, whence it goes on into "
-        "$v_1<v_2$ at once.",
+        "From $v_1>v_2$ every solution reaches $S_0$, or $S$ beyond its right edge, from where it passes into $v_1<v_2$ at once.",
     ),
     "synchronisation": (
         "Consequences.relative_velocity_vanishes",
@@ -211,35 +209,35 @@ _FREE: dict[str, tuple[str, str]] = {
         "Example.six_millimetres",
         "Case study, $b=0.5$: released at rest at 6 mm every solution slips at once.",
     ),
-    "sticks-from-rest": ("Example.rest_inside", "Released at rest inside $S_0$ every solution sticks for ever."),
+    "sticks-from-rest": ("Example.rest_inside", "Released at rest inside $S_0$ every solution sticks permanently."),
     "sticks-from-5-mm": (
         "Example.five_millimetres",
-        "Case study, $b=0.5$: released at rest up to 5 mm every solution sticks for ever.",
+        "Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently.",
     ),
     # one motion
     "trajectory-velocities": (
         "Velocities.trajectory",
-        "The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds of their times, places and velocities.",
+        "The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds on their times, positions and velocities.",
     ),
     "first-adhesion": (
         "Adhesion.first_adhesion",
         "The scene of Fig. 5: every solution sticks from 4.549769479... s to 4.579537997... s, not before, slips until "
-        "4.771754480... s, 4.7 s among it, and sticks again.",
+        "4.771754480... s, including 4.7 s, and sticks again.",
     ),
     # damping
-    "captive-sticks": ("Viscous.captive_sticks", "On $S$ below the captive level the pair sticks for ever."),
+    "captive-sticks": ("Viscous.captive_sticks", "On $S$ below the captive level the pair sticks permanently."),
     "captive-merges": (
         "Viscous.captive_merges",
-        "Once its energy is below the captive level, a solution sticks for ever within a bounded time.",
+        "Once its energy is below the captive level, a solution sticks permanently after a bounded time.",
     ),
     "one-body": ("Viscous.one_body", "While stuck the pair moves as one damped body."),
     "viscous-decay": (
         "Viscous.decay",
-        r"With $a_1>0$: $E(t)\leqslant 3E(0)\,e^{-kt}$, one $k>0$ for all starts below a level.",
+        r"With $a_1>0$: $E(t)\leqslant 3E(0)\,e^{-kt}$, with one $k>0$ for all initial energies below a level.",
     ),
     "viscous-rest": (
         "Viscous.rest",
-        "With $a_1>0$: one time after which every solution from below a level sticks for ever.",
+        "With $a_1>0$: one time after which every solution that starts below a level sticks permanently.",
     ),
 }
 

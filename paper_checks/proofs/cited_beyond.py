@@ -6,49 +6,46 @@ BEYOND: dict[str, tuple[str, str]] = {
     # friction in any number of directions, M q'' + C q' + K q + B^T d psi(B q') contains u
     "inclusion-defects": (
         "Inclusion.defects_add",
-        r"Two motions of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, part by at most the integral of their defects' norm.",
+        r"Two motions of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, separate by at most the integral of the norm of their defects.",
     ),
     "inclusion-contraction": (
         "Inclusion.contracts",
-        r"Two motions of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, never part in the norm of the energy.",
+        r"The flow of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, is non-expansive in the energy norm.",
     ),
     "inclusion-synchronises": (
         "Inclusion.brakes_synchronise",
-        "Whatever brakes: its path is at most $E(0)/\\beta$ long, what moves no faster has a limit at most $E/\\beta$ away, "
-        "and a slip that cannot jump dies out.",
+        r"Any force that brakes: the path of the slip is at most $E(0)/\beta$ long, what moves no faster has a limit at most $E/\beta$ away, "
+        "and a slip that cannot jump tends to 0.",
     ),
     "system-defects": (
         "Systems.system_defects",
-        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone, under two forces part by at most "
-        r"the integral of the norm of $M^{-1}(u-\tilde u)$.",
+        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone, under two forces separate by at most the integral of the norm of $M^{-1}(u-\tilde u)$.",
     ),
     "system-contraction": (
         "Systems.system_contracts",
-        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$, $C$ monotone and friction bounded, never part in the norm of the energy.",
+        r"The flow of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$, $C$ monotone and friction bounded, is non-expansive in the energy norm.",
     ),
     "system-synchronises": (
         "Systems.system_synchronises",
-        r"Without a force, $M,K\geqslant 0$ and dampers that take power, any bounded friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
+        r"Without a force, $M,K\geqslant 0$ and dissipative dampers, any bounded friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
         r"displacement converges, and $Bq'\to 0$ where $|Bq'|$ is Lipschitz.",
     ),
     "system-parts": (
         "Systems.system_parts",
-        r"Where the dampers give at most $c|v|^2$, as a friction that falls with the speed does, two motions part at most "
-        r"like $e^{ct}$.",
+        r"Where the dampers supply a power of at most $c|v|^2$, as friction that falls with speed does, two motions separate at most like $e^{ct}$.",
     ),
     "pair-inclusion": (
         "Systems.pair_is_an_inclusion",
-        "The motions of the pair under a force are the instance with one direction.",
+        "The pair under a force is the case with one direction.",
     ),
     # the pair on a surface
     "plane-stuck-iff": (
         "Plane.stuck_iff",
-        "On a stuck ellipse the load stays within round friction for ever exactly if the semi-major axis is at most $L$.",
+        "On a stuck ellipse the load stays within isotropic friction permanently exactly if the semi-major axis is at most $L$.",
     ),
     "plane-stuck-energies": (
         "Plane.stuck_energies",
-        "In a stuck ellipse the load stays within round friction up to $E_{cr}$ always, beyond $2E_{cr}$ never; a line exactly "
-        "up to the one, a circle exactly up to the other.",
+        "On a stuck ellipse the load stays within isotropic friction always up to $E_{cr}$, never beyond $2E_{cr}$; on a line exactly up to the first, on a circle exactly up to the second.",
     ),
     "plane-landing": (
         "Plane.landing_rate",
@@ -65,25 +62,22 @@ BEYOND: dict[str, tuple[str, str]] = {
     ),
     "rotating-characteristic": (
         "Rotating.characteristic_at_zero",
-        r"With a friction of the speed the characteristic function at 0 is "
+        r"With friction that depends on the speed, the characteristic function at 0 is "
         r"$X(0)=\frac{\omega^2}{2\rho|D|^2}\frac{d(U^2)}{d\rho}$.",
     ),
     # friction that falls with the speed
     "falling-parts": (
         "Falling.slips_part",
-        "Where friction falls with the speed by a constant slope, the difference of two slips has a motion that grows exponentially, whatever "
-        "the damper of body 1.",
+        "Where friction falls with speed at a constant slope, the difference of two slips has an exponentially growing mode, whatever the damper of body 1.",
     ),
     "jump-ill-posed": (
         "Falling.sticks_left_at_will",
-        "With two coefficients of friction and $a_1=0$ a stick with a load between them can be left at each of a continuum of "
-        "times.",
+        "With two coefficients of friction and $a_1=0$ a stick with a load between them can end at each of a continuum of times.",
     ),
     # static friction above kinetic: motions that keep a stick while the load is below the static friction
     "static-slip-costs": (
         "Robust.slip_costs",
-        "With static friction above kinetic, where sticks are kept, every slip of a free motion from a contact to the next "
-        "lasts longer than a fixed time and costs at least a fixed energy, which the start gives.",
+        "With static friction above kinetic, where sticks are kept, every slip of a free motion from a contact to the next lasts longer than a fixed time and dissipates at least a fixed energy, both given by $E(0)$.",
     ),
     "static-few-slips": (
         "Robust.few_slips",
@@ -91,6 +85,6 @@ BEYOND: dict[str, tuple[str, str]] = {
     ),
     "static-sticks-at-last": (
         "Robust.sticks_at_last",
-        "With static friction above kinetic, by any jump, every free motion that keeps its sticks sticks for ever from some time on.",
+        "With static friction above kinetic, by any amount, every free motion that keeps its sticks sticks permanently from some time on.",
     ),
 }

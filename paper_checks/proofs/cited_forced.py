@@ -6,22 +6,22 @@
 from __future__ import annotations
 
 FORCED: dict[str, tuple[str, str]] = {
-    "free-case": ("Forced.free_case", "Without a force the forced system is the free one."),
+    "free-case": ("Forced.free_case", "Without a force the forced system is the free system."),
     "forced-well-posed": (
         "ForcedExistence.forced_well_posed",
-        "Under any force with a continuous impulse: one solution from every start.",
+        "Under any force with a continuous impulse there is exactly one solution from every initial state.",
     ),
     "forced-contraction": (
         "Forced.forced_contraction",
-        "Under one force the energy distance of two solutions never grows.",
+        "Under any force the flow is non-expansive in the energy norm.",
     ),
     "varying-contraction": (
         "Varying.varying_contraction",
-        "Where friction is constant on each of finitely many pieces of time, the energy distance of two solutions under one force never grows.",
+        "With friction constant on each of finitely many pieces of time the flow under a force is non-expansive in the energy norm.",
     ),
     "varying-well-posed": (
         "Varying.varying_well_posed",
-        "With friction constant on each of finitely many pieces of time, too: one motion from every start.",
+        "With friction constant on each of finitely many pieces of time there is exactly one motion from every initial state.",
     ),
     "varying-energy-rate": (
         "Pieces.varying_energy_rate",
@@ -41,8 +41,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "mode-tie": (
         "Mode.tie_rule",
-        r"At a contact with $\Lambda=\pm b$, under a smooth force, the first derivative that is not 0 of what the force asks beyond $\pm "
-        "b$ decides.",
+        r"At a contact with $\Lambda=\pm b$, under a smooth force, the first nonzero derivative of the excess of the force over that which keeps the load at $\pm b$ decides.",
     ),
     "mode-marginal": (
         "Rule.marginal",
@@ -51,7 +50,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "slip-rate": (
         "Rule.slip_rate",
-        "In slip the relative velocity has the rate that the load beyond $b$ gives it.",
+        r"In slip the rate of the relative velocity is given by the load in excess of $\pm b$.",
     ),
     "stuck-load": (
         "Rule.stuck_load",
@@ -59,7 +58,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "jump-moves-strip": (
         "Rule.jump_moves_strip",
-        r"The state is continuous whatever the force does; a jump of it moves the strip $|\Lambda|\leqslant b$.",
+        r"The state is continuous whatever the force does; a jump of the force moves the strip $|\Lambda|\leqslant b$.",
     ),
     "damper-breaks": (
         "Rule.damper_breaks",
@@ -67,15 +66,15 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "no-zeno": (
         "Zeno.no_zeno",
-        "Under a force that is analytic by pieces every bounded time holds finitely many changes of mode.",
+        "Under a piecewise analytic force every bounded time interval has finitely many mode changes.",
     ),
     "no-zeno-varying": (
         "Zeno.no_zeno_varying",
-        "Under a force that is analytic by pieces and with a friction constant on each of finitely many pieces of time every bounded time holds finitely many changes of mode.",
+        "Under a piecewise analytic force and with friction constant on each of finitely many pieces of time every bounded time interval has finitely many mode changes.",
     ),
     "scenes-analytic": (
         "Analytic.scenes_are_analytic",
-        "Polynomials plus sinusoids by pieces are analytic by pieces.",
+        "Piecewise polynomials plus sinusoids are piecewise analytic.",
     ),
     "forced-energy-rate": ("Forced.forced_energy_rate", r"$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$."),
     "input-to-state": (
@@ -85,9 +84,9 @@ FORCED: dict[str, tuple[str, str]] = {
     "must-stick": ("Forced.must_stick", "At a time at which body 2 accelerates by less than $b/m_2$, $v_1=v_2$."),
     "trackable": (
         "Forced.trackable_iff",
-        "From some start of body 1, some force makes body 2 follow a velocity exactly if that is $b/m_2$-Lipschitz.",
+        "From some initial state of body 1 some force makes body 2 follow a velocity exactly if that is $b/m_2$-Lipschitz.",
     ),
-    "reach": ("Forced.reach", "What bounds the place of body 2 at a time, whatever the force."),
+    "reach": ("Forced.reach", "A bound on the position of body 2 at a time, whatever the force."),
     "least-time": (
         "Forced.least_time",
         r"From rest to rest over $D$ takes at least $2\sqrt{m_2D/b}$, whatever the force.",
@@ -102,7 +101,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "stuck-iff": (
         "Entrain.stuck_iff",
-        "With $a_1>0$ some solution sticks for ever under a sinusoidal force exactly if its amplitude is at most "
+        "With $a_1>0$ some solution sticks permanently under a sinusoidal force exactly if its amplitude is at most "
         "$U_*$.",
     ),
     "third-harmonic": (
@@ -116,13 +115,12 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "periodic-response": (
         "Periodic.response",
-        "With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts all.",
+        "With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts every motion.",
     ),
-    "drift": ("Drift.drift", "The place of body 2 changes by the integral of its velocity."),
+    "drift": ("Drift.drift", "The position of body 2 changes by the integral of its velocity."),
     "no-drift": (
         "Drift.no_drift",
-        "With $a_1>0$, if the force changes its sign after half a period, so does the periodic response, and body "
-        "2 comes back.",
+        "With $a_1>0$, if the force changes its sign after half a period, so does the periodic response, and body 2 returns.",
     ),
     "entrains": (
         "Sync.entrains",
@@ -130,20 +128,19 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "synchronises": (
         "Sync.synchronises",
-        "With $a_1>0$ every motion under a sinusoidal force of amplitude below $U_*$ sticks for ever after a "
-        "finite time.",
+        "With $a_1>0$ every motion under a sinusoidal force of amplitude below $U_*$ sticks permanently after a finite time.",
     ),
     "arc-begins": (
         "Arcs.arc_begins",
-        "A smooth arc that obeys the law of friction under a force is the beginning of a motion under it.",
+        "A smooth arc that satisfies the friction law under a force is the beginning of a motion under that force.",
     ),
     "follow-forced-arc": (
         "Arcs.follow_arc",
-        "A motion under a force that meets the start of such an arc, at any time, runs along it.",
+        "A motion under a force that meets the start of such an arc, at any time, follows it.",
     ),
     "antiperiodic": (
         "Arcs.antiperiodic",
-        "Under a force that repeats with the opposite sign, a motion whose state does so once does so for ever.",
+        "Under a force that repeats with the opposite sign, a motion whose state does so once does so from then on.",
     ),
     "nonstop-iff": (
         "Nonstop.nonstop_iff",
@@ -196,7 +193,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "arrival-needs": (
         "Transfer.arrival_needs",
-        r"To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, a force needs $b+\beta\tau/g(\tau)$, where $g$ is body "
+        r"To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, a force needs an amplitude of at least $b+\beta\tau/g(\tau)$, where $g$ is body "
         r"1's impulse response and $g'\geqslant 0$ up to $\tau$.",
     ),
     "least-amplitude": (
@@ -209,19 +206,18 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "rest-to-rest": (
         "Arrival.rest_to_rest",
-        "With that amplitude both bodies can be at rest then, if the stuck pair may brake with it in the second half.",
+        "With that amplitude both bodies can be at rest then, if the stuck pair can brake with it in the second half.",
     ),
     "ring-factor": (
         "Relative.ring_factor",
-        r"$|v_1-v_2|\leqslant\sqrt\kappa\,N$, $\kappa=(m_1+m_2)/(m_1m_2)$, and no smaller factor will do.",
+        r"$|v_1-v_2|\leqslant\sqrt\kappa\,N$, $\kappa=(m_1+m_2)/(m_1m_2)$, and no smaller factor suffices.",
     ),
     "displacement-unseen": (
         "Relative.displacement_unseen",
-        "Another place of body 2 at the start moves the relative motion by as much, for ever.",
+        "A shift of the initial position of body 2 shifts the relative displacement by as much at all times.",
     ),
     "tolerance-ring": (
         "Ring.ring",
-        "With $a_1>0$ and a bounded force every motion enters a tube around another one at one time, and stays; from then on it is in its "
-        "ring of relative velocities.",
+        "With $a_1>0$ and a bounded force every motion enters a tube around another one at some time, and stays; from then on it is in the ring of relative velocities.",
     ),
 }

@@ -1,11 +1,11 @@
-"""The theorems on who merges: the first slip, crossings, re-entry, and the critical mass ratio."""
+"""The theorems on which motions merge: the first slip, crossings, re-entry, and the critical mass ratio."""
 
 from __future__ import annotations
 
 MERGING: dict[str, tuple[str, str]] = {
     "merges-iff": (
         "Merge.merges_iff",
-        r"From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ for ever exactly if $r\,c^2<h^2$.",
+        r"From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ at all later times exactly if $r\,c^2<h^2$.",
     ),
     "turning-point": ("Turning.root", r"The turning function has one zero $\varphi^*$ in $(0,\pi]$."),
     "merging-threshold": (
@@ -18,7 +18,7 @@ MERGING: dict[str, tuple[str, str]] = {
     ),
     "gap-slip": (
         "Gap.gap_slip",
-        "A slip from $S$ with a gap and the push of an angle, in closed form up to that angle, where it ends.",
+        "A slip from $S$ with a gap and the initial speed of an angle, in closed form up to that angle, where it ends.",
     ),
     "crossing": (
         "Gap.crossing",
@@ -26,7 +26,7 @@ MERGING: dict[str, tuple[str, str]] = {
     ),
     "re-entry": (
         "Cross.reentry",
-        "A slip from $S$ with a gap and the push of an angle that lands in $S_0$ sticks there for ever exactly if its level is not above $E_{cr}$.",
+        "A slip from $S$ with a gap and the initial speed of an angle that ends in $S_0$ sticks there permanently exactly if its energy is not above $E_{cr}$.",
     ),
     "first-slip": (
         "Cross.first_slip",
@@ -34,7 +34,7 @@ MERGING: dict[str, tuple[str, str]] = {
     ),
     "ray-crossing": (
         "Cross.ray_crossing",
-        "From a ray with the push of an angle whose depth is above $2/q$ the pair crosses $S$ and slips on with the other sign.",
+        "From a ray with the exit speed of an angle whose depth is above $2/q$ the pair crosses $S$ and slips on with the other sign.",
     ),
     "no-first-merging": (
         "Alternation.no_first_merging",
@@ -42,17 +42,16 @@ MERGING: dict[str, tuple[str, str]] = {
     ),
     "alternation": (
         "Alternation.alternation",
-        r"Where the longest slip from a ray that lands in $S_0$ has an angle $2\varphi_c\geqslant 4\pi/3$: after a crossing slips as long as "
-        r"that are followed by ones of at most $2\pi-2\varphi_c$, and those by ones as long as that.",
+        r"Where the longest slip from a ray that ends in $S_0$ has an angle $2\varphi_c\geqslant 4\pi/3$: a crossing slip at least that long is followed by one of at most $2\pi-2\varphi_c$, and a crossing slip of at most that by one at least as long as the longest.",
     ),
     "margin": ("Margin.margin", "The one numerical inequality of the merging set, enclosed in balls by the kernel."),
     "kappa-large": (
         "Kappa.kappa_large",
-        r"Where merging is possible, the longest slip that lands in $S_0$ is longer than the angle $4\pi/3$.",
+        r"Where merging is possible, the longest slip that ends in $S_0$ is longer than the angle $4\pi/3$.",
     ),
     "first-re-entry": (
         "Return.returns",
-        "From beyond $S_0$, or from an exit ray, a solution comes back to $S_0$ after finitely many slips, for "
+        "From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips, for "
         "every mass ratio.",
     ),
     "merging-set": (
@@ -63,7 +62,7 @@ MERGING: dict[str, tuple[str, str]] = {
     ),
     "no-low-level": (
         "Levels.no_low_level",
-        r"For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and push, ends at or below $E_{cr}$.",
+        r"For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and initial speed, ends at or below $E_{cr}$.",
     ),
     "heavy-never-merges": (
         "Heavy.heavy_never_merges",

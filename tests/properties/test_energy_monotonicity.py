@@ -31,6 +31,7 @@ motions = st.one_of(free_motions(), free_motions(damped=True), free_motions(law=
 
 SLIPS = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 DAMPED = Scene(Pair(1, 1, 200, "0.5", "0.4"), State(v1="0.15"), until=3)
+OVERDAMPED = Scene(Pair(1, 9000, 1, 1, 170_000), State("0.001", "0.5", 0, "0.00001"), until=900)
 PUSHED = Scene(SLIPS.pair, State(), until=1, force=Force.step(0, "1.5"))
 
 
@@ -79,10 +80,12 @@ def has_rate(run: Trajectory, t: Fraction, damper: bool = True) -> bool:
     """Whether E changes about a time as theory's rates say, a slip's where the bodies move on each other.
 
     By the mean value theorem the mean rate over a short time is one of those in it: E is continuously differentiable,
-    events included. `damper`: with the term -a1 v1^2.
+    events included. `damper`: with the term -a1 v1^2. Within a 10^-9 of the shortest time constant a rate changes by at
+    most 0.4 % of E(0) over that time constant where E(0) > 10^-6 E_cr, as it is in all starts drawn.
     """
     pair = run.scene.pair
-    short = Fraction(1, 10**9) / Fraction(float(pair.a2 / min(pair.m1, pair.m2)) ** 0.5)
+    fastest = max(float(pair.a2 / min(pair.m1, pair.m2)) ** 0.5, float(pair.a1 / pair.m1))
+    short = Fraction(1, 10**9) / Fraction(fastest)
     with run.arithmetic.context():
         later = exact(t) + exact(short)
         ends = [run.sol(one) for one in (t, t + short)]
@@ -94,7 +97,7 @@ def has_rate(run: Trajectory, t: Fraction, damper: bool = True) -> bool:
         else:
             rate = of_pair(slip_rate(1), pair, **state).min(of_pair(slip_rate(-1), pair, **state))
         unit = energy_of(pair, start_of(run.scene)) / exact(short)
-        return bool((mean - rate).rad() <= unit * arb(10) ** -9) and (mean - rate).contains(0)
+        return bool((mean - rate).rad() <= unit * arb(10) ** -11) and (mean - rate).contains(0)
 
 
 @reaching
@@ -109,6 +112,7 @@ def test_between_any_two_times_the_loss_is_b_times_the_slid_distance_and_what_a_
 @reaching
 @given(motions, st.integers(0, 999).map(lambda n: Fraction(n, 1000)))
 @example(DAMPED, Fraction(1, 7))
+@example(OVERDAMPED, Fraction(0))  # m1/a1 = 6e-6 s beside sqrt(m1/a2) = 1 s
 def test_the_rate_is_that_of_friction_and_damper(scene, share):
     run = in_balls(scene)
     assert has_rate(run, *times(run, [share]))

@@ -18,12 +18,12 @@ from paper_checks.running.runner import Row
 ID, TITLE = "kernel", "What the kernel proved"
 SOLUTION = (
     "What a solution is, in words. $x$, $v_1$, $v_2$ and $s$ are functions of time; $x$ and $v_1$ are continuous, $\\dot x=v_1$. $s$ is friction's direction, summed up "
-    "over time: it never changes faster than time does, it grows at the rate $1$ while $v_1>v_2$ and falls at the rate $1$ while $v_1<v_2$. "
+    "over time: it is Lipschitz with the constant $1$, grows at the rate $1$ while $v_1>v_2$ and falls at the rate $1$ while $v_1<v_2$. "
     "$m_1v_1+bs$ has the rate $-a_2x-a_1v_1$, and $m_2v_2-bs$ never changes. So friction is $b\\dot s$: $\\pm b$ in slip, and while the bodies stick it is "
     "whatever holds them together, up to $b$. All derivatives are taken from the right, at every time."
 )
 FILIPPOV = (
-    "This is Filippov's notion, and that is a theorem: three functions are, for some $s$, such a solution exactly if they are absolutely continuous "
+    "This is Filippov's notion, by a theorem: three functions are, for some $s$, such a solution exactly if they are absolutely continuous "
     "and satisfy the differential inclusion, friction anywhere in $[-b,b]$ while $v_1=v_2$, at almost every time."
 )
 NAMES = (
@@ -46,7 +46,7 @@ WORDS = {
     "Stick.L": "$L$, half the width of the sliding region.",
     "Stick.Ecr": "The critical energy.",
     "Stick.omega": "$\\Omega$, the frequency of the stuck pair.",
-    "Stick.X": "The stuck motion: its place.",
+    "Stick.X": "The stuck motion: its position.",
     "Stick.V": "The stuck motion: its velocity.",
     "Cycle.o1": "$\\omega_1$, the frequency of body 1 alone.",
     "Cycle.ray": "The velocity on a ray whose excess energy is $q\\,u^2$.",
@@ -128,7 +128,7 @@ def _theorem(name: str, step: Evidence, users: Iterable[str]) -> Iterator[Block]
     if special:
         yield Paragraph(f"It assumes {', '.join(special)}.", "Read")
     rests = f" It uses {', '.join(f'`{one}`' for one in pin.uses)}." if pin.uses else ""
-    yield Paragraph(f"Rows: {', '.join(f'`{one}`' for one in users)}.{rests}")
+    yield Paragraph(f"Claims: {', '.join(f'`{one}`' for one in users)}.{rests}")
 
 
 def zeros(statement: str) -> list[tuple[str, str]]:
@@ -154,7 +154,7 @@ def _axioms(steps: Iterable[Evidence]) -> str:
     others = sum(count != most for count in axioms.values())
     numbers = f"; and, for theorems with computed intervals, {others} axioms of machine integers" if others else ""
     return (
-        f"All that the kernel takes for granted in these theorems: {common}{numbers}."
+        f"All axioms that the kernel uses in these theorems: {common}{numbers}."
         if axioms
         else "The proof kernel was not run here: these are the statements as they were last accepted, and its axioms are not listed."
     )

@@ -33,15 +33,15 @@ SYMBOLS = {
     "z": Symbol("z", "$x_1-x_2$; $\\dot z=v_1-v_2$ is the relative velocity", "m, m/s", _letter("z")),
     "spring": Symbol("a_1,\\,a_2", "damping and stiffness of body 1 against the ground; Section III writes $a$ for $a_2$", "N s/m, N/m", _letter(r"a_\{?[12]\}?|a(?!['_])")),
     "b": Symbol("b", "largest friction force between the bodies (Coulomb's law)", "N", _letter("b")),
-    "force": Symbol("u", "force on body 1 from outside; 0 in the free system", "N", _letter("u(?!')")),
+    "force": Symbol("u", "external force on body 1; 0 in the free system", "N", _letter("u(?!')")),
     "sgn": Symbol("\\mathrm{sgn}", "the three-valued signum of eq. (1); in Filippov's reading the value at 0 is the whole interval $[-1,1]$", "–", r"sgn|sign"),
     "S": Symbol("S", "the switching surface $v_1=v_2$; $\\Omega_\\pm$ is where $v_1-v_2$ has this sign", "–", _letter("S(?!_)") + r"|\\Omega_"),
     "S0": Symbol("S_0", "the sliding region, $|x_1|\\leqslant L$ on $S$: there the bodies stick; $S_\\pm$ lies beyond it", "–", _letter("S_.+?")),
     "L": Symbol("L", "half width of the sliding region, $b(m_1+m_2)/(a_2m_2)$", "m", _letter("L")),
-    "rays": Symbol("\\ell_\\pm", "the exit rays: edges $x_1=\\pm L$ of the sliding region, by which the pair leaves it", "–", r"\\ell"),
+    "rays": Symbol("\\ell_\\pm", "the exit rays: edges $x_1=\\pm L$ of the sliding region, through which the pair leaves it", "–", r"\\ell"),
     "fields": Symbol("\\Phi_\\pm", "the velocity field of $(x_1,v_1,v_2)$ in $\\Omega_\\pm$; $n_S=(0,1,-1)$ is the normal of $S$", "–", r"\\Phi|n_\{?S"),
     "E": Symbol("E", "energy, $\\tfrac12(a_2x_1^2+m_1v_1^2+m_2v_2^2)$", "J", _letter("E(?!_.?c)")),
-    "Ecr": Symbol("E_{cr}", "the critical energy $\\tfrac12a_2L^2$: that of the largest orbit on which the bodies stick for ever", "J", r"E_\{cr"),
+    "Ecr": Symbol("E_{cr}", "the critical energy $\\tfrac12a_2L^2$: that of the largest orbit on which the bodies stick permanently", "J", r"E_\{cr"),
     "w": Symbol("w", "excess energy, $E/E_{cr}-1$; $w'$ after a slip", "–", _letter("w")),
     "Omega": Symbol("\\Omega", "angular frequency of stick, $\\sqrt{a_2/M}$; $\\tau=\\Omega t$ is the reduced time", "rad/s", r"\\Omega(?!_)|\\tau(?!_k)"),
     "q": Symbol("q,\\,r", "the masses' shares $m_1/M$ and $m_2/M$", "–", _letter("[qr]")),
@@ -56,7 +56,7 @@ SYMBOLS = {
     "load": Symbol("\\Lambda", "the load: the friction force on body 2 that sticking needs, $m_2(u-a_2x_1-a_1v_1)/M$", "N", r"\\Lambda"),
     "distance": Symbol("N", "energy distance of two motions, $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$", "$\\sqrt{\\mathrm J}$", _letter("N")),
     "kappa": Symbol("\\kappa", "$M/(m_1m_2)$: in slip of sign $s$, $\\ddot z=\\kappa(\\Lambda-sb)$", "1/kg", r"\\kappa"),
-    "thresholds": Symbol("U_*,\\,U_{**}", "amplitudes of $u=U\\sin\\omega t$ up to which the pair may stick for ever, and which a slip without a stop needs that turns after each half period of the force", "N", r"U_\{?\*"),
+    "thresholds": Symbol("U_*,\\,U_{**}", "amplitudes of $u=U\\sin\\omega t$ up to which the pair may stick permanently, and needed for a slip without a stop that reverses after each half period of the force", "N", r"U_\{?\*"),
 }  # fmt: skip
 """The symbols by name, in the order in which a reader meets them."""
 OWN = {
@@ -71,7 +71,7 @@ OWN = {
     "stuck-ellipses": "q",
     "rotating-force": "XV",
 }
-"""Symbols whose letters a row uses for something of its own, and says for what."""
+"""Symbols whose letters a claim uses for something of its own, and says for what."""
 _MATHEMATICS = re.compile(r"(?<!\\)\$+([^$]+)\$+")
 
 

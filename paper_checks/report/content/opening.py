@@ -23,8 +23,8 @@ from paper_checks.report.content.trust import LAW
 from paper_checks.running.runner import Row
 
 MODEL = (
-    "The paper models two bodies. One hangs on a spring. The other is joined to it by nothing but dry friction, as a box on a "
-    "moving table is. The pair either sticks and swings as one mass, or slips. The paper says how the free pair moves in the long run; "
+    "The paper models two bodies. One is held by a spring. The other is coupled to it by dry friction alone, like a box on a "
+    "moving table. The pair either sticks and oscillates as one mass, or slips. The paper states how the free pair moves in the long run; "
     "its claims, and more, are checked here."
 )
 STRENGTHS = {
@@ -32,30 +32,30 @@ STRENGTHS = {
     "solvers, exact algebra or enclosures": (EvidenceKind.SMT, EvidenceKind.EXACT, EvidenceKind.ENCLOSURE),
     "an argument that a person wrote, over such steps": (EvidenceKind.ARGUMENT,),
 }
-"""Kinds of steps, from the strongest; together they are all that can settle a row."""
+"""Kinds of steps, from the strongest; together they are all that can settle a claim."""
 DERIVED = "How the paper's results follow from the equations of motion, line by line, and which check accepted each line: `derivation`."
 EXPLORE = (
-    "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
-    'becomes of it; on a second tab, the pair on a surface, seen from above.</p>\n<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
+    "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and the "
+    'long-run behaviour; on a second tab, the pair on a surface, seen from above.</p>\n<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
 )
 POSITIVE = "$m_1,m_2,a_2,b>0$."
 FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."
-DRIVEN = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless it says more."
+DRIVEN = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless stated otherwise."
 _ROUND = "On a surface, with scalar masses and springs, and friction against the slip of at most $b$ in every direction"
 ASSUMED = {
     **dict.fromkeys(("forced-mode-rule", "forced-no-zeno", "forced-contraction", "trackable-references"), DRIVEN),
     **dict.fromkeys(("minimum-transfer-time", "tolerance-ring"), DRIVEN),
-    "forced-periodic-response": f"{POSITIVE} A periodic force $u(t)$ on body 1; $a_1>0$, or $a_1=0$ where it says so.",
+    "forced-periodic-response": f"{POSITIVE} A periodic force $u(t)$ on body 1; $a_1>0$, or $a_1=0$ where stated.",
     "forced-resonance-bound": f"{POSITIVE} No damper, $a_1=0$; a periodic force $u(t)$ on body 1.",
-    "entrainment-threshold": f"{POSITIVE} A sine $u(t)$ on body 1; $a_1\\geqslant 0$, each part says which.",
+    "entrainment-threshold": f"{POSITIVE} A sine $u(t)$ on body 1; $a_1\\geqslant 0$, as each part states.",
     "damping-can-desynchronise": f"{POSITIVE} No force, $u=0$; with and without a damper.",
     "static-friction-stops-creeping": "$m_1,m_2,a_2>0$, $a_1\\geqslant 0$. No force, $u=0$; and not Coulomb's law with one $b$: friction "
     "at rest is larger than in slip.",
-    "friction-in-any-direction": "Any number of masses, springs and directions, with a friction as each part says; the pair only where it is named.",
-    "rotating-force": f"{_ROUND}; a damper $a_1\\geqslant 0$, a force of constant size that goes round.",
+    "friction-in-any-direction": "Any number of masses, springs and directions, with friction as each part states; the pair only where it is named.",
+    "rotating-force": f"{_ROUND}; a damper $a_1\\geqslant 0$, a rotating force of constant magnitude.",
     "stuck-ellipses": f"{_ROUND}; no damper and no force.",
 }  # fmt: skip
-"""What theorems past the paper assume besides what their statements say; all others speak of the free pair."""
+"""What theorems beyond the paper assume besides what their statements say; all others speak of the free pair."""
 NEW: dict[str, tuple[str, str, str]] = {
     "sharp-rate-constant": (
         "rate-bounds",
@@ -75,27 +75,27 @@ NEW: dict[str, tuple[str, str, str]] = {
     "entrainment-threshold": (
         "thresholds-over-frequency",
         "Three regimes under a sine",
-        "Up to $U_*$ some motion sticks for ever, and with a damper every motion tends to it; below $U_{**}$ none of the force's "
-        "period slips for ever with two reversals. Both are closed forms; between them not every amplitude has a motion with two stops",
+        "Up to $U_*$ some motion sticks permanently, and with a damper every motion tends to it; below $U_{**}$ none of the force's "
+        "period slips permanently with two reversals. Both have closed forms; between them not every amplitude has a motion with two stops",
     ),
     "uniform-rate": (
         "uniform-rate",
-        "What the start fixes",
+        "What the initial energy determines",
         "$E(0)$ alone fixes an upper bound $c_2/t$ of $E/E_{cr}-1$, for all trajectories that never merge, and no lower one",
     ),
 }
-"""Results past the paper that the first page shows, by their rows: figure, title, and a sentence with formulas of the row."""
+"""Results beyond the paper that the first page shows, by their claims: figure, title, and a sentence with the claim's formulas."""
 ASKED = {
     "synchronisation-time": "Do the bodies synchronise at 4.7 s?",
     "critical-energy": "What is $E_{cr}$, and who proved it?",
     "static-friction-stops-creeping": "What if static friction is above kinetic?",
     "motions-on-a-surface": "What changes on a surface?",
-    "stuck-ellipses": "What becomes of the critical energy there?",
+    "stuck-ellipses": "What replaces the critical energy there?",
 }
-"""What is often asked, by the row that answers it."""
-NUMBERS = "In balls every printed digit is proved, and so is the order of events. In float64 a bound of its error stands beside it, which is tested and not proved; on a surface it is proved."
-WITHOUT = "On two solvers, exact algebra, enclosures and written inferences, as the row's weakest step says: every claim of the paper is decided so, too, and its row says that the kernel was not run. A theorem past the paper that needs the kernel is unchecked then, never passed. What each kind of step guarantees: `trust`."
-DRAWN = "`python -m numerics solve velocities --plot velocities.svg` solves its scene and draws it; `python -m numerics scenes` lists the others. What forward Euler makes of it: `euler-reproduces-figures`."
+"""What is often asked, by the claim that answers it."""
+NUMBERS = "Ball (interval) arithmetic proves every printed digit and the order of events. float64 numbers carry an error bound, which is tested and not proved; on a surface it is proved."
+WITHOUT = "On two solvers, exact algebra, enclosures and written inferences, as its weakest step says: every claim of the paper is decided without the kernel, too, and then says that the kernel was not run. A theorem beyond the paper that needs the kernel is then unchecked, never passed. What each kind of step guarantees: `trust`."
+DRAWN = "`python -m numerics solve velocities --plot velocities.svg` solves its scene and draws it; `python -m numerics scenes` lists the others. What forward Euler computes instead: `euler-reproduces-figures`."
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
 
@@ -123,7 +123,7 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
         Section(
             "results",
             "What is new",
-            (Cards(past), Paragraph("Everything past the paper, in one list: `new`.")) if past else (),
+            (Cards(past), Paragraph("All theorems beyond the paper: `new`.")) if past else (),
         ),
         Section("sure", "How sure it is", tuple(_sure(rows))),
     )
@@ -136,14 +136,14 @@ def _filled(row: str, text: str) -> str:
 
 
 def _refuted(rows: Sequence[Row]) -> Iterator[Block]:
-    """Yield a line for each of the paper's claims that is false as such, and the pictures of two."""
+    """Yield a line for each of the paper's claims that is refuted, and the pictures of two."""
     failed = [row for row in rows if row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.REFUTED]
     lines = ((f"`{one.claim.id}`\n{one.claim.where}", one.claim.statement, in_short(one), kind(one)) for one in failed)
     if failed:
         yield Table(
-            ("row", "the paper says", "what is true", "weakest step"),
+            ("claim", "the paper says", "what is true", "weakest step"),
             tuple(lines),
-            "False as such, not only in a detail",
+            "Refuted claims",
         )
     known = {row.claim.id for row in rows if row.as_recorded}
     cards = (
@@ -160,7 +160,7 @@ def _synchronisation() -> tuple[str, str, Picture]:
     _, v1, _, v2 = run.sol(PRINTED)
     slip = 1000 * abs(float(v1 - v2))
     return (
-        f"At {PRINTED} s they slip",
+        f"At {PRINTED} s the bodies slip",
         f"The relative velocity is {slip:.2f} mm/s at the time of the paper's synchronisation.",
         picture("relative-velocity"),
     )
@@ -170,8 +170,8 @@ def _start_at_6mm() -> tuple[str, str, Picture]:
     scene = load_scene("start-at-6mm")
     pair, start = scene.pair, Fraction(scene.initial.x1)
     needed = float(pair.m2 * pair.a2 / pair.mass * start)
-    text = f"Carrying body 2 along takes {needed:g} N; friction gives at most {float(pair.b):g} N."
-    return f"From {float(start):g} m they slip at once under (3), (4)", text, picture("force-needed")
+    text = f"Sticking needs {needed:g} N; friction gives at most {float(pair.b):g} N."
+    return f"From {float(start):g} m the bodies slip at once under (3), (4)", text, picture("force-needed")
 
 
 def strengths(rows: Sequence[Row]) -> tuple[tuple[str, ...], ...]:
@@ -183,14 +183,16 @@ def strengths(rows: Sequence[Row]) -> tuple[tuple[str, ...], ...]:
 
 def _sure(rows: Sequence[Row]) -> Iterator[Block]:
     yield Table(("weakest step that the verdict needs", "claims", "theorems"), strengths(rows), "")
-    left = "What rows leave open: `open`." if any(row.open for row in rows) else "No row leaves a part open."
-    yield Paragraph(f"What each kind of step guarantees, what you have to believe, and by which law: `trust`. {left}")
+    left = "Open parts: `open`." if any(row.open for row in rows) else "No claim leaves a part open."
+    yield Paragraph(
+        f"What each kind of step guarantees, what has to be trusted, and which friction law is used: `trust`. {left}"
+    )
 
 
 def questions(rows: Sequence[Row], answers: Sequence[str]) -> Section:
     """Return what is often asked, in one table."""
     lines = tuple(_questions({row.claim.id: row for row in rows}, answers))
-    return Section("questions", "Asked often", (Table(("question", "answer"), lines, ""),))
+    return Section("questions", "Frequent questions", (Table(("question", "answer"), lines, ""),))
 
 
 def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[str, str]]:
@@ -214,23 +216,23 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         text = f"Theorem `uniqueness` of the kernel: {CITED['uniqueness'][1]} Under a force, with existence: `forced-contraction`."
         yield "Is the motion from a start the only one, and where is that proved?", text
     if any(row.kernel for row in shown.values()):
-        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. The rows that need it: type kernel into the search above all rows."
+        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, the axioms, and every statement: `kernel`. To list the claims that need it, type kernel into the search above the table of claims."
         yield "What does the kernel prove, and with which axioms?", text
         yield "What does `holds` rest on without the kernel?", WITHOUT
     if any(row.open for row in shown.values()):
-        yield "What is not known?", "One list, from the rows: `open`."
+        yield "What is not known?", "One list: `open`."
     if any(row.claim.kind is Kind.THEOREM for row in shown.values()):
-        yield "What is new past the paper?", "One list: `new`."
+        yield "What is new beyond the paper?", "One list: `new`."
     yield "Which law of friction is used?", LAW
     yield "How sure is a number of the solver?", NUMBERS
     short = " By hand, in ten minutes: `critical-energy`, an ellipse in a strip." if "critical-energy" in shown else ""
     yield (
-        "How do I check one row again?",
-        f"Every row's page ends with the command. How to install it: `provenance`.{short}",
+        "How do I check one claim again?",
+        f"Each claim's page ends with the command. How to install it: `provenance`.{short}",
     )
     yield "How do I draw Fig. 5 again?", DRAWN
     if answers:
-        yield "How fast is it beside heyoka?", " ".join(answers)
+        yield "How fast is it compared with heyoka?", " ".join(answers)
     yield (
         "Does the paper's version on arXiv say the same?",
         f"Not known. {source.PREPRINT[:1].upper()}{source.PREPRINT[1:]}: see `provenance`.",
@@ -247,18 +249,18 @@ def _answered(row: Row) -> str:
 
 
 def new(rows: Sequence[Row]) -> Section:
-    """Return everything past the paper in one list: what it is, what it assumes, how it is established."""
+    """Return everything beyond the paper in one list: what it is, what it assumes, how it is established."""
     lines = tuple(
         (f"`{row.claim.id}`", in_short(row), hypotheses(row.claim.id), kind(row))
         for row in rows
         if row.claim.kind is Kind.THEOREM
     )
-    table = Table(("theorem", "in a sentence", "assumes", "weakest step"), lines, "Theorems past the paper")
-    return Section("new", "New past the paper", (table,) if lines else ())
+    table = Table(("theorem", "in a sentence", "assumes", "weakest step"), lines, "Theorems beyond the paper")
+    return Section("new", "New beyond the paper", (table,) if lines else ())
 
 
 def hypotheses(name: str) -> str:
-    """Return what a theorem past the paper assumes besides what its statement says."""
+    """Return what a theorem beyond the paper assumes besides what its statement says."""
     return ASSUMED.get(name, FREE)
 
 
@@ -269,14 +271,14 @@ def not_judged(rows: Sequence[Row]) -> Section:
         for row in rows
         if row.finding.verdict is Verdict.NOT_JUDGED
     )
-    table = Table(("claim", "the paper says", "why it is not judged"), lines, "Opinions, plans, and the literature")
-    return Section("not-judged", "Not judged", (table,) if lines else ())
+    table = Table(("statement", "the paper says", "why it is not judged"), lines, "Opinions, plans, and the literature")
+    return Section("not-judged", "Statements not judged", (table,) if lines else ())
 
 
 def still_open(rows: Sequence[Row]) -> Section:
     """Return all that rows leave open, sentence by sentence, and what is not settled at all."""
     kinds = {
-        "Parts that decided rows leave open, and that no verdict needs": tuple(
+        "Open parts of decided claims, which no verdict needs": tuple(
             f"{text} (`{row.claim.id}`)" for row in rows for text in row.open
         ),
         "Not settled here": tuple(f"`{row.claim.id}`: {row.finding.missing}" for row in rows if row.finding.missing),

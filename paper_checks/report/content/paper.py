@@ -16,10 +16,10 @@ from paper_checks.report.content.phrases import COUNTED, in_short, kind
 from paper_checks.running.runner import Row
 
 READ = (
-    "Below, a claim stands with its place in the paper and with the kind of the weakest check that its verdict needs; `trust` says "
+    "Below, each claim has its place in the paper and the kind of the weakest check that its verdict needs; `trust` says "
     "what each kind guarantees. `python -m paper_checks run ID` prints all checks behind a claim, by its name."
 )
-ASSUMED = "Each theorem says what it assumes; where it says nothing:"
+ASSUMED = "Each theorem states its assumptions; where it states none:"
 LAST = ("open", "trust", "notation", "provenance")
 
 
@@ -42,7 +42,7 @@ def _sections(report: Document) -> Iterator[Section]:
     yield some["derivation"]
     yield from claims.values()
     theorems = tuple(entry(row) for row in report.rows if row.claim.kind is Kind.THEOREM)
-    yield Section("new", "Theorems past the paper", theorems and (Paragraph(f"{ASSUMED} {opening.FREE}"), *theorems))
+    yield Section("new", "Theorems beyond the paper", theorems and (Paragraph(f"{ASSUMED} {opening.FREE}"), *theorems))
     yield Section(kernel.ID, kernel.TITLE, kernel.notion(report.rows))
     yield from (some[name] for name in LAST)
 
@@ -51,7 +51,8 @@ def _claims(report: Document, verdict: Verdict) -> Section:
     """Return the paper's claims with this verdict."""
     of_paper = (row for row in report.rows if row.claim.kind is Kind.CLAIM)
     entries = tuple(entry(row) for row in of_paper if row.finding.verdict is verdict)
-    return Section(verdict.value, f"Claims that {COUNTED[verdict][1]}", entries)
+    what = "Statements" if verdict is Verdict.NOT_JUDGED else "Claims"
+    return Section(verdict.value, f"{what} that {COUNTED[verdict][1]}", entries)
 
 
 def _in_words(section: Section) -> Iterator[Block]:

@@ -21,25 +21,28 @@ COUNTED = {
     Verdict.REFUTED: ("is refuted", "are refuted"),
     Verdict.NOT_JUDGED: ("is not judged", "are not judged"),
     Verdict.UNDECIDED: ("is undecided", "are undecided"),
-    Verdict.UNCHECKED: ("is unchecked, as a tool is missing", "are unchecked, as a tool is missing"),
+    Verdict.UNCHECKED: ("is unchecked for lack of a tool", "are unchecked for lack of a tool"),
 }
 _PROVED = {**COUNTED, Verdict.HOLDS: ("is proved", "are proved")}
 """What is said of one claim, or theorem, of a verdict, and of several."""
 
 
 def headline(rows: Sequence[Row]) -> str:
-    """Return how many of the paper's claims, and of the theorems past it, have which verdict."""
+    """Return how many of the paper's claims, and of the theorems beyond it, have which verdict; statements not judged are no claims."""
     claims = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.CLAIM)
     theorems = Counter(row.finding.verdict for row in rows if row.claim.kind is Kind.THEOREM)
-    parts = []
-    if claims:
-        parts.append(f"of the paper's {_number(claims, 'claim')}: {_verdicts(claims, COUNTED)}")
+    left, some = claims.pop(Verdict.NOT_JUDGED, 0), sum(bool(row.open) for row in rows)
+    of_paper = [f"Of the paper's {_number(claims, 'claim')} {_verdicts(claims, COUNTED)}"] if claims else []
+    if left:
+        what = f"statement{'s' if left != 1 else ''} {COUNTED[Verdict.NOT_JUDGED][left != 1]}"
+        of_paper.append(f"{left} {'further ' if claims else ''}{what}")
+    said = ["; ".join(of_paper)] if of_paper else []
     if theorems:
-        parts.append(f"of {_number(theorems, 'theorem')} past it: {_verdicts(theorems, _PROVED)}")
-    some = sum(bool(row.open) for row in rows)
-    left = f" {some} of them {'leaves' if some == 1 else 'leave'} a part open." if some else ""
-    text = "; ".join(parts)
-    return f"{text[:1].upper()}{text[1:]}.{left}"
+        paper = "it" if of_paper else "the paper"
+        said.append(f"Of {_number(theorems, 'theorem')} beyond {paper} {_verdicts(theorems, _PROVED)}")
+    if some:
+        said.append(f"{some} {'leaves' if some == 1 else 'leave'} a part open")
+    return " ".join(f"{one}." for one in said)
 
 
 def _number(counted: Counter[Verdict], what: str) -> str:
@@ -47,11 +50,21 @@ def _number(counted: Counter[Verdict], what: str) -> str:
 
 
 def _verdicts(counted: Counter[Verdict], words: Mapping[Verdict, tuple[str, str]]) -> str:
-    return ", ".join(f"{counted[one]} {words[one][counted[one] != 1]}" for one in Verdict if counted[one])
+    return listed([f"{counted[one]} {words[one][counted[one] != 1]}" for one in Verdict if counted[one]])
+
+
+def listed(names: Sequence[str] | dict[str, None]) -> str:
+    """Return names as a sentence has them.
+
+    >>> listed(["a", "b", "c"]), listed(["a"]), listed([])
+    ('a, b and c', 'a', 'none')
+    """
+    *most, last = [*names] or ["none"]
+    return f"{', '.join(most)} and {last}" if most else last
 
 
 def is_new_theorem(row: Row) -> bool:
-    """Return whether the row is a theorem past the paper that holds."""
+    """Return whether the row is a theorem beyond the paper that holds."""
     return row.claim.kind is Kind.THEOREM and row.finding.verdict is Verdict.HOLDS
 
 

@@ -1,4 +1,4 @@
-"""Steps that several rows use: they stand once, under a name to which each of these rows links."""
+"""Steps that several claims use: they stand once, under a name to which each of these rows links."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from paper_checks.report.content.blocks import Section, Table
 from paper_checks.report.content.phrases import OUTCOMES
 from paper_checks.running.runner import Row
 
-ID, TITLE = "shared-steps", "Steps that several rows use"
+ID, TITLE = "shared-steps", "Steps that several claims use"
 
 
 def plain(step: Evidence) -> Evidence:
@@ -47,11 +47,11 @@ def section(rows: Sequence[Row], common: Mapping[Evidence, str]) -> Section:
                 known = (common.get(plain(one)) for one in step.rests_on)
                 below.setdefault(plain(step), {}).update(dict.fromkeys(filter(None, known)))
     lines = tuple((common[step], *cells(step, below[step]), _listed(users[step])) for step in users)
-    table = Table(HEAD, lines, "Each stands here once", tuple(f"step-{line[0]}" for line in lines))
+    table = Table(HEAD, lines, "Each is listed once", tuple(f"step-{line[0]}" for line in lines))
     return Section(ID, TITLE, (table,) if lines else ())
 
 
-HEAD = ("step", "kind", "checked statement", "result", "rows")
+HEAD = ("step", "kind", "checked statement", "result", "claims")
 
 
 def cells(step: Evidence, below: Iterable[str]) -> tuple[str, str, str]:

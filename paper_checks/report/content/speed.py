@@ -5,7 +5,7 @@ A sentence that other numbers would make false says what the numbers say: who is
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import cache
 from statistics import median
 
@@ -18,6 +18,7 @@ from numerics.trade.recorded import ASKED, Trade
 from numerics.trade.scenes import KINDS, LINE
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.content.phrases import listed
 
 ID, TITLE, WORK_PRECISION = "speed-and-accuracy", "Speed and accuracy", "work-precision"
 EULER_SCENES = {
@@ -78,7 +79,7 @@ def _typical(ratios: Mapping[str, float]) -> str:
 def told(ratios: Mapping[str, float]) -> str:
     """Say who wins, from the ratios of scenes: how many times as fast as the peer ours is."""
     if not ratios:
-        return "nobody was measured beside ours."
+        return "no other program was measured."
     ordered = sorted(ratios, key=lambda name: ratios[name])
     (least, low), high, typical = (ordered[0], ratios[ordered[0]]), ratios[ordered[-1]], _typical(ratios)
     lost, every = sum(one < 1 for one in ratios.values()), len(ratios)
@@ -149,7 +150,7 @@ def misled(found: dict[str, EulerFigure]) -> Iterator[Block]:
         for step in (1e-2, 1e-3, 1e-4)
     ]
     yield Paragraph(
-        "Exactly, a stuck pair keeps its energy. Where forward Euler holds $v_1=v_2$, each step $h$ multiplies it by $1+(h\\Omega)^2$: in Fig. 4 (a), "
+        "A stuck pair conserves its energy exactly. Where forward Euler holds $v_1=v_2$, each step $h$ multiplies it by $1+(h\\Omega)^2$: in Fig. 4 (a), "
         f"over the whole run, by {listed(energies)}. Elsewhere it does not stick but chatters: $v_1-v_2$ changes its sign back and forth within the "
         f"sliding region. Steps from {STEPS[0]:g} to {STEPS[-1]:g} s were tried; a step counts only if all finer ones are right too."
     )
@@ -173,13 +174,3 @@ def misled(found: dict[str, EulerFigure]) -> Iterator[Block]:
 def step(found: float | None) -> str:
     """Return a step, or that none of those tried is fine enough."""
     return "finer than tried" if found is None else f"{found:g}"
-
-
-def listed(names: Sequence[str] | dict[str, None]) -> str:
-    """Return names as a sentence has them.
-
-    >>> listed(["a", "b", "c"]), listed(["a"]), listed([])
-    ('a, b and c', 'a', 'none')
-    """
-    *most, last = [*names] or ["none"]
-    return f"{', '.join(most)} and {last}" if most else last

@@ -150,18 +150,16 @@ def _folded(row: Row, common: Mapping[Evidence, str]) -> Iterator[Block]:
     inside: list[Block] = []
     if shown := [proof for proof in row.proofs if proof.steps or proof.kernel or proof.bindings]:
         head = ("clause", "what it says", "established by", "steps")
-        inside.append(
-            Table(head, tuple(_clause(proof, names) for proof in shown), "Clauses: what the verdict stands on")
-        )
+        inside.append(Table(head, tuple(_clause(proof, names) for proof in shown), "Clauses that the verdict rests on"))
     if own:
         lines = (
             (names[one], *shared.cells(one, (names[below] for below in one.rests_on if below in names))) for one in own
         )
-        inside.append(Table(shared.HEAD[:-1], tuple(lines), "Steps, each below those it rests on"))
+        inside.append(Table(shared.HEAD[:-1], tuple(lines), "Steps, each after those it rests on"))
     if elsewhere := [f"`{names[step]}`" for step in steps if step not in numbers]:
         inside.append(
             Paragraph(
-                f"{', '.join(dict.fromkeys(elsewhere))}.", "Steps that several rows use, and theorems of the kernel"
+                f"{', '.join(dict.fromkeys(elsewhere))}.", "Steps that several claims use, and theorems of the kernel"
             )
         )
     if row.finding.derivation:

@@ -13,8 +13,8 @@ from paper_checks.running.runner import Row
 
 LAW = (
     "All verdicts are under Coulomb's law, with the whole interval $[-b,b]$ as friction while the bodies stick (Filippov's reading). "
-    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ "
-    "(`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they allow another motion, the row says so."
+    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no solution where a stuck pair stays at the limit $b$ "
+    "(`sgn-three-valued`). Section IV uses (11), (12), which leave out the limit $b$: where they allow another motion, the claim says so."
 )
 INSTALL = "python3 -m venv .venv && .venv/bin/python -m pip install -e '.[checks]' && .venv/bin/python -m paper_checks"
 """The first command of the README."""
@@ -22,7 +22,7 @@ TRUST, PROVENANCE = "trust", "provenance"
 GUARANTEES = {
     EvidenceKind.KERNEL: (
         "A theorem was proved line by line, and the small kernel of the proof assistant Coq accepted every line.",
-        "the kernel, its axioms of the real numbers, and that the theorem says what the row says: its statement is pinned, its "
+        "the kernel, its axioms of the real numbers, and that the theorem says what the claim says: its statement is pinned, its "
         "definitions are tied to the formulas of this report",
     ),
     EvidenceKind.SMT: (
@@ -31,24 +31,24 @@ GUARANTEES = {
         "that not both solvers err in the same way",
     ),
     EvidenceKind.EXACT: (
-        "An identity was simplified to zero by symbolic algebra, and is zero at rational points that are tried besides.",
+        "Symbolic algebra simplified an identity to zero, and it is zero at rational test points.",
         "sympy's algebra",
     ),
     EvidenceKind.ENCLOSURE: (
-        "A number was computed with a proved bound of all its errors (a ball), or an inequality at every point of a whole set.",
-        "the ball arithmetic of FLINT, and that the program computes what the row says",
+        "A number was computed with a proved error bound (a ball), or an inequality at every point of a set.",
+        "the ball arithmetic of FLINT, and that the program computes what the claim says",
     ),
     EvidenceKind.ARGUMENT: (
-        "A person wrote the inference down; a reader can follow it in a few lines, and each step that it names is checked.",
+        "A person wrote the inference, in a few lines, and each step that it names is checked.",
         "the reader: nothing but reading checks the inference itself",
     ),
     EvidenceKind.PROPERTY: (
         "A statement was tried on many random cases.",
-        "nothing: it stands beside a proof and never counts",
+        "nothing: it supports a proof and never counts",
     ),
-    EvidenceKind.SIMULATION: ("One trajectory was computed.", "nothing: it stands beside a proof and never counts"),
+    EvidenceKind.SIMULATION: ("One trajectory was computed.", "nothing: it supports a proof and never counts"),
 }
-"""What a step of each kind guarantees, and what one has to believe for it."""
+"""What a step of each kind guarantees, and what has to be trusted for it."""
 
 
 def section(rows: Sequence[Row]) -> Section:
@@ -63,16 +63,16 @@ def section(rows: Sequence[Row]) -> Section:
         "How to trust it",
         (
             Paragraph(
-                "A row is as strong as the weakest step that its verdict needs. The table goes from the strongest kind of step to the "
+                "A claim's evidence level is that of the weakest step that its verdict needs. The table goes from the strongest kind to the "
                 "weakest. Samples settle nothing."
             ),
             Table(
-                ("kind", "what is guaranteed", "what you have to believe", "rows"),
+                ("kind", "what is guaranteed", "what has to be trusted", "claims"),
                 lines,
-                "Kinds of steps, and rows by their weakest step",
+                "Kinds of steps, and claims by their weakest step",
             ),
             Paragraph(LAW),
-            Paragraph("What guards the report against its own errors:"),
+            Paragraph("How the checks are tested:"),
             Points(tuple(_guards(rows))),
             Paragraph("To check everything again:"),
             Code("python -m paper_checks run --fresh"),
@@ -83,12 +83,12 @@ def section(rows: Sequence[Row]) -> Section:
 def _guards(rows: Sequence[Row]) -> Iterable[str]:
     formulas = sum(len(clause.formulas) for row in rows for clause in (*row.claim.clauses, *row.claim.correction))
     yield (
-        f"The {formulas} formulas of the clauses are shown and decided from the same expressions. `python -m paper_checks plant` "
-        "changes a sign, a factor, an exponent or a relation in every one of them and says whether its row turns."
+        f"The {formulas} formulas of the clauses are shown and decided from the same expressions. Mutation test: `python -m paper_checks plant` "
+        "changes a sign, a factor, an exponent or a relation in each of them and says whether its claim fails."
     )
-    yield "Every check is tested with a wrong statement, and has to refuse it."
-    yield "The equations (`theory`) and the integrator (`numerics`) do not know each other; their answers are compared."
-    yield "A row that needs a tool that is missing is unchecked, where a check breaks it is undecided: neither is ever a pass."
+    yield "Every check is tested with a wrong statement, and must reject it."
+    yield "The equations (`theory`) and the integrator (`numerics`) are independent of each other; their answers are compared."
+    yield "A claim that needs a missing tool is unchecked, one with a check that raises an error is undecided: neither is a pass."
 
 
 def provenance() -> Section:

@@ -54,7 +54,7 @@ PICTURED = {
     "ring-of-tolerance": ("tolerance-ring-of-a-scene", "the-ring"),
     "forced-periodic-response": ("jumping-force", "a-force-that-jumps"),
 }
-"""By a row's id: the figure of it that the chapter shows, and the anchor under which it does."""
+"""By a claim's id: the figure of it that the chapter shows, and the anchor under which it does."""
 DRAWINGS: Figures = {
     "thresholds-over-frequency": drawing.thresholds_over_frequency,
     "resonance": drawing.resonance,
@@ -83,14 +83,14 @@ def _digits(value: sp.Expr) -> str:
 def _model() -> Iterator[Block]:
     pair = drawing.PAIR
     yield Paragraph(
-        "The equations (2) to (4) have a force $u(t)$ on body 1, and the paper leaves it to future work. This chapter tells what is "
+        "The equations (2) to (4) have a force $u(t)$ on body 1, and the paper leaves it to future work. This chapter states what is "
         f"proved of it here. Its examples are the pair of Section IV, $m_1={pair.m1}$ kg, $m_2={pair.m2}$ kg, $a_2={pair.a2}$ N/m, "
         f"$b={float(pair.b):g}$ N. Every number below is computed with a proved error."
     )
     yield Paragraph(
         "One number decides what the pair does: the load, the friction force that sticking would need. Inside the strip $|\\Lambda|\\leqslant b$ "
-        "the pair can stick; a force moves that strip. On its edge the derivatives of the force decide (`forced-mode-rule`). Under a force that is "
-        "analytic by pieces events never pile up (`forced-no-zeno`), and two motions under one force never move apart (`forced-contraction`)."
+        "the pair can stick; a force moves that strip. On its edge the derivatives of the force decide (`forced-mode-rule`). Under a piecewise "
+        "analytic force events do not accumulate (`forced-no-zeno`), and the flow is non-expansive in the energy norm (`forced-contraction`)."
         + _formula("forced-mode-rule", "modes", "load")
     )
 
@@ -99,7 +99,7 @@ def _regimes() -> Iterator[Block]:
     yield Heading("Stuck, in between, or without a stop", "regimes-under-a-sine")
     yield Paragraph(
         "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
-        "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
+        "sticks permanently exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
         "if $\\dot z$ keeps its sign between the turns. For $a_1=0$ and $\\omega>\\omega_1$ it always does; else it does from some amplitude on, which may "
         "lie above $U_{**}$ (for $a_1=0$ unless $\\omega_1$ is an odd multiple of $\\omega$). With a damper every motion tends to one (`forced-periodic-response`): "
         "to one of these two, or in between to one that slips, and sticks or reverses more than twice, in each period."
@@ -146,11 +146,11 @@ def _tracking() -> Iterator[Block]:
     found = track(load_scene("at-rest"), load_reference("s-curve"))
     yield Heading("What body 2 can follow", "what-body-2-can-follow")
     yield Paragraph(
-        "Body 2 can follow a reference, from a suitable start of body 1, exactly if the reference never asks for more acceleration than $b/m_2$ and starts with the place and the velocity of body 2 (`trackable-references`). A pair that "
+        "Body 2 can follow a reference, from a suitable initial state of body 1, exactly if the reference never requires more acceleration than $b/m_2$ and starts with the position and the velocity of body 2 (`trackable-references`). A pair that "
         "sticks does it, under one force:" + _formula("trackable-references", "force", "force")
     )
     yield Paragraph(
-        f"The reference in the picture asks for {rounded(100 * found.share, 1)} % of the friction that there is."
+        f"The reference in the picture requires {rounded(100 * found.share, 1)} % of the friction available."
     )
     yield picture("tracked-reference")
 
@@ -166,7 +166,7 @@ def _transfer() -> Iterator[Block]:
     )
     yield Paragraph(
         f"Over 1 mm that is {rounded(1000 * found.bound, 2)} ms. A pair that sticks all the way needs a force of up to {rounded(found.stuck_amplitude, 4)} N. If body 1 "
-        f"may run ahead through the first half, {rounded(least, 4)} N are enough, and no force below that arrives in time."
+        f"may slip ahead in the first half, {rounded(least, 4)} N are enough, and no smaller force arrives in time."
     )
     yield picture("fastest-transfer")
 
@@ -175,11 +175,11 @@ def _ring() -> Iterator[Block]:
     found = ring_entry(load_scene("velocities"), "0.001", rate=20)
     yield Heading("The ring of Fig. 1", "the-ring")
     yield Paragraph(
-        "Two motions under one force never move apart, so a tube around a motion is entered at most once, for good, and a ring that holds its image is not left after that "
+        "The flow is non-expansive, so a tube around a motion is entered at most once and never left, and a ring that contains its image is not left after that "
         "(`tolerance-ring`). A ring needs its centre at a limit of the motion itself, if it has one: nothing acts on $x_1-x_2$ (`ring-of-tolerance`)."
         + _formula("tolerance-ring", "ring", "within")
     )
-    yield Paragraph(f"The scene of Fig. 5 (a) enters the ring of 1 mm for good at {rounded(found.entry, 4)} s.")
+    yield Paragraph(f"The scene of Fig. 5 (a) enters the ring of 1 mm permanently at {rounded(found.entry, 4)} s.")
     yield picture("tolerance-ring-of-a-scene")
 
 
@@ -188,9 +188,9 @@ def _drift() -> Iterator[Block]:
     largest = max((abs(one) for one in found.multipliers or ()), key=float, default=arb(0))
     yield Heading("Drift", "drift-of-body-2")
     yield Paragraph(
-        "In a period body 2 moves on by the integral of its velocity. With a damper, under a force whose second half period is the first with the other sign, it does not move on at all "
-        "(`forced-periodic-response`); any asymmetry may carry it away; how fast and which way depends on the phases of its parts. At the symmetric end of the picture the periodic motion attracts: "
-        f"what is beside it shrinks to {rounded(100 * largest, 1)} % in a period."
+        "In a period body 2 advances by the integral of its velocity. With a damper, under a force whose second half period is the first with the opposite sign, it does not drift at all "
+        "(`forced-periodic-response`); any asymmetry may make it drift; speed and direction depend on the phases of the harmonics. At the symmetric end of the picture the periodic motion attracts: "
+        f"deviations shrink to {rounded(100 * largest, 1)} % in a period."
     )
     yield picture("drift-against-asymmetry")
 
@@ -198,7 +198,7 @@ def _drift() -> Iterator[Block]:
 def _jump() -> Iterator[Block]:
     yield Heading("A force that jumps", "a-force-that-jumps")
     yield Paragraph(
-        "Without a damper one slip of the right length after an exit from stick makes a periodic motion attract all others, if the force is continuous at that exit "
+        "Without a damper one slip after an exit from stick, unless it lasts a multiple of the natural period of body 1 alone, makes a periodic motion attract all others, if the force is continuous at that exit "
         "(`forced-periodic-response`). Where it jumps there, all motions of a whole family may slip and stick at the same times, and none attracts another. Two of them keep the distance"
         + _formula("forced-periodic-response", "jump", "apart")
     )
@@ -209,7 +209,7 @@ def _damping() -> Iterator[Block]:
     edge = breaking_damping().subs(_of(drawing.PAIR)).subs(v1, SPEED)
     yield Heading("More damping is not always better")
     yield Paragraph(
-        "A damper pulls at body 1 alone. A stuck pair that passes its rest position with the velocity $v_1$ is torn apart at once by a strong one "
-        f"(`damping-can-desynchronise`): at {float(SPEED):g} m/s by more than {_digits(edge)} N s/m. Without a damper it would have stuck for ever."
+        "A damper acts on body 1 alone. If a stuck pair passes its rest position with the velocity $v_1$, a strong one breaks adhesion at once "
+        f"(`damping-can-desynchronise`): at {float(SPEED):g} m/s by more than {_digits(edge)} N s/m. Without a damper it would have stuck permanently."
         + _formula("damping-can-desynchronise", "breaks", "strong")
     )

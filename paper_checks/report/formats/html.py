@@ -63,7 +63,7 @@ def _page(writer: HtmlWriter, report: Document, heading: str, body: str, anchor:
 
 def _navigation(writer: HtmlWriter, report: Document) -> str:
     targets = [(writer.link(one.id), one.title) for one in report.front[1:]]
-    targets += [(writer.path(EXPLORE), "Explore"), (writer.link(ROWS), "All rows")]
+    targets += [(writer.path(EXPLORE), "Explore"), (writer.link(ROWS), "All claims")]
     targets += [(writer.link(one.id), one.title) for one in report.chapters]
     return "".join(f'<li><a href="{target}">{escape(title)}</a></li>' for target, title in targets)
 
@@ -79,7 +79,7 @@ def _verdict(row: Row) -> str:
 
 
 def _rows(rows: Sequence[Row], writer: HtmlWriter) -> str:
-    head = ("row", "verdict, weakest step", "where", "in short")
+    head = ("claim", "verdict, weakest step", "where", "in short")
     titles = "".join(f'<th scope="col">{title}</th>' for title in head)
     lines = "\n".join(_row(row, writer) for row in rows)
     return (

@@ -51,7 +51,7 @@ if (form) {
       if (below) below.hidden = row.hidden || !below.dataset.open;
       if (!row.hidden) shown += 1;
     }
-    document.getElementById("shown").textContent = `${shown} of ${rows.length} rows`;
+    document.getElementById("shown").textContent = `${shown} of ${rows.length} claims`;
   }
 
   function load(row, place) {

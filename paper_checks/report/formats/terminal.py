@@ -136,7 +136,7 @@ def _table(rows: Sequence[Row], width: int, times: bool) -> Table:
 
 
 def _print_findings(console: Console, rows: Sequence[Row]) -> None:
-    """Print a sentence for each claim that does not simply hold, and for each theorem past the paper."""
+    """Print a sentence for each claim that does not simply hold, and for each theorem beyond the paper."""
     console.print()
     for row in rows:
         if row.finding.verdict is not Verdict.HOLDS or is_new_theorem(row):

@@ -1,4 +1,4 @@
-"""Of each theorem past the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
+"""Of each theorem beyond the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
 
 import sympy as sp
 from flint import acb

@@ -14,7 +14,7 @@ found.files = all("[data-scene]").map((button) => { button.click(); return [by("
 found.pressed = all("[aria-pressed=true]").length;
 
 all("[data-scene]")[1].click();
-found.proof = [by("regime").textContent.endsWith("See row critical-mass-ratio."), by("regime").querySelector("a")];
+found.proof = [by("regime").textContent.endsWith("See claim critical-mass-ratio."), by("regime").querySelector("a")];
 inertialPair.beside.push("critical-mass-ratio");
 all("[data-scene]")[1].click();
 found.proof.push(by("regime").querySelector("a").getAttribute("href"));

@@ -1,4 +1,4 @@
-"""Every form but paper tells every row whole, theorems past the paper as ours; the terminal is readable in a pipe."""
+"""Every form but paper tells every row whole, theorems beyond the paper as ours; the terminal is readable in a pipe."""
 
 import io
 import json
@@ -26,7 +26,7 @@ PROVED = Evidence(EvidenceKind.EXACT, "sympy", "$1=1$", True, value="y = x**2")
 
 @pytest.fixture
 def theorem():
-    claim = Claim("sharp", "Theorems", "past the paper", "$x=1$ for all $q$.", Verdict.HOLDS, Kind.THEOREM)
+    claim = Claim("sharp", "Theorems", "beyond the paper", "$x=1$ for all $q$.", Verdict.HOLDS, Kind.THEOREM)
     row = Row(claim, Finding(Verdict.HOLDS, "The limit is one. It is.", (PROVED,)))
     return replace(row, proofs=proofs(row.claim, row.finding))
 
@@ -88,8 +88,8 @@ def test_rows_are_counted_and_those_that_differ_from_the_record_are_named(rows):
     )
     assert "differs from the record: undecided, recorded holds: rate-one-over-t" in text
     assert "unchecked, because a tool is missing: hostile" in text
-    counted = "1 holds, 1 holds after a correction, 1 is refuted, 1 is undecided, 1 is unchecked, as a tool is missing."
-    assert f"Of the paper's 5 claims: {counted}" in text
+    counted = "1 holds, 1 holds after a correction, 1 is refuted, 1 is undecided and 1 is unchecked for lack of a tool."
+    assert f"Of the paper's 5 claims {counted}" in text
 
 
 def test_json_has_the_shape_of_the_design(rows, theorem):
@@ -109,12 +109,12 @@ def test_json_has_the_shape_of_the_design(rows, theorem):
 
 def test_theorems_are_counted_apart_filtered_listed_and_told_as_ours(rows, theorem):
     files = html.render(document([*rows, theorem]), {})
-    assert "; of 1 theorem past it: 1 is proved." in files[html.FRONT]
+    assert ". Of 1 theorem beyond it 1 is proved." in files[html.FRONT]
     assert {"Section III", "Theorems"} <= {*re.findall(r'data-section="([^"]*)"', files[html.FRONT])}
     assert "The limit is one." in files["pages/new.html"]
     page = files["pages/sharp.html"]
     assert page.index("<strong>Hypotheses.</strong>") < page.index("<strong>Theorem.</strong>")
-    assert "Theorem, past the paper: x=1 for all q." in printed([theorem])
+    assert "Theorem, beyond the paper: x=1 for all q." in printed([theorem])
 
 
 def test_the_count_says_how_strong_they_are(rows, theorem):
@@ -124,7 +124,7 @@ def test_the_count_says_how_strong_they_are(rows, theorem):
 
 def test_a_part_that_is_open_is_counted_and_told(rows, theorem):
     part = replace(theorem, claim=replace(theorem.claim, open=("Whether $x=2$.",)))
-    assert headline([part, theorem]) == "Of 2 theorems past it: 2 are proved. 1 of them leaves a part open."
+    assert headline([part, theorem]) == "Of 2 theorems beyond the paper 2 are proved. 1 leaves a part open."
     assert "open" not in headline([theorem])
     assert opening.still_open([part]).blocks[1].items == ("Whether $x=2$. (`sharp`)",)
     assert 'class="badge open"' in html.render(document([part]), {})["pages/sharp.html"]

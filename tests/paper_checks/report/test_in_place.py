@@ -44,7 +44,7 @@ def test_the_search_and_the_filters_find_rows(found, rows):
     assert none == []
     assert every == [row.claim.id for row in rows]
     assert found["chosen"] == [[OPENED], every]
-    assert found["shown"] == f"{len(rows)} of {len(rows)} rows"
+    assert found["shown"] == f"{len(rows)} of {len(rows)} claims"
 
 
 def test_a_link_to_a_row_opens_it_whatever_was_searched_for(found):
