@@ -53,7 +53,7 @@ class PlaneTrajectory(Answer):
     >>> run.events[0].kind.value, run.mode_at(0.001), run.mode_at([0, "1/3"]), run.scene.pair.axes
     ('entry', 'slip', ['slip', 'stick'], 2)
     >>> run.record()["final"]["mode"], run.to_csv()[:15], len(run.to_dataframe())
-    ('stick', 'from,to,t (s),x', 3)
+    ('stick', 'from,to,t (s),t', 3)
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     run.save(f"{folder}/run.npz")
