@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.claims.excursions import angle_of_excursion, vanishes
+from paper_checks.claims.excursions import angle_of_excursion, never_merges, vanishes
 from paper_checks.claims.letters import R
 from paper_checks.claims.return_map import LEFT_OUT, remainder
 from paper_checks.claims.slips import depth_grows, one_contact
@@ -151,11 +151,12 @@ SLIP = Stage(
         ),
         Line(
             r"""
-            Differentiate. The slope is positive for $\theta\leqslant\pi/2$, so $0<w'<w$ there: the energy falls, and does not reach
-            $E_{cr}$.
+            Differentiate. The slope is positive for $\theta\leqslant\pi/2$, that is $w\leqslant q\,(\pi/2-1)^2$, and the slip ends
+            inside $S_0$. So $0<w'<w$ there: the energy falls, and does not reach $E_{cr}$.
             """,
             CREEPS,
             lambda: (Formula(r"\frac{dy'}{dy}", "=", 1 - R * (1 - cos(theta)), shrinks),),
+            steps=never_merges,
             kernel="no-merging-from-S0",
         ),
     ),
