@@ -178,7 +178,7 @@ def two_descriptions() -> Case:
         ),
         clause(
             "equality",
-            r"(3)–(4) have no other motions; at an instant with $\dot z=0$ and $|\ddot x_1|=b/m_2$ (4) itself hands on «half», and none of it beyond.",
+            r"(3)–(4) have no other motions; at an instant with $\dot z=0$ and $|\ddot x_1|=b/m_2$ (4) itself gives «half», and $\ddot x_2=0$ beyond.",
             half=equal(DRIVEN, DRIVING / 2, _half),
         ),
     ),

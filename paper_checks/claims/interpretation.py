@@ -150,7 +150,7 @@ def stiff_limit() -> Case:
         r"""
         Read as a limit: Coulomb's friction, any force up to $b$ in stick, is that of a spring in series with a slider
         as its stiffness grows without bound. So stick is the stiff limit of presliding, for the pair as for its
-        friction force: two motions from one start differ by no more than $b\sqrt{(5+2V)/k}$ in the energy norm.
+        friction force: two motions from one initial state differ by no more than $b\sqrt{(5+2V)/k}$ in the energy norm.
         """,
         carried("rate"),
         carried(

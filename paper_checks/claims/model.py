@@ -165,7 +165,7 @@ def modes_from_closed_form() -> Case:
         clause(
             "brackets",
             r"""
-            At $\dot z=0$ the brackets of (4) hand on $m_2\ddot x_1$ with the factor «kept» where $|\ddot x_1|<b/m_2$,
+            At $\dot z=0$ the brackets of (4) transmit $m_2\ddot x_1$ with the factor «kept» where $|\ddot x_1|<b/m_2$,
             «half» where $|\ddot x_1|=b/m_2$ and «broken» where $|\ddot x_1|>b/m_2$.
             """,
             kept=equal("f", 1, lambda: _factor(-1)),

@@ -280,7 +280,7 @@ def _decline(trajectory: Trajectory, name: str) -> Evidence:
     correction=(
         clause(
             "limit",
-            r"From every start, for every $b$, $\dot z\to 0$ and $z$ has a limit: $(z,\dot z)$ tends to one point of the line $\dot z=0$.",
+            r"From every initial state, for every $b$, $\dot z\to 0$ and $z$ has a limit: $(z,\dot z)$ tends to one point of the line $\dot z=0$.",
             kernel="synchronisation displacement-limit",
         ),
         clause(

@@ -60,7 +60,7 @@ NEW: dict[str, tuple[str, str, str]] = {
     "sharp-rate-constant": (
         "rate-bounds",
         "One 1/t law",
-        "Without damper and force, a pair that never merges has $«limit/limit»$, from every start",
+        "Without damper and force, a pair that never merges has $«limit/limit»$, from every initial state",
     ),
     "critical-mass-ratio": (
         "merging-window",

@@ -12,7 +12,7 @@ from rich.console import Console
 from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.report.content import opening
+from paper_checks.report.content import opening, paper
 from paper_checks.report.content.document import document
 from paper_checks.report.content.phrases import headline, kind
 from paper_checks.report.formats import html, latex
@@ -104,7 +104,18 @@ def test_json_has_the_shape_of_the_design(rows, theorem):
     assert data[-1]["evidence"][0]["value"] == "y = x**2"
 
 
-# theorems past the paper
+# theorems beyond the paper, and what is not judged
+
+
+def test_statements_that_are_not_judged_are_no_claims(rows, theorem):
+    claim = Claim("opinion", "I", "first paragraph", "It matters.", Verdict.NOT_JUDGED)
+    left = Row(claim, Finding(Verdict.NOT_JUDGED, "An opinion.", ()))
+    assert headline([left]) == "1 statement is not judged."
+    judged = headline([*rows, theorem]).partition(". ")
+    assert headline([*rows, left, left, theorem]) == f"{judged[0]}; 2 further statements are not judged. {judged[2]}"
+    titles = {one.id: one.title for one in paper.sections(document([*rows, left]))}
+    assert titles["not-judged"] == "Statements that are not judged"
+    assert titles["refuted"] == "Claims that are refuted"
 
 
 def test_theorems_are_counted_apart_filtered_listed_and_told_as_ours(rows, theorem):
