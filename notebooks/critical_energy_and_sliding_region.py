@@ -13,9 +13,9 @@
 # %% [markdown]
 # # The sliding region and the critical energy
 #
-# The derivation from (3), (4) to the energy up to which a stuck pair sticks at all later times, with code to run beside
-# it. The lines are those of the chapter "The derivation, line by line" of the report: each is checked again as it is
-# shown. Every formula is an object of the package `theory`. `one_over_t_law` goes on from here.
+# The derivation from (3), (4) to the energy up to which a stuck pair sticks at all later times, with code to run
+# beside it. The lines are those of the chapter "The derivation, line by line" of the report: each is checked again
+# as it is shown. Every formula is an object of the package `theory`. `one_over_t_law` goes on from here.
 
 # %%
 # %matplotlib inline
@@ -37,7 +37,7 @@ Markdown(stages("derivation-model", "derivation-fields"))
 Markdown(stages("derivation-transversality", "derivation-strip"))
 
 # %% [markdown]
-# Both products are expressions, and so is $L$. Put in numbers, or another place than the edge.
+# Both products are expressions, and so is $L$. Put in numbers, or another position than the edge.
 
 # %%
 pair = {m1: 1, m2: 1, a2: 200, b: 0.5}
@@ -59,7 +59,7 @@ FIGURES["ellipse-in-strip"]()
 Markdown(stages("derivation-arcs"))
 
 # %% [markdown]
-# The solver does not know this level. From rest at a place just inside the edge, and just outside:
+# The solver does not know this level. From rest just inside the edge, and just outside:
 
 # %%
 real = Pair(m1=1, m2=1, a2=200, b="0.5")
@@ -70,7 +70,7 @@ for place in ("0.00499", "0.00501"):
 # %% [markdown]
 # ## With a damper
 #
-# Where $a_1>0$ changes this, the place of $a_2x_1$ is taken by the load $a_2x_1+a_1v_1$.
+# With $a_1>0$ the load $a_2x_1+a_1v_1$ replaces $a_2x_1$.
 
 # %%
 products = [filippov.transversality(sign, damped=True) for sign in (1, -1)]
@@ -112,8 +112,8 @@ Latex(
 )
 
 # %% [markdown]
-# This is the largest level whose ellipse fits into the tilted strip; a pair that sticks at or below it sticks for ever,
-# as the energy only falls, and without damper ($\zeta=0$) it is $E_{cr}$.
+# This is the largest level whose ellipse fits into the tilted strip; a pair that sticks at or below it sticks
+# permanently, as the energy only falls, and without a damper ($\zeta=0$) it is $E_{cr}$.
 
 # %%
 damped = Pair(m1=1, m2=1, a2=200, b="0.5", a1=1)
@@ -123,5 +123,5 @@ print(f"E(0) = {float(ratio.subs({m1: 1, m2: 1, a1: 1, a2: 200})):g} E_captive")
 solve(scene, digits=10).message
 
 # %% [markdown]
-# The converse is lost: from rest at $x_1=L$, where $E(0)=E_{cr}$, this pair starts above that level and sticks for ever
-# all the same.
+# The converse is lost: from rest at $x_1=L$, where $E(0)=E_{cr}$, this pair starts above that level and sticks
+# permanently nevertheless.

@@ -14,7 +14,7 @@
 # # One scene, explored
 #
 # A scene is a pair of bodies, an initial state and a horizon. Here one scene is built, solved in three arithmetics,
-# asked for more and more digits, and taken to the places where double precision and even balls have to give up.
+# asked for more and more digits, and taken to the limits of double precision and of ball arithmetic.
 # The pair is that of the paper's Fig. 5 (a): unit masses, $a_2=200$ N/m, $b=0.05$ N, $\dot x_1(0)=0.15$ m/s.
 
 # %%
@@ -176,7 +176,7 @@ sensitivities(fast)
 # %% [markdown]
 # ## On the edge
 #
-# With $b=0.5$ N the sliding region ends at $x_1=0.005$ m. From rest exactly there the pair sticks for ever; from
+# With $b=0.5$ N the sliding region ends at $x_1=0.005$ m. From rest exactly there the pair sticks permanently; from
 # $10^{-24}$ m further out it slips, although both numbers are the same in binary64.
 
 # %%
@@ -202,7 +202,8 @@ print("sticks (s):", ", ".join(f"{duration:.6g}" for duration in durations[1::2]
 # ## Where the answer is *undecided*
 #
 # Let body 1 rest where spring and friction balance while body 2 slows down: they stick after exactly 0.2 s. With the
-# horizon at exactly 0.2 s no finite precision tells which comes first, and balls say so. float64 rounds, and picks one.
+# horizon at exactly 0.2 s no finite precision tells which comes first, and balls say so. float64 rounds, and picks
+# one.
 
 # %%
 balanced = Scene(wide, State(x1="0.0025", v2="0.1"), until="0.2")
@@ -274,8 +275,8 @@ print(f"w from {run[0].w.str(20)} to {run[-1].w_after.str(20)}")
 print(f"t (E - E_cr) = {products[-1].str(20)} J s, {float(products[-1]) / limit:.4f} of the limit")
 
 # %% [markdown]
-# Other energies on the ray lead to the same constant. The nearer a start is to the critical energy, the later it feels
-# the law.
+# Other energies on the ray lead to the same constant. The closer a start is to the critical energy, the later it
+# follows the law.
 
 # %%
 figure, axes = plt.subplots(figsize=(8, 3.8), layout="constrained")

@@ -13,8 +13,8 @@
 # %% [markdown]
 # # Friction from a measured velocity: the inverse problem
 #
-# A sensor has recorded the velocity of body 1. How large are the friction force $b$ and the mass $m_1$, and how sure is
-# that? The pair slips and sticks, and a solver that steps over events has no useful derivatives. Here events are
+# A sensor has recorded the velocity of body 1. How large are the friction force $b$ and the mass $m_1$, and how sure
+# is that? The pair slips and sticks, and a solver that steps over events has no useful derivatives. Here events are
 # exact, and `sensitivities(trajectory, t)` gives the derivatives of the state at any times, across all events before
 # them. The method of Gauss and Newton needs no more.
 
@@ -30,8 +30,8 @@ from numerics import Pair, Scene, State, sensitivities, solve
 # %% [markdown]
 # ## The measurement
 #
-# The truth is known here, so that the answer can be judged: $b=0.05$ N, $m_1=1$ kg. The sensor samples at 25 Hz for 6 s
-# and has an error of $\sigma=2$ mm/s.
+# The truth is known here, so that the answer can be judged: $b=0.05$ N, $m_1=1$ kg. The sensor samples at 25 Hz for
+# 6 s and has an error of $\sigma=2$ mm/s.
 
 # %%
 true, sigma, until = np.array([0.05, 1.0]), 0.002, 6
@@ -95,8 +95,8 @@ figure
 # %% [markdown]
 # ## Is that uncertainty right?
 #
-# Measure again twenty times, with other noise, and fit each from where the first fit ended, by two steps. The estimates
-# must scatter as the formula says, and about 19 of 20 be within two deviations of the truth.
+# Measure again twenty times, with other noise, and fit each from where the first fit ended, by two steps. The
+# estimates must scatter as the formula says, and about 19 of 20 be within two deviations of the truth.
 
 # %%
 noise, estimates = np.random.default_rng(2), []
@@ -113,7 +113,7 @@ print("deviations of 20 estimates:", np.std(estimates, axis=0), "predicted:", pr
 print(f"within two deviations: b {within[0]:.0%}, m1 {within[1]:.0%}")
 
 # %% [markdown]
-# ## What the data cannot tell
+# ## What the data cannot determine
 #
 # A pair that sticks all the time says nothing about $b$: stuck below the critical energy its derivative by $b$ is 0,
 # and the fit has no answer. Look at `slopes` before you trust an estimate.

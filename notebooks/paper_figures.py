@@ -13,8 +13,8 @@
 # %% [markdown]
 # # The paper's figures, recomputed
 #
-# Figures 4 and 5 and the two itineraries of Section III, from exact trajectories, next to what the paper's integrator,
-# forward Euler, makes of them. The numbers beside them are computed in balls, to at least 20 right digits, and rounded
+# Figures 4 and 5 and the two itineraries of Section III, from exact trajectories, next to the results of the paper's
+# integrator, forward Euler. The numbers beside them are computed in balls, to at least 20 right digits, and rounded
 # for print.
 
 # %%
@@ -52,8 +52,8 @@ print(", ".join(mode.value for mode in exact.modes[:5]), "...")
 print(f"first adhesion at t = {exact.events[0].t.str(15)} s")
 
 # %% [markdown]
-# The picture of the paper is what eqs (11), (12) give when sgn(0) = 0 is read literally: at $\dot z=0$ the pair sticks,
-# whatever force that takes.
+# The picture of the paper is what eqs (11), (12) give when sgn(0) = 0 is read literally: at $\dot z=0$ the pair
+# sticks, whatever force that requires.
 
 # %%
 literal = load_scene("start-at-6mm-literal")
@@ -81,8 +81,8 @@ entry, leaving = exact.events[1:3]
 print(f"first adhesion from {entry.t.str(12)} s to {leaving.t.str(12)} s")
 
 # %% [markdown]
-# The bodies stick and slip in turn. Read literally, (11) and (12) hold them together from the first contact on, outside
-# the sliding region.
+# The bodies stick and slip in turn. Read literally, (11) and (12) hold them together from the first contact on,
+# outside the sliding region.
 
 # %%
 literal = solve(load_scene("start-with-speed-literal"), digits=20, arithmetic="ball")
@@ -152,7 +152,7 @@ rows = [f"| {item.statement} | {item.engine} | {item.passed} |" for item in evid
 Markdown("| statement | checked by | found true |\n|---|---|---|\n" + "\n".join(rows))
 
 # %% [markdown]
-# So after every slip $0<w'<w$: the pair sticks, leaves by a ray again, and does so for ever.
+# So after every slip $0<w'<w$: the pair sticks, leaves by a ray again, and so on without end.
 
 # %% [markdown]
 # ## The two itineraries of Section III

@@ -11,12 +11,13 @@
 # ---
 
 # %% [markdown]
-# # Past the paper: one map, and what it decides
+# # Beyond the paper: one map, and what it decides
 #
 # The paper shows that a pair which starts on $S_0$ "slightly" above $E_{cr}$ approaches it slowly and never merges. In
-# reduced coordinates more can be said: the pair without damper has one parameter, the mass share $r=m_2/(m_1+m_2)$, and
-# an excursion from $S_0$ and back is an explicit curve of one angle. From that curve come the whole return map, the
-# energy at any time, however late, and for every pair the energies that merge at the first landing.
+# reduced coordinates more can be said: the pair without a damper has one parameter, the mass share
+# $r=m_2/(m_1+m_2)$, and an excursion from $S_0$ and back is an explicit curve of one angle. From that curve come the
+# whole return map, the energy at any time, however late, and for every pair the energies from which it merges at the
+# first re-entry.
 
 # %%
 # %matplotlib inline
@@ -39,8 +40,9 @@ from theory.symbols import q, theta
 # %% [markdown]
 # ## One excursion, as a curve of its slip angle
 #
-# With $M=m_1+m_2$, $q=m_1/M$, lengths in half widths $L$ of $S_0$ and times in $1/\Omega=\sqrt{M/a_2}$, the pair leaves
-# by $\ell_+$ at $X=1$ with speed $\sqrt q\,u$. The slip ends at the angle $\theta$ in $(0,2\pi)$ with $h(\theta)=u$.
+# With $M=m_1+m_2$, $q=m_1/M$, lengths in half widths $L$ of $S_0$ and times in $1/\Omega=\sqrt{M/a_2}$, the pair
+# leaves by $\ell_+$ at $X=1$ with speed $\sqrt q\,u$. The slip ends at the angle $\theta$ in $(0,2\pi)$ with
+# $h(\theta)=u$.
 
 # %%
 landing = return_map.landing()
@@ -50,7 +52,7 @@ Latex(equation(r"\frac{1-X'}{q}", return_map.depth()) + equation(r"\frac{V'}{\sq
 
 # %% [markdown]
 # Here $u$ is the scaled speed at the start. $h$ increases from $0$ to infinity: the angle parametrises all excursions.
-# The depth $c$ increases too, $c'=h$: the faster the pair leaves, the deeper it comes back, until $qc=2$; from there on
+# The depth $c$ increases too, $c'=h$: the faster the pair leaves, the deeper it re-enters, until $qc=2$; from there on
 # it passes the far edge and crosses $S$ instead of sticking.
 
 # %%
@@ -108,8 +110,8 @@ for axes, share, start in zip(panels, shares, (6, 10, 100), strict=True):
 plt.show()
 
 # %% [markdown]
-# Left: every orbit creeps to $0$, that is to $E_{cr}$. Middle: at $r^*$ the graph touches zero in one point. Right:
-# from $y=100$ the first excursion leads into the window, and the second one merges.
+# Left: every orbit converges slowly to $0$, that is to $E_{cr}$. Middle: at $r^*$ the graph touches zero in one
+# point. Right: from $y=100$ the first excursion leads into the window, and the second one merges.
 
 # %% [markdown]
 # ## The energy at any time
@@ -162,7 +164,7 @@ figure
 
 # %% [markdown]
 # Left of the dashed line, $m_2/M<r^*$, nothing merges. Below the interval lies the paper's "slightly above $E_{cr}$",
-# now for each mass ratio exactly: there the pair creeps. Above it a later slip may end below $E_{cr}$.
+# now for each mass ratio exactly: there the pair never merges. Above it a later slip may end below $E_{cr}$.
 
 # %%
 print(f"the threshold: m2/m1 = {CRITICAL_SHARE / (1 - CRITICAL_SHARE):.12f}")

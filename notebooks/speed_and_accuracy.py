@@ -13,7 +13,7 @@
 # %% [markdown]
 # # Speed and accuracy
 #
-# How fast is how exact? First a measurement that was made once and is shipped, and what follows from it; then a small
+# Speed against accuracy. First a measurement that was made once and is shipped, and what follows from it; then a small
 # one here and now; then how to ask for an accuracy instead of a method.
 
 # %%
@@ -37,8 +37,8 @@ from paper_checks.report.formats.html_blocks import HtmlWriter
 # %% [markdown]
 # ## The recorded measurement
 #
-# First what follows from it, computed from its numbers; then the figure. Each panel is a scene, each mark a run. Filled
-# marks have the event sequence right, hollow ones have it wrong.
+# First what follows from it, computed from its numbers; then the figure. Each panel is a scene, each mark a run.
+# Filled marks have the event sequence right, hollow ones have it wrong.
 
 # %%
 trade = recorded()
@@ -74,7 +74,7 @@ Markdown(head + "\n".join(rows))
 
 # %% [markdown]
 # The digits are those of the worst error: of the final state, of the events' times, of the dissipated energy. It is
-# bounded by a reference of 40 digits: errors of balls below that cannot be told from 0 here.
+# bounded by a reference of 40 digits: errors of balls below that cannot be distinguished from 0 here.
 
 # %% [markdown]
 # ## Ask for digits, not for a method

@@ -13,10 +13,10 @@
 # %% [markdown]
 # # The pair under a force: what control through the interface can do
 #
-# The paper's most general model has a force $u(t)$ on body 1, and its readers are control engineers. Body 2 feels
-# nothing but friction, at most $b$. This notebook asks what that allows: when a vibration carries body 2 along, which
-# references it can follow, how fast it can be moved, and when the relative motion has settled. What the tools answer is
-# an enclosure or comes from one, and what is planned is solved again.
+# The paper's most general model has a force $u(t)$ on body 1, and its readers are control engineers. Only friction,
+# at most $b$, acts on body 2. This notebook asks what that allows: when a vibration carries body 2 along, which
+# references it can follow, how fast it can be moved, and when the relative motion has settled. What the tools answer
+# is an enclosure or comes from one, and what is planned is solved again.
 
 # %%
 # %matplotlib inline
@@ -47,11 +47,11 @@ pair = Pair(m1=1, m2=1, a2=200, b="0.5", a1=2)
 # %% [markdown]
 # ## A vibration: three regimes
 #
-# Under $u=U\sin\omega t$ this pair, with a damper, can stick for ever if and only if its stuck response asks for no
-# more friction than there is, $U\le U^*=\beta\,|a_2-M\omega^2+ia_1\omega|/\omega^2$ with $\beta=b/m_2$. A motion that
-# slips for ever, with two reversals a period, needs $U\ge U^{**}$, and a relative velocity that keeps its sign between
-# the reversals: it exists from some amplitude on, at some frequencies only well above $U^{**}$. In between the pair
-# ends up slipping, and sticks or reverses more than twice, in each period.
+# Under $u=U\sin\omega t$ this pair, with a damper, can stick permanently if and only if its stuck response needs no
+# more friction than is available, $U\le U^*=\beta\,|a_2-M\omega^2+ia_1\omega|/\omega^2$ with $\beta=b/m_2$. A motion
+# that slips permanently, with two reversals a period, needs $U\ge U^{**}$, and a relative velocity that keeps its
+# sign between the reversals: it exists from some amplitude on, at some frequencies only well above $U^{**}$. In
+# between the pair ends up slipping, and sticks or reverses more than twice, in each period.
 
 # %%
 with house_style():
@@ -88,7 +88,7 @@ with house_style():
 figure
 
 # %% [markdown]
-# ## A force with a preferred side carries body 2 along
+# ## An asymmetric force makes body 2 drift
 #
 # With a damper, the drift of body 2 is exactly 0 if $u(t+T/2)=-u(t)$. A second harmonic breaks that.
 
@@ -100,8 +100,8 @@ figure
 # %% [markdown]
 # ## A reference
 #
-# Body 2 can follow an $r$ with its place and velocity at the start, from a suitable start of body 1, if and only if
-# $|r''|\le b/m_2$. The force of a pair that sticks is then $u=Mr''+a_1r'+a_2(r+x_1(0)-r(0))$.
+# Body 2 can follow an $r$ with its initial position and velocity, from a suitable initial state of body 1, if and
+# only if $|r''|\le b/m_2$. The force of a pair that sticks is then $u=Mr''+a_1r'+a_2(r+x_1(0)-r(0))$.
 
 # %%
 rest = load_scene("at-rest")
@@ -116,8 +116,8 @@ figure
 # ## The fastest transfer
 #
 # From rest to rest over $D$ no control is faster than $2\sqrt{m_2D/b}$. With enough force the bodies stick all the
-# way; with less, body 1 can run ahead and be met at half time, down to $U_{min}$. Below that, and above what a stuck
-# pair can do between $-U$ and $U$, the least time is open.
+# way; with less, body 1 can slip ahead until both velocities agree at half time, down to $U_{min}$. Below that, and
+# above what a stuck pair can do between $-U$ and $U$, the minimum time is open.
 
 # %%
 for amplitude in (None, "1.05", "0.5"):
@@ -132,9 +132,9 @@ figure
 # %% [markdown]
 # ## The ring of Fig. 1
 #
-# When has the relative motion settled? The limit of $z=x_1-x_2$ of a pair that slips for ever is a sum over
+# When has the relative motion settled? The limit of $z=x_1-x_2$ of a pair that slips infinitely often is a sum over
 # infinitely many slips; a function with $s(F(y))=y-F(y)-s(y)$ adds them up. From the entry on the motion is inside
-# the ring for ever.
+# the ring permanently.
 
 # %%
 settled = ring_entry(load_scene("velocities"), "0.001", rate=20, digits=30)
@@ -145,7 +145,7 @@ with house_style():
 figure
 
 # %% [markdown]
-# Under a force the ring goes along with the periodic motion. The period map is proved to shrink distances over a
+# Under a force the ring moves with the periodic motion. The period map is proved to shrink distances over a
 # whole neighbourhood of it, which bounds all that can still happen after the last event that was computed.
 
 # %%

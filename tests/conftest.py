@@ -41,6 +41,12 @@ def precision_is_left_alone() -> Iterator[None]:
     assert left == (FLINT_BITS, MPMATH_BITS), f"precision left at {left} bits (flint, mpmath)"
 
 
+@pytest.fixture(autouse=True)
+def progress_does_not_hang_on_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a busy machine a command may take more than the 5 s after which it prints a line of progress."""
+    monkeypatch.setattr("numerics.shown._EVERY", 1e6)
+
+
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Write what was skipped, one test a line, to the file that SKIPPED names, for `pytest @FILE`."""
     if named := os.environ.get("SKIPPED"):

@@ -17,8 +17,7 @@ from hypothesis import strategies as st
 
 from numerics import Force, Law, Pair, Scene, State, thresholds
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.pair import TwoFloats as WideNumber
-from numerics.arithmetic.pair import two_sum
+from numerics.arithmetic.pair import TwoFloats, two_sum
 from numerics.control.response import Regime
 
 MODERATE = (-2, 2)
@@ -152,16 +151,21 @@ def balls() -> st.SearchStrategy[arb]:
     return st.builds(built, st.integers(-(2**600), 2**600), exponents, st.integers(0, 2**30 - 1), exponents)
 
 
-def wide_numbers(low: int, high: int) -> st.SearchStrategy[WideNumber]:
-    """Positive double-double numbers from 2^low to 2^high, with all of their 106 bits."""
+def positive_floats(low: int, high: int) -> st.SearchStrategy[float]:
+    """Positive floats from 2^low to 2^high."""
+    return st.builds(math.ldexp, st.floats(1, 2), st.integers(low, high - 1))
+
+
+def two_floats(low: int, high: int) -> st.SearchStrategy[TwoFloats]:
+    """Positive numbers from 2^low to 2^high as sums of two floats, with 106 bits."""
     parts = st.tuples(st.floats(1, 2), st.floats(-1, 1), st.integers(low, high - 1))
     return parts.map(lambda at: two_sum(at[0] * 2.0 ** at[2], at[1] * 2.0 ** (at[2] - 53)))
 
 
-def near_quarter_turns() -> st.SearchStrategy[WideNumber]:
-    """Double-double numbers next to a multiple of pi/2, where a sine or a cosine vanishes."""
+def near_quarter_turns() -> st.SearchStrategy[float]:
+    """Floats next to a multiple of pi/2, where a sine or a cosine vanishes."""
     parts = st.tuples(st.integers(1, 10**8), st.integers(2, 52), st.sampled_from([-1, 1]))
-    return parts.map(lambda at: two_sum(at[0] * math.pi / 2 * (1 + at[2] * 2.0 ** -at[1]), 0.0))
+    return parts.map(lambda at: at[0] * math.pi / 2 * (1 + at[2] * 2.0 ** -at[1]))
 
 
 @st.composite

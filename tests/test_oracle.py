@@ -35,7 +35,8 @@ REWORDED = {
     "no least time is known for this amplitude": "the minimum time for this amplitude is not known",
     "motions next to it": "nearby motions",
     "is no whole number of turns": "does not last a whole number of periods",
-    "of the stuck pair stays": "of the stuck pair does not decay",
+    "not all motions tend to it: a free oscillation of the stuck pair stays": "a1 = 0, so not all motions tend to it: "
+    "a free oscillation of the stuck pair does not decay, and motions that slip may do so for thousands of periods",
 }
 """Parts of frozen sentences, as they are worded since."""
 

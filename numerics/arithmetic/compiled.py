@@ -1,7 +1,7 @@
 """What numba compiles: the same functions as they stand. numba is optional, and imported when the first is asked for.
 
 `@compilable` registers a function that compiled code may call, `@by_type` one that asks for the type of its first
-argument: compiled code takes one of two instead. Neither changes the function. What `compiled` makes of an entry is
+argument: compiled code takes that of floats instead. Neither changes the function. What `compiled` makes of an entry is
 kept in a folder of the user's cache that is named by the sources: numba would not notice that a function has changed
 which a compiled one calls.
 """
@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import hashlib
 import importlib.util
-import operator
 import os
 import sys
 import threading
@@ -23,7 +22,6 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar
 
-from numerics.arithmetic import pair
 from numerics.files import cache_folder, forget_unused, make_private
 
 try:
@@ -32,8 +30,8 @@ except ImportError:  # not a POSIX system
     fcntl = None  # type: ignore[assignment]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
-_WAITING: list[tuple[Any, Any, Any, dict[str, Any]]] = []
-"""Functions that numba has not heard of yet, what stands for them among floats and among pairs, and numba's options."""
+_WAITING: list[tuple[Any, Any, dict[str, Any]]] = []
+"""Functions that numba has not heard of yet, what stands for them among floats, and numba's options."""
 _OPTIONS: dict[Any, dict[str, Any]] = {}
 _ROOMS = ("arithmetic", "linear", "free", "plane")
 """Where compilable functions are."""
@@ -60,17 +58,17 @@ def compilable_with(*, makes_arrays: bool = False, **options: Any) -> Callable[[
 
     def register(function: _Function) -> _Function:
         _OPTIONS[function] = options
-        _WAITING.append((function, function, function, {**_INNER, **options}))
+        _WAITING.append((function, function, {**_INNER, **options}))
         return function
 
     return register
 
 
-def by_type(floats: Any, pairs: Any) -> Callable[[_Function], _Function]:
-    """Register what compiled code calls for a function, by the type of its first argument."""
+def by_type(floats: Any) -> Callable[[_Function], _Function]:
+    """Register what compiled code calls for a function that asks for the type of its first argument."""
 
     def register(function: _Function) -> _Function:
-        _WAITING.append((function, floats, pairs, _INNER))
+        _WAITING.append((function, floats, _INNER))
         return function
 
     return register
@@ -173,80 +171,20 @@ def _digest_of_sources() -> str:
 
 
 def _declare() -> None:
-    """Tell numba of every function that was registered since the last time, and first of the operators of pairs."""
+    """Tell numba of every function that was registered since the last time."""
     from numba.extending import overload, register_jitable
 
-    _declare_operators()
     while _WAITING:
-        function, floats, pairs, options = _WAITING.pop()
-        if floats is pairs is function:
+        function, floats, options = _WAITING.pop()
+        if floats is function:
             register_jitable(**options)(function)
         else:
-            overload(function, strict=False, jit_options=options)(_chosen(floats, pairs))
+            overload(function, strict=False, jit_options=options)(_chosen(floats))
 
 
-def _chosen(floats: Any, pairs: Any) -> Any:
-    """Return what tells numba, by the types of some arguments, which function to compile."""
-    return lambda *types: _as_function(pairs if _is_pair(types[0]) else floats)
-
-
-@cache
-def _as_function(implementation: Any) -> Any:
-    """Return a function of C within one of Python, which numba asks for."""
-    if isinstance(implementation, FunctionType):
-        return implementation
-    one, two = (lambda x: implementation(x)), (lambda x, y: implementation(x, y))
-    return two if implementation.__name__ == "atan2" else one
-
-
-def _is_pair(kind: Any) -> bool:
-    return getattr(kind, "instance_class", None) is pair.TwoFloats
-
-
-@cache
-def _declare_operators() -> None:
-    """Tell numba what the operators of pairs are, with numbers too: its own leave named tuples alone, or join them."""
-    from numba import types
-    from numba.extending import intrinsic, overload, register_jitable
-
-    TwoFloats, as_pair = pair.TwoFloats, pair.as_pair
-    others: set[Any] = {as_pair, pair.nearest, pair.two_product}
-    for one in vars(pair).values():
-        if isinstance(one, FunctionType) and one.__module__ == pair.__name__ and one not in others:
-            register_jitable(**_INNER)(one)
-
-    @intrinsic
-    def fused(_, a, b, c):  # type: ignore[no-untyped-def]  # noqa: ARG001 - a b + c, rounded once
-        return types.float64(*[types.float64] * 3), lambda _, builder, __, given: builder.fma(*given)
-
-    @overload(pair.two_product, jit_options=_INNER)  # the same numbers, by two operations instead of seventeen
-    def _two_product(a, b):  # type: ignore[no-untyped-def]  # noqa: ARG001
-        def by_one_rounding(a, b):  # type: ignore[no-untyped-def]
-            product = a * b
-            return TwoFloats(product, fused(a, b, -product))
-
-        return by_one_rounding
-
-    @overload(as_pair, jit_options=_INNER)
-    def _as_pair(x):  # type: ignore[no-untyped-def]
-        return (lambda x: x) if _is_pair(x) else lambda x: TwoFloats(float(x), 0.0)
-
-    def of_two(function: Any, method: Any) -> None:
-        of_pairs = register_jitable(**_INNER)(method)
-
-        @overload(function, jit_options=_INNER)
-        def _operator(a, b):  # type: ignore[no-untyped-def]
-            are_numbers = all(_is_pair(one) or isinstance(one, types.Number) for one in (a, b))
-            is_ours = are_numbers and (_is_pair(a) or _is_pair(b))
-            return (lambda a, b: of_pairs(as_pair(a), as_pair(b))) if is_ours else None
-
-    def of_one(function: Any, method: Any) -> None:
-        of_pair = register_jitable(**_INNER)(method)
-        overload(function, jit_options=_INNER)(lambda a: (lambda a: of_pair(a)) if _is_pair(a) else None)
-
-    of_two(operator.add, TwoFloats.__add__)
-    of_two(operator.sub, TwoFloats.__sub__)
-    of_two(operator.mul, TwoFloats.__mul__)
-    of_two(operator.truediv, TwoFloats.__truediv__)
-    of_one(operator.neg, TwoFloats.__neg__)
-    of_one(abs, TwoFloats.__abs__)
+def _chosen(floats: Any) -> Any:
+    """Return what tells numba which function to compile: a function of C within one of Python."""
+    if isinstance(floats, FunctionType):
+        return lambda *_: floats
+    one, two = (lambda x: floats(x)), (lambda x, y: floats(x, y))
+    return lambda *types: two if len(types) == 2 else one

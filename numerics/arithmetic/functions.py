@@ -1,9 +1,8 @@
-"""The functions of numbers, by the type of the number: float, Pair (double-double), mpmath's mpf, flint's arb.
+"""The functions of numbers, by the type of the number: float, mpmath's mpf, flint's arb.
 
 A formula is written once, with operators and these, and works in every arithmetic. Each is accurate relative to its own
 value; for balls every answer encloses the true one, and comparisons mean "proven". They stand under their names in
-elementary.py, pair_elementary.py, multiprecision.py and ball.py; where compiled code calls one of them, it takes that
-of the first or of the second (compiled.py).
+elementary.py, multiprecision.py and ball.py; where compiled code calls one of them, it takes that of the first.
 """
 
 from __future__ import annotations
@@ -14,22 +13,21 @@ from typing import Any
 from flint import arb
 from mpmath import mpf
 
-from numerics.arithmetic import ball, elementary, multiprecision, pair_elementary
+from numerics.arithmetic import ball, elementary, multiprecision
 from numerics.arithmetic.compiled import by_type, compilable
-from numerics.arithmetic.pair import TwoFloats
 from numerics.arithmetic.protocol import Number
 
 
 def _by_type(name: str, says: str) -> Callable[..., Any]:
     """Return the function of this name, as it is for the type of its first argument."""
-    of_floats, of_pairs = getattr(elementary, name), getattr(pair_elementary, name)
-    of = {float: of_floats, TwoFloats: of_pairs, mpf: getattr(multiprecision, name), arb: getattr(ball, name)}
+    of_floats = getattr(elementary, name)
+    of = {float: of_floats, mpf: getattr(multiprecision, name), arb: getattr(ball, name)}
 
     def function(x: Number, *further: Any) -> Any:
         return of[type(x)](x, *further)
 
     function.__name__, function.__doc__ = name, says
-    return by_type(of_floats, of_pairs)(function)
+    return by_type(of_floats)(function)
 
 
 like = _by_type("like", "Of (x, value): return a float, exactly, as a number of the type of x.")

@@ -69,7 +69,8 @@ _SOLVE = (
     _count("--digits", None, "right digits requested; the cheapest arithmetic that has them is used"),
     _option(
         "--arithmetic",
-        "use only this one (mpmath: free pair only; a surface: ball); ball proves 15 digits, float64 bounds its errors",
+        "use only this one (a surface: ball; mpmath: the free pair only); without --digits ball proves 15 digits, "
+        "float64 bounds its errors",
         choices=["float64", "mpmath", "ball"],
     ),
     _count("--max-events", 250_000, "stop after N events"),

@@ -148,7 +148,7 @@ def _contact_of_points(gap: Number, push: Number) -> tuple[Number, Number, Numbe
     return _one_step_on(_found(gap, push)[1])
 
 
-@by_type(_contact_of_points, _contact_of_points)
+@by_type(_contact_of_points)
 def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
     """Return theta, c(theta) and 1 - cos theta at the end of a slip from S with gap d >= 0 and push u (> 0 if d = 0).
 
@@ -169,7 +169,7 @@ def _ray_contact_of_points(w: Number, push: Number, q: Number, r: Number, _: Num
     return theta, depth, w - r * q * depth * depth, drop
 
 
-@by_type(_ray_contact_of_points, _ray_contact_of_points)
+@by_type(_ray_contact_of_points)
 def ray_contact(w: Number, push: Number, q: Number, r: Number, sqrt_q: Number) -> tuple[Number, ...]:
     """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w = q u^2."""
     if type(w) is not arb:

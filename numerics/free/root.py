@@ -55,7 +55,7 @@ def _searched(lower: Number, upper: Number, function: Function, at: Any) -> Numb
     return x
 
 
-@by_type(_searched, _searched)
+@by_type(_searched)
 def falling_root(lower: Number, upper: Number, function: Function, at: Any) -> Number:
     """Return the root between lower and upper of a function that falls there; for balls an enclosure of it.
 

@@ -90,7 +90,7 @@ def _slid_of_points(theta: Number, at: Start) -> Number:
     return (grown - cosine_deficit(theta)) + at.guard * theta
 
 
-@by_type(_slid_of_points, _slid_of_points)
+@by_type(_slid_of_points)
 def slid_at(theta: Number, at: Start) -> Number:
     """Return K(theta); its slope is the guard, so at a contact, where a ball of angles is centred, it is stationary."""
     if type(theta) is arb:

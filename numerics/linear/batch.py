@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, times, two_sum
+from numerics.arithmetic.pair import TwoFloats, negative, pair_of, plus, put, times, two_sum
 from numerics.linear.columns import Constants, Drive, Problem, Room, constants, make_room
 from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_in
 from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
@@ -132,7 +132,7 @@ def put_pieces(
         begin, given_b, after = pair_of(frictions[count]), frictions[count, 2], TwoFloats(until, 0.0)
         if count + 1 < frictions.shape[0] and is_before(frictions[count + 1], until):
             after = pair_of(frictions[count + 1])
-        lasts = plus(after, TwoFloats(-begin.high, -begin.low))
+        lasts = plus(after, negative(begin))
         length[count, 0], length[count, 1] = math.ldexp(lasts.high, -time_unit), math.ldexp(lasts.low, -time_unit)
         longest = max(longest, length[count, 0])
         b[count] = math.ldexp(own_b if math.isnan(given_b) else given_b, -force_unit)

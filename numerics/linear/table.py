@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, put, times
+from numerics.arithmetic.pair import TwoFloats, negative, pair_of, plus, product, put, quotient, times
 from numerics.linear.first_root import value_slope
 
 X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
@@ -130,21 +130,21 @@ def generator(pair: Any, terms: int, omegas: Any, is_stick: bool) -> Any:
     A, one, mass = np.zeros((n, n, 2)), TwoFloats(1.0, 0.0), pair_of(pair[1 if is_stick else 0])
     A[X1, V1, 0] = A[X2, V2, 0] = 1.0
     for to in (V1, V2) if is_stick else (V1, V1):
-        put(A[to, X1], -pair_of(pair[4]) / mass)
-        put(A[to, V1], -pair_of(pair[3]) / mass)
+        put(A[to, X1], negative(quotient(pair_of(pair[4]), mass)))
+        put(A[to, V1], negative(quotient(pair_of(pair[3]), mass)))
         if terms > 0:
-            put(A[to, FIRST], one / mass)
+            put(A[to, FIRST], quotient(one, mass))
         for of in range(waves, n, 2):
-            put(A[to, of], one / mass)
+            put(A[to, of], quotient(one, mass))
     if not is_stick:
-        put(A[V1, FRICTION], -(one / mass))
-        put(A[V2, FRICTION], one / pair_of(pair[2]))
+        put(A[V1, FRICTION], negative(quotient(one, mass)))
+        put(A[V2, FRICTION], quotient(one, pair_of(pair[2])))
     for k in range(terms - 1):
         A[FIRST + k, FIRST + k + 1, 0] = k + 1.0
     for k in range(omegas.shape[0]):
         at = waves + 2 * k
         put(A[at, at + 1], pair_of(omegas[k]))
-        put(A[at + 1, at], -pair_of(omegas[k]))
+        put(A[at + 1, at], negative(pair_of(omegas[k])))
     return A
 
 
@@ -174,7 +174,7 @@ def expand_units(A: Any, h: float, rows: Any, end: Any) -> Any:
             z[:, :] = 0.0
             for i in range(count):
                 if after[i, 0] != 0.0:  # most are 0, and divisions take half of the time
-                    put(z[i], pair_of(after[i]) / (k + 1.0))
+                    put(z[i], quotient(pair_of(after[i]), TwoFloats(k + 1.0, 0.0)))
                     put(total[i], plus(pair_of(total[i]), pair_of(z[i])))
         for i in range(count):
             end[0, i, j], end[1, i, j] = total[i, 0], total[i, 1]

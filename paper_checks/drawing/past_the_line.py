@@ -1,4 +1,4 @@
-"""Past the paper's pair: static friction above kinetic, two motions of one force, stuck ellipses, a force that goes round."""
+"""Beyond the paper's pair: static friction above kinetic, two motions of one force, stuck ellipses, a rotating force."""
 
 from __future__ import annotations
 

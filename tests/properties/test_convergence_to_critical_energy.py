@@ -214,6 +214,23 @@ def test_the_relative_position_has_a_limit_and_its_speed_tends_to_0(scene):
     assert comes_together(scene)
 
 
+@reaching
+@given(starts_on_a_ray((-12, -2), ratios=(-2, 2)))
+def test_each_exit_leads_to_the_same_limit_of_the_relative_position(scene):
+    """The sum over all later slips, from one exit and from the next: they differ by the one slip between them."""
+    pair, half_turn = scene.pair, arb.pi() / reduced_time(scene.pair, 1)
+    run = solve(until(scene, 8 * half_turn), digits=40, arithmetic="ball", max_events=20)
+    exits = [Fraction(float(event.t)) for event in run.events if event.kind is EventKind.EXIT]
+    with run.arithmetic.context():
+        before = (t * (1 - Fraction(1, 10**6)) for t in exits)
+        found = [creeping_place(run, pair, float(pair.half_width) * 100, since) for since in before]
+        limits = [one.limit for one in found if one]
+        if len(limits) < 2:
+            raise LeftOut
+        assert all(one.overlaps(limits[0]) for one in limits)
+        assert all(one.rad() <= exact(pair.half_width) * arb(10) ** -25 for one in limits)
+
+
 @pytest.mark.parametrize("start", [State(v1="0.15"), State(v2="0.3")])
 def test_less_room_to_slide_is_found(start):
     """In one slip the whole loss is b times what is slid: with a margin below 1 the rest of it is too little."""

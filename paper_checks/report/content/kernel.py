@@ -154,7 +154,7 @@ def _axioms(steps: Iterable[Evidence]) -> str:
     others = sum(count != most for count in axioms.values())
     numbers = f"; and, for theorems with computed intervals, {others} axioms of machine integers" if others else ""
     return (
-        f"All axioms that the kernel uses in these theorems: {common}{numbers}."
+        f"The axioms behind these theorems: {common}{numbers}."
         if axioms
         else "The proof kernel was not run here: these are the statements as they were last accepted, and its axioms are not listed."
     )

@@ -18,7 +18,7 @@ ORDER = ["Abstract", "I", "II", "III", "IV", "V", "Theorems"]
 
 @pytest.mark.parametrize("claim_id", CHECKS)
 def test_the_verdict_is_the_one_on_record_and_every_formula_can_be_set(claim_id):
-    """Past the paper a row may rest on the kernel: where that is missing it is unchecked, and says so."""
+    """Beyond the paper a claim may rest on the kernel: where that is missing it is unchecked, and says so."""
     found = CHECKS[claim_id].decide()
     waits = CHECKS[claim_id].kind is Kind.THEOREM and found.missing == "the proof kernel"
     assert waits or found.verdict.value == CHECKS[claim_id].recorded.value, found.missing

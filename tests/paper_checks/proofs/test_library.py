@@ -253,7 +253,7 @@ def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeyp
 def test_a_fault_in_the_theory_breaks_its_tie_and_no_other(monkeypatch, built, store):
     sources, known = known_here(store)
     fault = re.sub(r"(Theorem tie_half_width .*? = )", r"\1 2 * ", sources[library.TIES].text)
-    monkeypatch.setattr(tied, "text", lambda store: fault)
+    monkeypatch.setattr(tied, "text", lambda store: (fault, ""))
     monkeypatch.setattr(library, "_facts", lambda *_: only(known, lambda one: one != "Tie.tie_half_width"))
     found = build(store=store)
     assert len(found.problems) == 1

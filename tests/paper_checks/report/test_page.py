@@ -34,7 +34,7 @@ def cards(names, section):
 
 
 def test_the_numbers_of_the_first_page_are_computed():
-    failed = {"synchronisation-time": "2.31 mm/s", "start-at-6mm-sticks": "takes 0.6 N; friction gives at most 0.5 N"}
+    failed = {"synchronisation-time": "2.31 mm/s", "start-at-6mm-sticks": "needs 0.6 N; friction gives at most 0.5 N"}
     told = cards(failed, "refuted")
     assert all(number in text for number, text in zip(failed.values(), told, strict=True))
     assert "0.79263" not in Path(opening.__file__).read_text(encoding="utf-8")
