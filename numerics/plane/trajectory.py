@@ -40,8 +40,8 @@ class PlaneTrajectory(Answer):
 
     >>> from numerics import PlanePair, PlaneScene, solve
     >>> run = solve(PlaneScene(PlanePair(m1=1, m2=1, a2=200, b="0.5"), until=2, v1=["0.06", "0.01"]))
-    >>> run.success, run.status.name, run.message, run.digits, run.arithmetic.name
-    (True, 'REACHED_HORIZON', 'reached the horizon', 15, 'ball')
+    >>> run.success, run.status.name, run.message, run.digits, run.tried, run.arithmetic.name
+    (True, 'REACHED_HORIZON', 'reached the horizon', 15, '', 'ball')
     >>> run.modes, run.final_mode, run.event_kinds[0].value, run.event_times.shape, run.t_eval
     (('slip', 'stick'), 'stick', 'entry', (1,), None)
     >>> run.t.shape, run.y.shape, run.energy.shape, run.floats(run.y).dtype

@@ -117,6 +117,17 @@ def test_coupled_axes_that_leave_the_edge_however_shortly_after_one_another_leav
     assert [float(one.t.mid()) / float(near) for one in found.events] == pytest.approx([40 / 3, 30], rel=1e-6)
 
 
+def test_digits_that_an_event_costs_are_made_good_by_a_finer_path():
+    """A load leaves the edge 1e-13 s after the start, of which the first path knows seven digits."""
+    pair, near, v = PlanePair(1, 1, [[200, 50], [50, 200]], "0.5", shape="box"), Fraction(1, 10**14), ["0.1", "0.05"]
+    x1 = [Fraction("0.004") - near, Fraction("0.004") - 2 * near]
+    found = solve(PlaneScene(pair, "0.1", x1=x1, v1=v, v2=v))
+    assert found.arithmetic.digits > 21
+    assert found.digits == 15
+    with found.context():
+        assert all(event.t.rad() < event.t * 1e-15 for event in found.events)
+
+
 def test_fifteen_digits_hold_those_of_thirty_and_are_no_wider_than_they_say():
     pair = PlanePair(1, ["0.5", 1], [200, 120], ["0.5", "0.2"], shape="box")
     scene = PlaneScene(pair, "0.5", x1=["0.02", "0.01"], v1=["0.1", "-0.2"])
