@@ -175,7 +175,7 @@ def test_a_sine_is_off_by_what_is_counted_after_a_million_radians_and_next_to_it
 
 def test_a_clock_keeps_what_its_roundings_leave_out_over_many_steps():
     random, total = np.random.default_rng(2), Fraction(0)
-    problem, room, now = begun(Scene(Pair("0.4", "0.6", 1, "0.6"), State("0.3"), 9))
+    problem, room, now = begun(Scene(Pair("0.4", "0.6", "1.3", "0.6"), State("0.3"), 9))
     for s in random.uniform(0.1, 1, 300).tolist():
         expand(problem, room, now)
         evolve(problem, room, now, Next(CLEAR, s, 0, 0.0, 0.0, 0.0, 0.0))
