@@ -7,15 +7,18 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from kernel_runs import a_scene, begun
+from kernel_runs import a_scene, begun, exact
 
-from numerics import Force, Pair, Piece, Scene, State
+from numerics import Force, Pair, Piece, Scene, Sine, State
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.precision import precision
 from numerics.linear.columns import counted, expand, force_columns
 from numerics.linear.engine import run_floats
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import CLEAR
 from numerics.linear.ledger import slid_and_damped
 from numerics.linear.next_event import Next
+from numerics.linear.prepare import prepare
 from numerics.linear.record import AT
 from numerics.linear.table import ORDERS, UNIT, count_roundings, form, make_tables
 
@@ -148,3 +151,33 @@ def test_a_force_changes_no_faster_than_is_said_within_a_time(seed, late):
     undamped = problem._replace(pair=problem.pair._replace(a1=0.0))
     slid, *_ = slid_and_damped(undamped, room, now, s)
     assert slid == pytest.approx((room.g / (k + 1)) @ s ** (k + 1))
+
+
+@given(seeds)
+def test_a_sine_is_off_by_what_is_counted_after_a_million_radians_and_next_to_its_zeros(seed):
+    """A series counts `size` at least n + 4 = 11 times, and its own products and sums are half of that."""
+    random = np.random.default_rng(seed)
+    omega, phase, power = exact(random.uniform(0.1, 10)), exact(random.uniform(0, 6)), random.uniform(1, 17)
+    angle = random.integers(1, 10**6) * math.pi / 2 * (1 + random.choice([-1, 1]) * 10**-power)
+    force = Force([Piece(0, (), [Sine("0.7", omega, phase)])])
+    scene = Scene(Pair("0.4", "0.6", "1.3", "0.6"), State(), 10**8, force=force)
+    units, (problem, room, _) = prepare(scene).units, begun(scene)
+    t = math.ldexp((angle - float(phase)) / float(omega), -units.time)
+    room.clock[0] = t, random.uniform(-1, 1) * t * 2.0**-54
+    force_columns(room, problem.drive, 0, 0.0)
+    with precision(400):
+        time = sum(map(Fraction, room.clock[0].tolist())) * Fraction(2) ** units.time
+        largest = Ball.number(Fraction("0.7") / Fraction(2) ** units.of(mass=1, length=1, time=-2))
+        truth = Ball.number(omega * time + phase)
+        for found, true, size in zip(room.z[5:7], (truth.sin(), truth.cos()), room.size[5:7], strict=True):
+            assert abs(Ball.number(Fraction(found)) - largest * true) <= 5 * UNIT * size
+
+
+def test_a_clock_keeps_what_its_roundings_leave_out_over_many_steps():
+    random, total = np.random.default_rng(2), Fraction(0)
+    problem, room, now = begun(Scene(Pair("0.4", "0.6", "1.3", "0.6"), State("0.3"), 9))
+    for s in random.uniform(0.1, 1, 300).tolist():
+        expand(problem, room, now)
+        evolve(problem, room, now, Next(CLEAR, s, 0, 0.0, 0.0, 0.0, 0.0))
+        total += Fraction(s) * Fraction(float(problem.tables.h[0, 1]))
+    assert abs(sum(map(Fraction, room.clock[0].tolist())) - total) < total / 2**95
