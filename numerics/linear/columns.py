@@ -75,7 +75,7 @@ class Now(NamedTuple):
     order: int
     """How many coefficients of the mode's guard vanish here."""
     edge: int
-    """The side of the load when the segment began, and so of the edge of stick that is nearer."""
+    """The side of the load when the segment began, and so of the edge of stick that is nearer; 0 without a load."""
     since: float
     """Time since the exit that this slip began with, 1e300 if it began otherwise."""
     N: float

@@ -35,6 +35,15 @@ class Next(NamedTuple):
 
 
 @compilable
+def first_side(room: Room) -> int:
+    """Return the side to which a load that is 0 goes, in stick: mirrored motions have mirrored guards there, too."""
+    for c in room.X[1, 2:]:
+        if c != 0.0:
+            return 1 if c > 0.0 else -1
+    return 1
+
+
+@compilable
 def form_guard(room: Room, mode: int, order: int, side: int, edge: float) -> None:
     """Form the guard in g, and without its first coefficients, which are exactly 0, in q.
 
@@ -114,11 +123,12 @@ def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
         plain = rounding(room, sums[0], count) if order > 0 else off
         top, margin = 2.0 * edge, pair.lam * now.N * unit + 4.0 * UNIT * edge
         margins = off + margin, 0.0, 0.0, plain + margin + 8.0 * UNIT * edge  # top less the guard is rounded, too
-    form_guard(room, mode, order, now.edge, edge)
+    side = now.edge if now.edge != 0 else first_side(room)
+    form_guard(room, mode, order, side, edge)
     how, s, alone, which, value, slope = first_root(room.q, order, top, margins, to, room.bernstein)
     if how != ROOT:
         return Next(how, s, 0, 0.0, 0.0, 0.0, 0.0)
-    exit_side, power = now.edge if which == 0 else -now.edge, s**order
+    exit_side, power = side if which == 0 else -side, s**order
     # the rounding of the coefficients that were not dropped, at the root
     own = UNIT * (counted(tables.own[at][order], room.size, count, s) * power + (6.0 * edge if order == 0 else 0.0))
     steep = abs(slope) * power

@@ -36,7 +36,8 @@ def resolve(problem: Problem, room: Room, now: Now, event: StepEnd, u: tuple[flo
     """Return where a run is after an event, in which mode; UNDECIDED if the error bounds leave a doubt."""
     pair, b = problem.pair, problem.drive.b[now.piece]
     (piece, mode, order, _, since, N), late = now, event.late
-    edge = 1 if u[0] - pair.a2 * room.y[0] - pair.a1 * room.y[1] > 0.0 else -1
+    load = u[0] - pair.a2 * room.y[0] - pair.a1 * room.y[1]
+    edge = (1 if load > 0.0 else 0) - (1 if load < 0.0 else 0)
     if event.kind == EXIT:
         N += errors_after_stick(pair, room, u, late, event.slope, event.off)
     elif event.kind != PIECE:

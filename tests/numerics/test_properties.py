@@ -2,12 +2,12 @@
 
 from fractions import Fraction
 
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import driven_scenes, scenes
 
-from numerics import EventUndecided, Force, Friction, OutOfRange, Pair, Scene, State, solve
+from numerics import EventUndecided, Force, Friction, OutOfRange, Pair, Piece, Scene, State, solve
 
 CAP = 25
 
@@ -21,6 +21,8 @@ any_scene = st.one_of(scenes(damped=None), driven_scenes())
 
 @reaching
 @given(any_scene)
+@example(Scene(Pair(1, 10, 1, 1, 1), State(), 5, force=Force([Piece(0, [0, 0, "0.5"])])))  # a stick without a load
+@example(Scene(Pair(1, 1, 1, 1), State(0, "2.8284", 0, "2.8284"), "2.2", force=Force([Piece("0.8838", [2])])))
 def test_the_sign_flip_commutes_with_solving_bit_for_bit(scene):
     at = scene.initial
     start = State(-at.x1, -at.v1, -at.x2, -at.v2)

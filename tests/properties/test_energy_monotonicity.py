@@ -5,6 +5,7 @@ whether a run obeys it, and is seen to answer no: for another law, and under a f
 """
 
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
 
 import numpy as np
@@ -92,10 +93,12 @@ def has_rate(run: Trajectory, t: Fraction, damper: bool = True) -> bool:
         x1, v1, _, v2 = run.sol(exact(t) + arb(0).union(later - exact(t)))
         state = {"x1": x1, "v1": v1, "v2": v2} | ({} if damper else {"a1": 0})
         mean = (energy_of(pair, ends[1]) - energy_of(pair, ends[0])) / exact(short)
-        if run.mode_at(t) is run.mode_at(t + short) is Mode.STICK:
+        modes = {run.mode_at(t), run.mode_at(t + short)}
+        if modes == {Mode.STICK}:
             rate = of_pair(stick_rate(), pair, **state)
-        else:
-            rate = of_pair(slip_rate(1), pair, **state).min(of_pair(slip_rate(-1), pair, **state))
+        else:  # v1 - v2 is next to 0 where the mode changes
+            signs = {one.sign for one in modes if one is not Mode.STICK}
+            rate = reduce(arb.union, [of_pair(slip_rate(one), pair, **state) for one in signs])
         unit = energy_of(pair, start_of(run.scene)) / exact(short)
         return bool((mean - rate).rad() <= unit * arb(10) ** -11) and (mean - rate).contains(0)
 
@@ -155,6 +158,32 @@ def test_in_float64_energies_and_losses_are_within_their_bounds(scene, shares):
         with true.arithmetic.context():
             assert abs(energy_of(scene.pair, true.final_state) - exact(energy)) <= exact(off)
             assert abs(true.dissipated - exact(taken)) <= exact(more)
+
+
+@reaching
+@given(motions, parts)
+def test_in_float64_the_motion_between_events_is_that_of_balls(scene, shares):
+    """States, energies, excesses and ledger, which have no bounds: to 9 digits where the events have 12."""
+    at = [share * scene.until for share in shares]
+    try:
+        run = solve(scene, arithmetic="float64", max_events=EVENTS)
+    except (EventUndecided, OutOfRange):
+        raise LeftOut from None
+    if not (run.reached and run.right_digits >= 12):
+        raise LeftOut
+    run, true, pair = run.but(t_eval=at), in_balls(scene), scene.pair
+    with true.arithmetic.context():
+        first, b, critical = (arb(exact(one)) for one in (scene.energy, pair.b, pair.critical_energy))
+        for t, y, energy, w in zip(at, run.y.T.tolist(), run.energy, run.energy_excess, strict=True):
+            state = true.sol(t)
+            off = [one - exact(Fraction(here)) for one, here in zip(state, y, strict=True)]
+            left, slid = energy_of(pair, state), b * abs(state[0] - state[2])
+            assert energy_of(pair, off) <= first * 1e-18  # half of the distance squared
+            assert b * abs(off[0] - off[2]) <= (first + slid) * 1e-9
+            assert abs(left - arb(float(energy))) <= first * 1e-9
+            assert abs(left - critical * (1 + arb(float(w)))) <= (first + critical) * 1e-9
+        for name in ("initial", "final", "friction", "viscous"):
+            assert abs(getattr(true.ledger, name) - arb(float(getattr(run.ledger, name)))) <= first * 1e-9
 
 
 @reaching

@@ -168,17 +168,25 @@ def test_the_time_times_the_excess_tends_to_the_sharp_constant(scene, t):
 @reaching
 @given(starts_on_a_ray((-12, -1), ratios=(-2, 2)))
 def test_each_excursion_adds_to_1_over_w_what_the_return_map_says(scene):
-    """By stepping: 1 - w'/w is between a' y and a y: it tends to 0, so no exponential is as slow."""
+    """By stepping: 1/y gains between a' and A in a time between T_- and T_+.
+
+    1 - w'/w is at most a y: it tends to 0, so no exponential is as slow.
+    """
     pair = scene.pair
     long = Scene(pair, scene.initial, Fraction(float(12 * arb.pi() / reduced_time(pair, 1))))
     run = solve(long, digits=40, arithmetic="ball", max_events=40)
     with precision(BITS):
         begun = first_exit(scene)
-        exits = [event.reduced.w for event in run.events if event.kind is EventKind.EXIT]
-        for w, after in pairwise([arb(excess_of(scene)), *exits]):
+        slowest, fastest, shortest, longest = (begun.value(one) for one in (*gains(), *cycle_times()))
+        exits = [(event.t, event.reduced.w) for event in run.events if event.kind is EventKind.EXIT]
+        for (t, w), (later, after) in pairwise([(arb(0), arb(excess_of(scene))), *exits]):
             lost, y = 1 - after / w, w / exact(pair.share)
             assert not lost > of_pair(map_coefficients()[0], pair) * y
-            assert not lost < begun.value(gains()[0]) * y
+            gained, took = lost / (1 - lost) / y, reduced_time(pair, later - t)
+            assert not gained < slowest
+            assert not gained > fastest
+            assert not took < shortest
+            assert not took > longest
 
 
 @reaching
@@ -230,6 +238,15 @@ def test_another_exponent_is_found(scene, power):
 def test_another_constant_is_found(scene, factor):
     with precision(BITS):
         assert not is_sharp(first_exit(scene), Fraction(10) ** 60, factor=factor)
+
+
+@SLOW_ONES
+def test_the_constants_close_on_the_sharp_one(scene):
+    """As y_0 -> 0 and s -> oo every bound of s w tends to the sharp constant: one wider by a factor is found."""
+    with precision(BITS):
+        begun, late = Exit(scene, arb(0), excursion_of(arb(10) ** -40)), arb(10) ** 80
+        bounds = [*constants(begun, late), *(late * begun.value(one, s=late) for one in excess_bounds())]
+        assert all(abs(one / of_pair(leading_coefficient(), scene.pair) - 1) < 1e-15 for one in bounds)
 
 
 def test_the_constant_of_the_page_is_that_of_the_reduced_law():
