@@ -10,6 +10,7 @@ from sympy import (
     Dummy,
     Expr,
     Integer,
+    Piecewise,
     Poly,
     PolynomialError,
     Pow,
@@ -36,10 +37,14 @@ def taylor(expression: Expr, variable: Symbol, order: int) -> Expr:
     """Taylor polynomial at 0 below variable**order.
 
     For a quotient of polynomials in the variable, its sine and its cosine by power series over the field of all other
-    symbols and their square roots; for anything else, or at a pole, by sympy's `series`.
+    symbols and their square roots; for anything else, or at a pole, by sympy's `series`. Raises ValueError for an
+    expression by cases, on which `series` may not end.
     """
-    found = _by_division(expression, variable, order)
-    return expand(series(expression, variable, 0, order).removeO()) if found is None else found
+    if (found := _by_division(expression, variable, order)) is not None:
+        return found
+    if expression.has(Piecewise):
+        raise ValueError(f"{expression} is given by cases; give one case, for a Taylor polynomial of one formula")
+    return expand(series(expression, variable, 0, order).removeO())
 
 
 def reverted(inner: Expr, variable: Symbol, order: int, outer: Expr) -> list[Expr]:
