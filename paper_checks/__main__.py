@@ -267,7 +267,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
     for name in ids:
         if name not in known:
             others = [one for one in (*known, *COMMANDS) if one != name]
-            near = difflib.get_close_matches(name, others, n=3, cutoff=0.5)
+            near = difflib.get_close_matches(name, others, n=3, cutoff=0.6)
             hint = f"did you mean {', '.join(near)}?" if near else "`list` prints the ids"
             _complain(f"unknown claim {name!r}; {hint}")
             return None

@@ -10,6 +10,7 @@ from sympy import (
     Dummy,
     Expr,
     Integer,
+    Piecewise,
     Poly,
     PolynomialError,
     Pow,
@@ -36,18 +37,25 @@ def taylor(expression: Expr, variable: Symbol, order: int) -> Expr:
     """Taylor polynomial at 0 below variable**order.
 
     For a quotient of polynomials in the variable, its sine and its cosine by power series over the field of all other
-    symbols and their square roots; for anything else, or at a pole, by sympy's `series`.
+    symbols and their square roots; for anything else, or at a pole, by sympy's `series`. Raises ValueError for an
+    expression by cases, on which `series` may not end.
     """
-    found = _by_division(expression, variable, order)
-    return expand(series(expression, variable, 0, order).removeO()) if found is None else found
+    if (found := _by_division(expression, variable, order)) is not None:
+        return found
+    if expression.has(Piecewise):
+        raise ValueError(f"{expression} is given by cases; give one case, for a Taylor polynomial of one formula")
+    return expand(series(expression, variable, 0, order).removeO())
 
 
 def reverted(inner: Expr, variable: Symbol, order: int, outer: Expr) -> list[Expr]:
     """Coefficients below u**order of `outer`, where u = `inner`, which is 0 at 0, with a slope, and rational: exact.
 
-    The coefficient of u^n is that of x^(n - 1) in outer'(x) (x/inner(x))^n/n (Lagrange).
+    The coefficient of u^n is that of x^(n - 1) in outer'(x) (x/inner(x))^n/n (Lagrange). Raises ValueError where
+    one of both is no quotient of power series: sympy's `series` may not end there.
     """
-    given, slopes = taylor(inner, variable, order + 1), taylor(outer, variable, order)
+    given, slopes = _by_division(inner, variable, order + 1), _by_division(outer, variable, order)
+    if given is None or slopes is None:
+        raise ValueError(f"{inner} and {outer} are not both quotients of power series in {variable}, finite at 0")
     bottom = [QQ.from_sympy(given.coeff(variable, n + 1)) for n in range(order)]
     quotient = _divided([QQ(1), *[QQ(0)] * (order - 1)], bottom, order)
     power, found = quotient, [slopes.coeff(variable, 0)]

@@ -70,6 +70,8 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
             return f"--sensitivity needs --json, --npz or the table; leave --{name} out"
+    if options.npz is not None and options.npz.suffix != ".npz":
+        return f"--npz {options.npz.name}: the name must end in .npz; for a table use --csv"
     return None
 
 

@@ -17,7 +17,7 @@ from paper_checks.evidence import Clause, Evidence, Formula, Steps
 from paper_checks.evidence.evidence import one_line
 from theory.symbols import b
 
-_NAMED = re.compile(r"line \((\d+)\) of the derivation: ")
+_NAMED = re.compile(r"line D(\d+) of the derivation: ")
 
 
 def no_formulas() -> tuple[Formula, ...]:
@@ -68,9 +68,9 @@ def named(number: int) -> str:
     """Return how the evidence of a line begins.
 
     >>> named(7)
-    'line (7) of the derivation'
+    'line D7 of the derivation'
     """
-    return f"line ({number}) of the derivation"
+    return f"line D{number} of the derivation"
 
 
 def number_in(step: Evidence) -> int | None:

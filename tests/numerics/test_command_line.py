@@ -140,6 +140,7 @@ solve velocities --npz folder.npz | is a folder
 solve velocities --plot folder.svg | is a folder
 solve velocities --npz absent/x.npz | does not exist
 solve velocities --plot x | must end in one of
+solve velocities --npz table.csv | must end in .npz
 ring velocities --radius -1 | radius = -1
 trade --only nobody | matches no method
 trade --out no-such-folder/figure.png | does not exist

@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import example, given, settings
 from strategies import trigonometric_quotients
-from sympy import Symbol, asin, cancel, cos, exp, expand, limit, pi, series, sin, solve, sqrt, symbols
+from sympy import Piecewise, Symbol, asin, cancel, cos, exp, expand, limit, pi, series, sin, solve, sqrt, symbols
 
 from theory import excursion, power_series
 from theory.fraction import factored, in_lowest_terms
@@ -74,6 +74,15 @@ def test_a_pole_is_no_polynomial_and_the_zero_of_a_denominator_takes_orders_away
         assert power_series._by_division(expression, theta, 4) is None
     deep = (1 - cos(theta)) ** 5
     assert taylor(deep * (1 + theta) / deep.subs(cos(theta), 1 - theta**2 / 2), theta, 2) == theta + 1
+
+
+def test_what_has_no_series_by_division_is_refused_where_sympy_may_not_end():
+    """A sign turned in eq (4) gave such expressions, and a run of all claims did not end."""
+    with pytest.raises(ValueError, match="by cases"):
+        taylor(Piecewise((theta, theta > q), (sin(theta), True)), theta, 4)
+    for inner, outer in ((1 / theta, theta), (sin(theta), 1 / theta)):
+        with pytest.raises(ValueError, match="finite at 0"):
+            power_series.reverted(inner, theta, 4, outer)
 
 
 def test_a_series_is_reverted_and_composed_again():

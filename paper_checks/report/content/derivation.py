@@ -17,7 +17,7 @@ ID, TITLE = "derivation", "The derivation, line by line"
 OPENING = """
 From the equations of motion to the $1/t$ law, every formula in order. Each line says what was done, which check accepted it,
 and which claim it carries. The formulas are printed from the expressions that the checks decide. A line that is an argument in
-words says so.
+words says so. Lines are numbered D1, D2, and so on; numbers in parentheses are those of the paper's equations.
 """
 Theorems = Mapping[str, Evidence] | None
 """What the kernel found of theorems, by their ids; None where only their names are wanted."""
@@ -36,9 +36,14 @@ def section(rows: Sequence[Row]) -> Section:
         return Section(ID, TITLE, ())
     found = {place: steps for row in rows for place, steps in of_row(row).items()}
     theorems = {name: step for row in rows for name, step in _theorems(row).items()}
-    return Section(
-        ID, TITLE, (Paragraph(OPENING), *(one for stage in STAGES for one in _stage(stage, found, theorems)))
-    )
+    stages = (one for stage in STAGES for one in _stage(stage, found, theorems))
+    return Section(ID, TITLE, (Paragraph(OPENING), Paragraph(_contents(), "Stages"), *stages))
+
+
+def _contents() -> str:
+    """Return the anchors of the stages with their first and last lines."""
+    lines = ((stage.id, number(stage.lines[0]), number(stage.lines[-1])) for stage in STAGES)
+    return "; ".join(f"`{name}` D{first} to D{last}" for name, first, last in lines) + "."
 
 
 def is_whole(rows: Sequence[Row]) -> bool:
@@ -80,7 +85,7 @@ def _stage(stage: Stage, found: Mapping[int, Steps], theorems: Theorems) -> Iter
 
 
 def shown(line: Line, found: Steps, theorems: Theorems, *, anchor: str = "", own: str = "") -> blocks.Line:
-    """Return a line with what its checks found and what the kernel says of its theorems; on the page of the claim `own`, or not."""
+    """Return a line with what its checks found and what the kernel says of its theorems; on the page of `own`, only of those it needs."""
     try:
         formula = line.latex()
     except Exception as error:  # noqa: BLE001  a theory that is broken must not cost the reader the chapter
@@ -91,7 +96,8 @@ def shown(line: Line, found: Steps, theorems: Theorems, *, anchor: str = "", own
             f"Failed: {failed[0].value or failed[0].statement}" if failed else "Unchecked: its claim was not decided"
         )
     else:
-        remark = "Checked by: " + "; ".join([*tools(found), *_kernel(line.kernel.split(), theorems)])
+        names = [name for name in line.kernel.split() if not own or name in (theorems or {})]
+        remark = "Checked by: " + "; ".join([*tools(found), *_kernel(names, theorems)])
     carried = ", ".join(f"`{name}`" for name in line.claims if name != own)
     remark = f"{remark.rstrip('.')}." + f" Carries {'also ' * bool(own)}{carried}." * bool(carried)
     passed = bool(found) and not failed
@@ -122,6 +128,6 @@ def story(row: Row) -> Iterator[Block]:
     """Yield the lines that carry a claim, for its own page."""
     if lines := lines_of(row.claim.id):
         found, theorems = of_row(row), _theorems(row)
-        places = ", ".join(f"({number(line)})" for line in lines)
+        places = ", ".join(f"D{number(line)}" for line in lines)
         yield Paragraph(f"Lines {places} of the chapter `{ID}`.", "Derivation")
         yield from (shown(line, found.get(number(line), ()), theorems, own=row.claim.id) for line in lines)

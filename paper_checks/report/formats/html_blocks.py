@@ -75,7 +75,7 @@ class HtmlWriter(Writer):
         mark = f' id="{line.id}"' if line.id else ""
         state = "" if line.passed else " refuted"
         return (
-            f'<div class="line{state}"{mark}><p><strong>({line.number})</strong> {self.text(line.text)}</p>'
+            f'<div class="line{state}"{mark}><p><strong>D{line.number}.</strong> {self.text(line.text)}</p>'
             f"<p><small>{self.text(line.remark)}</small></p></div>"
         )
 

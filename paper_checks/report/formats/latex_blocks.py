@@ -14,6 +14,8 @@ _BREAK = re.compile(r"(?<=[-.])|(?<=\\_)")
 _COMMANDS = re.compile(r"\\[A-Za-z]+|[\s{}_^\\]")
 ROW = 70
 """Letters, digits and signs of displayed formulas that fit beside each other."""
+SHORT = 8
+"""Rows from which on a table may be broken between two pages."""
 
 
 class LatexWriter(Writer):
@@ -29,7 +31,9 @@ class LatexWriter(Writer):
 
     def section(self, section: blocks.Section) -> str:
         """Return a section with its heading."""
-        return rf"\section{{{self.text(section.title)}}}\label{{{section.id}}}" + "\n\n" + self.body(section.blocks)
+        return (
+            rf"\room\section{{{self.text(section.title)}}}\label{{{section.id}}}" + "\n\n" + self.body(section.blocks)
+        )
 
     def _prose(self, text: str) -> str:
         return prose.latex(text)
@@ -45,7 +49,7 @@ class LatexWriter(Writer):
         return rf"\hyperref[{target}]{{{shown}}}" if target else shown
 
     def _heading(self, text: str, anchor: str) -> str:
-        return rf"\subsection{{{self.text(text)}}}" + (rf"\label{{{anchor}}}" if anchor else "")
+        return rf"\room\subsection{{{self.text(text)}}}" + (rf"\label{{{anchor}}}" if anchor else "")
 
     def _paragraph(self, block: blocks.Paragraph) -> str:
         return (rf"\textbf{{{prose.latex(block.label)}.}} " if block.label else "") + self.text(block.text)
@@ -62,7 +66,7 @@ class LatexWriter(Writer):
         """Return a line with its remark below it, on one page with the formula."""
         mark = label(line.id) if line.id else ""
         remark = self.text(line.remark) if line.passed else rf"\textbf{{{self.text(line.remark)}}}"
-        text = rf"\par\addvspace{{4pt}}{mark}\textbf{{({line.number})}} {self.text(_side_by_side(line.text))}"
+        text = rf"\par\addvspace{{4pt}}{mark}\textbf{{D{line.number}.}} {self.text(_side_by_side(line.text))}"
         return f"{{\\postdisplaypenalty=10000 {text}\\par\\nopagebreak\n{{\\footnotesize {remark}\\par}}}}"
 
     def _markup(self, html: str) -> str:
@@ -95,7 +99,8 @@ class LatexWriter(Writer):
             rf">{{\raggedright\arraybackslash}}p{{\dimexpr{share:.3f}\textwidth-2\tabcolsep}}"
             for share in shares(table)
         )
-        lines = "\n".join(" & ".join(map(self.text, row)) + r" \\" for row in table.rows)
+        end = r" \\*" if len(table.rows) < SHORT else r" \\"
+        lines = "\n".join(" & ".join(map(self.text, row)) + end for row in table.rows)
         titles = " & ".join(map(self.text, table.head))
         return (
             rf"{{\small\setlength{{\tabcolsep}}{{3pt}}\begin{{longtable}}{{{columns}}}"

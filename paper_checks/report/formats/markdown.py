@@ -32,7 +32,7 @@ def _block(block: Block, pictures: frozenset[str]) -> str:
         case Picture(name, caption, title):
             return f"![{title}]({name}.svg)\n\n*{title}.* {caption}" if name in pictures else ""
         case Line(number, text, remark, True):
-            return f"**({number})** {_displayed(text)}\n\n{remark}"
+            return f"**D{number}.** {_displayed(text)}\n\n{remark}"
     raise ValueError(f"{block} is no block of a derivation whose checks pass")
 
 

@@ -137,3 +137,11 @@ def test_the_page_in_the_documentation_is_what_is_generated():
     assert (DOCS / "derivation.md").read_text("utf-8") == module.page(), "python docs/derivation.py writes it"
     with pytest.raises(ValueError, match="no block"):
         markdown.written([blocks.Line(1, "x", "y", passed=False)])
+
+
+def test_a_theorem_is_not_run_in_the_chapter_and_not_named_on_the_page_of_a_claim_that_does_not_need_it():
+    line = next(line for line in LINES if line.kernel)
+    found = line.evidence(1)
+    assert "kernel theorem" in derivation.shown(line, found, {}).remark
+    assert "(not run)" in derivation.shown(line, found, {}).remark
+    assert "kernel theorem" not in derivation.shown(line, found, {}, own=line.claims[0]).remark
