@@ -33,6 +33,8 @@ motions = st.one_of(free_motions(), free_motions(damped=True), free_motions(law=
 SLIPS = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 DAMPED = Scene(Pair(1, 1, 200, "0.5", "0.4"), State(v1="0.15"), until=3)
 OVERDAMPED = Scene(Pair(1, 9000, 1, 1, 170_000), State("0.001", "0.5", 0, "0.00001"), until=900)
+LONG = Scene(Pair(1, 1, 200, "0.05", "0.01"), State(v1="0.15"), until=7)
+"""Sticks that end by the load, long before the run does."""
 PUSHED = Scene(SLIPS.pair, State(), until=1, force=Force.step(0, "1.5"))
 
 
@@ -138,6 +140,7 @@ def test_a_stick_without_a_damper_keeps_the_energy(scene):
 
 @reaching
 @given(motions, parts)
+@example(LONG, [Fraction(1)])
 def test_in_float64_energies_and_losses_are_within_their_bounds(scene, shares):
     """Runs that end at drawn times: E + what was taken is E(0), and E does not grow; each up to the bounds given."""
     until, last = Fraction(float(scene.until)), (scene.energy, Fraction(0))
