@@ -32,7 +32,9 @@ class LatexWriter(Writer):
     def section(self, section: blocks.Section) -> str:
         """Return a section with its heading."""
         return (
-            rf"\room{{12}}\section{{{self.text(section.title)}}}\label{{{section.id}}}" + "\n\n" + self.body(section.blocks)
+            rf"\room{{12}}\section{{{self.text(section.title)}}}\label{{{section.id}}}"
+            + "\n\n"
+            + self.body(section.blocks)
         )
 
     def _prose(self, text: str) -> str:
