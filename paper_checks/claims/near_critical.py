@@ -248,7 +248,7 @@ def slower_than_exponential() -> Case:
         clause(
             "two-sided",
             r"""
-            But for $t\to 0$ it holds as written: for every such solution, which starts on $S_0$ slightly above $E_{cr}$,
+            Away from $t=0$ it holds as written: for every such solution, which starts on $S_0$ slightly above $E_{cr}$,
             and every $t_0>0$ there are $0<c_1<c_2$, which depend on $E(0)$ and $t_0$ alone, with $c_1/t\leqslant E(t)-E_{cr}\leqslant c_2/t$ for
             $t\geqslant t_0$;
             """,

@@ -35,7 +35,7 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 \setlength{\parskip}{2pt plus 1pt}
 \widowpenalty=500 \clubpenalty=500
 \setcounter{tocdepth}{1}
-\newcommand{\room}{\par\ifdim\pagetotal<\pagegoal\ifdim\dimexpr\pagetotal+6\baselineskip>\pagegoal\newpage\fi\fi}
+\newcommand{\room}[1]{\par\ifdim\pagetotal<\pagegoal\ifdim\dimexpr\pagetotal+#1\baselineskip>\pagegoal\newpage\fi\fi}
 \newcommand{\entry}{\small\par\addvspace{5pt plus 2pt}}
 \newcommand{\closer}{\setlength{\abovedisplayskip}{3pt plus 1pt}\setlength{\belowdisplayskip}{3pt plus 1pt}}
 \setlength{\LTpre}{4pt} \setlength{\LTpost}{4pt}

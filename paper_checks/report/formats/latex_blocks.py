@@ -32,7 +32,9 @@ class LatexWriter(Writer):
     def section(self, section: blocks.Section) -> str:
         """Return a section with its heading."""
         return (
-            rf"\room\section{{{self.text(section.title)}}}\label{{{section.id}}}" + "\n\n" + self.body(section.blocks)
+            rf"\room{{12}}\section{{{self.text(section.title)}}}\label{{{section.id}}}"
+            + "\n\n"
+            + self.body(section.blocks)
         )
 
     def _prose(self, text: str) -> str:
@@ -49,7 +51,7 @@ class LatexWriter(Writer):
         return rf"\hyperref[{target}]{{{shown}}}" if target else shown
 
     def _heading(self, text: str, anchor: str) -> str:
-        return rf"\room\subsection{{{self.text(text)}}}" + (rf"\label{{{anchor}}}" if anchor else "")
+        return rf"\room{{6}}\subsection{{{self.text(text)}}}" + (rf"\label{{{anchor}}}" if anchor else "")
 
     def _paragraph(self, block: blocks.Paragraph) -> str:
         return (rf"\textbf{{{prose.latex(block.label)}.}} " if block.label else "") + self.text(block.text)
