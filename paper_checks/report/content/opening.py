@@ -93,7 +93,7 @@ ASKED = {
     "stuck-ellipses": "What replaces the critical energy there?",
 }
 """What is often asked, by the claim that answers it."""
-NUMBERS = "Ball (interval) arithmetic proves every printed digit and the order of events. float64 numbers carry an error bound, which is tested and not proved; on a surface it is proved."
+NUMBERS = "Ball (interval) arithmetic proves every printed digit and the order of events. A number a ± r is such a ball: the exact value is proved to be within r of a. float64 numbers carry an error bound, which is tested and not proved; a surface is solved in balls."
 WITHOUT = "On two solvers, exact algebra, enclosures and written inferences, as its weakest step says: every claim of the paper is decided without the kernel, too, and then says that the kernel was not run. A theorem beyond the paper that needs the kernel is then unchecked, never passed. What each kind of step guarantees: `trust`."
 DRAWN = "`python -m numerics solve velocities --plot velocities.svg` solves its scene and draws it; `python -m numerics scenes` lists the others. What forward Euler computes instead: `euler-reproduces-figures`."
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")

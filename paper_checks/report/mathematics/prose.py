@@ -15,6 +15,8 @@ from paper_checks.report.mathematics.unicode import spoken
 
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
 _MINUS = re.compile(r"(?<![\w.,)\]-])-(?=\d)")
+_BALL = re.compile(r"\[(?:([-+.\de]+) )?\+/- ([-+.\de]+)\]")
+"""A ball as python-flint writes it: midpoint, which may be left out, and radius."""
 _OPENING, _CLOSING = re.compile(r"[(\[]+$"), re.compile(r"^[.,:;!?)\]]+")
 _LONG_NUMBER = re.compile(r"\d{24,}")
 _TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
@@ -59,8 +61,9 @@ def pieces(text: str) -> Iterator[tuple[Span, str]]:
 
 
 def _prose(text: str) -> str:
-    """Return a stretch of prose with literal dollars, and with a minus before a number where a hyphen was typed."""
-    return _MINUS.sub("\N{MINUS SIGN}", text.replace(r"\$", "$"))
+    """Return a stretch of prose with literal dollars, balls as midpoint ± radius, and a minus where a hyphen was typed."""
+    shown = _BALL.sub(lambda ball: f"{ball[1] or 0} ± {ball[2]}", text.replace(r"\$", "$"))
+    return _MINUS.sub("\N{MINUS SIGN}", shown)
 
 
 def html(text: str) -> str:

@@ -70,6 +70,11 @@ def test_prose_is_escaped():
     assert latex("x ≤ y ẋ") == r"x $\leq$ y [U+1E8B]"
 
 
+def test_a_ball_is_shown_as_midpoint_and_radius():
+    assert html("at t = [-0.25 +/- 4.18e-14] s") == "at t = −0.25 ± 4.18e-14 s"
+    assert latex("[+/- 1e-9], [1.5e+22 +/- 3]") == r"0 $\pm$ 1e-9, 1.5e+22 $\pm$ 3"
+
+
 @pytest.mark.parametrize(("source", "text"), MADE["plain"])
 def test_plain_text(source, text):
     assert plain(f"${source}$") == text
