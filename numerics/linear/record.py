@@ -19,8 +19,9 @@ CODES = ("mode", "order", "event", "jump", "piece")
 """Floats: the mode that starts (-1, 0, +1: the sign of v1 - v2), how many derivatives of its guard vanish at its start,
 whether the mode changed, whether a piece begins here (the cause of an event is then a jump), which piece it is in."""
 NUMBERS = ("local", "local_rest", "length", "x1", "v1", "x2", "v2", "excess")
-"""Numbers: the time since the piece began, what its rounding left out, how long the segment before was (s), the state
-(m, m/s), and E/E_cr - 1 where an engine carries it as a variable of its own (nan: form it from the state)."""
+"""Numbers: the time since the piece began, what its rounding left out (for a run that starts again there), how long the
+segment before was (s), the state (m, m/s), and E/E_cr - 1 where an engine carries it as a variable of its own (nan:
+form it from the state)."""
 BOUNDS = ("late", "x1_error", "v1_error", "x2_error", "v2_error", "excess_error")
 """Floats: bounds on the errors of the time (s), of the state (m, m/s) and of the excess."""
 COLUMNS = (*CODES, *NUMBERS, *BOUNDS)

@@ -302,8 +302,7 @@ class Rows(Answer):
         if not self.bounded:
             return np.asarray(times - self.row_times[rows])
         starts = np.array([float(piece.start) for piece in self.pieces])
-        local, rest = self.record.rows[rows, AT["local"] : AT["length"]].T  # which keeps short slips apart
-        return np.asarray(np.maximum((times - starts[self.row_pieces[rows]]) - local - rest, 0.0))
+        return np.asarray(np.maximum((times - starts[self.row_pieces[rows]]) - self.row_table("local")[0][rows], 0.0))
 
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
