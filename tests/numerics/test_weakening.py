@@ -108,7 +108,7 @@ def test_over_a_ball_of_places_friction_holds_what_it_holds_at_each():
 
 def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
     run = solve(JUMPING, digits=20)
-    assert "balls" in run.tried
+    assert (run.arithmetic.name, run.tried) == ("ball", "20 are asked for")
     assert len(run.record.rows) > len(run.events) + 1
     assert all(event.before is not event.after for event in run.events)
     curve = sampled(run)

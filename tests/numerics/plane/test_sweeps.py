@@ -22,7 +22,7 @@ BEYOND_FLOATS = PlaneScene(PlanePair(1, 1, 1, "1e420"), 1, x1=["1e400", 0])
 needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not installed")
 
 
-@settings(max_examples=20)
+@settings(max_examples=8)
 @given(st.lists(plane_scenes(), max_size=3))
 def test_each_row_is_what_solve_says_of_its_scene(drawn):
     scenes = [*drawn, *PUSHED[:1]]
