@@ -5,6 +5,7 @@ without its comparison.
 """
 
 import math
+from contextlib import suppress
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -269,17 +270,15 @@ def against(run: Trajectory, truth: Trajectory) -> list[Compared]:
     with truth.context(), np.errstate(all="ignore"):
         rows = held(run, truth, times)
     # a bound that is no number claims nothing; such a run says that it has no right digit
-    return [one for one in rows if not (run.without_digits and one.bound != one.bound)]
+    return [one for one in rows if not (run.without_digits and (one.bound != one.bound or one.bound == math.inf))]
 
 
 def solved_truly(scene: Scene) -> Trajectory:
-    """A scene in balls of as many digits as decide its events."""
-    for digits in DIGITS[:-1]:
-        try:
+    """A scene in balls of as many digits as decide its events. Raises LeftOut where none do."""
+    for digits in DIGITS:
+        with suppress(EventUndecided):
             return run_scene(scene, Ball(digits), EVENTS)
-        except EventUndecided:
-            continue
-    return run_scene(scene, Ball(DIGITS[-1]), EVENTS)
+    raise LeftOut
 
 
 def held(run: Any, truth: Any, times: Any) -> list[Compared]:

@@ -18,6 +18,8 @@ DRAWN = {"ties": ties, "free": free_scenes, "viscous": viscous_scenes, "driven":
 WAYS = ["float64", "ball"]
 TESTS = Path(__file__).parent.parent
 FOLDERS = [f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir()]
+ALL_IN_DOUBT = {("float64", "scenes/followed-in-balls"), ("float64", "scenes/weakened")}
+"""Folders of scenes that float64 leaves to balls."""
 FOUND = scenes_in("bounded")
 RESTARTED = """contact-to-third-order friction-drops-at-contact jump-at-contact-reverses jump-at-contact-slips-on
 jump-at-contact-sticks jump-just-after-contact tie-at-a-jump-at-contact-slips-on tie-at-a-jump-at-contact-sticks
@@ -81,7 +83,7 @@ def test_every_number_of_every_frozen_scene_is_within_its_bound(folder, arithmet
     for name in names:
         with suppress(LeftOut):
             found[name.stem] = wrong(load_scene(name), arithmetic)
-    assert found
+    assert found or (arithmetic, folder) in ALL_IN_DOUBT
     assert {name: rows for name, rows in found.items() if rows} == {}
 
 

@@ -98,6 +98,8 @@ def compared(answer: dict[str, Any], found: Any, right: int) -> Iterator[str]:
     may_differ = {("REACHED_HORIZON", "STUCK_FOR_EVER")} if found.arithmetic.name != "ball" else set()
     if modes[-1] == "0" and (scene.is_forced or scene.force.pieces):
         may_differ.add(("STUCK_FOR_EVER", "REACHED_HORIZON"))
+    if found.without_digits:  # such an answer says so first, since it is no success
+        may_differ |= {("NO_RIGHT_DIGIT", one) for one in ("STUCK_FOR_EVER", "REACHED_HORIZON")}
     if status != frozen and (status, frozen) not in may_differ:
         yield f"status {status}, not {frozen}"
     if (status, frozen) == ("STUCK_FOR_EVER", "REACHED_HORIZON") and not stays(scene, len(events)):

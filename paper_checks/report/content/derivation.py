@@ -41,9 +41,9 @@ def section(rows: Sequence[Row]) -> Section:
 
 
 def _contents() -> str:
-    """Return the anchors of the stages with their first and last lines."""
-    lines = ((stage.id, number(stage.lines[0]), number(stage.lines[-1])) for stage in STAGES)
-    return "; ".join(f"`{name}` D{first} to D{last}" for name, first, last in lines) + "."
+    """Return the titles of the stages with their first and last lines and their anchors."""
+    lines = ((stage, number(stage.lines[0]), number(stage.lines[-1])) for stage in STAGES)
+    return "; ".join(f"{stage.title} (D{first} to D{last}, `{stage.id}`)" for stage, first, last in lines) + "."
 
 
 def is_whole(rows: Sequence[Row]) -> bool:

@@ -76,4 +76,4 @@ def looseness(run, truth):
 @pytest.mark.parametrize("seed", range(6))
 def test_radii_of_an_ellipsoid_are_not_loose(seed):
     """Stiff slips had radii 20,000 times the errors when the defects of all steps were added in N."""
-    assert looseness(*with_truth(draws.surface(Random(seed)), "ball")) < MOST_LOOSE
+    assert looseness(*with_truth(draws.surface(Random(seed)))) < MOST_LOOSE
