@@ -141,10 +141,14 @@ class Bounded:
     def flowed(self, t: Any, side: str) -> Any:
         """Of the states at times, (4, n)."""
         rows, t = self.run.row_at(t, side), np.asarray(t, float)
-        since = t - self.run.floats(self.run.row_times)[rows]
+        starts = self.run.floats(self.run.row_times)
+        since, after = t - starts[rows], np.minimum(rows + 1, len(starts) - 1)
+        # at a time that the bound of an event's time reaches, the true motion may be behind the event
+        is_near = (after > rows) & (starts[after] - t <= self.late[after])
+        late = np.where(is_near, self.late[after], 0.0)
         pushed = self.push / self.pair["a2"] * np.array([1.0, self.rate, 1.0, self.rate])
         norm, rounding = self.norms[rows], 64 * self.u * ((self.sizes + pushed)[:, None] + 0 * t)
-        moved = 8 * self.u * t * np.array([self.sizes[1], self.fast, self.sizes[3], self.fast])[:, None]
+        moved = (8 * self.u * t + late) * np.array([self.sizes[1], self.fast, self.sizes[3], self.fast])[:, None]
         found = norm / np.sqrt(np.maximum(self.weights, 1e-320))[:, None] + rounding + moved
         found[2] = found[0] + self.places[rows] + self.kappa * norm * since + rounding[2] + moved[2]
         return found
@@ -256,7 +260,8 @@ def compared(scene: Scene, arithmetic: str) -> tuple[Trajectory, list[Compared]]
     rows = against(run, truth := solved_truly(scene))
     if arithmetic == "float64" or scene.friction.weakening:
         with truth.context():
-            rows += batch_held(solve_scenes([scene], max_events=EVENTS, keep_events=EVENTS), 0, truth)
+            batch = solve_scenes([scene], max_events=EVENTS, keep_events=EVENTS)
+            rows += claimed(run, batch_held(batch, 0, truth))
     return run, rows
 
 
@@ -269,7 +274,11 @@ def against(run: Trajectory, truth: Trajectory) -> list[Compared]:
     times = [t for t in sorted([*shares, *events]) if t <= min(end, run.scene.until)]
     with truth.context(), np.errstate(all="ignore"):
         rows = held(run, truth, times)
-    # a bound that is no number claims nothing; such a run says that it has no right digit
+    return claimed(run, rows)
+
+
+def claimed(run: Trajectory, rows: list[Compared]) -> list[Compared]:
+    """Those that claim something: a bound that is infinite, or no number, does not; such a run has no right digit."""
     return [one for one in rows if not (run.without_digits and (one.bound != one.bound or one.bound == math.inf))]
 
 
