@@ -129,7 +129,8 @@ def provenance(trade: Trade) -> Iterator[Block]:
         f"{f' Left out: {missing}.' if missing else ''} Times are medians of warm runs, compilation apart; the answer is read. Digits are those of the "
         "worst error against balls: of the final state in units of $L$ and $L\\Omega$, of the events' times, of the dissipated energy. "
         "An integrator is used at its best: restarted at every event and jump, in coordinates that lose nothing; on a surface, and where "
-        "friction depends on the state, ours was measured alone."
+        "friction depends on the state, ours was measured alone. The shipped record is older than the removal of double-double: `solve` with 12 "
+        "and 20 digits, and on a surface, is slower today than it says."
     )
     yield Paragraph(
         "`python -m numerics trade --out F` measures your machine and draws the figure; `python -m numerics trade --json > F`, then "
