@@ -1,0 +1,214 @@
+"""Mechanics as matrices: behind this file nothing knows a mass, a spring or a friction force.
+
+On a piece of its signals a scene is z' = A z in each of its modes, z = (x1, v1, x2, v2, blocks), where a signal's block
+is its polynomial with all derivatives and, of each of its sines, amplitude times sine and cosine of the phase. With
+
+    U = u - a2 (x1 - y) - a1 (v1 - y')    force u on body 1, displacement y of the wall
+    f, c, b                               force on body 2, velocity of the belt, friction
+
+the modes and their guards, rows of z that are positive in the mode, are
+
+    slip s    m1 v1' = U - s b,  m2 v2' = f + s b     s (v1 - v2), behind it a contact
+    stick     v1' = v2' = (U + f)/M                   b_static - s Lambda, behind it slip s (s = +1, -1)
+
+Lambda = (m2 U - m1 f)/M is the load, the friction force on body 2 that sticking needs; where v1 = v2, stick follows if
+|Lambda| < b_static, else the slip of its sign. If m2 is infinite v2' = c' in both, v1' = c' in stick, and
+Lambda = U - m1 c'. One slip serves both signs: in a slip s the block of b is multiplied by s.
+
+Two motions under the same signals do not part in N, N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 of their difference.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.scene import Pair
+
+X1, V1, X2, V2, FIRST = range(5)
+SLIP, STICK = 0, 1
+FORCE, FORCE_2, BELT, WALL, FRICTION = range(5)
+"""The signals, in the order of their blocks."""
+LOAD, EDGE, KINETIC, DRIVEN = range(4)
+"""Rows that are no guard: Lambda, b_static, b, and the velocity of an infinite body 2."""
+
+
+class Bodies(NamedTuple):
+    """The numbers of a pair, exact or in floats; 1/m2 and 1/M are 0, m2/M is 1 for an infinite m2."""
+
+    m1: Any
+    a1: Any
+    a2: Any
+    inverse_1: Any
+    inverse_2: Any
+    inverse_both: Any
+    share_1: Any
+    """m1/M"""
+    share_2: Any
+    """m2/M"""
+    static: Any
+    """b_static/b"""
+
+    @classmethod
+    def of(cls, pair: Pair) -> Bodies:
+        """Return the exact numbers of a pair."""
+        one = Fraction(1)
+        static = one if getattr(pair, "b_static", None) is None else pair.b_static / pair.b
+        if pair.m2 == math.inf:
+            zero = Fraction(0)
+            return cls(pair.m1, pair.a1, pair.a2, one / pair.m1, zero, zero, zero, one, static)
+        mass = pair.mass
+        shares = pair.m1 / mass, pair.m2 / mass
+        return cls(pair.m1, pair.a1, pair.a2, one / pair.m1, one / pair.m2, one / mass, *shares, static)
+
+
+class Norm(NamedTuple):
+    """What N of an error says of rows, floats: |row| <= number N."""
+
+    root_a2: float
+    root_m1: float
+    root_m2: float
+    """0 for an infinite m2"""
+    kappa: float
+    """of v1 - v2"""
+    bend: float
+    """of v1' in one mode"""
+    load: float
+    """of Lambda in stick"""
+
+
+@compilable
+def norm_of(bodies: Bodies) -> Norm:
+    """Return the numbers of the norm, rounded upwards."""
+    slack, root_m1 = 1.0 + 1e-12, math.sqrt(bodies.m1)
+    root_m2 = math.sqrt(1.0 / bodies.inverse_2) if bodies.inverse_2 > 0.0 else 0.0
+    pull = math.hypot(math.sqrt(bodies.a2), bodies.a1 / root_m1)
+    kappa = math.sqrt(bodies.inverse_1 + bodies.inverse_2)
+    bounds = kappa * slack, pull * bodies.inverse_1 * slack, bodies.share_2 * pull * slack
+    return Norm(math.sqrt(bodies.a2), root_m1, root_m2, bounds[0], bounds[1], bounds[2])
+
+
+class Layout(NamedTuple):
+    """Of each signal, in this order: the number of its coefficients and the frequencies of its sines (rad/s)."""
+
+    terms: tuple[int, ...]
+    omegas: tuple[tuple[Any, ...], ...]
+
+    @property
+    def size(self) -> int:
+        """Return the number of components of z."""
+        return FIRST + sum(self.terms) + 2 * sum(map(len, self.omegas))
+
+    @property
+    def blocks(self) -> np.ndarray[Any, np.dtype[np.int64]]:
+        """Return (5, 4): where the polynomial of a signal begins, its coefficients, where its sines do, how many.
+
+        All polynomials come first.
+        """
+        waves = [len(one) for one in self.omegas]
+        first = FIRST + np.cumsum([0, *self.terms[:-1]])
+        sines = FIRST + sum(self.terms) + 2 * np.cumsum([0, *waves[:-1]])
+        return np.array([first, self.terms, sines, waves], dtype=np.int64).T
+
+
+class Rows(NamedTuple):
+    """A scene's matrices on one kind of piece, exact or in floats; of a slip those of slip +."""
+
+    A: Any
+    """(2, n, n), of slip and stick"""
+    guards: Any
+    """(2, 2, n): v1 - v2 alone in slip; b_static - Lambda and b_static + Lambda in stick"""
+    others: Any
+    """(4, n): LOAD, EDGE, KINETIC, DRIVEN"""
+
+
+@compilable
+def add_signal(row: Any, block: Any, factor: Any) -> None:
+    """Add a multiple of a signal to a row."""
+    if block[1] > 0:
+        row[block[0]] += factor
+    for k in range(block[3]):
+        row[block[2] + 2 * k] += factor
+
+
+@compilable
+def add_rate(row: Any, block: Any, omegas: Any, factor: Any) -> None:
+    """Add a multiple of a signal's derivative to a row; `omegas` are those of all sines."""
+    if block[1] > 1:
+        row[block[0] + 1] += factor
+    for k in range(block[3]):
+        place = block[2] + 2 * k + 1
+        row[place] += factor * omegas[place]
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], rows: Rows) -> None:
+    """Write the matrices of a pair, in the numbers of `bodies`; omegas (n,): that of a sine stands at its cosine.
+
+    `cell`: friction of a slip + is b + slope (v1 - v2) + pull (x1 - x2), N s/m and N/m; the block of b then holds what
+    is left of it where both are 0.
+    """
+    (A, guards, others), n = rows, omegas.shape[0]
+    push, second, belt_rate = np.zeros_like(others[0]), np.zeros_like(others[0]), np.zeros_like(others[0])
+    push[X1] -= bodies.a2
+    push[V1] -= bodies.a1
+    add_signal(push, blocks[FORCE], 1)
+    add_signal(push, blocks[WALL], bodies.a2)
+    add_rate(push, blocks[WALL], omegas, bodies.a1)
+    add_signal(second, blocks[FORCE_2], 1)
+    add_rate(belt_rate, blocks[BELT], omegas, 1)
+    add_signal(others[DRIVEN], blocks[BELT], 1)
+    add_signal(others[KINETIC], blocks[FRICTION], 1)
+    add_signal(others[EDGE], blocks[FRICTION], bodies.static)
+    for j in range(n):
+        load = bodies.share_2 * push[j] - bodies.share_1 * second[j] - bodies.m1 * belt_rate[j]
+        others[LOAD, j] = load
+        guards[STICK, 0, j], guards[STICK, 1, j] = others[EDGE, j] - load, others[EDGE, j] + load
+    guards[SLIP, 0, V1] += 1
+    guards[SLIP, 0, V2] -= 1
+    slope, pull = cell
+    for place, factor in ((V1, slope), (V2, -slope), (X1, pull), (X2, -pull)):
+        others[KINETIC, place] += factor
+    for mode in range(2):
+        put_drive(A[mode], blocks, omegas)
+    for j in range(n):
+        A[SLIP, V1, j] = bodies.inverse_1 * (push[j] - others[KINETIC, j])
+        A[SLIP, V2, j] = bodies.inverse_2 * (second[j] + others[KINETIC, j]) + belt_rate[j]
+        A[STICK, V1, j] = A[STICK, V2, j] = bodies.inverse_both * (push[j] + second[j]) + belt_rate[j]
+
+
+@compilable
+def put_drive(A: Any, blocks: Any, omegas: Any) -> None:
+    """Write what is no mechanics: x' = v, and how polynomials and sines go on."""
+    A[X1, V1] += 1
+    A[X2, V2] += 1
+    for signal in range(blocks.shape[0]):
+        first, terms, sines, waves = blocks[signal]
+        for k in range(first, first + terms - 1):
+            A[k, k + 1] += 1
+        for place in range(sines, sines + 2 * waves, 2):
+            A[place, place + 1] += omegas[place + 1]
+            A[place + 1, place] -= omegas[place + 1]
+
+
+@lru_cache(maxsize=256)
+def exact_rows(pair: Pair, layout: Layout, cell: tuple[Fraction, Fraction] = (Fraction(0), Fraction(0))) -> Rows:
+    """Return the exact matrices of a pair, arrays of Fraction; `cell` as in `put_rows`."""
+    n, zero = layout.size, Fraction(0)
+    rows = Rows(np.full((2, n, n), zero), np.full((2, 2, n), zero), np.full((4, n), zero))
+    put_rows(Bodies.of(pair), layout.blocks, spread_omegas(layout), cell, rows)
+    return rows
+
+
+def spread_omegas(layout: Layout) -> np.ndarray[Any, Any]:
+    """Return (n,): the frequency of each sine at the place of its cosine, 0 elsewhere."""
+    found = np.full(layout.size, Fraction(0))
+    for (_, _, first, _), omegas in zip(layout.blocks, layout.omegas, strict=True):
+        for k, omega in enumerate(omegas):
+            found[first + 2 * k + 1] = omega
+    return found
