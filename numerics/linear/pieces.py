@@ -1,65 +1,84 @@
-"""The pieces of force and friction of a scene as one sequence, exact: on each, u is one polynomial plus sines."""
+"""The signals of a scene as one sequence of pieces, exact: on each, every signal is one polynomial plus sines."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import pairwise
-from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.pair import nearest
+from numerics.linear.model import BELT, FORCE, FRICTION, WALL, Layout
 from numerics.scene import Piece, Scene, Sine
-from numerics.scene.pieces import shifted
 
-_AT_ONCE, _NO_FORCE, _START = np.zeros((2, 1)), Piece(0), Fraction(0)
+_AT_ONCE, _NOTHING = np.zeros((2, 1)), Piece(0)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class ExactPiece:
-    """u and b from `start` (s) for `length` (s): u = sum_k polynomial[k] (t - start)^k + sines, N. Exact.
+    """The signals from `start` (s) for `length` (s), in the order of model.py: force, force_2, belt, wall, friction.
 
-    Sines count t from the start of the run. `is_jump`: u or b may jump where the piece begins, as on the first one.
+    Of each the polynomial is one of t - start, and sines count t from the start of the run. `is_jump`: something that
+    friction has to balance may jump where the piece begins, as on the first one; `belt_jumps`: the belt's velocity may.
     """
 
     start: Fraction
     length: Fraction
-    b: Fraction
-    polynomial: tuple[Fraction, ...]
-    sines: tuple[Sine, ...]
+    signals: tuple[Piece, ...]
     is_jump: bool
+    belt_jumps: bool = False
+
+    @property
+    def polynomial(self) -> tuple[Fraction, ...]:
+        """Return the coefficients of u."""
+        return self.signals[FORCE].polynomial
+
+    @property
+    def sines(self) -> tuple[Sine, ...]:
+        """Return the sines of u."""
+        return self.signals[FORCE].sines
+
+    @property
+    def b(self) -> Fraction:
+        """Return the friction force of a piece on which it is one number, N."""
+        friction = self.signals[FRICTION]
+        if len(friction.polynomial) > 1 or friction.sines:
+            raise ArithmeticError("friction varies on this piece")
+        return friction.polynomial[0] if friction.polynomial else Fraction(0)
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Return what of the signals the matrices of the modes depend on."""
+        omegas = tuple(tuple(sine.omega for sine in one.sines) for one in self.signals)
+        return Layout(tuple(len(one.polynomial) for one in self.signals), omegas)
 
 
 def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene."""
     if "pieces" in scene.made:
         return scene.made["pieces"]
+    acting = [_NOTHING, _NOTHING, _NOTHING, _NOTHING, Piece(0, (scene.pair.b,))]
+    given = scene.force, scene.force_2, scene.belt, scene.wall, scene.friction  # in the order of model.py
+    begun = [(piece.start, signal, piece) for signal, one in enumerate(given) for piece in one.pieces]
+    changes = sorted((one for one in begun if one[0] < scene.until), key=lambda one: one[:2])
     found: list[ExactPiece] = []
-    force, b = _NO_FORCE, scene.pair.b
-    begun: list[tuple[Fraction, Piece | Fraction]] = [(piece.start, piece) for piece in scene.force.pieces]
-    begun += scene.friction.pieces
-    changes = sorted([one for one in begun if one[0] < scene.until], key=itemgetter(0))
-    for (start, change), (end, _) in pairwise([(_START, b), *changes, (scene.until, b)]):
-        if isinstance(change, Piece):
-            force = change
-        else:
-            b = change
+    for (start, signal, piece), (end, *_) in pairwise([(Fraction(0), FRICTION, acting[-1]), *changes, (scene.until,)]):
+        acting[signal] = piece
         if start < end:
-            polynomial = force.polynomial
-            if len(polynomial) > 1 and force.start < start:
-                polynomial = shifted(polynomial, start - force.start)
-            jumps = not found or _may_jump(found[-1], b, polynomial, force.sines)
-            found.append(ExactPiece(start, end - start, b, polynomial, force.sines, jumps))
+            signals = tuple(one.moved(start) if len(one.polynomial) > 1 else one for one in acting)
+            jumps = [not found or _may_jump(found[-1], k, one) for k, one in enumerate(signals)]
+            found.append(ExactPiece(start, end - start, signals, any(jumps), jumps[BELT]))
     scene.made["pieces"] = found
     return found
 
 
 def starts_of(scene: Scene) -> NDArray[np.float64]:
     """Return when the pieces begin (s) and what rounding left out of it, shape (2, n); kept with the scene."""
-    if not (scene.force.pieces or scene.friction.pieces):
+    if len(pieces_of(scene)) == 1:
         return _AT_ONCE
     if "starts" not in scene.made:
         scene.made["starts"] = np.array([nearest(piece.start) for piece in pieces_of(scene)]).T.copy()
@@ -83,8 +102,20 @@ def particular(polynomial: Sequence[Fraction], mass: Fraction, a1: Fraction, a2:
     return found[: len(polynomial)]
 
 
-def _may_jump(before: ExactPiece, b: Fraction, polynomial: Sequence[Fraction], sines: tuple[Sine, ...]) -> bool:
-    """Return whether u or b may differ on both sides of where a piece begins: sines that change count as a jump."""
-    if before.b != b or before.sines != sines:
-        return True
-    return polynomial_at(before.polynomial, before.length) != (polynomial[0] if polynomial else 0)
+def _may_jump(before: ExactPiece, signal: int, after: Piece) -> bool:
+    """Return whether a signal, or of belt and wall its derivative, may differ on both sides of where a piece begins.
+
+    Sines that change count as a jump.
+    """
+    piece = before.signals[signal]
+    if piece is after or (piece.sines != after.sines):
+        return piece is not after
+    orders = 2 if signal in {BELT, WALL} else 1
+    return any(_derivative_at(piece, k, before.length) != _derivative_at(after, k, Fraction(0)) for k in range(orders))
+
+
+def _derivative_at(piece: Piece, order: int, local: Fraction) -> Fraction:
+    polynomial = list(piece.polynomial)
+    for _ in range(order):
+        polynomial = [k * c for k, c in enumerate(polynomial)][1:]
+    return polynomial_at(polynomial, local)
