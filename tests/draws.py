@@ -147,7 +147,7 @@ def weakened(random: Random) -> Scene:
         [(width * z, b * Fraction(random.randint(0, 600), 1000)) for z in places],
     )
     free = random.choice((True, False))
-    pushed, pieces = (Force(), ()) if free else (given.force, given.friction.pieces)
+    pushed, pieces = (Force(), ()) if free else (given.force, given.friction.steps)
     return Scene(of, given.initial, given.until, force=pushed, friction=Friction(pieces, table))
 
 

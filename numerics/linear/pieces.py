@@ -40,7 +40,7 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     found: list[ExactPiece] = []
     force, b = _NO_FORCE, scene.pair.b
     begun: list[tuple[Fraction, Piece | Fraction]] = [(piece.start, piece) for piece in scene.force.pieces]
-    begun += scene.friction.pieces
+    begun += scene.friction.steps
     changes = sorted([one for one in begun if one[0] < scene.until], key=itemgetter(0))
     for (start, change), (end, _) in pairwise([(_START, b), *changes, (scene.until, b)]):
         if isinstance(change, Piece):
@@ -59,7 +59,7 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
 
 def starts_of(scene: Scene) -> NDArray[np.float64]:
     """Return when the pieces begin (s) and what rounding left out of it, shape (2, n); kept with the scene."""
-    if not (scene.force.pieces or scene.friction.pieces):
+    if not (scene.force.pieces or scene.friction.steps):
         return _AT_ONCE
     if "starts" not in scene.made:
         scene.made["starts"] = np.array([nearest(piece.start) for piece in pieces_of(scene)]).T.copy()
