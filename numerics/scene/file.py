@@ -185,7 +185,8 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
         if len(row) != 2:
             line = shown(lines[number - 1])
             raise InvalidScene(f"row {number} of {shown(file)}, {line}, is not a t and a u; write 0.5, 1.25")
-    return Signal.samples(*zip(*rows, strict=True), kind=table.get("kind", "linear"), first_row=first + 1).pieces
+    t, u = zip(*rows, strict=True)
+    return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
 
 
 def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) -> dict[str, Any]:
@@ -291,9 +292,8 @@ def _lines(scene: Any) -> Iterator[str]:
         for start, b in scene.friction:
             yield from ("[[friction]]", f"from = {_text(start)}", f"b = {_text(b)}")
         return
-    for name, signal in scene.signals.items():
-        yield from _pieces(*(("force", signal.pieces, "body = 2") if name == "force_2" else (name, signal.pieces)))
-    yield from _pieces("friction", scene.friction.pieces)
+    for name, pieces in scene.pieces.items():
+        yield from _pieces(*(("force", pieces, "body = 2") if name == "force_2" else (name, pieces)))
 
 
 def _table(name: str, of: Any, keys: str) -> Iterator[str]:

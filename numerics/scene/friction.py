@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from math import comb
 from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
@@ -103,35 +102,12 @@ class Friction(ShortRepr):
     @property
     def steps(self) -> tuple[tuple[Fraction, Fraction], ...]:
         """The pieces as (start in s, b in N). Raises InvalidScene unless every one is a constant."""
-        found = tuple((one.start, one.constant) for one in self.pieces)
-        for start, b in found:
-            if b is None:
-                raise InvalidScene(
-                    f"b(t) varies from t = {short(start)} s on; this is available for b by constant steps"
-                )
-        return found  # type: ignore[return-value]
-
-    def require_nonnegative(self, until: Fraction) -> None:
-        """Raise InvalidScene, with a time and the value there, unless b(t) >= 0 is proved up to `until` (s).
-
-        Proved are polynomials whose Bernstein coefficients on their piece, and signals whose constant, reach the sum of
-        the amplitudes (also where b touches 0); else b on small intervals, in balls.
-        """
-        for piece, end in zip(self.pieces, (*self.starts[1:], until), strict=False):
-            length = max(min(end, until) - piece.start, Fraction(0))
-            if least_of(piece.polynomial, length) < sum(abs(one.amplitude) for one in piece.sines):
-                from numerics.scene.nonnegative import require_nonnegative  # balls, which most scenes do not need
-
-                require_nonnegative(piece, length)
-
-
-def least_of(polynomial: tuple[Fraction, ...], length: Fraction) -> Fraction:
-    """Return the least Bernstein coefficient of a polynomial on [0, length]: it is never less; exact."""
-    degree = len(polynomial) - 1
-    scaled = [c * length**k / comb(degree, k) for k, c in enumerate(polynomial)]
-    return min(
-        (sum(comb(i, k) * c for k, c in enumerate(scaled[: i + 1])) for i in range(degree + 1)), default=Fraction(0)
-    )
+        found = []
+        for one in self.pieces:
+            if one.constant is None:
+                raise InvalidScene(f"b(t) varies from t = {short(one.start)} s on; this needs b by constant steps")
+            found.append((one.start, one.constant))
+        return tuple(found)
 
 
 def two_coefficients(key: str) -> InvalidScene:

@@ -15,6 +15,7 @@ from typing import Any
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
 from numerics.scene.friction import Friction
+from numerics.scene.nonnegative import require_nonnegative
 from numerics.scene.pieces import Piece, Signal
 from numerics.scene.short_repr import ShortRepr
 
@@ -164,8 +165,10 @@ class Scene(ShortRepr):
     >>> scene.changes_later, Scene(scene.pair, scene.initial, 5, force=Signal.sine(1, 2, start=8)).changes_later
     (False, True)
     >>> on_belt = Scene(Pair(m1=1, m2="inf", a2=200, b=1), State(), 5, belt=Signal.step(0, "0.1"))
-    >>> on_belt.initial.v2, on_belt.is_forced, on_belt.is_plain, on_belt.extra, on_belt.signals["belt"].starts
-    (Fraction(1, 10), True, False, 'm2 = "inf"', (Fraction(0, 1),))
+    >>> on_belt.initial.v2, on_belt.is_forced, on_belt.is_plain, on_belt.extra
+    (Fraction(1, 10), True, False, 'm2 = "inf"')
+    >>> on_belt.belt.starts, on_belt.wall, on_belt.force_2
+    ((Fraction(0, 1),), Signal(), Signal())
     """
 
     pair: Pair
@@ -201,7 +204,7 @@ class Scene(ShortRepr):
                 raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
         put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)
-        friction.require_nonnegative(self.until)
+        require_nonnegative(friction, self.until)
         if friction.weakening and (pair.b_static is not None or not pair.b or not friction.is_stepwise):
             raise InvalidScene(
                 "[weakening] scales with b > 0 by constant steps; leave it, or b_static and the pieces, out"
@@ -229,11 +232,11 @@ class Scene(ShortRepr):
     def _require_continuous_wall(self) -> None:
         """Raise InvalidScene for a jump of the wall, which a damper would turn into a blow."""
         for at in self.wall.starts:
-            before, after = self.wall(at, -1), self.wall(at)
+            before, after = float(self.wall(at, -1)), float(self.wall(at))
             if at and abs(after - before) > 1e-12 * max(abs(before), abs(after)):
                 raise InvalidScene(
-                    f"the wall jumps by {float(after - before):.6g} m at t = {short(at)} s, a blow through the damper; "
-                    "make it continuous, or a1 = 0"
+                    f"the wall jumps from {before:.6g} m to {after:.6g} m at t = {short(at)} s, a blow through the "
+                    "damper; make it continuous, or a1 = 0"
                 )
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -241,9 +244,10 @@ class Scene(ShortRepr):
         return Scene, tuple(getattr(self, one.name) for one in fields(self) if one.init)
 
     @property
-    def signals(self) -> dict[str, Signal]:
-        """The signals by their names."""
-        return {"force": self.force, "force_2": self.force_2, "belt": self.belt, "wall": self.wall}
+    def pieces(self) -> dict[str, tuple[Piece, ...]]:
+        """The pieces of each signal and of friction, by their names."""
+        signals = {"force": self.force, "force_2": self.force_2, "belt": self.belt, "wall": self.wall}
+        return {**{name: one.pieces for name, one in signals.items()}, "friction": self.friction.pieces}
 
     @property
     def extra(self) -> str:
@@ -273,7 +277,7 @@ class Scene(ShortRepr):
     @property
     def changes_later(self) -> bool:
         """Whether another piece of a signal or of friction begins at the horizon or after it."""
-        return any(at >= self.until for one in (*self.signals.values(), self.friction) for at in one.starts)
+        return any(one.start >= self.until for pieces in self.pieces.values() for one in pieces)
 
     def require_one_b(self, what: str) -> None:
         """Raise InvalidScene, where only Coulomb friction is supported, if friction depends on the state."""
@@ -324,8 +328,8 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
     if not (scene.force.pieces or scene.is_forced):
         return found
     found["until"] = scene.until
-    for name, one in (*scene.signals.items(), ("friction", scene.friction)):
-        for index, piece in enumerate(one.pieces):
+    for name, pieces in scene.pieces.items():
+        for index, piece in enumerate(pieces):
             found |= _numbers_of(f"{name}[{index}]", piece)
     if scene.friction.weakening is not None:
         given = scene.friction.weakening

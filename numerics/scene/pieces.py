@@ -14,7 +14,7 @@ from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, positive, put, short, shown
 from numerics.scene.short_repr import ShortRepr
 
-_DURATION = "give a duration in seconds"
+_DURATION, _RUN = "give a duration in seconds", "a run starts at t = 0"
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece; the last in one signal."""
 
@@ -186,7 +186,7 @@ class Signal(ShortRepr):
             raise InvalidScene(f"t has {len(times)} samples and u {len(values)}; give one of u for each of t")
         knots: list[tuple[Fraction, Fraction]] = []
         for row, (time, value) in enumerate(zip(times, values, strict=True), first_row):
-            at, least = nonnegative(time, f"t in row {row}", "a run starts at t = 0"), knots[-1][0] if knots else -1
+            at, least = nonnegative(time, f"t in row {row}", _RUN), knots[-1][0] if knots else Fraction(-1)
             if at <= least:
                 raise InvalidScene(
                     f"t = {short(at)} in row {row} is not after {short(least)}; put rows in order, once each"
@@ -225,7 +225,7 @@ class Signal(ShortRepr):
     @property
     def frequency(self) -> Fraction | None:
         """That of the one piece, from 0 on, that the signal is; else None."""
-        return self.pieces[0].frequency if self.starts == (0,) else None
+        return self.pieces[0].frequency if self.starts == (Fraction(0),) else None
 
     def __add__(self, other: Signal) -> Signal:
         """Return the sum; it has the jumps of both."""
@@ -286,7 +286,7 @@ def shifted(polynomial: tuple[Fraction, ...], by: Fraction) -> tuple[Fraction, .
 
 def begun(start: Exact) -> Fraction:
     """Return when a piece begins, s, exact and not before the run."""
-    return nonnegative(start, "from", "a run starts at t = 0")
+    return nonnegative(start, "from", _RUN)
 
 
 def require_order(what: str, starts: list[Fraction]) -> None:
