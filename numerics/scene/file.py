@@ -181,6 +181,8 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     names = lines[0].strip(' "#').lower()
     first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))
     rows = [line.split(",") for line in lines[first:]]
+    if not rows:
+        raise InvalidScene(f"{shown(file)} holds no samples; give a line t, u for each")
     for number, row in enumerate(rows, first + 1):
         if len(row) != 2:
             line = shown(lines[number - 1])
