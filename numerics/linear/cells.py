@@ -14,6 +14,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import islice, pairwise
 from typing import NamedTuple
 
@@ -63,7 +64,7 @@ class Cells:
         self.by_place: list[Line] = [(flat[0][1], Fraction(0)), *_lines(flat)]
         if weakening.place:
             self.by_place.append((flat[-1][1], Fraction(0)))
-        most = max([self.pair.b, *(b for _, b in scene.friction.pieces)]) / self.pair.b
+        most = max([self.pair.b, *(b for _, b in scene.friction.steps)]) / self.pair.b
         self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
         """At any time, at most: -B', N s/m; |C'|, N/m; |B'| next to rest."""
         self.pulling, self.steep = most * max(abs(slope) for _, slope in self.by_place), most * abs(self.by_speed[0][1])
@@ -198,14 +199,10 @@ class Cells:
         return True, MARGINAL
 
 
+@lru_cache(maxsize=128)
 def cells_of(scene: Scene) -> Cells | None:
-    """Return the cells of a scene, made once and kept with it; None where friction does not depend on the state."""
-    if scene.friction.weakening is None:
-        return None
-    if "cells" not in scene.made:
-        scene.made["cells"] = Cells(scene)
-    found: Cells = scene.made["cells"]
-    return found
+    """Return the cells of a scene; None where friction does not depend on the state."""
+    return None if scene.friction.weakening is None else Cells(scene)
 
 
 def _by_heights(at: Sequence[Fraction], ends: Sequence[int]) -> Iterator[tuple[int, Line]]:

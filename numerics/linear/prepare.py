@@ -126,6 +126,7 @@ def _reach(scene: Scene) -> Fraction:
     return moved or scene.pair.b / scene.pair.m1 * scene.until**2
 
 
+@lru_cache(maxsize=128)
 def prepare(scene: Scene) -> Prepared:
     """Return a scene as the kernel reads it. Raises OutOfRange."""
     units, pieces = _units_of(scene.pair, scene.until, _reach(scene)), pieces_of(scene)
