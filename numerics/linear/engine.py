@@ -18,10 +18,11 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
+from numerics.linear.ledger import ledger
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
-from numerics.linear.room import Problem
+from numerics.linear.room import Problem, make_room
 from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
@@ -63,6 +64,16 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     if not compiled(finish)(rows, end, *prepared.units):
         raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, How(how), int(end[AT["events"]]))
+
+
+def ledger_of(scene: Scene, record: Record) -> NDArray[np.float64]:
+    """Return what was taken and given in a run in float64 (model.TAKEN), J, and a bound on the error of each, (7,)."""
+    prepared, count = prepare(scene), len(record.rows) - (record.how == How.EVENT_LIMIT)
+    rows, end, taken, (mass, time, length) = record.rows.copy(), record.end.copy(), np.zeros(7), prepared.units
+    compiled(finish)(rows, end, -mass, -time, -length)
+    size, terms = prepared.problem.tables.rows.shape[3:]
+    compiled(ledger)(prepared.problem, make_room(size, terms), rows, count, end, taken)
+    return np.ldexp(taken, mass + 2 * length - 2 * time)
 
 
 def _run(

@@ -191,4 +191,5 @@ def close(problem: Problem, room: Room, now: Now, how: int, log: Log) -> int:
         write(problem, room, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
     end[_HOW], end[_EVENTS], end[_CERTAIN] = how, counts[1], 1.0
+    end[_CERTAIN + 1 :] = math.nan
     return counts[2] + 1 if how == EVENT_LIMIT else counts[0]

@@ -20,7 +20,7 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
-from numerics.linear.model import BELT, DRIVEN, FIRST, WALL, Bodies, Layout, Norm, Rows, exact_rows, norm_of
+from numerics.linear.model import BELT, DRIVEN, FIRST, WALL, Bodies, Layout, Norm, Rows, exact_rows, make_rows, norm_of
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, END_ROW
 from numerics.linear.room import Drive, Problem
@@ -186,9 +186,10 @@ def _in_units(rows: Rows, layout: Layout, units: KernelUnits) -> Rows:
     for (first, terms, sines, waves), exponent in zip(layout.blocks, _dimensions(units), strict=True):
         z[first : first + terms] = exponent - units.time * np.arange(terms)
         z[sines : sines + 2 * waves] = exponent
-    found = Rows(np.zeros((2, size, size)), np.zeros((2, 2, size)), np.zeros((4, size)))
+    found = make_rows(size)
     exponents = z[None, :, None] - units.time, np.array([speed, force])[:, None, None], np.full((4, 1), force)
     exponents[2][DRIVEN] = speed
+    exponents += (np.array([force, speed])[None, None, :, None],)
     for exact, own, exponent in zip(rows, found, exponents, strict=True):
         for at in np.argwhere(exact != 0):
             place = tuple(at)

@@ -26,9 +26,10 @@ BOUNDS = ("late", "x1_error", "v1_error", "x2_error", "v2_error", "excess_error"
 """Floats: bounds on the errors of the time (s), of the state (m, m/s) and of the excess."""
 COLUMNS = (*CODES, *NUMBERS, *BOUNDS)
 """The columns of a row."""
-END = ("how", "events", "certain", "friction", "viscous", "dissipated_error")
+END = ("how", "events", "certain", "friction", "viscous", "force", "force_2", "belt", "wall", "ledger_error")
 """What the row of the end has after these: a `How`, the number of events, whether the bounds leave no doubt about their
-sequence, what friction and viscosity took (J, sums of positive terms), a bound on the error of their sum."""
+sequence; and, nan until somebody asks (ledger.py), what friction and damper took, what forces on body 1 and 2, belt and
+wall gave (J), and a bound on the error of all these."""
 AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 """The index of each column."""
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
@@ -43,7 +44,7 @@ _OF_DIMENSION = (
     ("local", "local_rest", "length", "late"),
     ("x1", "x2"),
     ("v1", "v2"),
-    ("friction", "viscous", "dissipated"),
+    ("friction", "viscous", "force", "force_2", "belt", "wall", "ledger"),
 )
 _DIMENSION = {name: index for index, names in enumerate(_OF_DIMENSION) for name in names}
 DIMENSION = np.array([_DIMENSION.get(name.removesuffix("_error"), 0) for name in AT])

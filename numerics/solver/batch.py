@@ -214,7 +214,7 @@ class Batch(Ends):
     @cached_property
     def dissipated_error(self) -> Floats:
         """Return a bound on its error."""
-        return np.asarray(self._taken("dissipated_error")[0])
+        return np.asarray(2.0 * self._taken("ledger_error")[0])
 
     @cached_property
     def event_t(self) -> Floats:

@@ -13,7 +13,6 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.free.rows import solve_rows
 from numerics.linear.batch import Columns, follow_rows
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
@@ -27,6 +26,9 @@ _CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
 _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
+_TAKEN = AT["friction"]
+_MOST_NUMBERS = 4_000_000
+"""In rows that are kept at once for a ledger."""
 _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
@@ -39,31 +41,25 @@ def frictions_of(friction: Friction) -> Floats:
 
 
 def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
-    """Solve rows by compiled code, each by the engine that it needs; the end of what is in doubt says UNKNOWN."""
-    # those of the free pair: a1 = 0 and no force
-    free = (columns.numbers[:, -1] == 0) & (len(columns.frictions) == 1 and bool(np.isnan(columns.frictions[0, 2])))
-    free &= ~columns.polynomial.any(axis=1) & ~columns.sines[:, :, 0].any(axis=1)
-    for its in (free, ~free):
-        if its.any():
-            rows = slice(None) if its.all() else its
-            own, own_kept, own_ends = columns.part(rows), kept[rows], ends[rows]
-            if its is free:
-                compiled(solve_rows)(own.numbers, literal, max_events, own_kept, own_ends)
-            else:
-                compiled(follow_rows)(own, literal, max_events, False, own_kept, own_ends)
-            kept[rows], ends[rows] = own_kept, own_ends
+    """Solve rows by compiled code; the end of what is in doubt says UNKNOWN."""
+    compiled(follow_rows)(columns, literal, max_events, False, kept, ends)
 
 
 def form_ledgers(columns: Columns, how: tuple[bool, int], jobs: int | None, ends: Floats) -> None:
-    """Run once more the rows of which nobody has formed what friction and viscosity took."""
-    left_out = np.flatnonzero(np.isnan(ends[:, AT["friction"]]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
+    """Run once more the rows of which nobody has formed what was taken and given; at most some of them at a time."""
+    left_out = np.flatnonzero(np.isnan(ends[:, _TAKEN]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
+    room = 2 + len(columns.frictions) + ends[left_out, AT["events"]].astype(np.int64)
+    left_out = left_out[np.argsort(room, kind="stable")]  # those of about the same length together
+    room.sort()
 
     def form(part: slice) -> int:
         rows = left_out[part]
-        own = ends[rows]
-        compiled(follow_rows)(columns.part(rows), *how, True, np.empty((len(rows), 1, ROW)), own)
-        held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
-        ends[rows[held]] = own[held]
+        for some in np.array_split(rows, 1 + len(rows) * room[part][-1] * ROW // _MOST_NUMBERS):
+            own = ends[some]
+            kept = np.empty((len(some), room[part][-1], ROW))
+            compiled(follow_rows)(columns.part(some), *how, True, kept, own)
+            held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
+            ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
         return len(rows)
 
     list(in_chunks(form, len(left_out), jobs))
