@@ -254,6 +254,15 @@ def test_samples_that_are_none_are_refused(t, u, said):
         Force.samples([0], [1], "cubic")
 
 
+def test_a_constant_b_is_written_as_b():
+    text = scene_text(Scene(PAIR, State(), 5, friction=Friction([(1, 0), Piece(2, (1, 1)), (3, "0.25")])))
+    assert [line for line in text.splitlines()[12:] if line.startswith(("b", "poly"))] == [
+        "b = 0",
+        "polynomial = [1, 1]",
+        "b = 0.25",
+    ]
+
+
 def test_the_numbers_of_a_scene_have_names():
     friction = Friction([Piece(1, (1, 1), (Sine("0.5", 1),)), (2, 0)])
     scene = Scene(replace(GROUND, b_static=1), State(), 5, belt=PUSH, wall=Signal.step(1, 3), friction=friction)
