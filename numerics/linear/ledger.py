@@ -22,7 +22,7 @@ NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polyno
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
 _MOST_STEPS = 1_000_000
 _MODE, _PIECE, _LOCAL, _LENGTH = (AT[name] for name in ("mode", "piece", "local", "length"))
-_REST, _X1, _V1_ERROR, _LATE = (AT[name] for name in ("local_rest", "x1", "v1_error", "late"))
+_REST, _X1, _ERROR, _LATE = (AT[name] for name in ("local_rest", "x1", "speed_error", "late"))
 
 
 @compilable
@@ -47,8 +47,8 @@ def ledger(problem: Problem, room: Room, rows: Any, count: int, end: Any, taken:
         for i in range(STATE):
             room.y[i] = row[_X1 + i]
         room.clock[0, 0], room.clock[0, 1] = row[_LOCAL], row[_REST]
-        taken[6] += row[_LATE] * at_event(problem, room, piece, row[_V1_ERROR] * problem.norm.root_m1)
-        h, left, N = problem.tables.h[kind, side], after[_LENGTH], max(row[_V1_ERROR], after[_V1_ERROR])
+        taken[6] += row[_LATE] * at_event(problem, room, piece, row[_ERROR] * problem.norm.root_m1)
+        h, left, N = problem.tables.h[kind, side], after[_LENGTH], after[_ERROR]
         while left > 0.0 and steps < _MOST_STEPS:
             s = min(1.0, left / h)
             step(problem, room, (piece, mode), s, X, at_node, N * problem.norm.root_m1, taken)
