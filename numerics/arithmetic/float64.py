@@ -16,7 +16,6 @@ class Float64(Arithmetic):
 
     name = "float64"
     digits = 15
-    to_float = float
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that does nothing: binary64 needs none."""
@@ -32,6 +31,10 @@ class Float64(Arithmetic):
         if math.isinf(number) or (number == 0 and value != 0):
             raise OutOfRange.of(f"a number, {short(Fraction(value))},", "float64")
         return number
+
+    def to_float(self, x: float) -> float:
+        """Return x."""
+        return x
 
     def text(self, x: float, digits: int = 6) -> str:
         """Return x with `digits` significant digits."""

@@ -27,8 +27,8 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
         first, until = begin(scene, frame), number(scene.until)
         horizon, knots = frame.rate * until, list[Knot]()
         length = zero = number(0)
+        given = number(at.x1), number(at.v1), number(at.x2), number(at.v2)
         for start, duration in motions(frame, first, scene.law is Law.THREE_VALUED_SGN):
-            given = number(at.x1), number(at.v1), number(at.x2), number(at.v2)
             here = frame.in_si(event_state(frame, start)) if knots else given
             knots.append(_knot(start, bool(knots), start.tau / frame.rate, length, here, start.w))
             if progress is not None and len(knots) % 1000 == 0:
@@ -46,4 +46,5 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
 
 
 def _knot(start: Start, event: bool, t: Number, length: Number, state: Any, w: Number) -> Knot:
-    return Knot(mode_of(start), order_of(start), event, False, 0, t, length, *state, w)
+    x1, v1, x2, v2 = state
+    return Knot(mode_of(start), order_of(start), event, False, 0, t, length, x1, v1, x2, v2, w)
