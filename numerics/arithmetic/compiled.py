@@ -1,8 +1,8 @@
 """What numba compiles: the same functions as they stand. numba is optional, and imported when the first is asked for.
 
-`@compilable` registers a function that compiled code may call, and leaves it as it is. numba keeps what `compiled` makes
-in a folder of the user's cache that is named by the sources: it would not notice by itself that a function has changed
-which a compiled one calls.
+`@compilable` registers a function that compiled code may call, and leaves it as it is. numba keeps what `compiled`
+makes in a folder of the user's cache that is named by the sources: it would not notice by itself that a function has
+changed which a compiled one calls.
 """
 
 from __future__ import annotations
