@@ -166,5 +166,5 @@ def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
 def accuracy_of(trajectory: Rows, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
     record, (late, energy, excess, digits, _) = trajectory.record, found
-    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["dissipated_error"]])
+    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["ledger_error"]])
     return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)

@@ -136,8 +136,10 @@ class Rows(Answer):
     @cached_property
     def row_excess(self) -> Array | None:
         """Return E/E_cr - 1 at each row, accurate in itself; None where a run does not carry it (free/ alone does)."""
+        if self.bounded:
+            return None
         found = self.row_table("excess")[0]
-        return None if found[0] is None or (self.bounded and math.isnan(found[0])) else found
+        return None if found[0] is None else found
 
     @cached_property
     def row_lengths(self) -> Array:
