@@ -3,10 +3,11 @@
 A scene, exact:
     Pair                the two bodies, their spring, damper and friction (kg, N/m, N s/m, N)
     State               positions and velocities at t = 0 (m, m/s)
-    Scene               a pair, a state, a horizon (s), a force, and changes of friction
-    Force               the force u(t) on body 1, N, by pieces; Force.sine, .step, .ramp, .trapezoid, .sweep
-    Piece, Sine         the parts of a force
-    Friction            the friction force b by pieces, N
+    Scene               a pair, a state, a horizon (s), forces, changes of friction, and a belt or a wall that moves
+    Signal              a function of time by pieces: a force, N, the velocity of a belt, the displacement of the wall
+    Force               the same; Force.sine, .step, .ramp, .trapezoid, .sweep, .samples
+    Piece, Sine         the parts of a signal
+    Friction            the friction force b(t) by pieces, N
     Weakening           friction that depends on slip speed and displacement
     PlanePair           two bodies on a surface: one number per axis
     PlaneScene          such a pair, its initial state, and the force on each axis
@@ -70,6 +71,7 @@ if TYPE_CHECKING:
     from numerics.scene import Pair as Pair
     from numerics.scene import Piece as Piece
     from numerics.scene import Scene as Scene
+    from numerics.scene import Signal as Signal
     from numerics.scene import Sine as Sine
     from numerics.scene import State as State
     from numerics.scene import Weakening as Weakening
@@ -88,7 +90,7 @@ if TYPE_CHECKING:
 
 # without __all__, in whose presence help() would print every method of every class here
 _NAMES = {
-    "scene": "Force Friction Law Pair Piece Scene Sine State Weakening",
+    "scene": "Force Friction Law Pair Piece Scene Signal Sine State Weakening",
     "scene.file": "load_reference load_scene scene_text",
     "scene.plane": "PlanePair PlaneScene",
     "solver.solve": "solve",

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
 from numerics.scene.plane import PlanePair, PlaneScene
 
 Range: TypeAlias = tuple[int, int]
@@ -147,8 +147,49 @@ def weakened(random: Random) -> Scene:
         [(width * z, b * Fraction(random.randint(0, 600), 1000)) for z in places],
     )
     free = random.choice((True, False))
-    pushed, pieces = (Force(), ()) if free else (given.force, given.friction.pieces)
+    pushed, pieces = (Force(), ()) if free else (given.force, given.friction.steps)
     return Scene(of, given.initial, given.until, force=pushed, friction=Friction(pieces, table))
+
+
+def varying(random: Random, b: Fraction, omega: Fraction, until: Fraction) -> Friction:
+    """Return a friction by pieces that varies within them, in units of b and of a rate: never below 0, perhaps at it."""
+    begin, pieces = starts(random, until), []
+    for start, end in zip(begin, [*begin[1:], until], strict=True):
+        low, high = (random.choice((0, 1)) * b * decimal(random, -1, 0) for _ in range(2))
+        part = Fraction(random.randint(0, 4), 4)
+        straight = low, (high - low) / (end - start)
+        waving = [low], [Sine(part * low, omega, signed(random, -1, 0)), Sine((1 - part) * low, 3 * omega)]
+        pieces.append(random.choice((Piece(start, straight), Piece(start, *waving), Piece(start, [high]))))
+    return Friction(pieces)
+
+
+def brought(random: Random) -> Scene:
+    """Return a scene of what people bring.
+
+    No spring, no contact, the ground or a belt, b_static, b(t), a push of body 2, a wall that moves.
+    """
+    given = driven(random, 1)
+    of, until, omega = given.pair, given.until, rate(given.pair.a2, given.pair.m1)
+    speed = of.half_width * omega
+    is_fixed, lies = random.choice((True, False)), random.choice((True, True, False))
+    b = lies * of.b
+    pair = Pair(
+        of.m1,
+        "inf" if is_fixed else of.m2,
+        random.choice((0, 1, 1)) * of.a2,
+        b,
+        of.a1,
+        random.choice((None, b * Fraction(random.randint(10, 20), 10))) if lies else None,
+    )
+    signals = (
+        {"belt": force(random, speed, omega, until)} if is_fixed else {"force_2": force(random, of.b, omega, until)}
+    )
+    if not pair.a1:
+        signals["wall"] = force(random, of.half_width, omega, until)
+    at = State(given.initial.x1, given.initial.v1, given.initial.x2, 0 if is_fixed else given.initial.v2)
+    chosen = {name: random.choice((Signal(), signal)) for name, signal in signals.items()}
+    b_of_t = random.choice((given.friction, varying(random, of.b, omega, until)))
+    return Scene(pair, at, until, force=given.force, friction=b_of_t, **chosen)
 
 
 def _times(one: Any, two: Any) -> Any:

@@ -104,7 +104,7 @@ class Reference:
         self.m1, self.m2, self.a1, self.a2, self.b = map(number, (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
         self.x1, self.v1, self.x2, self.v2 = map(number, (start.x1, start.v1, start.x2, start.v2))
         self.M, self.force = self.m1 + self.m2, Force(self.scene)
-        self.friction = {at: number(b) for at, b in self.scene.friction.pieces}
+        self.friction = {at: number(b) for at, b in self.scene.friction.steps}
         jumps = {*self.force.starts, *self.friction, Fraction(0)}
         self.times = [*sorted(at for at in jumps if 0 <= at < self.until), self.until]
         self.far, self.fast = max(abs(self.x1), abs(self.x2)), max(abs(self.v1), abs(self.v2))

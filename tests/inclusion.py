@@ -87,7 +87,7 @@ class Inclusion:
 
     def friction(self, t: arb, w: arb, z: arb) -> arb:
         """Return the most that friction is."""
-        now = [self.scene.pair.b, *(b for start, b in self.scene.friction.pieces if t > Ball.number(start))][-1]
+        now = [self.scene.pair.b, *(b for start, b in self.scene.friction.steps if t > Ball.number(start))][-1]
         last, number = self.speed[-1], Ball.number
         beyond = number(last[1]) + number(self.last) * (w - number(last[0]))
         of_place = table(self.place, z, number(self.place[-1][1])) if self.place else arb(0)

@@ -38,6 +38,7 @@ near_critical = partial(drawn, draws.near_critical)
 long_slips = partial(drawn, draws.long_slip)
 ties = partial(drawn, draws.tie)
 weakened_scenes = partial(drawn, draws.weakened)
+brought_scenes = partial(drawn, draws.brought)
 plane_scenes = partial(drawn, draws.surface, exponents=(0, 0), narrow=False)
 extreme_scenes = {kind: drawn(draw) for kind, draw in draws.KINDS.items()}
 """Scenes of masses, rates, frictions and energies of many magnitudes, and on a surface."""

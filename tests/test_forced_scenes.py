@@ -34,7 +34,7 @@ def in_other_seconds(scene, factor):
         State(at.x1, at.v1 / factor, at.x2, at.v2 / factor),
         scene.until * factor,
         force=Force(pieces),
-        friction=Friction([(t * factor, b / square) for t, b in scene.friction.pieces]),
+        friction=Friction([(t * factor, b / square) for t, b in scene.friction.steps]),
     )
 
 

@@ -202,7 +202,7 @@ def last_drive(scene: Scene) -> PeriodicDrive | None:
     last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
     if len(last.polynomial) > 1:
         return None
-    pair, b = scene.pair, scene.friction.pieces[-1][1] if scene.friction.pieces else scene.pair.b
+    pair, b = scene.pair, scene.friction.steps[-1][1] if scene.friction.steps else scene.pair.b
     added = Force((replace(last, start=Fraction(0)),)) + Force()  # equal sines become one
     return PeriodicDrive(replace(pair, b=b), added.pieces[0])
 

@@ -63,7 +63,7 @@ class Cells:
         self.by_place: list[Line] = [(flat[0][1], Fraction(0)), *_lines(flat)]
         if weakening.place:
             self.by_place.append((flat[-1][1], Fraction(0)))
-        most = max([self.pair.b, *(b for _, b in scene.friction.pieces)]) / self.pair.b
+        most = max([self.pair.b, *(b for _, b in scene.friction.steps)]) / self.pair.b
         self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
         """At any time, at most: -B', N s/m; |C'|, N/m; |B'| next to rest."""
         self.pulling, self.steep = most * max(abs(slope) for _, slope in self.by_place), most * abs(self.by_speed[0][1])

@@ -62,6 +62,14 @@ def positive(value: object, name: str, remedy: str = "") -> Fraction:
     return found
 
 
+def nonnegative(value: object, name: str, remedy: str = "") -> Fraction:
+    """Return an exact number >= 0; raises InvalidScene, with what to do instead."""
+    found = exact_decimal(value, name)
+    if found < 0:
+        raise InvalidScene(f"{name} = {short(found)} must be >= 0; {remedy or f'give 0 or a positive {name}'}")
+    return found
+
+
 def keep(record: object, **values: Exact) -> None:
     """Store values in a frozen record, as exact rationals."""
     put(record, **{name: exact_decimal(value, name) for name, value in values.items()})

@@ -13,29 +13,33 @@ from pathlib import Path
 from typing import Any, cast
 
 from numerics.errors import InvalidScene
-from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
-from numerics.scene.decimals import decimal_text, exact_decimal, listed, shown
+from numerics.scene import Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
+from numerics.scene.decimals import decimal_text, listed, shown
+from numerics.scene.friction import two_coefficients
 from numerics.scene.model import BUILD, read_law, require_kind
-from numerics.scene.pieces import two_coefficients
 from numerics.scene.plane import AXES, PlanePair, PlaneScene
 
-MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
-"""Of a scene without a force, and of one with."""
+MAX_BYTES = 2**25
+"""Of a scene, or of a table of samples."""
 _PIECE = "from polynomial sines"
+_SIGNAL = f"{_PIECE} file kind"
 _REFERENCE = {"reference": ("", _PIECE)}
 _SCENE = {
-    "pair": ("m1 m2 a2 b", "a1 shape"),
+    "pair": ("m1 m2 a2 b", "a1 b_static shape"),
     "initial": ("", "x1 v1 x2 v2"),
     "run": ("until", "law"),
     "weakening": ("", "speed last_slope place"),
-    "force": ("", f"{_PIECE} axis"),
-    "friction": ("from b", ""),
+    "force": ("", f"{_SIGNAL} axis body"),
+    "friction": ("from", "b polynomial sines"),
+    "belt": ("", _SIGNAL),
+    "wall": ("", _SIGNAL),
 }
 """The keys of each table: those that it must have, and others."""
 _SINE = ("amplitude omega", "phase")
-_REPEATED = {"force", "friction", "reference"}
+_REPEATED = {"force", "friction", "belt", "wall", "reference"}
 """Tables of which there may be many."""
-_TWO_COEFFICIENTS = {"b_s", "b_k", "b_static", "b_kinetic", "mu_s", "mu_k"}
+_ON_A_LINE = ("weakening", "belt", "wall", "b_static", "body")
+_TWO_COEFFICIENTS = {"b_s", "b_k", "b_kinetic", "mu_s", "mu_k"}
 _FOLDER = resources.files("numerics") / "scene"
 
 
@@ -86,8 +90,7 @@ def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
     [0.0, 2.0]
     """
     text, file = _text_and_file(name_or_path, "references", "reference", "a TOML file of [[reference]] tables")
-    tables = _tables(text, "reference", file, _REFERENCE)
-    return tuple(_read("reference", tables, _force_piece))
+    return tuple(_read("reference", _tables(text, "reference", file, _REFERENCE), _piece))
 
 
 def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tuple[str, str]:
@@ -103,20 +106,25 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
         raise InvalidScene(f"the name of the {what} is empty; give {form} or one of {shipped}")
     if name in known:
         return _shipped(folder, name), ""
+    near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
+    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
+    return _content(name, what, remedy), name
+
+
+def _content(name: str, what: str, remedy: str) -> str:
+    """Return the text of a file, "-" for standard input. Raises InvalidScene."""
+    path = str(Path(name))[:200]
     try:
         with nullcontext(sys.stdin.buffer) if name == "-" else Path(name).open("rb") as file:
-            data = file.read(MAX_FORCED_BYTES + 1)
+            data = file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
-        near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
-        remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
         reason = getattr(error, "strerror", None) or str(error)
-        raise InvalidScene(f"no {what} {str(Path(name))[:200]!r}: {reason}; {remedy}") from None
-    named = "on standard input" if name == "-" else f"file {str(Path(name))!r}"
-    most = MAX_FORCED_BYTES if any(f"[[{table}".encode() in data for table in _REPEATED) else MAX_BYTES
-    if len(data) > most:
-        raise InvalidScene(f"{what} {named} is larger than {most} bytes; a {what} needs a dozen lines")
+        raise InvalidScene(f"no {what} {path!r}: {reason}; {remedy}") from None
+    named = "on standard input" if name == "-" else f"file {path!r}"
+    if len(data) > MAX_BYTES:
+        raise InvalidScene(f"{what} {named} is larger than {MAX_BYTES} bytes; leave some of it out")
     try:  # some editors on Windows begin a file with a byte order mark
-        return data.decode("utf-8-sig"), "standard input" if name == "-" else repr(name)
+        return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise InvalidScene(f"{what} {named} is not UTF-8 text; save it as UTF-8") from None
 
@@ -124,29 +132,61 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
 def parse_scene(text: str, file: str = "") -> Scene:
     """Return the Scene that TOML `text` describes, numbers read as exact decimals; of lists a PlaneScene.
 
-    Raises InvalidScene.
+    The name of its file is where the files of samples are looked for, and is said in errors. Raises InvalidScene.
     """
-    tables = _tables(text, "scene", file, _SCENE)
+    tables, folder = _tables(text, "scene", file, _SCENE), Path(file).parent
     pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
     lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
-    law, pieces = read_law(run.get("law", Law.FILIPPOV)), _read("force", tables, _force_piece)
+    law = read_law(run.get("law", Law.FILIPPOV))
     if not (lists or "shape" in pair or any("axis" in one for one in force)):
-        changes = _read("friction", tables, lambda one: Friction([(one["from"], one["b"])]).pieces[0])
+        on_bodies = _signals(tables, "force", folder, "body", (1, 2))
+        changes = _read("friction", tables, lambda one: Friction([_friction_piece(one)]).pieces[0])
         friction = Friction(changes, Weakening(**tables["weakening"]) if "weakening" in tables else None)
-        return Scene(Pair(**pair), State(**initial), run["until"], law, Force(pieces), friction)
-    if tables.get("weakening"):
-        raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
+        others = (_signals(tables, name, folder)[0] for name in ("belt", "wall"))
+        start = Pair(**pair), State(**initial), run["until"], law
+        return Scene(*start, on_bodies[0], friction, on_bodies[1], *others)
+    for name in _ON_A_LINE:
+        if name in {*tables, *pair, *(key for one in force for key in one)}:
+            raise InvalidScene(f"{name} is for bodies on one line; leave it out, or give scalars in [pair]")
     if law is not Law.FILIPPOV:
         raise InvalidScene("on a surface the law is filippov; sgn(0) = 0 does not define a direction; leave it out")
-    axes = [one.get("axis", "x") for one in force]
-    for axis in axes:
-        if axis not in AXES:
-            raise InvalidScene(f"axis = {shown(axis)} is not one of {', '.join(AXES)}")
-    n = max([2, *lists, *(AXES.index(axis) + 1 for axis in axes)])
-    along = [Force(piece for axis, piece in zip(axes, pieces, strict=True) if axis == own) for own in AXES[:n]]
-    changes = [(one["from"], one["b"]) for one in tables.get("friction", ())]
-    surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along, friction=changes)
+    along = _signals(tables, "force", folder, "axis", AXES)
+    n = max([2, *lists, *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
+    changes = _read("friction", tables, _friction_piece)
+    surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along[:n], friction=changes)
     return cast("Scene", surface)  # what is asked of a Scene is refused by type
+
+
+def _signals(
+    tables: dict[str, Any], name: str, folder: Path, key: str = "", values: tuple[Any, ...] = ("",)
+) -> list[Signal]:
+    """Return the signal of the tables [[name]] for each value of a key, which is the first where it is left out."""
+
+    def read(table: dict[str, Any]) -> tuple[Any, tuple[Piece, ...]]:
+        value = table.get(key, values[0])
+        if value not in values:
+            raise InvalidScene(f"{key} = {shown(value)} is not one of {', '.join(map(str, values))}")
+        return value, _samples(table, folder) if "file" in table else (_piece(table),)
+
+    found = _read(name, tables, read)
+    return [Signal(piece for value, pieces in found if value == own for piece in pieces) for own in values]
+
+
+def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
+    """Return the pieces of a file of two columns, t and u, with or without a line of their names."""
+    file = table["file"]
+    if not isinstance(file, str) or table.keys() & set(_PIECE.split()):
+        raise InvalidScene(f"file = {shown(file)} must be a text, beside kind alone; leave out {_PIECE}")
+    lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().split("\n")
+    names = lines[0].strip(' "#').lower()
+    first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))
+    rows = [line.split(",") for line in lines[first:]]
+    for number, row in enumerate(rows, first + 1):
+        if len(row) != 2:
+            line = shown(lines[number - 1])
+            raise InvalidScene(f"row {number} of {shown(file)}, {line}, is not a t and a u; write 0.5, 1.25")
+    t, u = zip(*rows, strict=True)
+    return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
 
 
 def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) -> dict[str, Any]:
@@ -156,7 +196,8 @@ def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) 
         tables = tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
     except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
         reason = " ".join(str(error).split())[:200]
-        raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}; correct that place") from None
+        named = "standard input" if file == "-" else repr(file)
+        raise InvalidScene(f"{f'{named} is ' if file else ''}not a TOML {what}: {reason}; correct that place") from None
     headed = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
     for name in tables:
         if name not in known:
@@ -184,12 +225,25 @@ def _read(name: str, tables: dict[str, Any], read: Callable[[dict[str, Any]], An
     return found
 
 
-def _force_piece(table: dict[str, Any]) -> Piece:
+def _piece(table: dict[str, Any]) -> Piece:
+    """Return one piece of a signal."""
+    if "kind" in table:
+        raise InvalidScene("kind is that of a file; give file, or leave kind out")
     sines = listed("sines", table.get("sines", ()))
     for one in sines:
         _require_keys(one, _SINE, "a sine { amplitude = A, omega = W, phase = P }")
-    start = exact_decimal(table.get("from", 0), "from")
-    return Piece(start, table.get("polynomial", ()), [Sine(**one) for one in sines])
+    return Piece(table.get("from", 0), table.get("polynomial", ()), [Sine(**one) for one in sines])
+
+
+def _friction_piece(table: dict[str, Any]) -> Any:
+    """Return one piece of friction: its start and a constant b, or a Piece."""
+    if len(table) > 1 and "b" not in table:
+        return _piece(table)
+    if len(table) != 2:
+        raise InvalidScene(
+            f"{'b stands alone' if len(table) > 2 else 'missing key b'}; give b, or polynomial and sines"
+        )
+    return table["from"], table["b"]
 
 
 def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
@@ -222,7 +276,8 @@ def scene_text(scene: Scene | PlaneScene) -> str:
 def _lines(scene: Any) -> Iterator[str]:
     """Yield the lines; on a surface numbers are lists, and a piece of force has its axis."""
     off_line = isinstance(scene, PlaneScene)
-    yield from _table("pair", scene.pair, "m1 m2 a1 a2 b")
+    static = " b_static" if getattr(scene.pair, "b_static", None) is not None else ""
+    yield from _table("pair", scene.pair, f"m1 m2 a1 a2 b{static}")
     if off_line:
         yield f'shape = "{scene.pair.shape}"'
     yield from _table("initial", scene if off_line else scene.initial, "x1 v1 x2 v2")
@@ -231,11 +286,14 @@ def _lines(scene: Any) -> Iterator[str]:
         yield f'law = "{scene.law.value}"'
     if not off_line and scene.friction.weakening is not None:
         yield from _table("weakening", scene.friction.weakening, "last_slope speed place")
-    for axis, force in zip(AXES, scene.force if off_line else [scene.force], strict=False):
-        for piece in force.pieces:
-            yield from _force(piece, [f'axis = "{axis}"'] * off_line)
-    for start, b in scene.friction if off_line else scene.friction.pieces:
-        yield from ("[[friction]]", f"from = {_text(start)}", f"b = {_text(b)}")
+    if off_line:
+        for axis, force in zip(AXES, scene.force, strict=False):
+            yield from _pieces("force", force.pieces, f'axis = "{axis}"')
+        for start, b in scene.friction:
+            yield from ("[[friction]]", f"from = {_text(start)}", f"b = {_text(b)}")
+        return
+    for name, pieces in scene.pieces.items():
+        yield from _pieces(*(("force", pieces, "body = 2") if name == "force_2" else (name, pieces)))
 
 
 def _table(name: str, of: Any, keys: str) -> Iterator[str]:
@@ -243,18 +301,21 @@ def _table(name: str, of: Any, keys: str) -> Iterator[str]:
     yield from (f"{key} = {_text(getattr(of, key))}" for key in keys.split())
 
 
-def _force(piece: Piece, axis: list[str]) -> Iterator[str]:
-    yield from ("[[force]]", *axis, f"from = {_text(piece.start)}", f"polynomial = {_text(piece.polynomial)}")
-    sines = (
-        f"{{ amplitude = {_text(s.amplitude)}, omega = {_text(s.omega)}, phase = {_text(s.phase)} }}"
-        for s in piece.sines
-    )
-    yield f"sines = [{', '.join(sines)}]"
+def _pieces(name: str, pieces: tuple[Piece, ...], *more: str) -> Iterator[str]:
+    for piece in pieces:
+        yield from (f"[[{name}]]", *more, f"from = {_text(piece.start)}", f"polynomial = {_text(piece.polynomial)}")
+        sines = (
+            f"{{ amplitude = {_text(s.amplitude)}, omega = {_text(s.omega)}, phase = {_text(s.phase)} }}"
+            for s in piece.sines
+        )
+        yield f"sines = [{', '.join(sines)}]"
 
 
 def _text(value: Any) -> str:
     """Return a number, or a list."""
     if isinstance(value, tuple):
         return f"[{', '.join(map(_text, value))}]"
+    if isinstance(value, float):
+        return '"inf"'
     text = decimal_text(value)
     return f'"{text}"' if "/" in text or len(text) > 18 else text  # TOML's whole numbers have 64 bits

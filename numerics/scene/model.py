@@ -5,15 +5,18 @@ All quantities are SI and exact rationals (see decimals.py). A scene is frozen: 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, fields
 from enum import Enum
 from fractions import Fraction
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, keep, positive, put, short, shown
-from numerics.scene.pieces import Force, Friction
+from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
+from numerics.scene.friction import Friction
+from numerics.scene.nonnegative import require_nonnegative
+from numerics.scene.pieces import Piece, Signal
 from numerics.scene.short_repr import ShortRepr
 
 
@@ -34,16 +37,21 @@ class Law(Enum):
 class Pair(ShortRepr):
     """The two bodies, their spring, damper and friction.
 
-    m1, m2 (kg) > 0; a1 (N s/m) >= 0 viscous damper and a2 (N/m) > 0 spring, both from body 1 to the ground;
-    b (N) > 0 the Coulomb force of the interface. Exact. Raises InvalidScene.
+    m1, m2 (kg) > 0; a1 (N s/m) >= 0 viscous damper and a2 (N/m) >= 0 spring, both from body 1 to the wall;
+    b (N) >= 0 the Coulomb force of the interface. With m2 = "inf" (kept as math.inf) body 2 is the ground or a belt,
+    whose velocity is given. `b_static` (N) >= b > 0: a stick ends only above it, and is kept up to it; a slip has b.
+    Where b changes in time, b_static is scaled by b(t)/b. Exact. Raises InvalidScene.
 
     >>> pair = Pair(m1=1, m2=1, a2=200, b="0.05")
-    >>> pair, pair.a1, pair.mass, pair.share
-    (Pair(m1=1, m2=1, a2=200, b=0.05), Fraction(0, 1), Fraction(2, 1), Fraction(1, 2))
+    >>> pair, pair.a1, pair.mass, pair.share, pair.share_2
+    (Pair(m1=1, m2=1, a2=200, b=0.05), Fraction(0, 1), Fraction(2, 1), Fraction(1, 2), Fraction(1, 2))
     >>> pair.half_width, pair.critical_energy  # m, J
     (Fraction(1, 2000), Fraction(1, 40000))
     >>> pair.energy((Fraction(1, 10), 1, 0, 2)), pair.energy((0.1, 1.0, 0.0, 2.0), float)
     (Fraction(7, 2), 3.5)
+    >>> block = Pair(m1=1, m2="inf", a2=200, b="0.5", b_static=1)
+    >>> block, block.is_fixed, block.share_2, block.half_width, block.energy((0, 1, 0, 3))
+    (Pair(m1=1, m2=inf, a2=200, b=0.5, b_static=1), True, Fraction(1, 1), Fraction(1, 400), Fraction(1, 2))
     """
 
     m1: Fraction
@@ -51,39 +59,64 @@ class Pair(ShortRepr):
     a2: Fraction
     b: Fraction
     a1: Fraction
+    b_static: Fraction | None
 
-    def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0) -> None:
+    def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0, b_static: Exact | None = None) -> None:
         """Read every parameter as an exact decimal and check its bound."""
-        keep(self, a1=a1)
-        for name, value in (("m1", m1), ("m2", m2), ("a2", a2), ("b", b)):
-            put(self, **{name: positive(value, name)})
-        if self.a1 < 0:
-            raise InvalidScene(f"a1 = {short(self.a1)} must be >= 0; leave it out for an undamped pair")
+        is_fixed = isinstance(m2, str | float) and m2 in ("inf", math.inf)
+        put(self, m1=positive(m1, "m1"), m2=math.inf if is_fixed else positive(m2, "m2"))
+        put(self, a1=nonnegative(a1, "a1", "leave it out for an undamped pair"), a2=nonnegative(a2, "a2"))
+        most = None if b_static is None else exact_decimal(b_static, "b_static")
+        put(self, b=nonnegative(b, "b"), b_static=most)
+        if most is not None and not 0 < self.b <= most:
+            raise InvalidScene(
+                f"b_static = {short(most)} must be at least b = {short(self.b)} > 0; leave it out for one coefficient"
+            )
+
+    @property
+    def is_fixed(self) -> bool:
+        """Whether body 2 is the ground or a belt, m2 = inf."""
+        return self.m2 == math.inf
 
     @property
     def mass(self) -> Fraction:
         """Total mass M = m1 + m2, kg, exact."""
+        if self.is_fixed:
+            raise InvalidScene("a pair with m2 = inf has no total mass; give m2 a number")
         return self.m1 + self.m2
 
     @property
     def share(self) -> Fraction:
-        """Share q = m1/(m1 + m2) of the driving body in the total mass, dimensionless, exact."""
-        return self.m1 / self.mass
+        """Share q = m1/(m1 + m2) of the driving body in the total mass, dimensionless, exact; 0 for m2 = inf."""
+        return Fraction(0) if self.is_fixed else self.m1 / self.mass
+
+    @property
+    def share_2(self) -> Fraction:
+        """Share m2/(m1 + m2) of body 2, dimensionless, exact; 1 for m2 = inf."""
+        return 1 - self.share
 
     @property
     def half_width(self) -> Fraction:
         """Half width L = b M/(a2 m2) of the sliding region, m, exact (Section III, S0)."""
-        return self.b * self.mass / (self.a2 * self.m2)
+        if not self.a2:
+            raise InvalidScene("without a spring, a2 = 0, the sliding region has no half width; give a2 > 0")
+        return self.b / (self.a2 * self.share_2)
 
     @property
     def critical_energy(self) -> Fraction:
         """E_cr = b^2 M^2/(2 a2 m2^2), J, exact (Section III)."""
+        if not self.b:
+            raise InvalidScene("without friction, b = 0, there is no critical energy; give b > 0")
         return self.a2 * self.half_width**2 / 2
 
     def energy(self, y: Any, number: Callable[[Fraction], Any] = Fraction) -> Any:
-        """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 of states (4, ...), J; `number` reads the exact parameters."""
+        """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 of states (4, ...), J, without body 2 where m2 = inf.
+
+        `number` reads the exact parameters.
+        """
         x1, v1, _, v2 = y
-        return (x1 * x1 * number(self.a2) + v1 * v1 * number(self.m1) + v2 * v2 * number(self.m2)) / 2
+        found = x1 * x1 * number(self.a2) + v1 * v1 * number(self.m1)
+        return (found if self.is_fixed else found + v2 * v2 * number(self.m2)) / 2
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
@@ -112,31 +145,41 @@ def require_kind(asking: str, value: object, kind: type, remedy: str) -> None:
 
 HORIZON = "give the horizon in seconds"
 BUILD = "build Scene(Pair(...), State(...), until=...), or take load_scene(...)"
-NO_FORCE, SAME_FRICTION = Force(), Friction()
+NO_FORCE, SAME_FRICTION = Signal(), Friction()
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
 class Scene(ShortRepr):
-    """A pair, its state at t = 0, the horizon `until` (s) > 0, the reading of sgn(0), force and friction.
+    """A pair, its state at t = 0, the horizon `until` (s) > 0, the reading of sgn(0), friction, and what acts on it.
 
-    `force` is u(t) on body 1 (default 0). `friction` gives b from later times on, and its dependence on the state
-    (default: the pair's b). Raises InvalidScene.
+    `force` is u(t) on body 1, `force_2` on body 2 (N), `belt` the velocity of body 2 where m2 = inf (m/s), `wall` the
+    displacement of the far end of spring and damper (m); each is 0 if left out. `friction` gives b from later times on,
+    and its dependence on the state (default: the pair's b). Raises InvalidScene.
+    On a belt v2 is the belt's: leave it out.
 
     >>> scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.005"), until=5)
     >>> scene.pair.half_width, scene.energy_excess, scene.energy
     (Fraction(1, 200), Fraction(0, 1), Fraction(1, 400))
     >>> scene.initial, scene.until, scene.law.value, scene.force, scene.friction, scene.is_forced
-    (State(x1=0.005), Fraction(5, 1), 'filippov', Force(), Friction(), False)
-    >>> scene.changes_later, Scene(scene.pair, scene.initial, 5, force=Force.sine(1, 2, start=8)).changes_later
+    (State(x1=0.005), Fraction(5, 1), 'filippov', Signal(), Friction(), False)
+    >>> scene.changes_later, Scene(scene.pair, scene.initial, 5, force=Signal.sine(1, 2, start=8)).changes_later
     (False, True)
+    >>> on_belt = Scene(Pair(m1=1, m2="inf", a2=200, b=1), State(), 5, belt=Signal.step(0, "0.1"))
+    >>> on_belt.initial.v2, on_belt.is_forced, on_belt.is_plain, on_belt.extra
+    (Fraction(1, 10), True, False, 'm2 = "inf"')
+    >>> on_belt.belt.starts, on_belt.wall, on_belt.force_2
+    ((Fraction(0, 1),), Signal(), Signal())
     """
 
     pair: Pair
     initial: State
     until: Fraction
     law: Law
-    force: Force
+    force: Signal
     friction: Friction
+    force_2: Signal
+    belt: Signal
+    wall: Signal
     made: dict[object, Any] = field(init=False, repr=False, compare=False)
     """What the engines read instead of exact numbers, made when it is first needed, and not pickled."""
 
@@ -146,33 +189,95 @@ class Scene(ShortRepr):
         initial: State,
         until: Exact,
         law: Law | str = Law.FILIPPOV,
-        force: Force = NO_FORCE,
+        force: Signal = NO_FORCE,
         friction: Friction = SAME_FRICTION,
+        force_2: Signal = NO_FORCE,
+        belt: Signal = NO_FORCE,
+        wall: Signal = NO_FORCE,
     ) -> None:
         """Check the parts and read the horizon and the law."""
         parts = ((pair, Pair, "Pair(m1=..., m2=..., a2=..., b=...)"), (initial, State, "State(x1=..., v1=...)"))
-        laws = ((force, Force, "Force.sine(amplitude, omega)"), (friction, Friction, "Friction([(start, b)])"))
-        for part, kind, remedy in (*parts, *laws):
+        signals = ((one, Signal, "Force.sine(amplitude, omega)") for one in (force, force_2, belt, wall))
+        for part, kind, remedy in (*parts, *signals, (friction, Friction, "Friction([(start, b)])")):
             if not isinstance(part, kind):
                 given = f"{str(part)[:40]!r}, {type(part).__name__}"
                 raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
-        put(self, until=positive(until, "until", HORIZON))
+        put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)
+        require_nonnegative(friction, self.until)
+        if friction.weakening and (pair.b_static is not None or not pair.b or not friction.is_stepwise):
+            raise InvalidScene(
+                "[weakening] scales with b > 0 by constant steps; leave it, or b_static and the pieces, out"
+            )
+        if pair.is_fixed:
+            self._take_belt()
+        elif belt.pieces:
+            raise InvalidScene('a belt moves a body 2 of any mass; write m2 = "inf", or leave [[belt]] out')
+        if pair.a1:
+            self._require_continuous_wall()
+
+    def _take_belt(self) -> None:
+        """Give body 2 the belt's velocity at 0, if that is rational, and refuse what contradicts it."""
+        if self.force_2.pieces:
+            raise InvalidScene('a force on body 2 does not move it where m2 = "inf"; leave it out, or give m2 a number')
+        first, given = self.belt.piece_at(Fraction(0)), self.initial
+        velocity = sum(first.polynomial[:1], Fraction(0))
+        is_exact = not any(one.phase for one in first.sines)
+        if given.v2 and not (is_exact and given.v2 == velocity):
+            shown_as = short(velocity) if is_exact else f"{float(self.belt(0)):.6g}"
+            raise InvalidScene(f"v2 = {short(given.v2)} is not the belt's velocity at 0, {shown_as}; leave v2 out")
+        if is_exact and given.v2 != velocity:
+            put(self, initial=State(given.x1, given.v1, given.x2, velocity))
+
+    def _require_continuous_wall(self) -> None:
+        """Raise InvalidScene for a jump of the wall, which a damper would turn into a blow."""
+        for at in self.wall.starts:
+            before, after = float(self.wall(at, -1)), float(self.wall(at))
+            if at and abs(after - before) > 1e-12 * max(abs(before), abs(after)):
+                raise InvalidScene(
+                    f"the wall jumps from {before:.6g} m to {after:.6g} m at t = {short(at)} s, a blow through the "
+                    "damper; make it continuous, or a1 = 0"
+                )
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what pickles and copies are made of."""
-        return Scene, (self.pair, self.initial, self.until, self.law, self.force, self.friction)
+        return Scene, tuple(getattr(self, one.name) for one in fields(self) if one.init)
+
+    @property
+    def pieces(self) -> dict[str, tuple[Piece, ...]]:
+        """The pieces of each signal and of friction, by their names."""
+        signals = {"force": self.force, "force_2": self.force_2, "belt": self.belt, "wall": self.wall}
+        return {**{name: one.pieces for name, one in signals.items()}, "friction": self.friction.pieces}
+
+    @property
+    def extra(self) -> str:
+        """What the scene has beyond a spring, two masses, one b > 0 by steps, and a force on body 1; "" for nothing."""
+        found = {
+            "a2 = 0": not self.pair.a2,
+            "b = 0": 0 in (self.pair.b, *(one.constant for one in self.friction.pieces)),
+            'm2 = "inf"': self.pair.is_fixed,
+            "b_static": self.pair.b_static is not None,
+            "a force on body 2": self.force_2.pieces,
+            "a wall that moves": self.wall.pieces,
+            "friction that varies within a piece": not self.friction.is_stepwise,
+        }
+        return next((name for name, is_so in found.items() if is_so), "")
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether there is nothing `extra`."""
+        return not self.extra
 
     @property
     def is_forced(self) -> bool:
-        """Whether the scene has a force that is not 0, or friction other than one number b."""
+        """Whether the scene has a force that is not 0, or friction other than one number b, or is not plain."""
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
-        return bool(pushes or self.friction.pieces or self.friction.weakening)
+        return bool(pushes or self.friction.pieces or self.friction.weakening or not self.is_plain)
 
     @property
     def changes_later(self) -> bool:
-        """Whether another piece of force or friction begins at the horizon or after it."""
-        return any(at >= self.until for at in (*self.force.starts, *self.friction.starts))
+        """Whether another piece of a signal or of friction begins at the horizon or after it."""
+        return any(one.start >= self.until for pieces in self.pieces.values() for one in pieces)
 
     def require_one_b(self, what: str) -> None:
         """Raise InvalidScene, where only Coulomb friction is supported, if friction depends on the state."""
@@ -196,6 +301,12 @@ class Scene(ShortRepr):
         return self.energy / self.pair.critical_energy - 1
 
 
+def require_plain(scene: Scene, what: str) -> None:
+    """Raise InvalidScene, where only plain scenes are supported, for another one."""
+    if scene.extra:
+        raise InvalidScene(f"{what} is not available for {scene.extra}; leave that out, or use solve")
+
+
 WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
 """The initial state and the parameters of a free pair, in the order of the last axis of every array of derivatives."""
 
@@ -203,22 +314,23 @@ WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
 def parameters(scene: Scene) -> dict[str, Fraction]:
     """Return every number of a scene by its name, in the order of the last axis of all derivatives; exact.
 
-    Without a force those of `WRT`, else `until` too. Pieces and what is in them are counted from 0, as in Python:
-    `force[0].from`, `force[0].polynomial[1]`, `force[0].sines[0].amplitude` (`omega`, `phase`), `friction[0].from`,
-    `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
+    Those of `WRT` without m2 and v2 of a belt, and with b_static if it is given; under a force `until` too. Pieces and
+    what is in them are counted from 0, as in Python: `force[0].from`, `force[0].polynomial[1]`,
+    `force[0].sines[0].amplitude` (`omega`, `phase`), and likewise `force_2`, `belt`, `wall` and `friction`, whose
+    constants are `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
     """
-    found = {name: getattr(scene.initial if name in WRT[:4] else scene.pair, name) for name in WRT}
+    pair = scene.pair
+    found = {name: getattr(scene.initial if name in WRT[:4] else pair, name) for name in WRT}
+    if pair.is_fixed:
+        del found["m2"], found["v2"]
+    if pair.b_static is not None:
+        found["b_static"] = pair.b_static
     if not (scene.force.pieces or scene.is_forced):
         return found
     found["until"] = scene.until
-    for index, piece in enumerate(scene.force.pieces):
-        name = f"force[{index}]"
-        found[f"{name}.from"] = piece.start
-        found |= {f"{name}.polynomial[{k}]": one for k, one in enumerate(piece.polynomial)}
-        for k, sine in enumerate(piece.sines):
-            found |= {f"{name}.sines[{k}].{key}": getattr(sine, key) for key in ("amplitude", "omega", "phase")}
-    for index, (start, b) in enumerate(scene.friction.pieces):
-        found |= {f"friction[{index}].from": start, f"friction[{index}].b": b}
+    for name, pieces in scene.pieces.items():
+        for index, piece in enumerate(pieces):
+            found |= _numbers_of(f"{name}[{index}]", piece)
     if scene.friction.weakening is not None:
         given = scene.friction.weakening
         for name, keys, points in (("speed", "wb", given.speed), ("place", "zc", given.place)):
@@ -226,6 +338,16 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
                 found |= {f"weakening.{name}[{index}].{key}": one for key, one in zip(keys, point, strict=True)}
         found["weakening.last_slope"] = given.last_slope
     return found
+
+
+def _numbers_of(name: str, piece: Piece) -> Iterator[tuple[str, Fraction]]:
+    yield f"{name}.from", piece.start
+    if name.startswith("friction") and piece.constant is not None:
+        yield f"{name}.b", piece.constant
+        return
+    yield from ((f"{name}.polynomial[{k}]", one) for k, one in enumerate(piece.polynomial))
+    for k, sine in enumerate(piece.sines):
+        yield from ((f"{name}.sines[{k}].{key}", getattr(sine, key)) for key in ("amplitude", "omega", "phase"))
 
 
 def read_law(law: object) -> Law:

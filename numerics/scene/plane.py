@@ -18,8 +18,9 @@ from flint import fmpq, fmpq_mat
 from numerics.errors import InvalidScene
 from numerics.scene import decimals
 from numerics.scene.decimals import Exact, exact_decimal, listed, put, short, shown
+from numerics.scene.friction import friction_pieces
 from numerics.scene.model import HORIZON, NO_FORCE
-from numerics.scene.pieces import Force, friction_pieces, require_all
+from numerics.scene.pieces import Force, require_all
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")

@@ -199,7 +199,7 @@ def _fits_in_columns(friction: Any) -> bool:
         return False
     starts = (Fraction(0), *(start for start in friction.starts if start))
     lengths = [end - start for start, end in pairwise(starts)]
-    is_held = all(2.0**-900 < one < 2.0**900 for one in (*lengths, *starts[1:], *(b for _, b in friction.pieces)))
+    is_held = all(2.0**-900 < one < 2.0**900 for one in (*lengths, *starts[1:], *(b for _, b in friction.steps)))
     return is_held and all(end < 2**80 * one for end, one in zip(starts[1:], lengths, strict=True))
 
 

@@ -33,7 +33,7 @@ _FLOAT64, _DIGITS = Float64(), 68
 
 def frictions_of(friction: Friction) -> Floats:
     """Return the pieces of a friction without weakening as linear/batch.py reads them."""
-    pieces = [(*nearest(start), nearest(b)[0]) for start, b in friction.pieces]
+    pieces = [(*nearest(start), nearest(b)[0]) for start, b in friction.steps]
     first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan)]
     return np.array([*first, *pieces])
 

@@ -137,7 +137,7 @@ def swept(name: str, size: int, budget: float) -> Sweep:
         scenes = [replace(scene, force=factor * scene.force) for factor in factors]
         waves = [one.force.pieces[0].sines[0] for one in scenes]
         numbers["sines"] = [tuple(np.array([(one.amplitude, one.omega, one.phase) for one in waves], dtype=float).T)]
-        numbers |= {"friction": scene.friction} if scene.friction.pieces else {}
+        numbers |= {"friction": scene.friction} if scene.friction.steps else {}
     else:
         scenes = [replace(scene, initial=State(v1=factor * scene.initial.v1)) for factor in factors]
         numbers["v1"] = [float(one.initial.v1) for one in scenes]

@@ -77,7 +77,7 @@ def reduced(scene: Scene) -> ReducedScene:
     speed, acting = float(length) * omega, scene.force.piece_at(Fraction(0))
     sine = acting.sines[0] if acting.sines else Sine(0, 1)
     simple = len(acting.polynomial) <= 1 and len(acting.sines) <= 1 and sine.phase == 0
-    if not simple or scene.force.starts not in ((), (Fraction(0),)) or scene.friction.pieces:
+    if not simple or scene.force.starts not in ((), (Fraction(0),)) or scene.friction.steps:
         raise ValueError("the page supports a constant force and one sine of phase 0, from t = 0 on, and one b")
     return ReducedScene(
         ratio=float(pair.m1 / pair.m2),

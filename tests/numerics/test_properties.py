@@ -53,7 +53,7 @@ def test_other_units_change_a_run_within_its_bounds(scene, k, n):
         scene.until,
         scene.law,
         Force((force * scene.force).pieces),
-        Friction([(start, b * force) for start, b in scene.friction.pieces]),
+        Friction([(start, b * force) for start, b in scene.friction.steps]),
     )
     try:
         one, two = (solve(each, arithmetic="float64", max_events=30) for each in (scene, other))

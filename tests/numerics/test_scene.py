@@ -74,7 +74,9 @@ BAD_VALUES = {
 def test_bad_values_are_refused_in_one_line(name, kind):
     if name == "x1" and kind in {"zero", "negative"}:
         return
-    if name == "a1" and kind == "zero":
+    if name in {"a1", "a2", "b"} and kind == "zero":
+        return
+    if name == "m2" and kind == "inf":
         return
     text = VALID.replace("[run]", "[run]\nlaw = 'filippov'").replace("[pair]", "[pair]\na1 = 1")
     assert parse_scene(text)
@@ -148,7 +150,7 @@ def test_no_object_is_anything_but_a_number_or_invalid(value):
 
 def test_a_file_that_cannot_be_read(tmp_path):
     (tmp_path / "latin.toml").write_bytes(VALID.encode() + b"# \xff\n")
-    (tmp_path / "large.toml").write_bytes(VALID.encode() + b"#" * 70000)
+    (tmp_path / "large.toml").write_bytes(VALID.encode() + b"#" * 2**25)
     for path in ("latin.toml", "large.toml", "absent.toml", ".", "a\0b"):
         with pytest.raises(InvalidScene) as caught:
             load_scene(tmp_path / path)

@@ -74,7 +74,7 @@ def test_enclosures_of_any_digits_overlap_the_ledger_closes_and_a_table_that_say
     with Ball(24).context():
         assert ledger.residual.contains(0)
         assert ledger.residual.rad() < 1e-6
-    pieces = scene.friction.pieces
+    pieces = scene.friction.steps
     assert overlap(*(replace(scene, friction=Friction(pieces, table)) for table in (None, Weakening())), (40, 40))
 
 

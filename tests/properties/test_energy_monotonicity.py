@@ -210,7 +210,7 @@ def test_the_ledger_closes(scene):
         assert (ledger.initial + ledger.work - ledger.final).overlaps(ledger.friction + ledger.viscous)
         assert ledger.final.overlaps(energy_of(scene.pair, run.final_state))
         assert run.dissipated.overlaps(ledger.friction + ledger.viscous)
-        if not scene.friction.pieces:  # x1 - x2 is monotone from event to event
+        if not scene.friction.steps:  # x1 - x2 is monotone from event to event
             slid = sum(map(abs, np.diff(run.y[0] - run.y[2])), arb(0))
             assert ledger.friction.overlaps(exact(scene.pair.b) * slid)
 
