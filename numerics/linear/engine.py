@@ -17,11 +17,11 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.linear.columns import Problem
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
+from numerics.linear.room import Problem
 from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
@@ -100,9 +100,8 @@ def _from_exact(
     rows, last = _exact_rows(prepared, known), known[-1]
     if not is_cut and last.order > _MOST_ORDER and not last.quiet > last.local:
         return How.DOUBT, rows[:0], np.zeros(END_ROW)
-    how, start = _with_ledger(prepared, known, rows)
-    if how >= How.EVENT_LIMIT:
-        return how, rows[:0], start
+    start = np.zeros(END_ROW)
+    start[:ROW] = rows[-1]
     if is_cut:
         start[AT["how"]], start[AT["events"]], start[AT["certain"]] = How.EVENT_LIMIT, most, 1.0
         return How.EVENT_LIMIT, rows, start
@@ -111,26 +110,6 @@ def _from_exact(
     found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
     end[AT["events"]] += len(events)
     return how, np.concatenate([rows[:-1], found]), end
-
-
-def _with_ledger(
-    prepared: Prepared, known: Sequence[ExactKnot], rows: NDArray[np.float64]
-) -> tuple[int, NDArray[np.float64]]:
-    """Return how the kernel ended between exact starts, and the last of these with what was taken up to it.
-
-    No event comes between them, so that no guard is asked.
-    """
-    start = np.zeros(END_ROW)
-    for row, one, after in zip(rows, known, known[1:], strict=False):
-        start[:ROW] = row
-        start[AT["order"]] = start[AT["jump"]] = start[AT["piece"]] = 0.0
-        until = after.local if after.piece == one.piece else prepared.pieces[one.piece].length
-        how, _, start, _ = _followed(prepared.part(one.piece, until), start, math.inf, 1, 0)
-        if how >= How.EVENT_LIMIT:
-            start[AT["piece"]] = one.piece
-            return how, start
-    start[:ROW] = rows[-1]
-    return How.REACHED, start
 
 
 def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.float64]:

@@ -5,7 +5,7 @@ after s = 0. In Bernstein's basis of degree 7 its minimum over [0, theta] is at 
 absolute sum of all higher terms. If that exceeds the margin (rounding, truncation, and how far the true motion may be
 away), the true guard has no root there. Otherwise the first sign change of the coefficients starts Newton's method; a
 root r counts if q falls there, keeps its sign in a bracket [r - D, r + D] by a bound on q'', and exceeds the margin
-up to r - D: so it is the first one, and the only one in the bracket. A second guard, top - q, has one expansion with q.
+up to r - D: so it is the first one, and the only one in the bracket.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ BERNSTEIN = np.array(
 
 
 @compilable_with(forceinline=False, **_FREE)
-def bounds(q: Any, theta: float, c: Any) -> tuple[float, float]:
-    """Return bounds on q over [0, theta], from below and from above; in c its coefficients in Bernstein's basis.
+def lower_bound(q: Any, theta: float, c: Any) -> float:
+    """Return a lower bound on q over [0, theta], and in c its coefficients in Bernstein's basis.
 
     q has an even number of terms, and DEGREE is 7: its terms by name stay in registers, which takes half of the time.
     """
@@ -49,21 +49,19 @@ def bounds(q: Any, theta: float, c: Any) -> tuple[float, float]:
     for i in range(DEGREE + 1):
         c[i] = (B[0, i] * q0 + B[1, i] * q1) + (B[2, i] * q2 + B[3, i] * q3)
         c[i] += (B[4, i] * q4 + B[5, i] * q5) + (B[6, i] * q6 + B[7, i] * q7)
-    low = high = c[0]
+    low = c[0]
     for i in range(1, DEGREE + 1):
-        low, high = min(low, c[i]), max(high, c[i])
-    return low - tail, high + tail
+        low = min(low, c[i])
+    return low - tail
 
 
 @compilable
-def crossing(c: Any, theta: float, top: float) -> tuple[float, int]:
-    """Return where the coefficients first leave (0, top), or -1, and by which end: 0 or 1."""
+def crossing(c: Any, theta: float) -> float:
+    """Return where the coefficients first fall to 0, or -1."""
     for i in range(1, DEGREE + 1):
-        if not 0.0 < c[i] < top:
-            which = 1 if c[i] > 0.0 else 0
-            end = top if which == 1 else 0.0
-            return theta * (i - 1 + (c[i - 1] - end) / (c[i - 1] - c[i])) / DEGREE, which
-    return -1.0, 0
+        if c[i] <= 0.0:
+            return theta * (i - 1 + c[i - 1] / (c[i - 1] - c[i])) / DEGREE
+    return -1.0
 
 
 @compilable_with(forceinline=False, **_FREE)
@@ -90,14 +88,14 @@ def value_slope(q: Any, s: float) -> tuple[float, float]:
 
 
 @compilable
-def newton(q: Any, end: float, falls: float, guess: float, theta: float) -> float:
-    """Return where q is `end` next to a guess in (0, theta], at which `falls` q falls (1 or -1), or -1."""
+def newton(q: Any, guess: float, theta: float) -> float:
+    """Return where q falls through 0 next to a guess in (0, theta], or -1."""
     s = guess
     for _ in range(_NEWTON):
         value, slope = value_slope(q, s)
-        if not falls * slope < 0.0:
+        if not slope < 0.0:
             return -1.0
-        change = (value - end) / slope
+        change = value / slope
         s = s - change
         if not 0.0 < s <= theta:
             return -1.0
@@ -107,35 +105,26 @@ def newton(q: Any, end: float, falls: float, guess: float, theta: float) -> floa
 
 
 @compilable
-def first_root(
-    q: Any, order: int, top: float, margins: tuple[float, float, float, float], theta: float, c: Any
-) -> tuple[int, float, float, int, float, float]:
-    """Return (how, s, D, which, value, slope): the first root in (0, theta] of q or of the other, top - s^order q.
+def first_root(q: Any, margins: tuple[float, float, float], theta: float, c: Any) -> tuple[int, float, float]:
+    """Return (how, s, D): the first root of q in (0, theta].
 
-    CLEAR: none up to s. ROOT: at s, alone within D of it; `which` is 0 for q, 1 for the other, of which a root is told
-    for order 0 only; value and slope are of that one there. The margin of q up to s is m0 + m1 s + m2/s of `margins`
-    (m0, m1, m2, that of the other). No other guard: top = inf.
+    CLEAR: none up to s. ROOT: at s, alone within D of it. The margin of q up to s is m0 + m1 s + m2/s of `margins`.
     """
-    m0, m1, m2, m_other = margins
+    m0, m1, m2 = margins
     at = theta
     for _ in range(_HALVINGS):
-        low, high = bounds(q, at, c)
-        if low > m0 + m1 * at + m2 / at and top - max(high, 0.0) * at**order > m_other:
-            return CLEAR, at, 0.0, 0, 0.0, 0.0
-        guess, which = crossing(c, at, top)
-        if guess >= 0.0 and (order == 0 or which == 0):
-            end, falls = (top, -1.0) if which == 1 else (0.0, 1.0)
-            s = newton(q, end, falls, guess, at)
-            if s > 0.0:
-                value, slope = value_slope(q, s)
-                bend = bend_bound(q, at)
-                room = 0.5 * s
-                if bend > 0.0:
-                    room = min(room, 0.25 * abs(slope) / bend)
-                before = s - room
-                low, high = bounds(q, before, c)
-                is_first = low > m0 + m1 * before + m2 / before and top - max(high, 0.0) * before**order > m_other
-                if is_first and falls * slope < 0.0:
-                    return ROOT, s, room, which, falls * (value - end), falls * slope
+        low = lower_bound(q, at, c)
+        if low > m0 + m1 * at + m2 / at:
+            return CLEAR, at, 0.0
+        guess = crossing(c, at)
+        s = newton(q, guess, at) if guess >= 0.0 else -1.0
+        if s > 0.0:
+            _, slope = value_slope(q, s)
+            bend, alone = bend_bound(q, at), 0.5 * s
+            if bend > 0.0:
+                alone = min(alone, 0.25 * abs(slope) / bend)
+            before = s - alone
+            if lower_bound(q, before, c) > m0 + m1 * before + m2 / before and slope < 0.0:
+                return ROOT, s, alone
         at *= 0.5
-    return UNDECIDED, at, 0.0, 0, 0.0, 0.0
+    return UNDECIDED, at, 0.0

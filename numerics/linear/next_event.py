@@ -1,14 +1,14 @@
-"""The next event of a mode over a step: its guards, their first root, and how far off that may be."""
+"""The next event of a mode over a step: the first root of its guards, and how far off that may be."""
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable
-from numerics.linear.columns import Constants, Now, Problem, Room, counted, place_of
-from numerics.linear.first_root import CLEAR, ROOT, first_root
-from numerics.linear.table import UNIT
+from numerics.linear.first_root import CLEAR, ROOT, first_root, value_slope
+from numerics.linear.model import Norm
+from numerics.linear.room import Now, Problem, Room, dot, place_of, polynomial_of
+from numerics.linear.table import STATE, UNIT
 
 
 class Step(NamedTuple):
@@ -22,74 +22,15 @@ class Step(NamedTuple):
 class Next(NamedTuple):
     """What the next step is: to s in units of h; CLEAR, ROOT or UNDECIDED; and of a root the rest.
 
-    `side` of stick; by how much s is alone; the guard's slope; how far off its zero may be by the path's own numbers.
+    Which guard; by how much s is alone; the guard's slope (per second); how far off the guard may be by rounding alone.
     """
 
     how: int
     s: float
-    side: int
-    room: float
+    guard: int
+    alone: float
     slope: float
-    window: float
     own: float
-
-
-@compilable
-def first_side(room: Room) -> int:
-    """Return the side to which a load that is 0 goes, in stick: mirrored motions have mirrored guards there, too."""
-    for c in room.X[1, 2:]:
-        if c != 0.0:
-            return 1 if c > 0.0 else -1
-    return 1
-
-
-@compilable
-def form_guard(room: Room, mode: int, order: int, side: int, edge: float) -> None:
-    """Form the guard in g, and without its first coefficients, which are exactly 0, in q.
-
-    It is h s (v1 - v2) of a slip, (b - side Lambda) h^2/m2 of stick.
-    """
-    one, two, g, q = room.X[0], room.X[1], room.g, room.q
-    terms = q.shape[0]
-    if mode != 0:
-        sign = float(mode)
-        for k in range(terms - 1):
-            g[k] = (k + 1.0) * sign * (one[k + 1] - two[k + 1])
-        g[terms - 1] = 0.0
-    else:
-        sign = -float(side)
-        for k in range(terms - 2):
-            g[k] = sign * room.twice[k] * two[k + 2]
-        g[terms - 2] = g[terms - 1] = 0.0
-        g[0] += edge
-    g[:order] = 0.0
-    rest = g[order:]
-    for k in range(rest.shape[0]):
-        q[k] = rest[k]
-    q[rest.shape[0] :] = 0.0
-
-
-@compilable
-def rounding(room: Room, sums: Any, count: int) -> float:
-    """Return what rounding in float64 and truncation do to a guard anywhere in a step."""
-    total = 0.0
-    for j in range(count):
-        total += room.size[j] * sums[j]
-    return UNIT * total
-
-
-@compilable
-def slip_margins(
-    pair: Constants, h: float, order: int, off: float, since: float, N: float, theta: float
-) -> tuple[float, float, float, float]:
-    """Return the margin of the guard of a slip, up to s = theta, for `first_root`."""
-    if order >= 2:
-        return off, 0.0, 16.0 * pair.kappa1 * N * h * h, 0.0
-    if order == 1:
-        return off + 2.0 * pair.kappa1 * N * h * h, 0.0, 0.0, 0.0
-    if pair.kappa1 * (since + theta * h) < pair.kappa:
-        return off + 2.0 * pair.kappa1 * since * N * h, 2.0 * pair.kappa1 * N * h * h, 0.0, 0.0
-    return off + 2.0 * pair.kappa * N * h, 0.0, 0.0, 0.0
 
 
 @compilable
@@ -106,31 +47,62 @@ def step_from(problem: Problem, room: Room, now: Now, is_calm: bool, clear_until
 @compilable
 def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
     """Return how a mode goes on: to the end of a step, or to an event."""
-    (pair, drive, tables, _), (mode, order), to = problem, (now.mode, now.order), step.end
-    if step.clear > 0.0 or (mode == 0 and pair.literal):
-        if mode != 0:  # what a slip without an event loses is formed from its guard, too
-            form_guard(room, mode, order, now.edge, 0.0)
-        return Next(CLEAR, min(to, step.clear) if step.clear > 0.0 else to, 0, 0.0, 0.0, 0.0, 0.0)
-    at = place_of(problem, now)
-    h, count, edge, top = tables.h[at], tables.count[at[0]], 0.0, math.inf
-    unit = h if mode != 0 else h * h / pair.m2  # of the guard
-    sums = tables.sums[at]
-    off = rounding(room, sums[order], count)
-    if mode != 0:
-        margins = slip_margins(pair, h, order, off, now.since, now.N, to)
+    is_stick = now.mode == 0
+    if step.clear > 0.0 or (is_stick and problem.literal):
+        return Next(CLEAR, min(step.end, step.clear) if step.clear > 0.0 else step.end, 0, 0.0, 0.0, 0.0)
+    if not is_stick:
+        return first_of_guard(problem, room, now, 0, now.order, step.end)
+    # both over the whole step, so that mirrored motions have mirrored events
+    one = first_of_guard(problem, room, now, now.edge, now.order, step.end)
+    two = first_of_guard(problem, room, now, 1 - now.edge, 0, step.end)
+    return one if one.s < two.s or (one.s == two.s and one.how != CLEAR) else two
+
+
+@compilable
+def first_of_guard(problem: Problem, room: Room, now: Now, guard: int, order: int, end: float) -> Next:
+    """Return the first root of a guard, of which so many coefficients vanish here, up to an end."""
+    tables, at, q = problem.tables, place_of(problem, now), room.q[guard]
+    h, count, row = tables.h[at], tables.count[at[0]], STATE + guard
+    polynomial_of(tables.rows[at][row], tables.degrees[at][row], room.z, count, order, q)
+    if now.mode < 0:
+        for k in range(q.shape[0]):
+            q[k] = -q[k]
+    off = UNIT * dot(tables.sums[at][guard, order], room.size, count)
+    if now.mode == 0:
+        margins = off + problem.norm.load * now.N, 0.0, 0.0
     else:
-        edge = unit * drive.b[now.piece]
-        plain = rounding(room, sums[0], count) if order > 0 else off
-        top, margin = 2.0 * edge, pair.lam * now.N * unit + 4.0 * UNIT * edge
-        margins = off + margin, 0.0, 0.0, plain + margin + 8.0 * UNIT * edge  # top less the guard is rounded, too
-    side = now.edge if now.edge != 0 else first_side(room)
-    form_guard(room, mode, order, side, edge)
-    how, s, alone, which, value, slope = first_root(room.q, order, top, margins, to, room.bernstein)
+        margins = slip_margins(problem.norm, h, order, off, now, end)
+    if order > 0 and now.late > 0.0:  # the true segment began up to `late` away: as much as its guard changes meanwhile
+        shift = 2.0 * now.late / h * abs_slope(q)
+        margins = margins[0] + shift, margins[1], margins[2]
+    how, s, alone = first_root(q, margins, end, room.bernstein)
     if how != ROOT:
-        return Next(how, s, 0, 0.0, 0.0, 0.0, 0.0)
-    exit_side, power = side if which == 0 else -side, s**order
-    # the rounding of the coefficients that were not dropped, at the root
-    own = UNIT * (counted(tables.own[at][order], room.size, count, s) * power + (6.0 * edge if order == 0 else 0.0))
-    steep = abs(slope) * power
-    window = (abs(value) * power + own) / steep * h
-    return Next(how, s, exit_side, alone, steep / unit / h, window, own / unit)
+        return Next(how, s, guard, 0.0, 0.0, 0.0)
+    value, slope = value_slope(q, s)
+    power = s**order
+    return Next(ROOT, s, guard, alone, -slope * power / h, (abs(value) + off) * power)
+
+
+@compilable
+def abs_slope(q: Any) -> float:
+    """Return a bound on the derivative of a polynomial on [0, 1]."""
+    total = 0.0
+    for k in range(1, q.shape[0]):
+        total += k * abs(q[k])
+    return total
+
+
+@compilable
+def slip_margins(norm: Norm, h: float, order: int, off: float, now: Now, end: float) -> tuple[float, float, float]:
+    """Return the margin of the guard of a slip, up to s = end, for `first_root`.
+
+    Two motions in one mode part in v1' by no more than bend N, and so in the guard since both were at v1 = v2.
+    """
+    bend = norm.bend * now.N * h
+    if order >= 2:
+        return off, 0.0, 16.0 * bend
+    if order == 1:
+        return off + 2.0 * bend, 0.0, 0.0
+    if norm.bend * (now.since + end * h) < norm.kappa:
+        return off + 2.0 * norm.bend * now.since * now.N, 2.0 * bend, 0.0
+    return off + 2.0 * norm.kappa * now.N, 0.0, 0.0

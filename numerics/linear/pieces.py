@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.pair import nearest
 from numerics.linear.model import BELT, FORCE, FRICTION, WALL, Layout
-from numerics.scene import Piece, Scene, Sine
+from numerics.scene import Force, Piece, Scene, Sine
 
 _AT_ONCE, _NOTHING = np.zeros((2, 1)), Piece(0)
 
@@ -62,7 +62,9 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     if "pieces" in scene.made:
         return scene.made["pieces"]
     acting = [_NOTHING, _NOTHING, _NOTHING, _NOTHING, Piece(0, (scene.pair.b,))]
-    given = scene.force, scene.force_2, scene.belt, scene.wall, scene.friction  # in the order of model.py
+    none = Force()
+    friction = Force([one if isinstance(one, Piece) else Piece(one[0], (one[1],)) for one in scene.friction.pieces])
+    given = scene.force, getattr(scene, "force_2", none), getattr(scene, "belt", none), getattr(scene, "wall", none), friction
     begun = [(piece.start, signal, piece) for signal, one in enumerate(given) for piece in one.pieces]
     changes = sorted((one for one in begun if one[0] < scene.until), key=lambda one: one[:2])
     found: list[ExactPiece] = []

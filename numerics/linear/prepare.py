@@ -20,16 +20,11 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
-from numerics.linear.columns import Constants, Drive, Problem, constants
+from numerics.linear.model import BELT, WALL, Bodies, Layout, Rows, norm_of, put_rows, spread_omegas
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, END_ROW
-from numerics.linear.table import (
-    FIRST,
-    Tables,
-    form,
-    make_tables,
-    most_terms,
-)
+from numerics.linear.room import Drive, Problem
+from numerics.linear.table import REACH, Tables, form, make_tables, most_terms
 from numerics.scene import Law, Pair, Scene
 from numerics.scene.decimals import short
 
@@ -62,8 +57,8 @@ class Prepared(NamedTuple):
 
     def room(self, most: int) -> int:
         """Return how many rows are given room for at first, with so many events at most."""
-        pair, drive, *_ = self.problem
-        fastest = max((pair.a2 / pair.m1) ** 0.5, float(drive.sines[:, 1, 0].max(initial=0.0)))
+        drive, tables = self.problem.drive, self.problem.tables
+        fastest = REACH / float(tables.h.min())
         half_turns = float(drive.length[:, 0].sum()) * fastest / math.pi
         return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * half_turns))
 
@@ -71,7 +66,7 @@ class Prepared(NamedTuple):
         """Return the problem of one piece alone, up to a time in it (s)."""
         drive = self.problem.drive
         length = np.array([halves(until, self.units.time)])
-        alone = drive._replace(places=drive.places[piece : piece + 1], b=drive.b[piece : piece + 1], length=length)
+        alone = drive._replace(places=drive.places[piece : piece + 1], length=length)
         return self.problem._replace(drive=alone)
 
 
@@ -108,71 +103,80 @@ def _exponent(x: Fraction) -> int:
 
 
 @lru_cache(maxsize=256)
-def _bodies_of(pair: Pair, law: Law) -> tuple[Constants, tuple[Halves, ...], KernelUnits]:
-    """Return the constants of a pair, its m1, M, m2, a1 and a2 with their rests, and the units of all numbers.
+def _units_of(scene_pair: Pair, until: Fraction, reach: Fraction) -> KernelUnits:
+    """Return units in which M, a2 and L are about 1, as far as a pair has them; else time and length are a scene's.
 
-    In these M and a2 are about 1, and the other numbers not far from it, if they can. Raises OutOfRange, also where
-    floats do not hold L and E_cr, in which the answer is given, too.
+    Raises OutOfRange where floats do not hold L and E_cr, in which the answer is given, too.
     """
-    for value in (pair.half_width, pair.critical_energy):
-        if rounded(value) == 0.0:
-            raise OutOfRange.of(f"L or E_cr of this pair, {short(value)},", "float64")
-    mass = _exponent(pair.mass)
-    units = KernelUnits(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
-    given = (pair.m1, 0), (pair.mass, 0), (pair.m2, 0), (pair.a1, -1), (pair.a2, -2)
-    numbers = tuple([halves(value, units.of(mass=1, time=power)) for value, power in given])
-    return constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units
+    pair = scene_pair
+    mass = _exponent(pair.m1 if pair.m2 == math.inf else pair.mass)
+    time = (mass - _exponent(pair.a2)) // 2 if pair.a2 else _exponent(until)
+    if pair.a2 and pair.b:
+        for value in (pair.half_width, pair.critical_energy):
+            if rounded(value) == 0.0:
+                raise OutOfRange.of(f"L or E_cr of this pair, {short(value)},", "float64")
+        return KernelUnits(mass, time, _exponent(pair.half_width))
+    return KernelUnits(mass, time, _exponent(reach) if reach else 0)
+
+
+def _reach(scene: Scene) -> Fraction:
+    """Return a length of a scene's size."""
+    at = scene.initial
+    moved = max(abs(at.x1), abs(at.x2), max(abs(at.v1), abs(at.v2)) * scene.until)
+    return moved or scene.pair.b / scene.pair.m1 * scene.until**2
 
 
 def prepare(scene: Scene) -> Prepared:
-    """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange."""
-    if "prepared" in scene.made:
-        return scene.made["prepared"]
-    pair, numbers, units = _bodies_of(scene.pair, scene.law)
-    pieces = pieces_of(scene)
-    drive, kinds, longest = _drive(pieces, units)
-    tables = _tables(numbers, tuple(kinds), longest)
+    """Return a scene as the kernel reads it. Raises OutOfRange."""
+    units, pieces = _units_of(scene.pair, scene.until, _reach(scene)), pieces_of(scene)
+    bodies = bodies_in(scene.pair, units)
+    drive, layouts, longest = _drive(pieces, units)
+    tables = _tables(bodies, tuple(layouts), units.time, longest)
     at, start, place, speed = scene.initial, np.zeros(END_ROW), units.length, units.of(length=1, time=-1)
     start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
     start[AT["jump"]] = gap == 0
-    scene.made["prepared"] = found = Prepared(Problem(pair, drive, tables, True), start, units, pieces)
-    return found
+    return Prepared(Problem(norm_of(bodies), drive, tables, scene.law is Law.THREE_VALUED_SGN), start, units, pieces)
 
 
-Kind = tuple[int, tuple[Halves, ...]]
-"""The number of coefficients of the polynomial, and the frequencies."""
+def bodies_in(pair: Pair, units: KernelUnits) -> Bodies:
+    """Return the numbers of a pair as floats in these units."""
+    mass, rate = units.mass, units.of(mass=1, time=-1)
+    exponents = mass, rate, units.of(mass=1, time=-2), -mass, -mass, -mass, 0, 0, 0
+    return Bodies(*(rounded(value, one) for value, one in zip(Bodies.of(pair), exponents, strict=True)))
 
 
-def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dict[Kind, int], float]:
-    """Return the table of the pieces, the kinds of force in it, and the length of the longest piece."""
+def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dict[Layout, int], float]:
+    """Return the table of the pieces, the layouts in it, and the length of the longest piece."""
     force, second = units.of(mass=1, length=1, time=-2), units.time
+    dimension = [force] * 5
+    dimension[BELT], dimension[WALL] = units.of(length=1, time=-1), units.length
     places: list[tuple[int, ...]] = []
-    b: list[float] = []
-    length: list[Halves] = []
     coefficients: list[float] = []
     sines: list[tuple[Halves, Halves, Halves]] = []
-    kinds: dict[Kind, int] = {}
+    layouts: dict[Layout, int] = {}
     for one in pieces:
-        omegas = tuple([halves(sine.omega, -second) for sine in one.sines])
-        index = kinds.setdefault((len(one.polynomial), omegas), len(kinds))
-        places.append((len(coefficients), len(one.polynomial), len(sines), len(one.sines), index, int(one.is_jump)))
-        b.append(rounded(one.b, force))
-        length.append(halves(one.length, second))
-        coefficients += [rounded(c, force - k * second) for k, c in enumerate(one.polynomial)]
-        for sine, omega in zip(one.sines, omegas, strict=True):
-            phase = sine.phase + sine.omega * one.start if one.start else sine.phase
-            sines.append((halves(sine.amplitude, force), omega, halves(reduced(phase))))
-    numbers = np.array(coefficients), np.array(sines).reshape(-1, 3, 2)
-    drive = Drive(np.array(places, dtype=np.int64), np.array(b), np.array(length), *numbers)
-    return drive, kinds, max(length)[0]
+        index = layouts.setdefault(one.layout, len(layouts))
+        places.append((index, len(coefficients), len(sines), int(one.is_jump), int(one.belt_jumps)))
+        for signal, exponent in zip(one.signals, dimension, strict=True):
+            coefficients += [rounded(c, exponent - k * second) for k, c in enumerate(signal.polynomial)]
+            for sine in signal.sines:
+                phase = reduced(sine.phase + sine.omega * one.start)
+                sines.append((halves(sine.amplitude, exponent), halves(sine.omega, -second), halves(phase)))
+    length = np.array([halves(one.length, second) for one in pieces])
+    arrays = np.array(places, dtype=np.int64), length, np.array(coefficients), np.array(sines).reshape(-1, 3, 2)
+    return Drive(*arrays), layouts, float(length[:, 0].max())
 
 
 @lru_cache(maxsize=64)
-def _tables(pair: tuple[Halves, ...], kinds: tuple[Kind, ...], longest: float) -> Tables:
-    """Return the tables of all kinds of force."""
-    columns, most = max(FIRST + terms + 2 * len(omegas) for terms, omegas in kinds), max(terms for terms, _ in kinds)
-    tables = make_tables(len(kinds), columns, most_terms(most))
-    for index, (coefficients, omegas) in enumerate(kinds):
-        compiled(form)(tables, index, np.array(pair), coefficients, np.array(omegas).reshape(-1, 2), longest)
+def _tables(bodies: Bodies, layouts: tuple[Layout, ...], time: int, longest: float) -> Tables:
+    """Return the tables of all kinds of pieces."""
+    n, terms = max(one.size for one in layouts), max(max(one.terms) for one in layouts)
+    tables, norm = make_tables(len(layouts), n, most_terms(terms)), norm_of(bodies)
+    for index, layout in enumerate(layouts):
+        size, blocks = layout.size, layout.blocks
+        omegas = np.array([rounded(one, -time) for one in spread_omegas(layout)])
+        rows = Rows(np.zeros((2, size, size)), np.zeros((2, 2, size)), np.zeros((4, size)))
+        compiled(put_rows)(bodies, blocks, omegas, (0.0, 0.0), rows)
+        compiled(form)(tables, index, norm, blocks, rows, 4.0, longest)
     return tables

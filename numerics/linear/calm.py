@@ -1,0 +1,131 @@
+"""A stick that nothing ends before its piece does: proved calm, and stepped over by powers of exp(A h).
+
+Only where the signals are u, of a polynomial up to t^2 and sines, and one friction number. Along a stick the load is
+that of the steady answer, at most the sum of its amplitudes, and that of a free motion y: y'' there has the equation of
+y, of which y^2 + (M/a2) y'^2 never grows.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.pair import TwoFloats
+from numerics.linear.evolve import moved
+from numerics.linear.model import EDGE, FORCE, FRICTION, LOAD, STICK, V1, X1
+from numerics.linear.room import Now, Problem, Room, dot, form_z
+from numerics.linear.table import STATE, UNIT
+
+_MOST_COLUMNS = 64
+
+
+class Calm(NamedTuple):
+    """Whether the rest of the piece is stick; the step at which to look next, and that at which the segment began."""
+
+    is_calm: bool
+    look: int
+    begun: int
+
+
+@compilable
+def step_over(problem: Problem, room: Room, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
+    """Stick through the rest of a piece but for less than a step, if it is long, and time to look, and calm."""
+    kind = problem.drive.places[now.piece, 0]
+    left = problem.drive.length[now.piece, 0] - room.clock[0, 0]
+    if now.mode != 0 or now.order != 0 or step < calm.look or not left > 8.0 * problem.tables.h[kind, STICK]:
+        return now, calm
+    is_calm = problem.tables.count[kind] <= _MOST_COLUMNS and problem.norm.root_m2 > 0.0
+    if not (is_calm and (problem.literal or rest_is_calm(problem, room, now))):
+        return now, Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
+    return long_step(problem, room, now), Calm(True, step, calm.begun)
+
+
+@compilable
+def rest_is_calm(problem: Problem, room: Room, now: Now) -> bool:
+    """Return whether |Lambda| < b is proved from here to the end of the piece, however late that is."""
+    tables, kind, z = problem.tables, problem.drive.places[now.piece, 0], room.z
+    A, others, blocks, count = tables.A[kind, STICK], tables.others[kind], tables.blocks[kind], tables.count[kind]
+    first, terms, sines, waves = blocks[FORCE]
+    own = STATE + terms + 2 * waves + blocks[FRICTION, 1]
+    if own != count or blocks[FRICTION, 1] != 1 or terms > 3 or A[V1, X1] == 0.0:
+        return False
+    load, edge, stiff, drag = others[LOAD], others[EDGE], -A[V1, X1], -A[V1, V1]
+    value, rate, size = dot(load, z, count), 0.0, 0.0
+    for i in range(count):
+        size += abs(load[i] * z[i])
+        for j in range(count):
+            rate += load[i] * A[i, j] * z[j]
+            size += abs(load[i] * A[i, j] * z[j]) / math.sqrt(stiff)
+    # of u = p t^2/2 the steady answer has x'' = p/a2, and the load -(load of x1) x''/(M's own stiffness)
+    most = load[first] / stiff * z[first + 2] if terms > 2 else 0.0
+    free, most = value - most, abs(most)
+    for k in range(waves):
+        at = sines + 2 * k
+        omega = A[at, at + 1]
+        spring, damper = stiff - omega * omega, drag * omega
+        square = spring * spring + damper * damper
+        if not square > 1e-12 * stiff * stiff:
+            return False
+        # x = (spring s - damper c)/square/M, and the load is m2 x''
+        scale, s, c = -load[at] * omega * omega / square, z[at], z[at + 1]
+        free -= scale * (spring * s - damper * c)
+        rate -= scale * omega * (spring * c + damper * s)
+        peak = abs(scale) * math.sqrt(square * (s * s + c * c))
+        most += peak
+        size += peak * (1.0 + omega / math.sqrt(stiff))
+    most += math.sqrt(free * free + rate * rate / stiff) + 1e-13 * size
+    return most + problem.norm.load * now.N < (1.0 - 1e-9) * dot(edge, z, count)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def long_step(problem: Problem, room: Room, now: Now) -> Now:
+    """Stick to the end of the piece but for less than a step, the longest powers of exp(A h) first."""
+    norm, tables, length = problem.norm, problem.tables, problem.drive.length[now.piece, 0]
+    kind = problem.drive.places[now.piece, 0]
+    h, count, scale = tables.h[kind, STICK], tables.count[kind], (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
+    levels = 1 + max(0, math.floor(math.log2((length - room.clock[0, 0]) / h)))
+    powers = doubled(tables.A[kind, STICK, :count, :count] * h, levels)
+    while True:
+        left = length - room.clock[0, 0]
+        level = min(levels - 1, math.floor(math.log2(left / h))) if left >= h else -1
+        if level < 0:
+            return now
+        own = np.zeros(STATE)
+        for i in range(STATE):
+            row = powers[level, i]
+            room.y[i], most = dot(row, room.z, count), 0.0
+            for j in range(count):
+                most += abs(row[j]) * room.size[j]
+            own[i] = math.ldexp((count + 8) * UNIT, level + 2) * most  # each squaring doubles what is off
+        added = scale[0] * own[0] + (scale[1] + scale[3]) * own[1]
+        now = moved(norm, room, now, TwoFloats(math.ldexp(h, level), 0.0), (added, own[0], own[2]))
+        form_z(problem, room, now.piece, 0, False)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def doubled(A: Any, levels: int) -> Any:
+    """Return exp(A 2^k) for k < levels."""
+    count = A.shape[0]
+    powers, term = np.zeros((levels, count, count)), np.eye(count)
+    for k in range(1, 40):
+        powers[0] += term
+        term = product(term, A) / k
+    for level in range(1, levels):
+        powers[level] = product(powers[level - 1], powers[level - 1])
+    return powers
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def product(A: Any, B: Any) -> Any:
+    """Return A B; without a library for it, which would have to be installed."""
+    count = A.shape[0]
+    found = np.zeros((count, count))
+    for i in range(count):
+        for k in range(count):
+            if A[i, k] != 0.0:
+                for j in range(count):
+                    found[i, j] += A[i, k] * B[k, j]
+    return found

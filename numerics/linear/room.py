@@ -1,0 +1,173 @@
+"""What the engine works with in float64: the pieces of a scene, room for a run, and the components of z."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, times
+from numerics.linear.model import DRIVEN, FIRST, V1, V2, Norm
+from numerics.linear.table import STATE, Tables
+
+FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
+
+
+class Drive(NamedTuple):
+    """The signals by pieces.
+
+    places (n, 5): kind, first coefficient, first sine, 1 where a stick may end as the piece begins, 1 where the belt's
+    velocity may jump. Coefficients (k,) and sines (k, 3, 2), amplitude, omega and phase where the piece begins, in the
+    order of the signals; these and length (n, 2) with what their rounding left out, which counts in long runs.
+    """
+
+    places: Any
+    length: Any
+    coefficients: Any
+    sines: Any
+
+
+class Problem(NamedTuple):
+    """What a run follows. `literal`: sgn(0) = 0, so that a stick never ends."""
+
+    norm: Norm
+    drive: Drive
+    tables: Tables
+    literal: bool
+
+
+class Now(NamedTuple):
+    """Where a run is, beside what stands in its room: the piece, the mode from here on, and its errors."""
+
+    piece: int
+    mode: int
+    order: int
+    """How many coefficients of the guard `edge` vanish here."""
+    edge: int
+    """The guard of stick that is nearer, or was where the segment began: 0 or 1."""
+    late: float
+    """By how much the event that the segment began with may be misplaced, s."""
+    since: float
+    """Time since the exit that this slip began with, 1e300 if it began otherwise."""
+    N: float
+    """A bound on N of the error (model.py)."""
+    far: float
+    """A bound on the error of x1, where time gives a better one than N."""
+    apart: float
+    """A bound on the error of x1 - x2."""
+
+
+class Room(NamedTuple):
+    """Arrays to work in, made once for a run."""
+
+    y: Any
+    """(4,) x1, v1, x2, v2."""
+    clock: Any
+    """(2, 2) time in the piece, time since the last row; each with what its rounding left out."""
+    z: Any
+    """(n,)"""
+    size: Any
+    """(n,) what the roundings of z are counted in."""
+    q: Any
+    """(2, terms) Taylor coefficients of the guards, without those that are exactly 0; of a row of the state."""
+    bernstein: Any
+    counts: Any
+    """(3,) how many rows there were, also those left out, how many events, and which row was that of the last one."""
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def make_room(n: int, terms: int) -> Room:
+    """Return room for n components."""
+    state, clock, counts = np.zeros(STATE), np.zeros((2, 2)), np.zeros(3, dtype=np.int64)
+    return Room(state, clock, np.zeros(n), np.zeros(n), np.zeros((2, terms)), np.zeros(8), counts)
+
+
+@compilable
+def place_of(problem: Problem, now: Now) -> tuple[int, int]:
+    """Return where the tables of the mode are: the kind of piece, and 0 for slip, 1 for stick."""
+    return problem.drive.places[now.piece, 0], 1 if now.mode == 0 else 0
+
+
+@compilable
+def dot(row: Any, z: Any, count: int) -> float:
+    """Return the value of a row."""
+    total = 0.0
+    for j in range(count):
+        total += row[j] * z[j]
+    return total
+
+
+@compilable
+def size_of(row: Any, size: Any, count: int) -> float:
+    """Return the sum of the sizes of its terms."""
+    total = 0.0
+    for j in range(count):
+        total += abs(row[j]) * size[j]
+    return total
+
+
+@compilable
+def form_z(problem: Problem, room: Room, piece: int, mode: int, is_event: bool) -> None:
+    """Form z at the time of the clock: the state, and the signals, b with the sign of a slip.
+
+    At an event its mode is still open: b has no sign, and the bodies need not be together.
+    """
+    drive, tables, z, size, time = problem.drive, problem.tables, room.z, room.size, pair_of(room.clock[0])
+    kind, coefficient, sine = drive.places[piece, 0], drive.places[piece, 1], drive.places[piece, 2]
+    for i in range(STATE):
+        z[i], size[i] = room.y[i], abs(room.y[i])
+    for signal in range(tables.blocks.shape[1]):
+        first, terms, sines, waves = tables.blocks[kind, signal]
+        for k in range(terms):
+            derivative(drive.coefficients[coefficient : coefficient + terms], k, time.high, first + k, z, size)
+        for k in range(waves):
+            swing(drive.sines[sine + k], time, sines + 2 * k, z, size)
+        coefficient += terms
+        sine += waves
+    if mode < 0 and not is_event:
+        for j in range(FIRST, tables.count[kind]):
+            if tables.signed[kind, j] == 1.0:
+                z[j] = -z[j]
+    if problem.norm.root_m2 == 0.0:
+        z[V2] = room.y[3] = dot(tables.others[kind, DRIVEN], z, tables.count[kind])
+        if mode == 0 and not is_event:
+            z[V1] = room.y[1] = z[V2]
+
+
+@compilable
+def derivative(coefficients: Any, order: int, t: float, at: int, z: Any, size: Any) -> None:
+    """Write a derivative of a polynomial at t into z."""
+    value, most = 0.0, 0.0
+    for n in range(coefficients.shape[0] - 1, order - 1, -1):
+        own = coefficients[n]
+        for i in range(order):
+            own *= n - i
+        most = most * t + abs(own) * (2.0 + 2.0 * n)
+        value = value * t + own
+    z[at], size[at] = value, most
+
+
+@compilable
+def swing(sine: Any, time: TwoFloats, at: int, z: Any, size: Any) -> None:
+    """Write amplitude times sine and cosine of a phase into z."""
+    phase = plus(product(pair_of(sine[1]), time), pair_of(sine[2]))
+    turns = np.rint(phase.high * 0.15915494309189535)
+    rest = plus(phase, times(TwoFloats(6.283185307179586, 2.4492935982947064e-16), -turns))
+    s, c = math.sin(rest.high), math.cos(rest.high)
+    z[at], z[at + 1] = sine[0, 0] * (s + c * rest.low), sine[0, 0] * (c - s * rest.low)
+    # the phase is off by 2^-101 of its own size, so that a small sine stays sharp
+    one, two, turned = abs(z[at]), abs(z[at + 1]), abs(phase.high) * 2.0**-48
+    size[at], size[at + 1] = 2.0 * one + turned * two, 2.0 * two + turned * one
+
+
+@compilable_with(**FAST)
+def polynomial_of(rows: Any, degrees: Any, z: Any, count: int, order: int, q: Any) -> None:
+    """Form the Taylor polynomial of a row over a step, divided by (t/h)^order: its first coefficients are dropped."""
+    for k in range(q.shape[0]):
+        q[k] = 0.0
+    for j in range(count):
+        row, factor = rows[j], z[j]
+        for k in range(order, degrees[j]):
+            q[k - order] += row[k] * factor
