@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.pair import nearest
 from numerics.linear.model import BELT, FORCE, FRICTION, WALL, Layout
-from numerics.scene import Force, Piece, Scene, Sine
+from numerics.scene import Piece, Scene, Sine
 
 _AT_ONCE, _NOTHING = np.zeros((2, 1)), Piece(0)
 
@@ -45,10 +45,24 @@ class ExactPiece:
     @property
     def b(self) -> Fraction:
         """Return the friction force of a piece on which it is one number, N."""
-        friction = self.signals[FRICTION]
-        if len(friction.polynomial) > 1 or friction.sines:
+        b = self.signals[FRICTION].constant
+        if b is None:
             raise ArithmeticError("friction varies on this piece")
-        return friction.polynomial[0] if friction.polynomial else Fraction(0)
+        return b
+
+    def with_friction(self, b: Fraction) -> ExactPiece:
+        """Return the piece with another friction force, N."""
+        return replace(self, signals=(*self.signals[:FRICTION], Piece(0, (b,))))
+
+    @property
+    def is_plain(self) -> bool:
+        """Return whether nothing acts but u, and one number b."""
+        return not (any(one.polynomial or one.sines for one in self.signals[1:FRICTION]) or self.varies)
+
+    @property
+    def varies(self) -> bool:
+        """Return whether friction is no one number here."""
+        return self.signals[FRICTION].constant is None
 
     @cached_property
     def layout(self) -> Layout:
@@ -62,9 +76,7 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     if "pieces" in scene.made:
         return scene.made["pieces"]
     acting = [_NOTHING, _NOTHING, _NOTHING, _NOTHING, Piece(0, (scene.pair.b,))]
-    none = Force()
-    friction = Force([one if isinstance(one, Piece) else Piece(one[0], (one[1],)) for one in scene.friction.pieces])
-    given = scene.force, getattr(scene, "force_2", none), getattr(scene, "belt", none), getattr(scene, "wall", none), friction
+    given = scene.force, scene.force_2, scene.belt, scene.wall, scene.friction  # in the order of model.py
     begun = [(piece.start, signal, piece) for signal, one in enumerate(given) for piece in one.pieces]
     changes = sorted((one for one in begun if one[0] < scene.until), key=lambda one: one[:2])
     found: list[ExactPiece] = []
