@@ -135,7 +135,7 @@ class Expansion:
 
     def __init__(self, flow: Flow, z: Sequence[arb], h: arb) -> None:
         """Form the polynomials."""
-        self.flow, self.z, self.order, self.curves = flow, z, flow.order, {}
+        self.flow, self.z, self.order = flow, z, flow.order
         sizes = flow.sizes(z, h, self.order - 1)
         whole = math.factorial(self.order)
         self.rests = sizes[V1] / whole, sizes[V2] / whole

@@ -70,7 +70,7 @@ class EnclosedPath:
         self.literal = scene.law is Law.THREE_VALUED_SGN
         self.pieces, self.cells, self.varies = pieces_of(scene), Cells(scene), scene.friction.weakening is not None
         """`varies`: friction depends on the state; else it has one cell."""
-        self.drive: tuple[int, BallDrive | None] = (-1, None)
+        self.drive = 0, BallDrive(self.pieces[0])
         number, norm = Ball.number, LocalNorm(LinearMode(scene.pair, 1, self.pieces[0]))
         self.norm, self.kappa, self.is_fixed = norm, norm.kappa, norm.is_fixed
         self.speeds = 1 / norm.root_m1, arb(0) if self.is_fixed else 1 / norm.root_m2
@@ -98,9 +98,8 @@ class EnclosedPath:
         z = [*at.state, *self.drive[1].at(at.local, at.mode)]
         if self.varies:  # what friction is where v1 - v2 and x1 - x2 are 0, or holds at rest
             place = piece.layout.blocks[FRICTION][0]
-            z[place] = (
-                at.mode * Ball.number(self.cells.branch(piece, at.mode, at.cell)[0]) if at.mode else self.held(at).mid()
-            )
+            offset = self.cells.branch(piece, at.mode, at.cell).offset if at.mode else Fraction(0)
+            z[place] = at.mode * Ball.number(offset) if at.mode else self.held(at).mid()
         if self.is_fixed:
             z[V2] = dot(flow.belt, z)
             z[V1] = z[V1] if at.mode else z[V2]

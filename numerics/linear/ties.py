@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import chain
 from math import perm
 from typing import Any
 
@@ -38,7 +39,7 @@ def _value(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> S
 
 
 def blocks_of(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> tuple[list[SineForm], list[SineForm]]:
-    """Return what of z is a derivative of a signal at a time in a piece that begins at `start`: polynomial and sines."""
+    """Return what of z is a derivative of a signal at a time in a piece: polynomial, sines; it begins at `start`."""
     terms, waves = signal.polynomial, []
     derivatives = ([perm(n, k) * c for n, c in enumerate(terms)][k:] for k in range(order, len(terms)))
     for sine in signal.sines:
@@ -51,10 +52,13 @@ def blocks_of(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -
 
 def exact_z(piece: ExactPiece, side: int, local: Fraction, state: Sequence[SineForm]) -> list[SineForm]:
     """Return z at a time in a piece (s), in a mode `side`."""
+    signs = [1] * FRICTION + [side or 1]
     found = [blocks_of(one, piece.start, local) for one in piece.signals]
-    if side < 0:
-        found[FRICTION] = tuple([one * side for one in block] for block in found[FRICTION])  # type: ignore[call-overload]
-    return [*state, *(one for which in (0, 1) for blocks in found for one in blocks[which])]
+    kinds = (
+        [one * sign for sign, kind in zip(signs, kinds, strict=True) for one in kind]
+        for kinds in zip(*found, strict=True)
+    )
+    return [*state, *chain.from_iterable(kinds)]
 
 
 def applied(row: Sequence[Any], z: Sequence[SineForm]) -> SineForm:
