@@ -128,16 +128,21 @@ class ExactMotion(NamedTuple):
 
 def exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotion | None:
     """Return the particular motion of the mode if the state lies on it exactly, else None."""
-    pair = scene.pair
-    if not (piece.is_plain and pair.a2) or pair.is_fixed or pair.b_static or (knot.mode and scene.friction.weakening):
+    if knot.mode and scene.friction.weakening:
         return None  # followed in numbers only
     motion = _particular_motion(scene, piece, knot)
     return motion if motion is not None and motion.body_1(knot.local) == (knot.x1, knot.v1) else None
 
 
 def _particular_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotion | None:
-    """Return the motion of the mode in which nothing swings freely; None at resonance without damping."""
-    pair, mass = scene.pair, scene.pair.m1 if knot.mode else scene.pair.mass
+    """Return the motion of the mode in which nothing swings freely; None at resonance without damping.
+
+    None, too, where more acts than u and one b: such motions are followed in numbers.
+    """
+    pair = scene.pair
+    if not (piece.is_plain and pair.a2) or pair.is_fixed or pair.b_static:
+        return None
+    mass = pair.m1 if knot.mode else pair.mass
     force, sines = list(piece.polynomial) or [Fraction(0)], []
     force[0] -= knot.mode * piece.b
     for sine in piece.sines:

@@ -27,8 +27,6 @@ REACH = 2
 """A Taylor polynomial is used while the fastest rate turns through so many radians."""
 FEW = 14
 """The degree of the polynomials by which a guard is scanned."""
-_FINEST = 1_100
-"""Intervals that are shorter by so many bits than a turn are not looked at."""
 _SLOWEST = arb((1, -2_000))
 """The rate of what has none, 1/s."""
 
@@ -58,7 +56,7 @@ class Flow:
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
         self.turns = [self.generator[place][0][1] for place in self.places]
         self.rate, self.fastest = self.norm.rate, self.norm.fastest.max(_SLOWEST)
-        self.reach, self.tiny = (REACH / self.fastest).lower(), (arb((1, -min(bits, _FINEST))) / self.fastest).mid()
+        self.reach = (REACH / self.fastest).lower()
         others = [[(place, number(c)) for place, c in sparse(row)] for row in self.mode.rows.others]
         self.load, self.edge, self.belt = others[LOAD], others[EDGE], others[DRIVEN]
         guarded = [*self.mode.guards, *((Z, self.mode.friction) if slips and any(cell) else ())]
@@ -68,7 +66,7 @@ class Flow:
     def expand(self, terms: int) -> None:
         """Form so many rows in front of z for x1 and x2, and some for every row of which there are guards."""
         own = [self.powers(row, terms) for row in ([(X1, arb(1))], [(X2, arb(1))])[: 1 + self.slips]]
-        self.order = max(len(one) for one in own)
+        self.terms, self.order = terms, max(len(one) for one in own)
         self.order -= self.order == terms  # the last one only bounds what is left out
         nothing = [arb(0)] * self.size
         self.own = [one + [nothing] * (terms + 1 - len(one)) for one in own]
@@ -157,7 +155,7 @@ class Expansion:
                 self.curves[k] = arb_poly([self.z[m] / math.factorial(m - k) for m in range(k, block.stop)])
         for k, omega in zip(self.flow.places, self.flow.turns, strict=True):
             sines, cosines = [self.z[k]], [self.z[k + 1]]
-            for n in range(1, self.order):
+            for n in range(1, self.flow.terms):
                 one, two = cosines[-1] * omega / n, sines[-1] * omega / -n
                 sines.append(one)
                 cosines.append(two)
@@ -171,14 +169,15 @@ class Expansion:
         """Return a bound on what this derivative of what stands at a place leaves out up to h."""
         if place in {V1, V2}:
             return self.left_out(place - 1, h, derivative + 1)
-        flow, rest = self.flow, arb(0)
+        flow, rest, order = self.flow, arb(0), self.order
         if place < FIRST:
             rest = self.rests[place == X2]
         elif place >= flow.mode.sine_places.start:
             pair = (place - flow.mode.sine_places.start) // 2
             first, omega = flow.places[pair], flow.turns[pair]
-            rest = (abs(self.z[first]) + abs(self.z[first + 1])) * omega**self.order / math.factorial(self.order)
-        return (rest * math.perm(self.order, derivative) * h ** (self.order - derivative)).upper()
+            order = flow.terms
+            rest = (abs(self.z[first]) + abs(self.z[first + 1])) * omega**order / math.factorial(order)
+        return (rest * math.perm(order, derivative) * h ** (order - derivative)).upper()
 
     def row_off(self, which: int, h: arb, derivative: int) -> arb:
         """Return a bound on what this derivative of a row leaves out up to h."""

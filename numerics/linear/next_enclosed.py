@@ -26,6 +26,8 @@ _LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
 whether those up to the end of the piece are too many; how many are."""
 _RESOLVED = 16
 """A step must be longer than the last bits of time, so many."""
+_FINEST = 1_100
+"""Intervals that are shorter by so many bits than a step are not looked at."""
 _COARSE = 192
 """With as many bits and more a root is refined to half of them first."""
 _FINE = arb((1, 40))
@@ -150,9 +152,9 @@ def scanned(
     used = range(len(rests))
     near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
     h = h / 4 if any(one.order for one in guards) else h
-    more = ctx.prec < min(path.bits, _SHARP_BITS)
+    more, tiny = ctx.prec < min(path.bits, _SHARP_BITS), arb((1, -min(path.bits, _FINEST)))
     for _ in range(ctx.prec // 2 if more else 2 * ctx.prec):
-        if not h > flow.tiny:
+        if not h > reach * tiny:
             break
         guard = scan(near, guards, rests, h, since)
         if guard == UNKNOWN:
@@ -227,7 +229,7 @@ def refined(path: EnclosedPath, at: At, flow: Flow, z: list[arb], found: Bracket
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
     off = (curve(tau) + offset).abs_upper() + motion.row_off(which, tau.abs_upper(), 0)
     reached = off + guard.margin
-    within = (2 * reached / abs(slope(tau))).upper()
+    within = (2 * reached / abs(slope(tau)) + h * arb((1, -path.bits))).upper()
     around = tau + arb(0, within)
     steepness = (-slope(around) - motion.row_off(which, until, 1)).lower()
     late = (reached / steepness).upper()

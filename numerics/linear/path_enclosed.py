@@ -98,8 +98,10 @@ class EnclosedPath:
         z = [*at.state, *self.drive[1].at(at.local, at.mode)]
         if self.varies:  # what friction is where v1 - v2 and x1 - x2 are 0, or holds at rest
             place = piece.layout.blocks[FRICTION][0]
-            offset = self.cells.branch(piece, at.mode, at.cell).offset if at.mode else Fraction(0)
-            z[place] = at.mode * Ball.number(offset) if at.mode else self.held(at).mid()
+            if at.mode:
+                z[place] = at.mode * Ball.number(self.cells.branch(piece, at.mode, at.cell).offset)
+            else:
+                z[place] = self.held(at).mid()
         if self.is_fixed:
             z[V2] = dot(flow.belt, z)
             z[V1] = z[V1] if at.mode else z[V2]
