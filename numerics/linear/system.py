@@ -65,23 +65,26 @@ class BallDrive:
         number = Ball.number
         self.polynomials = [[number(c) for c in one.polynomial] for one in piece.signals]
         self.sines = [
-            [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in one.sines]
+            (number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase))
             for one in piece.signals
+            for s in one.sines
         ]
+        first, terms, sines, waves = piece.layout.blocks[FRICTION]
+        self.friction = [place - FIRST for place in (*range(first, first + terms), *range(sines, sines + 2 * waves))]
 
     def at(self, local: arb, side: int) -> list[arb]:
         """Return the blocks of z at a time in the piece (s), in a mode `side`."""
         found: list[arb] = []
-        signs = [1] * FRICTION + [side or 1]
-        for sign, terms in zip(signs, self.polynomials, strict=True):
+        for terms in self.polynomials:
             for order in range(len(terms)):
                 value = arb(0)
                 for k in range(len(terms) - 1, order - 1, -1):
                     value = value * local + terms[k] * math.perm(k, order)
-                found.append(sign * value)
-        for sign, sines in zip(signs, self.sines, strict=True):
-            for amplitude, omega, phase in sines:
-                found += [sign * amplitude * one for one in (phase + omega * local).sin_cos()]
+                found.append(value)
+        for amplitude, omega, phase in self.sines:
+            found += [amplitude * one for one in (phase + omega * local).sin_cos()]
+        for place in self.friction if side < 0 else ():
+            found[place] = -found[place]
         return found
 
 
