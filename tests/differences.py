@@ -43,10 +43,9 @@ def place_of(name: str) -> list[Any]:
             return ["until"]
         case [one]:
             return ["initial" if one[0] in "xv" else "pair", one]
-        case ["force", k, *rest]:
-            return ["force", "pieces", k, *("start" if one == "from" else one for one in rest)]
-        case ["friction", k, what]:
-            return ["friction", "pieces", k, ("from", "b").index(what)]
+        case [("force" | "force_2" | "belt" | "wall" | "friction") as signal, k, *rest]:
+            within = {"from": ["start"], "b": ["polynomial", 0]}
+            return [signal, "pieces", k, *(found for one in rest for found in within.get(one, [one]))]
         case ["weakening", table, *point]:
             return ["friction", "weakening", table, *point[:1], *("wbzc".index(one) % 2 for one in point[1:])]
     raise AssertionError(name)

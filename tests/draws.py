@@ -152,9 +152,9 @@ def weakened(random: Random) -> Scene:
 
 
 def varying(random: Random, b: Fraction, omega: Fraction, until: Fraction) -> Friction:
-    """Return a friction by pieces that varies within them, in units of b and of a rate: never below 0, perhaps at it."""
+    """Return a friction that varies within its pieces, in units of b and of a rate: never below 0, perhaps at it."""
     begin, pieces = starts(random, until), []
-    for start, end in zip(begin, [*begin[1:], until], strict=True):
+    for start, end in zip(begin, [*begin[1:], until], strict=False):
         low, high = (random.choice((0, 1)) * b * decimal(random, -1, 0) for _ in range(2))
         part = Fraction(random.randint(0, 4), 4)
         straight = low, (high - low) / (end - start)

@@ -16,8 +16,8 @@ from numerics.scene.short_repr import ShortRepr
 MAX_POINTS = 1000
 _B = TypeVar("_B")
 _TWO_COEFFICIENTS = (
-    "friction at rest above that in slip, without a slope between them: for a load between the two, stick and slip are "
-    "both solutions, which is ill-posed; take B continuous, however steep"
+    "friction at rest above that in slip, without a slope between them, is ill-posed: for a load between the two stick "
+    "and slip are both solutions at every instant; take B continuous, however steep"
 )
 
 

@@ -40,7 +40,7 @@ def test_a_pair(given, told):
         ({"force": Force.sine(1, 1)}, "force = .* must be a list of one Force"),
         ({"force": [Force()] * 3}, "3 forces for 2 axes"),
         ({"friction": [(1, 2, 3)]}, "a pair"),
-        ({"friction": [(-1, 1)]}, "from = -1 of a piece of friction must be >= 0"),
+        ({"friction": [(-1, 1)]}, "from = -1 must be >= 0"),
         ({"friction": [(1, [1, 0])]}, "b = 0 on y must be > 0"),
     ],
 )
