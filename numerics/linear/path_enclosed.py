@@ -27,7 +27,7 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import REACH, Expansion, Flow, dot, exponential, flow_of
 from numerics.linear.model import FRICTION, STICK, V1, V2, X1, X2, exact_rows
-from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.pieces import pieces_of
 from numerics.linear.system import CONSTANT, BallDrive, LinearMode, LocalNorm
 from numerics.scene import Law, Scene
 
@@ -130,10 +130,6 @@ class EnclosedPath:
         """Return the load at a point in stick and the greatest one that friction holds there, N."""
         flow, z = self.here(at)
         return dot(flow.load, z), self.held(at) if self.varies else dot(flow.edge, z)
-
-    def is_plain(self, piece: ExactPiece) -> bool:
-        """Return whether nothing acts but u and one b: then long steps are known."""
-        return piece.is_plain and not self.is_fixed and self.norm.root_a2 > 0 and self.kept.is_zero()
 
     def weight(self, at: At) -> arb:
         """Return sqrt(g) of the norm in the cell of a point; 0 in stick, and where friction is one number b."""
