@@ -77,6 +77,7 @@ _SOLVE = (
     _WORKING,
     _switch("--all", "print all events on a terminal, not only the first and the last 20"),
     _switch("--explain", "print to stderr which arithmetic was used, and why"),
+    _switch("--check", "print what every number is really off by: the scene is solved again in balls"),
     _switch("--sensitivity", "add the derivatives by initial state, parameters and force coefficients (SI units)"),
 )
 _OUTPUT = [

@@ -83,6 +83,12 @@ class Trajectory(Solution):
 
         return animate(self, file, duration, frames_per_second)
 
+    def check(self) -> Any:
+        """Return what every number of the run is really off by: `numerics.check` solves its scene again, in balls."""
+        import numerics
+
+        return numerics.check(self)
+
     def __repr__(self) -> str:
         """Return a short summary, as SciPy's solutions have."""
         right = self.digits or (self.right_digits if self.bounded else None)
