@@ -8,7 +8,7 @@ from sixty_digits import forced_scene
 
 from numerics import Force, Pair, Scene, State, load_scene
 from numerics.trade.comparisons import switched
-from numerics.trade.comparisons.forward_euler import events_of
+from numerics.trade.forward_euler import events_of
 from numerics.trade.comparisons.switched import PeerFailed, SwitchedPair
 from numerics.trade.contenders import answer_of, contender
 from numerics.trade.judge import judge, proved

@@ -11,52 +11,43 @@ Towards one edge of that region, s = +1 or -1 (in slip the sign of v1 - v2), the
 with room' = a2 v + a1 v' - s u'(t) in both; and the integral of v^2 where there is viscosity. At an exit room = g = 0
 exactly, so a slip of any length can be computed to full relative accuracy, and events are clean roots.
 
-Whoever is compared with ours is a function `prepare(scene, setting)`: it builds and compiles everything once; the call
-that it returns is what is timed, and gives a PeerRun.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from numerics.errors import NumericsError
+from numerics.linear.modes import MODES
 from numerics.linear.pieces import pieces_of
-from numerics.scene import Scene
+from numerics.scene import Law, Scene
+from numerics.trade.judge import Call, Run
 
 Number = Any
 """A number of the integrator's format: float or numpy.longdouble."""
 MAX_ARCS = 300_000
-
-
-@dataclass(frozen=True)
-class PeerRun:
-    """What one run of an integrator says of a scene; SI units, approximate, in the integrator's own numbers."""
-
-    modes: Sequence[Any]
-    """The itinerary: the sign of v1 - v2 in every segment, 0 in stick; one more than there are events. On a surface
-    words."""
-    times: Sequence[Any]
-    """The times of the events, s."""
-    final: Sequence[Any]
-    """x1, v1, x2, v2 at the horizon, m and m/s; each by axes on a surface."""
-    lost: Any = None
-    """The energy that friction and viscosity took from t = 0 to the horizon, J; None where nobody counts it."""
-
-
-Call = Callable[[], Any]
-"""Gives a PeerRun, or one of our trajectories."""
 Extra = Any
 """What a module of the extra `comparisons` makes; it is imported late and untyped."""
 
 
 class PeerFailed(NumericsError):
     """A run that does not get to the horizon: too many steps or events, or its own error."""
+
+
+def unknown(scene: Any) -> str | None:
+    """Return in words what is written down here of no such scene; None where it is known."""
+    if not isinstance(scene, Scene):
+        return "a surface"
+    if scene.law is not Law.FILIPPOV:
+        return f'law = "{scene.law.value}"'
+    if scene.friction.weakening is not None:
+        return "friction that depends on the state"
+    return None if getattr(scene, "is_plain", True) else "a pair of another kind than the paper's under a force"
 
 
 class Span(NamedTuple):
@@ -99,8 +90,6 @@ class SwitchedPair:
         pair, at, self.kind, self.zero = scene.pair, scene.initial, kind, kind(0)
         self.m1, self.mass, self.a1, self.a2 = self.numbers(pair.m1, pair.mass, pair.a1, pair.a2)
         self.waves: Any = (math.sin, math.cos) if kind is float else (np.sin, np.cos)
-        self.viscous = [self.zero] if pair.a1 > 0 else []
-        """Where the integral of v^2 starts, if there is viscosity."""
         pieces, self.spans = pieces_of(scene), list[Span]()
         terms, sines = (max(len(part(one)) for one in pieces) for part in (lambda p: p.polynomial, lambda p: p.sines))
         for one in pieces:
@@ -119,7 +108,7 @@ class SwitchedPair:
         self.mode = int(np.sign(self.gap)) or self.parted(self.spans[0], self.zero, self.load, beyond, self.v1)
         length = max(float(one.held / self.a2) for one in self.spans) + abs(float(at.x1))
         speed = length * math.sqrt(pair.a2 / pair.m1) + abs(float(at.v1)) + abs(float(at.v2))
-        self.sizes = [length * float(pair.a2), speed, speed, length, speed * length][: 4 + len(self.viscous)]
+        self.sizes = [length * float(pair.a2), speed, speed, length]
         """Of the coordinates: what absolute tolerances are measured by."""
 
     def numbers(self, *values: Fraction) -> list[Number]:
@@ -144,10 +133,10 @@ class SwitchedPair:
 
     def rates(self, slip: bool, span: Span, s: Number, push: Number, y: Any) -> list[Any]:
         """Return the time derivatives of the coordinates y, with push = u'(t); numbers, arrays or formulas."""
-        room, v, g, _, *viscous = y
+        room, v, g, _ = y
         pull = (span.held - span.b - room) / self.m1 if slip else (span.held - room) / self.mass
         apart = [-room / self.m1, g] if slip else [0 * g, 0 * g]
-        return [self.a2 * v + self.a1 * pull - s * push, pull, *apart, *[v * v] * len(viscous)]
+        return [self.a2 * v + self.a1 * pull - s * push, pull, *apart]
 
     def first_step(self, span: Span, s: int, t: Number, room: Number, v: Number) -> tuple[float, float]:
         """Return a step off the surface that ends within the slip, and when g comes back by its series, s.
@@ -165,13 +154,13 @@ class SwitchedPair:
 
 
 Arc = Callable[[bool, Span, int, Number, list[Number]], tuple[bool, Number, list[Number]]]
-"""An integrator of both modes: from slip or not, a span, the edge, the time (s) and the coordinates room, v, g, z, and
-the integral of v^2 where there is viscosity, to whether it met its event, the time and the coordinates there. It may
-stop before the end of the span where the load turns back. Raises PeerFailed."""
+"""An integrator of both modes: from slip or not, a span, the edge, the time (s) and the coordinates room, v, g, z, to
+whether it met its event, the time and the coordinates there. It may stop before the end of the span where the load
+turns back. Raises PeerFailed."""
 
 
 def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = float) -> Callable[[Scene, float], Call]:
-    """Return what prepares an integrator, in numbers of a format."""
+    """Return what prepares an integrator, in numbers of a format: it compiles once, and each call solves the scene."""
 
     def prepare(scene: Scene, setting: float) -> Call:
         pair = SwitchedPair(scene, kind)
@@ -181,11 +170,18 @@ def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = floa
     return prepare
 
 
-def run(pair: SwitchedPair, arc: Arc) -> PeerRun:
+def run(pair: SwitchedPair, arc: Arc) -> Run:
     """Run from event to event and from jump to jump. Raises PeerFailed."""
-    t = slipped = lost = pair.zero
+    t = slipped = pair.zero
     load, v1, gap, mode, arcs = pair.load, pair.v1, pair.gap, pair.mode, 0
-    modes, times = [mode], list[Number]()
+    modes, times, states = [mode], list[Number](), list[tuple[Number, ...]]()
+
+    def note(span: Span) -> None:
+        """Keep the state."""
+        x1 = (pair.u(span, t) - load - pair.a1 * v1) / pair.a2
+        states.append((x1, v1, x1 - pair.apart - slipped, v1 - gap))
+
+    note(pair.spans[0])
     for before, span in zip([pair.spans[0], *pair.spans], pair.spans, strict=False):
         held, turned, after = span.held, 0, mode
         if span is not before:
@@ -195,22 +191,21 @@ def run(pair: SwitchedPair, arc: Arc) -> PeerRun:
             if after != mode:
                 modes.append(after)
                 times.append(t)
+                note(span)
             mode = after
             if t >= span.end:
                 break
             s = mode or turned or (1 if pair.load_rate(span, t, load, v1) > 0 else -1)
-            start = [held - s * load, s * v1, s * gap, pair.zero, *pair.viscous]
-            met, at, (room, v, g, z, *viscous) = arc(mode != 0, span, s, t, start)
+            met, t, (room, v, g, z) = arc(mode != 0, span, s, t, [held - s * load, s * v1, s * gap, pair.zero])
             arcs += 1
             if arcs > MAX_ARCS:
                 raise PeerFailed(f"{len(times)} events by t = {t:.9g} s in {arcs} arcs")
-            t, load, v1, gap, turned = at, s * (held - room), s * v, s * g, -s
-            slipped, lost = slipped + s * z, lost + span.b * z + sum(pair.a1 * one for one in viscous)
+            load, v1, gap, turned, slipped = s * (held - room), s * v, s * g, -s, slipped + s * z
             if met:
                 side, beyond, gap = (s, -room, pair.zero) if room < held else (-s, room - 2 * held, pair.zero)
                 if mode == 0:
                     load, after = side * held, side
                 else:
                     after, turned = pair.parted(span, t, side * (held + beyond), beyond, v1), 0
-    x1 = (pair.u(pair.spans[-1], t) - load - pair.a1 * v1) / pair.a2
-    return PeerRun(modes, times, (x1, v1, x1 - pair.apart - slipped, v1 - gap), lost)
+    note(pair.spans[-1])
+    return Run([MODES[one].value for one in modes], times, states)

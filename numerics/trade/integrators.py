@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from numerics.trade.comparisons.switched import Arc, Extra, Number, PeerFailed, Span, SwitchedPair
+from numerics.trade.switched import Arc, Extra, Number, PeerFailed, Span, SwitchedPair
 
 NOTHING = 1e-300
 """Keeps a load that does not change from turning back."""
@@ -85,7 +85,7 @@ def heyoka_arcs(pair: SwitchedPair, tol: float) -> Arc:
     last = pair.spans[0]
     formula = last._replace(numbers=[hy.par[1 + n] for n in range(len(last.numbers))])
     push = formula.u(hy.time, 1, (hy.sin, hy.cos)) if pair.driven else pair.zero
-    y = hy.make_vars(*["room", "v", "g", "z", "viscous"][: len(pair.sizes)])
+    y = hy.make_vars("room", "v", "g", "z")
 
     def compiled(slip: bool, *guards: Extra) -> Placed:
         system = list(zip(y, pair.rates(slip, formula, hy.par[0], push, y), strict=True))
