@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from pathlib import Path
 from typing import Any
 
 from numerics.exits import OK
@@ -20,7 +21,7 @@ def measure_trade(options: argparse.Namespace) -> int:
     from numerics.trade.figure import draw_trade
     from numerics.trade.measure import benchmarks, trade
 
-    scenes = {options.scene: (load_scene(options.scene), "")} if options.scene else benchmarks()
+    scenes = {Path(options.scene).stem: (load_scene(options.scene), "")} if options.scene else benchmarks()
     with shown_steps() as say:
         measured = trade(scenes, options.digits, say)
     if options.plot is not None:

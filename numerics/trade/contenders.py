@@ -22,11 +22,9 @@ def only_on_a_line(scene: Any) -> str | None:
 
 
 class Contender(NamedTuple):
-    """A method with the settings that are worth measuring, from coarse to fine."""
+    """A method with the settings that are worth measuring: digits, steps or tolerances, from coarse to fine."""
 
     name: str
-    setting: str
-    """What is set: a number of steps, a tolerance, or digits."""
     settings: tuple[float, ...]
     prepare: Callable[[Any, float], Call]
     """prepare(scene, setting) builds and compiles everything; the call that it returns solves the scene each time."""
@@ -55,12 +53,12 @@ def ours(arithmetic: ArithmeticName) -> Callable[[Any, float], Call]:
 FLOAT64, BALLS, PEERS = "float64", "balls", ("heyoka", "heyoka long double")
 """Ours, and whom it is measured against: the fastest integrator of its kind that we know."""
 CONTENDERS = (
-    Contender(FLOAT64, "", (0,), ours("float64"), only_on_a_line),
-    Contender(BALLS, "digits", (15, 30, 100, 300, 1000), ours("ball"), lambda _: None),
-    Contender("forward Euler", "steps", (1e3, 1e4, 1e5, 1e6), euler_peer, unknown),
-    Contender("SciPy DOP853", "tolerance", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), unknown, "scipy"),
-    Contender("heyoka", "tolerance", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), unknown, "heyoka"),
-    Contender(PEERS[1], "tolerance", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), unknown, "heyoka"),
+    Contender(FLOAT64, (0,), ours("float64"), only_on_a_line),
+    Contender(BALLS, (15, 30, 100, 300, 1000), ours("ball"), lambda _: None),
+    Contender("forward Euler", (1e3, 1e4, 1e5, 1e6), euler_peer, unknown),
+    Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), unknown, "scipy"),
+    Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), unknown, "heyoka"),
+    Contender(PEERS[1], (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), unknown, "heyoka"),
 )
 
 
