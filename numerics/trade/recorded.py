@@ -3,7 +3,7 @@
 One is shipped, with the machine that it was measured on, since what the report says must not depend on the hour. With
 the extras `comparisons` and `compiled` it is made, in a minute, by
 
-    python -m numerics trade --json > trade.json && mv trade.json numerics/trade/recorded.json
+    python -m numerics trade --digits 1000 --json > trade.json && mv trade.json numerics/trade/recorded.json
 
 Seconds are the processor time of a warm call, read as a user reads it; the ratio is to `float64` on the same scene, in
 the same run, in turns, so that a busy machine changes it little. Errors are judge.py's.
@@ -27,7 +27,7 @@ from numerics.tasks import available_cores
 from numerics.trade.contenders import BALLS, FLOAT64, PEERS
 
 SHIPPED = Path(__file__).with_name("recorded.json")
-COMMAND = "python -m numerics trade --json"
+COMMAND = "python -m numerics trade --digits 1000 --json"
 PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka")
 
 
