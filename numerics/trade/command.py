@@ -47,16 +47,15 @@ def print_trade(trade: Any) -> None:
                     "-" if one.ratio is None else f"{one.ratio:.3g}",
                     error_text(one.time_digits),
                     error_text(one.state_digits),
-                    *map(str, one[7:10]),
+                    *map(str, one[5:8]),
                     one.note,
                 )
                 for one in trade.of(scene)
             ],
         )
         if lead := trade.lead(scene):
-            print(
-                f"float64 is {lead.ratio:.3g} times as fast as {lead.peer.method} with tolerance {lead.peer.setting:g}"
-            )
+            ours, peer = (f"{one.method}, with {one.digits:.1f} right digits" for one in (lead.ours, lead.peer))
+            print(f"{ours}, is {lead.ratio:.3g} times as fast as {peer}")
         print()
     for name, why in trade.left_out.items():
         print(f"left out: {name}: {why}")

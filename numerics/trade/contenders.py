@@ -32,6 +32,10 @@ class Contender(NamedTuple):
     package: str = ""
     """What has to be installed."""
 
+    def settings_up_to(self, digits: int) -> tuple[float, ...]:
+        """Return the settings; balls go up to the digits that are asked for."""
+        return self.settings if self.name != BALLS else (*(few for few in self.settings if few < digits), digits)
+
     def left_out(self, scene: Any) -> str | None:
         """Return in words why it does not solve a scene; None if it does."""
         if self.package and not find_spec(self.package):
@@ -60,8 +64,3 @@ CONTENDERS = (
     Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), unknown, "heyoka"),
     Contender(PEERS[1], (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), unknown, "heyoka"),
 )
-
-
-def contender(name: str) -> Contender:
-    """Return the contender of this name."""
-    return next(one for one in CONTENDERS if one.name == name)

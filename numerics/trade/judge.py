@@ -128,7 +128,7 @@ def _digits(errors: list[arb]) -> float | None:
     if not errors or not all(one.is_finite() for one in errors):
         return None
     worst = max(one.upper() for one in errors) + arb(10) ** -(10**6)
-    return float(worst.log().mid()) / -math.log(10)
+    return math.floor(float(worst.log().mid()) / -math.log(10) * 100) / 100
 
 
 def as_arb(value: Any) -> arb:

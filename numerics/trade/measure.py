@@ -10,7 +10,7 @@ import math
 import statistics
 import time
 import timeit
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -18,8 +18,8 @@ from typing import Any
 from numerics.errors import NumericsError
 from numerics.scene.file import load_scene
 from numerics.solver.many import solve_many
-from numerics.trade.contenders import BALLS, CONTENDERS, FLOAT64, Contender, contender
-from numerics.trade.judge import Call, Run, judge, proved
+from numerics.trade.contenders import CONTENDERS, FLOAT64
+from numerics.trade.judge import Call, Judgement, Run, judge, proved
 from numerics.trade.recorded import Row, Trade, machine
 
 FOLDER = Path(__file__).with_name("benchmarks")
@@ -44,51 +44,34 @@ def trade(
     solve_many(1, 1, 200, 0.5, v1=[0.15], until=1, jobs=1)  # brings up what is compiled
     for name, (scene, _) in scenes.items():
         progress(f"{name}: the proved run")
-        truth = proved(scene, digits)
-        base = answering(contender(FLOAT64), scene)
+        truth, base = proved(scene, digits), None
         for one in CONTENDERS:
             if why := one.left_out(scene):
                 left_out[one.name] = why
                 continue
-            for setting in settings(one, digits):
+            for setting in one.settings_up_to(digits):
                 progress(f"{name}: {one.name} {setting:g}")
-                rows.append(
-                    Row(name, one.name, setting, *measured(partial(one.prepare, scene, setting), truth, base, digits))
-                )
+                call, verdict = judged(partial(one.prepare, scene, setting), truth, digits)
+                base = call if one.name == FLOAT64 else base
+                rows.append(Row._make((name, one.name, setting, *timed(base, call), *verdict)))
     return Trade(of, left_out, {name: what for name, (_, what) in scenes.items()}, tuple(rows))
 
 
-def answering(one: Contender, scene: Any) -> Call | None:
-    """Return the call of a contender with its first setting; None where it has no answer."""
-    if one.left_out(scene):
-        return None
-    call = one.prepare(scene, one.settings[0])
-    try:
-        call()
-    except NumericsError:
-        return None
-    return call
-
-
-def settings(one: Contender, digits: int) -> tuple[float, ...]:
-    """Return the settings of a contender; balls go up to the digits that are asked for."""
-    if one.name != BALLS:
-        return one.settings
-    return *(few for few in one.settings if few < digits), digits
-
-
-def measured(prepare: Callable[[], Call], truth: Run, base: Call | None, digits: int) -> Iterator[Any]:
-    """Yield the columns of a row from the seconds on."""
+def judged(prepare: Callable[[], Call], truth: Run, digits: int) -> tuple[Call | None, Judgement]:
+    """Return what to time, None where there is no answer, and how right it is."""
     try:
         call = prepare()
-        found = judge(call(), truth, digits)
-        ours, theirs = in_turns(base or call, call)
+        return call, judge(call(), truth, digits)
     except NumericsError as error:
-        yield from (None, None, None, None, 0, 0, 0, str(error))
-        return
-    yield from (short(theirs), short(theirs / ours) if base else None)
-    yield from (short(found.time_digits), short(found.state_digits))
-    yield from (found.found, found.missed, found.extra, found.note)
+        return None, Judgement(0, 0, 0, None, None, str(error))
+
+
+def timed(base: Call | None, call: Call | None) -> tuple[float | None, float | None]:
+    """Return the time of a call, s, and its ratio to that of `base`; None where there is nothing to time."""
+    if call is None:
+        return None, None
+    ours, theirs = in_turns(base or call, call)
+    return float(f"{theirs:.3g}"), float(f"{theirs / ours:.3g}") if base else None
 
 
 def total_time(call: Call, loops: int) -> float:
@@ -107,8 +90,3 @@ def in_turns(ours: Call, theirs: Call) -> tuple[float, float]:
     taken = [[total_time(*one) / one[1] for one in zip((ours, theirs), loops, strict=True)] for _ in range(turns)]
     mine, other = map(statistics.median, zip(*taken, strict=True))
     return mine, other
-
-
-def short(value: float | None) -> float | None:
-    """Return three digits of a number, None for none."""
-    return value and float(f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}")

@@ -45,12 +45,12 @@ class Row(NamedTuple):
     """None where there is no answer."""
     ratio: float | None
     """To the time of float64; None where that has no answer."""
-    time_digits: float | None
-    state_digits: float | None
-    """-log10 of the largest error of event times and of states."""
     found: int
     missed: int
     extra: int
+    time_digits: float | None
+    state_digits: float | None
+    """-log10 of the largest error of event times and of states."""
     note: str
     """The first event that is wrong, or why there is no answer; empty where all are right."""
 
