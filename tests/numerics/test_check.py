@@ -66,6 +66,7 @@ def test_a_falsified_mode_is_the_first_event_that_differs():
     assert (found.difference.event, found.difference.t) == (5, RUN.event_times[4])
     assert found.difference.mode != found.difference.true_mode == RUN.modes[5].value
     assert str(found.difference) in str(found)
+    assert not found.right
     assert {one.quantity for one in found.off} == {"t", "x1", "v1", "x2", "v2"}
     assert all(one.within for one in found.off)
     assert json.loads(json.dumps(found.to_dict()))["difference"]["event"] == 5

@@ -18,7 +18,9 @@ from numerics.trade.recorded import SHIPPED, UnreadableTrade, recorded
 SCENE = load_scene("relative-motion-b05")
 TRUTH = proved(SCENE)
 COUNT, MODES, TIMES = len(TRUTH.times), list(TRUTH.modes), list(TRUTH.times)
-GAP = min(TIMES[4] - TIMES[3], TIMES[5] - TIMES[4])
+LEFT, RIGHT = TIMES[4] - TIMES[3], TIMES[5] - TIMES[4]
+GAP, AWAY = min(LEFT, RIGHT), 1 if LEFT < RIGHT else -1
+"""The fifth event's nearer neighbour; and the direction in which the other one lies."""
 
 # judging
 
@@ -40,8 +42,9 @@ def run(start, stop, *more):
 
 
 PLANTED = {
-    "late, and still its own": (run(4, 5, (MODES[5], TIMES[4] + GAP * 0.49)), (COUNT, 0, 0), "$"),
-    "nearer to another's": (run(4, 5, (MODES[5], TIMES[4] + GAP * 0.51)), (COUNT - 1, 1, 1), "event 5: .* in truth"),
+    "late, and still its own": (run(4, 5, (MODES[5], TIMES[4] + AWAY * GAP * 0.49)), (COUNT, 0, 0), "$"),
+    "too late": (run(4, 5, (MODES[5], TIMES[4] + AWAY * GAP * 0.51)), (COUNT - 1, 1, 1), "event 5: .* in truth"),
+    "nearer to another": (run(4, 5, (MODES[5], TIMES[4] - AWAY * GAP * 0.51)), (COUNT - 1, 1, 1), "event 5: "),
     "without a time": (run(4, 5, (MODES[5], math.nan)), (COUNT - 1, 1, 1), "event 5: .* at nan s; in truth"),
     "the last one lost": (run(COUNT - 1, COUNT), (COUNT - 1, 1, 0), f"event {COUNT}: .* to the end; in truth"),
     "a short slip lost": (run(10, 12), (COUNT - 2, 2, 0), "event 11: "),
