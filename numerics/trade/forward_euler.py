@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compiled
 from numerics.linear.modes import MODES
-from numerics.linear.pieces import pieces_of
 from numerics.scene import Law, Scene
 from numerics.trade.judge import Call, Run
 from numerics.trade.switched import SwitchedPair
@@ -89,11 +88,9 @@ def march(
 def acting(scene: Scene, t: Vector) -> tuple[Vector, Vector]:
     """Return the force on body 1 and the friction force at these times, N."""
     u, b = np.zeros_like(t), np.zeros_like(t)
-    for piece in pieces_of(scene):
-        on = t >= float(piece.start)
-        since, polynomial = t[on] - float(piece.start), [float(one) for one in reversed(piece.polynomial)]
-        waves = [float(s.amplitude) * np.sin(float(s.omega) * t[on] + float(s.phase)) for s in piece.sines]
-        u[on], b[on] = sum(waves, np.polyval(polynomial, since)), float(piece.b)
+    for span in SwitchedPair(scene).spans:
+        on = t >= span.start
+        u[on], b[on] = span.u(t[on], 0, (np.sin, np.cos)), span.b
     return u, b
 
 

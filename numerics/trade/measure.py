@@ -71,7 +71,8 @@ def timed(base: Call | None, call: Call | None) -> tuple[float | None, float | N
     if call is None:
         return None, None
     ours, theirs = in_turns(base or call, call)
-    return float(f"{theirs:.3g}"), float(f"{theirs / ours:.3g}") if base else None
+    ratio = 1.0 if call is base else theirs / ours
+    return float(f"{theirs:.3g}"), float(f"{ratio:.3g}") if base else None
 
 
 def total_time(call: Call, loops: int) -> float:

@@ -71,11 +71,16 @@ class Span(NamedTuple):
         """Return the friction force, N."""
         return self.numbers[1]
 
+    @property
+    def start(self) -> Number:
+        """Return the time from which the polynomial counts, s."""
+        return self.numbers[2]
+
     def u(self, t: Number, order: int, waves: Any) -> Number:
         """Return the derivative of order 0, 1 or 2 at t (s); `waves`: sine and cosine of the numbers that t is of."""
         value, numbers, sines = 0 * t, self.numbers, 3 + self.terms
         for k in range(order, self.terms):
-            value += math.perm(k, order) * numbers[3 + k] * (t - numbers[2]) ** (k - order)
+            value += math.perm(k, order) * numbers[3 + k] * (t - self.start) ** (k - order)
         for n in range(sines, len(numbers), 3):
             wave = waves[order % 2](numbers[n + 1] * t + numbers[n + 2])
             value += (-1) ** (order // 2) * numbers[n] * numbers[n + 1] ** order * wave
