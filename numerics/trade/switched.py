@@ -1,16 +1,16 @@
 """The pair as a user of an integrator writes it down: one smooth field per mode, in coordinates that lose nothing.
 
 With the load F = u(t) - a2 x1 - a1 v1 and held = b (m1+m2)/m2, friction holds the bodies together while |F| < held.
-Towards one edge of that region, s = +1 or -1 (in slip the sign of v1 - v2), the coordinates are
+Towards one edge
+of that region, s = +1 or -1 (in slip the sign of v1 - v2), the coordinates are
 
-    room = held - s F,   v = s v1,   g = s (v1 - v2),   z' = g
+    r = F - s held,   v = v1,   g = v1 - v2,   z = x1 - x2,   with z' = g
 
-    slip   m1 v' = held - b - room,   m1 g' = -room     until g falls to 0
-    stick  (m1+m2) v' = held - room,  g = 0             until room falls to 0
+    slip   m1 v' = r + s (held - b),   m1 g' = r       until s g falls to 0
+    stick  (m1+m2) v' = r + s held,    g = 0           until -s r falls to 0
 
-with room' = a2 v + a1 v' - s u'(t) in both; and the integral of v^2 where there is viscosity. At an exit room = g = 0
-exactly, so a slip of any length can be computed to full relative accuracy, and events are clean roots.
-
+with r' = u'(t) - a2 v - a1 v' in both. At an exit r = g = 0 exactly, so a slip of any length can be computed to full
+relative accuracy, and events are clean roots.
 """
 
 from __future__ import annotations
@@ -109,8 +109,11 @@ class SwitchedPair:
         # exactly, lest a start on the edge misses it by a rounding error
         load = Fraction(scene.force(0)) - pair.a2 * at.x1 - pair.a1 * at.v1
         beyond = abs(load) - pieces[0].b * pair.mass / pair.m2
-        self.load, self.v1, self.gap, self.apart = self.numbers(load, at.v1, at.v1 - at.v2, at.x1 - at.x2)
-        self.mode = int(np.sign(self.gap)) or self.parted(self.spans[0], self.zero, self.load, beyond, self.v1)
+        self.start = self.numbers(load, at.v1, at.v1 - at.v2, at.x1 - at.x2)
+        """The load F, v, g and z."""
+        self.mode = int(np.sign(self.start[2])) or self.parted(
+            self.spans[0], self.zero, self.start[0], beyond, self.start[1]
+        )
         length = max(float(one.held / self.a2) for one in self.spans) + abs(float(at.x1))
         speed = length * math.sqrt(pair.a2 / pair.m1) + abs(float(at.v1)) + abs(float(at.v2))
         self.sizes = [length * float(pair.a2), speed, speed, length]
@@ -138,19 +141,18 @@ class SwitchedPair:
 
     def rates(self, slip: bool, span: Span, s: Number, push: Number, y: Any) -> list[Any]:
         """Return the time derivatives of the coordinates y, with push = u'(t); numbers, arrays or formulas."""
-        room, v, g, _ = y
-        pull = (span.held - span.b - room) / self.m1 if slip else (span.held - room) / self.mass
-        apart = [-room / self.m1, g] if slip else [0 * g, 0 * g]
-        return [self.a2 * v + self.a1 * pull - s * push, pull, *apart]
+        r, v, g, _ = y
+        pull = (r + s * (span.held - span.b)) / self.m1 if slip else (r + s * span.held) / self.mass
+        return [push - self.a2 * v - self.a1 * pull, pull, *([r / self.m1, g] if slip else [0 * g, 0 * g])]
 
-    def first_step(self, span: Span, s: int, t: Number, room: Number, v: Number) -> tuple[float, float]:
+    def first_step(self, span: Span, s: int, t: Number, r: Number, v: Number) -> tuple[float, float]:
         """Return a step off the surface that ends within the slip, and when g comes back by its series, s.
 
-        g starts as c1 t + c2 t^2/2 + c3 t^3/6; where it leaves steeply it is not asked, and the second number is 0.
+        s g starts as c1 t + c2 t^2/2 + c3 t^3/6; where it leaves steeply it is not asked, and the second number is 0.
         """
-        rate, pull, *_ = self.rates(True, span, s, self.u(span, t, 1), (room, v, self.zero, self.zero))
-        bend = self.a2 * pull - s * self.u(span, t, 2)
-        c1, c2, c3 = (float(one / self.m1) for one in (-room, -rate, self.a1 * rate / self.m1 - bend))
+        rate, pull, *_ = self.rates(True, span, s, self.u(span, t, 1), (r, v, self.zero, self.zero))
+        bend = self.u(span, t, 2) - self.a2 * pull - self.a1 * rate / self.m1
+        c1, c2, c3 = (float(s * one / self.m1) for one in (r, rate, bend))
         if c1 > abs(c2) * self.quick:
             return self.quick, 0.0
         inner = c2 * c2 / 4 - 2 * c1 * c3 / 3
@@ -159,7 +161,7 @@ class SwitchedPair:
 
 
 Arc = Callable[[bool, Span, int, Number, list[Number]], tuple[bool, Number, list[Number]]]
-"""An integrator of both modes: from slip or not, a span, the edge, the time (s) and the coordinates room, v, g, z, to
+"""An integrator of both modes: from slip or not, a span, the edge, the time (s) and the coordinates r, v, g, z, to
 whether it met its event, the time and the coordinates there. It may stop before the end of the span where the load
 turns back. Raises PeerFailed."""
 
@@ -177,21 +179,20 @@ def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = floa
 
 def run(pair: SwitchedPair, arc: Arc) -> Run:
     """Run from event to event and from jump to jump. Raises PeerFailed."""
-    t = slipped = pair.zero
-    load, v1, gap, mode, arcs = pair.load, pair.v1, pair.gap, pair.mode, 0
+    t, mode, arcs, (load, v, g, z) = pair.zero, pair.mode, 0, pair.start
     modes, times, states = [mode], list[Number](), list[tuple[Number, ...]]()
 
     def note(span: Span) -> None:
         """Keep the state."""
-        x1 = (pair.u(span, t) - load - pair.a1 * v1) / pair.a2
-        states.append((x1, v1, x1 - pair.apart - slipped, v1 - gap))
+        x1 = (pair.u(span, t) - load - pair.a1 * v) / pair.a2
+        states.append((x1, v, x1 - z, v - g))
 
     note(pair.spans[0])
     for before, span in zip([pair.spans[0], *pair.spans], pair.spans, strict=False):
         held, turned, after = span.held, 0, mode
         if span is not before:
             load += pair.u(span, t) - pair.u(before, t)
-            after = mode or pair.parted(span, t, load, abs(load) - held, v1)
+            after = mode or pair.parted(span, t, load, abs(load) - held, v)
         while True:
             if after != mode:
                 modes.append(after)
@@ -200,17 +201,16 @@ def run(pair: SwitchedPair, arc: Arc) -> Run:
             mode = after
             if t >= span.end:
                 break
-            s = mode or turned or (1 if pair.load_rate(span, t, load, v1) > 0 else -1)
-            met, t, (room, v, g, z) = arc(mode != 0, span, s, t, [held - s * load, s * v1, s * gap, pair.zero])
-            arcs += 1
+            s = mode or turned or (1 if pair.load_rate(span, t, load, v) > 0 else -1)
+            met, t, (r, v, g, z) = arc(mode != 0, span, s, t, [load - s * held, v, g, z])
+            load, turned, arcs = r + s * held, -s, arcs + 1
             if arcs > MAX_ARCS:
                 raise PeerFailed(f"{len(times)} events by t = {t:.9g} s in {arcs} arcs")
-            load, v1, gap, turned, slipped = s * (held - room), s * v, s * g, -s, slipped + s * z
             if met:
-                side, beyond, gap = (s, -room, pair.zero) if room < held else (-s, room - 2 * held, pair.zero)
+                side, beyond, g = (s, s * r, pair.zero) if s * r > -held else (-s, -s * r - 2 * held, pair.zero)
                 if mode == 0:
                     load, after = side * held, side
                 else:
-                    after, turned = pair.parted(span, t, side * (held + beyond), beyond, v1), 0
+                    after, turned = pair.parted(span, t, load, beyond, v), 0
     note(pair.spans[-1])
     return Run([MODES[one].value for one in modes], times, states)
