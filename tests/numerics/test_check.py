@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
 
@@ -100,3 +101,15 @@ def test_the_command_prints_it(run, record):
     assert code == 0
     assert "really off by" in out
     assert run("solve", "velocities", "--check", "--csv")[0] == 2
+
+
+@pytest.mark.parametrize("after", ["1e-30", "-1e-30"])
+def test_a_sequence_in_doubt_has_no_bounds_and_is_compared_all_the_same(after):
+    """The horizon is next to the third event: float64 cannot say on which side."""
+    third = Fraction(solve(RUN.scene, digits=40).events[2].t.str(40, radius=False)) + Fraction(after)
+    run = solve(Scene(RUN.scene.pair, RUN.scene.initial, third), arithmetic="float64")
+    found = run.check()
+    assert not run.certain
+    assert {one.bound for one in found.off} == {None}
+    lost = None if len(run.events) == 2 + (after[0] != "-") else 3
+    assert (found.difference and found.difference.event) == lost
