@@ -142,8 +142,8 @@ solve velocities --npz absent/x.npz | does not exist
 solve velocities --plot x | must end in one of
 solve velocities --npz table.csv | must end in .npz
 ring velocities --radius -1 | radius = -1
-trade --only nobody | matches no method
-trade --out no-such-folder/figure.png | does not exist
+trade no-such-scene | one of those that `inertial-pair scenes` lists
+trade --plot no-such-folder/figure.png | does not exist
 """
 
 
