@@ -20,13 +20,7 @@ from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, numbe
 from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
 from numerics.control.rotating import pictures, rotating_force, rotating_response
 from numerics.control.search import MAX_EVENTS, search
-from numerics.control.stuck import (
-    entrained,
-    others_stick,
-    resonant_growth,
-    stuck_multipliers,
-    stuck_state,
-)
+from numerics.control.stuck import entrained, others_stick, resonant_growth, stuck_motion, stuck_multipliers
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Piece, Scene
@@ -101,8 +95,11 @@ class Response(ShortRepr):
             return claim.scene
         with Ball(KEPT_DIGITS).context():
             sticks = self.regime is Regime.ENTRAINED and entrained(self.drive)
-            state = stuck_state(self.drive, arb(0)) if sticks else None
-            return state and self.drive.one_period(Fraction(0), [*map(rounded, state)], KEPT_DIGITS)
+            motion = stuck_motion(self.drive, arb(0)) if sticks else None
+            if motion is None:
+                return None
+            x, v = map(rounded, motion[:2])
+            return self.drive.one_period(Fraction(0), (x, v, v))
 
 
 def response(
@@ -150,7 +147,7 @@ def response(
         if entrained(drive) or others_stick(drive, known):
             found = _entrained(drive, known, digits)
         else:
-            orbit = search(drive, max_events) if orbit is None else solve_orbit(orbit)
+            orbit = search(drive, max_events) if orbit is None else solve_orbit(drive, orbit)
             found = _of_orbit(orbit, known, digits)
         return found, _numbers(found)
 

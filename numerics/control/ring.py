@@ -13,8 +13,10 @@ in balls for it; after that time the motion is inside by what is proved of all l
 from __future__ import annotations
 
 import logging
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from typing import NamedTuple
 
 import flint
@@ -24,13 +26,13 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.arithmetic.precision import precision
 from numerics.control.answers import most_digits, number
-from numerics.control.attraction import Passage, passage_at, passages, slide_left
-from numerics.control.orbit import Orbit, PeriodicDrive
+from numerics.control.attraction import energy_norm, slide_left, speed_bound
+from numerics.control.orbit import Orbit, Passage, PeriodicDrive, passages
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
 from numerics.free.root import falling_root
-from numerics.linear.system import LocalNorm, W, Z
+from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind
@@ -38,7 +40,6 @@ from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from numerics.trajectory.variation import legs
 
 _log = logging.getLogger(__name__)
 _FREE, _FORCED = (24, 100_000), (7, 2_000)
@@ -169,18 +170,17 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
     sharp and the balls of both motions are apart, a later horizon is sharper: None.
     """
-    parts, pair, period = stretches(trajectory), orbit.drive.pair, orbit.drive.period
-    end, kappa = number(trajectory.scene.until), number(pair.mass / (pair.m1 * pair.m2))
-    limit, since = None, None
+    parts, pair, period = passages(trajectory), orbit.drive.pair, orbit.drive.period
+    end, limit, since = number(trajectory.scene.until), None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
         t = (end - back * period).mid()
         try:
-            there = passage_at(orbit, t)
-            here = next((one for one in parts if one.begin <= t and not t > one.end), None)
-            if here is None or here.motion.mode.side != there.motion.mode.side:
+            there = orbit.passage_at(t)
+            here = next((one for one in parts if one.start <= t and not t > one.end), None)
+            if here is None or here.side != there.side:
                 break
-            apart = [a - b for a, b in zip(here.state(t), there.state(t), strict=True)]
-            reach = LocalNorm(here.motion.mode).of(apart)
+            apart = [a - b for a, b in zip(here.at(t), there.at(t), strict=True)]
+            reach = energy_norm(pair, apart)
             left = slide_left(orbit, t, reach)
         except EventUndecided:
             break
@@ -189,7 +189,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
             if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
                 return None
             limit += arb(0, left)
-        if not left.max(kappa.sqrt() * reach) < near:
+        if not left.max(speed_bound(pair) * reach) < near:
             break
         since = t
     if limit is None or since is None:
@@ -200,70 +200,60 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 # the last time on the ring
 
 
-def stretches(trajectory: Trajectory) -> list[Passage]:
-    """Return the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
-    return [Passage(one.start, one.end, one.motion(trajectory.scene)) for one in legs(trajectory)]
-
-
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
-    for one in reversed(stretches(trajectory)):
-        if one.begin < known.since:
-            others = [[two] for two in passages(known.orbit, one.begin, one.end)] if known.orbit is not None else [[]]
-            for there in reversed(others):
-                begin, end = one.begin, one.end
-                for two in there:
-                    begin, end = begin.max(two.begin), end.min(two.end)
-                apart = _Apart((one, *there), begin, known.limit, number(radius**2), number(1 / rate**2))
-                found = _last_in(apart, end - begin)
+    orbit = known.orbit
+    for one in reversed(passages(trajectory)):
+        if one.start < known.since:
+            together = [(one,)] if orbit is None else [(one, two) for two in orbit.between(one.start, one.end)]
+            for parts in reversed(together):
+                found = _Apart(parts, known.limit, number(radius**2), number(1 / rate**2)).last_on_ring()
                 if found is not None:
-                    return begin + found
+                    return found
     return arb(0)
 
 
 _ROWS = ((0, Z), (0, W), (1, Z), (1, W))
 
 
-class _Apart(NamedTuple):
-    """D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time on: of a motion, or of that and a periodic one."""
+class _Apart:
+    """D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 while passages last: of one motion, or of that and a periodic one."""
 
-    motions: tuple[Passage, ...]
-    begin: arb
-    limit: arb
-    squared: arb
-    weight: arb
+    def __init__(self, parts: Sequence[Passage], limit: arb, squared: arb, weight: arb) -> None:
+        self.limit, self.squared, self.weight = limit, squared, weight
+        self.start = reduce(arb.max, (one.start for one in parts))
+        self.length = reduce(arb.min, (one.end for one in parts)) - self.start
+        self.motions = [(one.motion, self.start - one.start) for one in parts]
 
     def over(self, t: arb) -> tuple[arb, arb]:
-        """Return D and D' over a ball of times since the beginning."""
-        stretched = [one.motion.over(self.begin - one.begin + t) for one in self.motions]
+        """Return D and D' over a ball of times since the start."""
+        stretched = [motion.over(since + t) for motion, since in self.motions]
         here, *others = [[one.range(row, order) for order, row in _ROWS] for one in stretched]
-        here[0] -= self.limit
         for other in others:
             here = [a - b for a, b in zip(here, other, strict=True)]
         z, w, slide, change = here
+        z -= self.limit
         return z * z + self.weight * w * w - self.squared, 2 * (z * slide + self.weight * w * change)
 
-
-def _last_in(apart: _Apart, length: arb) -> arb | None:
-    """Return the last time in a stretch at which D is 0; None if D < 0."""
-    over = apart.over
-    waiting = [(arb(0), length.upper())]
-    smallest = length.upper() * arb(2) ** (-working_digits())
-    while waiting:
-        low, high = waiting.pop()
-        # telling inside from outside needs few digits
-        with precision(min(flint.ctx.prec, _SEARCH_BITS)):
-            part, rate = over(low.union(high))
-            if part < 0:
-                continue
-            left, right = over(low)[0], over(high)[0]
-        if right > 0:
-            raise undecided("is the motion inside the ring here?", right)
-        if rate < 0 and left > 0:
-            return falling_root(low, high, lambda _, t: over(t), None)
-        if not (rate < 0 or rate > 0) or left.contains(0):
-            if high - low < smallest:
-                raise undecided("does the motion touch the ring?", part)
-            middle = ((low + high) / 2).mid()
-            waiting += [(low, middle), (middle, high)]
-    return None
+    def last_on_ring(self) -> arb | None:
+        """Return the last time (s) at which D is 0; None if D < 0."""
+        waiting = [(arb(0), self.length.upper())]
+        smallest = self.length.upper() * arb(2) ** (-working_digits())
+        while waiting:
+            low, high = waiting.pop()
+            # telling inside from outside needs few digits
+            with precision(min(flint.ctx.prec, _SEARCH_BITS)):
+                part, rate = self.over(low.union(high))
+                if part < 0:
+                    continue
+                left, right = self.over(low)[0], self.over(high)[0]
+            if right > 0:
+                raise undecided("is the motion inside the ring here?", right)
+            if rate < 0 and left > 0:
+                return self.start + falling_root(low, high, lambda _, t: self.over(t), None)
+            if not (rate < 0 or rate > 0) or left.contains(0):
+                if high - low < smallest:
+                    raise undecided("does the motion touch the ring?", part)
+                middle = ((low + high) / 2).mid()
+                waiting += [(low, middle), (middle, high)]
+        return None

@@ -19,16 +19,17 @@ condition, too, holds from some amplitude on: from U** on for a1 = 0 and omega >
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 from flint import acb, arb
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, mean_value
 from numerics.control.answers import number
 from numerics.errors import InvalidScene
-from numerics.linear.system import is_positive_on
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive, require_digits
 from numerics.scene.model import require_kind
@@ -181,18 +182,13 @@ class NonStop:
             return None
         R = rest.sqrt()
 
-        def rising(part: arb) -> arb:
-            """Return w in the form that is the sharper: by its value in the middle and its rate over the part."""
-            middle, (plain, rate) = part.mid(), self.relative(part, R)
-            wide = self.relative(middle, R)[0] + (part - middle) * rate
-            return wide if wide.rad() < plain.rad() else plain
+        def w(t: arb, order: int = 0) -> arb:
+            return self.relative(t, R)[order]
 
-        short_part, end = (self.half / 16).lower(), self.half.upper()
-        if (
-            is_positive_on(lambda t: self.relative(t, R)[1], arb(0), short_part, _PARTS)
-            and is_positive_on(lambda t: -self.relative(t, R)[1], self.half.lower() - short_part, end, _PARTS)
-            and is_positive_on(rising, short_part, end - short_part, _PARTS)
-        ):
+        edge, end = (self.half / 16).lower(), self.half.upper()
+        rises = is_positive_on(lambda t: w(t, 1), arb(0), edge, _PARTS)
+        falls = is_positive_on(lambda t: -w(t, 1), self.half.lower() - edge, end, _PARTS)
+        if rises and falls and is_positive_on(partial(mean_value, w, partial(w, order=1)), edge, end - edge, _PARTS):
             return True
         return False if any(self.relative(t, R)[0] < 0 for t in self._times()) else None
 
@@ -207,6 +203,26 @@ class NonStop:
 
     def _times(self) -> list[arb]:
         return [(self.half * (2 * k + 1) / (2 * _TIMES)).mid() for k in range(_TIMES)]
+
+
+def is_positive_on(function: Callable[[arb], arb], start: arb, end: arb, most: int) -> bool | None:
+    """Return whether an enclosure of a function is proved positive over [start, end], cut in halves where needed.
+
+    False: it is proved negative at some point; None: neither is proved with so many cuts.
+    """
+    waiting, cuts = [(start.lower(), end.upper())], 0
+    while waiting:
+        low, high = waiting.pop()
+        if function(low.union(high)) > 0:
+            continue
+        cuts += 1
+        middle = ((low + high) / 2).mid()
+        if function(middle) < 0:
+            return False
+        if cuts > most or not (low < middle < high):
+            return None
+        waiting += [(middle, high), (low, middle)]
+    return True
 
 
 def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:
