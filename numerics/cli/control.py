@@ -24,18 +24,15 @@ Shown = tuple[dict[str, Any], list[str]]
 
 def print_response(options: argparse.Namespace) -> int:
     """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
-    from numerics.control.answers import solved_again
     from numerics.control.response import response
     from numerics.control.rotating import RotatingResponse
     from numerics.scene.file import load_scene
 
-    with shown_steps() as say:
+    with shown_steps():
         found: Any = response(load_scene(options.scene), **asked(options, "amplitude", "omega", "max_events"))
         if isinstance(found, RotatingResponse):
             record, lines = _of_rotating(found)
         else:
-            say("solving one period again, event by event")
-            solved_again(found)
             record, lines = _of_response(found)
         if options.plot is not None:
             write_figure(found.plot(), options.plot)
@@ -54,18 +51,15 @@ _SLIPS_FOR_EVER = {
 def _slips_for_ever(found: Response) -> str:
     """Return whether the motion that reverses twice a period slips permanently at the amplitude of the one sine."""
     from numerics.arithmetic.ball import Ball
-    from numerics.control.thresholds import NonStop
 
-    known, sine = found.thresholds, found.drive.piece.sines[0]
+    known, turns = found.thresholds, [] if found.orbit is None else [leg.side for leg in found.orbit.legs]
     assert known is not None
     with Ball(found.digits + 10).context():
-        amplitude = Ball.number(abs(sine.amplitude))
-        if amplitude < known.non_stop:
+        if Ball.number(abs(found.drive.piece.sines[0].amplitude)) < known.non_stop:
             return "below U**"
-        keeps = NonStop(found.drive.pair, sine.omega).keeps_slipping(amplitude)
-        if keeps is False:
-            return "turns back"
-        return "yes" if keeps and amplitude > known.non_stop else "undecided"
+    if turns == [1, -1]:
+        return "yes"
+    return "turns back" if found.is_only_one else "undecided"
 
 
 def _of_response(found: Response) -> Shown:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, undecided, working_digits
-from numerics.control.answers import KEPT_DIGITS, Prediction, number, rounded, rounded_up
+from numerics.control.answers import KEPT_DIGITS, number, rounded, rounded_up
 from numerics.errors import NotSettled
 from numerics.linear.system import V1, V2, X1, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
@@ -153,18 +153,6 @@ class Orbit(ShortRepr):
         if len(found) != 1 or not found[0].start <= t:
             raise undecided("in which leg is this time?", t)
         return found[0]
-
-    def claim(self, digits: int) -> Prediction:
-        """Return that one period, from inside the first leg on, has these modes and comes back.
-
-        Time and state of that start are rounded to decimals, so far that what grows of it in a period does not count.
-        """
-        kept = max(digits + 12, KEPT_DIGITS)
-        with Ball(2 * digits + 20).context():
-            begin, at = middle(self.legs[:1])
-            scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
-            ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.legs]
-            return Prediction(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, sides[0]))
 
 
 class Box(Ball):

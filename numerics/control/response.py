@@ -16,8 +16,8 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, rounded
-from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
+from numerics.control.answers import KEPT_DIGITS, most_digits, number, rounded
+from numerics.control.orbit import Orbit, PeriodicDrive, middle, solve_orbit
 from numerics.control.rotating import pictures, rotating_force, rotating_response
 from numerics.control.search import MAX_EVENTS, search
 from numerics.control.stuck import entrained, others_stick, resonant_growth, stuck_motion, stuck_multipliers
@@ -57,8 +57,8 @@ class Response(ShortRepr):
     entrained: a motion in which the bodies stick permanently; None; 0; 8
     >>> [abs(one).str(5, radius=False) for one in found.multipliers], found.drift.is_zero()
     (['0.73040', '0.73040', '0'], True)
-    >>> float(found.one_period().until), found.drive.pair.b, found.claim()
-    (1.2566370614359172, Fraction(1, 20), None)
+    >>> float(found.one_period().until), found.drive.pair.b
+    (1.2566370614359172, Fraction(1, 20))
     """
 
     drive: PeriodicDrive
@@ -77,6 +77,11 @@ class Response(ShortRepr):
         is_kept = self.regime is Regime.ENTRAINED and self.drive.pair.a1 == 0
         return tuple(arb(one != 0) if is_kept else abs(one) for one in self.multipliers or ())
 
+    @property
+    def is_only_one(self) -> bool:
+        """Return whether every motion is proved to tend to this one."""
+        return self.attraction.startswith(_EVERY)
+
     def plot(self) -> Any:
         """Return a matplotlib figure: one period of the motion, its friction, and the thresholds over frequency.
 
@@ -84,22 +89,17 @@ class Response(ShortRepr):
         """
         return pictures().draw_response(self)
 
-    def claim(self) -> Prediction | None:
-        """Return the prediction that its motion repeats after a period, None without events."""
-        return self.orbit.claim(self.digits) if self.orbit is not None else None
-
     def one_period(self) -> Scene | None:
         """Return one period of its motion as a scene, in decimals; None if there is no such scene."""
-        claim = self.claim()
-        if claim is not None:
-            return claim.scene
-        with Ball(KEPT_DIGITS).context():
-            sticks = self.regime is Regime.ENTRAINED and entrained(self.drive)
-            motion = stuck_motion(self.drive, arb(0)) if sticks else None
-            if motion is None:
+        kept = max(self.digits + 12, KEPT_DIGITS)
+        with Ball(2 * self.digits + 20).context():
+            if self.orbit is not None:
+                begin, at = middle(self.orbit.legs[:1])
+            elif self.regime is Regime.ENTRAINED and entrained(self.drive) and (motion := stuck_motion(self.drive)):
+                begin, at = Fraction(0), (motion[0], motion[1], motion[1])
+            else:
                 return None
-            x, v = map(rounded, motion[:2])
-            return self.drive.one_period(Fraction(0), (x, v, v))
+            return self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
 
 
 def response(

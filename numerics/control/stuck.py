@@ -7,6 +7,7 @@ where that breaks.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
 
@@ -15,14 +16,14 @@ from flint import acb, arb
 from numerics.arithmetic.ball import mean_value, proved_sign, undecided
 from numerics.control.answers import number
 from numerics.control.orbit import PeriodicDrive
-from numerics.control.thresholds import Thresholds, impedance, is_positive_on, load_margin
+from numerics.control.thresholds import Thresholds, impedance, load_margin
 
-_PARTS = 2_000
+_MOST_CUTS = 2_000
 """Into so many parts a period is cut before the load's sign counts as undecided."""
 
 
-def stuck_motion(drive: PeriodicDrive, t: arb, mass: Fraction | None = None) -> list[arb] | None:
-    """Return x1 and its first three derivatives in the stuck response at a time (s); None at a resonance of it, a1 = 0.
+def stuck_motion(drive: PeriodicDrive, t: arb | int = 0, mass: Fraction | None = None) -> list[arb] | None:
+    """Return x1 and its first three derivatives in the stuck response at a time (s); None at a resonance, a1 = 0.
 
     With another mass than M (kg) that of so large a body on the spring.
     """
@@ -43,7 +44,7 @@ def entrained(drive: PeriodicDrive) -> bool:
     sines = drive.piece.sines
     if len(sines) == 1:
         return load_margin(drive.pair, sines[0].amplitude, sines[0].omega) >= 0
-    if stuck_motion(drive, arb(0)) is None:
+    if stuck_motion(drive) is None:
         return False
     most = number(drive.pair.b / drive.pair.m2)
 
@@ -53,18 +54,31 @@ def entrained(drive: PeriodicDrive) -> bool:
         assert motion is not None
         return (most if order == 2 else 0) - side * motion[order]
 
-    held = [
-        is_positive_on(
-            lambda t, side=side: mean_value(partial(left, side, 2), partial(left, side, 3), t),
-            arb(0),
-            drive.period,
-            _PARTS,
-        )
-        for side in (1, -1)
-    ]
+    forms = [partial(mean_value, partial(left, side, 2), partial(left, side, 3)) for side in (1, -1)]
+    held = [_is_positive_on(one, drive.period) for one in forms]
     if None in held and False not in held:
         raise undecided("does friction hold the pair in its stuck response?", "load near b")
     return all(held)
+
+
+def _is_positive_on(function: Callable[[arb], arb], length: arb) -> bool | None:
+    """Return whether an enclosure of a function is proved positive over [0, length], cut in halves where needed.
+
+    False: it is proved negative at some point; None: neither is proved.
+    """
+    waiting, cuts = [(arb(0), length.upper())], 0
+    while waiting:
+        low, high = waiting.pop()
+        if function(low.union(high)) > 0:
+            continue
+        cuts += 1
+        middle = ((low + high) / 2).mid()
+        if function(middle) < 0:
+            return False
+        if cuts > _MOST_CUTS or not (low < middle < high):
+            return None
+        waiting += [(middle, high), (low, middle)]
+    return True
 
 
 def resonant_growth(drive: PeriodicDrive) -> arb:

@@ -95,8 +95,8 @@ class Tracking(ShortRepr):
             return None
         last = self.reference[self.demands[-1].number - 1]
         path = force_form(last, self.scene.until - last.start).enclosed(4 * Ball(self.digits + 20).bits)
-        sides = None if self.is_at_limit and self.force_error > 0 else (0,)
-        return Prediction(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides)
+        sticks = not (self.is_at_limit and self.force_error > 0)
+        return Prediction(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sticks)
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
