@@ -25,6 +25,7 @@ from numerics.control.answers import Prediction, number, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
+from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import require_digits, short
@@ -122,17 +123,18 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
         return found, [one.force if one.possible else one.too_much for one in found]
 
     demands = to_digits(attempt, digits, max_digits)
-    share = max((one.force / number(one.b) for one in demands), key=float)
-    if not all(one.possible for one in demands):
-        return Tracking(reference, demands, None, share, 0.0, digits)
-    forces, error, apart = {}, 0.0, scene.initial.x1 - scene.initial.x2
-    for index, one in parts:
-        piece = reference[index - 1]
-        first, *others = piece.polynomial or (Fraction(0),)
-        forces[index] = stuck_force(scene.pair, Piece(piece.start, (first + apart, *others), piece.sines))
-        rounded_away = sum(abs(float(scene.pair.a1 * sine.omega * sine.amplitude)) for sine in piece.sines)
-        error += rounded_away * 10.0 ** (1 - _PHASE_DIGITS) * float(one.start + one.length - piece.start)
-    return Tracking(reference, demands, replace(scene, force=Force(forces.values())), share, error, digits)
+    share, followed, error = max((one.force / number(one.b) for one in demands), key=float), None, 0.0
+    if all(one.possible for one in demands):
+        apart = Force((Piece(0, (scene.initial.x1 - scene.initial.x2,)),))
+        path = Force(one for one in reference if one.start < scene.until) + apart
+        followed = replace(scene, force=stuck_force(scene.pair, path))
+        rounded_away = (
+            abs(float(scene.pair.a1 * sine.omega * sine.amplitude * one.length))
+            for _, one in parts
+            for sine in one.sines
+        )
+        error = sum(rounded_away) * 10.0 ** (1 - _PHASE_DIGITS)
+    return Tracking(reference, demands, followed, share, error, digits)
 
 
 def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
@@ -147,18 +149,15 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     at = scene.initial
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
-    for order, (name, of_body, body) in enumerate((("r", "x2", at.x2), ("r'", "v2", at.v2))):
-        begun = [force_form(one, Fraction(0), order) for one in reference]
-        if begun[0] != body:
-            value = float(begun[0].rounded(_FEW_BITS))
-            raise InvalidScene(f"{name}(0) = {value:g} must be exactly {of_body}(0) = {short(body)}; change either")
-        for index, (before, after) in enumerate(pairwise(reference), start=1):
-            ended = force_form(before, after.start - before.start, order)
-            if ended != begun[index]:
-                left, right = (float(side.rounded(_FEW_BITS)) for side in (ended, begun[index]))
+    for order, (name, start) in enumerate((("r", at.x2), ("r'", at.v2))):
+        ends = [force_form(one, after.start - one.start, order) for one, after in pairwise(reference)]
+        for piece, before in zip(reference, [SineForm(start), *ends], strict=True):
+            begun = force_form(piece, Fraction(0), order)
+            if begun != before:
+                left, right = (float(side.rounded(_FEW_BITS)) for side in (before, begun))
                 raise InvalidScene(
-                    f"{name} jumps from {left:g} to {right:g} at t = {short(after.start)}, where piece {index + 1} of "
-                    "the reference begins; no force can follow that; make it continuous"
+                    f"{name} jumps from {left:g} to {right:g} at t = {short(piece.start)}; no force can follow "
+                    "that: make it begin with x2(0) and v2(0) of body 2, and continuous"
                 )
 
 
@@ -180,14 +179,15 @@ def acceleration(path: Piece | ExactPiece) -> Piece:
     return Piece(path.start, [math.perm(k, 2) * c for k, c in enumerate(path.polynomial)][2:], sines)
 
 
-def stuck_force(pair: Pair, path: Piece) -> Piece:
+def stuck_force(pair: Pair, path: Force) -> Force:
     """Return u = M x'' + a1 x' + a2 x of a stuck pair on a path x (m), cosines as sines whose phase is rounded."""
     with Ball(_PHASE_DIGITS + 20).context():
         quarter = rounded(arb.pi() / 2, _PHASE_DIGITS)
-    sines = [Sine(one.omega * one.amplitude, one.omega, one.phase + quarter) for one in path.sines]
-    velocity = Piece(path.start, [k * c for k, c in enumerate(path.polynomial)][1:], sines)
-    parts = (pair.a2, path), (pair.a1, velocity), (pair.mass, acceleration(path))
-    return sum((factor * Force((one,)) for factor, one in parts), Force()).pieces[0]
+    velocity = []
+    for one in path.pieces:
+        sines = [Sine(sine.omega * sine.amplitude, sine.omega, sine.phase + quarter) for sine in one.sines]
+        velocity.append(Piece(one.start, [k * c for k, c in enumerate(one.polynomial)][1:], sines))
+    return pair.a2 * path + pair.a1 * Force(velocity) + pair.mass * Force(map(acceleration, path.pieces))
 
 
 def over(piece: Piece, t: arb, order: int = 0) -> arb:
@@ -225,13 +225,16 @@ def largest_size(piece: Piece, end: Fraction, digits: int) -> tuple[arb, arb]:
         wide = over(piece, middle) + h * over(piece, middle, 1) + h * h / 2 * over(piece, part, 2)
         return abs(over(piece, part)).upper().min(abs(wide).upper())
 
-    parts, best, where = [(number(piece.start).lower(), number(end).upper())], arb(-1), arb(0)
+    last = number(end).upper()
+    parts, best, where = [(number(piece.start).lower(), last)], arb(-1), arb(0)
     while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
-        midpoints = [((low + high) / 2).mid() for low, high in parts]
-        for t in (*parts[0], *parts[-1], *midpoints):
+        halves = []
+        for low, high in parts:
+            middle = ((low + high) / 2).mid()
+            halves += [(low, middle), (middle, high)]
+        for t in (*(low for low, _ in halves), last):
             if (here := abs(over(piece, t)).lower()) > best:
                 best, where = here, t
-        halves = [half for (low, high), at in zip(parts, midpoints, strict=True) for half in ((low, at), (at, high))]
         bounded = [(half, reach(*half)) for half in halves]
         parts = [half for half, bound in bounded if bound > best]
         most = max([best, *(bound for _, bound in bounded)])

@@ -211,9 +211,8 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     exact = number(far / gain).sqrt()
     tau = rounded_up(exact, TIME_DIGITS)
     gain = far / tau**2
-    go = stuck_force(pair, Piece(0, (0, 0, gain / 2)))
-    stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
-    force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
+    go, stop = Piece(0, (0, 0, gain / 2)), Piece(tau, (far / 2, gain * tau, -gain / 2))
+    force = stuck_force(pair, Force((go, stop, Piece(2 * tau, (far,)))))
     faster, there = ("", "its limit") if margin == 0 else (" that keeps the margin", "it")
     return TransferKind.STUCK, 2 * exact, f"no force{faster} is faster: friction is at {there} all the time", force
 
@@ -230,12 +229,11 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> C
     tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
     push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
     x, v = rounded(number(push - pair.b) * _pushed(pair, number(tau))[0]), beta * tau
-    rest = tau + v / slow
-    held = pair.a2 * (x + v**2 / (2 * slow))
-    stop = stuck_force(pair, Piece(tau, (x, v, -slow / 2)))
-    if held > most:
+    end = x + v**2 / (2 * slow)
+    if pair.a2 * end > most:
         return None
-    force = Force((Piece(0, (push,)), stop, Piece(rest, (held,))))
+    braked = Force((Piece(tau, (x, v, -slow / 2)), Piece(tau + v / slow, (end,))))
+    force = Force((Piece(0, (push,)), *stuck_force(pair, braked).pieces))
     proved = "no force is faster: friction is at its limit all the time"
     return TransferKind.SLIP, 2 * number(far / beta).sqrt(), proved, force
 
