@@ -154,8 +154,8 @@ def draw_ring(found: Any) -> Figure:
     z, w = curve.y[0] - curve.y[2] - centre, curve.y[1] - curve.y[3]
     figure, (plane, time) = _panels(10.5, 5.2, 1, 2)
     late = curve.t >= entry
-    plane.plot(*np.where(late, np.nan, (z, w)), color=GRAY, lw=0.9, label="before")
-    plane.plot(*np.where(late, (z, w), np.nan), color="black", lw=1.6, label="inside permanently")
+    plane.plot(z, w, color=GRAY, lw=0.9, label="before")
+    plane.plot(z[late], w[late], color="black", lw=1.6, label="inside permanently")
     plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
     first = int(np.argmax(late))
     plane.plot(z[first], w[first], "o", color="black", ms=5, label=f"t = {entry:.6g} s")

@@ -91,18 +91,13 @@ def _creeping(drive: PeriodicDrive) -> Start | None:
     m1/(9 b M), L the half-width. Approximate, of the sine next to resonance.
     """
     pair = drive.pair
-    off, sine = min(
-        ((abs((pair.a2 - pair.mass * one.omega**2) / one.amplitude), one) for one in drive.piece.sines),
-        key=lambda pair: pair[0],
-    )
-    L, omega = pair.half_width, number(sine.omega)
-    across = number((pair.mass * sine.omega**2 - pair.a2) * L / abs(sine.amplitude))
-    if not off * L < 1:
+    sine = min(drive.piece.sines, key=lambda one: abs((pair.a2 - pair.mass * one.omega**2) / one.amplitude))
+    L, U, omega = pair.half_width, abs(sine.amplitude), number(sine.omega)
+    across = number((pair.mass * sine.omega**2 - pair.a2) * L / U)
+    along = (1 - across * across).sqrt() - number(pair.a1 * sine.omega * L / U)
+    if not along > 0:  # nor if the root is none
         return None
-    along = (1 - across * across).sqrt() - number(pair.a1 * sine.omega * L / abs(sine.amplitude))
-    if not along > 0:
-        return None
-    square = along * arb.pi() * number(4 * abs(sine.amplitude) * pair.m1 / (9 * pair.b * pair.mass))
+    square = along * arb.pi() * number(4 * U * pair.m1 / (9 * pair.b * pair.mass))
     v = number(L * sine.omega if sine.amplitude > 0 else -L * sine.omega) * (1 + square.sqrt()).sqrt()
     t = rounded((arb.pi() / 2 + across.asin() - number(sine.phase)) / omega)
     return t, (number(drive.rest), v, v), 1

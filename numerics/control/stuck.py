@@ -7,33 +7,29 @@ where that breaks.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
-from functools import partial
 
 from flint import acb, arb
 
-from numerics.arithmetic.ball import mean_value, proved_sign, undecided
+from numerics.arithmetic.ball import proved_sign, working_digits
 from numerics.control.answers import number
 from numerics.control.orbit import PeriodicDrive
+from numerics.control.peak import largest_size
 from numerics.control.thresholds import Thresholds, impedance, load_margin
-
-_MOST_CUTS = 2_000
-"""Into so many parts a period is cut before the load's sign counts as undecided."""
 
 
 def stuck_motion(drive: PeriodicDrive, t: arb | int = 0, mass: Fraction | None = None) -> list[arb] | None:
-    """Return x1 and its first three derivatives in the stuck response at a time (s); None at a resonance, a1 = 0.
+    """Return x1 and its first four derivatives in the stuck response at a time (s); None at a resonance, a1 = 0.
 
     With another mass than M (kg) that of so large a body on the spring.
     """
-    found = [number(drive.rest), arb(0), arb(0), arb(0)]
+    found = [number(drive.rest), *[arb(0)] * 4]
     for one in drive.piece.sines:
         below = impedance(drive.pair, mass or drive.pair.mass, one.omega)
         if below == 0:
             return None
         turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase))) * number(one.amplitude) / below
-        for order in range(4):
+        for order in range(5):
             found[order] += turned.imag
             turned *= acb(0, number(one.omega))
     return found
@@ -46,39 +42,15 @@ def entrained(drive: PeriodicDrive) -> bool:
         return load_margin(drive.pair, sines[0].amplitude, sines[0].omega) >= 0
     if stuck_motion(drive) is None:
         return False
-    most = number(drive.pair.b / drive.pair.m2)
 
-    def left(side: int, order: int, t: arb) -> arb:
-        """Return what friction has left on one side of the acceleration, m/s^2, or its rate."""
+    def acceleration(t: arb, order: int) -> arb:
         motion = stuck_motion(drive, t)
         assert motion is not None
-        return (most if order == 2 else 0) - side * motion[order]
+        return motion[2 + order]
 
-    forms = [partial(mean_value, partial(left, side, 2), partial(left, side, 3)) for side in (1, -1)]
-    held = [_is_positive_on(one, drive.period) for one in forms]
-    if None in held and False not in held:
-        raise undecided("does friction hold the pair in its stuck response?", "load near b")
-    return all(held)
-
-
-def _is_positive_on(function: Callable[[arb], arb], length: arb) -> bool | None:
-    """Return whether an enclosure of a function is proved positive over [0, length], cut in halves where needed.
-
-    False: it is proved negative at some point; None: neither is proved.
-    """
-    waiting, cuts = [(arb(0), length.upper())], 0
-    while waiting:
-        low, high = waiting.pop()
-        if function(low.union(high)) > 0:
-            continue
-        cuts += 1
-        middle = ((low + high) / 2).mid()
-        if function(middle) < 0:
-            return False
-        if cuts > _MOST_CUTS or not (low < middle < high):
-            return None
-        waiting += [(middle, high), (low, middle)]
-    return True
+    most = number(drive.pair.b / drive.pair.m2)
+    peak, _ = largest_size(acceleration, arb(0), drive.period, working_digits() // 2, enough=most)
+    return proved_sign(most - peak, "does friction hold the pair in its stuck response?") >= 0
 
 
 def resonant_growth(drive: PeriodicDrive) -> arb:

@@ -15,15 +15,17 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from flint import arb, arb_poly
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, proved_sign, undecided
-from numerics.control.answers import Prediction, number, rounded
+from numerics.arithmetic.ball import Ball, proved_sign
+from numerics.control.answers import number, rounded
+from numerics.control.peak import largest_size
 from numerics.errors import InvalidScene
-from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
+from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
@@ -33,7 +35,7 @@ from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
-_MOST_PARTS, _FEW_BITS = 20_000, 64
+_FEW_BITS = 64
 _LOST_DIGITS = 10
 """Of the working digits, so many are not asked of the largest acceleration: they are what a search may lose."""
 
@@ -70,8 +72,8 @@ class Tracking(ShortRepr):
 
     >>> from numerics import load_reference, load_scene
     >>> found = track(load_scene("at-rest"), load_reference("too-fast"), digits=8)
-    >>> found.scene, found.share.str(6, radius=False), found.is_at_limit, found.force_error, found.claim()
-    (None, '1.15470', True, 0.0, None)
+    >>> found.scene, found.share.str(6, radius=False), found.is_at_limit, found.force_error
+    (None, '1.15470', True, 0.0)
     >>> [(one.number, float(one.start), float(one.end), float(one.b), one.possible) for one in found.demands]
     [(1, 0.0, 1.0, 0.5, False), (2, 1.0, 4.0, 0.5, True)]
     >>> found.demands[0].force.str(6, radius=False), found.demands[0].at.str(6, radius=False)
@@ -90,14 +92,15 @@ class Tracking(ShortRepr):
         """Return whether the reference is not proved to stay strictly below the limit of friction."""
         return not all(one.force < number(one.b) for one in self.demands)
 
-    def claim(self) -> Prediction | None:
-        """Return the prediction: stick, and x2 = r at the horizon; at the limit rounded phases may let it slip."""
-        if self.scene is None:
-            return None
-        last = self.reference[self.demands[-1].number - 1]
-        path = force_form(last, self.scene.until - last.start).enclosed(4 * Ball(self.digits + 20).bits)
-        sticks = not (self.is_at_limit and self.force_error > 0)
-        return Prediction(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sticks)
+    @property
+    def sticks(self) -> bool:
+        """Return whether the bodies never slip on the way: at the limit rounded phases may let them."""
+        return not (self.is_at_limit and self.force_error > 0)
+
+    def goal(self, scene: Scene) -> tuple[arb, arb]:
+        """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
+        place = over(Force(self.reference).piece_at(scene.until), number(scene.until))
+        return place, abs(place).max(arb(1))
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
@@ -163,7 +166,7 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
     bend, limit, end = acceleration(piece), piece.b / m2, piece.start + piece.length
-    peak, where = largest_size(bend, end, digits)
+    peak, where = largest_size(partial(over, bend), number(piece.start), number(end), digits)
     possible = is_within(bend, limit, piece.length)
     if possible is None:
         possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0
@@ -212,37 +215,6 @@ def is_within(piece: Piece, limit: Fraction, length: Fraction) -> bool | None:
     return is_small or (None if piece.sines else False)
 
 
-def largest_size(piece: Piece, end: Fraction, digits: int) -> tuple[arb, arb]:
-    """Return an enclosure of max |f| over a piece up to its end to about `digits` digits, and a time of it.
-
-    The interval is halved; parts that cannot hold the largest value are dropped. Raises EventUndecided.
-    """
-
-    def reach(low: arb, high: arb) -> arb:
-        """Return an upper bound of |f| on a part, by Taylor's theorem where that is the better one."""
-        part = low.union(high)
-        middle, h = part.mid(), part - part.mid()
-        wide = over(piece, middle) + h * over(piece, middle, 1) + h * h / 2 * over(piece, part, 2)
-        return abs(over(piece, part)).upper().min(abs(wide).upper())
-
-    last = number(end).upper()
-    parts, best, where = [(number(piece.start).lower(), last)], arb(-1), arb(0)
-    while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
-        halves = []
-        for low, high in parts:
-            middle = ((low + high) / 2).mid()
-            halves += [(low, middle), (middle, high)]
-        for t in (*(low for low, _ in halves), last):
-            if (here := abs(over(piece, t)).lower()) > best:
-                best, where = here, t
-        bounded = [(half, reach(*half)) for half in halves]
-        parts = [half for half, bound in bounded if bound > best]
-        most = max([best, *(bound for _, bound in bounded)])
-        if most - best <= most * arb(10) ** -digits:
-            return best.union(most), where
-    raise undecided("how large does the reference's acceleration get?", best)
-
-
 def is_never_negative(coefficients: Sequence[Fraction], length: Fraction) -> bool:
     """Return whether sum c_k t^k >= 0 for all 0 <= t <= length, double zeros included; exact.
 
@@ -254,5 +226,5 @@ def is_never_negative(coefficients: Sequence[Fraction], length: Fraction) -> boo
     if first_crossing([coefficients], Fraction(0), length)[0] < length:
         return False
     # it keeps its sign inside, and one of so many points is no zero
-    many = len(coefficients) + 1
-    return all(polynomial_at(coefficients, length * k / many) >= 0 for k in range(1, many))
+    many, value = len(coefficients) + 1, Force((Piece(0, coefficients),))
+    return all(value(length * k / many) >= 0 for k in range(1, many))

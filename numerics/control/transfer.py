@@ -25,7 +25,6 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
-    Prediction,
     number,
     rounded,
     rounded_up,
@@ -64,8 +63,8 @@ class Transfer(ShortRepr):
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
-    >>> found.least_amplitude, found.fastest, found.claim().ends["v2"]
-    (None, 'no force that keeps the margin is faster: friction is at it all the time', 0)
+    >>> found.least_amplitude, found.fastest
+    (None, 'no force that keeps the margin is faster: friction is at it all the time')
     """
 
     distance: Fraction
@@ -79,17 +78,14 @@ class Transfer(ShortRepr):
     scene: Scene | None
     digits: int
 
-    def claim(self) -> Prediction | None:
-        """Return the prediction: body 2 ends at rest at the distance; in a stuck transfer the bodies never slip.
+    @property
+    def sticks(self) -> bool:
+        """Return whether the bodies never slip on the way."""
+        return self.road is not TransferKind.SLIP
 
-        What the exact decimals of a scene leave of it is below 10^-18 of the distance.
-        """
-        if self.scene is None:
-            return None
-        with Ball(self.digits + 20).context():
-            ends = {"x2": number(self.scene.initial.x2 + self.distance), "v1": arb(0), "v2": arb(0)}
-            size = number(abs(self.distance)) * (1 / self.bound).min(arb(1))
-        return Prediction(self.scene, "at the end of the transfer", ends, size, self.road is not TransferKind.SLIP)
+    def goal(self, scene: Scene) -> tuple[arb, arb]:
+        """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
+        return number(scene.initial.x2 + self.distance), number(abs(self.distance))
 
 
 def fastest_transfer(

@@ -1,6 +1,7 @@
 """References that body 2 is to follow: the force against the independent reference, and what friction cannot do."""
 
 from fractions import Fraction
+from functools import partial
 
 import pytest
 from control_scenes import DAMPED, FREE, referred
@@ -11,8 +12,9 @@ from strategies import decimals
 
 from numerics import Friction, InvalidScene, Pair, Piece, Scene, Sine, State, load_reference, load_scene
 from numerics.arithmetic.ball import Ball
+from numerics.control.peak import largest_size
 from numerics.control.pictures import draw_tracking
-from numerics.control.tracking import largest_size, over, track
+from numerics.control.tracking import over, track
 
 S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
 
@@ -96,7 +98,7 @@ def test_the_limit_itself_can_be_followed_and_no_more(reference, until, b, possi
 def test_the_largest_size_bounds_samples_and_is_reached(coefficients, omega, amplitude):
     piece = Piece(0, [(-1) ** k * c for k, c in enumerate(coefficients)], [Sine(amplitude, omega)])
     with Ball(20).context():
-        peak, where = largest_size(piece, Fraction(2), 12)
+        peak, where = largest_size(partial(over, piece), arb(0), arb(2), 12)
         samples = [abs(over(piece, Ball.number(Fraction(k, 50)))) for k in range(101)]
         assert all(not one > peak for one in samples)
         there = abs(over(piece, where))
