@@ -142,27 +142,20 @@ def response(
         nonlocal orbit
         growth = resonant_growth(drive)
         if growth > 0:
-            grows = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
-            return grows, [growth]
-        if entrained(drive) or others_stick(drive, known):
+            found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
+        elif entrained(drive) or others_stick(drive, known):
             found = _entrained(drive, known, digits)
         else:
             orbit = search(drive, max_events) if orbit is None else solve_orbit(drive, orbit)
             found = _of_orbit(orbit, known, digits)
-        return found, _numbers(found)
+        legs = () if found.orbit is None else found.orbit.legs
+        numbers = [growth, found.drift or arb(0), *(one for leg in legs for one in (leg.start, *leg.state[:2]))]
+        return found, [*numbers, *found.moduli]
 
     # v2 is lost beside a v1 that so much larger a force gives
     times = sum(abs(one.amplitude) for one in sines) / drive.pair.b
     lost = max(0, times.numerator.bit_length() - times.denominator.bit_length()) * 3 // 10
     return to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
-
-
-def _numbers(found: Response) -> list[arb]:
-    """Return the numbers of a response that must have the digits asked for."""
-    moduli = found.moduli
-    if found.orbit is None:
-        return [*moduli] if found.drive.pair.a1 > 0 else []
-    return [found.drift or arb(0), *moduli, *(one for leg in found.orbit.legs for one in (leg.start, *leg.state[:2]))]
 
 
 def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
@@ -176,10 +169,11 @@ def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
             raise InvalidScene("the scene has no force; add [[force]] with one sine, or give amplitude and omega")
         scene = replace(scene, force=Force.sine(**asked))
     drive = steady_drive(scene)
-    if asked and len(drive.piece.sines) != 1:
+    if not asked:
+        return drive
+    if len(drive.piece.sines) != 1:
         raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
-    sines = tuple(replace(one, **asked) for one in drive.piece.sines)
-    return replace(drive, piece=replace(drive.piece, sines=sines))
+    return replace(drive, piece=replace(drive.piece, sines=(replace(drive.piece.sines[0], **asked),)))
 
 
 def steady_drive(scene: Scene) -> PeriodicDrive:
@@ -207,8 +201,6 @@ def last_drive(scene: Scene) -> PeriodicDrive | None:
 def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
-    every = _EVERY if pair.a1 > 0 else ""
-    touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
     stays = (
         "a1 = 0, so not all motions tend to it: a free oscillation of the stuck pair does not decay, and motions that "
         "slip may do so for thousands of periods"
@@ -219,23 +211,20 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
             breaks = "but motions with a free oscillation that flattens the peaks of the load"
             why = f"not all motions do; the stuck response itself breaks, {breaks}"
         why = f"{why} stick up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
-    elif touches:
-        multipliers, why = None, f"{every or 'attraction is open'}; its load touches the limit"
-    elif pair.a1 == 0:
-        why = stays
+    elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
+        multipliers, why = None, f"{_EVERY if pair.a1 > 0 else 'attraction is open'}; its load touches the limit"
     else:
-        why = f"{every}, and sticks after a finite time"
+        why = f"{_EVERY}, and sticks after a finite time" if pair.a1 > 0 else stays
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
 
 
 def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
-    multipliers = tuple(orbit.multipliers())
     attraction = _attraction(orbit)
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
     drift = arb(0) if drive.is_odd and attraction.startswith(_EVERY) else orbit.travel / drive.period
-    return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
+    return Response(drive, regime, known, orbit, tuple(orbit.multipliers()), drift, arb(0), attraction, digits)
 
 
 def _attraction(orbit: Orbit) -> str:

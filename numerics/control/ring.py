@@ -13,7 +13,7 @@ in balls for it; after that time the motion is inside by what is proved of all l
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import reduce
@@ -105,7 +105,8 @@ def ring_entry(
             if found.growth > 0:
                 raise InvalidScene(f"{found.regime.value}; the motion leaves every ring")
             orbit = found.orbit
-        trajectory, known = _settled(scene, drive, orbit, (size, per), arithmetic)
+        # so near its limit, in m and in m/s for w, the motion is inside its ring
+        trajectory, known = _settled(scene, drive, orbit, float(size) * min(1.0, float(per)) / 2, arithmetic)
         entry = _last_on_ring(trajectory, known, size, per)
         return Ring(scene, size, per, known.limit, entry, orbit, known.why, digits), [known.limit, entry]
 
@@ -125,31 +126,29 @@ class Settled(NamedTuple):
 
 
 def _settled(
-    scene: Scene, drive: PeriodicDrive, orbit: Orbit | None, ring: tuple[Fraction, Fraction], arithmetic: Ball
+    scene: Scene, drive: PeriodicDrive, orbit: Orbit | None, near: float, arithmetic: Ball
 ) -> tuple[Trajectory, Settled]:
-    """Return a trajectory that is long enough to know the limit, and what is known; `ring`: its radius and rate."""
+    """Return a trajectory that is long enough to know when the motion stays near its limit (m, m/s), and what is known.
+
+    Raises NotSettled.
+    """
     doublings, most = _FORCED if scene.is_forced else _FREE
-    # so near the limit, in m and in m/s for w, the motion is inside its ring
-    near = float(ring[0]) * min(1.0, float(ring[1])) / 2
     last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(-1))
     until = max(scene.until, last + 1)
     for _ in range(doublings):
         _log.info("following the motion to t = %.6g s in %d digits", until, arithmetic.digits)
-        longer = replace(scene, until=until)
-        trajectory, found = run_scene(longer, arithmetic, most), None
+        run, found = run_scene(replace(scene, until=until), arithmetic, most), None
         if orbit is not None:
-            found = periodic_settled(trajectory, orbit, near)
-        elif trajectory.status is Status.STUCK_FOR_EVER:
-            # what acts at the horizon acts after it
-            x1, _, x2, _ = trajectory.final_state
-            since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
-            found = Settled(x1 - x2, since, "the pair sticks permanently")
-        elif not drive.piece.sines and (slip := creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))):
+            found = periodic_settled(run, orbit, near)
+        elif run.status is Status.STUCK_FOR_EVER:  # what acts at the horizon acts after it
+            x1, _, x2, _ = run.final_state
+            found = Settled(x1 - x2, [arb(0), *(one.t for one in run.events)][-1], "the pair sticks permanently")
+        elif not drive.piece.sines and (slip := creeping_place(run, drive.pair, near, max(last, Fraction(0)))):
             why = f"all slips after event {slip.index + 1} are bounded, and alternate in sign"
-            found = Settled(slip.limit, trajectory.events[slip.index].t, why)
+            found = Settled(slip.limit, run.events[slip.index].t, why)
         if found is not None:
-            return trajectory, found
-        if not trajectory.reached:
+            return run, found
+        if not run.reached:
             break
         until *= 2
     remedy = f"a later horizon{'' if drive.pair.a1 else ' or a larger radius'} may help"
@@ -158,8 +157,7 @@ def _settled(
     elif drive.piece.sines:
         remedy = "a larger radius does not help: the pair is not proved to stick permanently"
     raise NotSettled(
-        f"the motion is not known to settle to within a radius of {short(ring[0])} m by t = {short(longer.until)} s "
-        f"or {most} events; {remedy}"
+        f"the motion is not known to settle in its ring by t = {short(run.scene.until)} s or {most} events; {remedy}"
     )
 
 
@@ -176,10 +174,10 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
         t = (end - back * period).mid()
         try:
             there = orbit.passage_at(t)
-            here = next((one for one in parts if one.start <= t and not t > one.end), None)
-            if here is None or here.side != there.side:
+            here = [one for one in parts if one.start <= t and not t > one.end][:1]
+            if [one.side for one in here] != [there.side]:
                 break
-            apart = [a - b for a, b in zip(here.at(t), there.at(t), strict=True)]
+            apart = [a - b for a, b in zip(here[0].at(t), there.at(t), strict=True)]
             reach = energy_norm(pair, apart)
             left = slide_left(orbit, t, reach)
         except EventUndecided:
@@ -202,58 +200,58 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
-    orbit = known.orbit
+    orbit, squared, weight = known.orbit, number(radius**2), number(1 / rate**2)
     for one in reversed(passages(trajectory)):
         if one.start < known.since:
             together = [(one,)] if orbit is None else [(one, two) for two in orbit.between(one.start, one.end)]
             for parts in reversed(together):
-                found = _Apart(parts, known.limit, number(radius**2), number(1 / rate**2)).last_on_ring()
+                start, end = reduce(arb.max, (part.start for part in parts)), reduce(arb.min, (p.end for p in parts))
+                found = _last_zero(_outside(parts, start, known.limit, squared, weight), end - start)
                 if found is not None:
-                    return found
+                    return start + found
     return arb(0)
 
 
+Function = Callable[[arb], tuple[arb, arb]]
+"""A function of time (s) and its rate, enclosed over a ball of times."""
 _ROWS = ((0, Z), (0, W), (1, Z), (1, W))
 
 
-class _Apart:
-    """D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 while passages last: of one motion, or of that and a periodic one."""
+def _outside(parts: Sequence[Passage], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
+    """Return D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time (s) on: of one motion, or of that less another."""
+    motions = [(one.motion, start - one.start) for one in parts]
 
-    def __init__(self, parts: Sequence[Passage], limit: arb, squared: arb, weight: arb) -> None:
-        self.limit, self.squared, self.weight = limit, squared, weight
-        self.start = reduce(arb.max, (one.start for one in parts))
-        self.length = reduce(arb.min, (one.end for one in parts)) - self.start
-        self.motions = [(one.motion, self.start - one.start) for one in parts]
-
-    def over(self, t: arb) -> tuple[arb, arb]:
-        """Return D and D' over a ball of times since the start."""
-        stretched = [motion.over(since + t) for motion, since in self.motions]
+    def over(t: arb) -> tuple[arb, arb]:
+        stretched = [motion.over(since + t) for motion, since in motions]
         here, *others = [[one.range(row, order) for order, row in _ROWS] for one in stretched]
         for other in others:
             here = [a - b for a, b in zip(here, other, strict=True)]
         z, w, slide, change = here
-        z -= self.limit
-        return z * z + self.weight * w * w - self.squared, 2 * (z * slide + self.weight * w * change)
+        z -= limit
+        return z * z + weight * w * w - squared, 2 * (z * slide + weight * w * change)
 
-    def last_on_ring(self) -> arb | None:
-        """Return the last time (s) at which D is 0; None if D < 0."""
-        waiting = [(arb(0), self.length.upper())]
-        smallest = self.length.upper() * arb(2) ** (-working_digits())
-        while waiting:
-            low, high = waiting.pop()
-            # telling inside from outside needs few digits
-            with precision(min(flint.ctx.prec, _SEARCH_BITS)):
-                part, rate = self.over(low.union(high))
-                if part < 0:
-                    continue
-                left, right = self.over(low)[0], self.over(high)[0]
-            if right > 0:
-                raise undecided("is the motion inside the ring here?", right)
-            if rate < 0 and left > 0:
-                return self.start + falling_root(low, high, lambda _, t: self.over(t), None)
-            if not (rate < 0 or rate > 0) or left.contains(0):
-                if high - low < smallest:
-                    raise undecided("does the motion touch the ring?", part)
-                middle = ((low + high) / 2).mid()
-                waiting += [(low, middle), (middle, high)]
-        return None
+    return over
+
+
+def _last_zero(over: Function, length: arb) -> arb | None:
+    """Return the last zero in [0, length] of a function that ends below 0; None if there is none."""
+    waiting = [(arb(0), length.upper())]
+    smallest = length.upper() * arb(2) ** (-working_digits())
+    while waiting:
+        low, high = waiting.pop()
+        # telling inside from outside needs few digits
+        with precision(min(flint.ctx.prec, _SEARCH_BITS)):
+            part, rate = over(low.union(high))
+            if part < 0:
+                continue
+            left, right = over(low)[0], over(high)[0]
+        if right > 0:
+            raise undecided("is the motion inside the ring here?", right)
+        if rate < 0 and left > 0:
+            return falling_root(low, high, lambda _, t: over(t), None)
+        if not (rate < 0 or rate > 0) or left.contains(0):
+            if high - low < smallest:
+                raise undecided("does the motion touch the ring?", part)
+            middle = ((low + high) / 2).mid()
+            waiting += [(low, middle), (middle, high)]
+    return None

@@ -83,18 +83,18 @@ def test_move_writes_a_scene_that_arrives(tmp_path, record):
     file = tmp_path / "moved.toml"
     found = record("move", "at-rest", "--distance", "0.001", "--amplitude", "1.08", "--out", file)
     assert (found["road"], found["time"][:17]) == ("slip", "0.089442719099991")
-    end = solve(parse_scene(file.read_text("utf-8")), digits=12).final_state
-    assert float(end[2]) == pytest.approx(0.001, abs=1e-12)
+    assert float(solve(load_scene(file), digits=12).final_state[2]) == pytest.approx(0.001, abs=1e-12)
 
 
 def test_what_is_said_of_how_near_to_its_limit_friction_is_is_true(output):
     """Stuck at the limit the load is within 10^-18 of b; where body 1 runs ahead, what slips of itself is tiny."""
-    stuck = fastest_transfer(load_scene("at-rest"), "0.01").scene
+    stuck, ahead = (
+        fastest_transfer(load_scene("at-rest"), D, amplitude=U).scene for D, U in (("0.01", None), ("0.001", "1.08"))
+    )
     load = 2 * stuck.force.pieces[0].polynomial[2] / stuck.pair.a2 * stuck.pair.m2
     assert 0 < 1 - load / stuck.pair.b < Fraction(1, 10**18)
     assert "--margin" not in output("move", "at-rest", "--distance", "0.01", "--margin", "0.1")
-    solved = solve(fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08").scene, digits=40)
-    met, *later = (state[0] - state[2] for state in solved.event_states.T)
+    met, *later = (state[0] - state[2] for state in solve(ahead, digits=40).event_states.T)
     assert max(abs(float(one - met)) for one in later) < 1e-19
 
 
@@ -137,10 +137,8 @@ def test_a_stuck_pair_without_a_damper_keeps_its_distances_exactly(record, file_
 @pytest.mark.parametrize(
     ("command", "said"),
     [
-        ("move at-rest --distance -1e-3", ""),
         ("move at-rest --distance -1/1000", ""),
         ("move at-rest --distance -.001", ""),
-        ("move at-rest --distance 1 --margin -1e-3", "must be"),
         ("response at-rest --omega 1 --amplitude -1e-3", ""),
         ("ring at-rest --rate 1 --radius -1E-3", "must be"),
         ("energy velocities --at -1e2", "must be"),

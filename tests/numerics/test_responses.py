@@ -107,13 +107,6 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
     assert regime is not Regime.ENTRAINED
 
 
-@pytest.mark.parametrize("amplitude", ["0.22", "0.24"])
-def test_a_force_and_its_opposite_have_the_same_regime(amplitude):
-    """Their loads have other largest than smallest values: both edges count."""
-    force = Force.sine(amplitude, 12, "1.5708") + Force.sine("0.3", 24, "1.2")
-    assert len({response(Scene(DAMPED, State(), 1, force=one)).regime for one in (force, -force)}) == 1
-
-
 @pytest.mark.parametrize(
     ("pair", "amplitude", "omega", "regime", "has_multipliers", "said"),
     [

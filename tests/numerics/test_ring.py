@@ -10,9 +10,6 @@ import numpy as np
 import pytest
 from control_scenes import DAMPED, outside, under
 from flint import arb
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from strategies import decimals
 
 from numerics import (
     Force,
@@ -42,7 +39,6 @@ from numerics.trajectory.status import Status
 
 CASES = [
     (load_scene("velocities"), "0.001", 1),
-    (load_scene("velocities"), "0.02", 1),
     (load_scene("velocities"), "0.001", 20),
     (load_scene("start-with-speed"), "0.005", 1),
     (load_scene("itinerary-that-merges"), "0.001", 1),
@@ -77,26 +73,6 @@ def test_a_creeping_pair_is_inside_in_the_middle_of_every_slip_to_come(rate):
     y = run.sol(t)
     assert len(t) > 10
     assert np.hypot(y[0] - y[2] - float(found.centre), (y[1] - y[3]) / float(found.rate)).max() < 0.001
-
-
-@given(decimals(-1, 1, 2), decimals(-1, 1, 2), st.integers(1, 3))
-@settings(max_examples=6)
-def test_a_damped_pair_is_inside_for_good_after_its_entry(a1, speed, power):
-    scene = Scene(Pair(1, 2, 50, "0.5", a1), State(x1="0.01", v1=speed), 1)
-    found = ring_entry(scene, Fraction(1, 10**power))
-    late = outside(found, 2 * float(found.entry) + 1)
-    assert not late.size or late[-1] <= float(found.entry)
-
-
-def test_the_limit_of_a_creeping_pair_is_that_of_a_long_run():
-    """Averages of an alternating sequence close in on its limit; the error bound must hold what they find."""
-    scene = load_scene("velocities")
-    found = ring_entry(scene, "0.001", digits=20)
-    run = solve(Scene(scene.pair, scene.initial, 100))
-    z = [event.y[0] - event.y[2] for event in run.events[-60::2]]
-    for _ in range(8):
-        z = [(a + b) / 2 for a, b in pairwise(z)]
-    assert z[-1] == pytest.approx(float(found.centre), abs=1e-10)
 
 
 def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
@@ -162,14 +138,7 @@ def beside_the_response(part: Fraction, omega: int, phase: Fraction, speed: Frac
 
 @pytest.mark.parametrize(
     ("part", "speed", "omega", "is_said"),
-    [
-        ("0.5", "0.29", 100, False),
-        ("-0.5", "-0.29", 100, False),
-        ("0.5", "0.11", 1000, False),
-        ("-0.9", "0.05", 1000, False),
-        ("0.5", "0.005", 100, True),
-        ("-0.7", "-0.01", 100, True),
-    ],
+    [("0.5", "0.29", 100, False), ("-0.9", "0.05", 1000, False), ("-0.7", "-0.01", 100, True)],
 )
 def test_a_pair_that_is_said_to_have_stuck_for_ever_never_slips_again(part, speed, omega, is_said):
     """Where it is not said, the loads of the response and of the free part beside it add up half a period later."""
