@@ -157,7 +157,8 @@ def _settled(
     elif drive.piece.sines:
         remedy = "a larger radius does not help: the pair is not proved to stick permanently"
     raise NotSettled(
-        f"the motion is not known to settle in its ring by t = {short(run.scene.until)} s or {most} events; {remedy}"
+        f"the motion is not known to settle to within {near:.3g} m of its limit by t = {short(run.scene.until)} s or "
+        f"{most} events; {remedy}"
     )
 
 
