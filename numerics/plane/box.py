@@ -18,7 +18,8 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.plane.answer import PlaneEvent, PlaneState, Working
-from numerics.plane.linear import LETTERS, SIGNS
+from numerics.plane.linear import SIGNS
+LETTERS = {sign: letter for letter, sign in SIGNS.items()}
 from numerics.plane.reduced import reduced
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact
@@ -91,7 +92,7 @@ def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], most: 
 
 def _joined(scene: PlaneScene, motion: Parts, arithmetic: Working) -> Run:
     """Return the motions of all parts with one list of events."""
-    system, answers = System(reduced(scene, whole=True), arithmetic.digits), motion.answers
+    system, answers = System(reduced(scene)[-1], arithmetic.digits), motion.answers
     starts = [one.acting.start for one in system.pieces]
 
     def load_at(y: PlaneState, t: arb, when: Fraction) -> Vector:

@@ -20,8 +20,8 @@ from numerics.linear.modes import EventKind
 from numerics.plane.answer import PlaneEvent, PlaneMotion, PlaneState, Working
 from numerics.plane.box import Parts
 from numerics.plane.reduced import reduced
-from numerics.plane.series import TaylorCurve
-from numerics.plane.states import PlaneLeg, States
+from numerics.plane.series import Point
+from numerics.plane.motion import Leg, Motion
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact
 from numerics.scene.decimals import exact_decimal
@@ -214,7 +214,7 @@ class PlaneTrajectory(Answer):
             "status": int(self.status),
             "events": [saved.plain([*vars(one).values()]) for one in self.events],
             "mode": self.modes[0],
-            "legs": saved.plain(motion.legs) if isinstance(motion, States) else None,
+            "legs": saved.plain(motion.legs) if isinstance(motion, Motion) else None,
             "parts": [*map(saved.contents, motion.answers)] if isinstance(motion, Parts) else None,
         }
 
@@ -228,7 +228,7 @@ class PlaneTrajectory(Answer):
         with working.context():
             motion: Any
             if header["parts"] is None:
-                motion = States(System(reduced(scene), digits), [*map(_leg, header["legs"])])
+                motion = Motion([System(one, digits) for one in reduced(scene)], [*map(_leg, header["legs"])])
             else:
                 kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
                 parts = (saved.restored(one, kinds[one["format"]]) for one in header["parts"])
@@ -249,6 +249,6 @@ def _tuples(given: Any) -> Any:
     return tuple(map(_tuples, given)) if isinstance(given, list) else given
 
 
-def _leg(given: Any) -> PlaneLeg:
-    (piece, t, *parts), end, norm, apart = given
-    return PlaneLeg(TaylorCurve(piece, arb_poly(t), *map(Vector, parts)), end, norm, Vector(apart))
+def _leg(given: Any) -> Leg:
+    system, (piece, t, *parts), end, norm, apart = given
+    return Leg(system, Point(piece, arb_poly(t), *map(Vector, parts)), end, norm, Vector(apart))
