@@ -19,8 +19,6 @@ from numerics.plane.vector import Vector
 
 SIGNS = {"+": 1, "0": 0, "-": -1}
 AT_FIRST = "does the load leave the friction set at t = 0"
-LATE, AGAIN = 31 / 32, 65 / 64
-"""An event before that part of a step has it drawn again, so much longer than to the event: with the defect of that."""
 SHORT = 2.0**-20
 """The part of a step after which a load that falls from the edge into K is seen inside."""
 
@@ -114,15 +112,12 @@ class LinearPath(PlanePath):
             step = expansion.drawn(h)
             found = defect(system, step, system.still)
             norm = (self.norm + found.norm).upper()
-            if not all(self.has_begun(i, step.curve.s[i], norm, h) for i in self.young):
-                reach = (h / 2).mid()
-                if reach < system.period * system.eps:
-                    raise self.undecided(OUTSIDE)
-                continue
-            event = self.next_event(step.curve.s, found, norm, h)
-            if event is None or event[0] > LATE:
+            if all(self.has_begun(i, step.curve.s[i], norm, h) for i in self.young):
                 break
-            reach = (h * event[0] * AGAIN).mid()
+            reach = (h / 2).mid()
+            if reach < system.period * system.eps:
+                raise self.undecided(OUTSIDE)
+        event = self.next_event(step.curve.s, found, norm, h)
         self.young, self.on_edge, self.after = {}, (), arb(0)
         x, late, k = (arb(1), arb(0), 0) if event is None else event
         self.go_on(step.curve, x, norm, ends=ends and event is None)
@@ -179,8 +174,7 @@ class LinearPath(PlanePath):
 
     def resolve(self, k: int, late: arb) -> None:
         """Change the mode of a group at the point, which its event is within `late` (s) of."""
-        before, reached, axes = self.mode, self.norm, self.system.groups[k]
-        self.drift(reached, late)
+        before, axes = self.mode, self.system.groups[k]
         if before[axes[0]] == "0":
             self.let_go(k, self.load, 2)
         else:
@@ -190,6 +184,5 @@ class LinearPath(PlanePath):
                 self.put(k, self.system.still)
             else:
                 self.let_go(k, load, 1, "is the load inside the friction set where the slip ends")
-        self.drift(reached, late)
         self.after = late
         self.tell(before, late, "guard")

@@ -17,13 +17,12 @@ from numerics.plane.window import around
 
 
 class Leg(NamedTuple):
-    """A curve of a system from x = 0 to x = `end`; bounds at its end on N and on the errors of z."""
+    """A curve of a system from x = 0 to x = `end`, and a bound on N up to there."""
 
     system: int
     curve: Point
     end: arb
     norm: arb
-    apart: Vector
 
 
 class Motion:
@@ -40,11 +39,11 @@ class Motion:
         piece = max(0, bisect_right(self.starts, t.mid()) - 1)
         local = t - self.starts[piece]
         after = bisect_right(self.legs, (piece, local.mid()), key=lambda one: (one.curve.piece, one.curve.t[0]))
-        system, curve, end, norm, apart = self.legs[max(0, after - 1)]
-        there = curve.at(_place(curve.t, end, local.mid()))
-        at, more, wider = middle(self.systems[system], there)
-        late = abs(there.t - local).upper()
-        return enclosed(self.systems[system], at, late, (norm + more).upper(), apart + wider)
+        index, curve, end, norm = self.legs[max(0, after - 1)]
+        system = self.systems[index]
+        there = drifted(system, curve, _place(curve.t, end, local.mid()), norm)
+        at, more = middle(system, there)
+        return enclosed(system, at, abs(there.t - local).upper(), (norm + more).upper())
 
 
 def _place(t: arb, end: arb, time: arb) -> arb:
@@ -54,19 +53,26 @@ def _place(t: arb, end: arb, time: arb) -> arb:
     return rise(t, time) if time < t(end) else end
 
 
-def middle(system: System, at: Point) -> tuple[Point, arb, Vector]:
-    """Return the midpoints of a point; bounds on N of the radii, and on those of z."""
+def drifted(system: System, curve: Point, x: arb, norm: arb) -> Point:
+    """Return a point of a curve; z is off by what s is off for the time from its beginning, on the axes that slip."""
+    there = curve.at(x)
+    off = system.apart * (norm * abs(there.t - curve.t[0]))
+    return there._replace(z=Vector(wide(z, y) if p else z for z, y, p in zip(there.z, off, curve.s, strict=True)))
+
+
+def middle(system: System, at: Point) -> tuple[Point, arb]:
+    """Return the midpoints of a point, z with its errors; a bound on N of the radii."""
     off = at.each(arb.rad)
-    return at.each(arb.mid), system.norm(off.q1, off.v1, off.v2), off.z
+    return at.each(arb.mid)._replace(z=at.z), system.norm(off.q1, off.v1, off.v2)
 
 
-def enclosed(system: System, at: Point, late: arb, norm: arb, apart: Vector) -> PlaneState:
-    """Return the true state within `late` (s) of a point of the path, by the bounds on N and on z."""
+def enclosed(system: System, at: Point, late: arb, norm: arb) -> PlaneState:
+    """Return the true state within `late` (s) of a point of the path, by the bound on N."""
     near = around(system, at, norm, late)
     first, second = norm / system.root_m1 + near.first * late, norm / system.root_m2 + near.second * late
     q1 = wide(at.q1, system.soft * norm + (abs(at.v1) + first) * late)
     v1, v2 = wide(at.v1, first), wide(at.v2, second)
-    z = wide(at.z, apart + (abs(at.s) + system.apart * norm + (near.first + near.second) * late) * late)
+    z = wide(at.z, (abs(at.s) + system.apart * norm + (near.first + near.second) * late) * late)
     if not any(at.s) and all(x.overlaps(y) for x, y in zip(v1, v2, strict=True)):
         v1 = v2 = Vector(x.intersection(y) for x, y in zip(v1, v2, strict=True))
     place, x1 = system.place, system.place @ q1

@@ -9,7 +9,7 @@ from flint import arb, arb_poly
 
 from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent
-from numerics.plane.motion import Leg, Motion, enclosed, middle
+from numerics.plane.motion import Leg, Motion, drifted, enclosed, middle
 from numerics.plane.polynomial import first_root
 from numerics.plane.series import Friction, Point
 from numerics.plane.system import PlaneDrive, System
@@ -36,7 +36,7 @@ class PlanePath:
         self.motion = Motion(systems, self.legs)
         with self.system.fine():
             (q1, v1, v2), still = self.system.start, self.system.still
-            self.norm, self.apart = arb(0), still
+            self.norm = arb(0)
             self.set(Point(0, arb(0), q1, v2, v1 - v2, still))
 
     @property
@@ -55,24 +55,17 @@ class PlanePath:
 
     def set(self, point: Point) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
-        self.at, norm, apart = middle(self.system, point)
-        self.norm, self.apart = (self.norm + norm).upper(), (self.apart + apart).each(arb.upper)
-
-    def drift(self, norm: arb, passed: arb) -> None:
-        """Let z be off by what v1 - v2 is off for a time, on the axes that slip."""
-        slips = Vector(arb(one != "0") for one in self.mode)
-        self.apart = (self.apart + self.system.apart * slips * (norm * passed)).each(arb.upper)
+        self.at, norm = middle(self.system, point)
+        self.norm = (self.norm + norm).upper()
 
     def go_on(self, curve: Point, end: arb, norm: arb, *, ends: bool) -> None:
         """Record a curve and go to its end, or to the next piece of force if it `ends` there."""
-        point = curve.at(end)
-        self.drift(norm, (point.t - curve.t[0]).abs_upper())
-        self.norm = norm
+        point, self.norm = drifted(self.system, curve, end, norm), norm
         self.set(point)
         true = self.drive.length if ends else self.at.t
         # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
         self.norm = (self.norm + self.rate(true) * abs(point.t - true)).upper()
-        self.legs.append(Leg(self.systems.index(self.system), curve, end, self.norm, self.apart))
+        self.legs.append(Leg(self.systems.index(self.system), curve, end, self.norm))
         if ends:
             self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 
@@ -129,7 +122,8 @@ class PlanePath:
         if late > 0 and not (late < self.at.t and self.at.t + late < self.drive.length):
             raise self.undecided("does the event come before the force changes, or the run ends")
         system, load, along = self.system, self.around(late).load, self.system.place @ direction
+        self.at = self.at._replace(z=wide(self.at.z, system.apart * (2 * self.norm * late)))  # whatever slips
         t, length = self.motion.starts[self.at.piece] + self.at.t + arb(0, late.upper()), (along @ along).sqrt()
-        y, (old, new) = enclosed(system, self.at, late, self.norm, self.apart), map(system.word, (before, self.mode))
+        y, (old, new) = enclosed(system, self.at, late, self.norm), map(system.word, (before, self.mode))
         unit = along / length if length > 0 else along
         self.events.append(PlaneEvent(t, old, new, y, unit, system.force @ load, cause))

@@ -20,7 +20,7 @@ from flint import arb, arb_poly, arb_series
 from numerics.arithmetic.ball import sqrt
 from numerics.errors import NotSettled
 from numerics.plane.defect import Defect, slip_defect
-from numerics.plane.linear import AGAIN, LinearPath
+from numerics.plane.linear import LinearPath
 from numerics.plane.onset import first_slip, onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import OUTSIDE
@@ -31,6 +31,8 @@ from numerics.plane.vector import Vector, wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
+_AGAIN = 65 / 64
+"""A step beyond the end of a piece of force is drawn again, so much longer than to there."""
 _OFTEN = 8
 """Steps of a slip between two questions whether it has settled."""
 _QUICK = 256
@@ -63,7 +65,7 @@ class PlaneRun(LinearPath):
         if self.at.piece == len(self.system.pieces):
             line, self.system = self.system, self.systems[-1]
             d = Vector(n @ line.place[0] for n in self.system.force)
-            self.mode, self.apart = self.system.n * ("0" if self.mode == "0" else "*"), abs(d) * self.apart[0]
+            self.mode = self.system.n * ("0" if self.mode == "0" else "*")
             self.set(Point(self.at.piece, self.at.t, *(d * part[0] for part in self.at[2:])))
         super().jump()
 
@@ -95,7 +97,7 @@ class PlaneRun(LinearPath):
         while not rate(x) > rate[0] * _FALL:
             x = (x * 0.75).mid()
         if t(x) > drive.length:
-            x = x.min(rise(t, drive.length) * AGAIN)
+            x = x.min(rise(t, drive.length) * _AGAIN)
         for halving in range(60):
             if x < 1:
                 h = (h * x).mid()
@@ -208,7 +210,6 @@ class PlaneRun(LinearPath):
         late = window if fall is None else early.max(self.norm / fall)
         if not (late < window and (strain < 1 or strain > 1)):
             raise self.undecided("does the slip end, turn around s = 0 or pass through it")
-        self.drift(self.norm, late)
         if strain < 1:
             self.put(0, self.system.still)
             direction = end_direction(self.system, self.drive, self.around(late).load, drawn)

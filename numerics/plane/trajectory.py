@@ -250,5 +250,5 @@ def _tuples(given: Any) -> Any:
 
 
 def _leg(given: Any) -> Leg:
-    system, (piece, t, *parts), end, norm, apart = given
-    return Leg(system, Point(piece, arb_poly(t), *map(Vector, parts)), end, norm, Vector(apart))
+    system, (piece, t, *parts), end, norm = given
+    return Leg(system, Point(piece, arb_poly(t), *map(Vector, parts)), end, norm)
