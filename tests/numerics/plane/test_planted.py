@@ -14,6 +14,7 @@ from numerics import Force, NotSettled, Piece
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided
 from numerics.plane import series
+from numerics.plane.motion import enclosed
 from numerics.plane.polynomial import first_root
 from numerics.plane.series import expand
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -99,7 +100,7 @@ def test_what_slips_moves_body_2_while_an_event_is_late():
     late = Fraction(1, 10**5)
     run, (_, true, _) = path_of(scene), said(changed(scene, until=late))
     with run.system.fine():
-        near = run.states.enclosed(run.at, Ball.number(late), arb(0), run.system.still)
+        near = enclosed(run.system, run.at, Ball.number(late), arb(0))
         assert all(x.contains(y) for p, q in zip(near, true, strict=True) for x, y in zip(p, q, strict=True))
         assert near.x2[0].rad() < 1e-5
 
@@ -208,7 +209,7 @@ def test_wrong_digits_of_a_series_are_seen_in_the_bound(row):
         with expanded_with(spoil):
             run.follow()
         with run.system.fine():
-            return run.norm, (run.events, run.states.at(Ball.number(ELLIPSE.until)), run.mode)
+            return run.norm, (run.events, run.motion.at(Ball.number(ELLIPSE.until)), run.mode)
 
     (small, right), (large, wrong) = found(0.0), found(2.0**-72)
     assert large > 1e3 * small
