@@ -114,14 +114,14 @@ def _events(motion: Parts, system: System, word: str) -> tuple[PlaneEvent, ...]:
             raise EventUndecided("which axis has its event first", str(t.str(6)), digits)
     found = []
     for key, group in order:
-        t, before, cause = group[0][1].t, word, "guard"
+        t, old, cause = group[0][1].t, word, "guard"
         for k, event in group:
             word, cause = motion.put(word, k, event.after), "jump" if "jump" in (cause, event.cause) else cause
         y, signs = motion.at(t), Vector(arb(SIGNS[one]) for one in word)
         times = [key] if isinstance(key, Fraction) else [exact_middle(t.lower()), exact_middle(t.upper())]
         loads = [_load(system, y, t, sum(one <= when for one in starts[1:])) for when in times]
         load = Vector(x.union(y) for x, y in zip(loads[0], loads[-1], strict=True))
-        found.append(PlaneEvent(t, before, word, y, signs / (signs @ signs).max(arb(1)).sqrt(), load, cause))
+        found.append(PlaneEvent(t, old, word, y, signs / (signs @ signs).max(arb(1)).sqrt(), load, cause))
     return tuple(found)
 
 

@@ -33,9 +33,7 @@ def defect(system: System, step: Step, friction_off: Vector) -> Defect:
     slopes = (part.each(arb_poly.derivative) for part in (curve.q1, v1, curve.v2))
     owed = v1 * rate, push * rate - step.impulse, step.impulse
     masses = (Vector([1] * system.n), system.m1, system.m2)
-    d0, d1, d2 = (
-        (slope * m - due).each(integral_bound) for slope, m, due in zip(slopes, masses, owed, strict=True)
-    )
+    d0, d1, d2 = ((slope * m - due).each(integral_bound) for slope, m, due in zip(slopes, masses, owed, strict=True))
     d1 = d1 + u_off * integral_bound(rate)
     norm = system.norm(d0, (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2)
     return Defect(norm, push * system.share, system.share * u_off)

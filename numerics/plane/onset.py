@@ -20,7 +20,7 @@ from typing import Any
 
 from flint import arb, arb_series
 
-from numerics.plane.series import Series, Point
+from numerics.plane.series import Point, Series
 from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector
 

@@ -136,7 +136,8 @@ def forms(system: System, drive: PlaneDrive) -> list[list[tuple[arb, int]]]:
     q1, t = 2 * n, 3 * n
     first = t + 1 + 2 * len(drive.sines)
     one = first + max(0, len(drive.polynomial) - 2)
-    powers, found = [one, t, *range(first, one)], [[] for _ in range(one + 1)]
+    powers = [one, t, *range(first, one)]
+    found: list[list[tuple[arb, int]]] = [[] for _ in range(one + 1)]
     for i in system.axes:
         push = [(-x[i], q1 + j) for j, x in enumerate(system.a2)]
         push += [(-x[i], part + j) for part in (0, n) for j, x in enumerate(system.a1)]

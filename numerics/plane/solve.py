@@ -81,7 +81,9 @@ def _once(scene: PlaneScene, line: Line, working: int, limits: dict[str, Any]) -
 
 def followed(scene: PlaneScene, working: int, limits: dict[str, Any]) -> PlaneTrajectory:
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
-    run = PlaneRun([System(one, working) for one in reduced(scene)], limits["max_events"], _MAX_LEGS, limits["progress"])
+    run = PlaneRun(
+        [System(one, working) for one in reduced(scene)], limits["max_events"], _MAX_LEGS, limits["progress"]
+    )
     run.follow()
     first = run.events[0].before if run.events else run.system.word(run.mode)
     status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT

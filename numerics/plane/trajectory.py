@@ -6,7 +6,7 @@ box in parts, the header of each part's own trajectory.
 
 from __future__ import annotations
 
-from itertools import chain
+from itertools import chain, product
 from pathlib import Path
 from typing import Any, Self
 
@@ -19,9 +19,9 @@ from numerics.arithmetic.precision import cached_property
 from numerics.linear.modes import EventKind
 from numerics.plane.answer import PlaneEvent, PlaneMotion, PlaneState, Working
 from numerics.plane.box import Parts
+from numerics.plane.motion import Leg, Motion
 from numerics.plane.reduced import reduced
 from numerics.plane.series import Point
-from numerics.plane.motion import Leg, Motion
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact
 from numerics.scene.decimals import exact_decimal
@@ -86,45 +86,49 @@ class PlaneTrajectory(Answer):
             self.digits: int = min(EXACT, self._right_digits())
 
     @property
-    def event_kinds(self) -> tuple[EventKind, ...]:
-        """Return the kinds of the events."""
-        return tuple(one.kind for one in self.events)
-
-    @property
     def final_mode(self) -> str:
         """Return the mode at the end."""
         return self.modes[-1]
 
     @property
+    def event_kinds(self) -> tuple[EventKind, ...]:
+        """Return the kinds of the events."""
+        return tuple(one.kind for one in self.events)
+
+    @property
     def event_times(self) -> NDArray[Any]:
         """Return the times of the events, s."""
-        return _array([one.t for one in self.events])
+        return np.array([one.t for one in self.events], dtype=object)
 
     @cached_property
-    def _points(self) -> tuple[list[arb], list[list[arb]]]:
-        """Return times and states of start, events and end, or at t_eval."""
+    def _points(self) -> NDArray[Any]:
+        """Return time and state at start, events and end, or at t_eval, shape (1 + 4 n, m)."""
         with self.context():
-            times, states = [arb(0), *(one.t for one in self.events), self.end_time], [one.y for one in self.events]
-            states = [self._at(0), *states, self.final_state]
-            if self.t_eval is not None:
-                times, states = [*map(self._time, self.t_eval)], [*map(self._at, self.t_eval)]
-            return times, [[*chain(*y)] for y in states]
+            given = self.t_eval
+            rows = (
+                [(one.t, one.y) for one in self.events]
+                if given is None
+                else [(self._time(t), self._at(t)) for t in given]
+            )
+            if given is None:
+                rows = [(arb(0), self._at(0)), *rows, (self.end_time, self.final_state)]
+            return np.array([[t, *chain(*y)] for t, y in rows], dtype=object).T
 
     @property
     def t(self) -> NDArray[Any]:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return _array(self._points[0])
+        return self._points[0]
 
     @property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4 n, m)."""
-        return _array(self._points[1]).T
+        return self._points[1:]
 
     @property
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J, shape (m,)."""
         with self.context():
-            return _array([*map(self.energy_of, self._points[1])])
+            return np.array([*map(self.energy_of, self.y.T)], dtype=object)
 
     @property
     def final_energy(self) -> arb:
@@ -149,7 +153,7 @@ class PlaneTrajectory(Answer):
         """
         given = np.asarray(t, dtype=object)
         states = [[*chain(*self._at(one))] for one in given.flat]
-        return _array(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
+        return np.array(states, dtype=object).T.reshape(4 * self.scene.pair.axes, *given.shape)
 
     def mode_at(self, t: Any) -> Any:
         """Return the mode at time t (s), at an event the one after it; a list for several times."""
@@ -175,14 +179,13 @@ class PlaneTrajectory(Answer):
     def _right_digits(self) -> int:
         """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest."""
         states = [*(one.y for one in self.events), self.final_state]
-        found = [(one.t, one.t) for one in self.events]
-        for pair in ((0, 2), (1, 3)):
-            for i in range(self.scene.pair.axes):
-                column = [y[k][i] for y in states for k in pair]
-                scale = max(abs(x.mid()) for x in column)
-                found += [(x, scale if x.contains(0) else x) for x in column]
-        energy = self.energy_of(self.final_state)
-        return min(digits_within(x.rad(), of, of) for x, of in [*found, (energy, energy)])
+        alone = [*(one.t for one in self.events), self.energy_of(self.final_state)]
+        found = [(x, x) for x in alone]
+        for k, i in product((0, 1), range(self.scene.pair.axes)):
+            column = [x for y in states for x in (y[k][i], y[k + 2][i])]
+            scale = max(abs(x.mid()) for x in column)
+            found += [(x, scale if x.contains(0) else x) for x in column]
+        return min(digits_within(x.rad(), of, of) for x, of in found)
 
     def record(self) -> dict[str, Any]:
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
@@ -238,10 +241,6 @@ class PlaneTrajectory(Answer):
                 raise ValueError("its states are not those of its axes")
             events = tuple(PlaneEvent(t, one, two, PlaneState(*y), *more) for t, one, two, y, *more in rows)
         return cls(scene, working, Status(header["status"]), header["mode"], events, motion)
-
-
-def _array(numbers: Any) -> NDArray[Any]:
-    return np.array(numbers, dtype=object)
 
 
 def _tuples(given: Any) -> Any:
