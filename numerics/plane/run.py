@@ -220,7 +220,7 @@ class PlaneRun(LinearPath):
             self.tell(before, late, "guard")
 
     def fate(self, load: Vector, s: Vector | None) -> tuple[arb | None, Drawn | None]:
-        """Return how fast a slip under these loads surely falls to s = 0, None if it may turn; how it is drawn there."""
+        """Return how fast a slip under these loads surely falls to s = 0, None if it may turn; how it is drawn."""
         drawn, strain = None, self.drive.strain(load, self.system.axes)
         if s is not None:
             drawn = drawn_to(self.system, self.drive, load, s)
