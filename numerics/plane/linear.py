@@ -13,7 +13,7 @@ from flint import arb, arb_poly
 
 from numerics.plane.defect import Defect, defect
 from numerics.plane.path import OUTSIDE, PlanePath
-from numerics.plane.polynomial import least
+from numerics.plane.polynomial import first_root, least
 from numerics.plane.series import Expansion
 from numerics.plane.vector import Vector
 
@@ -153,21 +153,24 @@ class LinearPath(PlanePath):
 
     def end_of(self, k: int, s: Vector, found: Defect, norm: arb) -> tuple[arb, arb] | None:
         """Return where a group ends to slip or to stick in a step, and how far that may be off; None if it does not."""
-        axes, b_squared, system = self.system.groups[k], self.drive.b_squared, self.system
+        axes, b_squared, load = self.system.groups[k], self.drive.b_squared, found.load
         if k in self.young or self.held:
             return None
-        if (sign := SIGNS[self.mode[axes[0]]]) != 0:
-            return self.root(s[k] * sign, (system.apart[k] * norm).upper(), "does the slip turn or end")
-        off, load = system.load_error * norm + found.load_error, found.load
+        sign, off = SIGNS[self.mode[axes[0]]], self.system.load_error * norm + found.load_error
 
         def unsure(size: Vector) -> arb:
             """Return what |B^-1 Lam|^2 is off, where the load is not larger."""
             return sum((off[i] * (2 * size[i] + off[i]) / b_squared[i] for i in axes), arb(0)).upper()
 
-        inside = 1 - sum(load[i] * load[i] * (1 / b_squared[i]) for i in axes)
-        root = self.root(inside, unsure(self.drive.b), OUTSIDE, SHORT if k in self.on_edge else 0.0)
-        if root is None:
-            return None
+        if sign:
+            root = first_root(s[k] * sign, (self.system.apart[k] * norm).upper())
+        else:
+            inside = 1 - sum(load[i] * load[i] * (1 / b_squared[i]) for i in axes)
+            root = first_root(inside, unsure(self.drive.b), SHORT if k in self.on_edge else 0.0)
+        if isinstance(root, bool):
+            raise self.undecided("does the slip turn or end" if sign else OUTSIDE)
+        if sign or root is None:
+            return root
         (x, far), there = root, root[0] + arb(0, root[1])
         steep, near = -inside.derivative()(there), unsure(Vector(abs(one(there)) for one in load))
         return x, far.min(((near + abs(inside(x))) / steep).upper()) if steep > 0 else far

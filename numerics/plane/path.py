@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
-from flint import arb, arb_poly
+from flint import arb
 
 from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent
 from numerics.plane.motion import Leg, Motion, drifted, enclosed, middle
-from numerics.plane.polynomial import first_root
 from numerics.plane.series import Friction, Point
 from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector, wide
@@ -95,13 +93,6 @@ class PlanePath:
         """Return a time to go on for, not beyond the end of the piece, and whether it is that."""
         left = (self.drive.length - self.at.t).mid()
         return (left, True) if h >= left else (h, False)
-
-    def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
-        """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""
-        found = first_root(p, error, start)
-        if found is False:
-            raise self.undecided(question)
-        return found
 
     def leaves(self, normal: Vector, window: arb, m: int, slips: Friction = ()) -> bool:
         """Return whether n.Lam > h(n) from the beginning of a slip to the end of a window: then s != 0 in it.

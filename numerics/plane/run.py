@@ -12,7 +12,6 @@ says what holds all through one):
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import accumulate, pairwise
 
 from flint import arb, arb_poly, arb_series
@@ -151,10 +150,7 @@ class PlaneRun(LinearPath):
             return False
         if root is not None:
             h, ends = (h * root[0]).mid(), False
-        size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
-        if root is not None:  # s = (1 - x) S
-            size, *slip = (arb_poly(list(accumulate(one.coeffs()))[:-1]) for one in (size, *slip))
-        step, found, slowest = self.along(series, h, top, slip, size, [1] if root is None else [1, -1])
+        step, slip, found, slowest = self.along(series, h, top, 0 if root is None else -1)
         jump = step.curve.s.order(0) - self.at.s
         added = found.norm + self.system.norm(self.system.still, jump, self.system.still)
         norm = (self.norm + added).upper()
@@ -166,18 +162,22 @@ class PlaneRun(LinearPath):
             self.end(step.curve, norm, slip, slowest)
         return True
 
-    def along(
-        self, series: Series, h: arb, top: int, slip: Sequence[arb_poly], size: arb_poly, weight: Sequence[arb | int]
-    ) -> tuple[Step, Defect, arb]:
-        """Return the step of a slip s = weight S on [0, h], its defect, and a lower bound of h(S) (0: none)."""
+    def along(self, series: Series, h: arb, top: int, m: int) -> tuple[Step, Vector, Defect, arb]:
+        """Return the step of a slip s = tau^m S on [0, h], of s = (1 - x) S for m = -1, and S.
+
+        Its defect, and a lower bound of h(S) (0: none).
+        """
         q1, v2 = (Vector(scaled(x[: top + 1], h) for x in part) for part in series[:2])
+        size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
+        if m < 0:
+            size, *slip = (arb_poly(list(accumulate(one.coeffs()))[:-1]) for one in (size, *slip))
         t, swing = arb_poly([self.at.t, h]), self.drive.swing(arb_series([self.at.t, h], top + 2))
-        s = Vector(slip) * arb_poly(weight)
+        s = Vector(slip) * arb_poly([1, -1] if m < 0 else [0] * m + [(h**m).mid()])
         impulse = v2.each(arb_poly.derivative) * self.system.m2
         step = step_from(self.at, t, q1, v2, s, impulse, [tuple(map(midpoints, one)) for one in swing])
-        return step, *slip_defect(self.system, step, Vector(slip), size)
+        return step, Vector(slip), *slip_defect(self.system, step, Vector(slip), size)
 
-    def end(self, curve: Point, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
+    def end(self, curve: Point, norm: arb, slip: Vector, slowest: arb) -> None:
         """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when |s|_{kap^-1} is N.
 
         Up to a time early/narrow before, its direction is that of S up to `narrow`; |s| is a multiple of N then.
@@ -186,7 +186,7 @@ class PlaneRun(LinearPath):
         self.at = self.at._replace(s=self.system.still)
         part = (self.drive.reach * self.norm / slowest).upper()
         near_end = arb(1) - arb(0).union(part / self.narrow)
-        s = Vector(p(near_end) for p in slip)
+        s = slip.each(lambda p: p(near_end))
         size = self.system.length(s)
         early = part.min(self.norm / size.lower()) * curve.t[1]
         self.arrive(early.upper(), wide(s, self.system.apart * (size * self.narrow)))
@@ -248,8 +248,7 @@ class PlaneRun(LinearPath):
         h, top = self.reach(series, m)
         h, ends = self.fitted(h)
         for _ in range(60):
-            size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
-            step, found, slowest = self.along(series, h, top, slip, size, [0] * m + [(h**m).mid()])
+            step, _, found, slowest = self.along(series, h, top, m)
             if found.norm < self.enough:
                 break
             h, ends = (h / 2).mid(), False

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.modes import EventKind
-from numerics.plane.answer import PlaneEvent, PlaneMotion, PlaneState, Working
+from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
 from numerics.plane.motion import Leg, Motion
 from numerics.plane.reduced import reduced
@@ -61,7 +61,7 @@ class PlaneTrajectory(Answer):
     True
     """
 
-    FORMAT = "inertial-pair surface trajectory 3"
+    FORMAT = "inertial-pair surface trajectory 4"
     ARITHMETICS = ("ball",)
     COLUMNS = ("t", "y", "energy")
     EVENT_COLUMNS = ("direction", "load")
@@ -73,7 +73,7 @@ class PlaneTrajectory(Answer):
         status: Status,
         mode: str,
         events: tuple[PlaneEvent, ...],
-        motion: PlaneMotion,
+        motion: Motion | Parts,
     ) -> None:
         """Keep what a run found: how it ended, the mode at t = 0, its events, and what knows the state at any time."""
         self.arithmetic: Working = arithmetic
@@ -229,7 +229,7 @@ class PlaneTrajectory(Answer):
         _, digits = header["arithmetic"]
         working = Working(digits)
         with working.context():
-            motion: Any
+            motion: Motion | Parts
             if header["parts"] is None:
                 motion = Motion([System(one, digits) for one in reduced(scene)], [*map(_leg, header["legs"])])
             else:
