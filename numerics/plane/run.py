@@ -30,8 +30,8 @@ from numerics.plane.vector import Vector, wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
-_AGAIN = 65 / 64
-"""A step beyond the end of a piece of force is drawn again, so much longer than to there."""
+_MANY = 12
+"""A step of a slip is shortened so many times before its bound is asked whether s may be 0."""
 _OFTEN = 8
 """Steps of a slip between two questions whether it has settled."""
 _QUICK = 256
@@ -90,25 +90,21 @@ class PlaneRun(LinearPath):
         """Slip for a step, and on to what follows if s gets to 0 in it."""
         system, at, drive = self.system, self.at, self.drive
         slip = Expansion(system, at)
-        h, x = slip.reach(highest(at.s)).mid(), arb(1)
-        step = slip.drawn(h)
-        t, rate = step.curve.t, step.curve.t.derivative()
-        while not rate(x) > rate[0] * _FALL:
-            x = (x * 0.75).mid()
-        if t(x) > drive.length:
-            x = x.min(rise(t, drive.length) * _AGAIN)
-        for halving in range(60):
-            if x < 1:
-                h = (h * x).mid()
-                step = slip.drawn(h)
-            t = step.curve.t
-            found, slowest = slip_defect(system, step, step.curve.s, t.derivative() * (1 / h))
-            norm, x = (self.norm + found.norm).upper(), arb(0.5)
-            if slowest > drive.reach * norm:
-                break
-            if slowest > 0 and halving > 5:
-                self.stop()
-                return
+        h = slip.reach(highest(at.s)).mid()
+        for tries in range(60):
+            step = slip.drawn(h)
+            t, rate = step.curve.t, step.curve.t.derivative()
+            shorter = 0.75
+            if rate(1) > rate[0] * _FALL:
+                shorter = 0.5
+                found, slowest = slip_defect(system, step, step.curve.s, rate * (1 / h))
+                norm = (self.norm + found.norm).upper()
+                if slowest > drive.reach * norm:
+                    break
+                if slowest > 0 and tries > _MANY:
+                    self.stop()
+                    return
+            h = (h * shorter).mid()
         else:
             raise self.undecided("does the slip turn or end")
         ends = bool(t(1) >= drive.length)
