@@ -89,12 +89,23 @@ def test_a_coupled_axis_that_begins_exactly_on_the_edge_leaves_it_the_way_its_lo
     assert [*found.modes[:2]] == modes
 
 
-def test_axes_with_other_data_may_stop_at_one_time_that_is_known_exactly():
-    """Body 1 rests, m2 v2' = -b: both slips end at 1 s = m2 v2/b."""
+@pytest.mark.parametrize("off", [0, "1e-12"])
+def test_axes_with_other_data_may_stop_at_one_time_that_is_known_exactly(off):
+    """Body 1 rests, m2 v2' = -b: both slips end at 1 s = m2 v2/b, or one of them a little later."""
     pair = PlanePair([1, 1], [1, 2], [1, 2], [1, 3], shape="box")
-    scene = PlaneScene(pair, 3, v2=[1, "1.5"], force=[Force([Piece(0, [-1])]), Force([Piece(0, [-3])])])
-    (event,) = solve(scene, digits=20).events
-    assert (event.t, event.before, event.after) == (1, "--", "00")
+    push = [Force([Piece(0, [-1])]), Force([Piece(0, [-3])])]
+    found = solve(PlaneScene(pair, 3, v2=[1, Fraction("1.5") + Fraction(off)], force=push), digits=20)
+    assert found.modes == (("--", "0-", "00") if off else ("--", "00"))
+    assert found.events[0].t == 1
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_an_event_that_is_in_part_due_to_a_jump_is_due_to_it(order):
+    """One axis comes to rest at 1 s by itself, and the force on the other jumps then."""
+    push = [Force([Piece(0, [-1])]), Force.step(1, 9)][::order]
+    scene = PlaneScene(PlanePair(1, 1, 1, 1, shape="box"), "1.5", v2=[1, 0][::order], force=push)
+    first = solve(scene).events[0]
+    assert (first.t, first.before, first.after, first.cause) == (1, "-0"[::order], "0+"[::order], "jump")
 
 
 def test_a_load_where_a_force_may_just_have_changed_is_that_before_and_that_behind():

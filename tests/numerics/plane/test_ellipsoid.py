@@ -38,6 +38,8 @@ def test_an_oblique_line_is_the_pair_of_the_paper_digit_for_digit(later):
         assert len(line.events) > 1
         assert overlap(plane.event_times[: len(line.events)], line.event_times)
         assert overlap(plane.sol("0.5"), [arb(c) * true for true in line.final_state for c in e])
+        x, y = plane.final_state.x1
+        assert (3 * y - 4 * x).contains(0) == (not later)
 
 
 def test_a_slip_passes_through_rest_where_an_ellipse_draws_it_there():
