@@ -171,6 +171,11 @@ class LinearMode:
         """Return where each sine stands in z, its cosine one place on."""
         return range(FIRST + sum(self.layout.terms), self.size, 2)
 
+    @property
+    def amplitudes(self) -> list[Fraction]:
+        """Return those of the sines."""
+        return [one.amplitude for signal in self.piece.signals for one in signal.sines]
+
     def begin(self, state: Sequence[arb], t: arb) -> list[arb]:
         """Return z at time t (s), where (x1, v1, x2, v2) is a state."""
         return [*state, *BallDrive(self.piece).at(t - Ball.number(self.piece.start), self.side)]
