@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 from flint import acb, arb, arb_poly
 
-from numerics.linear.flow import BEND, FEW, BallRow, Flow
+from numerics.linear.flow import BEND, FEW, Flow
 from numerics.linear.model import FIRST, V1, V2, X1
-from numerics.linear.system import length
+from numerics.linear.system import BallRow, length
 
 _I = acb(0, 1)
 
