@@ -12,13 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import TwoFloats, negative, pair_of, plus, put, times, two_sum
-from numerics.linear.columns import Constants, Drive, Problem, Room, constants, make_room
-from numerics.linear.kernel import OUT_OF_RANGE, Log, follow_in
+from numerics.arithmetic.pair import TwoFloats, negative, pair_of, plus, put, times
+from numerics.linear.kernel import EVENT_LIMIT, OUT_OF_RANGE, Log, follow_in
+from numerics.linear.ledger import ledger
+from numerics.linear.model import FIRST, FORCE, FRICTION, Bodies, Rows, make_rows, norm_of, put_rows
 from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
-from numerics.linear.table import FIRST, Tables, form, make_tables, most_terms
+from numerics.linear.room import Drive, Problem, Room, make_room
+from numerics.linear.table import Tables, form, make_tables, most_terms
 
 _MODE, _JUMP, _PIECE, _LOCAL, _X1, _HOW = (AT[name] for name in ("mode", "jump", "piece", "local", "x1", "how"))
+_TAKEN = AT["friction"]
+_ROUNDINGS = 4.0
+"""By so many is an entry of the matrices off that compiled code forms."""
 
 
 class Columns(NamedTuple):
@@ -40,107 +45,145 @@ class Columns(NamedTuple):
         return Columns(self.numbers[rows], self.polynomial[rows], self.sines[rows], self.frictions)
 
 
-@compilable
-def follow_row(
-    pair: Constants,
-    drive: Drive,
-    tables: Tables,
-    room: Room,
-    start: Any,
-    max_events: int,
-    has_ledger: bool,
-    kept: Any,
-    end: Any,
-) -> tuple[int, int]:
-    """Follow one row; return (how, rows written or left out).
-
-    Tuples of arrays are made here, where no references are counted, which would cost some percent of a row.
-    """
-    problem, log = Problem(pair, drive, tables, has_ledger), Log(kept, end, max_events, False)
-    return follow_in(problem, room, start, -1.0, log)
-
-
 @compilable_with(makes_arrays=True, forceinline=False)
 def follow_rows(given: Columns, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any) -> None:
     """Solve rows of scenes; write start and first events of each to `kept` (n, k, ROW), its end to `ends` (n, END_ROW).
 
     Each is solved in units that are powers of 2; tables are formed anew only where they change. Rows that are in doubt,
-    or out of range, are UNKNOWN at the end. Without `has_ledger` an end says nan of what friction and viscosity took:
-    that costs a fifth of the time, and not everybody asks.
+    or out of range, are UNKNOWN at the end. With `has_ledger`, `kept` has room for all rows of each, also those at which
+    a piece begins, and the end says what was taken and given.
     """
     numbers, polynomial, sines, frictions = given
     terms, waves, pieces = polynomial.shape[1], sines.shape[1], frictions.shape[0]
-    columns, coefficients = FIRST + terms + 2 * waves, most_terms(terms)
-    tables, room = make_tables(1, columns, coefficients), make_room(columns, coefficients)
-    pair, whole, start = np.zeros((5, 2)), make_drive(terms, waves, pieces), np.zeros(END_ROW)
+    blocks, n = blocks_of(terms, waves), FIRST + terms + 2 * waves + 1
+    tables, room = make_tables(1, n, most_terms(terms)), make_room(n, most_terms(terms))
+    rows = make_rows(n)
+    whole, start, omegas, made_of = make_drive(terms, waves, pieces), np.zeros(END_ROW), np.zeros(n), np.zeros(n + 5)
     for row in range(numbers.shape[0]):
-        mass, time, length = put_bodies(numbers[row], pair, start)
-        force, own_b, until = mass + length - 2 * time, numbers[row, 3], numbers[row, 8]
-        for k in range(terms):
-            whole.coefficients[k] = math.ldexp(polynomial[row, k], k * time - force)
-        count, longest = put_pieces(frictions, own_b, until, sines[row], (time, force), whole)
-        how, rows, end = OUT_OF_RANGE, kept[row], ends[row]
+        bodies, units = put_bodies(numbers[row], start)
+        count, longest = put_pieces(given, row, units, whole)
+        how, found, end, norm = OUT_OF_RANGE, kept[row], ends[row], norm_of(bodies)
+        for k in range(waves):
+            omegas[FIRST + terms + 1 + 2 * k + 1] = whole.sines[k, 1, 0]
         if count > 0:
-            form(tables, 0, pair, terms, whole.sines[:waves, 1], longest)
-            drive = Drive(whole.places[:count], whole.b[:count], whole.length[:count], whole.coefficients, whole.sines)
-            own = constants(pair, literal)
-            how, count = follow_row(own, drive, tables, room, start, max_events, has_ledger, rows, end)
-        if how >= OUT_OF_RANGE or not finish(rows[:count], end, mass, time, length):
+            if is_new(made_of, bodies, longest, omegas):
+                clear(rows)
+                put_rows(bodies, blocks, omegas, (0.0, 0.0), rows)
+                form(tables, 0, norm, blocks, rows, _ROUNDINGS, longest)
+            log = Log(found, end, max_events, has_ledger)
+            how, count = follow_row(Problem(norm, whole, tables, literal), count, room, start, log)
+        if how >= OUT_OF_RANGE or not finish(found[:count], end, units[0], units[1], units[2]):
             end[_HOW] = UNKNOWN
             continue
-        for n in range(min(count, rows.shape[0])):
-            from_start(rows[n], frictions)
+        for k in range(min(count, found.shape[0])):
+            from_start(found[k], frictions)
         from_start(end, frictions)
+
+
+@compilable
+def follow_row(problem: Problem, pieces: int, room: Room, start: Any, log: Log) -> tuple[int, int]:
+    """Follow one row of so many pieces; return (how, rows written or left out).
+
+    Tuples of arrays are made here, where no references are counted, which would cost some percent of a row.
+    """
+    whole = problem.drive
+    drive = Drive(whole.places[:pieces], whole.length[:pieces], whole.coefficients, whole.sines)
+    own = Problem(problem.norm, drive, problem.tables, problem.literal)
+    how, count = follow_in(own, room, start, -1.0, log)
+    if log.keeps_all and how < OUT_OF_RANGE:
+        ledger(own, room, log.rows, count - (1 if how == EVENT_LIMIT else 0), log.end, log.end[_TAKEN:])
+    return how, count
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def blocks_of(terms: int, waves: int) -> Any:
+    """Return where the signals stand in z: u, and one friction number behind its polynomial."""
+    blocks = np.zeros((5, 4), dtype=np.int64)
+    blocks[:, 0] = FIRST + terms
+    blocks[:, 2] = FIRST + terms + 1
+    blocks[FORCE, 0], blocks[FORCE, 1], blocks[FORCE, 3] = FIRST, terms, waves
+    blocks[FRICTION, 1], blocks[FRICTION, 2] = 1, FIRST + terms + 1 + 2 * waves
+    return blocks
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
 def make_drive(terms: int, waves: int, pieces: int) -> Drive:
-    """Return room for a drive whose pieces have one polynomial, sines of their own, and jumps between them."""
-    places = np.zeros((pieces, 6), dtype=np.int64)
-    places[:, 1], places[:, 2], places[:, 3], places[:, 5] = terms, waves * np.arange(pieces), waves, 1
-    b, length = np.zeros(pieces), np.zeros((pieces, 2))
-    return Drive(places, b, length, np.zeros(terms), np.zeros((pieces * waves, 3, 2)))
+    """Return room for a drive whose pieces have one polynomial, a friction number and sines of their own."""
+    places, length = np.zeros((pieces, 5), dtype=np.int64), np.zeros((pieces, 2))
+    places[:, 1], places[:, 2], places[:, 3] = (terms + 1) * np.arange(pieces), waves * np.arange(pieces), 1
+    return Drive(places, length, np.zeros(pieces * (terms + 1)), np.zeros((pieces * waves, 3, 2)))
 
 
 @compilable
-def put_bodies(numbers: Any, pair: Any, start: Any) -> tuple[int, int, int]:
-    """Write a row's pair and start in its units; return the exponents of mass, time and length."""
+def put_bodies(numbers: Any, start: Any) -> tuple[Bodies, tuple[int, int, int]]:
+    """Write a row's start in its units; return its bodies, and the exponents of mass, time and length."""
     m1, m2, a2, b, a1 = numbers[0], numbers[1], numbers[2], numbers[3], numbers[9]
     mass = math.frexp(m1 + m2)[1]
     time, length = (mass - math.frexp(a2)[1]) // 2, math.frexp(b * (m1 + m2) / (a2 * m2))[1]
-    pair[0, 0], pair[2, 0] = math.ldexp(m1, -mass), math.ldexp(m2, -mass)
-    put(pair[1], two_sum(pair[0, 0], pair[2, 0]))
-    pair[3, 0], pair[4, 0] = math.ldexp(a1, time - mass), math.ldexp(a2, 2 * time - mass)
+    m1, m2 = math.ldexp(m1, -mass), math.ldexp(m2, -mass)
     for i in range(4):
         start[_X1 + i] = math.ldexp(numbers[4 + i], -length + (time if i % 2 else 0))
     start[_MODE] = np.sign(numbers[5] - numbers[7])
     start[_JUMP] = 1.0 if start[_MODE] == 0.0 else 0.0
-    return mass, time, length
+    a1, a2, whole = math.ldexp(a1, time - mass), math.ldexp(a2, 2 * time - mass), m1 + m2
+    bodies = Bodies(m1, a1, a2, 1.0 / m1, 1.0 / m2, 1.0 / whole, m1 / whole, m2 / whole, 1.0)
+    return bodies, (mass, time, length)
 
 
 @compilable
-def put_pieces(
-    frictions: Any, own_b: float, until: float, sines: Any, units: tuple[int, int], drive: Drive
-) -> tuple[int, float]:
-    """Write b, length, and sines with their phases at the beginning of each piece; return how many pieces there are and
+def clear(rows: Rows) -> None:
+    """Write zeros."""
+    rows.A[:] = 0.0
+    rows.guards[:] = 0.0
+    rows.others[:] = 0.0
+    rows.powers[:] = 0.0
 
-    how long the longest one is; no piece where a phase is not good to its own size, as its terms cancel.
+
+@compilable
+def is_new(made_of: Any, bodies: Bodies, longest: float, omegas: Any) -> bool:
+    """Return whether tables depend on other numbers than before, and write these."""
+    found = False
+    for k, number in enumerate((bodies.m1, bodies.a1, bodies.a2, bodies.share_2, longest)):
+        found = differs(made_of, k, number) or found
+    for k in range(omegas.shape[0]):
+        found = differs(made_of, 5 + k, omegas[k]) or found
+    return found
+
+
+@compilable
+def differs(numbers: Any, k: int, number: float) -> bool:
+    """Write a number, and return whether another one stood there."""
+    before, numbers[k] = numbers[k], number
+    return before != number
+
+
+@compilable
+def put_pieces(given: Columns, row: int, units: tuple[int, int, int], drive: Drive) -> tuple[int, float]:
+    """Write length, signals, and sines with their phases at the beginning of each piece of a row.
+
+    Return how many pieces there are and how long the longest one is; no piece where a phase is not good to its own
+    size, as its terms cancel.
     """
-    time_unit, force_unit = units
-    count, longest, waves, (_, b, length, _, moved) = 0, 0.0, sines.shape[0], drive
+    numbers, polynomial, sines, frictions = given
+    (mass, time, place), own_b, until = units, numbers[row, 3], numbers[row, 8]
+    force, terms, waves = mass + place - 2 * time, polynomial.shape[1], sines.shape[1]
+    count, longest = 0, 0.0
     while count < frictions.shape[0] and is_before(frictions[count], until):
-        begin, given_b, after = pair_of(frictions[count]), frictions[count, 2], TwoFloats(until, 0.0)
+        begin, b, after = pair_of(frictions[count]), frictions[count, 2], TwoFloats(until, 0.0)
         if count + 1 < frictions.shape[0] and is_before(frictions[count + 1], until):
             after = pair_of(frictions[count + 1])
         lasts = plus(after, negative(begin))
-        length[count, 0], length[count, 1] = math.ldexp(lasts.high, -time_unit), math.ldexp(lasts.low, -time_unit)
-        longest = max(longest, length[count, 0])
-        b[count] = math.ldexp(own_b if math.isnan(given_b) else given_b, -force_unit)
+        drive.length[count, 0], drive.length[count, 1] = math.ldexp(lasts.high, -time), math.ldexp(lasts.low, -time)
+        longest = max(longest, drive.length[count, 0])
+        first = count * (terms + 1)
+        for k in range(terms):
+            drive.coefficients[first + k] = math.ldexp(polynomial[row, k], k * time - force)
+        drive.coefficients[first + terms] = math.ldexp(own_b if math.isnan(b) else b, -force)
         for k in range(waves):
-            sine = moved[count * waves + k]
-            sine[0, 0], sine[1, 0] = math.ldexp(sines[k, 0], -force_unit), math.ldexp(sines[k, 1], time_unit)
-            turned = times(begin, sines[k, 1])
-            put(sine[2], plus(turned, TwoFloats(sines[k, 2], 0.0)))
+            sine, given_sine = drive.sines[count * waves + k], sines[row, k]
+            sine[0, 0], sine[1, 0] = math.ldexp(given_sine[0], -force), math.ldexp(given_sine[1], time)
+            turned = times(begin, given_sine[1])
+            put(sine[2], plus(turned, TwoFloats(given_sine[2], 0.0)))
             if 2.0 * abs(sine[2, 0]) < abs(turned.high):
                 return 0, longest
         count += 1

@@ -14,6 +14,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -200,14 +201,10 @@ class Cells:
         return True, MARGINAL
 
 
+@lru_cache(maxsize=128)
 def cells_of(scene: Scene) -> Cells | None:
-    """Return the cells of a scene, made once and kept with it; None where friction does not depend on the state."""
-    if scene.friction.weakening is None:
-        return None
-    if "cells" not in scene.made:
-        scene.made["cells"] = Cells(scene)
-    found: Cells = scene.made["cells"]
-    return found
+    """Return the cells of a scene; None where friction does not depend on the state."""
+    return None if scene.friction.weakening is None else Cells(scene)
 
 
 def _by_heights(at: Sequence[Fraction], ends: Sequence[int]) -> Iterator[tuple[int, Line]]:

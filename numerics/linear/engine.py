@@ -18,17 +18,18 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
+from numerics.linear.ledger import ledger
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
-from numerics.linear.room import Problem
+from numerics.linear.room import Problem, make_room
 from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
 _MOST_ORDER = ORDERS - 1
 """Derivatives of a guard that may vanish at an exact start."""
-_STATE = slice(AT["x1"], AT["excess"])
+_STATE = slice(AT["x1"], AT["x1"] + 4)
 _OF_EXACT = [AT[name] for name in ("order", "event", "jump", "length")]
 """What the kernel does not know of a start that is exact."""
 
@@ -63,6 +64,16 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     if not compiled(finish)(rows, end, *prepared.units):
         raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, How(how), int(end[AT["events"]]))
+
+
+def ledger_of(scene: Scene, record: Record) -> NDArray[np.float64]:
+    """Return what was taken and given in a run in float64 (model.TAKEN), J, and a bound on the error of each, (7,)."""
+    prepared, count = prepare(scene), len(record.rows) - (record.how == How.EVENT_LIMIT)
+    rows, end, taken, (mass, time, length) = record.rows.copy(), record.end.copy(), np.zeros(7), prepared.units
+    compiled(finish)(rows, end, -mass, -time, -length)
+    size, terms = prepared.problem.tables.rows.shape[3:]
+    compiled(ledger)(prepared.problem, make_room(size, terms), rows, count, end, taken)
+    return np.ldexp(taken, mass + 2 * length - 2 * time)
 
 
 def _run(
@@ -122,8 +133,9 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.fl
         row[AT["length"]] = rounded(t - before, units.time)
         state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
         row[_STATE] = [rounded(x, unit) for x, unit in zip(state, [units.length, speed] * 2, strict=True)]
-    rows[:, AT["excess"]] = np.nan
-    rows[:, AT["x1_error"] : AT["excess_error"]] = UNIT * np.abs(rows[:, _STATE])
+    rows[:, AT["x1_error"] : AT["speed_error"]] = UNIT * np.abs(rows[:, _STATE])
+    norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T
+    rows[:, AT["speed_error"]] = (norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2) / norm.root_m1
     return rows
 
 

@@ -125,6 +125,18 @@ class Rows(NamedTuple):
     """(2, 2, n): v1 - v2 alone in slip; b_static - Lambda and b_static + Lambda in stick"""
     others: Any
     """(4, n): LOAD, EDGE, KINETIC, DRIVEN"""
+    powers: Any
+    """(2, 6, 2, n), of slip and stick: powers as products of two rows, in the order of TAKEN"""
+
+
+TAKEN = ("friction", "viscous", "force", "force_2", "belt", "wall")
+"""What friction and damper take, and what forces, belt and wall give (W); E' is the sum of these less that of those."""
+
+
+@compilable_with(makes_arrays=True)
+def make_rows(n: int) -> Rows:
+    """Return room for the matrices of n components, in floats."""
+    return Rows(np.zeros((2, n, n)), np.zeros((2, 2, n)), np.zeros((4, n)), np.zeros((2, 6, 2, n)))
 
 
 @compilable
@@ -153,13 +165,14 @@ def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], ro
     `cell`: friction of a slip + is b + slope (v1 - v2) + pull (x1 - x2), N s/m and N/m; the block of b then holds what
     is left of it where both are 0.
     """
-    (A, guards, others), n = rows, omegas.shape[0]
+    (A, guards, others, powers), n = rows, omegas.shape[0]
     push, second, belt_rate = np.zeros_like(others[0]), np.zeros_like(others[0]), np.zeros_like(others[0])
     push[X1] -= bodies.a2
     push[V1] -= bodies.a1
-    add_signal(push, blocks[FORCE], 1)
     add_signal(push, blocks[WALL], bodies.a2)
     add_rate(push, blocks[WALL], omegas, bodies.a1)
+    powers[:, 5, 0] += push
+    add_signal(push, blocks[FORCE], 1)
     add_signal(second, blocks[FORCE_2], 1)
     add_rate(belt_rate, blocks[BELT], omegas, 1)
     add_signal(others[DRIVEN], blocks[BELT], 1)
@@ -180,6 +193,26 @@ def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], ro
         A[SLIP, V1, j] = bodies.inverse_1 * (push[j] - others[KINETIC, j])
         A[SLIP, V2, j] = bodies.inverse_2 * (second[j] + others[KINETIC, j]) + belt_rate[j]
         A[STICK, V1, j] = A[STICK, V2, j] = bodies.inverse_both * (push[j] + second[j]) + belt_rate[j]
+    for mode in range(2):
+        put_powers(bodies, blocks, omegas, powers[mode])
+        powers[mode, 4, 1] += others[DRIVEN]
+    powers[SLIP, 0, 0] += others[KINETIC]
+    powers[SLIP, 0, 1] += guards[SLIP, 0]
+    powers[SLIP, 4, 0] -= others[KINETIC]
+    powers[STICK, 4, 0] -= others[LOAD]
+
+
+@compilable_with(makes_arrays=True)
+def put_powers(bodies: Bodies, blocks: Any, omegas: Any, powers: Any) -> None:
+    """Write what is the same in slip and stick: a1 (v1 - y')^2, u v1, f v2, and the speed of the wall."""
+    powers[1, 1, V1] += 1
+    add_rate(powers[1, 1], blocks[WALL], omegas, -1)
+    powers[1, 0] += bodies.a1 * powers[1, 1]
+    add_signal(powers[2, 0], blocks[FORCE], 1)
+    powers[2, 1, V1] += 1
+    add_signal(powers[3, 0], blocks[FORCE_2], 1)
+    powers[3, 1, V2] += 1
+    add_rate(powers[5, 1], blocks[WALL], omegas, 1)
 
 
 @compilable
@@ -200,7 +233,7 @@ def put_drive(A: Any, blocks: Any, omegas: Any) -> None:
 def exact_rows(pair: Pair, layout: Layout, cell: tuple[Fraction, Fraction] = (Fraction(0), Fraction(0))) -> Rows:
     """Return the exact matrices of a pair, arrays of Fraction; `cell` as in `put_rows`."""
     n, zero = layout.size, Fraction(0)
-    rows = Rows(np.full((2, n, n), zero), np.full((2, 2, n), zero), np.full((4, n), zero))
+    rows = Rows(*(np.full(one.shape, zero) for one in make_rows(n)))
     put_rows(Bodies.of(pair), layout.blocks, spread_omegas(layout), cell, rows)
     return rows
 

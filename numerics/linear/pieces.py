@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -15,7 +15,7 @@ from numerics.arithmetic.pair import nearest
 from numerics.linear.model import BELT, FORCE, FRICTION, WALL, Layout
 from numerics.scene import Piece, Scene, Sine
 
-_AT_ONCE, _NOTHING = np.zeros((2, 1)), Piece(0)
+_NOTHING = Piece(0)
 
 
 @dataclass(frozen=True)
@@ -71,10 +71,9 @@ class ExactPiece:
         return Layout(tuple(len(one.polynomial) for one in self.signals), omegas)
 
 
+@lru_cache(maxsize=128)
 def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
-    """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene."""
-    if "pieces" in scene.made:
-        return scene.made["pieces"]
+    """Return the pieces from t = 0 up to the horizon, in order."""
     acting = [_NOTHING, _NOTHING, _NOTHING, _NOTHING, Piece(0, (scene.pair.b,))]
     given = scene.force, scene.force_2, scene.belt, scene.wall, scene.friction  # in the order of model.py
     begun = [(piece.start, signal, piece) for signal, one in enumerate(given) for piece in one.pieces]
@@ -86,17 +85,13 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
             signals = tuple(one.moved(start) if len(one.polynomial) > 1 else one for one in acting)
             jumps = [not found or _may_jump(found[-1], k, one) for k, one in enumerate(signals)]
             found.append(ExactPiece(start, end - start, signals, any(jumps), jumps[BELT]))
-    scene.made["pieces"] = found
     return found
 
 
+@lru_cache(maxsize=128)
 def starts_of(scene: Scene) -> NDArray[np.float64]:
-    """Return when the pieces begin (s) and what rounding left out of it, shape (2, n); kept with the scene."""
-    if len(pieces_of(scene)) == 1:
-        return _AT_ONCE
-    if "starts" not in scene.made:
-        scene.made["starts"] = np.array([nearest(piece.start) for piece in pieces_of(scene)]).T.copy()
-    return scene.made["starts"]
+    """Return when the pieces begin (s) and what rounding left out of it, shape (2, n)."""
+    return np.array([nearest(piece.start) for piece in pieces_of(scene)]).T.copy()
 
 
 def polynomial_at(polynomial: Sequence[Fraction], t: Fraction) -> Fraction:

@@ -20,7 +20,7 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
-from numerics.linear.model import BELT, WALL, Bodies, Layout, Rows, norm_of, put_rows, spread_omegas
+from numerics.linear.model import BELT, DRIVEN, FIRST, WALL, Bodies, Layout, Norm, Rows, exact_rows, make_rows, norm_of
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, END_ROW
 from numerics.linear.room import Drive, Problem
@@ -126,31 +126,23 @@ def _reach(scene: Scene) -> Fraction:
     return moved or scene.pair.b / scene.pair.m1 * scene.until**2
 
 
+@lru_cache(maxsize=128)
 def prepare(scene: Scene) -> Prepared:
     """Return a scene as the kernel reads it. Raises OutOfRange."""
     units, pieces = _units_of(scene.pair, scene.until, _reach(scene)), pieces_of(scene)
-    bodies = bodies_in(scene.pair, units)
     drive, layouts, longest = _drive(pieces, units)
-    tables = _tables(bodies, tuple(layouts), units.time, longest)
+    norm = _norm(scene.pair, units)
+    tables = _tables(scene.pair, norm, tuple(layouts), units, longest)
     at, start, place, speed = scene.initial, np.zeros(END_ROW), units.length, units.of(length=1, time=-1)
     start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
     start[AT["jump"]] = gap == 0
-    return Prepared(Problem(norm_of(bodies), drive, tables, scene.law is Law.THREE_VALUED_SGN), start, units, pieces)
-
-
-def bodies_in(pair: Pair, units: KernelUnits) -> Bodies:
-    """Return the numbers of a pair as floats in these units."""
-    mass, rate = units.mass, units.of(mass=1, time=-1)
-    exponents = mass, rate, units.of(mass=1, time=-2), -mass, -mass, -mass, 0, 0, 0
-    return Bodies(*(rounded(value, one) for value, one in zip(Bodies.of(pair), exponents, strict=True)))
+    return Prepared(Problem(norm, drive, tables, scene.law is Law.THREE_VALUED_SGN), start, units, pieces)
 
 
 def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dict[Layout, int], float]:
     """Return the table of the pieces, the layouts in it, and the length of the longest piece."""
-    force, second = units.of(mass=1, length=1, time=-2), units.time
-    dimension = [force] * 5
-    dimension[BELT], dimension[WALL] = units.of(length=1, time=-1), units.length
+    second = units.time
     places: list[tuple[int, ...]] = []
     coefficients: list[float] = []
     sines: list[tuple[Halves, Halves, Halves]] = []
@@ -158,7 +150,7 @@ def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dic
     for one in pieces:
         index = layouts.setdefault(one.layout, len(layouts))
         places.append((index, len(coefficients), len(sines), int(one.is_jump), int(one.belt_jumps)))
-        for signal, exponent in zip(one.signals, dimension, strict=True):
+        for signal, exponent in zip(one.signals, _dimensions(units), strict=True):
             coefficients += [rounded(c, exponent - k * second) for k, c in enumerate(signal.polynomial)]
             for sine in signal.sines:
                 phase = reduced(sine.phase + sine.omega * one.start)
@@ -168,15 +160,45 @@ def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dic
     return Drive(*arrays), layouts, float(length[:, 0].max())
 
 
+def _norm(pair: Pair, units: KernelUnits) -> Norm:
+    """Return the numbers of the norm in these units."""
+    mass, rate = units.mass, units.of(mass=1, time=-1)
+    exponents = mass, rate, units.of(mass=1, time=-2), -mass, -mass, -mass, 0, 0, 0
+    return norm_of(Bodies(*(rounded(one, exponent) for one, exponent in zip(Bodies.of(pair), exponents, strict=True))))
+
+
 @lru_cache(maxsize=64)
-def _tables(bodies: Bodies, layouts: tuple[Layout, ...], time: int, longest: float) -> Tables:
-    """Return the tables of all kinds of pieces."""
+def _tables(pair: Pair, norm: Norm, layouts: tuple[Layout, ...], units: KernelUnits, longest: float) -> Tables:
+    """Return the tables of all kinds of pieces; every entry of a matrix is rounded once."""
     n, terms = max(one.size for one in layouts), max(max(one.terms) for one in layouts)
-    tables, norm = make_tables(len(layouts), n, most_terms(terms)), norm_of(bodies)
+    tables = make_tables(len(layouts), n, most_terms(terms))
     for index, layout in enumerate(layouts):
-        size, blocks = layout.size, layout.blocks
-        omegas = np.array([rounded(one, -time) for one in spread_omegas(layout)])
-        rows = Rows(np.zeros((2, size, size)), np.zeros((2, 2, size)), np.zeros((4, size)))
-        compiled(put_rows)(bodies, blocks, omegas, (0.0, 0.0), rows)
-        compiled(form)(tables, index, norm, blocks, rows, 4.0, longest)
+        rows = _in_units(exact_rows(pair, layout), layout, units)
+        compiled(form)(tables, index, norm, layout.blocks, rows, 1.0, longest)
     return tables
+
+
+def _in_units(rows: Rows, layout: Layout, units: KernelUnits) -> Rows:
+    """Return exact matrices as floats in units of powers of 2."""
+    force, speed, size = units.of(mass=1, length=1, time=-2), units.of(length=1, time=-1), layout.size
+    z = np.zeros(size, dtype=int)
+    z[:FIRST] = units.length, speed, units.length, speed
+    for (first, terms, sines, waves), exponent in zip(layout.blocks, _dimensions(units), strict=True):
+        z[first : first + terms] = exponent - units.time * np.arange(terms)
+        z[sines : sines + 2 * waves] = exponent
+    found = make_rows(size)
+    exponents = z[None, :, None] - units.time, np.array([speed, force])[:, None, None], np.full((4, 1), force)
+    exponents[2][DRIVEN] = speed
+    exponents += (np.array([force, speed])[None, None, :, None],)
+    for exact, own, exponent in zip(rows, found, exponents, strict=True):
+        for at in np.argwhere(exact != 0):
+            place = tuple(at)
+            own[place] = rounded(exact[place], int(np.broadcast_to(exponent, exact.shape)[place]) - int(z[at[-1]]))
+    return found
+
+
+def _dimensions(units: KernelUnits) -> tuple[int, ...]:
+    """Return the exponents of the signals."""
+    found = [units.of(mass=1, length=1, time=-2)] * 5
+    found[BELT], found[WALL] = units.of(length=1, time=-1), units.length
+    return tuple(found)

@@ -90,7 +90,7 @@ def place_of(problem: Problem, now: Now) -> tuple[int, int]:
     return problem.drive.places[now.piece, 0], 1 if now.mode == 0 else 0
 
 
-@compilable
+@compilable_with(**FAST)
 def dot(row: Any, z: Any, count: int) -> float:
     """Return the value of a row."""
     total = 0.0
@@ -99,7 +99,7 @@ def dot(row: Any, z: Any, count: int) -> float:
     return total
 
 
-@compilable
+@compilable_with(**FAST)
 def size_of(row: Any, size: Any, count: int) -> float:
     """Return the sum of the sizes of its terms."""
     total = 0.0

@@ -8,7 +8,7 @@ b + slope (v1 - v2) + pull (x1 - x2), where it depends on the state (cells.py).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -49,8 +49,6 @@ Cell = tuple[Fraction, Fraction]
 CONSTANT: Cell = (Fraction(0), Fraction(0))
 _FURTHER = 4
 """Further terms of Taylor in a bound on a remainder."""
-MOST_CUTS = 2_000
-"""Into so many parts an interval is cut before a sign on it counts as undecided."""
 
 
 def sparse(row: Iterable[Any]) -> Row:
@@ -367,23 +365,3 @@ def value(row: Row, z: arb_mat) -> arb:
 def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:
     """Return an exact matrix as balls."""
     return arb_mat([[Ball.number(one) for one in row] for row in rows])
-
-
-def is_positive_on(function: Callable[[arb], arb], start: arb, end: arb, most: int = MOST_CUTS) -> bool | None:
-    """Return whether an enclosure of a function is proved positive over [start, end], cut in halves where needed.
-
-    False: it is proved negative at some point; None: neither is proved.
-    """
-    waiting, cuts = [(start.lower(), end.upper())], 0
-    while waiting:
-        low, high = waiting.pop()
-        if function(low.union(high)) > 0:
-            continue
-        cuts += 1
-        middle = ((low + high) / 2).mid()
-        if function(middle) < 0:
-            return False
-        if cuts > most or not (low < middle < high):
-            return None
-        waiting += [(middle, high), (low, middle)]
-    return True

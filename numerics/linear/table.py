@@ -48,6 +48,8 @@ class Tables(NamedTuple):
     """(kinds, 2, n): those of stick."""
     others: Any
     """(kinds, 4, n): LOAD, EDGE, KINETIC, DRIVEN."""
+    powers: Any
+    """(kinds, 2, 6, 2, n): what is taken and given, as products of two rows (model.Rows)."""
     rates: Any
     """(kinds, 2, 2, n): the derivatives of the guards of stick, in slip and in stick."""
     rows: Any
@@ -79,6 +81,7 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
         np.zeros((kinds, 2, n, n)),
         np.zeros((kinds, 2, n)),
         np.zeros((kinds, 4, n)),
+        np.zeros((kinds, 2, 6, 2, n)),
         np.zeros((kinds, 2, 2, n)),
         np.zeros((kinds, 2, 6, n, terms)),
         np.zeros((kinds, 2, 6, n), dtype=np.int64),
@@ -94,13 +97,14 @@ def form(tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactne
 
     A step is REACH over the fastest rate, or `longest`.
     """
-    A, guards, others = rows
+    A, guards, others, powers = rows
     n = A.shape[1]
     tables.count[kind] = n
     tables.blocks[kind, :, :] = blocks
     tables.A[kind, :, :n, :n] = A
     tables.guards[kind, :, :n] = guards[STICK]
     tables.others[kind, :, :n] = others
+    tables.powers[kind, :, :, :, :n] = powers
     first, terms, sines, waves = blocks[FRICTION]
     tables.signed[kind, :] = 0.0
     tables.signed[kind, first : first + terms] = 1.0
@@ -110,9 +114,7 @@ def form(tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactne
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def form_mode(
-    tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exactness: float, longest: float
-) -> None:
+def form_mode(tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exactness: float, longest: float) -> None:
     """Form the tables of one mode."""
     n, at = tables.count[kind], (kind, mode)
     A, own, scale = tables.A[at][:n, :n], tables.own[at], (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)

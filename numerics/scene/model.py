@@ -180,8 +180,8 @@ class Scene(ShortRepr):
     force_2: Signal
     belt: Signal
     wall: Signal
-    made: dict[object, Any] = field(init=False, repr=False, compare=False)
-    """What the engines read instead of exact numbers, made when it is first needed, and not pickled."""
+    hashed: int = field(init=False, repr=False, compare=False)
+    """The hash of all of it, formed once: what is derived from a scene is cached by the scene."""
 
     def __init__(
         self,
@@ -202,7 +202,7 @@ class Scene(ShortRepr):
             if not isinstance(part, kind):
                 given = f"{str(part)[:40]!r}, {type(part).__name__}"
                 raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
-        put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
+        put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, hashed=0)
         put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)
         require_nonnegative(friction, self.until)
         if friction.weakening and (pair.b_static is not None or not pair.b or not friction.is_stepwise):
@@ -238,6 +238,12 @@ class Scene(ShortRepr):
                     f"the wall jumps from {before:.6g} m to {after:.6g} m at t = {short(at)} s, a blow through the "
                     "damper; make it continuous, or a1 = 0"
                 )
+
+    def __hash__(self) -> int:
+        """Return the hash of all parts."""
+        if not self.hashed:
+            put(self, hashed=hash(tuple(getattr(self, one.name) for one in fields(self) if one.init)) or 1)
+        return self.hashed
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what pickles and copies are made of."""

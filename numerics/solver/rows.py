@@ -13,13 +13,13 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.free.rows import solve_rows
 from numerics.linear.batch import Columns, follow_rows
+from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Friction, Scene
 from numerics.tasks import available_cores
-from numerics.trajectory.columns import STATE, Floats
+from numerics.trajectory.columns import STATE, Counts, Floats
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.trajectory import Trajectory
 
@@ -27,6 +27,9 @@ _CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
 _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
+_TAKEN = AT["friction"]
+_MOST_NUMBERS = 4_000_000
+"""In rows that are kept at once for a ledger."""
 _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
@@ -39,34 +42,38 @@ def frictions_of(friction: Friction) -> Floats:
 
 
 def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
-    """Solve rows by compiled code, each by the engine that it needs; the end of what is in doubt says UNKNOWN."""
-    # those of the free pair: a1 = 0 and no force
-    free = (columns.numbers[:, -1] == 0) & (len(columns.frictions) == 1 and bool(np.isnan(columns.frictions[0, 2])))
-    free &= ~columns.polynomial.any(axis=1) & ~columns.sines[:, :, 0].any(axis=1)
-    for its in (free, ~free):
-        if its.any():
-            rows = slice(None) if its.all() else its
-            own, own_kept, own_ends = columns.part(rows), kept[rows], ends[rows]
-            if its is free:
-                compiled(solve_rows)(own.numbers, literal, max_events, own_kept, own_ends)
-            else:
-                compiled(follow_rows)(own, literal, max_events, False, own_kept, own_ends)
-            kept[rows], ends[rows] = own_kept, own_ends
+    """Solve rows by compiled code; the end of what is in doubt says UNKNOWN."""
+    compiled(follow_rows)(columns, literal, max_events, False, kept, ends)
 
 
-def form_ledgers(columns: Columns, how: tuple[bool, int], jobs: int | None, ends: Floats) -> None:
-    """Run once more the rows of which nobody has formed what friction and viscosity took."""
-    left_out = np.flatnonzero(np.isnan(ends[:, AT["friction"]]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
+def form_ledgers(
+    scene_of: Callable[[int], Scene], columns: Columns | None, how: tuple[bool, int], jobs: int | None, ends: Floats
+) -> None:
+    """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
+    left_out = _without_ledger(ends)
+    rooms = 2 + (0 if columns is None else len(columns.frictions)) + ends[left_out, AT["events"]].astype(np.int64)
+    left_out = left_out[np.argsort(rooms, kind="stable")]  # those of about the same length together
+    rooms.sort()
 
     def form(part: slice) -> int:
-        rows = left_out[part]
-        own = ends[rows]
-        compiled(follow_rows)(columns.part(rows), *how, True, np.empty((len(rows), 1, ROW)), own)
-        held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
-        ends[rows[held]] = own[held]
-        return len(rows)
+        room = rooms[part][-1]
+        for some in np.array_split(left_out[part], 1 + len(left_out[part]) * room * ROW // _MOST_NUMBERS):
+            own = ends[some]
+            compiled(follow_rows)(columns.part(some), *how, True, np.empty((len(some), room, ROW)), own)
+            held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
+            ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
+        return len(left_out[part])
 
-    list(in_chunks(form, len(left_out), jobs))
+    if columns is not None and can_compile():
+        list(in_chunks(form, len(left_out), jobs))
+    for row in _without_ledger(ends):
+        scene = scene_of(int(row))
+        ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[1]).record)
+
+
+def _without_ledger(ends: Floats) -> Counts:
+    """Return the rows that were solved, but of which what was taken and given is not known."""
+    return np.flatnonzero(np.isnan(ends[:, _TAKEN]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
 
 
 def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Iterator[int]:
@@ -107,7 +114,6 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
     """Return rows and the end of a run in balls as floats: the middles, and as bounds radii and rounding."""
     record, late, numbers = found.record, AT["late"], ("local", *STATE)
     table = np.zeros((len(record.rows) + 1, END_ROW))
-    table[:, [AT["excess"], AT["excess_error"]]] = np.nan
     with found.arithmetic.context():
         for row, knot in zip(table, (*record.rows, record.end), strict=True):
             row[: len(CODES)] = knot[: len(CODES)]
@@ -118,5 +124,5 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         taken = [found.ledger.friction, found.ledger.viscous]
         friction, viscous = (float(one.mid()) for one in taken)
         off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
-    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, off
+    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
     return table[:-1, :ROW], table[-1]

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,6 +25,7 @@ from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.linear.errors_of import JUDGED, errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
+from numerics.scene import Pair
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
@@ -99,14 +101,18 @@ class Judged(NamedTuple):
     """The quantities (JUDGED) that have no right digit."""
 
 
+@lru_cache(maxsize=128)
+def _weights(pair: Pair) -> tuple[tuple[float, float, float], float]:
+    """Return a2, m1, m2 (0 where it is infinite) and E_cr (J; nan where there is none) as floats."""
+    critical = float(pair.critical_energy) if pair.a2 and pair.b else math.nan
+    return (float(pair.a2), float(pair.m1), 0.0 if pair.is_fixed else float(pair.m2)), critical
+
+
 def judged(trajectory: Rows) -> Judged:
     """Return what the bounds of a run in floats leave."""
     record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
-    if "weights" not in scene.made:  # with E_cr, J
-        pair = scene.pair
-        scene.made["weights"] = (float(pair.a2), float(pair.m1), float(pair.m2)), float(pair.critical_energy)
-    weights, critical = scene.made["weights"]
+    weights, critical = _weights(scene.pair)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
     digits, without = _digits(worst.tolist(), MOST_DIGITS)
@@ -160,5 +166,5 @@ def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
 def accuracy_of(trajectory: Rows, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
     record, (late, energy, excess, digits, _) = trajectory.record, found
-    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["dissipated_error"]])
+    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2.0 * float(trajectory.taken[6])
     return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)

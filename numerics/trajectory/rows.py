@@ -19,6 +19,7 @@ from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in
+from numerics.linear.engine import ledger_of
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Knot, Record, tabulate
@@ -67,6 +68,11 @@ class Rows(Answer):
 
     def _read(self, rows: Array, names: tuple[str, ...]) -> Array:
         return np.asarray(rows.T[[self._tables[0][name] for name in names]])
+
+    @cached_property
+    def taken(self) -> Floats:
+        """Return what was taken and given in a run in floats (linear/model.py TAKEN), J, and a bound on their errors."""
+        return ledger_of(self.scene, self.record)
 
     @property
     def reached(self) -> bool:
@@ -136,8 +142,10 @@ class Rows(Answer):
     @cached_property
     def row_excess(self) -> Array | None:
         """Return E/E_cr - 1 at each row, accurate in itself; None where a run does not carry it (free/ alone does)."""
+        if self.bounded:
+            return None
         found = self.row_table("excess")[0]
-        return None if found[0] is None or (self.bounded and math.isnan(found[0])) else found
+        return None if found[0] is None else found
 
     @cached_property
     def row_lengths(self) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import OutOfRange
 from numerics.free.engine import run_free
@@ -29,7 +30,8 @@ def run_scene(
 
     The free engine leaves it to `Trajectory.certain` whether float64 is sure of the events.
     """
-    run = run_free if free_scene(scene) else run_linear
+    is_free = free_scene(scene) and not isinstance(arithmetic, Float64)
+    run = run_free if is_free else run_linear
     try:
         return Trajectory(scene, arithmetic, run(scene, arithmetic, max_events, progress))
     except OutOfRange as error:

@@ -180,7 +180,7 @@ class Solution(Rows):
         """Return what friction and viscosity took, J: summed by the run where it has bounds, else by the ledger."""
         with self.context():
             if self.bounded:
-                return sum(self.row_end("friction", "viscous"))
+                return float(self.taken[:2].sum())
             return self.ledger.friction + self.ledger.viscous
 
     @cached_property

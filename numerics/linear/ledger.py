@@ -1,0 +1,128 @@
+"""The ledger of a run in float64: what friction and damper took, and what forces, belt and wall gave, J.
+
+Powers are products of two rows of z (model.TAKEN), integrated over every step of a segment by Gauss's rule, and asked
+for after a run only: most runs are not.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.arithmetic.pair import pair_of, plus, put, two_product
+from numerics.linear.first_root import value_slope
+from numerics.linear.model import V1, V2, X1, Norm
+from numerics.linear.record import AT
+from numerics.linear.room import Problem, Room, dot, form_z, polynomial_of
+from numerics.linear.table import STATE, UNIT
+
+NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
+"""Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
+_MOST_STEPS = 1_000_000
+_MODE, _PIECE, _LOCAL, _LENGTH = (AT[name] for name in ("mode", "piece", "local", "length"))
+_REST, _X1, _ERROR, _LATE = (AT[name] for name in ("local_rest", "x1", "speed_error", "late"))
+
+
+@compilable
+def parts(terms: int) -> int:
+    """Return into how many equal parts a step of series of so many terms is cut for Gauss's rule."""
+    return 1 + (terms - 1) // 36
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def ledger(problem: Problem, room: Room, rows: Any, count: int, end: Any, taken: Any) -> None:
+    """Write to `taken` (7,) what is TAKEN in a run, from its rows and that of its end, and a bound on all its errors.
+
+    nan where a segment has more steps than anybody waits for.
+    """
+    X, at_node = np.zeros((STATE, problem.tables.rows.shape[4])), np.zeros((6, 2))
+    taken[:] = 0.0
+    steps = 0
+    for k in range(count):
+        row, after = rows[k], rows[k + 1] if k + 1 < count else end
+        piece, mode = int(row[_PIECE]), int(row[_MODE])
+        kind, side = problem.drive.places[piece, 0], 1 if mode == 0 else 0
+        for i in range(STATE):
+            room.y[i] = row[_X1 + i]
+        room.clock[0, 0], room.clock[0, 1] = row[_LOCAL], row[_REST]
+        taken[6] += row[_LATE] * at_event(problem, room, piece, row[_ERROR] * problem.norm.root_m1)
+        h, left, N = problem.tables.h[kind, side], after[_LENGTH], after[_ERROR]
+        while left > 0.0 and steps < _MOST_STEPS:
+            s = min(1.0, left / h)
+            step(problem, room, (piece, mode), s, X, at_node, N * problem.norm.root_m1, taken)
+            left -= s * h
+            steps += 1
+    if steps == _MOST_STEPS:
+        taken[:] = np.nan
+
+
+@compilable
+def step(
+    problem: Problem,
+    room: Room,
+    here: tuple[int, int],
+    s: float,
+    X: Any,
+    factors: Any,
+    N: float,
+    taken: Any,
+) -> None:
+    """Add what is taken over a part of a step, and move the state to its end; N of the error."""
+    tables, (piece, mode) = problem.tables, here
+    kind, side = problem.drive.places[piece, 0], 1 if mode == 0 else 0
+    count, h, cut = tables.count[kind], tables.h[kind, side], parts(X.shape[1])
+    form_z(problem, room, piece, mode, False)
+    for i in range(STATE):
+        polynomial_of(tables.rows[kind, side, i], tables.degrees[kind, side, i], room.z, count, 0, X[i])
+    begun = pair_of(room.clock[0])
+    for part in range(cut):
+        for n in range(NODES.shape[0]):
+            place = s * (part + NODES[n]) / cut
+            put(room.clock[0], plus(begun, two_product(place, h)))
+            for i in range(STATE):
+                room.y[i], _ = value_slope(X[i], place)
+            form_z(problem, room, piece, mode, False)
+            weight = WEIGHTS[n] / cut * s * h
+            for k in range(6):
+                for i in range(2):
+                    factors[k, i] = dot(tables.powers[kind, side, k, i], room.z, count)
+                one, two = factors[k]
+                taken[k] += weight * one * two
+                a, b = (
+                    reach(problem.norm, tables.powers[kind, side, k, 0]),
+                    reach(problem.norm, tables.powers[kind, side, k, 1]),
+                )
+                taken[6] += weight * (
+                    abs(one) * b * N + abs(two) * a * N + a * b * N * N + 64.0 * UNIT * abs(one * two)
+                )
+    put(room.clock[0], plus(begun, two_product(s, h)))
+    for i in range(STATE):
+        room.y[i], _ = value_slope(X[i], s)
+
+
+@compilable
+def at_event(problem: Problem, room: Room, piece: int, N: float) -> float:
+    """Return the greatest power of friction and belt in any mode where the room is: about an event it may be either."""
+    tables, kind, total = problem.tables, problem.drive.places[piece, 0], 0.0
+    form_z(problem, room, piece, 1, True)
+    for side in range(2):
+        for k in (0, 4):
+            power = 2.0
+            for i in range(2):
+                row = tables.powers[kind, side, k, i]
+                power *= abs(dot(row, room.z, tables.count[kind])) + reach(problem.norm, row) * N
+            total += power
+    return total
+
+
+@compilable
+def reach(norm: Norm, row: Any) -> float:
+    """Return by how much a row may be off for N = 1."""
+    found = abs(row[V1]) / norm.root_m1
+    if norm.root_a2 > 0.0:
+        found += abs(row[X1]) / norm.root_a2
+    if norm.root_m2 > 0.0:
+        found += abs(row[V2]) / norm.root_m2
+    return found
