@@ -19,8 +19,9 @@ from flint import acb, acb_mat, arb, arb_mat
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.arithmetic.precision import cached_property
 from numerics.control.answers import KEPT_DIGITS, Prediction, number, rounded, rounded_up
+from numerics.linear.model import V1, V2, X1, X2
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import V1, V2, X1, X2, LinearMode, Motion
+from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
@@ -68,7 +69,7 @@ class PeriodicDrive(ShortRepr):
 
     def motion(self, side: int, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion from (x1, v1, x2, v2) at a time (s) in the mode `side`."""
-        return LinearMode(self.pair, self.pair.b, side, pieces_of(self._scene)[0]).motion(state, t)
+        return LinearMode(self.pair, side, pieces_of(self._scene)[0]).motion(state, t)
 
     def one_period(self, begin: Fraction, at: Sequence[Fraction], digits: int) -> Scene:
         """Return a period from a time (s) and (x1, v1, v2) on as a scene; it is rounded up to so many digits."""

@@ -17,7 +17,7 @@ from numerics.arithmetic.ball import proved_sign, undecided
 from numerics.control.answers import number, rounded
 from numerics.control.orbit import PeriodicDrive, State3
 from numerics.control.thresholds import Thresholds, impedance, load_margin
-from numerics.linear.system import ONE, Motion, is_positive_on
+from numerics.linear.system import Motion, is_positive_on
 
 _PARTS = 8
 """Times of a period among which the one with the least load is taken."""
@@ -109,8 +109,7 @@ def entrained(drive: PeriodicDrive) -> bool:
     if state is None:
         return False
     motion = _stuck(drive, arb(0), state)
-    rows = [(*((place, -side * c) for place, c in motion.mode.load), (ONE, drive.pair.b)) for side in (1, -1)]
-    held = [is_positive_on(partial(motion.range, row), arb(0), drive.period) for row in rows]
+    held = [is_positive_on(partial(motion.range, row), arb(0), drive.period) for row in motion.mode.guards]
     if None in held and False not in held:
         raise undecided("does friction hold the pair in its stuck response?", "load near b")
     return all(held)

@@ -32,7 +32,8 @@ from numerics.control.answers import (
 )
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
-from numerics.linear.system import V1, X1, LinearMode, Motion
+from numerics.linear.model import V1, X1
+from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind
@@ -200,7 +201,7 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
 
 def _pushed(pair: Pair, push: Fraction) -> Motion:
     """Return the motion from rest in which body 1 runs ahead under a constant force, N."""
-    return LinearMode(pair, pair.b, 1, Piece(0, (push,))).motion([arb(0)] * 4, arb(0))
+    return LinearMode.under(pair, 1, Piece(0, (push,))).motion([arb(0)] * 4, arb(0))
 
 
 def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:

@@ -15,7 +15,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import islice, pairwise
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -24,9 +24,10 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene
+from numerics.linear.model import V1, V2
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
-from numerics.linear.system import V1, V2, LinearMode
+from numerics.linear.system import LinearMode
 from numerics.linear.ties import MARGINAL, derivatives
 from numerics.scene import Pair, Scene, Weakening
 from numerics.scene.decimals import short
@@ -64,7 +65,8 @@ class Cells:
         self.by_place: list[Line] = [(flat[0][1], Fraction(0)), *_lines(flat)]
         if weakening.place:
             self.by_place.append((flat[-1][1], Fraction(0)))
-        most = max([self.pair.b, *(b for _, b in scene.friction.steps)]) / self.pair.b
+        varies = scene.friction.weakening is not None
+        most = max([self.pair.b, *(b for _, b in scene.friction.steps)]) / self.pair.b if varies else Fraction(1)
         self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
         """At any time, at most: -B', N s/m; |C'|, N/m; |B'| next to rest."""
         self.pulling, self.steep = most * max(abs(slope) for _, slope in self.by_place), most * abs(self.by_speed[0][1])
@@ -81,8 +83,8 @@ class Cells:
 
     def mode(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
         """Return the linear mode of a slip in a cell."""
-        offset, slope, pull = self.branch(piece, side, cell)
-        return LinearMode(self.pair, offset, side, piece, slope, pull)
+        offset, *line = self.branch(piece, side, cell)
+        return LinearMode(self.pair, side, piece.with_friction(offset), (line[0], line[1]))
 
     def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, FrictionLine]:
         """Return the derivatives of friction in a cell by the numbers in it; `b` is the name of the piece's b."""
@@ -192,9 +194,9 @@ class Cells:
 
     def _leaves(self, mode: LinearMode, local: Fraction, state: Sequence[SineForm]) -> tuple[bool, int]:
         """Return whether |w| rises from a knot, and which derivative says so (MARGINAL: none, it stays there)."""
-        for order, z in enumerate(islice(derivatives(mode, local, state), mode.size), start=1):
+        for order, z in enumerate(derivatives(mode, local, state)):
             sign = mode.side * (z[V1] - z[V2]).sign()
-            if sign:
+            if order and sign:
                 return sign > 0, order
         return True, MARGINAL
 
@@ -218,7 +220,7 @@ def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -
     cells = cells_of(scene)
     if cells is not None and side:
         return cells.mode(piece, side, cell)
-    return LinearMode(scene.pair, piece.b, side, piece)
+    return LinearMode(scene.pair, side, piece)
 
 
 def _lines(points: Sequence[tuple[Fraction, Fraction]]) -> list[Line]:

@@ -62,14 +62,14 @@ def _between(scene: Scene, pieces: Sequence[ExactPiece], one: ExactKnot, two: Ex
     """Return what is wrong with the knot between two segments."""
     before = pieces[one.piece]
     if one.piece == two.piece:
-        load = load_form(scene.pair, before, two.local, two.x1, two.v1)
+        load = load_form(scene.pair, before, two.local, two.state)
         has_slope = two.order <= _REGULAR if one.mode == 0 else load != one.mode * before.b
         return "an event comes without a slope" if two.is_event and not has_slope else None
     if one.mode != 0:
         return "a slip ends where a piece begins" if two.v1 == two.v2 else None
     if not two.is_event:
         return None
-    load = load_form(scene.pair, before, before.length, two.x1, two.v1)
+    load = load_form(scene.pair, before, before.length, two.state)
     if load * load.sign() == before.b:
         return "stick ends where a piece begins"
     return "a jump takes the load onto the edge" if two.order >= _REGULAR else None

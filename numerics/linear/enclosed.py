@@ -7,21 +7,23 @@ in next_enclosed.py.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, widened
+from numerics.arithmetic.ball import Ball, proved_sign, widened
 from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided
 from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, PLAIN, RIGHT
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
+from numerics.linear.model import BELT, V1, V2, X1, X2
 from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
 from numerics.linear.scan import splits
-from numerics.linear.system import V1, V2, X1, X2
+from numerics.linear.ties import signal_form
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
@@ -120,23 +122,31 @@ class EnclosedRun(EnclosedPath):
         """Return the mode that follows v1 = v2, and a bound on int |error of friction| dt about the event."""
         late, span, kappa = root.late, root.window, self.kappa
         there = at._replace(mode=0, local=here, state=event, place=arb(0))
-        (load, rate), b = self.load(there), self.edge(there)
+        load, b = self.load(there)
+        above = self.kept * b * late  # while one sticks at more than b and the other slips
         if at.mode:
             mode = mode_on_surface(load, b, arb(0), literal=self.literal)
             if mode in {UNDECIDED, at.mode}:
                 raise self.undecided(at)
             after, order, off = late if mode == 0 else arb(0), abs(mode), 2 * b * span
+            if mode == 0:
+                off = off + above
             if self.literal:  # stick may bear more than b, and one motion sticks while the other does not
                 off = off + (abs(load) + b) * late
             speed = root.value + (bends[0] + bends[1]) * span
         else:
-            mode, order, after = 1 if root.guard.sign < 0 else -1, 2, arb(0)
-            bend = mode * rate * kappa * kappa
-            if not bend > 0:
-                raise self.undecided(at)
-            # where the load is not quite b, the slip starts a little later than here
-            span = span + 2 * kappa * kappa * root.value / bend
-            off, speed = 2 * b * span, kappa**2 * b * span
+            mode, order, after = 1 - 2 * root.guard.row, 2, arb(0)
+            off, speed = 2 * b * span + above, kappa**2 * b * span
+            if self.kept > 0:
+                order = 1
+            else:
+                flow, z = self.here(there)
+                bend = -flow.rows(z)[root.guard.row][1] * kappa * kappa
+                if not bend > 0:
+                    raise self.undecided(at)
+                # where the load is not quite b, the slip starts a little later than here
+                span = span + 2 * kappa * kappa * root.value / bend
+                off, speed = 2 * b * span, kappa**2 * b * span
         if self.varies:  # by how much F is not B(0) + C in between
             off = off + 4 * speed * span * (self.steep + self.pulling * span)
         return self.entered(at._replace(mode=mode, late=after), order, event), off
@@ -173,7 +183,7 @@ class EnclosedRun(EnclosedPath):
     def around(self, at: At, t: arb, state: list[arb], bends: list[arb], late: arb, *, together: bool) -> list[arb]:
         """Return the state at the true event, up to `late` before or after that of the path; `together`: v1 = v2."""
         x1, v1, x2, v2 = state
-        far, fast = self.far(at, t, arb(0), at.norm), [at.norm / self.root_m1, at.norm / self.root_m2]
+        far, fast = self.far(at, t, arb(0), at.norm), [at.norm * one for one in self.speeds]
         one, two = (widened(v, off + bend * late) for v, off, bend in zip((v1, v2), fast, bends, strict=True))
         if together:
             one = two = one.intersection(two)
@@ -184,28 +194,43 @@ class EnclosedRun(EnclosedPath):
         return [widened(x1, far + runs[0]), one, widened(x2, far + place + runs[1]), two]
 
     def next_piece(self, at: At) -> At:
-        """Return the start of the next piece, where u or b may jump."""
+        """Return the start of the next piece, where signals may jump."""
         end, root_g = self.ended(at), self.weight(at)
+        piece = self.pieces[at.piece + 1]
         found = end._replace(piece=at.piece + 1, local=arb(0), orders=AWAY)
-        if at.mode == 0 and self.pieces[found.piece].is_jump:
-            load, _ = self.load(found)
-            mode = mode_on_surface(load, self.edge(found), self.margin(end), literal=self.literal)
+        if self.is_fixed and piece.belt_jumps:
+            found = self.beside(end, found)
+        if found.mode == 0 and piece.is_jump:
+            load, edge = self.load(found)
+            mode = mode_on_surface(load, edge, self.margin(end), literal=self.literal)
             if mode == UNDECIDED:
                 raise self.undecided(at)
             found = self.entered(found._replace(mode=mode), abs(mode), found.state)
         return self.reweighed(found, root_g)
 
+    def beside(self, end: At, found: At) -> At:
+        """Return the start of a piece in the mode that follows a jump of the belt's velocity."""
+        before, after = self.pieces[end.piece], self.pieces[found.piece]
+        jump = signal_form(after, BELT, Fraction(0)) - signal_form(before, BELT, before.length)
+        if jump.sign() == 0:
+            return found
+        _, v1, _, v2 = self.fixed(found._replace(mode=1))
+        mode = proved_sign(v1 - v2, "does the belt overtake body 1?") if end.mode else -jump.sign()
+        found = self.entered(found._replace(mode=mode), 0, found.state)
+        k = sum(abs(v1 - v2).mid() > Ball.number(one).mid() for one in self.cells.speeds[1:])
+        return found._replace(cell=(k, found.cell[1]))
+
     def is_stuck(self, end: At) -> bool:
         """Return whether stick at the horizon is proved to last for ever, if u and b go on as they are."""
         piece, flow = self.pieces[end.piece], self.flow(end)
-        if end.mode or self.literal or len(piece.polynomial) > 3:
+        if end.mode or self.literal or len(piece.polynomial) > 3 or not self.is_plain(piece):
             return end.mode == 0 and self.literal
         for _ in range(_AHEAD):
             z = self.here(end)[1]
             split = next(splits(flow, piece, 0, end.local, z), None)
             if split is None:
                 return False
-            if abs(split.polynomial[0]) + split.amplitude + self.margin(end) < self.edge(end):
+            if abs(split.polynomial[0]) + split.amplitude + self.margin(end) < self.load(end)[1]:
                 return True
             try:
                 found = short_step(self, end, flow, z, flow.reach, flow.reach)
@@ -224,8 +249,7 @@ class EnclosedRun(EnclosedPath):
         if self.varies and knot.mode == 0:
             at = at._replace(apart=(knot.x1 - knot.x2).rational)
         elif self.varies:
-            exact = (knot.x1, knot.v1, knot.x2, knot.v2)
-            cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, exact, knot.order)
+            cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, knot.state, knot.order)
             at = at._replace(cell=cell, orders=orders)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot
@@ -235,13 +259,14 @@ class EnclosedRun(EnclosedPath):
 
     def exactly(self, knot: ExactKnot) -> list[arb]:
         """Return the state of an exact knot in balls."""
-        known, number = (knot.x1, knot.v1, knot.x2, knot.v2), self.arithmetic.number
-        return [one.enclosed(4 * self.arithmetic.digits + 64) if one.parts else number(one.constant) for one in known]
+        bits, number = 4 * self.arithmetic.digits + 64, self.arithmetic.number
+        return [one.enclosed(bits) if one.parts else number(one.constant) for one in knot.state]
 
     def fixed(self, at: At) -> list[arb]:
         """Return the state of the true motion at the time of a point."""
-        bounds = at.far, at.norm / self.root_m1, at.far + at.place, at.norm / self.root_m2
-        return [widened(one, off) for one, off in zip(at.state, bounds, strict=True)]
+        fast_1, fast_2 = (at.norm * one for one in self.speeds)
+        state = self.here(at)[1][:4]
+        return [widened(one, off) for one, off in zip(state, (at.far, fast_1, at.far + at.place, fast_2), strict=True)]
 
     def row(self, at: At, local: arb, state: Sequence[arb]) -> Knot:
         """Return the row of a segment that starts at a point, after the last one."""

@@ -9,16 +9,16 @@ compared with b: a load that touches the edge for ever never leaves it. What is 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
 from numerics.linear.cells import cells_of
+from numerics.linear.model import BELT
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, particular, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.sine_form import SineForm
-from numerics.linear.ties import mode_after
+from numerics.linear.ties import mode_after, signal_form
 from numerics.scene import Law, Scene
 
 
@@ -41,12 +41,20 @@ class ExactKnot(NamedTuple):
     is_jump: bool
     quiet: Fraction
 
+    @property
+    def state(self) -> tuple[SineForm, ...]:
+        """Return x1, v1, x2, v2."""
+        return self.x1, self.v1, self.x2, self.v2
+
 
 def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
     """Return the segments that are known exactly, in order; the last one goes on in numbers."""
     at = scene.initial
     x1, v1, x2, v2 = (SineForm(one) for one in (at.x1, at.v1, at.x2, at.v2))
-    gap, pieces = (at.v1 > at.v2) - (at.v1 < at.v2), held_pieces(scene, pieces)
+    pieces = held_pieces(scene, pieces)
+    if scene.pair.is_fixed:
+        v2 = signal_form(pieces[0], BELT, Fraction(0))
+    gap = (v1 - v2).sign()
     knot = ExactKnot(0, Fraction(0), x1, v1, x2, v2, gap, 0, False, True, Fraction(0))
     after: ExactKnot | None = knot if gap else _decided(scene, pieces, knot)._replace(is_event=False)
     found: list[ExactKnot] = []
@@ -63,7 +71,7 @@ def held_pieces(scene: Scene, pieces: Sequence[ExactPiece]) -> Sequence[ExactPie
     if cells is None or at.v1 != at.v2:
         return pieces
     held = cells.at_rest(at.x1 - at.x2) / scene.pair.b  # so long as the bodies stick it stays
-    return [replace(one, b=one.b * held) for one in pieces]
+    return [one.with_friction(one.b * held) for one in pieces]
 
 
 def mode_at_start(scene: Scene) -> Mode:
@@ -127,8 +135,14 @@ def exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotio
 
 
 def _particular_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotion | None:
-    """Return the motion of the mode in which nothing swings freely; None at resonance without damping."""
-    pair, mass = scene.pair, scene.pair.m1 if knot.mode else scene.pair.mass
+    """Return the motion of the mode in which nothing swings freely; None at resonance without damping.
+
+    None, too, where more acts than u and one b: such motions are followed in numbers.
+    """
+    pair = scene.pair
+    if not (piece.is_plain and pair.a2) or pair.is_fixed or pair.b_static:
+        return None
+    mass = pair.m1 if knot.mode else pair.mass
     force, sines = list(piece.polynomial) or [Fraction(0)], []
     force[0] -= knot.mode * piece.b
     for sine in piece.sines:
@@ -147,7 +161,8 @@ def _derivative(polynomial: list[Fraction]) -> list[Fraction]:
 def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tuple[Fraction, ExactKnot | None]:
     """Return up to when a mode does not end after a knot, and the next knot if it is exact."""
     piece, is_root = pieces[knot.piece], False
-    motion, lasts = exact_motion(scene, piece, knot), _stays_below(scene, piece, knot)
+    motion = exact_motion(scene, piece, knot)
+    lasts = _stays_below(scene, piece, knot)
     if motion is None:
         return piece.length if lasts else knot.local, None
     if lasts or (knot.mode == 0 and scene.law is Law.THREE_VALUED_SGN):
@@ -170,7 +185,7 @@ def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tu
 def _decided(scene: Scene, pieces: Sequence[ExactPiece], at: ExactKnot) -> ExactKnot:
     """Return a knot with v1 = v2 as the start of the mode that follows there."""
     literal = scene.law is Law.THREE_VALUED_SGN
-    mode, order = mode_after(scene.pair, pieces[at.piece], at.local, at.x1, at.v1, literal=literal)
+    mode, order = mode_after(scene.pair, pieces[at.piece], at.local, at.state, literal=literal)
     return at._replace(mode=mode, order=order, is_event=mode != at.mode)
 
 

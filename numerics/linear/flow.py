@@ -1,15 +1,9 @@
 """The flow of a mode, z' = A z, in balls: Taylor polynomials of rows, or exp(A t).
 
-A row of z has the Taylor coefficients (row A^k/k!) z. The rows in front of z depend on masses, damping, spring,
-frequencies and the degree of the polynomial only; so they are built once and serve every start, amplitude and phase.
-What a polynomial leaves out is bounded by N of a derivative of the state (LocalNorm), with m the mass on the spring:
-
-    N(y) <= exp(mu h) (N(y(0)) + h |u^(n)|/sqrt(m))    up to h,    y the n-th derivative, n >= 1,
-
-and |v1| <= N/sqrt(m). Where friction is one number b, body 2 adds a polynomial only and |w| is <= N/sqrt(m), too; where
-it depends on the state |w| <= kappa N, kappa^2 = M/(m1 m2).
-
-Everything that takes many steps of that length is left to exp(A t), one sine at a time, since answers add up.
+A row of z has the Taylor coefficients (row A^k/k!) z. The rows in front of z depend on the pair and on the layout of
+the signals only; so they are built once and serve every start, amplitude and phase. What a polynomial leaves out is
+bounded by what a derivative of z can become (LocalNorm.sizes). Everything that takes many steps of that length is left
+to exp(A t), one sine at a time, since answers add up.
 """
 
 from __future__ import annotations
@@ -23,16 +17,18 @@ from flint import arb, arb_mat, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
-from numerics.linear.system import FIRST, ONE, X1, X2, LinearMode, LocalNorm, Row, W, Z, matrix
-from numerics.scene import Pair, Piece, Sine
+from numerics.linear.model import DRIVEN, EDGE, FIRST, LOAD, V1, V2, X1, X2, Layout
+from numerics.linear.system import CONSTANT, Cell, LinearMode, LocalNorm, Z, matrix, sparse
+from numerics.scene import Pair
 
-_X1, _X2 = ((X1, Fraction(1)),), ((X2, Fraction(1)),)
+BallRow = Sequence[tuple[int, arb]]
+"""A linear function of z: pairs (place, coefficient)."""
 REACH = 2
 """A Taylor polynomial is used while the fastest rate turns through so many radians."""
 FEW = 14
 """The degree of the polynomials by which a guard is scanned."""
-_FINEST = 1_100
-"""Intervals that are shorter by so many bits than a turn are not looked at."""
+_SLOWEST = arb((1, -2_000))
+"""The rate of what has none, 1/s."""
 
 
 def exponential(generator: list[list[Fraction]], t: arb, z: list[arb]) -> list[arb]:
@@ -45,52 +41,50 @@ def exponential(generator: list[list[Fraction]], t: arb, z: list[arb]) -> list[a
 
 
 class Flow:
-    """The flow of stick, or of a slip in one cell of friction, under polynomials of one degree and given frequencies.
+    """The flow of stick, or of slip + in one cell of friction, under signals of one layout.
 
-    z is that of LinearMode for side b = 1, so that the constant in it is side b (0 in stick). `coupling` is slope and
-    pull of friction that depends on the state, empty where it is one number b. Rows of which there are guards are the
-    load in stick, w = v1 - v2 in a slip, and where it is coupled x1 - x2 and F besides.
+    `rows` are those of which there are guards: b_static - Lambda and b_static + Lambda in stick, w = v1 - v2 in a slip,
+    and where friction depends on the state x1 - x2 and F besides.
     """
 
-    def __init__(
-        self,
-        bits: int,
-        pair: Pair,
-        slips: bool,
-        count: int,
-        omegas: tuple[Fraction, ...],
-        coupling: tuple[Fraction, ...] = (),
-    ) -> None:
+    def __init__(self, bits: int, pair: Pair, slips: bool, layout: Layout, cell: Cell = CONSTANT) -> None:
         """Build the tables, with so many bits."""
-        self.bits, self.pair, self.slips, self.count, self.coupling = bits, pair, slips, count, coupling
-        number = Ball.number
-        piece = Piece(0, (1,) * count, [Sine(1, one) for one in omegas])
-        self.mode = LinearMode(pair, Fraction(1), int(slips), piece, *coupling)
+        self.bits, self.slips, number = bits, slips, Ball.number
+        self.mode = LinearMode.like(pair, int(slips), layout, cell)
         self.norm = LocalNorm(self.mode)
-        self.generator = [[(j, number(c)) for j, c in enumerate(row) if c] for row in self.mode.generator()]
+        self.generator = [[(j, number(c)) for j, c in sparse(row)] for row in self.mode.generator()]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
-        self.m2, self.root_stiff = number(pair.m2), number(pair.a2 / self.mode.mass).sqrt()
-        self.rate, self.fastest, self.turns = self.norm.rate, self.norm.fastest, [number(one) for one in omegas]
-        self.reach, self.tiny = (REACH / self.fastest).lower(), (arb((1, -min(bits, _FINEST))) / self.fastest).mid()
+        self.turns = [self.generator[place][0][1] for place in self.places]
+        self.rate, self.fastest = self.norm.rate, self.norm.fastest.max(_SLOWEST)
+        self.reach = (REACH / self.fastest).lower()
+        others = [[(place, number(c)) for place, c in sparse(row)] for row in self.mode.rows.others]
+        self.load, self.edge, self.belt = others[LOAD], others[EDGE], others[DRIVEN]
+        guarded = [*self.mode.guards, *((Z, self.mode.friction) if slips and any(cell) else ())]
+        self.guarded = [[(place, number(c)) for place, c in row] for row in guarded]
         self.expand(max(_terms(bits + 8), FEW + 3))
 
     def expand(self, terms: int) -> None:
         """Form so many rows in front of z for x1 and x2, and some for every row of which there are guards."""
-        self.own = [self.powers(row, terms) for row in ((_X1, _X2) if self.slips else (_X1,))]
-        self.all_terms = [_products(one) for one in self.own]
-        guarded = (W, Z, self.mode.friction)[: 3 if self.coupling else 1] if self.slips else (self.mode.load,)
-        self._guards = _products([one for row in guarded for one in self.powers(row, FEW + 2)])
-        self._ends: dict[int, Callable[[Sequence[arb]], list[arb]]] = {}
+        own = [self.powers(row, terms) for row in ([(X1, arb(1))], [(X2, arb(1))])[: 1 + self.slips]]
+        self.terms, self.order = terms, max(len(one) for one in own)
+        self.order -= self.order == terms  # the last one only bounds what is left out
+        nothing = [arb(0)] * self.size
+        self.own = [one + [nothing] * (terms + 1 - len(one)) for one in own]
+        self.all_terms = [_products(one[: self.order]) for one in self.own]
+        few = [self.powers(row, FEW + 2) for row in self.guarded]
+        self.before_guards = [one + [nothing] * (FEW + 2 - len(one)) for one in few]
+        self._guards = _products([row for one in self.before_guards for row in one])
+        self._derivatives: dict[int, Callable[[Sequence[arb]], list[arb]]] = {}
 
-    def powers(self, row: Row, terms: int) -> list[list[arb]]:
+    def powers(self, row: BallRow, terms: int) -> list[list[arb]]:
         """Return a row times A^k/k! for so many k, as long as that does not vanish."""
-        at, zero, faded = {place: Ball.number(factor) for place, factor in row}, arb(0), 0.0
+        at, zero, faded = dict(row), arb(0), 0.0
         found: list[list[arb]] = []
         while len(found) < terms and at:
             found.append([at.get(place, zero) for place in range(self.size)])
             after: dict[int, arb] = {}
             # what counts little within the reach needs few bits
-            faded = max(0.0, faded + math.log2(len(found) / REACH))
+            faded = max(0.0, faded + math.log2(len(found) / REACH)) if self.norm.fastest > 0 else 0.0
             with precision(max(64, self.bits + 16 - int(faded))):
                 for i, one in at.items():
                     for j, c in self.generator[i]:
@@ -106,82 +100,103 @@ class Flow:
 
     def rests(self, z: Sequence[arb], h: arb, order: int = FEW) -> list[arb]:
         """Return R of every row of which there are guards: without its terms from t^order on it is off by R t^order."""
+        sizes, whole = self.sizes(z, h, order), math.factorial(order)
+        return [sum((abs(c) * sizes[place] for place, c in row), arb(0)) / whole for row in self.guarded]
+
+    def sizes(self, z: Sequence[arb], h: arb, order: int) -> list[arb]:
+        """Return bounds on the order-th derivative of z, order >= 1, from z on for a time h."""
+        return self.norm.sizes(self.derivative(z, order), h)
+
+    def derivative(self, z: Sequence[arb], order: int) -> list[arb]:
+        """Return the order-th derivative of z; of sines and cosines something of its size."""
+        if order not in self._derivatives:
+            ends = (one[order : order + 2] for one in (self.own[0], self.own[-1]))
+            self._derivatives[order] = _products([row for pair in ends for row in pair])
         whole = math.factorial(order)
-        return self.of_rows(lambda k: self.reached(order + k - 1, z, h) / whole)
-
-    def of_rows(self, bound: Callable[[int], arb]) -> list[arb]:
-        """Return bounds on these rows from those on the k-th derivative of places, which are multiples of N."""
-        if not self.slips:
-            return [self.m2 * self.norm.speeds[0] * bound(2)]
-        speed = self.norm.apart * bound(1)
-        if not self.coupling:
-            return [speed]
-        place, (slope, pull) = self.norm.apart * bound(0), map(Ball.number, self.coupling)
-        return [speed, place, abs(slope) * speed + abs(pull) * place]
-
-    def reached(self, order: int, z: Sequence[arb], h: arb) -> arb:
-        """Return a bound on N of the order-th derivative of the state, order >= 1, up to h."""
-        if order not in self._ends:
-            none = [arb(0)] * self.size
-            ends = ([*own[order : order + 2], none, none][:2] for own in (self.own[0], self.own[-1]))
-            self._ends[order] = _products([row for pair in ends for row in pair])
-        a, c, b, d = self._ends[order](z)
-        norm = self.norm.of((a, (order + 1) * c, b, (order + 1) * d)) * math.factorial(order)
-        return self.norm.grown(h, norm, self.pushed(z, order, h))
-
-    def pushed(self, z: Sequence[arb], order: int, h: arb) -> arb:
-        """Return a bound on |u^(order)| from z on for a time h."""
-        total, places = arb(0), range(FIRST + order, FIRST + self.count)
-        for later, place in enumerate(places):
-            total += abs(z[place]) * h**later / math.factorial(later)
+        x1, v1, x2, v2 = self._derivatives[order](z)
+        found = [x1 * whole, v1 * (whole * (order + 1)), x2 * whole, v2 * (whole * (order + 1))]
+        for block in self.norm.blocks:
+            found += ([*z[block.start : block.stop], *[arb(0)] * order])[order:][: len(block)]
         for place, omega in zip(self.places, self.turns, strict=True):
-            total += (abs(z[place]) + abs(z[place + 1])) * omega**order
-        return total
+            power = omega**order
+            found += [z[place] * power, z[place + 1] * power]
+        return found
+
+    def apart(self, which: int, order: int) -> arb:
+        """Return by how much this derivative of a row can differ for motions of one mode whose N differs by 1."""
+        before = self.before_guards[which] if order < FEW + 2 else self.powers(self.guarded[which], order + 1)
+        return self.norm.most(before[order]) * math.factorial(order) if order < len(before) else arb(0)
 
 
 class Expansion:
-    """The motion from a point on up to h as Taylor polynomials: x1 is `x`, x2 `y`, their derivatives `v` and `w`."""
+    """The motion from a point on up to h as Taylor polynomials, all cut before the same order."""
 
     def __init__(self, flow: Flow, z: Sequence[arb], h: arb) -> None:
-        """Form the polynomials, both cut before the same order."""
-        self.flow, self.z = flow, z
-        one, *two = (product(z) for product in flow.all_terms)
-        self.order = len(one) - 1
-        self.rest = flow.reached(self.order - 1, z, h) / math.factorial(self.order)
-        self.x = arb_poly(one[: self.order])
+        """Form the polynomials."""
+        self.flow, self.z, self.order = flow, z, flow.order
+        sizes = flow.sizes(z, h, self.order - 1)
+        whole = math.factorial(self.order)
+        self.rests = sizes[V1] / whole, sizes[V2] / whole
+        x1, *others = (arb_poly(product(z)) for product in flow.all_terms)
         # in stick body 2 goes with body 1
-        self.y = arb_poly(two[0][: self.order]) if two else self.x + (z[X2] - z[X1])
-        self.v = self.x.derivative()
-        self.w = self.y.derivative() if two else self.v
+        x2 = others[0] if others else x1 + (z[X2] - z[X1])
+        v1 = x1.derivative()
+        self.curves: dict[int, arb_poly] = {X1: x1, V1: v1, X2: x2, V2: x2.derivative() if others else v1}
+
+    def curve(self, place: int) -> arb_poly:
+        """Return the polynomial of what stands in z at a place."""
+        if place not in self.curves:
+            self._expand_signals()
+        return self.curves[place]
+
+    def _expand_signals(self) -> None:
+        for block in self.flow.norm.blocks:
+            for k in block:
+                self.curves[k] = arb_poly([self.z[m] / math.factorial(m - k) for m in range(k, block.stop)])
+        for k, omega in zip(self.flow.places, self.flow.turns, strict=True):
+            sines, cosines = [self.z[k]], [self.z[k + 1]]
+            for n in range(1, self.flow.terms):
+                one, two = cosines[-1] * omega / n, sines[-1] * omega / -n
+                sines.append(one)
+                cosines.append(two)
+            self.curves[k], self.curves[k + 1] = arb_poly(sines), arb_poly(cosines)
 
     def row(self, which: int) -> arb_poly:
         """Return a row of which there is a guard."""
-        flow = self.flow
-        if not flow.slips:
-            return self.w.derivative() * flow.m2
-        speed, apart = self.v - self.w, self.x - self.y
-        if which < 2:
-            return apart if which else speed
-        slope, pull = map(Ball.number, flow.coupling)
-        return speed * slope + apart * pull + self.z[ONE]
+        return sum((self.curve(place) * c for place, c in self.flow.guarded[which]), arb_poly([]))
 
-    def left_out(self, h: arb, order: int) -> arb:
-        """Return in units of N a bound on what this derivative of x1 and x2 leaves out up to h."""
-        return (self.rest * math.perm(self.order, order) * h ** (self.order - order)).upper()
+    def left_out(self, place: int, h: arb, derivative: int) -> arb:
+        """Return a bound on what this derivative of what stands at a place leaves out up to h."""
+        if place in {V1, V2}:
+            return self.left_out(place - 1, h, derivative + 1)
+        flow, rest, order = self.flow, arb(0), self.order
+        if place < FIRST:
+            rest = self.rests[place == X2]
+        elif place >= flow.mode.sine_places.start:
+            pair = (place - flow.mode.sine_places.start) // 2
+            first, omega = flow.places[pair], flow.turns[pair]
+            order = flow.terms
+            rest = (abs(self.z[first]) + abs(self.z[first + 1])) * omega**order / math.factorial(order)
+        return (rest * math.perm(order, derivative) * h ** (order - derivative)).upper()
 
     def row_off(self, which: int, h: arb, derivative: int) -> arb:
         """Return a bound on what this derivative of a row leaves out up to h."""
-        return self.flow.of_rows(lambda k: self.left_out(h, derivative + k))[which].upper()
+        return sum((abs(c) * self.left_out(k, h, derivative) for k, c in self.flow.guarded[which]), arb(0)).upper()
 
     def state(self, t: arb) -> list[arb]:
         """Return the state at a time after the point."""
-        h, bodies = t.abs_upper(), zip(((self.x, self.v), (self.y, self.w)), self.flow.norm.speeds, strict=True)
-        return [widened(one(t), size * self.left_out(h, k)) for body, size in bodies for k, one in enumerate(body)]
+        h = t.abs_upper()
+        return [widened(self.curves[k](t), self.left_out(k, h, 0)) for k in (X1, V1, X2, V2)]
 
     def bends(self, t: arb) -> list[arb]:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
-        off, bodies = self.left_out(t.upper(), 2), zip((self.v, self.w), self.flow.norm.speeds, strict=True)
-        return [one.derivative()(t).abs_upper() + size * off for one, size in bodies]
+        h = t.upper()
+        return [self.curves[k].derivative()(t).abs_upper() + self.left_out(k, h, 1) for k in (V1, V2)]
+
+
+def dot(row: BallRow, z: Sequence[arb]) -> arb:
+    """Return the value of a row."""
+    return sum((c * z[place] for place, c in row), arb(0))
 
 
 def _products(rows: list[list[arb]]) -> Callable[[Sequence[arb]], list[arb]]:

@@ -15,7 +15,7 @@ from flint import arb, arb_poly, ctx
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
-from numerics.linear.cells import CEILING, FLOOR, FORCE
+from numerics.linear.cells import FORCE, LEFT, RIGHT
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, sharpest, splits
@@ -26,6 +26,8 @@ _LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
 whether those up to the end of the piece are too many; how many are."""
 _RESOLVED = 16
 """A step must be longer than the last bits of time, so many."""
+_FINEST = 1_100
+"""Intervals that are shorter by so many bits than a step are not looked at."""
 _COARSE = 192
 """With as many bits and more a root is refined to half of them first."""
 _FINE = arb((1, 40))
@@ -105,28 +107,21 @@ def guards_of(path: EnclosedPath, at: At, rows: Sequence[Sequence[arb]]) -> list
     Of a slip the ends of its intervals of |w| and of x1 - x2, and B + C > 0; of stick the load below b on either side.
     """
     flow, cells, side, number = path.flow(at), path.cells, at.mode, Ball.number
+    norm = at.norm * flow.norm.growth(flow.reach) if side else at.norm
     if side == 0:
-        b, margin, order, nearer = path.edge(at), path.margin(at), at.orders[0], 1 if rows[0][0].mid() > 0 else -1
-        if path.varies:
-            b, margin = b.mid(), (margin + b.rad()).upper()
-        found = [Guard(-side, b, 0, margin) for side in (1, -1)]
-        if order:  # derivatives of two motions of one mode part by no more than this
-            apart = flow.rate**order * at.norm * flow.rate * flow.m2 * flow.norm.speeds[0]
-            found[(1 - nearer) // 2] = Guard(-nearer, b, order, apart)
-        return found
-    found, norm = [], at.norm * flow.norm.growth(flow.reach)
+        margin, nearer = path.margin(at), int(not rows[0][0].mid() < rows[1][0].mid())
+        orders = [at.orders[0] * (which == nearer) for which in range(2)]
+        return [
+            Guard(1, arb(0), order, flow.apart(which, order) * norm if order else margin, which)
+            for which, order in enumerate(orders)
+        ]
     place = at.place + path.kappa * norm * flow.reach if path.varies else at.place
     ends, may_vanish = cells.guards(at.cell)
+    found = []
     for kind, sign, offset in ends:
-        order = at.orders[kind]
-        if kind in {FLOOR, CEILING}:
-            margin = flow.rate**order * norm
-            # body 2 has a constant acceleration where friction is one number b
-            margin = margin / path.root_m1 if order and not path.varies else path.kappa * margin
-            found.append(Guard(sign * side, number(offset), order, margin, 0, kind))
-        else:
-            margin = path.kappa * flow.rate ** (order - 1) * norm if order else place
-            found.append(Guard(sign, number(offset), order, margin, 1, kind))
+        of_place, order = kind in {LEFT, RIGHT}, at.orders[kind]
+        margin = place if of_place and not order else flow.apart(of_place, order) * norm
+        found.append(Guard(sign if of_place else sign * side, number(offset), order, margin, int(of_place), kind))
     if may_vanish:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
@@ -157,9 +152,9 @@ def scanned(
     used = range(len(rests))
     near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
     h = h / 4 if any(one.order for one in guards) else h
-    more = ctx.prec < min(path.bits, _SHARP_BITS)
+    more, tiny = ctx.prec < min(path.bits, _SHARP_BITS), arb((1, -min(path.bits, _FINEST)))
     for _ in range(ctx.prec // 2 if more else 2 * ctx.prec):
-        if not h > flow.tiny:
+        if not h > reach * tiny:
             break
         guard = scan(near, guards, rests, h, since)
         if guard == UNKNOWN:
@@ -189,11 +184,17 @@ def scanned(
 
 def long_step(path: EnclosedPath, at: At, flow: Flow, z: list[arb], most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
-    for split in () if at.orders[0] else splits(flow, path.pieces[at.piece], at.mode, at.local, z):
+    piece = path.pieces[at.piece]
+    for split in () if at.orders[0] or not path.is_plain(piece) else splits(flow, piece, at.mode, at.local, z):
         (polynomial, rest, slow, amplitude), h = split, most
-        swing = [[]] if slow is None else flow.rows(slow)
-        row, count = [a + b for a, b in zip_longest(swing[0], polynomial, fillvalue=arb(0))], len(polynomial)
-        guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, [row])]
+        swing = [] if slow is None else flow.rows(slow)[-1]
+        row, count = [a + b for a, b in zip_longest(swing, polynomial, fillvalue=arb(0))], len(polynomial)
+        guards = guards_of(path, at, [row, row])
+        if at.mode == 0:  # of the load itself
+            guards = [
+                Guard(sign, Ball.number(piece.b), 0, one.margin) for sign, one in zip((-1, 1), guards, strict=True)
+            ]
+        guards = [one._replace(margin=one.margin + amplitude) for one in guards]
         if not all(one.value([row]) > one.margin for one in guards):
             continue
         for sign, offset, _, margin, *_ in guards:
@@ -228,7 +229,7 @@ def refined(path: EnclosedPath, at: At, flow: Flow, z: list[arb], found: Bracket
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
     off = (curve(tau) + offset).abs_upper() + motion.row_off(which, tau.abs_upper(), 0)
     reached = off + guard.margin
-    within = (2 * reached / abs(slope(tau))).upper()
+    within = (2 * reached / abs(slope(tau)) + h * arb((1, -path.bits))).upper()
     around = tau + arb(0, within)
     steepness = (-slope(around) - motion.row_off(which, until, 1)).lower()
     late = (reached / steepness).upper()

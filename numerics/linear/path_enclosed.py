@@ -25,9 +25,10 @@ from flint import arb, ctx
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
-from numerics.linear.pieces import pieces_of
-from numerics.linear.system import X1, X2, BallDrive
+from numerics.linear.flow import REACH, Expansion, Flow, dot, exponential, flow_of
+from numerics.linear.model import FRICTION, STICK, V1, V2, X1, X2, exact_rows
+from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.system import CONSTANT, BallDrive, LinearMode, LocalNorm
 from numerics.scene import Law, Scene
 
 AWAY = (0, 0, 0, 0)
@@ -69,50 +70,49 @@ class EnclosedPath:
         self.literal = scene.law is Law.THREE_VALUED_SGN
         self.pieces, self.cells, self.varies = pieces_of(scene), Cells(scene), scene.friction.weakening is not None
         """`varies`: friction depends on the state; else it has one cell."""
-        self.driven: tuple[int, BallDrive, dict[object, tuple[Flow, arb]]] = (-1, BallDrive([], []), {})
-        pair, number = scene.pair, Ball.number
-        self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
-        self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+        self.drive = 0, BallDrive(self.pieces[0])
+        number, norm = Ball.number, LocalNorm(LinearMode(scene.pair, 1, self.pieces[0]))
+        self.norm, self.kappa, self.is_fixed = norm, norm.kappa, norm.is_fixed
+        self.speeds = 1 / norm.root_m1, arb(0) if self.is_fixed else 1 / norm.root_m2
+        """Of v1 and v2."""
         self.falling, self.pulling, self.steep = map(number, (self.cells.falling, self.cells.pulling, self.cells.steep))
-        self.rate, self.stiff = number(pair.a1 / pair.mass), number(pair.a2 / pair.mass)
-        """Of stick: x1'' + rate x1' + stiff x1 = u/M."""
-        self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
-
-    def _moving(self, at: At) -> tuple[Flow, arb]:
-        """Return the flow at a point, and its friction where v1 - v2 and x1 - x2 are 0."""
-        piece = self.pieces[at.piece]
-        if self.driven[0] != at.piece:
-            self.driven = at.piece, BallDrive.of(piece), {}
-        flows, key = self.driven[2], (at.mode, at.cell)
-        if key not in flows:
-            omegas = tuple(one.omega for one in piece.sines)
-            branch = self.cells.branch(piece, at.mode, at.cell) if at.mode and self.varies else (piece.b,)
-            flow = flow_of(self.bits, self.pair, at.mode != 0, len(piece.polynomial), omegas, branch[1:])
-            flows[key] = flow, at.mode * Ball.number(branch[0])
-        return flows[key]
+        A = exact_rows(scene.pair, self.pieces[0].layout).A[STICK]
+        self.swing = [[Fraction(0), Fraction(1)], [A[V1, X1], A[V1, V1]]]
+        """Of (x1, v1) in stick."""
+        static = scene.pair.b_static
+        self.kept = number(1 - scene.pair.b / static) if static else arb(0)
+        """The share of b_static by which it is above b."""
 
     def flow(self, at: At) -> Flow:
         """Return the flow at a point."""
-        return self._moving(at)[0]
+        piece, cell = self.pieces[at.piece], CONSTANT
+        if at.mode and self.varies:
+            cell = self.cells.branch(piece, at.mode, at.cell)[1:]
+        return flow_of(self.bits, self.pair, at.mode != 0, piece.layout, cell)
 
     def here(self, at: At) -> tuple[Flow, list[arb]]:
         """Return the flow at a point, and z."""
-        flow, friction = self._moving(at)
-        return flow, [*at.state, friction, *self.driven[1].force(at.local)]
+        flow, piece = self.flow(at), self.pieces[at.piece]
+        if self.drive[0] != at.piece:
+            self.drive = at.piece, BallDrive(piece)
+        z = [*at.state, *self.drive[1].at(at.local, at.mode)]
+        if self.varies:  # what friction is where v1 - v2 and x1 - x2 are 0, or holds at rest
+            place = piece.layout.blocks[FRICTION][0]
+            if at.mode:
+                z[place] = at.mode * Ball.number(self.cells.branch(piece, at.mode, at.cell).offset)
+            else:
+                z[place] = self.held(at).mid()
+        if self.is_fixed:
+            z[V2] = dot(flow.belt, z)
+            z[V1] = z[V1] if at.mode else z[V2]
+        return flow, z
 
-    def load(self, at: At) -> list[arb]:
-        """Return the load at a point in stick, N, and its rate."""
-        flow, z = self.here(at)
-        return flow.rows(z)[0][:2]
-
-    def edge(self, at: At) -> arb:
-        """Return the greatest friction force at rest where a point is, N, enclosed for the true motion.
+    def held(self, at: At) -> arb:
+        """Return what friction that depends on the state holds at rest where a point is, N; for the true motion.
 
         Raises InvalidScene, EventUndecided where it is not > 0.
         """
         cells, piece, z = self.cells, self.pieces[at.piece], at.apart
-        if not self.varies:
-            return Ball.number(piece.b)
         if z is not None:
             return Ball.number(cells.at_rest(z) * cells.scale(piece))
         apart = at.state[X1] - at.state[X2] + arb(0, at.place)
@@ -122,6 +122,15 @@ class EnclosedPath:
         if not edge > 0:
             raise self.undecided(at)
         return edge
+
+    def load(self, at: At) -> tuple[arb, arb]:
+        """Return the load at a point in stick and the greatest one that friction holds there, N."""
+        flow, z = self.here(at)
+        return dot(flow.load, z), self.held(at) if self.varies else dot(flow.edge, z)
+
+    def is_plain(self, piece: ExactPiece) -> bool:
+        """Return whether nothing acts but u and one b: then long steps are known."""
+        return piece.is_plain and not self.is_fixed and self.norm.root_a2 > 0 and self.kept.is_zero()
 
     def weight(self, at: At) -> arb:
         """Return sqrt(g) of the norm in the cell of a point; 0 in stick, and where friction is one number b."""
@@ -147,7 +156,8 @@ class EnclosedPath:
 
     def margin(self, at: At) -> arb:
         """Return how far the load may be off in a stick, N, since the path is."""
-        return self.load_norm * at.norm
+        margin = self.norm.load * at.norm
+        return (margin + self.held(at).rad()).upper() if self.varies else margin
 
     def evolved(self, at: At, local: arb) -> At:
         """Return the path at a later time in the piece, in the same mode."""
@@ -158,11 +168,10 @@ class EnclosedPath:
 
     def evolved_far(self, flow: Flow, z: list[arb], t: arb) -> list[arb]:
         """Return the state after a time of many radians: the answers to the sines one by one."""
-        mode, places = flow.mode, list(flow.mode.sine_places)
-        first = places[0] if places else mode.size
-        whole = mode.generator()
+        first = flow.mode.sine_places.start
+        whole = flow.mode.generator()
         state = exponential([row[:first] for row in whole[:first]], t, z[:first])[:4]
-        for place in places:
+        for place in flow.places:
             kept = [0, 1, 2, 3, place, place + 1]
             part = [[whole[i][j] for j in kept] for i in kept]
             answer = exponential(part, t, [arb(0)] * 4 + [z[place], z[place + 1]])
@@ -194,16 +203,16 @@ class EnclosedPath:
 
     def far(self, at: At, t: arb, own: arb, norm: arb) -> arb:
         """Return a bound on the error of x1 after a time: by N, or by its rate (where the spring is soft)."""
-        return (norm / self.root_a2).upper().min((at.far + (at.norm + norm) / self.root_m1 * t + own).upper())
+        by_time = (at.far + (at.norm + norm) / self.norm.root_m1 * t + own).upper()
+        return (norm / self.norm.root_a2).upper().min(by_time) if self.norm.root_a2 > 0 else by_time
 
     def shrunk(self, norm: arb, t: arb) -> arb:
         """Return a bound on N after both motions have stuck for a time: it dies away with the flow of stick."""
-        pair, rate, stiff = self.pair, self.rate, self.stiff
+        stiff, rate = (Ball.number(-one) for one in self.swing[1])
         if not (rate * t > 1 and stiff * t > rate):
             return norm
         one, zero = arb(1), arb(0)
-        generator = [[Fraction(0), Fraction(1)], [-pair.a2 / pair.mass, -pair.a1 / pair.mass]]
-        columns = [exponential(generator, t, z) for z in ([one, zero], [zero, one])]
+        columns = [exponential(self.swing, t, z) for z in ([one, zero], [zero, one])]
         # the greatest singular value of a matrix from the sum of its squares and its determinant
         square = columns[0][0] ** 2 + columns[1][1] ** 2 + columns[0][1] ** 2 / stiff + columns[1][0] ** 2 * stiff
         inner = (square * square - 4 * (-2 * rate * t).exp()).abs_upper()

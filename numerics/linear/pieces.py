@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import pairwise
@@ -45,10 +45,24 @@ class ExactPiece:
     @property
     def b(self) -> Fraction:
         """Return the friction force of a piece on which it is one number, N."""
-        friction = self.signals[FRICTION]
-        if len(friction.polynomial) > 1 or friction.sines:
+        b = self.signals[FRICTION].constant
+        if b is None:
             raise ArithmeticError("friction varies on this piece")
-        return friction.polynomial[0] if friction.polynomial else Fraction(0)
+        return b
+
+    def with_friction(self, b: Fraction) -> ExactPiece:
+        """Return the piece with another friction force, N."""
+        return replace(self, signals=(*self.signals[:FRICTION], Piece(0, (b,))))
+
+    @property
+    def is_plain(self) -> bool:
+        """Return whether nothing acts but u, and one number b."""
+        return not (any(one.polynomial or one.sines for one in self.signals[1:FRICTION]) or self.varies)
+
+    @property
+    def varies(self) -> bool:
+        """Return whether friction is no one number here."""
+        return self.signals[FRICTION].constant is None
 
     @cached_property
     def layout(self) -> Layout:

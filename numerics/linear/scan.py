@@ -18,8 +18,8 @@ from flint import arb, arb_mat, arb_poly
 
 from numerics.arithmetic.ball import Ball
 from numerics.linear.flow import FEW, Flow
+from numerics.linear.model import V1, V2, X1
 from numerics.linear.pieces import ExactPiece, particular
-from numerics.linear.system import V1, V2, X1
 
 CLEAR, UNKNOWN = -1, -2
 """No guard vanishes; that is not proved. Otherwise a scan answers with the index of the guard that does."""
@@ -100,7 +100,7 @@ def scan(
 
 def sharpest(flow: Flow, z: Sequence[Any], h: arb, least: int) -> tuple[int, arb]:
     """Return the order, from `least` on, at which a polynomial leaves out least, and R; fast rates raise high ones."""
-    rests = [(order, flow.rests(z, h, order)[0]) for order in (3, 5, 8, FEW) if order >= least]
+    rests = [(order, flow.rests(z, h, order)[-1]) for order in (3, 5, 8, FEW) if order >= least]
     return min(rests, key=lambda one: (one[1] * h ** one[0]).mid())
 
 
@@ -122,7 +122,7 @@ def splits(flow: Flow, piece: ExactPiece, side: int, local: Any, z: Sequence[Any
     x1 is the particular polynomial, the steady answer to each sine, and a free motion y, of which a2 y^2/m + y'^2 never
     grows; under heavy damping it fades fast and slowly. At resonance there is no steady answer, and no split.
     """
-    pair, mass, number, z = flow.pair, flow.mode.mass, Ball.number, [arb(one) for one in z]
+    pair, mass, number, z = flow.mode.pair, flow.mode.mass, Ball.number, [arb(one) for one in z]
     m2, force = number(pair.m2), list(piece.polynomial) or [Fraction(0)]
     force[0] -= side * piece.b
     x = arb_poly([number(c) for c in particular(force, mass, pair.a1, pair.a2)])(arb_poly([arb(local), 1]))
@@ -140,10 +140,11 @@ def splits(flow: Flow, piece: ExactPiece, side: int, local: Any, z: Sequence[Any
         waves.append((omega, place, answer, height * number(abs(sine.amplitude)) / number(square).sqrt()))
         y, w = y - answer[0], w - answer[1]
     # derivatives of y: what bounds one by the one before it bounds it by the next one, too
-    rate, stiff = number(pair.a1 / mass), flow.root_stiff**2
+    rate, stiff = number(pair.a1 / mass), number(pair.a2 / mass)
+    root_stiff = stiff.sqrt()
     bend = -stiff * y - rate * w
     before, here, after = (y, w, bend) if flow.slips else (w, bend, -stiff * w - rate * bend)
-    free = _length(flow.root_stiff * before, here).min(_length(here, after / flow.root_stiff))
+    free = _length(root_stiff * before, here).min(_length(here, after / root_stiff))
     if flow.slips:
         polynomial = (v - arb_poly([z[V2], side * number(piece.b / pair.m2)])).coeffs() or [arb(0)]
     else:

@@ -1,141 +1,180 @@
-"""One mode under one piece of force as a linear system z' = A z, its flow by the exponential of a ball matrix.
+"""One mode under one piece of the signals, z' = A z in balls: its matrices, its norm, its flow by exp(A t).
 
-z = (x1, v1, x2, v2, 1, p0, ..., pd, s1, c1, ...): the state in SI units, the constant, the polynomial of the piece with
-its derivatives, and each sine beside its cosine. A is exact, resonance is no special case, and a flow over a ball of
-times encloses the flow at each of them. Friction on body 2 in a slip is side b + slope (v1 - v2) + pull (x1 - x2),
-where it depends on the state (cells.py).
+z and A are those of model.py; in a slip s the block of b in z is multiplied by s. A is exact, resonance is no special
+case, and a flow over a ball of times encloses the flow at each of them. Friction on body 2 in a slip is
+b + slope (v1 - v2) + pull (x1 - x2), where it depends on the state (cells.py).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any
 
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball, sqrt
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import cached_property
+from numerics.linear.model import (
+    FIRST,
+    FORCE,
+    FRICTION,
+    KINETIC,
+    LOAD,
+    SLIP,
+    STICK,
+    V1,
+    V2,
+    X1,
+    X2,
+    Bodies,
+    Layout,
+    Rows,
+    add_signal,
+    exact_rows,
+)
 from numerics.linear.pieces import ExactPiece
-from numerics.scene import Pair, Piece
+from numerics.scene import Pair, Piece, Sine
 
-X1, V1, X2, V2, ONE, FIRST = range(6)
 Row = tuple[tuple[int, Fraction], ...]
 """A linear function of z: pairs (place, coefficient)."""
 W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
 Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
 """The relative velocity w = v1 - v2, and x1 - x2."""
+Cell = tuple[Fraction, Fraction]
+"""Slope (N s/m) and pull (N/m) of the friction of a slip."""
+CONSTANT: Cell = (Fraction(0), Fraction(0))
 _FURTHER = 4
 """Further terms of Taylor in a bound on a remainder."""
 MOST_CUTS = 2_000
 """Into so many parts an interval is cut before a sign on it counts as undecided."""
 
 
-class BallDrive(NamedTuple):
-    """A piece in balls: its polynomial, and of each sine amplitude, omega and the phase where the piece begins."""
+def sparse(row: Iterable[Any]) -> Row:
+    """Return a row without what is 0."""
+    return tuple((place, factor) for place, factor in enumerate(row) if factor)
 
-    polynomial: list[arb]
-    sines: list[tuple[arb, arb, arb]]
 
-    @classmethod
-    def of(cls, piece: Piece | ExactPiece) -> BallDrive:
-        """Return a piece in balls."""
+class BallDrive:
+    """The signals of a piece in balls: polynomials, and of each sine amplitude, omega, and phase where it begins."""
+
+    def __init__(self, piece: ExactPiece) -> None:
+        """Take a piece; the present precision is that of its numbers."""
         number = Ball.number
-        sines = [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in piece.sines]
-        return cls([number(c) for c in piece.polynomial], sines)
+        self.polynomials = [[number(c) for c in one.polynomial] for one in piece.signals]
+        self.sines = [
+            [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in one.sines]
+            for one in piece.signals
+        ]
 
-    def force(self, local: arb) -> list[arb]:
-        """Return what of z is the force: its polynomial with its derivatives, and each sine beside its cosine."""
-        parts, terms = [], self.polynomial
-        for order in range(len(terms)):
-            value = arb(0)
-            for k in range(len(terms) - 1, order - 1, -1):
-                value = value * local + terms[k] * math.perm(k, order)
-            parts.append(value)
-        for amplitude, omega, phase in self.sines:
-            parts += [amplitude * one for one in (phase + omega * local).sin_cos()]
-        return parts
+    def at(self, local: arb, side: int) -> list[arb]:
+        """Return the blocks of z at a time in the piece (s), in a mode `side`."""
+        found: list[arb] = []
+        signs = [1] * FRICTION + [side or 1]
+        for sign, terms in zip(signs, self.polynomials, strict=True):
+            for order in range(len(terms)):
+                value = arb(0)
+                for k in range(len(terms) - 1, order - 1, -1):
+                    value = value * local + terms[k] * math.perm(k, order)
+                found.append(sign * value)
+        for sign, sines in zip(signs, self.sines, strict=True):
+            for amplitude, omega, phase in sines:
+                found += [sign * amplitude * one for one in (phase + omega * local).sin_cos()]
+        return found
 
 
 @dataclass(frozen=True)
 class LinearMode:
-    """A pair in the mode `side` (+1, -1: the sign of w; 0: stick) at friction b, under one piece of force.
-
-    `slope` (N s/m) and `pull` (N/m, for this side) are those of friction by w and by x1 - x2 in a slip.
-    """
+    """A pair in the mode `side` (+1, -1: the sign of w; 0: stick) under a piece of the signals."""
 
     pair: Pair
-    b: Fraction
     side: int
-    piece: Piece | ExactPiece
-    slope: Fraction = Fraction(0)
-    pull: Fraction = Fraction(0)
+    piece: ExactPiece
+    cell: Cell = CONSTANT
+
+    @classmethod
+    def under(cls, pair: Pair, side: int, force: Piece) -> LinearMode:
+        """Return the mode under one piece of a force on body 1 and the pair's b."""
+        nothing, start = Piece(0), force.start
+        return cls(
+            pair, side, ExactPiece(start, Fraction(0), (force, nothing, nothing, nothing, Piece(0, (pair.b,))), True)
+        )
+
+    @classmethod
+    def like(cls, pair: Pair, side: int, layout: Layout, cell: Cell = CONSTANT) -> LinearMode:
+        """Return the mode under signals of this layout, all of their numbers 1."""
+        ones = (Piece(0, (1,) * terms, [Sine(1, w) for w in waves]) for terms, waves in zip(*layout, strict=True))
+        return cls(pair, side, ExactPiece(Fraction(0), Fraction(1), tuple(ones), True), cell)
+
+    @property
+    def layout(self) -> Layout:
+        """Return the places of z."""
+        return self.piece.layout
+
+    @property
+    def rows(self) -> Rows:
+        """Return the exact matrices of both modes."""
+        return exact_rows(self.pair, self.layout, self.cell if self.side else CONSTANT)
 
     @property
     def size(self) -> int:
         """Return the number of components of z."""
-        return FIRST + len(self.piece.polynomial) + 2 * len(self.piece.sines)
+        return self.layout.size
+
+    def signal(self, which: int) -> Row:
+        """Return a signal as a linear function of z."""
+        row = [Fraction(0)] * self.size
+        add_signal(row, self.layout.blocks[which], Fraction(1))
+        return sparse(row)
 
     @property
     def force(self) -> Row:
         """Return u as a linear function of z."""
-        first = FIRST + len(self.piece.polynomial)
-        sines = [(first + 2 * k, Fraction(1)) for k in range(len(self.piece.sines))]
-        return (*([(FIRST, Fraction(1))] if self.piece.polynomial else []), *sines)
+        return self.signal(FORCE)
 
     @property
     def friction(self) -> Row:
         """Return F, the friction force on body 2, N; of a slip."""
-        by_state = ((V1, self.slope), (V2, -self.slope), (X1, self.pull), (X2, -self.pull))
-        return (ONE, self.side * self.b), *(one for one in by_state if one[1])
+        return sparse(self.rows.others[KINETIC])
 
     @property
     def load(self) -> Row:
-        """Return Lambda = m2 (u - a2 x1 - a1 v1)/M, the friction force that sticking needs, N."""
-        share = self.pair.m2 / self.pair.mass
-        own = (X1, -share * self.pair.a2), (V1, -share * self.pair.a1)
-        return (*((place, share * factor) for place, factor in self.force), *own)
+        """Return Lambda, the friction force that sticking needs, N."""
+        return sparse(self.rows.others[LOAD])
+
+    @property
+    def guards(self) -> tuple[Row, ...]:
+        """Return the rows that are positive in the mode, but for the sign of a slip."""
+        return (W,) if self.side else tuple(map(sparse, self.rows.guards[STICK]))
+
+    @property
+    def b(self) -> Fraction:
+        """Return friction where it is one number b, N."""
+        return self.piece.b
 
     @property
     def mass(self) -> Fraction:
-        """Return the mass that the spring moves, kg: body 1 alone in slip, both in stick."""
-        return self.pair.m1 if self.side else self.pair.mass
+        """Return the mass that the spring moves, kg: body 1 alone in slip and beside a belt, both in stick."""
+        return self.pair.m1 if self.side or self.pair.is_fixed else self.pair.mass
 
     def generator(self) -> list[list[Fraction]]:
         """Return A, exact."""
-        rows = [[Fraction(0)] * self.size for _ in range(self.size)]
-        pair = self.pair
-        rows[X1][V1] = rows[X2][V2] = Fraction(1)
-        for place, factor in ((X1, -pair.a2), (V1, -pair.a1), *self.force):
-            rows[V1][place] += factor / self.mass
-        if self.side:
-            for place, factor in self.friction:
-                rows[V1][place] -= factor / pair.m1
-                rows[V2][place] += factor / pair.m2
-        else:
-            rows[V2] = list(rows[V1])
-        for k in range(len(self.piece.polynomial) - 1):
-            rows[FIRST + k][FIRST + k + 1] = Fraction(1)
-        for place, sine in zip(self.sine_places, self.piece.sines, strict=True):
-            rows[place][place + 1], rows[place + 1][place] = sine.omega, -sine.omega
-        return rows
-
-    @property
-    def polynomial_places(self) -> range:
-        """Return where the polynomial and its derivatives stand in z."""
-        return range(FIRST, FIRST + len(self.piece.polynomial))
+        return [list(row) for row in self.rows.A[SLIP if self.side else STICK]]
 
     @property
     def sine_places(self) -> range:
         """Return where each sine stands in z, its cosine one place on."""
-        return range(FIRST + len(self.piece.polynomial), self.size, 2)
+        return range(FIRST + sum(self.layout.terms), self.size, 2)
+
+    def begin(self, state: Sequence[arb], t: arb) -> list[arb]:
+        """Return z at time t (s), where (x1, v1, x2, v2) is a state."""
+        return [*state, *BallDrive(self.piece).at(t - Ball.number(self.piece.start), self.side)]
 
     def motion(self, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
-        z = [*state, arb(1), *BallDrive.of(self.piece).force(t - Ball.number(self.piece.start))]
-        return Motion(self, matrix(self.generator()), arb_mat(self.size, 1, z))
+        return Motion(self, matrix(self.generator()), arb_mat(self.size, 1, self.begin(state, t)))
 
 
 @dataclass(frozen=True)
@@ -210,78 +249,101 @@ class Stretched:
         """
         if order not in self.bends:
             further = _FURTHER if self.motion.norm.fastest * self.h < 1 else 0
-            found = self._bounded(order + further)
+            last = self.derivative(order + further).entries()
+            sizes = self.motion.norm.sizes(last, abs(self.h).upper())
+            found = arb_mat(len(sizes), 1, [arb(0, one) for one in sizes])
             for k in range(further, 0, -1):
                 found = self.derivative(order + k - 1) + found * (self.h / k)
             self.bends[order] = found
         return self.bends[order]
 
-    def _bounded(self, order: int) -> arb_mat:
-        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times by its N."""
-        z = self.derivative(order)
-        mode, norm, bent = self.motion.mode, self.motion.norm, arb_mat(z)
-        places = mode.polynomial_places
-        for k, place in enumerate(places):
-            powers = (z[later, 0] * (self.h**n / math.factorial(n)) for n, later in enumerate(places[k:]))
-            bent[place, 0] = sum(powers, arb(0))
-        for place in mode.sine_places:
-            amplitude = sqrt(z[place, 0] * z[place, 0] + z[place + 1, 0] * z[place + 1, 0]).upper()
-            bent[place, 0] = bent[place + 1, 0] = arb(0, amplitude)
-        reached = norm.grown(abs(self.h).upper(), norm.of(z.entries()[:4]), abs(value(mode.force, bent)))
-        x1, v1, v2 = ((reached * one).upper() for one in (1 / norm.root_a2, *norm.speeds))
-        sizes = {X1: x1, V1: v1}
-        if not mode.side:
-            sizes |= {X2: x1, V2: v2}
-        elif norm.is_coupled:  # else body 2 has a constant acceleration, and z says all
-            apart = abs(z[X1, 0] - z[X2, 0]) + norm.apart * reached * abs(self.h)
-            sizes |= {X2: (x1 + apart).upper(), V2: v2}
-        for place, size in sizes.items():
-            bent[place, 0] = arb(0, size)
-        return bent
-
 
 class LocalNorm:
-    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2 of a derivative of a motion in one mode and cell; g = |pull|.
+    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2 of differences of motions in one mode and cell; g = |pull|.
 
-    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z + v1 u. So N
-    grows like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa (g - pull)/(2 sqrt(g)), with any g >= |pull|, and
-    by int |u| dt/sqrt(m), where m is the mass that the spring moves. A itself is at most `rate` in N; `fastest` is
-    that, or a sine's.
+    With kappa^2 = 1/m1 + 1/m2: |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z. So N grows
+    like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa (g - pull)/(2 sqrt(g)), with any g >= |pull|. A itself
+    is at most `rate` in N; `fastest` is that, or a sine's. A body 2 of infinite mass counts for nothing.
 
-    `speeds` are the greatest v1 and v2 for N = 1, `apart` is that of w. Where friction is one number b, v2 has no
-    derivatives in a slip but the first.
+    Derivatives of a motion obey z' = A z too, and by them the signals push (`sizes`). Where friction depends on the
+    state they move both bodies; else a slip moves body 1, and body 2 goes with the signals alone.
     """
 
     def __init__(self, mode: LinearMode, g: Fraction | None = None) -> None:
         """Form the constants, in the present precision."""
-        g = abs(mode.pull) if g is None else g
-        pair, number = mode.pair, Ball.number
-        self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
-        self.root_g, kappa = number(g).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
-        self.root_mass, self.is_coupled = number(mode.mass).sqrt(), bool(mode.slope or mode.pull)
-        one = 1 / self.root_mass
-        self.speeds = one, 1 / self.root_m2 if self.is_coupled else arb(0) if mode.side else one
-        self.apart = kappa if self.is_coupled else one
-        square, pulled = kappa * kappa, kappa * number((g - mode.pull) / 2) / self.root_g if g else arb(0)
-        self.mu = square * number(max(Fraction(0), -mode.slope)) + pulled
+        (slope, pull), pair, number = mode.cell, mode.pair, Ball.number
+        g = abs(pull) if g is None else g
+        bodies = Bodies.of(pair)
+        self.mode, self.is_fixed, self.is_coupled = mode, pair.is_fixed, bool(slope or pull)
+        self.root_a2, self.root_m1, self.root_g = (number(one).sqrt() for one in (pair.a2, pair.m1, g))
+        self.root_m2 = arb(0) if self.is_fixed else number(pair.m2).sqrt()
+        self.kappa, self.root_mass = number(bodies.inverse_1 + bodies.inverse_2).sqrt(), number(mode.mass).sqrt()
+        self.slope, square = number(abs(slope)), self.kappa * self.kappa
+        pulled = self.kappa * number((g - pull) / 2) / self.root_g if g else arb(0)
+        self.mu = square * number(max(Fraction(0), -slope)) + pulled
+        self.load = number(bodies.share_2**2 * (pair.a2 + pair.a1**2 / pair.m1)).sqrt()
+        """Of Lambda."""
         own = number(pair.a1 / mode.mass) + number(pair.a2 / mode.mass).sqrt()
-        self.rate = self.fastest = own + square * number(abs(mode.slope)) + kappa * self.root_g
-        for sine in mode.piece.sines:
-            self.fastest = self.fastest.max(number(sine.omega))
+        self.rate = self.fastest = own + square * self.slope + self.kappa * self.root_g
+        for omegas in mode.layout.omegas:
+            for omega in omegas:
+                self.fastest = self.fastest.max(number(omega))
+        rows = mode.generator()
+        self.pushes = [[(place, abs(number(c))) for place, c in sparse(rows[k]) if place >= FIRST] for k in (V1, V2)]
+        self.blocks = [range(first, first + terms) for first, terms, *_ in mode.layout.blocks.tolist()]
 
     def of(self, state: Sequence[arb]) -> arb:
         """Return N of (x1, v1, x2, v2)."""
         x1, v1, x2, v2 = state
-        a, b, c, d = self.root_a2 * x1, self.root_m1 * v1, self.root_m2 * v2, self.root_g * (x1 - x2)
-        return (a * a + b * b + c * c + d * d).abs_upper().sqrt().upper()
+        return length(self.root_a2 * x1, self.root_m1 * v1, self.root_m2 * v2, self.root_g * (x1 - x2))
+
+    def most(self, row: Sequence[arb]) -> arb:
+        """Return a bound on the row of (x1, v1, x2, v2) of a difference whose N is 1; of stick both bodies move as one.
+
+        What N does not know (places without a spring, body 2 of infinite mass) the row must not depend on either.
+        """
+        x1, v1, x2, v2 = row[:4]
+        roots = self.root_a2, self.root_m1 if self.mode.side else self.root_mass, self.root_m2, self.root_g
+        return length(*(a / root for a, root in zip((x1 + x2, v1, v2, x2), roots, strict=True) if root > 0))
 
     def growth(self, h: arb) -> arb:
         """Return by which factor N may grow in a time h."""
         return arb(1) if self.mu.is_zero() else (self.mu * h).exp().upper()
 
-    def grown(self, h: arb, norm: arb, pushed: arb) -> arb:
-        """Return a bound on N after a time up to h, under a force of `pushed` at most."""
-        return (self.growth(h) * (norm + h * pushed / self.root_mass)).upper()
+    def sizes(self, z: Sequence[arb], h: arb) -> list[arb]:
+        """Return bounds on what is in a derivative of z, the first or a later one, for a time h, from its value on."""
+        found = [abs(one).upper() for one in z]
+        for block in self.blocks:
+            for k in block:
+                found[k] = sum((found[m] * h ** (m - k) / math.factorial(m - k) for m in range(k, block.stop)), arb(0))
+        for k in self.mode.sine_places:
+            found[k] = found[k + 1] = length(z[k], z[k + 1])
+        push_1, push_2 = (sum((c * found[place] for place, c in push), arb(0)) for push in self.pushes)
+        x1, v1, x2, v2 = z[:4]
+        if self.mode.side and not (self.is_coupled and not self.is_fixed):
+            # body 2 goes with the signals
+            found[V2] = found[V2] + h * push_2
+        if not self.mode.side:
+            x1 = arb(0) if self.is_fixed else x1  # on a belt the spring moves nothing
+            start = length(self.root_a2 * x1, self.root_mass * v1)
+            found[V1] = found[V2] = start / self.root_mass + h * push_1
+        elif not self.is_coupled:
+            found[V1] = length(self.root_a2 * x1, self.root_m1 * v1) / self.root_m1 + h * push_1
+        elif self.is_fixed:
+            pushed = self.root_m1 * push_1 + (self.slope / self.root_m1 + self.root_g) * found[V2]
+            found[V1] = self.growth(h) * (self.of((x1, v1, x2, v2)) + h * pushed) / self.root_m1
+        else:
+            reached = self.growth(h) * (
+                self.of((x1, v1, x2, v2)) + h * length(self.root_m1 * push_1, self.root_m2 * push_2)
+            )
+            found[V1], found[V2] = reached / self.root_m1, reached / self.root_m2
+        found[X1], found[X2] = found[X1] + h * found[V1], found[X2] + h * found[V2]
+        return [one.upper() for one in found]
+
+
+def length(*numbers: arb) -> arb:
+    """Return a bound on the root of the sum of squares."""
+    return sum((one * one for one in numbers), arb(0)).abs_upper().sqrt().upper()
 
 
 def value(row: Row, z: arb_mat) -> arb:

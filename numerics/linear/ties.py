@@ -1,25 +1,22 @@
 """Which mode follows on v1 = v2 right after a time, on exact data: ties are decided by derivatives, to any order.
 
-With s the side of the load, the tie Lambda = s b is decided by the first derivative of Lambda = m2 v2' along stick that
-does not vanish: slip s where s Lambda^(k) > 0, stick where < 0. From x = x1 + v1 t + s (b/m2) t^2/2 stick parts by y,
-
-    M y'' + a1 y' + a2 y = p = u - a2 x - a1 x' - s b M/m2,
-
-so m2 y'' = Lambda - s b = (m2/M) p (1 + O(t)), and p vanishes if as many of its derivatives do as it has coefficients.
-Then slip s and stick are the same motion, and it is called stick.
+A guard of stick that vanishes is decided by the first derivative of it along stick that does not: slip where < 0,
+stick where > 0. Up to there both modes agree, so that it says what happens in either. If all vanish, which as many as z
+has components settle, slip and stick are the same motion, and it is called stick.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from fractions import Fraction
-from itertools import count, islice
+from itertools import chain
 from math import perm
+from typing import Any
 
+from numerics.linear.model import FORCE, FRICTION, LOAD, STICK
 from numerics.linear.pieces import ExactPiece, polynomial_at
 from numerics.linear.sine_form import SineForm
-from numerics.linear.system import V1, V2, LinearMode
+from numerics.linear.system import LinearMode
 from numerics.scene import Pair, Piece
 
 MARGINAL = 10**9
@@ -28,46 +25,76 @@ MARGINAL = 10**9
 
 def force_form(piece: Piece | ExactPiece, local: Fraction, order: int = 0) -> SineForm:
     """Return the derivative of this order of u at a time in a piece (s), exact."""
-    derived = [perm(n, order) * c for n, c in enumerate(piece.polynomial)][order:]
-    total = SineForm(polynomial_at(derived, local))
-    for sine in piece.sines:
-        angle = sine.omega * (piece.start + local) + sine.phase
-        height = sine.amplitude * sine.omega**order * (-1 if order % 4 > 1 else 1)
-        total += SineForm.turned(angle, *((Fraction(0), height) if order % 2 else (height, Fraction(0))))
-    return total
+    return _value(piece if isinstance(piece, Piece) else piece.signals[FORCE], piece.start, local, order)
 
 
-def load_form(pair: Pair, piece: ExactPiece, local: Fraction, x: SineForm, v: SineForm) -> SineForm:
-    """Return the load m2 (u - a2 x1 - a1 v1)/M, N, exact."""
-    return (force_form(piece, local) - x * pair.a2 - v * pair.a1) * (pair.m2 / pair.mass)
+def signal_form(piece: ExactPiece, which: int, local: Fraction) -> SineForm:
+    """Return a signal at a time in a piece (s), exact."""
+    return _value(piece.signals[which], piece.start, local)
+
+
+def _value(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> SineForm:
+    polynomial, waves = blocks_of(signal, start, local, order)
+    return sum(waves[::2], polynomial[0] if polynomial else SineForm())
+
+
+def blocks_of(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> tuple[list[SineForm], list[SineForm]]:
+    """Return what of z is a derivative of a signal at a time in a piece: polynomial, sines; it begins at `start`."""
+    terms, waves = signal.polynomial, []
+    derivatives = ([perm(n, k) * c for n, c in enumerate(terms)][k:] for k in range(order, len(terms)))
+    for sine in signal.sines:
+        angle, height = sine.omega * (start + local) + sine.phase, sine.amplitude * sine.omega**order
+        for k in (order, order + 1):
+            size = -height if k % 4 > 1 else height
+            waves.append(SineForm.turned(angle, *((Fraction(0), size) if k % 2 else (size, Fraction(0)))))
+    return [SineForm(polynomial_at(one, local)) for one in derivatives], waves
+
+
+def exact_z(piece: ExactPiece, side: int, local: Fraction, state: Sequence[SineForm]) -> list[SineForm]:
+    """Return z at a time in a piece (s), in a mode `side`."""
+    signs = [1] * FRICTION + [side or 1]
+    found = [blocks_of(one, piece.start, local) for one in piece.signals]
+    kinds = (
+        [one * sign for sign, kind in zip(signs, kinds, strict=True) for one in kind]
+        for kinds in zip(*found, strict=True)
+    )
+    return [*state, *chain.from_iterable(kinds)]
+
+
+def applied(row: Sequence[Any], z: Sequence[SineForm]) -> SineForm:
+    """Return the value of a row."""
+    return sum((one * c for one, c in zip(z, row, strict=True) if c), SineForm())
 
 
 def derivatives(mode: LinearMode, local: Fraction, state: Sequence[SineForm]) -> Iterator[list[SineForm]]:
-    """Yield the derivatives of (x1, v1, x2, v2, 1) along a mode from a time in its piece (s), from the first on."""
-    A, moved = replace(mode, piece=Piece(0)).generator(), (V1,) if mode.side else (V1, V2)
-    z = [*state, SineForm(1)]
-    for order in count():
-        z = [sum((one * c for one, c in zip(z, row, strict=True) if c), SineForm()) for row in A]
-        push = force_form(mode.piece, local, order) * (1 / mode.mass)
-        for place in moved:
-            z[place] += push
+    """Yield the derivatives of z along a mode from a time in its piece (s), from z itself on, as many as decide all."""
+    z = exact_z(mode.piece, mode.side, local, state)
+    for _ in range(mode.size + 1):
         yield z
+        z = [applied(row, z) for row in mode.generator()]
+
+
+def load_form(pair: Pair, piece: ExactPiece, local: Fraction, state: Sequence[SineForm]) -> SineForm:
+    """Return the load, N, exact."""
+    return applied(LinearMode(pair, 0, piece).rows.others[LOAD], exact_z(piece, 0, local, state))
 
 
 def mode_after(
-    pair: Pair, piece: ExactPiece, local: Fraction, x: SineForm, v: SineForm, *, literal: bool
+    pair: Pair, piece: ExactPiece, local: Fraction, state: Sequence[SineForm], *, literal: bool
 ) -> tuple[int, int]:
-    """Return the mode that follows v1 = v2 = v, x1 = x, and how many derivatives of its guard vanish (or MARGINAL)."""
-    load = load_form(pair, piece, local, x, v)
-    side = 1 if load.sign() >= 0 else -1
-    beyond = (load * side - piece.b).sign()
-    if literal or beyond < 0:
+    """Return the mode that follows a state with v1 = v2, and how many derivatives of its guard vanish (or MARGINAL)."""
+    stick = LinearMode(pair, 0, piece)
+    if literal:
         return 0, 0
-    if beyond > 0:
-        return side, 1
-    along = derivatives(LinearMode(pair, piece.b, 0, piece), local, (x, v, x, v))
-    for k, z in enumerate(islice(along, len(piece.polynomial) + 2 * len(piece.sines) + 4)):
-        sign = side * z[V2].sign()
-        if k and sign:
-            return (side, k + 1) if sign > 0 else (0, k)
+    tied = dict(zip((1, -1), stick.rows.guards[STICK], strict=True))
+    for k, z in enumerate(derivatives(stick, local, state)):
+        for side, row in list(tied.items()):
+            sign = applied(row, z).sign()
+            if sign < 0:
+                # with more friction at rest the slip begins with a rate of its own
+                return side, k + 1 if pair.b_static in {None, pair.b} else 1
+            if sign > 0:
+                del tied[side]
+        if not tied:
+            return 0, k
     return 0, MARGINAL

@@ -21,8 +21,9 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bits
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.system import FIRST, ONE, V1, X1, X2, LinearMode, LocalNorm, Motion, Row, W, matrix, value
-from numerics.scene import Pair, Piece, Sine
+from numerics.linear.model import FIRST, FRICTION, V1, X1, X2, Layout
+from numerics.linear.system import LinearMode, LocalNorm, Motion, Row, W, matrix, value
+from numerics.scene import Pair
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.comparison import as_ball
 
@@ -46,7 +47,7 @@ def _products(mode: LinearMode) -> dict[int, tuple[Row, Row]]:
     Only those that act; friction that is one number b takes |b| times what is slid, no product.
     """
     a1, v1 = mode.pair.a1, _STATE[V1]
-    acts = bool(mode.slope or mode.pull), bool(a1), bool(mode.force)
+    acts = any(mode.cell), bool(a1), bool(mode.force)
     products = (mode.friction, W), (((V1, a1),), v1), (mode.force, v1)
     return {k: one for k, one in enumerate(products) if acts[k]}
 
@@ -81,29 +82,26 @@ def _halvings(A: list[list[Fraction]], tau: arb) -> int:
 class Steps:
     """Flows of stick, or of slip, in binary64 over times below 2^top s, under one kind of force.
 
-    A kind is the number of coefficients of a polynomial and the frequencies; `coupling` is slope and pull of friction
-    that depends on the state. z is that of LinearMode for side b = 1, in units (powers of 2) in which all rates are
-    alike and no power of a time leaves the range.
+    A kind is a layout of the signals; `cell` is slope and pull of friction that depends on the state. z is that of
+    LinearMode, in units (powers of 2) in which all rates are alike and no power of a time leaves the range.
     """
 
     def __init__(
         self,
         pair: Pair,
         slips: bool,
-        count: int,
-        omegas: tuple[Fraction, ...],
-        coupling: tuple[Fraction, ...],
+        layout: Layout,
+        cell: tuple[Fraction, Fraction],
         top: int,
         integrals: bool,
     ) -> None:
         """Form them: as answers add up, flows with one sine at a time."""
-        piece = Piece(0, (1,) * count, [Sine(1, one) for one in omegas])
-        mode = LinearMode(pair, Fraction(1), int(slips), piece, *coupling)
+        mode = LinearMode.like(pair, int(slips), layout, cell)
         own = LocalNorm(mode).rate
-        fastest = own + Ball.number(max(omegas, default=Fraction(0)))
+        fastest = own + Ball.number(max(chain(*layout.omegas), default=Fraction(0)))
         shortest, rate = min(top, -1 - magnitude_bits(fastest.upper())), magnitude_bits(own.upper())
         push = -rate - magnitude_bits(Ball.number(mode.mass).mid())
-        orders = [0, *range(count), *[0] * (2 * len(omegas))]
+        orders = [*chain(*map(range, layout.terms)), *[0] * len(mode.sine_places) * 2]
         self.scale = np.array([[rate], [0], [rate], [0], *([push + top * order] for order in orders)])
         units = [Fraction(2) ** int(one) for one in self.scale.ravel()]
         generator = [
@@ -170,24 +168,25 @@ def changes(mode: LinearMode, at: Begun, tau: Floats, integrals: bool) -> Floats
     """
     piece, (local, y), held = mode.piece, at, mode.side * float(mode.b)
     top = int(np.frexp(tau.max(initial=0.0))[1])
-    omegas, coupling = tuple(sine.omega for sine in piece.sines), (mode.slope, mode.pull)
-    coefficients = np.array([float(one) for one in piece.polynomial])
     z = np.zeros((mode.size, len(tau)))
-    z[:FIRST] = *y, np.full(len(tau), held)
-    for place in mode.polynomial_places:
-        z[place] = np.polynomial.polynomial.polyval(local, coefficients)
-        coefficients = np.polynomial.polynomial.polyder(coefficients)
-    for place, sine in zip(mode.sine_places, piece.sines, strict=True):
-        phase = float(sine.omega) * local + float(sine.omega * piece.start + sine.phase)
-        z[place : place + 2] = float(sine.amplitude) * np.array([np.sin(phase), np.cos(phase)])
-    steps = _steps(mode.pair, bool(mode.side), len(piece.polynomial), omegas, coupling, top, integrals)
+    z[:FIRST] = y
+    for which, (signal, (first, terms, sines, _)) in enumerate(zip(piece.signals, mode.layout.blocks, strict=True)):
+        sign = mode.side or 1 if which == FRICTION else 1
+        coefficients = sign * np.array([float(one) for one in signal.polynomial])
+        for place in range(first, first + terms):
+            z[place] = np.polynomial.polynomial.polyval(local, coefficients)
+            coefficients = np.polynomial.polynomial.polyder(coefficients)
+        for place, sine in zip(range(sines, mode.size, 2), signal.sines, strict=False):
+            phase = float(sine.omega) * local + float(sine.omega * piece.start + sine.phase)
+            z[place : place + 2] = sign * float(sine.amplitude) * np.array([np.sin(phase), np.cos(phase)])
+    steps = _steps(mode.pair, bool(mode.side), mode.layout, mode.cell, top, integrals)
     changed, taken = steps.over(z, tau)
     if not mode.side:
-        changed[X2:ONE] = changed[X1:X2]
+        changed[X2:FIRST] = changed[X1:X2]
     if 0 not in steps.products:
         taken[0] = held * (changed[X1] - changed[X2])
     force = (z + changed)[[place for place, _ in mode.force]].sum(axis=0)
-    return np.vstack([changed[:ONE], taken, force])
+    return np.vstack([changed[:FIRST], taken, force])
 
 
 class Moving:

@@ -35,7 +35,7 @@ from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.system import LocalNorm
 from numerics.linear.ties import force_form
-from numerics.scene import Law, Scene
+from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.variation import Leg, Variation
 
@@ -183,12 +183,13 @@ class Chain:
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
         here, at, literal = self.pieces[leg.piece], (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
         # before the run there is no force, and the pair's own b
-        before = self.pieces[last.piece] if index else replace(here, b=scene.pair.b, polynomial=(), sines=())
+        still = replace(here, signals=(Piece(0), *here.signals[1:])).with_friction(scene.pair.b)
+        before = self.pieces[last.piece] if index else still
         jumping = []  # with the starts of all such pieces, and the piece in front of this jump alone
         if force_form(before, before.length) != force_form(here, Fraction(0)):
-            jumping.append(("force", scene.force.starts, replace(before, b=here.b)))
+            jumping.append(("force", scene.force.starts, before.with_friction(here.b)))
         if before.b != here.b:
-            jumping.append(("friction", scene.friction.starts, replace(here, b=before.b)))
+            jumping.append(("friction", scene.friction.starts, here.with_friction(before.b)))
         fields = [self._field_from_contact(alone, *at) for *_, alone in jumping]
         if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
             when = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"

@@ -19,7 +19,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
@@ -33,7 +32,7 @@ from numerics.arithmetic.precision import precision
 from numerics.linear.cells import FrictionLine, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import LinearMode, Motion
+from numerics.linear.system import Motion
 from numerics.scene import Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
@@ -119,14 +118,14 @@ class Variation:
             system[1, at] = height
             for key, by, factor in (("amplitude", 0, arb(1)), ("phase", 1, height), ("omega", 3, height)):
                 inputs[0, at + by, column[f"{name}.sines[{k}].{key}"]] = factor
-        friction = self._friction(self.mode)
+        friction = self._friction(FrictionLine(self.mode.b, *self.mode.cell))
         system[1] = (system[1] - friction) / self.mass
         inputs[0, :, column["m1"]], inputs[0, :, column["m2"]] = -system[1], -system[1] * (side == 0)
         if n == 4:
             system[2, 3], system[3] = arb(1), friction / self.m2
             inputs[1, :, column["m2"]] = -system[3]
         for name, (offset, slope, pull) in self._by_numbers(side, cell).items() if side else ():
-            acting = self._friction(replace(self.mode, b=offset, slope=slope, pull=pull))
+            acting = self._friction(FrictionLine(offset, slope, pull))
             inputs[0, :, column[name]] -= acting
             inputs[1:, :, column[name]] += acting
 
@@ -136,11 +135,13 @@ class Variation:
             return self.cells.by_numbers(self.piece, side, cell, self.b)
         return {self.b: FrictionLine(Fraction(1), Fraction(0), Fraction(0))}
 
-    def _friction(self, mode: LinearMode) -> Array:
+    def _friction(self, line: FrictionLine) -> Array:
         """Return friction on body 2 over z; of a stick none."""
         found = np.full(len(self.system), arb(0))
-        for place, factor in mode.friction:
-            found[min(place, self.size)] += Ball.number(factor)
+        found[self.size] += Ball.number(self.side * line.offset)
+        if self.size == 4:
+            slope, pull = Ball.number(line.slope), Ball.number(line.pull)
+            found[:4] += [pull, slope, -pull, -slope]
         return found
 
     def _begun(self, state: Sequence[arb], t: arb) -> Array:
