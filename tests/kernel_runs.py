@@ -10,10 +10,11 @@ import numpy as np
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.compiled import compiled
-from numerics.linear.columns import Now, make_room
 from numerics.linear.kernel import Log, follow
+from numerics.linear.ledger import ledger
 from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, END_ROW, ROW
+from numerics.linear.room import make_room
 
 BOUNDS = [AT[name] for name in ("late", "x1_error", "v1_error", "x2_error", "v2_error")]
 STATE = [AT[name] for name in ("x1", "v1", "x2", "v2")]
@@ -44,15 +45,6 @@ class Run(NamedTuple):
         return np.array([starts[int(row[AT["piece"]])] + row[AT["local"]] for row in self.events])
 
 
-def begun(scene, mode=0):
-    """A problem, room in which a run of it begins in a mode, without errors, and where it is."""
-    problem, start, *_ = prepare(scene)
-    pair, rows = problem.pair, problem.tables.rows
-    room = make_room(rows.shape[3], rows.shape[4])
-    room.scale[:], room.y[:] = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), start[STATE]
-    return problem._replace(has_ledger=False), room, Now(0, mode, 0, 1, 1e300, 0.0)
-
-
 def run(scene, by=NOTHING, most=60):
     """A run that is told that x1, v1, x2 and v2 may be off by so much at the start."""
     prepared = prepare(scene)
@@ -60,6 +52,9 @@ def run(scene, by=NOTHING, most=60):
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
     how, count = compiled(follow)(prepared.problem, start, -1.0, Log(rows, end, most, True))
+    if how < 3:
+        room = make_room(*prepared.problem.tables.rows.shape[3:])
+        compiled(ledger)(prepared.problem, room, rows, count - (how == 2), end, end[AT["friction"] :])
     return Run(how, rows[:count], end, prepared)
 
 

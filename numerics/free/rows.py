@@ -30,7 +30,7 @@ from numerics.linear.record import AT, UNKNOWN, How
 
 REACHED, EVENT_LIMIT = int(How.REACHED), int(How.EVENT_LIMIT)
 _LOCAL, _ERRORS, _END = (AT[name] for name in ("local", "x1_error", "how"))
-_FRICTION, _DISSIPATED = AT["friction"], AT["dissipated_error"]
+_FRICTION, _DISSIPATED = AT["friction"], AT["ledger_error"]
 _SMALLEST, _LARGEST = 1e-70, 1e70
 """Beyond them a product of four SI numbers may leave the range of binary64: convert exactly."""
 _SUBNORMAL, _TINY = 1e-290, 2.0**-1060

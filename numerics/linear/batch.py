@@ -15,7 +15,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, negative, pair_of, plus, put, times
 from numerics.linear.kernel import EVENT_LIMIT, OUT_OF_RANGE, Log, follow_in
 from numerics.linear.ledger import ledger
-from numerics.linear.model import FIRST, FORCE, FRICTION, Bodies, Norm, make_rows, norm_of, put_rows
+from numerics.linear.model import FIRST, FORCE, FRICTION, Bodies, Rows, make_rows, norm_of, put_rows
 from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
 from numerics.linear.room import Drive, Problem, Room, make_room
 from numerics.linear.table import Tables, form, make_tables, most_terms
@@ -67,8 +67,7 @@ def follow_rows(given: Columns, literal: bool, max_events: int, has_ledger: bool
             omegas[FIRST + terms + 1 + 2 * k + 1] = whole.sines[k, 1, 0]
         if count > 0:
             if is_new(made_of, bodies, longest, omegas):
-                for part in rows:
-                    part[:] = 0.0
+                clear(rows)
                 put_rows(bodies, blocks, omegas, (0.0, 0.0), rows)
                 form(tables, 0, norm, blocks, rows, _ROUNDINGS, longest)
             log = Log(found, end, max_events, has_ledger)
@@ -129,6 +128,15 @@ def put_bodies(numbers: Any, start: Any) -> tuple[Bodies, tuple[int, int, int]]:
     a1, a2, whole = math.ldexp(a1, time - mass), math.ldexp(a2, 2 * time - mass), m1 + m2
     bodies = Bodies(m1, a1, a2, 1.0 / m1, 1.0 / m2, 1.0 / whole, m1 / whole, m2 / whole, 1.0)
     return bodies, (mass, time, length)
+
+
+@compilable
+def clear(rows: Rows) -> None:
+    """Write zeros."""
+    rows.A[:] = 0.0
+    rows.guards[:] = 0.0
+    rows.others[:] = 0.0
+    rows.powers[:] = 0.0
 
 
 @compilable

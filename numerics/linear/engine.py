@@ -29,7 +29,7 @@ from numerics.scene import Scene
 Progress = Callable[[int, float], None]
 _MOST_ORDER = ORDERS - 1
 """Derivatives of a guard that may vanish at an exact start."""
-_STATE = slice(AT["x1"], AT["excess"])
+_STATE = slice(AT["x1"], AT["x1"] + 4)
 _OF_EXACT = [AT[name] for name in ("order", "event", "jump", "length")]
 """What the kernel does not know of a start that is exact."""
 
@@ -133,8 +133,9 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.fl
         row[AT["length"]] = rounded(t - before, units.time)
         state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
         row[_STATE] = [rounded(x, unit) for x, unit in zip(state, [units.length, speed] * 2, strict=True)]
-    rows[:, AT["excess"]] = np.nan
-    rows[:, AT["x1_error"] : AT["excess_error"]] = UNIT * np.abs(rows[:, _STATE])
+    rows[:, AT["x1_error"] : AT["speed_error"]] = UNIT * np.abs(rows[:, _STATE])
+    norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T
+    rows[:, AT["speed_error"]] = (norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2) / norm.root_m1
     return rows
 
 

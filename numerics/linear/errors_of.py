@@ -12,7 +12,7 @@ from numerics.linear.record import AT
 
 _EVENT, _PIECE, _LOCAL, _X1, _LATE = (AT[name] for name in ("event", "piece", "local", "x1", "late"))
 _EVENTS = AT["events"]
-_ERRORS, _EXCESS, _EXCESS_ERROR = (AT[name] for name in ("x1_error", "excess", "excess_error"))
+_ERRORS = AT["x1_error"]
 JUDGED = ("times", "positions", "velocities", "energy", "energy excess")
 """What errors are told of."""
 _TINY = 2.0**-1060
@@ -29,7 +29,7 @@ def errors_of(
     where a bound is no number.
     """
     count, events, late, worst = len(rows), 0, np.empty(len(rows)), np.zeros(5)
-    sizes, errors, highest, carried, last = np.zeros(2), np.zeros(2), 0.0, 0.0, 0.0
+    sizes, errors, highest, last = np.zeros(2), np.zeros(2), 0.0, 0.0
     for index in range(count + 1):
         row = rows[index] if index < count else end
         for k in range(4):
@@ -38,7 +38,7 @@ def errors_of(
             errors[k % 2] = max(errors[k % 2], math.inf if math.isnan(error) else error)
         x1, v1, v2 = row[_X1], row[_X1 + 1], row[_X1 + 3]
         last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
-        highest, carried = max(highest, last), max(carried, abs(row[_EXCESS]))
+        highest = max(highest, last)
         if index < count and row[_EVENT] == 1.0:
             t = abs(starts[int(row[_PIECE])] + row[_LOCAL])
             # 4 roundings: of where the piece begins, and of the sum
@@ -54,12 +54,8 @@ def errors_of(
     rate = math.sqrt(weights[0] / (weights[1] + weights[2]))
     worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], rate * sizes[0])
     worst[3] = relative(energy, highest)
-    excess = end[_EXCESS_ERROR]
-    if math.isnan(end[_EXCESS]):  # not carried: formed from the energy
-        excess = energy / critical + 8 * rounding * (1 + last / critical)
-    else:
-        worst[4] = relative(excess, carried)
-    return late[:events].copy(), energy, excess, worst
+    # the excess is formed from the energy
+    return late[:events].copy(), energy, energy / critical + 8 * rounding * (1 + last / critical), worst
 
 
 @compilable

@@ -41,7 +41,7 @@ GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 
 MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
-_X1, _EXCESS, _LATE, _ERRORS = (AT[name] for name in ("x1", "excess", "late", "x1_error"))
+_X1, _LATE, _ERRORS = (AT[name] for name in ("x1", "late", "x1_error"))
 _HOW, _EVENTS, _CERTAIN = (AT[name] for name in ("how", "events", "certain"))
 
 
@@ -172,7 +172,7 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
     row[_LOCAL], row[_REST], row[_LENGTH] = room.clock[0, 0], room.clock[0, 1], room.clock[1, 0]
     for i in range(STATE):
         row[_X1 + i] = y[i]
-    row[_EXCESS], row[_LATE] = math.nan, late
+    row[_LATE] = late
     x1 = min(now.N / norm.root_a2, now.far) if norm.root_a2 > 0.0 else now.far
     v1, v2, far = now.N / norm.root_m1, now.N / norm.root_m2 if norm.root_m2 > 0.0 else 0.0, 0.0
     if late > 0.0:
@@ -180,7 +180,7 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
         v1 = v2 = min(v1 + one * late, v2 + two * late)
         far = (abs(y[1]) + one * late) * late
     row[_ERRORS], row[_ERRORS + 1], row[_ERRORS + 2], row[_ERRORS + 3] = x1 + far, v1, x1 + now.apart + far, v2
-    row[_ERRORS + 4] = 0.0
+    row[_ERRORS + 4] = now.N / norm.root_m1
 
 
 @compilable

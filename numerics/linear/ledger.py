@@ -22,7 +22,7 @@ NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polyno
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
 _MOST_STEPS = 1_000_000
 _MODE, _PIECE, _LOCAL, _LENGTH = (AT[name] for name in ("mode", "piece", "local", "length"))
-_REST, _X1, _V1_ERROR, _LATE = (AT[name] for name in ("local_rest", "x1", "v1_error", "late"))
+_REST, _X1, _ERROR, _LATE = (AT[name] for name in ("local_rest", "x1", "speed_error", "late"))
 
 
 @compilable
@@ -47,10 +47,11 @@ def ledger(problem: Problem, room: Room, rows: Any, count: int, end: Any, taken:
         for i in range(STATE):
             room.y[i] = row[_X1 + i]
         room.clock[0, 0], room.clock[0, 1] = row[_LOCAL], row[_REST]
-        h, left, N = problem.tables.h[kind, side], after[_LENGTH], max(row[_V1_ERROR], after[_V1_ERROR])
+        taken[6] += row[_LATE] * at_event(problem, room, piece, row[_ERROR] * problem.norm.root_m1)
+        h, left, N = problem.tables.h[kind, side], after[_LENGTH], after[_ERROR]
         while left > 0.0 and steps < _MOST_STEPS:
             s = min(1.0, left / h)
-            step(problem, room, (piece, mode), s, X, at_node, (N * problem.norm.root_m1, row[_LATE]), taken)
+            step(problem, room, (piece, mode), s, X, at_node, N * problem.norm.root_m1, taken)
             left -= s * h
             steps += 1
     if steps == _MOST_STEPS:
@@ -65,11 +66,11 @@ def step(
     s: float,
     X: Any,
     factors: Any,
-    off: tuple[float, float],
+    N: float,
     taken: Any,
 ) -> None:
-    """Add what is taken over a part of a step, and move the state to its end; `off`: N of the error, and lateness."""
-    tables, (piece, mode), (N, late) = problem.tables, here, off
+    """Add what is taken over a part of a step, and move the state to its end; N of the error."""
+    tables, (piece, mode) = problem.tables, here
     kind, side = problem.drive.places[piece, 0], 1 if mode == 0 else 0
     count, h, cut = tables.count[kind], tables.h[kind, side], parts(X.shape[1])
     form_z(problem, room, piece, mode, False)
@@ -91,10 +92,24 @@ def step(
                 taken[k] += weight * one * two
                 a, b = reach(problem.norm, tables.powers[kind, side, k, 0]), reach(problem.norm, tables.powers[kind, side, k, 1])
                 taken[6] += weight * (abs(one) * b * N + abs(two) * a * N + a * b * N * N + 64.0 * UNIT * abs(one * two))
-    taken[6] += 2.0 * late * abs(factors[4, 0] * factors[4, 1])
     put(room.clock[0], plus(begun, two_product(s, h)))
     for i in range(STATE):
         room.y[i], _ = value_slope(X[i], s)
+
+
+@compilable
+def at_event(problem: Problem, room: Room, piece: int, N: float) -> float:
+    """Return the greatest power of friction and belt in any mode where the room is: about an event it may be either."""
+    tables, kind, total = problem.tables, problem.drive.places[piece, 0], 0.0
+    form_z(problem, room, piece, 1, True)
+    for side in range(2):
+        for k in (0, 4):
+            power = 2.0
+            for i in range(2):
+                row = tables.powers[kind, side, k, i]
+                power *= abs(dot(row, room.z, tables.count[kind])) + reach(problem.norm, row) * N
+            total += power
+    return total
 
 
 @compilable

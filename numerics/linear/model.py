@@ -202,7 +202,7 @@ def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], ro
     powers[STICK, 4, 0] -= others[LOAD]
 
 
-@compilable
+@compilable_with(makes_arrays=True)
 def put_powers(bodies: Bodies, blocks: Any, omegas: Any, powers: Any) -> None:
     """Write what is the same in slip and stick: a1 (v1 - y')^2, u v1, f v2, and the speed of the wall."""
     powers[1, 1, V1] += 1

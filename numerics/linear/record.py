@@ -18,12 +18,11 @@ from numerics.arithmetic.compiled import compilable_with
 CODES = ("mode", "order", "event", "jump", "piece")
 """Floats: the mode that starts (-1, 0, +1: the sign of v1 - v2), how many derivatives of its guard vanish at its start,
 whether the mode changed, whether a piece begins here (the cause of an event is then a jump), which piece it is in."""
-NUMBERS = ("local", "local_rest", "length", "x1", "v1", "x2", "v2", "excess")
+NUMBERS = ("local", "local_rest", "length", "x1", "v1", "x2", "v2")
 """Numbers: the time since the piece began, what its rounding left out (for a run that starts again there), how long the
-segment before was (s), the state (m, m/s), and E/E_cr - 1 where an engine carries it as a variable of its own (nan:
-form it from the state)."""
-BOUNDS = ("late", "x1_error", "v1_error", "x2_error", "v2_error", "excess_error")
-"""Floats: bounds on the errors of the time (s), of the state (m, m/s) and of the excess."""
+segment before was (s), the state (m, m/s)."""
+BOUNDS = ("late", "x1_error", "v1_error", "x2_error", "v2_error", "speed_error")
+"""Floats: bounds on the errors of the time (s) and of the state (m, m/s); N of these over the root of m1 (m/s)."""
 COLUMNS = (*CODES, *NUMBERS, *BOUNDS)
 """The columns of a row."""
 END = ("how", "events", "certain", "friction", "viscous", "force", "force_2", "belt", "wall", "ledger_error")
@@ -38,12 +37,12 @@ UNKNOWN = -1
 
 
 _EVENT, _PIECE, _LOCAL = (AT[name] for name in ("event", "piece", "local"))
-_X1, _EXCESS, _FRICTION = (AT[name] for name in ("x1", "excess", "friction"))
+_X1, _FRICTION = AT["x1"], AT["friction"]
 _OF_DIMENSION = (
     (),
     ("local", "local_rest", "length", "late"),
     ("x1", "x2"),
-    ("v1", "v2"),
+    ("v1", "v2", "speed"),
     ("friction", "viscous", "force", "force_2", "belt", "wall", "ledger"),
 )
 _DIMENSION = {name: index for index, names in enumerate(_OF_DIMENSION) for name in names}
@@ -62,7 +61,7 @@ def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
     root, rest = np.ldexp(1.0, exponents // 2), np.ldexp(1.0, (exponents + 1) // 2)
     for table in (rows, end.reshape(1, -1)):
         for k in range(table.shape[1]):
-            one, two, may_miss = root[DIMENSION[k]], rest[DIMENSION[k]], k == _EXCESS or k >= _FRICTION
+            one, two, may_miss = root[DIMENSION[k]], rest[DIMENSION[k]], k >= _FRICTION
             for n in range(table.shape[0]):
                 number = table[n, k] * one * two
                 is_finite = is_finite and (math.isfinite(number) or (may_miss and math.isnan(number)))

@@ -239,12 +239,12 @@ def _piece(table: dict[str, Any]) -> Piece:
 
 def _friction_piece(table: dict[str, Any]) -> Any:
     """Return one piece of friction: its start and a constant b, or a Piece."""
-    if len(table) > 1 and "b" not in table:
+    if len(table) < 2:
+        raise InvalidScene("missing key b; give b, or polynomial and sines")
+    if "b" not in table:
         return _piece(table)
-    if len(table) != 2:
-        raise InvalidScene(
-            f"{'b stands alone' if len(table) > 2 else 'missing key b'}; give b, or polynomial and sines"
-        )
+    if len(table) > 2:
+        raise InvalidScene("b stands beside polynomial or sines; leave out either")
     return table["from"], table["b"]
 
 
@@ -277,25 +277,22 @@ def scene_text(scene: Scene | PlaneScene) -> str:
 
 def _lines(scene: Any) -> Iterator[str]:
     """Yield the lines; on a surface numbers are lists, and a piece of force has its axis."""
-    off_line = isinstance(scene, PlaneScene)
-    static = " b_static" if getattr(scene.pair, "b_static", None) is not None else ""
-    yield from _table("pair", scene.pair, f"m1 m2 a1 a2 b{static}")
-    if off_line:
-        yield f'shape = "{scene.pair.shape}"'
-    yield from _table("initial", scene if off_line else scene.initial, "x1 v1 x2 v2")
-    yield from _table("run", scene, "until")
-    if not off_line and scene.law is not Law.FILIPPOV:
-        yield f'law = "{scene.law.value}"'
-    if not off_line and scene.friction.weakening is not None:
-        yield from _table("weakening", scene.friction.weakening, "last_slope speed place")
-    if off_line:
+    if isinstance(scene, PlaneScene):
+        yield from (*_table("pair", scene.pair, "m1 m2 a1 a2 b"), f'shape = "{scene.pair.shape}"')
+        yield from (*_table("initial", scene, "x1 v1 x2 v2"), *_table("run", scene, "until"))
         for axis, force in zip(AXES, scene.force, strict=False):
             yield from _pieces("force", force.pieces, f'axis = "{axis}"')
         for start, b in scene.friction:
             yield from ("[[friction]]", f"from = {_text(start)}", f"b = {_text(b)}")
         return
+    yield from _table("pair", scene.pair, "m1 m2 a1 a2 b" + " b_static" * (scene.pair.b_static is not None))
+    yield from (*_table("initial", scene.initial, "x1 v1 x2 v2"), *_table("run", scene, "until"))
+    if scene.law is not Law.FILIPPOV:
+        yield f'law = "{scene.law.value}"'
+    if scene.friction.weakening is not None:
+        yield from _table("weakening", scene.friction.weakening, "last_slope speed place")
     for name, pieces in scene.pieces.items():
-        yield from _pieces(*(("force", pieces, "body = 2") if name == "force_2" else (name, pieces)))
+        yield from _pieces("force", pieces, "body = 2") if name == "force_2" else _pieces(name, pieces)
 
 
 def _table(name: str, of: Any, keys: str) -> Iterator[str]:
@@ -305,7 +302,11 @@ def _table(name: str, of: Any, keys: str) -> Iterator[str]:
 
 def _pieces(name: str, pieces: tuple[Piece, ...], *more: str) -> Iterator[str]:
     for piece in pieces:
-        yield from (f"[[{name}]]", *more, f"from = {_text(piece.start)}", f"polynomial = {_text(piece.polynomial)}")
+        yield from (f"[[{name}]]", *more, f"from = {_text(piece.start)}")
+        if name == "friction" and piece.constant is not None:
+            yield f"b = {_text(piece.constant)}"
+            continue
+        yield f"polynomial = {_text(piece.polynomial)}"
         sines = (
             f"{{ amplitude = {_text(s.amplitude)}, omega = {_text(s.omega)}, phase = {_text(s.phase)} }}"
             for s in piece.sines

@@ -223,7 +223,7 @@ class Scene(ShortRepr):
         first, given = self.belt.piece_at(Fraction(0)), self.initial
         velocity = sum(first.polynomial[:1], Fraction(0))
         is_exact = not any(one.phase for one in first.sines)
-        if given.v2 and not (is_exact and given.v2 == velocity):
+        if given.v2 not in (0, velocity if is_exact else 0):
             shown_as = short(velocity) if is_exact else f"{float(self.belt(0)):.6g}"
             raise InvalidScene(f"v2 = {short(given.v2)} is not the belt's velocity at 0, {shown_as}; leave v2 out")
         if is_exact and given.v2 != velocity:

@@ -194,11 +194,11 @@ class Batch(Ends):
     @cached_property
     def energy_excess(self) -> Floats:
         """Return E/E_cr - 1 at the end, of the pair's own b."""
-        (carried,), (x1, v1, _, v2) = self._end("excess"), self.y
+        x1, v1, _, v2 = self.y
         m1, m2, a2, b = (self._given(name) for name in SI[:4])
         with np.errstate(over="ignore", invalid="ignore"):
             energy = a2 * x1**2 / 2 + m1 * v1**2 / 2 + m2 * v2**2 / 2
-            return np.where(np.isnan(carried), energy / ((b * (m1 + m2) / m2) ** 2 / (2 * a2)) - 1, carried)
+            return energy / ((b * (m1 + m2) / m2) ** 2 / (2 * a2)) - 1
 
     @cached_property
     def energy_excess_error(self) -> Floats:

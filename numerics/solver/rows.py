@@ -103,7 +103,6 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
     """Return rows and the end of a run in balls as floats: the middles, and as bounds radii and rounding."""
     record, late, numbers = found.record, AT["late"], ("local", *STATE)
     table = np.zeros((len(record.rows) + 1, END_ROW))
-    table[:, [AT["excess"], AT["excess_error"]]] = np.nan
     with found.arithmetic.context():
         for row, knot in zip(table, (*record.rows, record.end), strict=True):
             row[: len(CODES)] = knot[: len(CODES)]

@@ -85,6 +85,7 @@ SENSELESS = {
     "v2 = 2 is not the belt's velocity at 0, 1;": lambda: Scene(GROUND, State(v2=2), 1, belt=PUSH),
     "v2 = 2 is not the belt's velocity at 0, 0;": lambda: Scene(GROUND, State(v2=2), 1),
     "at 0, 0.841471; leave v2 out": lambda: Scene(GROUND, State(v2=1), 1, belt=Signal.sine(1, 1, 1)),
+    "at 0, 1.84147; leave v2 out": lambda: Scene(GROUND, State(v2=1), 1, belt=PUSH + Signal.sine(1, 1, 1)),
     "a force on body 2 does not move it": lambda: Scene(GROUND, State(), 1, force_2=PUSH),
     "a belt moves a body 2 of any mass": lambda: Scene(PAIR, State(), 1, belt=PUSH),
     "must be at least b = 0 > 0": lambda: Pair(1, 1, 1, 0, b_static=1),
@@ -252,6 +253,15 @@ def test_samples_that_are_none_are_refused(t, u, said):
         Force.samples(t, u)
     with pytest.raises(InvalidScene, match="kind = 'cubic' is not one of linear, hold"):
         Force.samples([0], [1], "cubic")
+
+
+def test_a_constant_b_is_written_as_b():
+    text = scene_text(Scene(PAIR, State(), 5, friction=Friction([(1, 0), Piece(2, (1, 1)), (3, "0.25")])))
+    assert [line for line in text.splitlines()[12:] if line.startswith(("b", "poly"))] == [
+        "b = 0",
+        "polynomial = [1, 1]",
+        "b = 0.25",
+    ]
 
 
 def test_the_numbers_of_a_scene_have_names():
