@@ -13,7 +13,6 @@ from flint import acb, arb, arb_mat, arb_poly
 
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.arithmetic.questions import QUESTIONS
 from numerics.errors import EventUndecided
 
 BITS_PER_DIGIT = math.log2(10)
@@ -21,19 +20,12 @@ GUARD_BITS = 8
 _RADIUS_BITS = 30
 EXACT = 10**9
 """Stands for "all digits": the number is exact."""
-atan2, sine_cosine, finite = arb.atan2, arb.sin_cos, arb.is_finite
-resolved = finite
-"""Of every finite angle: a phase that is lost shows in the radius."""
+atan2, sine_cosine, midpoint = arb.atan2, arb.sin_cos, arb.mid
 
 
 def working_digits() -> int:
     """Return the decimal digits of flint's present precision."""
     return math.floor((flint.ctx.prec - GUARD_BITS) / BITS_PER_DIGIT)
-
-
-def like(x: arb, value: float) -> arb:  # noqa: ARG001
-    """Return a float, exactly, as a ball."""
-    return arb(value)
 
 
 def as_float(x: arb) -> float:
@@ -104,6 +96,10 @@ def magnitude_bits(x: arb) -> int:
     return int(abs(mantissa)).bit_length() + int(exponent)
 
 
+def require_phase(angle: arb) -> None:
+    """Do nothing: a phase that is lost shows in the radius."""
+
+
 def proved_sign(x: arb, question: str) -> int:
     """Return the sign of x, 0 only for the exact zero; raises EventUndecided(question) if x straddles it."""
     if x.is_finite():
@@ -116,9 +112,7 @@ def proved_sign(x: arb, question: str) -> int:
     raise undecided(question, x)
 
 
-def sign(x: arb, question: int) -> int:
-    """Return the proved sign of x; raises EventUndecided."""
-    return proved_sign(x, QUESTIONS[question])
+sign = proved_sign
 
 
 def undecided(question: str, found: arb | str) -> EventUndecided:
@@ -126,13 +120,13 @@ def undecided(question: str, found: arb | str) -> EventUndecided:
     return EventUndecided(question, found if isinstance(found, str) else str(found.str(6)), working_digits())
 
 
-def ceiling(x: arb, question: int) -> int:
+def ceiling(x: arb, question: str) -> int:
     """Return the least whole number >= every point of x, 0 for x <= 0; raises EventUndecided if they do not agree."""
     if x <= 0:
         return 0
     value = x.ceil().unique_fmpz() if x.is_finite() else None
     if value is None:
-        raise undecided(QUESTIONS[question], x)
+        raise undecided(question, x)
     return max(0, int(value))
 
 
@@ -190,11 +184,6 @@ copyreg.pickle(arb_mat, lambda x: (arb_mat, (x.tolist(),)))
 def widened(x: arb, by: arb) -> arb:
     """Return a ball that holds all points within `by` of those of x."""
     return x + arb(0, by.abs_upper())
-
-
-def clock(total: arb, rest: arb, term: arb) -> tuple[arb, arb]:
-    """Return the sum; its rounding is small enough."""
-    return total + term, rest
 
 
 class Ball(Arithmetic):

@@ -1,4 +1,4 @@
-"""IEEE binary64, seen from Python: how its numbers are read and written. Its functions: elementary.py."""
+"""IEEE binary64, seen from Python: how its numbers are read and written."""
 
 from __future__ import annotations
 
@@ -6,18 +6,16 @@ import math
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
 
-from numerics.arithmetic.elementary import as_float
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import OutOfRange
 from numerics.scene.decimals import short
 
 
 class Float64(Arithmetic):
-    """Python floats: the fast arithmetic. Approximate, each function to a few units in the last place (ulp)."""
+    """Python floats: the fast arithmetic. What runs in it says by how much it may be off."""
 
     name = "float64"
     digits = 15
-    to_float = staticmethod(as_float)
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that does nothing: binary64 needs none."""
@@ -33,6 +31,10 @@ class Float64(Arithmetic):
         if math.isinf(number) or (number == 0 and value != 0):
             raise OutOfRange.of(f"a number, {short(Fraction(value))},", "float64")
         return number
+
+    def to_float(self, x: float) -> float:
+        """Return x."""
+        return x
 
     def text(self, x: float, digits: int = 6) -> str:
         """Return x with `digits` significant digits."""

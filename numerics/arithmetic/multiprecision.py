@@ -12,13 +12,14 @@ from mpmath.libmp import dps_to_prec
 
 from numerics.arithmetic.precision import mpmath_precision
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.errors import OutOfRange
 
 sqrt, atan2 = mpmath.sqrt, mpmath.atan2
 
 
-def like(x: Number, value: float) -> Number:  # noqa: ARG001
-    """Return a float, exactly, as a number of mpmath."""
-    return mpmath.mpf(value)
+def midpoint(x: Number) -> Number:
+    """Return x."""
+    return x
 
 
 def as_float(x: Number) -> float:
@@ -55,34 +56,28 @@ def _precisely(function: Callable[[], Number], x: Any) -> Number:
     return +value
 
 
-def sign(x: Number, question: int) -> int:  # noqa: ARG001
+def sign(x: Number, question: str) -> int:  # noqa: ARG001
     """Return the sign of x; 0 for nan."""
     return (x > 0) - (x < 0)
 
 
-def ceiling(x: Number, question: int) -> int:  # noqa: ARG001
+def ceiling(x: Number, question: str) -> int:  # noqa: ARG001
     """Return the least whole number >= x, 0 for x <= 0."""
     return int(mpmath.ceil(x)) if x > 0 else 0
 
 
-def finite(x: Number) -> bool:
-    """Return whether x is a number."""
-    return bool(mpmath.isfinite(x))
-
-
-def resolved(angle: Number) -> bool:
-    """Return whether the digits keep the phase of an angle > 0."""
-    return bool(0 < angle <= mpmath.mpf(10) ** (mpmath.mp.dps - 3))
+def require_phase(angle: Number) -> None:
+    """Raise OutOfRange if the digits do not keep the phase of an angle > 0."""
+    if not 0 < angle <= mpmath.mpf(10) ** (mpmath.mp.dps - 3):
+        raise OutOfRange(
+            f"one slip of this scene turns through an angle that {mpmath.mp.dps} digits of mpmath do not resolve; "
+            'use arithmetic="ball"'
+        )
 
 
 def tolerance(x: Number) -> Number:  # noqa: ARG001
     """Return the relative step at which a search ends."""
     return mpmath.ldexp(1, 1 - mpmath.mp.prec)
-
-
-def clock(total: Number, rest: Number, term: Number) -> tuple[Number, Number]:
-    """Return the sum; its rounding is small enough."""
-    return total + term, rest
 
 
 class Multiprecision(Arithmetic):

@@ -260,7 +260,7 @@ def _last_in(apart: _Apart, length: arb) -> arb | None:
         if right > 0:
             raise undecided("is the motion inside the ring here?", right)
         if rate < 0 and left > 0:
-            return falling_root(low, high, lambda _, t: over(t), None)
+            return falling_root(low, high, over)
         if not (rate < 0 or rate > 0) or left.contains(0):
             if high - low < smallest:
                 raise undecided("does the motion touch the ring?", part)

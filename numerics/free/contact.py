@@ -9,43 +9,36 @@ c(theta) = 2 - theta cot(theta/2), the slip ends at the one angle in (0, 2 pi) w
 The left side falls strictly from +infinity (or u > 0, if d = 0) to -infinity: there is one root and it is the first.
 Close to a full turn (u > 1) the angle that is missing to 2 pi is the variable, which theta would round away.
 
-Halley's method, which triples the right digits with each step, finds the root in binary64 and mpmath, from a guess.
-Balls take steps up to half of the bits asked for, the
-precision tripled with each; there the function is evaluated once at full precision, at the price of one sine-cosine,
-and one interval Newton step encloses the root: its slope need only be known to half of the bits. The inclusion proves
-the root; that it is the only one in (0, 2 pi), hence the first, is a theorem.
+Halley's method, which triples the right digits with each step, finds the root among points from a guess. Balls take
+steps up to half of the bits asked for, the precision tripled with each; there the function is evaluated once at full
+precision, at the price of one sine-cosine, and one interval Newton step encloses the root: its slope need only be known
+to half of the bits. The inclusion proves the root; that it is the only one in (0, 2 pi), hence the first, is a theorem.
 """
 
 from __future__ import annotations
 
-import math
-from contextlib import suppress
 from typing import NamedTuple
 
 from flint import arb, ctx
-from mpmath import mpf
 
 from numerics.arithmetic.ball import undecided, widened
-from numerics.arithmetic.compiled import by_type, compilable
 from numerics.arithmetic.functions import (
     as_float,
     depth_and_cotangent,
-    like,
+    midpoint,
     sine_cosine,
     sqrt,
     tolerance,
     two_pi,
     versine,
 )
-from numerics.arithmetic.precision import mpmath_precision, precision
+from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Number
 
 _STEPS = 40
-_INVERSE_RISE = (0.0065409791, -0.030933036, 0.070592857, -0.11482952, 0.17257569, -0.29994229, 0.99999944)
-"""theta/(3 u) as a polynomial in u^2 where h(theta) = u <= 1, fitted to 6e-7: the guess on an exit ray."""
-_SEED_BITS = 44
-_SMALLEST_SEED = 1e-90
-"""Of a smaller angle, or one next to so large a push, binary64 has no powers."""
+_SEARCH_BITS = 64
+"""Precision of the search from the guess; Halley's last step leaves more right bits than those below."""
+_RIGHT_BITS = 38
 _SPARE_BITS = 12
 _NARROW_BITS = 20
 
@@ -63,13 +56,11 @@ class ContactPoint(NamedTuple):
     steepness: Number
 
 
-@compilable
 def is_late(push: Number) -> bool:
     """Return whether the variable is what is missing to a full turn."""
-    return as_float(push) > 1.0
+    return bool(midpoint(push) > 1)
 
 
-@compilable
 def point_at(gap: Number, push: Number, x: Number) -> ContactPoint:
     """Return the equation at an angle, or at what is missing to a full turn; from one sine and cosine."""
     if is_late(push):
@@ -85,7 +76,6 @@ def point_at(gap: Number, push: Number, x: Number) -> ContactPoint:
     return ContactPoint(gap, theta, depth, cotangent, rise, reciprocal, value, (gap + depth) * reciprocal)
 
 
-@compilable
 def halley_shift(at: ContactPoint) -> Number:
     """Return the step of Halley's method, in theta, from a point next to the root."""
     shift = at.value / at.steepness
@@ -93,21 +83,12 @@ def halley_shift(at: ContactPoint) -> Number:
     return shift + shift * shift * (bend / at.steepness) / 2
 
 
-@compilable
 def _guess(gap: Number, push: Number) -> Number:
-    """Return x next to the root: that of (1/3 + d/6) theta^2 - u theta - 2 d, for d = 0 by a fit that saves a step.
-
-    For push > 1 it is that of u x^2/2 - d x - 2 pi.
-    """
+    """Return x next to the root: that of (1/3 + d/6) theta^2 - u theta - 2 d; for push > 1 of u x^2/2 - d x - 2 pi."""
     half_turn = two_pi(gap) / 2
     if is_late(push):
         x = (gap + sqrt(gap * gap + 4 * half_turn * push)) / push
         return x if as_float(x) < 4.7 else 3 * half_turn / 4
-    if as_float(gap) == 0.0:
-        ratio = 0 * push
-        for coefficient in _INVERSE_RISE:
-            ratio = ratio * (push * push) + coefficient
-        return 3 * push * ratio
     third = (2 + gap) / 3  # twice the coefficient of the square
     b, c = push / third, 4 * gap / third
     root = sqrt(b * b + c)
@@ -116,76 +97,47 @@ def _guess(gap: Number, push: Number) -> Number:
     return x / (1 + square * (1 / 30 - square / 970))
 
 
-@compilable
-def _found(gap: Number, push: Number) -> tuple[Number, ContactPoint]:
-    """Return the root and a point that is one step from there, nan beyond the range of numbers; points alone.
+def _searched(gap: Number, push: Number) -> tuple[Number, ContactPoint]:
+    """Return the root among points, and the equation one step from there.
 
     The steps of Halley's method shrink cubically: after one that is below the cube root of the last bit the error is
-    below that. From this guess four have always been enough in binary64: of six million arguments of every size and
-    sign none took more, or a step that left the range.
+    below that.
     """
-    x, small, way = _guess(gap, push), tolerance(gap) ** 0.34, -1 if is_late(push) else 1
+    x, small, way = midpoint(_guess(gap, push)), midpoint(tolerance(gap) ** 0.34), -1 if is_late(push) else 1
     for _ in range(_STEPS):
         at = point_at(gap, push, x)
-        shift = halley_shift(at)
-        x = x + way * shift
+        shift = midpoint(halley_shift(at))
+        x = midpoint(x + way * shift)
         if abs(shift) <= small * x:
             return x, at
-    x = like(gap, math.nan)
-    return x, point_at(gap, push, x)
+    raise undecided("where does a slip from the switching surface end?", str(x))
 
 
-@compilable
-def _one_step_on(at: ContactPoint) -> tuple[Number, Number, Number]:
-    """Return theta, c and 1 - cos at the root next to a point: c' = h, h' = 1 - h k."""
-    shift = halley_shift(at)
+def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
+    """Return theta, c(theta) and 1 - cos theta at the end of a slip from S with gap d >= 0 and push u (> 0 if d = 0).
+
+    Each is accurate relative to itself; in mpmath 1 - cos theta has few digits. Raises EventUndecided.
+    """
+    if type(gap) is arb:
+        return _enclosed(gap, push)
+    at = _searched(gap, push)[1]
+    shift = halley_shift(at)  # c' = h, h' = 1 - h k
     grown = shift * at.rise + shift * shift * (1 - at.rise * at.cotangent) / 2
     return at.theta + shift, at.depth + grown, (1 + at.cotangent * shift) / at.reciprocal
 
 
-@compilable
-def _contact_of_points(gap: Number, push: Number) -> tuple[Number, Number, Number]:
-    return _one_step_on(_found(gap, push)[1])
+def ray_contact(w: Number, push: Number, q: Number, r: Number) -> tuple[Number, Number, Number]:
+    """Return theta, depth and the excess after it of a slip from an exit ray with excess w = q u^2.
 
-
-@by_type(_contact_of_points)
-def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
-    """Return theta, c(theta) and 1 - cos theta at the end of a slip from S with gap d >= 0 and push u (> 0 if d = 0).
-
-    Each is accurate relative to itself; in points 1 - cos theta serves the error bounds only and has few digits. Raises
-    EventUndecided in balls.
-    """
-    if type(gap) is not arb:
-        return _contact_of_points(gap, push)
-    found = enclosed_contact(gap, push)
-    if found is None:
-        raise undecided("existence of a contact next to its approximation", push)
-    return found
-
-
-@compilable
-def _ray_contact_of_points(w: Number, push: Number, q: Number, r: Number, _: Number) -> tuple[Number, ...]:
-    theta, depth, drop = contact(like(w, 0.0), push)
-    return theta, depth, w - r * q * depth * depth, drop
-
-
-@by_type(_ray_contact_of_points)
-def ray_contact(w: Number, push: Number, q: Number, r: Number, sqrt_q: Number) -> tuple[Number, ...]:
-    """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w = q u^2."""
-    if type(w) is not arb:
-        return _ray_contact_of_points(w, push, q, r, sqrt_q)
-    return _enclosed_ray_contact(w, q, r, sqrt_q)
-
-
-def _enclosed_ray_contact(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, arb, arb]:
-    """Return the same in balls.
-
-    The contact is located at the centre of w; along w, theta/u falls (h is convex), c' = h and
+    In balls the contact is located at the centre of w; along w, theta/u falls (h is convex), c' = h and
     dw'/dw = 1 - r (1 - cos theta), which lies in (-1, 1): so enclosures of w do not grow from one excursion to the
     next, however many there are.
     """
+    if type(w) is not arb:
+        theta, depth, _ = contact(w * 0, push)
+        return theta, depth, w - r * q * depth * depth
     centre = w.mid()
-    push = sqrt(centre) / sqrt_q
+    push = sqrt(centre) / sqrt(q)
     theta_there, depth_there, versine_there = contact(arb(0), push)
     stretch = sqrt(w / centre)
     theta = theta_there * stretch
@@ -193,50 +145,43 @@ def _enclosed_ray_contact(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb
     # 1 - cos changes by less than |theta - theta at the centre|; 3 makes the ball cover both signs of that difference,
     # of which it lacks a part, as sqrt bends: sqrt 2 - 1 > 1/3
     slope = 1 - r * (versine_there + 3 * (theta - theta_there))
-    return theta, depth, (centre - r * q * depth_there * depth_there) + (w - centre) * slope, versine_there
+    return theta, depth, (centre - r * q * depth_there * depth_there) + (w - centre) * slope
 
 
-def enclosed_contact(gap: arb, push: arb) -> tuple[arb, arb, arb] | None:
-    """Return the contact in balls, proved next to that of points for the midpoints; None if it fails."""
-    if not (gap.mid() >= 0 and gap.is_finite() and push.is_finite() and (gap.mid() > 0 or push.mid() > 0)):
-        return None
-    bits, way, right = ctx.prec, -1 if is_late(push) else 1, _SEED_BITS
-    half, x = bits // 2 + _SPARE_BITS, _seed(gap, push)
-    while right < half:
-        right = min(3 * right - 4, half)
-        with precision(right + _SPARE_BITS):
-            x = (x + way * halley_shift(point_at(gap, push, x))).mid()
-    with precision(bits + _SPARE_BITS):
-        at = point_at(gap, push, x)
-        # a first guess of the distance: half the bits are right, more where the inputs are wide
-        width = (2 * abs(at.value / at.steepness)).upper() + x * arb(2) ** -(bits + _SPARE_BITS)
-        for _ in range(3):
-            region = arb(x, width.upper())
-            if not (region > 0 and region < 2 * arb.pi()):
-                return None
-            with precision(half + _SPARE_BITS):
-                steepness, bend = _over(at, push, region)
-            shift = at.value / steepness
-            if steepness > 0 and region.contains_interior(x + way * shift):
-                square = shift * shift / 2
-                depth = at.depth + at.rise * shift + bend * square
-                return at.theta + shift, depth, widened((1 + at.cotangent * shift) / at.reciprocal, square)
-            width = 4 * width
+def _enclosed(gap: arb, push: arb) -> tuple[arb, arb, arb]:
+    """Return the contact in balls, proved next to that of the midpoints. Raises EventUndecided."""
+    centre, way, half = (gap.mid(), push.mid()), -1 if is_late(push) else 1, ctx.prec // 2 + _SPARE_BITS
+    if centre[0] >= 0 and gap.is_finite() and push.is_finite() and (centre[0] > 0 or centre[1] > 0):
+        with precision(_SEARCH_BITS):
+            x, right = _searched(*centre)[0], _RIGHT_BITS
+        while right < half:
+            right = min(3 * right - 4, half)
+            with precision(right + _SPARE_BITS):
+                x = (x + way * halley_shift(point_at(gap, push, x))).mid()
+        with precision(ctx.prec + _SPARE_BITS):
+            found = _proved(point_at(gap, push, x), push, x, half + _SPARE_BITS)
+        if found is not None:
+            return found
+    raise undecided("existence of a contact next to its approximation", push)
+
+
+def _proved(at: ContactPoint, push: arb, x: arb, few: int) -> tuple[arb, arb, arb] | None:
+    """Return the contact by one interval Newton step from a point, its slope from a `few` bits; None if it fails."""
+    # a first guess of the distance: half the bits are right, more where the inputs are wide
+    width = (2 * abs(at.value / at.steepness)).upper() + x * arb(2) ** -ctx.prec
+    for _ in range(3):
+        region = arb(x, width.upper())
+        if not (region > 0 and region < 2 * arb.pi()):
+            return None
+        with precision(few):
+            steepness, bend = _over(at, push, region)
+        shift = at.value / steepness
+        if steepness > 0 and region.contains_interior(x - shift if is_late(push) else x + shift):
+            square = shift * shift / 2
+            depth = at.depth + at.rise * shift + bend * square
+            return at.theta + shift, depth, widened((1 + at.cotangent * shift) / at.reciprocal, square)
+        width = 4 * width
     return None
-
-
-def _seed(gap: arb, push: arb) -> arb:
-    """Return the root of the midpoints to the bits of binary64, by mpmath where its range does not do."""
-    d, u = as_float(gap), as_float(push)
-    if max(d, abs(u)) < 1 / _SMALLEST_SEED:
-        with suppress(ArithmeticError):
-            near = _found(d, u)[0]
-            if near > _SMALLEST_SEED:
-                return arb(near)
-    with mpmath_precision(53):
-        near = _found(*(mpf(tuple(map(int, one.mid().man_exp()))) for one in (gap, push)))[0]
-        mantissa, exponent = near.man_exp
-        return arb(int(mantissa)) * arb(2) ** int(exponent)
 
 
 def _over(at: ContactPoint, push: arb, region: arb) -> tuple[arb, arb]:

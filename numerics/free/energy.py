@@ -21,13 +21,11 @@ from numerics.arithmetic.ball import Ball, proved_sign, undecided
 from numerics.arithmetic.protocol import Number
 from numerics.errors import InvalidScene, OutOfRange
 from numerics.free.abel import AbelFunctions, abel_functions, reach_of
-from numerics.free.engine import begin_exactly
-from numerics.free.excursions import motions
-from numerics.free.frame import Frame, ReducedState, in_si
-from numerics.free.motion import RAY, STICK, MotionState, mode_of, on_ray, state_at
+from numerics.free.frame import RAY, STICK, Frame, ReducedState, begin
+from numerics.free.motion import mode_of, motions, on_ray, state_at
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import How
-from numerics.scene import Scene
+from numerics.scene import Law, Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
 
 MAX_STEPS = 200_000
@@ -58,7 +56,7 @@ class EnergyAt:
     energy_excess: Number
     excursions: int
     mode: Mode
-    state: ReducedState | MotionState
+    state: ReducedState
     road: EnergyMethod
     stepped: int
 
@@ -66,7 +64,7 @@ class EnergyAt:
     def si_state(self) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) in m and m/s."""
         with self.frame.arithmetic.context():
-            return in_si(self.frame.units, self.state)
+            return self.frame.in_si(self.state)
 
 
 def energy_at(
@@ -107,8 +105,8 @@ def _damped(scene: Scene, at: Fraction, arithmetic: Ball, _: int, max_steps: int
 
 def _free(scene: Scene, at: Fraction, arithmetic: Ball, digits: int, max_steps: int) -> tuple[Any, ...]:
     """Return the answer for the free pair: by events, then by the return map, for so many right digits."""
-    begun, _ = begin_exactly(scene, arithmetic)
-    frame, walk = Frame(arithmetic, scene.pair), motions(arithmetic, begun.at, begun.start)
+    frame, literal = Frame(arithmetic, scene.pair), scene.law is Law.THREE_VALUED_SGN
+    walk = motions(frame, begin(scene, frame), literal)
     target, excursions, stepped, road = frame.rate * arithmetic.number(at), 0, 0, EnergyMethod.STEPPED
     while True:
         start, duration = next(walk)
@@ -124,15 +122,15 @@ def _free(scene: Scene, at: Fraction, arithmetic: Ball, digits: int, max_steps: 
             if abel is not None:
                 count, y, elapsed = _exit_before(abel, y, left)
                 side = start.side if count % 2 == 0 else -start.side
-                ray = on_ray(begun.at, side, arb(0), y * frame.q, start.tau + elapsed, arb(0), arb(0))
-                road, excursions, walk = EnergyMethod.ABEL, excursions + count, motions(arithmetic, begun.at, ray)
+                ray = on_ray(frame, side, arb(0), y * frame.q, start.tau + elapsed)
+                road, excursions, walk = EnergyMethod.ABEL, excursions + count, motions(frame, ray)
                 continue
             _refuse_countless(arithmetic.to_float(y), half_turns, 1 - scene.pair.share, digits, max_steps - stepped)
         if stepped == max_steps:
             raise OutOfRange(f"more than {max_steps} events before the return map takes over; raise max_steps")
         excursions += start.kind == STICK
         stepped += road is EnergyMethod.STEPPED
-    state, mode = state_at(begun.at, start, left), MODES[mode_of(start)]
+    state, mode = state_at(frame, start, left), MODES[mode_of(start)]
     energy = frame.critical_energy * (1 + state.w)  # w is the accurate one
     return frame, energy, state.w, excursions, mode, state, road, stepped
 

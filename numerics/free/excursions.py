@@ -1,4 +1,4 @@
-"""One motion after the other, in plain Python: runs in mpmath and balls, and the excursions from ray to ray.
+"""The excursions of a free pair from exit ray to exit ray.
 
 On an exit ray the state is one number, w = E/E_cr - 1 > 0. The slip ends at the angle theta with h(theta) = sqrt(w/q);
 then w drops by 2 r q K(theta), and the pair sticks until it reaches a ray again.
@@ -9,41 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from numerics.arithmetic.functions import clock, finite
-from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.arithmetic.questions import QUESTIONS, SIDE_OF_ZERO
-from numerics.errors import EventUndecided, OutOfRange
-from numerics.free.frame import Frame
-from numerics.free.motion import OUT_OF_RANGE, RAY, STICK, STUCK, Parameters, next_event, on_ray, resolve
-from numerics.free.slip import Start
-
-
-def motions(arithmetic: Arithmetic, at: Parameters, start: Start) -> Iterator[tuple[Start, Number | None]]:
-    """Yield each motion's start and its reduced time to the next event, None for a stick that lasts for ever: the last.
-
-    Inside the arithmetic's context. Raises EventUndecided and OutOfRange, each for what is asked.
-    """
-    while True:
-        how, duration, end = next_event(at, start)
-        if how == STUCK:
-            yield start, None
-            return
-        if how == OUT_OF_RANGE:
-            raise left_range(arithmetic)
-        yield start, duration
-        start = resolve(at, start, end, *clock(start.tau, start.rest, duration))
-        if not finite(start.w):
-            raise left_range(arithmetic)
-
-
-def left_range(arithmetic: Arithmetic) -> Exception:
-    """Return what says that a number left the range, or that balls know nothing of one any more."""
-    if arithmetic.name == "ball":
-        return EventUndecided(QUESTIONS[SIDE_OF_ZERO], "a number that is not finite", arithmetic.digits)
-    return OutOfRange(
-        f"a number of this scene left the range of {arithmetic.name} on the way, or one slip turns through an angle "
-        f'that {arithmetic.digits} digits do not resolve; use arithmetic="ball"'
-    )
+from numerics.arithmetic.protocol import Number
+from numerics.free.frame import RAY, STICK, Frame
+from numerics.free.motion import motions, on_ray
 
 
 class Excursion(NamedTuple):
@@ -65,12 +33,12 @@ def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
     Crossings of S outside S0 belong to the excursion in which they happen. Raises EventUndecided, OutOfRange. Call it
     inside the arithmetic's context.
     """
-    zero, at = frame.arithmetic.number(0), frame.parameters
-    ray, slip = on_ray(at, float(side), zero, w, zero, zero, zero), zero
-    for start, duration in motions(frame.arithmetic, at, ray):
+    zero = frame.arithmetic.number(0)
+    ray, slip = on_ray(frame, side, zero, w, zero), zero
+    for start, duration in motions(frame, ray):
         if start.kind == RAY:
             ray, slip = start, zero
         if start.kind != STICK:
             slip = slip + duration
         else:
-            yield Excursion(ray.w, int(ray.side), slip, start.w, duration)
+            yield Excursion(ray.w, ray.side, slip, start.w, duration)

@@ -7,135 +7,21 @@ X = x1/L, V_i = v_i/(L Omega), Z = (x1 - x2)/L, tau = Omega t, w = E/E_cr - 1 (a
     slip, sign s     q V1' = -(X + 2 zeta V1 + r s),   V2' = s
     energy           E/E_cr = X^2 + q V1^2 + r V2^2,   w' = -2 r |V1 - V2| - 4 zeta V1^2
 
-The SI numbers of a start are exact rationals, or binary64 numbers in compiled code. What a run needs of them is formed
-in their own arithmetic and converted once, by the function `narrow`. From rationals every sign is exact and every
-number rounded once. From binary64 numbers a difference is off by roundings of its terms (bounds.initial), and
-`is_known` says whether all signs are certain and every difference keeps most of its digits; else convert exactly.
+What a run needs of the exact rationals of a scene is formed among them and converted once.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from fractions import Fraction
 from typing import Any, NamedTuple
 
-from flint import fmpq
-
-from numerics.arithmetic.compiled import compilable
-from numerics.arithmetic.functions import like, signed, sqrt
+from numerics.arithmetic.functions import sqrt
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.free.motion import FREE, STICK, SURFACE, Parameters
+from numerics.errors import NoForceHere
 from numerics.free.slip import Start
-from numerics.scene import Pair
+from numerics.scene import Law, Pair, Scene
 
-Given = Any
-"""fmpq, or float in compiled code."""
-Narrow = Callable[[Given], Number]
-_SURE = 2.0**-6
-"""A difference smaller than this, relative to its terms, is left to exact arithmetic."""
-
-
-def as_fmpq(x: Fraction) -> fmpq:
-    """Return a rational as one of flint, which calculates several times as fast."""
-    return fmpq(x.numerator, x.denominator)
-
-
-def narrowing(arithmetic: Arithmetic) -> Narrow:
-    """Return what turns rationals of flint into numbers of an arithmetic."""
-    return lambda x: arithmetic.number(Fraction(int(x.p), int(x.q)))
-
-
-class FrameUnits(NamedTuple):
-    """What one unit of the reduced numbers is: L in m, Omega in 1/s, E_cr in J."""
-
-    length: Number
-    rate: Number
-    energy: Number
-
-
-@compilable
-def in_si(units: FrameUnits, at: Any) -> tuple[Number, Number, Number, Number]:
-    """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
-    speed = units.length * units.rate
-    return units.length * at.X, speed * at.V1, units.length * (at.X - at.Z), speed * at.V2
-
-
-class Begun(NamedTuple):
-    """How a scene begins: reduced parameters, first motion, velocities, horizon, units."""
-
-    at: Parameters
-    start: Start
-    V1: Number
-    V2: Number
-    horizon: Number
-    units: FrameUnits
-
-
-@compilable
-def _sign(x: Given) -> int:
-    zero = x - x
-    return (x > zero) - (x < zero)
-
-
-@compilable
-def constants(
-    m1: Given, m2: Given, a2: Given, b: Given, literal: bool, narrow: Narrow, unit: float
-) -> tuple[Parameters, FrameUnits]:
-    """Return the reduced parameters and the units of a pair; `unit` is the rounding of one operation."""
-    mass, stiff = m1 + m2, a2 * m2
-    q, edge = narrow(m1 / mass), mass * b
-    units = FrameUnits(narrow(edge / stiff), sqrt(narrow(a2 / mass)), narrow(edge * edge / (2 * (stiff * m2))))
-    return Parameters(q, narrow(m2 / mass), sqrt(q), literal, unit), units
-
-
-@compilable
-def begin(given: tuple[Given, ...], literal: bool, narrow: Narrow, unit: float) -> Begun:
-    """Return how a scene with a1 = 0 begins, given m1, m2, a2, b, x1, v1, x2, v2 and until in SI units.
-
-    Which mode begins is the rule of linear/modes.py.
-    """
-    m1, m2, a2, b, x1, v1, x2, v2, until = given
-    at, units = constants(m1, m2, a2, b, literal, narrow, unit)
-    mass = m1 + m2
-    length, squared, q, r = mass * b / (a2 * m2), a2 / mass, m1 / mass, m2 / mass
-    x, apart = x1 / length, (v1 - v2) / length
-    v1, v2 = v1 / length, v2 / length  # V_i Omega
-    X, V1, V2 = narrow(x), narrow(v1) / units.rate, narrow(v2) / units.rate
-    Z, w = narrow((x1 - x2) / length), narrow(x * x + (q * v1 * v1 + r * v2 * v2) / squared - 1)
-    horizon, zero = units.rate * narrow(until), like(X, 0.0)
-    mode, near = _sign(apart), 1 if _sign(x) >= 0 else -1
-    on_surface, outside = mode == 0, _sign(near * x - 1)
-    # on the edge the pair leaves by the side to which it moves
-    if on_surface and not literal and (outside > 0 or (outside == 0 and near * _sign(v1) > 0)):
-        mode = -near
-    way = -mode if mode != 0 else near
-    beyond, side = way * x - 1, float(way)
-    if mode == 0:
-        start = Start(STICK, side, X, zero, narrow(beyond), V1, zero, True, Z, w, zero, zero, zero)
-        return Begun(at, start, V1, V2, horizon, units)
-    gap = beyond / q
-    turning = gap * (2 + gap) + v1 * v1 / (squared * q)
-    guard = narrow(-way * apart) / units.rate / at.sqrt_q
-    push = signed(side, V1) / at.sqrt_q
-    driven = push if on_surface else signed(side, V2) / at.sqrt_q
-    kind = SURFACE if on_surface else FREE
-    start = Start(kind, side, X, guard, narrow(gap), push, driven, _sign(turning) > 0, Z, w, zero, zero, zero)
-    return Begun(at, start, V1, V2, horizon, units)
-
-
-@compilable
-def is_known(begun: Begun) -> bool:
-    """Return whether a start formed in binary64 has the signs of the exact one, and digits in all differences."""
-    start, q, size = begun.start, begun.at.q, 1.0 + abs(begun.start.X)
-    known = math.isfinite(start.w + begun.horizon) and abs(start.w) > _SURE * (1.0 + abs(1.0 + start.w))
-    if start.kind == STICK:
-        return known and abs(start.gap) > _SURE * size
-    if start.kind == SURFACE:
-        return known and q * abs(start.gap) > _SURE * size
-    square, gap = start.push * start.push, abs(start.gap)
-    turning = start.gap * (2.0 + start.gap) + square
-    return known and abs(turning) > _SURE * (square + (2.0 + gap) * (gap + size / q))
+STICK, RAY, SURFACE, FREE = 0, 1, 2, 3
+"""Kinds of motion: stick; slips from an exit ray, from elsewhere on the switching surface, from off it."""
 
 
 class ReducedState(NamedTuple):
@@ -157,13 +43,12 @@ class Frame:
 
     def __init__(self, arithmetic: Arithmetic, pair: Pair) -> None:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
-        self.arithmetic, narrow = arithmetic, narrowing(arithmetic)
-        m1, m2, a2, b = map(as_fmpq, (pair.m1, pair.m2, pair.a2, pair.b))
-        self.parameters, self.units = constants(m1, m2, a2, b, False, narrow, 0.0)
-        self.q, self.r, self.sqrt_q, *_ = self.parameters
-        self.length, self.rate, self.critical_energy = self.units
+        number = arithmetic.number
+        self.arithmetic, self.q, self.r = arithmetic, number(pair.share), number(1 - pair.share)
+        self.length, self.critical_energy = number(pair.half_width), number(pair.critical_energy)
+        self.rate, self.sqrt_q = sqrt(number(pair.a2 / pair.mass)), sqrt(self.q)
         self.speed = self.length * self.rate
-        self.two_zeta = arithmetic.number(pair.a1 / pair.mass) / self.rate
+        self.two_zeta = number(pair.a1 / pair.mass) / self.rate
 
     def reduced(self, y: Any, excess: Number | None = None) -> ReducedState:
         """Return (x1, v1, x2, v2) in reduced coordinates; without an excess, w is formed from the state."""
@@ -172,7 +57,12 @@ class Frame:
         w = self.energy_ratio(X, V1, V2) - 1 if excess is None else excess
         return ReducedState(X, V1, V2, (x1 - x2) / self.length, w)
 
-    def energy(self, state: Any) -> Number:
+    def in_si(self, state: ReducedState) -> tuple[Number, Number, Number, Number]:
+        """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
+        X, V1, V2, Z, _ = state
+        return self.length * X, self.speed * V1, self.length * (X - Z), self.speed * V2
+
+    def energy(self, state: ReducedState) -> Number:
         """Return E in J, formed from the state."""
         return self.critical_energy * self.energy_ratio(state.X, state.V1, state.V2)
 
@@ -182,3 +72,39 @@ class Frame:
         Each term is > 0 and has 2 u or less, u = 2^-53, the first sum adds 1 u and the second 0.5 ulp.
         """
         return X * X + self.q * V1 * V1 + self.r * V2 * V2
+
+
+def begin(scene: Scene, frame: Frame) -> Start:
+    """Return the first motion of a scene with a1 = 0, no force and constant b, in the arithmetic's context.
+
+    Every sign is decided on exact rationals; which mode begins is the rule of linear/modes.py. Raises NoForceHere,
+    OutOfRange.
+    """
+    pair, at = scene.pair, scene.initial
+    if scene.is_forced or pair.a1:
+        raise NoForceHere(
+            "this scene has a force, a damper, or a friction that changes; solve it up to the time asked for"
+        )
+    number, rate, length, q = frame.arithmetic.number, frame.rate, pair.half_width, pair.share
+    x, v1, v2, apart = (one / length for one in (at.x1, at.v1, at.v2, at.v1 - at.v2))  # V_i Omega
+    mode, near = _sign(apart), 1 if x >= 0 else -1
+    on_surface, outside = mode == 0, _sign(near * x - 1)
+    # on the edge the pair leaves by the side to which it moves
+    if on_surface and scene.law is Law.FILIPPOV and (outside > 0 or (outside == 0 and near * _sign(v1) > 0)):
+        mode = -near
+    side = -mode or near
+    beyond, zero = side * x - 1, number(0)
+    X, V1, Z = number(x), number(v1) / rate, number((at.x1 - at.x2) / length)
+    w = number(scene.energy_excess)
+    if mode == 0:
+        return Start(STICK, side, X, zero, number(beyond), V1, zero, True, Z, w, zero)
+    gap, push = beyond / q, side * V1 / frame.sqrt_q
+    turning = gap * (2 + gap) + v1 * v1 * pair.mass / (pair.a2 * q)
+    guard = number(-side * apart) / rate / frame.sqrt_q
+    driven = push if on_surface else side * (number(v2) / rate) / frame.sqrt_q
+    kind = SURFACE if on_surface else FREE
+    return Start(kind, side, X, guard, number(gap), push, driven, turning > 0, Z, w, zero)
+
+
+def _sign(x: Any) -> int:
+    return (x > 0) - (x < 0)

@@ -1,53 +1,62 @@
 """The root of a falling function in its bracket: approximate among points, proved in balls.
 
-Newton's method, kept inside the bracket, serves every point arithmetic. In balls its root is then enclosed by one
-interval Newton step: it exists, and is the only one in the bracket.
+Newton's method, kept inside the bracket, approximates it. In balls the root is then enclosed by one interval Newton
+step: it exists, and is the only one in the bracket.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import flint
 from flint import arb
 
 from numerics.arithmetic.ball import undecided
-from numerics.arithmetic.compiled import by_type, compilable
-from numerics.arithmetic.functions import like, sqrt, tolerance
+from numerics.arithmetic.functions import midpoint, sqrt, tolerance
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Number
 
-Function = Callable[[Any, Number], tuple[Number, Number]]
-"""A function of a record and a number: its value and its slope."""
+Function = Callable[[Number], tuple[Number, Number]]
+"""The value and the slope of a function at a number."""
 _STEPS = 4000
 
 
-@compilable
-def _searched(lower: Number, upper: Number, function: Function, at: Any) -> Number:
-    """Return the root to the last bits.
+def falling_root(lower: Number, upper: Number, function: Function) -> Number:
+    """Return the root between lower and upper of a function that falls there; for balls an enclosure of it.
+
+    It is approximated among midpoints, to half of the bits, and enclosed by one interval Newton step: it exists, and is
+    the only one where the function falls from end to end. Raises EventUndecided where that is not proved.
+    """
+    if type(lower) is not arb:
+        return _searched(lower, upper, function)
+    with precision(flint.ctx.prec // 2 + 56):
+        near = _searched(lower.mid(), upper.mid(), function)
+    return _enclosed(near, lower, upper, function)
+
+
+def _searched(lower: Number, upper: Number, function: Function) -> Number:
+    """Return the root to the last bits, a point.
 
     The bracket shrinks with every evaluation; a Newton step that would leave it, or that shrinks it too slowly, is
     replaced by bisection, so convergence never depends on the shape of the function.
     """
-    x, previous, width, zero = (lower + upper) / 2, abs(upper - lower), abs(upper - lower), like(lower, 0.0)
+    x, previous, width = midpoint((lower + upper) / 2), abs(upper - lower), abs(upper - lower)
     enough = tolerance(lower)
     last = sqrt(enough) / 4
     for _ in range(_STEPS):
-        value, slope = function(at, x)
-        if zero < value:
+        value, slope = map(midpoint, function(x))
+        if value > 0:
             lower = x
-        elif value < zero:
+        elif value < 0:
             upper = x
         else:
-            return x
-        step = -value / slope if slope < zero else previous
-        candidate, moved = x + step, abs(step)
-        inside = not candidate < lower and not upper < candidate
-        if inside and moved <= previous <= last * abs(x) and previous <= last * width:
+            break
+        candidate = midpoint(x - value / slope) if slope < 0 else upper
+        moved = abs(candidate - x)
+        if lower <= candidate <= upper and moved <= previous <= last * min(abs(x), width):
             return candidate  # next to a step so small for the piece it is on: right to the last bits, or noise
-        if not lower < candidate < upper or previous < moved * 2:
-            candidate = (lower + upper) / 2
+        if not lower < candidate < upper or previous < 2 * moved:
+            candidate = midpoint((lower + upper) / 2)
             moved = abs(candidate - x)
         if moved <= enough * abs(candidate) or not lower < candidate < upper:
             return candidate
@@ -55,36 +64,17 @@ def _searched(lower: Number, upper: Number, function: Function, at: Any) -> Numb
     return x
 
 
-@by_type(_searched)
-def falling_root(lower: Number, upper: Number, function: Function, at: Any) -> Number:
-    """Return the root between lower and upper of a function that falls there; for balls an enclosure of it.
-
-    It is approximated among midpoints, to half of the bits, and enclosed by one interval Newton step: it exists, and is
-    the only one where the function falls from end to end. Raises EventUndecided where that is not proved.
-    """
-    if type(lower) is not arb:
-        return _searched(lower, upper, function, at)
-
-    def points(_: None, x: arb) -> tuple[arb, arb]:
-        value, slope = function(at, x)
-        return value.mid(), slope.mid()
-
-    with precision(flint.ctx.prec // 2 + 56):
-        near = _searched(lower.mid(), upper.mid(), points, None).mid()
-    return _enclosed(near, lower, upper, function, at)
-
-
-def _enclosed(x: arb, lower: arb, upper: arb, function: Function, at: Any) -> arb:
+def _enclosed(x: arb, lower: arb, upper: arb, function: Function) -> arb:
     """Return the root next to an exact point by one interval Newton step. Raises EventUndecided."""
     bits = flint.ctx.prec
-    value, slope = function(at, x)
+    value, slope = function(x)
     few = min(bits, bits // 2 + 96)
     with precision(few):
         width = 2 * (abs(value) / abs(slope)).upper() + abs(x) * arb(2) ** -bits
     for _ in range(8):
         region = arb(x, width.upper())
         with precision(few):  # the step is as short as half of the bits: more of its slope would be lost in it
-            derivative = function(at, region)[1]
+            derivative = function(region)[1]
         if lower < region < upper and derivative < 0:
             step = x - value / derivative
             if region.contains_interior(step):

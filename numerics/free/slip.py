@@ -19,21 +19,17 @@ piece before it, and is the first. A minimum that is not proved to be above or b
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from flint import arb
 
 from numerics.arithmetic.ball import mean_value
-from numerics.arithmetic.compiled import by_type, compilable
 from numerics.arithmetic.functions import (
-    as_float,
     atan2,
     ceiling,
     cosine_deficit,
-    finite,
-    like,
-    resolved,
+    midpoint,
+    require_phase,
     sign,
     sine_cosine,
     sine_deficit,
@@ -42,7 +38,6 @@ from numerics.arithmetic.functions import (
     versine,
 )
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.questions import GRAZES, GUARD_TURNS, MINIMUM_BEFORE_START
 from numerics.free.root import falling_root
 
 
@@ -50,12 +45,11 @@ class Start(NamedTuple):
     """The start of a mode of motion. In stick X = side (1 + gap) and V = push; in a slip the variables above.
 
     `driven` is side V2/sqrt(q); `turns` belongs to a free slip: the guard has extrema, A^2 = (1 + d)^2 + u^2 > 1,
-    decided on exact rationals where A may be 1. tau (with its rounding `rest`) is the reduced time; `spent` is what
-    friction has taken from E/E_cr so far, a sum of positive terms that never cancels.
+    decided on exact rationals where A may be 1. tau is the reduced time.
     """
 
     kind: int
-    side: float
+    side: int
     X: Number
     guard: Number
     gap: Number
@@ -65,11 +59,8 @@ class Start(NamedTuple):
     Z: Number
     w: Number
     tau: Number
-    rest: Number
-    spent: Number
 
 
-@compilable
 def guard_and_gap(at: Start, theta: Number) -> tuple[Number, Number]:
     """Return k(theta) and its slope d(theta)."""
     sine, drop = sine_cosine(theta)[0], versine(theta)
@@ -77,49 +68,41 @@ def guard_and_gap(at: Start, theta: Number) -> tuple[Number, Number]:
     return guard, at.gap + (at.push * sine - (1 + at.gap) * drop)
 
 
-@compilable
 def push_at(at: Start, theta: Number) -> Number:
     """Return u(theta)."""
     sine, cosine = sine_cosine(theta)
     return at.push * cosine - (1 + at.gap) * sine
 
 
-@compilable
-def _slid_of_points(theta: Number, at: Start) -> Number:
-    grown = at.gap * versine(theta) + at.push * sine_deficit(theta)
-    return (grown - cosine_deficit(theta)) + at.guard * theta
-
-
-@by_type(_slid_of_points)
 def slid_at(theta: Number, at: Start) -> Number:
     """Return K(theta); its slope is the guard, so at a contact, where a ball of angles is centred, it is stationary."""
-    if type(theta) is arb:
-        return mean_value(lambda x: _slid_of_points(x, at), lambda x: guard_and_gap(at, x)[0], theta)
-    return _slid_of_points(theta, at)
+
+    def slid(x: Number) -> Number:
+        grown = at.gap * versine(x) + at.push * sine_deficit(x)
+        return (grown - cosine_deficit(x)) + at.guard * x
+
+    return mean_value(slid, lambda x: guard_and_gap(at, x)[0], theta) if type(theta) is arb else slid(theta)
 
 
-@compilable
-def first_contact(at: Start) -> tuple[Number, float]:
-    """Return the first theta > 0 with k = 0, k(0) > 0, and how far above 0 the lowest minimum before it lies.
-
-    nan where a number left the range.
-    """
+def first_contact(at: Start) -> Number:
+    """Return the first theta > 0 with k = 0, k(0) > 0."""
     g, d, u = at.guard, at.gap, at.push
-    excess, zero = d * (2 + d) + u * u, like(g, 0.0)  # A^2 - 1
-    if not finite(excess):
-        return like(g, math.nan), 0.0
-    if not at.turns or sign(excess, GUARD_TURNS) <= 0:
-        return falling_root(zero, g + u + 3, guard_and_gap, at), math.inf  # monotone: k <= g + u + A - theta, A <= 1
+    excess, zero = d * (2 + d) + u * u, g * 0  # A^2 - 1
+
+    def guard(x: Number) -> tuple[Number, Number]:
+        return guard_and_gap(at, x)
+
+    if not at.turns or sign(excess, "does the guard of this slip turn at all?") <= 0:
+        return falling_root(zero, g + u + 3, guard)  # monotone: k <= g + u + A - theta, A <= 1
     turn, height = two_pi(g), sqrt(excess)
-    lean, phase = atan2(height, like(g, 1.0)), atan2(u, 1 + d)
+    lean, phase = atan2(height, zero + 1), atan2(u, 1 + d)
     count = (g + u - height + (lean - phase)) / turn  # k at the minimum phase - lean, in full turns
-    if not finite(count) or (as_float(count) > 1.0 and not resolved(count)):
-        return like(g, math.nan), 0.0
-    index, first = ceiling(count, GRAZES), phase - lean
+    if midpoint(count) > 1:
+        require_phase(count)
+    index = ceiling(count, "does the slip touch the switching surface without crossing it (a graze)?")
+    first = phase - lean
     if index < 1:
-        index = 1 if sign(first, MINIMUM_BEFORE_START) <= 0 else 0
+        index = 1 if sign(first, "is the guard's minimum next to the start before it?") <= 0 else 0
     minimum = first + turn * index
     maximum = minimum - turn + 2 * lean
-    least = 1 if as_float(first) <= 0.0 else 0
-    spared = as_float(turn * (count - (index - 1))) if index > least else math.inf
-    return falling_root(zero if as_float(maximum) <= 0.0 else maximum, minimum, guard_and_gap, at), spared
+    return falling_root(maximum if midpoint(maximum) > 0 else zero, minimum, guard)

@@ -1,8 +1,8 @@
-"""Operations and functions in every arithmetic against balls; wide balls, what is no number, roots and contacts."""
+"""Functions in both arithmetics against their definitions; pairs of floats, wide balls, what is no number, roots."""
 
 from fractions import Fraction
-from typing import Any, NamedTuple
 
+import mpmath
 import pytest
 from flint import arb
 from hypothesis import example, given, settings
@@ -10,14 +10,12 @@ from hypothesis import strategies as st
 from strategies import decimals, near_quarter_turns, positive_floats, two_floats
 
 from numerics import EventUndecided, OutOfRange
-from numerics.arithmetic import elementary, functions
+from numerics.arithmetic import functions
 from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.pair import TwoFloats, nearest, plus, product, quotient, times, two_product, two_sum
 from numerics.arithmetic.precision import precision
-from numerics.arithmetic.questions import GRAZES
-from numerics.free.contact import contact
 from numerics.free.root import falling_root
 
 BITS = 8000
@@ -27,44 +25,28 @@ FUNCTIONS = {
     "sqrt": (functions.sqrt, lambda x: x.sqrt(), (-830, 830)),
     "sin": (lambda x: functions.sine_cosine(x)[0], lambda x: x.sin(), (-830, 30)),
     "cos": (lambda x: functions.sine_cosine(x)[1], lambda x: x.cos(), (-830, 30)),
-    "atan2(x, 1)": (lambda x: functions.atan2(x, functions.like(x, 1.0)), lambda x: x.atan(), (-660, 660)),
+    "atan2(x, 1)": (lambda x: functions.atan2(x, x * 0 + 1), lambda x: x.atan(), (-660, 660)),
     "versine": (functions.versine, lambda x: 1 - x.cos(), (-400, 30)),
     "sine_deficit": (functions.sine_deficit, lambda x: x - x.sin(), (-265, 30)),
     "cosine_deficit": (functions.cosine_deficit, lambda x: x * x / 2 - 1 + x.cos(), (-200, 30)),
     "depth": (lambda x: functions.depth_and_cotangent(x)[0], lambda x: 2 - x * (x / 2).cot(), (-400, 2)),
 }
 """Each with its definition in balls, and the powers of 2 between which its value is normal."""
-MOST = 4.0 * 2.0**-52
-
-
-def is_right(value, truth, x):
-    """Whether a function is as accurate as is claimed; of balls it must hold the true value."""
-    if isinstance(x, arb):
-        return value(x).overlaps(truth(x))
-    with precision(BITS):
-        true = truth(arb(x))
-        return abs(arb(value(x)) - true) <= MOST * abs(true)
 
 
 @more
 @given(name=st.sampled_from(sorted(FUNCTIONS)), data=st.data())
-def test_functions_are_accurate_relative_to_themselves_in_every_arithmetic(name, data):
+def test_functions_are_accurate_relative_to_themselves_in_both_arithmetics(name, data):
     value, truth, (low, high) = FUNCTIONS[name]
     around_one = positive_floats(-10, min(10, high))
     x = data.draw(st.one_of(positive_floats(low, high), around_one, *([near_quarter_turns()] if high == 30 else [])))
-    off = 1 + 2.0**-49
-    assert is_right(value, truth, x)
-    assert not is_right(lambda x: value(x) * off, truth, x)
+    with Multiprecision(30).context():
+        found = arb(mpmath.nstr(value(mpmath.mpf(x)), 40))
+    with precision(BITS):
+        true = truth(arb(x))
+        assert abs(found - true) <= abs(true) * arb(10) ** -28
     with Ball(30).context():
-        assert is_right(value, truth, arb(x))
-
-
-@pytest.mark.parametrize("name", FUNCTIONS)
-def test_functions_are_accurate_on_both_sides_of_where_a_series_ends(name):
-    value, truth, _ = FUNCTIONS[name]
-    for end in (1 / 32, 1.2, 1.5, 3.0):
-        for side in (-1, 1):
-            assert is_right(value, truth, end * (1 + side * 2.0**-30))
+        assert value(arb(x)).overlaps(true)
 
 
 def whole(x):
@@ -115,16 +97,12 @@ def test_balls_that_are_not_finite_decide_nothing():
             with pytest.raises(EventUndecided, match=r"which\?"):
                 proved_sign(x, "which?")
             with pytest.raises(EventUndecided, match="graze"):
-                functions.sign(x, GRAZES)
+                functions.sign(x, "a graze?")
         with pytest.raises(EventUndecided, match="graze"):
-            functions.ceiling(arb(0, 1), GRAZES)
-        assert functions.sign(arb(0), GRAZES) == 0
+            functions.ceiling(arb(0, 1), "a graze?")
+        assert functions.sign(arb(0), "a graze?") == 0
         assert functions.sqrt(arb(0, 1e-30)).is_finite()
         assert functions.sqrt(arb(0, 1e-30)).contains(arb(1e-15))
-
-
-def test_a_clock_keeps_what_its_rounding_leaves_out():
-    assert elementary.clock(1.0, 2.0**-60, 2.0**-70) == (1.0, 2.0**-60 + 2.0**-70)
 
 
 def test_float64_refuses_what_it_cannot_hold():
@@ -133,31 +111,23 @@ def test_float64_refuses_what_it_cannot_hold():
             Float64().number(value)
 
 
-def power(p: int):
+def power(c, p: int):
     """c^p - x^p, which falls through its root c, and its slope."""
-    return lambda at, x: (at.c**p - x**p, -p * x ** (p - 1))
-
-
-class Target(NamedTuple):
-    """Where the root is."""
-
-    c: Any
+    return lambda x: (c**p - x**p, -p * x ** (p - 1))
 
 
 @given(target=decimals(-30, 6, 8), p=st.sampled_from([1, 3, 5]))
 def test_roots_of_monotone_functions(target, p):
     """Wide brackets and steep flanks included."""
-    for arithmetic in (Float64(), Multiprecision(40), Ball(40)):
+    for arithmetic in (Multiprecision(40), Ball(40)):
         with arithmetic.context():
             c = arithmetic.number(target)
-            lower, upper = c / 1000, 1000 * c
-            root = falling_root(lower, upper, power(p), Target(c))
+            root = falling_root(c / 1000, 1000 * c, power(c, p))
             if arithmetic.name == "ball":
                 assert root.overlaps(c)
                 assert root.rad() <= c * arb(10) ** -36
             else:
-                digits = 14 if arithmetic.name == "float64" else 37
-                assert abs(root / c - 1) <= 10.0**-digits
+                assert abs(root / c - 1) <= 10.0**-37
 
 
 def test_a_ball_root_that_is_not_in_its_bracket_is_not_proved():
@@ -165,18 +135,4 @@ def test_a_ball_root_that_is_not_in_its_bracket_is_not_proved():
     with arithmetic.context():
         for lower, upper in ((2, 3), (0, 1), (1, 2)):
             with pytest.raises(EventUndecided, match="existence"):
-                falling_root(arb(lower), arb(upper), power(1), Target(arb(1)))
-
-
-@given(decimals(-40, 40), decimals(-40, 40) | decimals(-3, 1), st.booleans())
-@example(Fraction(1), Fraction(6), True)  # beyond half a turn, where 1 - cos falls
-def test_a_contact_in_floats_is_that_of_balls(gap, push, on_ray):
-    d, u = (0.0 if on_ray else float(gap)), float(push)
-    with Ball(40).context():
-        theta, depth, _ = contact(arb(d), arb(u))
-        ours = contact(d, u)
-        height = u + d * abs((theta / 2).cot())
-        steep = (depth + d) / functions.versine(theta)
-        near = 2.0**-50 * (theta + height / steep)
-        assert abs(theta - ours[0]) <= near
-        assert abs(depth - ours[1]) <= 2.0**-50 * depth + height * near
+                falling_root(arb(lower), arb(upper), power(arb(1), 1))

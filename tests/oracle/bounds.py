@@ -12,15 +12,12 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import islice
-from random import Random
 from typing import Any, NamedTuple
 
 import numpy as np
 from enclosed_runs import ONE_ANSWER
-from kernel_runs import BOUNDS, a_scene, errors, in_stick, moved
+from kernel_runs import BOUNDS, a_scene, errors
 from kernel_runs import run as run_kernel
-from planted_errors import draw_scene
-from planted_errors import run as run_in_rows
 from scene_files import scenes_in
 from sixty_digits import EXTREMES, FORCED, extreme_scene, forced_scene
 
@@ -81,9 +78,6 @@ def runs() -> Iterator[Run]:
         by = np.array(errors(random, scene), dtype=float)
         by /= max(abs(by).max(), 1e-9)
         yield Run("floats", f"{k} kernel", partial(in_floats, scene, by), partial(of_floats, scene))
-    for k in range(100):
-        scene, by = draw_scene(Random(k)), np.random.default_rng(k).uniform(-1, 1, 4)
-        yield Run("floats", f"{k} float64", partial(in_rows, scene, by), partial(of_floats, scene))
     for name, scene in scenes().items():
         for engine in [run_enclosed, *[run_free] * free_scene(scene)]:
             yield Run("balls", f"{name} {engine.__name__}", partial(in_balls, scene, engine), of_balls)
@@ -104,11 +98,6 @@ def scenes() -> dict[str, Scene]:
 def in_floats(scene: Scene, by: Any, size: float) -> Any:
     found = run_kernel(scene, size * by)
     return None if found.modes is None else found
-
-
-def in_rows(scene: Scene, by: Any, size: float) -> Any:
-    found = run_in_rows(scene, moved(scene, in_stick(scene, size * by)))
-    return found if found.certain else None
 
 
 def of_floats(scene: Scene, found: Any) -> tuple[Numbers, Numbers]:
