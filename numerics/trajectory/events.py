@@ -21,9 +21,9 @@ from numerics.free.frame import ReducedState
 from numerics.linear.engine import ledger_of as taken_of_floats
 from numerics.linear.modes import EventKind, Mode
 from numerics.linear.record import ROW, How, Record
-from numerics.scene import Piece
+from numerics.scene import Piece, Scene
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.columns import Array
+from numerics.trajectory.columns import Array, Floats
 from numerics.trajectory.rows import Rows
 
 
@@ -147,10 +147,20 @@ def taken_in(run: Rows, rows: range) -> list[Number]:
 
 def energy_of(run: Rows, t: Array, y: Array) -> Array:
     """Return the energy of states at times, J: of the spring by its length; in the arithmetic's context."""
-    x1, v1, x2, v2 = y
+    if run.bounded:
+        return energy_in_floats(run.scene, t, y)
+    x1, *others = y
     if run.scene.wall.pieces:
         x1 = x1 - np.array([wall_at(run, one) for one in t])
-    return np.asarray(run.scene.pair.energy((x1, v1, x2, v2), run.arithmetic.number))
+    return np.asarray(run.scene.pair.energy((x1, *others), run.arithmetic.number))
+
+
+def energy_in_floats(scene: Scene, t: Floats, y: Floats) -> Floats:
+    """Return the same in binary64."""
+    x1, *others = y
+    if scene.wall.pieces:
+        x1 = x1 - np.array([float(scene.wall(Fraction(one))) for one in t.tolist()])
+    return np.asarray(scene.pair.energy((x1, *others), float))
 
 
 def wall_at(run: Rows, t: Number, side: int = 1) -> Number:

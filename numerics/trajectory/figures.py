@@ -126,25 +126,19 @@ def _positions(_: Trajectory, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[2], **SECOND)
 
 
-def _load(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
+def _load(_: Trajectory, curve: Curve, ax: Any) -> None:
     ax.fill_between(curve.t, -curve.b, curve.b, **_ENOUGH)
-    ax.plot(curve.t, curve.load(trajectory.scene.pair), **_NEEDED)
+    ax.plot(curve.t, curve.load, **_NEEDED)
 
 
 def _force(_: Trajectory, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.u, color=PURPLE, lw=1.2)
 
 
-def friction_on_body_2(trajectory: Trajectory, curve: Curve) -> Any:
-    """Return the friction force on body 2, N: by the mode, since rounding gives w a sign of its own at an event."""
-    signs = np.array([mode.sign for mode in trajectory.modes])[curve.segment]
-    return np.where(curve.stick, curve.load(trajectory.scene.pair), curve.b * signs)
-
-
-def _friction(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
+def _friction(_: Trajectory, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
     w = curve.y[1] - curve.y[3], "$v_1 - v_2$ (m/s)"
-    _plane(curve, ax, w, friction_on_body_2(trajectory, curve))
+    _plane(curve, ax, w, curve.friction)
 
 
 def _phase(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
@@ -210,12 +204,12 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
 def _energy(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
     pair, (friction, viscous) = trajectory.scene.pair, curve.lost
-    energy = pair.energy(curve.y, float)
+    energy = curve.energy
     work = energy - energy[0] + friction + viscous
     if not trajectory.scene.is_forced:
         ax.axhline(float(pair.critical_energy), **_CRITICAL)
     for acts, label, part, color, dashes in (
-        (curve.u.any(), "work of the force", work, PURPLE, "-"),
+        (trajectory.scene.is_forced, "work of what acts", work, PURPLE, "-"),
         (True, "energy of the pair", energy, "black", "-"),
         (True, "lost to friction", friction, GREEN, "--"),
         (pair.a1 > 0, "lost to viscosity", viscous, "black", ":"),
