@@ -90,8 +90,13 @@ def step(
                     factors[k, i] = dot(tables.powers[kind, side, k, i], room.z, count)
                 one, two = factors[k]
                 taken[k] += weight * one * two
-                a, b = reach(problem.norm, tables.powers[kind, side, k, 0]), reach(problem.norm, tables.powers[kind, side, k, 1])
-                taken[6] += weight * (abs(one) * b * N + abs(two) * a * N + a * b * N * N + 64.0 * UNIT * abs(one * two))
+                a, b = (
+                    reach(problem.norm, tables.powers[kind, side, k, 0]),
+                    reach(problem.norm, tables.powers[kind, side, k, 1]),
+                )
+                taken[6] += weight * (
+                    abs(one) * b * N + abs(two) * a * N + a * b * N * N + 64.0 * UNIT * abs(one * two)
+                )
     put(room.clock[0], plus(begun, two_product(s, h)))
     for i in range(STATE):
         room.y[i], _ = value_slope(X[i], s)

@@ -114,9 +114,7 @@ def form(tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactne
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def form_mode(
-    tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exactness: float, longest: float
-) -> None:
+def form_mode(tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exactness: float, longest: float) -> None:
     """Form the tables of one mode."""
     n, at = tables.count[kind], (kind, mode)
     A, own, scale = tables.A[at][:n, :n], tables.own[at], (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)

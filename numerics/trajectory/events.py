@@ -129,7 +129,9 @@ def ledger_of(run: Rows) -> EnergyLedger:
     works[-1] = works[-1] + _by_jumps_of_the_wall(run, rows)
     initial, final = (energy_of(run, *at)[0] for at in _ends(run))
     work = sum(works[1:], works[0])
-    return EnergyLedger(initial, final, friction, viscous, initial + work - final - friction - viscous, work, *works, error)
+    return EnergyLedger(
+        initial, final, friction, viscous, initial + work - final - friction - viscous, work, *works, error
+    )
 
 
 def taken_in(run: Rows, rows: range) -> list[Number]:
@@ -169,7 +171,11 @@ def wall_at(run: Rows, t: Number, side: int = 1) -> Number:
     if run.bounded:
         return float(wall(Fraction(t), side))
     low, high = (exact_middle(one) for one in (t.lower(), t.upper()))
-    acting = {wall.piece_at(low, side), wall.piece_at(high, side), *(one for one in wall.pieces if low < one.start < high)}
+    acting = {
+        wall.piece_at(low, side),
+        wall.piece_at(high, side),
+        *(one for one in wall.pieces if low < one.start < high),
+    }
     found = [_value_in_balls(one, t) for one in acting]
     return reduce(lambda one, two: one.union(two), found)
 
@@ -186,7 +192,9 @@ def _value_in_balls(piece: Piece, t: arb) -> arb:
 def _by_jumps_of_the_wall(run: Rows, rows: range) -> Number:
     """Return what jumps of the wall put into the spring, J."""
     total, pieces, a2 = run.arithmetic.number(0), run.row_pieces, run.scene.pair.a2
-    begun = [k for k in rows if k and pieces[k] != pieces[k - 1] and run.pieces[pieces[k]].start in run.scene.wall.starts]
+    begun = [
+        k for k in rows if k and pieces[k] != pieces[k - 1] and run.pieces[pieces[k]].start in run.scene.wall.starts
+    ]
     for k in begun:
         t, x1 = run.arithmetic.number(run.pieces[pieces[k]].start), run.row_states[0, k]
         before, after = (x1 - wall_at(run, t, side) for side in (-1, 1))

@@ -144,7 +144,9 @@ def signals_at(mode: LinearMode, local: Floats, rest: Floats) -> Floats:
             phase = plus(product(nearest(sine.omega), TwoFloats(local, rest)), nearest(start))
             angle, low = plus(phase, times(_TURN, -np.rint(phase.high / _TURN.high)))
             s, c = np.sin(angle), np.cos(angle)
-            found[sines + 2 * k : sines + 2 * k + 2] = sign * float(sine.amplitude) * np.array([s + c * low, c - s * low])
+            found[sines + 2 * k : sines + 2 * k + 2] = (
+                sign * float(sine.amplitude) * np.array([s + c * low, c - s * low])
+            )
     return found[FIRST:]
 
 

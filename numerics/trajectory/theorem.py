@@ -36,8 +36,8 @@ from numerics.trajectory.closed_forms import (
     spells,
 )
 from numerics.trajectory.export import arrays
-from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
 
 SHOWN = 12
 """Digits of the bounds in a theorem, of the greatest time, place or velocity."""
