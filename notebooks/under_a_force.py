@@ -65,12 +65,11 @@ print("U** =", known.non_stop.str(30, radius=False), "N")
 
 # %% [markdown]
 # With a damper there is one periodic motion, and every motion tends to it. Its events are enclosed by an interval
-# Newton step, its modes are proved between them, and the Floquet multipliers say how fast it attracts. The same
-# period is then solved by events: it must come back.
+# Newton step over a box that the solver follows as a whole, and the Floquet multipliers say how fast it attracts.
 
 # %%
 shaken = response(Scene(pair, State(), until=4, force=Force.sine("0.5", 12)))
-again = solved_again(shaken)
+again = solve(shaken.one_period())
 print(shaken.regime.value)
 print("multipliers", [abs(one).str(15, radius=False) for one in shaken.multipliers])
 print("modes of a period, solved by events:", [mode.value for mode in again.modes])

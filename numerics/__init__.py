@@ -18,6 +18,7 @@ Solving:
     solve               one scene: its Trajectory, in the cheapest arithmetic that has the digits
     solve_many          many scenes given as arrays, on all cores: a Batch
     solve_scenes        many scenes given as a list, on a line or on a surface
+    check               what every number of a run is really off by: solved again in balls
 Results:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
     PlaneTrajectory     the same for a scene on a surface
@@ -81,6 +82,7 @@ if TYPE_CHECKING:
     from numerics.scene.plane import PlanePair as PlanePair
     from numerics.scene.plane import PlaneScene as PlaneScene
     from numerics.solver.batch import Batch as Batch
+    from numerics.solver.check import check as check
     from numerics.solver.many import solve_many as solve_many
     from numerics.solver.many import solve_scenes as solve_scenes
     from numerics.solver.plane_batch import PlaneBatch as PlaneBatch
@@ -94,6 +96,7 @@ _NAMES = {
     "scene.file": "load_reference load_scene scene_text",
     "scene.plane": "PlanePair PlaneScene",
     "solver.solve": "solve",
+    "solver.check": "check",
     "solver.many": "solve_many solve_scenes",
     "solver.batch": "Batch",
     "solver.plane_batch": "PlaneBatch",

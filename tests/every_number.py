@@ -99,10 +99,10 @@ class Bounded:
         self.rows, self.late = rows[:, errors].T.copy(), rows[:, AT["late"]]
         self.rows[:, 0] = 2 * self.u * states[:, 0]
         at = [0, *run.event_rows]
-        self.t, self.y, self.w = np.array([0.0, *run.accuracy.t]), self.rows[:, at], rows[at, AT["excess_error"]]
+        self.t, self.y, self.w = np.array([0.0, *run.accuracy.t]), self.rows[:, at], rows[at, AT["speed_error"]]
         if run.reached:
             states = np.column_stack([states, np.abs(run.floats(list(run.final_state)))])
-            self.t, self.w = np.append(self.t, run.end_bounds()[0]), np.append(self.w, end[AT["excess_error"]])
+            self.t, self.w = np.append(self.t, run.end_bounds()[0]), np.append(self.w, end[AT["speed_error"]])
             self.y = np.column_stack([self.y, run.accuracy.final])
         self.sizes, self.weights = states.max(axis=1), np.array([self.pair[k] if k else 0.0 for k in WEIGHTS])
         self.push = max((self._height(one) for one in run.pieces), default=0.0)

@@ -7,16 +7,15 @@ from flint import arb
 
 from numerics import PlaneScene
 from numerics.arithmetic.ball import Ball
-from numerics.plane.linear import LinearRun
 from numerics.plane.reduced import reduced
 from numerics.plane.run import PlaneRun
 from numerics.plane.system import System
+from numerics.plane.vector import wide
 
 
-def path_of(scene: PlaneScene, digits: int = 16, events: int = 100, legs: int = 2000) -> LinearRun:
+def path_of(scene: PlaneScene, digits: int = 16, events: int = 100, legs: int = 2000) -> PlaneRun:
     """A path that nobody has followed yet."""
-    kind = LinearRun if scene.pair.shape == "box" else PlaneRun
-    return kind(System(reduced(scene), digits), events, legs)
+    return PlaneRun([System(one, digits) for one in reduced(scene)], events, legs)
 
 
 def said(scene: PlaneScene, off: float = 0.0, digits: int = 16) -> tuple[Any, ...]:
@@ -24,10 +23,10 @@ def said(scene: PlaneScene, off: float = 0.0, digits: int = 16) -> tuple[Any, ..
     run = path_of(scene, digits)
     with run.system.fine():
         run.norm = arb(off)
-        run.apart = (run.system.soft * run.norm).each(arb.upper)
+        run.at = run.at._replace(z=wide(run.at.z, run.system.soft * run.norm))
     run.follow()
     with run.system.fine():
-        return run.events, run.states.at(Ball.number(scene.until)), run.mode
+        return run.events, run.motion.at(Ball.number(scene.until)), run.mode
 
 
 def overlap(one: Any, two: Any) -> bool:

@@ -2,35 +2,27 @@
 
 from pathlib import Path
 
-from numerics.trade.recorded import NONE, TimedRun, Trade, recorded
+from numerics.trade.recorded import Row, Trade, recorded
 
 MACHINE = {"processor": "Abacus", "cores": 2, "load": 0.1, "python": "3.11", "packages": {"numpy": "2"}}
 SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 
-def run(
-    who: str,
-    scene: str,
-    seconds: float | None,
-    digits: float | None = None,
-    right: bool | None = True,
-    asked: float = 0,
-) -> TimedRun:
-    """Return a run of a peer, or of ours; its note where the events are wrong or there is no answer."""
-    note = {True: "", False: "1 events, not 24", None: f"{NONE}stopped"}[right]
-    return TimedRun(scene, who, asked if who == "solve" else 15.0, seconds, digits, note)
+def row(method: str, scene: str, ratio: float, digits: float = 15.0, note: str = "", setting: float = 15) -> Row:
+    """Return a row with so many digits of the states; float64 takes a millisecond."""
+    return Row(scene, method, setting, 1e-3 * ratio, ratio, 24, 0, 0, 16.0, digits, note)
 
 
-def trade_of(*runs: TimedRun, **more: object) -> Trade:
-    """Return a trade of `solve` with 14 digits and balls with 40 on all scenes, and of further runs."""
-    ours = [run(*one) for scene in SCENES for one in (("solve", scene, 1e-3, 14.5), ("ball", scene, 1e-2, 40.0))]
-    every = (*ours, *runs)
+def trade_of(*rows: Row, **more: object) -> Trade:
+    """Return a trade of float64 with 14.5 digits and balls with 40 on all scenes, and of further rows."""
+    ours = [row(*one) for scene in SCENES for one in (("float64", scene, 1.0, 14.5), ("balls", scene, 100.0, 40.0))]
+    every = (*ours, *rows)
     given = {"machine": MACHINE, "left_out": {}, "scenes": {one.scene: "planted" for one in every}}
-    return Trade(**(given | more), runs=every)
+    return Trade(**(given | more), rows=every)
 
 
-def planted(folder: Path, *runs: TimedRun, **more: object) -> Trade:
+def planted(folder: Path, *rows: Row, **more: object) -> Trade:
     """Return the trade that was written into a file of a folder and read again."""
     path = folder / "planted.json"
-    path.write_text(trade_of(*runs, **more).text(), "utf-8")
+    path.write_text(trade_of(*rows, **more).text(), "utf-8")
     return recorded(path)

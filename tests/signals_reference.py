@@ -66,13 +66,12 @@ class Acting:
 
 def follow(scene):
     """Return the first mode, the events (t, mode, state) and the state at the end."""
-    changes = {0.0} | {float(one.start) for pieces in scene.pieces.values() for one in pieces}
-    until = float(scene.until)
-    times = [*sorted(one for one in changes if one < until), until]
+    changes = {0, *(one.start for pieces in scene.pieces.values() for one in pieces)}
+    times = [*sorted(one for one in changes if one < scene.until), scene.until]
     at = scene.initial
     z, mode, first, events = [float(one) for one in (at.x1, at.v1, at.x2, at.v2)], None, None, []
     for start, end in zip(times, times[1:], strict=False):
-        acting, t, before = Acting(scene, start), start, mode
+        acting, t, end, before = Acting(scene, start), float(start), float(end), mode
         if acting.is_fixed:
             z[3] = acting.c(t)
         if not mode or acting.is_fixed:
@@ -84,14 +83,12 @@ def follow(scene):
             events.append((t, mode, list(z)))
         while t < end:
             guards = [
-                (lambda t, z, s=s: acting.ratio * acting.b(t) - s * acting.load(t, z)) for s in (1, -1)
-            ] if mode == 0 else [lambda t, z: mode * (z[1] - z[3])]
+                (lambda t, z, _, s=s: acting.ratio * acting.b(t) - s * acting.load(t, z)) for s in (1, -1)
+            ] if mode == 0 else [lambda _, z, mode: mode * (z[1] - z[3])]
             for one in guards:
                 one.terminal, one.direction = True, -1
             found = solve_ivp(
-                acting.rate, (t, end), z, "DOP853", events=guards, args=None, rtol=1e-13, atol=1e-15, max_step=0.02
-            ) if False else solve_ivp(
-                lambda t, z, m=mode: acting.rate(t, z, m), (t, end), z, "DOP853", events=guards, rtol=3e-14, atol=1e-16, max_step=0.02
+                acting.rate, (t, end), z, "DOP853", events=guards, args=(mode,), rtol=3e-14, atol=1e-16, max_step=0.02
             )
             t, z = float(found.t[-1]), list(found.y[:, -1])
             if found.status != 1:

@@ -90,12 +90,9 @@ def _kept(function: Any) -> Any:
     before = numba.config.CACHE_DIR
     folder = _folder(Path(before) / "inertial-pair" if before else cache_folder())
     numba.config.CACHE_DIR = str(folder)
-    try:
-        made = numba.njit(function, cache=True, **options)
-    except RuntimeError:  # no folder can be written: compile each time
-        made = numba.njit(function, **options)
-    finally:
-        numba.config.CACHE_DIR = before
+    # where that folder cannot be written numba would take another, by the age of the entry's source alone
+    made = numba.njit(function, cache=os.access(folder, os.W_OK), **options)
+    numba.config.CACHE_DIR = before
     load, compile_for = made._cache.load_overload, made.compile
 
     def loaded(*types: Any) -> Any:

@@ -47,7 +47,7 @@ def _file(name: str, what: str, metavar: str = "F") -> Option:
 
 _IN_PLACE, _ALSO = "instead of the scene's; together with", "also for a scene without a force"
 _FIGURE = "write a figure: .svg, .pdf or .png"
-_PLOT, _CHART = _file("--plot", _FIGURE), _file("--out", _FIGURE, "FIGURE")
+_PLOT = _file("--plot", _FIGURE)
 _SCENE = _option("scene", "TOML file, - for standard input, or the short name of a shipped scene", metavar="SCENE")
 _JSON, _DIGITS = _switch("--json", "print the result as JSON"), _count("--digits", 15, "right digits requested")
 _WORKING = _count("--max-digits", 20_000, "limit on the working digits")
@@ -77,6 +77,7 @@ _SOLVE = (
     _WORKING,
     _switch("--all", "print all events on a terminal, not only the first and the last 20"),
     _switch("--explain", "print to stderr which arithmetic was used, and why"),
+    _switch("--check", "print what every number is really off by: the scene is solved again in balls"),
     _switch("--sensitivity", "add the derivatives by initial state, parameters and force coefficients (SI units)"),
 )
 _OUTPUT = [
@@ -154,24 +155,12 @@ _COMMANDS: tuple[Command, ...] = (
     (
         "trade",
         measure_trade,
-        "measure speed against accuracy, for this package and other integrators",
+        "measure time against accuracy, of this package and of other integrators",
         (
-            _option(
-                "--size",
-                "half a minute, some minutes or half an hour (%(default)s)",
-                choices=["small", "default", "large"],
-                default="default",
-            ),
-            _option(
-                "--only",
-                "free, forced, surface or state scenes; or integrators and scenes whose names contain NAME",
-                nargs="+",
-                default=[],
-                metavar="NAME",
-            ),
-            _switch("--interface", "compare only the public functions with heyoka"),
-            _switch("--json", "print every measurement as JSON"),
-            _CHART,
+            _option(_SCENE[0], f"{_SCENE[1]['help']}; default: ten scenes", nargs="?", metavar="SCENE"),
+            _count("--digits", 100, "digits of balls: 15, 30, 100, 300, 1000 up to N"),
+            _JSON,
+            _PLOT,
         ),
     ),
 )
@@ -182,9 +171,7 @@ _BELOW: dict[str, dict[str, Any]] = {
         "them.",
         "formatter_class": argparse.RawDescriptionHelpFormatter,
     },
-    "trade": {
-        "epilog": "integrators that are not installed are listed and left out; runs that hang or fail are shown as such"
-    },
+    "trade": {"epilog": "contenders that are not installed, or do not know the scene, are listed and left out"},
 }
 """Text below the help of some commands."""
 

@@ -7,11 +7,12 @@ again event by event where it is a scene, draws it, and prints it as JSON or as 
 from __future__ import annotations
 
 import argparse
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, asked, draw, in_brief, number_lines, numbers, write_text
 from numerics.exits import FAILED, OK, refuse
-from numerics.shown import shown_steps, write_figure
+from numerics.shown import shown_steps
 
 if TYPE_CHECKING:
     from numerics.control.response import Response
@@ -24,75 +25,62 @@ Shown = tuple[dict[str, Any], list[str]]
 
 def print_response(options: argparse.Namespace) -> int:
     """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
-    from numerics.control.answers import solved_again
     from numerics.control.response import response
     from numerics.control.rotating import RotatingResponse
     from numerics.scene.file import load_scene
 
-    with shown_steps() as say:
+    with shown_steps():
         found: Any = response(load_scene(options.scene), **asked(options, "amplitude", "omega", "max_events"))
-        if isinstance(found, RotatingResponse):
-            record, lines = _of_rotating(found)
-        else:
-            say("solving one period again, event by event")
-            solved_again(found)
-            record, lines = _of_response(found)
-        if options.plot is not None:
-            write_figure(found.plot(), options.plot)
+    turns = isinstance(found, RotatingResponse)
+    draw(options, "draw_rotating" if turns else "draw_response", found)
+    record, lines = _of_rotating(found) if turns else _of_response(found)
     answer(options, record, [*lines, f"{found.digits} right digits, proved"])
     return OK
 
 
 _SLIPS_FOR_EVER = {
-    "yes": "two reversals per period: at this amplitude that motion slips permanently",
-    "below U**": "two reversals per period: no such motion slips permanently, as the amplitude is below U**",
-    "turns back": "two reversals per period: U** is not enough here; v1 - v2 changes its sign between them",
-    "undecided": "two reversals per period: undecided whether v1 - v2 keeps its sign between them",
+    "yes": "at this amplitude that motion slips permanently",
+    "below U**": "no such motion slips permanently, as the amplitude is below U**",
+    "turns back": "U** is not enough here; v1 - v2 changes its sign between them",
+    "undecided": "undecided whether v1 - v2 keeps its sign between them",
 }
+"""What is known of the motion that reverses twice a period."""
 
 
 def _slips_for_ever(found: Response) -> str:
     """Return whether the motion that reverses twice a period slips permanently at the amplitude of the one sine."""
     from numerics.arithmetic.ball import Ball
-    from numerics.control.thresholds import NonStop
 
-    known, sine = found.thresholds, found.drive.piece.sines[0]
+    known = found.thresholds
     assert known is not None
     with Ball(found.digits + 10).context():
-        amplitude = Ball.number(abs(sine.amplitude))
-        if amplitude < known.non_stop:
+        if Ball.number(abs(found.drive.piece.sines[0].amplitude)) < known.non_stop:
             return "below U**"
-        keeps = NonStop(found.drive.pair, sine.omega).keeps_slipping(amplitude)
-        if keeps is False:
-            return "turns back"
-        return "yes" if keeps and amplitude > known.non_stop else "undecided"
+    if found.orbit is not None and [leg.side for leg in found.orbit.legs] == [1, -1]:
+        return "yes"
+    return "turns back" if found.is_only_one else "undecided"
 
 
 def _of_response(found: Response) -> Shown:
     from numerics.linear.modes import MODES
 
-    digits, multipliers, known = found.digits, found.multipliers or (), found.thresholds
-    record: dict[str, Any] = {
-        "regime": found.regime.name.lower().replace("_", "-"),
-        "sentence": found.regime.value,
-        "attraction": found.attraction,
-        "digits": digits,
-    }
-    lines, grows = [f"{found.regime.value}; {found.attraction}"], found.growth > 0
-    if known is not None and not grows:
-        record["slips_for_ever"] = _slips_for_ever(found)
-    decay = found.moduli[0] if multipliers else None
-    record |= {} if known is None else numbers(known, "entrainment", "exception", "non_stop")
-    record |= numbers(found, "drift", growth=found.growth if grows else None, decay=decay)
+    grows, known, digits = found.growth > 0, found.thresholds, found.digits
+    names = {"regime": found.regime.name.lower().replace("_", "-"), "sentence": found.regime.value}
+    record: dict[str, Any] = {**names, "attraction": found.attraction, "digits": digits}
+    lines = [f"{found.regime.value}; {found.attraction}"]
+    if known is not None:
+        record |= {} if grows else {"slips_for_ever": _slips_for_ever(found)}
+        record |= numbers(known, "entrainment", "exception", "non_stop")
+    growth, decay = found.growth if grows else None, next(iter(found.moduli), None)
+    record |= numbers(found, "drift", growth=growth, decay=decay)
     lines += number_lines(record)
     if "slips_for_ever" in record:
-        lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
-    record["multipliers"] = []
-    for one, size in zip(multipliers, found.moduli, strict=True):
+        lines.append(f"  two reversals per period: {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
+    record |= {"multipliers": [], "events": []}
+    for one, size in zip(found.multipliers or (), found.moduli, strict=True):
         record["multipliers"].append(numbers(found, re=one.real, im=one.imag, size=size))
         lines.append(f"  multiplier {one.str(digits, radius=False)}, modulus {size.str(digits, radius=False)}")
-    record["events"] = []
-    for leg in found.orbit.legs if found.orbit is not None else ():
+    for leg in () if found.orbit is None else found.orbit.legs:
         event = {"to": MODES[leg.side].value, **numbers(found, t=leg.start, x1=leg.state[0], v1=leg.state[1])}
         record["events"].append(event)
         lines.append(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
@@ -103,10 +91,9 @@ def _of_rotating(found: RotatingResponse) -> Shown:
     """Return the motion that rotates with a force; vectors are complex, with the force along x at t = 0."""
     from flint import acb
 
-    values: dict[str, Any] = {}
-    for name in ("friction", "q1", "v1", "v2"):
-        value = getattr(found, name)
-        values |= {f"{name}_along": value.real, f"{name}_across": value.imag}
+    vectors = {name: getattr(found, name) for name in ("friction", "q1", "v1", "v2")}
+    parts = {"along": attrgetter("real"), "across": attrgetter("imag")}
+    values = {f"{name}_{way}": part(one) for name, one in vectors.items() for way, part in parts.items()}
     record: dict[str, Any] = {name: getattr(found, name) for name in ("sentence", "attracts", "digits")}
     record |= numbers(found, "threshold", "speed", **values)
     exponents = [acb(one.real.mid(), 0 if one.imag.contains(0) else one.imag.mid()) for one in found.exponents]

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli.printing import write_text
+from numerics.cli.printing import answer, write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import shown_steps, write_figure
 
@@ -37,13 +37,15 @@ def solve_scene(options: argparse.Namespace) -> int:
         trajectory: Any = solve(
             scene,
             digits=options.digits,
-            arithmetic=options.arithmetic or (None if options.digits else "ball"),
+            arithmetic=options.arithmetic or (None if options.digits or options.check else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
             progress=_progress(scene, options.max_events, say),
         )
     if options.explain:
         print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
+    if options.check:
+        return _print_check(trajectory, options)
     if options.npz is not None:
         from numerics.trajectory.export import write_npz
         from numerics.trajectory.sensitivity import sensitivity_arrays
@@ -63,6 +65,13 @@ def solve_scene(options: argparse.Namespace) -> int:
     return OK if trajectory.success else refuse(trajectory.message, FAILED)
 
 
+def _print_check(trajectory: Trajectory, options: argparse.Namespace) -> int:
+    """Print what every number of a trajectory is really off by; exit code 1 where one is beyond its bound."""
+    found = trajectory.check()
+    answer(options, found.to_dict(), [str(found)])
+    return OK if found.right else FAILED
+
+
 def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic == "float64" and options.digits is not None:
@@ -70,6 +79,9 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
             return f"--sensitivity needs --json, --npz or the table; leave --{name} out"
+    for name in ("csv", "npz", "plot", "proof", "sensitivity"):
+        if options.check and getattr(options, name):
+            return f"--check prints lines, or --json; leave --{name} out"
     if options.npz is not None and options.npz.suffix != ".npz":
         return f"--npz {options.npz.name}: the name must end in .npz; for a table use --csv"
     return None
@@ -77,7 +89,7 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
 
 def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     """Return what is not offered for a surface."""
-    for flag in ("proof", "sensitivity"):
+    for flag in ("proof", "sensitivity", "check"):
         if getattr(options, flag):
             return f"--{flag} is available on a line only; on a surface use --json, --csv, --npz, --plot or the table"
     if options.arithmetic not in (None, "ball"):

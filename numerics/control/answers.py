@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from flint import arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS
 from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
-from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
@@ -43,37 +42,19 @@ class SecondSolveDiffers(NumericsError):
     """The same scene solved by events contradicts a result: one of the two is wrong."""
 
 
-class Prediction(NamedTuple):
-    """What an answer says of a scene, to its digits: its last state, and the signs of w on the way there.
+def solved_again(found: Any) -> Trajectory | None:
+    """Return the scene of a Transfer or a Tracking solved by events in balls, None if it has none.
 
-    `ends`: values by their names, which count as met within 10^(3 - digits) of `size`; `when` says when that is.
-    `sides` is None where rounded decimals may add slips too short to matter.
+    Raises SecondSolveDiffers unless body 2 gets where the answer says, to 15 digits where it has more, and the bodies
+    stick where it says so.
     """
-
-    scene: Scene
-    when: str
-    ends: dict[str, arb]
-    size: arb
-    sides: tuple[int, ...] | None
-
-
-def solved_again(answer: Any) -> Trajectory | None:
-    """Return the scene that an answer claims something of (its `claim`) solved by events in balls, None if none.
-
-    Raises SecondSolveDiffers unless it does what the answer says, to 15 digits where it has more.
-    """
-    claim: Prediction | None = answer.claim()
-    if claim is None:
+    if found.scene is None:
         return None
-    solved = solve(claim.scene, digits=answer.digits, arithmetic="ball")
-    sides = tuple(mode.sign for mode in solved.modes)
-    if claim.sides not in {None, sides}:
-        raise SecondSolveDiffers(f"the signs of v1 - v2 are {sides} when solved by events, {claim.sides} by equations")
-    state = dict(zip(("x1", "v1", "x2", "v2"), solved.final_state, strict=True))
-    with Ball(answer.digits + 20).context():
-        near = claim.size * arb(10) ** (3 - min(answer.digits, _DECIMALS))
-        for name, value in claim.ends.items():
-            if not abs(state[name] - value) <= near:
-                found = f"{state[name].str(12)} when solved by events, {value.str(12)} by equations"
-                raise SecondSolveDiffers(f"{name} {claim.when} is {found}")
+    solved = solve(found.scene, digits=found.digits, arithmetic="ball")
+    if found.sticks and any(mode.sign for mode in solved.modes):
+        raise SecondSolveDiffers("the bodies slip when solved by events, and stick by equations")
+    with Ball(found.digits + 20).context():
+        (goal, size), x2 = found.goal(found.scene), solved.final_state[2]
+        if not abs(x2 - goal) <= size * arb(10) ** (3 - min(found.digits, _DECIMALS)):
+            raise SecondSolveDiffers(f"x2 is {x2.str(12)} when solved by events, {goal.str(12)} by equations")
     return solved

@@ -9,30 +9,32 @@ from __future__ import annotations
 
 import logging
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
+from itertools import count, pairwise
 from typing import NamedTuple
 
 from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, undecided, working_digits
-from numerics.arithmetic.precision import cached_property
-from numerics.control.answers import KEPT_DIGITS, Prediction, number, rounded, rounded_up
-from numerics.linear.model import V1, V2, X1, X2
+from numerics.control.answers import KEPT_DIGITS, number, rounded, rounded_up
+from numerics.errors import NotSettled
+from numerics.linear.model import V1, V2, X1
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
-from numerics.trajectory.variation import Leg, legs
+from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.variation import legs
 
 _log = logging.getLogger(__name__)
 _STEPS = 20
 """Newton steps from a guess before it counts as none."""
 STATE = X1, V1, V2
 """What a force by pieces acts on: x2 follows from these."""
-State3 = tuple[arb, arb, arb]
+State3 = Sequence[arb]
 """x1, v1, v2."""
 
 
@@ -43,14 +45,10 @@ class PeriodicDrive(ShortRepr):
     pair: Pair
     piece: Piece
 
-    @cached_property
-    def _scene(self) -> Scene:
-        return Scene(self.pair, State(), 1, force=Force((self.piece,)))
-
     @property
     def frequency(self) -> Fraction:
         """Return the greatest frequency of which all are multiples, rad/s; 0 without sines."""
-        return self._scene.force.frequency or Fraction(0)
+        return Force((self.piece,)).frequency or Fraction(0)
 
     @property
     def period(self) -> arb:
@@ -67,102 +65,182 @@ class PeriodicDrive(ShortRepr):
         """Return where the constant part of the force holds body 1, m."""
         return sum(self.piece.polynomial, Fraction(0)) / self.pair.a2
 
-    def motion(self, side: int, state: Sequence[arb], t: arb) -> Motion:
-        """Return the motion from (x1, v1, x2, v2) at a time (s) in the mode `side`."""
-        return LinearMode(self.pair, side, pieces_of(self._scene)[0]).motion(state, t)
-
-    def one_period(self, begin: Fraction, at: Sequence[Fraction], digits: int) -> Scene:
+    def one_period(self, begin: Fraction, at: Sequence[Fraction], digits: int = KEPT_DIGITS) -> Scene:
         """Return a period from a time (s) and (x1, v1, v2) on as a scene; it is rounded up to so many digits."""
         # a constant part of a phase beyond a turn is kept: the sine is the same function of time
         sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in self.piece.sines]
         force, (x1, v1, v2) = Force((Piece(0, self.piece.polynomial, sines),)), at
-        return replace(self._scene, initial=State(x1, v1, 0, v2), until=rounded_up(self.period, digits), force=force)
+        return Scene(self.pair, State(x1, v1, 0, v2), until=rounded_up(self.period, digits), force=force)
+
+
+class Passage(NamedTuple):
+    """One motion between two times (s), from (x1, v1, x2, v2) on: in one mode, under one piece of force."""
+
+    start: arb
+    end: arb
+    mode: LinearMode
+    state: tuple[arb, arb, arb, arb]
+
+    @property
+    def side(self) -> int:
+        """Return the sign of v1 - v2, 0 in stick."""
+        return self.mode.side
+
+    @property
+    def motion(self) -> Motion:
+        """Return the motion, with the time since its start."""
+        return self.mode.motion(self.state, self.start)
+
+    def at(self, t: arb) -> tuple[arb, arb, arb, arb]:
+        """Return (x1, v1, x2, v2) at a time, s; v2 is v1 in a stick."""
+        x1, v1, x2, v2 = self.motion.state(t - self.start)
+        return x1, v1, x2, v2 if self.side else v1
+
+    def later(self, time: arb | int, x2: arb | int) -> Passage:
+        """Return the same passage later by a time (s) after which the force is the same, and body 2 further on (m)."""
+        (at_x1, at_v1, at_x2, at_v2) = self.state
+        return self._replace(start=self.start + time, end=self.end + time, state=(at_x1, at_v1, at_x2 + x2, at_v2))
+
+
+def passages(run: Trajectory) -> list[Passage]:
+    """Return the motions of a trajectory in balls, from t = 0 to its horizon."""
+    return [Passage(one.start, one.end, one.motion(run.scene).mode, one.state) for one in legs(run)]
+
+
+def middle(parts: Sequence[Passage]) -> tuple[Fraction, State3]:
+    """Return a time (s) in the middle of the longest passage, and (x1, v1, v2) there."""
+    longest = max(parts, key=lambda one: float(one.end - one.start))
+    t = rounded((longest.start + longest.end) / 2)
+    return t, without_x2(longest.at(number(t)))
+
+
+def without_x2(state: Sequence[arb]) -> State3:
+    """Return (x1, v1, v2) of (x1, v1, x2, v2)."""
+    return state[0], state[1], state[3]
 
 
 @dataclass(frozen=True, repr=False)
 class Orbit(ShortRepr):
     """A periodic motion by its legs in order of time, each from an event; after the last the first begins again.
 
-    Their x2 say nothing.
+    x2 is 0 at the first event; body 2 gets on by `travel` (m) in a period. `slopes`: the derivative of (x1, v1, v2) by
+    that a period before, at some time.
     """
 
     drive: PeriodicDrive
-    legs: tuple[Leg, ...]
-
-    def motion(self, leg: Leg, x2: int | arb = 0) -> Motion:
-        """Return the motion of a leg from a place of body 2 (m) on."""
-        x1, v1, _, v2 = leg.state
-        return self.drive.motion(leg.side, (x1, v1, arb(x2), v2), leg.start)
-
-    @cached_property
-    def places(self) -> list[arb]:
-        """Return x2 where each leg begins, and a period after the first, counted from that one, m."""
-        found = [arb(0)]
-        for leg in self.legs:
-            found.append(found[-1] + self.motion(leg).at(leg.end - leg.start)[X2, 0])
-        return found
-
-    @property
-    def travel(self) -> arb:
-        """Return how far body 2 gets in a period, m."""
-        return self.places[-1]
+    legs: tuple[Passage, ...]
+    travel: arb
+    slopes: arb_mat
 
     def multipliers(self) -> list[acb]:
         """Return the Floquet multipliers of (x1, v1, v2), largest first. Raises EventUndecided."""
-        again = (*self.legs[1:], self.legs[0]._replace(start=self.legs[-1].end))
-        maps = [
-            across(self.motion(leg), leg.end - leg.start, self.motion(after))
-            for leg, after in zip(self.legs, again, strict=True)
-        ]
-        first = next((k for k, leg in enumerate(self.legs) if leg.side == 0), 0)
-        total = _product([*maps[first:], *maps[:first]])
-        if self.legs[first].side:
-            return _eigenvalues(total)
+        found = _eigenvalues(self.slopes)
         # where the pair sticks v2 goes with v1: w dies in a finite time
-        return [*_eigenvalues(in_stick(total)), acb(0)]
+        return [*found[:2], acb(0)] if any(one.side == 0 for one in self.legs) else found
 
-    def claim(self, digits: int) -> Prediction:
-        """Return that one period, from inside the first leg on, has these modes and comes back.
+    def between(self, start: arb, end: arb) -> Iterator[Passage]:
+        """Yield the legs that meet [start, end], in order, and perhaps one at either edge."""
+        period = self.drive.period
+        for turn in count(math.floor(float((start - self.legs[0].start) / period)) - 1):
+            for leg in self.legs:
+                there = leg.later(turn * period, turn * self.travel)
+                if there.start > end:
+                    return
+                if there.end > start:
+                    yield there
 
-        Time and state of that start are rounded to decimals, so far that what grows of it in a period does not count.
-        """
-        kept, leg = max(digits + 12, KEPT_DIGITS), self.legs[0]
-        with Ball(2 * digits + 20).context():
-            begin, at = self.middle(leg)
-            scene = self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
-            ends, sides = dict(zip(("x1", "v1", "v2"), at, strict=True)), [one.side for one in self.legs]
-            return Prediction(scene, "after a period", ends, sum(map(abs, at), arb(0)), (*sides, leg.side))
-
-    def middle(self, leg: Leg) -> tuple[Fraction, State3]:
-        """Return a time (s) in the middle of a leg, and (x1, v1, v2) there."""
-        t = rounded((leg.start + leg.end) / 2)
-        return t, within(self.motion(leg), number(t) - leg.start)
-
-
-def within(motion: Motion, t: arb) -> State3:
-    """Return (x1, v1, v2) at a time (s) since the start of a motion; v2 is v1 in a stick."""
-    x1, v1, _, v2 = motion.state(t)
-    return x1, v1, v2 if motion.mode.side else v1
+    def passage_at(self, t: arb) -> Passage:
+        """Return the leg of a time t (s) that is no event. Raises EventUndecided."""
+        found = list(self.between(t, t))
+        if len(found) != 1 or not found[0].start <= t:
+            raise undecided("in which leg is this time?", t)
+        return found[0]
 
 
-def across(motion: Motion, length: arb, after: Motion) -> arb_mat:
-    """Return the derivative of (x1, v1, v2) after the event that ends a motion by that at its start (saltation).
+class Box(Ball):
+    """Balls to which an exact number is known within a radius: a run in them holds for a whole box of starts."""
 
-    Both at fixed times: a later event lets the earlier mode act longer. `after` is the motion that the event begins.
+    def __init__(self, digits: int, radius: arb) -> None:
+        """Fix precision and radius, the same in m and in m/s."""
+        super().__init__(digits)
+        self.radius = radius
+
+    def number(self, value: Fraction | int) -> arb:  # type: ignore[override]
+        """Return a ball of that radius about an exact rational."""
+        return Ball.number(value) + arb(0, self.radius)
+
+
+def follow(
+    drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], most: int, radius: arb | int = 0
+) -> list[Passage]:
+    """Return the period after a time (s) of all motions within a radius of a start (x1, v1, v2); v1 = v2: stuck ones.
+
+    Raises EventUndecided, NotSettled if there are more than `most` events.
     """
-    flow = motion.flow(length)
-    if motion.mode.side in {0, after.mode.side}:
-        return state_part(flow)  # at an exit both modes have the same accelerations
-    before, behind = motion.rate(flow * motion.begin), after.rate(after.begin)
-    closing = before[V1, 0] - before[V2, 0]
-    jump = [(before[place, 0] - behind[place, 0]) / closing for place in STATE]
-    mixed = [[int(row == column) - jump[row] * (0, 1, -1)[column] for column in range(3)] for row in range(3)]
-    return arb_mat(mixed) * state_part(flow)
+    scene = drive.one_period(begin, start, working_digits())
+    run = run_scene(scene, Box(working_digits(), arb(radius)), most + 1)
+    if len(run.events) > most:
+        raise NotSettled(
+            f"a period of {float(drive.period):.4g} s has more than {most} events, a fifth of max_events; raise "
+            "max_events, or use frequencies with a shorter common period"
+        )
+    parts, t = passages(run), number(begin)
+    ends = [*(one.start for one in parts[1:]), drive.period]
+    return [
+        Passage(t + one.start, t + end, LinearMode.under(drive.pair, one.side, drive.piece), one.state)
+        for one, end in zip(parts, ends, strict=True)
+    ]
 
 
-def state_part(flow: arb_mat) -> arb_mat:
+class Round(NamedTuple):
+    """A period of all motions of a box: its passages, its end (x1, v1, x2, v2), and (x1, v1, v2) there by the start."""
+
+    parts: list[Passage]
+    end: tuple[arb, arb, arb, arb]
+    slopes: arb_mat
+
+
+def one_round(
+    drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], most: int, radius: arb | int = 0
+) -> Round:
+    """Return a period as `follow` does, differentiated.
+
+    Raises EventUndecided, too, unless it has events and comes back to the mode it begins in.
+    """
+    parts = follow(drive, begin, start, most, radius)
+    last = parts[-1]
+    if len(parts) == 1 or parts[0].side != last.side or not last.end > last.start:
+        raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
+    maps = [across(one, after) for one, after in pairwise(parts)]
+    return Round(parts, last.at(last.end), _product([*maps, _of_state(last.motion.flow(last.end - last.start))]))
+
+
+def across(one: Passage, after: Passage) -> arb_mat:
+    """Return the derivative of (x1, v1, v2) after the event that ends a passage by that at its start (saltation).
+
+    Both at fixed times: a later event lets the earlier mode act longer.
+    """
+    motion, behind = one.motion, after.motion
+    flow = motion.flow(one.end - one.start)
+    if one.side in {0, after.side}:
+        return _of_state(flow)  # at an exit both modes have the same accelerations
+    rates, others = motion.rate(flow * motion.begin), behind.rate(behind.begin)
+    closing = rates[V1, 0] - rates[V2, 0]
+    jump = arb_mat([[(rates[place, 0] - others[place, 0]) / closing] for place in STATE])
+    return _of_state(flow) - jump * (arb_mat([[0, 1, -1]]) * _of_state(flow))
+
+
+def _of_state(flow: arb_mat) -> arb_mat:
     """Return the rows and columns of a flow that belong to (x1, v1, v2)."""
     return arb_mat([[flow[row, column] for column in STATE] for row in STATE])
+
+
+def _product(maps: Sequence[arb_mat]) -> arb_mat:
+    """Return the last map after all others; in pairs, so that a radius grows by a factor a level, not one a map."""
+    while len(maps) > 1:
+        pairs = [after * before for before, after in zip(maps[::2], maps[1::2], strict=False)]
+        maps = [*pairs, *maps[2 * len(pairs) :]]
+    return maps[0]
 
 
 def _eigenvalues(matrix: arb_mat) -> list[acb]:
@@ -179,114 +257,61 @@ def _eigenvalues(matrix: arb_mat) -> list[acb]:
     return sorted(found, key=lambda one: (float(f"{-float(abs(one).mid()):.9g}"), -float(one.imag.mid())))
 
 
-def in_stick(slopes: arb_mat) -> arb_mat:
-    """Return a derivative of (x1, v1, v2) by states that stick, v2 = v1: that of (x1, v1)."""
-    return arb_mat((slopes * arb_mat([[1, 0], [0, 1], [0, 1]])).tolist()[:2])
+def solve_orbit(drive: PeriodicDrive, guess: Orbit) -> Orbit:
+    """Return the proved enclosure of a periodic motion near another one. Raises EventUndecided."""
+    return solve_from(drive, *middle(guess.legs), 2 * len(guess.legs))
 
 
-def _product(maps: Sequence[arb_mat]) -> arb_mat:
-    """Return the last map after all others; in pairs, so that a radius grows by a factor a level, not one a map."""
-    while len(maps) > 1:
-        pairs = [after * before for before, after in zip(maps[::2], maps[1::2], strict=False)]
-        maps = [*pairs, *maps[2 * len(pairs) :]]
-    return maps[0]
-
-
-class Box(Ball):
-    """Balls to which an exact number is known within a radius: a run in them holds for a whole box of starts."""
-
-    def __init__(self, digits: int, radius: arb) -> None:
-        """Fix precision and radius, the same in m and in m/s."""
-        super().__init__(digits)
-        self.radius = radius
-
-    def number(self, value: Fraction | int) -> arb:  # type: ignore[override]
-        """Return a ball of that radius about an exact rational."""
-        return Ball.number(value) + arb(0, self.radius)
-
-
-class Round(NamedTuple):
-    """A period of all motions of a box: the mode it begins in and the legs after it; its end, and that by its start.
-
-    Legs begin at times of the drive; `in_order` says when they end.
-    """
-
-    side: int
-    legs: list[Leg]
-    end: State3
-    slopes: arb_mat
-
-
-def one_round(drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], radius: arb, most: int) -> Round:
-    """Return the period after a time (s) of all motions within a radius of a start (x1, v1, v2); v1 = v2: stuck ones.
-
-    Raises EventUndecided unless they have the same events, at most so many, and come back to the mode they begin in.
-    """
-    scene = drive.one_period(begin, start, working_digits())
-    run = run_scene(scene, Box(working_digits(), radius), most)
-    parts = legs(run)
-    left = drive.period - parts[-1].start
-    if not (run.reached and len(run.modes) > 1 and parts[0].side == parts[-1].side and left > 0):
-        raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
-    motions = [one.motion(scene) for one in parts]
-    ended = zip(parts, motions, motions[1:], strict=False)
-    maps = [across(one, part.end - part.start, two) for part, one, two in ended]
-    maps.append(state_part(motions[-1].flow(left)))
-    found = [one._replace(start=number(begin) + one.start) for one in parts[1:]]
-    return Round(parts[0].side, found, within(motions[-1], left), _product(maps))
-
-
-def solve_orbit(guess: Orbit) -> Orbit:
-    """Return the proved enclosure of a periodic motion near a guess. Raises EventUndecided."""
-    longest = max(guess.legs, key=lambda one: float(one.end - one.start))
-    return solve_from(guess.drive, *guess.middle(longest), 2 * len(guess.legs))
-
-
-def solve_from(drive: PeriodicDrive, begin: Fraction, at: Sequence[arb], most: int) -> Orbit:
+def solve_from(drive: PeriodicDrive, begin: Fraction, at: State3, most: int) -> Orbit:
     """Return a periodic motion near (x1, v1, v2) at a time (s), proved; a period has at most so many events.
 
     By Newton's method on the period map, then an interval Newton step over a box that the engine follows as a whole:
-    where it leads into the box one periodic motion begins there. Raises EventUndecided.
+    where it leads into the box one periodic motion begins there. Raises EventUndecided, NotSettled.
     """
     tiny, before = arb(10) ** -(working_digits() - 4), arb.pos_inf()
     for _ in range(_STEPS):
         start = [rounded(one, working_digits()) for one in at]
-        once = one_round(drive, begin, start, arb(0), most)
-        _log.info("solving a periodic motion of %d events to %d digits", len(once.legs), working_digits())
-        missed = [end - number(one) for end, one in zip(once.end, start, strict=True)]
+        once = one_round(drive, begin, start, most)
+        _log.info("solving a periodic motion of %d events to %d digits", len(once.parts) - 1, working_digits())
+        missed = [end - number(one) for end, one in zip(without_x2(once.end), start, strict=True)]
         step = _newton_step(once, missed)
         at, size = [number(one) + move for one, move in zip(start, step, strict=True)], _largest(step)
+        if once.parts[0].side == 0:
+            at[2] = at[1]
         if size <= tiny or (size >= before and size < 10 * tiny.sqrt()):
             break
         before = size
-    _log.info("proving the modes between %d events", len(once.legs))
+    _log.info("proving the modes between %d events", len(once.parts) - 1)
     for factor in (4, 64, 4096):
-        wide = one_round(drive, begin, start, factor * size, most)
+        wide = one_round(drive, begin, start, most, factor * size)
         if _largest(_newton_step(wide, missed)) < factor * size:
-            return Orbit(drive, in_order(wide.legs, drive.period))
+            return _in_order(drive, wide)
     raise undecided("is there a periodic motion with these events?", size)
 
 
-def in_order(legs: Sequence[Leg], period: arb) -> tuple[Leg, ...]:
-    """Return the legs of a period from the first slip + (else any leg) on that begins in [0, period)."""
-    early = [one._replace(start=one.start - period * math.floor(float(one.start / period))) for one in legs]
-    first = min(early, key=lambda one: (one.side != 1, float(one.start)))
-    late = [one if float(one.start) >= float(first.start) else one._replace(start=one.start + period) for one in early]
-    late.sort(key=lambda one: float(one.start))
-    ends = *(one.start for one in late[1:]), first.start + period
-    return tuple(one._replace(end=end) for one, end in zip(late, ends, strict=True))
-
-
 def _newton_step(over: Round, missed: Sequence[arb]) -> list[arb]:
-    """Return what leads from a start to one that comes back, if its end misses it by so much. Raises EventUndecided."""
-    slopes, count = (over.slopes, 3) if over.side else (in_stick(over.slopes), 2)
-    unit = arb_mat([[int(row == column) for column in range(count)] for row in range(count)])
+    """Return what leads from a start to one that comes back, if its end misses it by so much. Raises EventUndecided.
+
+    From a stuck start both columns of velocities count: the step keeps v1 = v2, as what is missed does.
+    """
+    unit = arb_mat([[int(row == column) for column in range(3)] for row in range(3)])
     try:
-        found = (unit - slopes).solve(arb_mat([[one] for one in missed[:count]])).entries()
+        return list((unit - over.slopes).solve(arb_mat([[one] for one in missed])).entries())
     except ZeroDivisionError:
         raise undecided("is the periodic motion isolated?", "a singular matrix") from None
-    return [*found, *found[count - 1 : 2]]
 
 
 def _largest(step: Sequence[arb]) -> arb:
     return max(abs(one).upper() for one in step)
+
+
+def _in_order(drive: PeriodicDrive, over: Round) -> Orbit:
+    """Return a round as an orbit, from the first slip + (else any leg) on that begins in [0, period)."""
+    period, (first, *legs) = drive.period, over.parts
+    travel = over.end[2] - first.state[2]
+    legs[-1] = legs[-1]._replace(end=first.end + period)
+    turns = [math.floor(float(one.start / period)) for one in legs]
+    k = min(range(len(legs)), key=lambda k: (legs[k].side != 1, float(legs[k].start - turns[k] * period)))
+    place = legs[k].state[2]
+    moved = [one.later((m < k) * period - turns[k] * period, (m < k) * travel - place) for m, one in enumerate(legs)]
+    return Orbit(drive, (*moved[k:], *moved[:k]), travel, over.slopes)

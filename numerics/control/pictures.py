@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -12,14 +12,12 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from matplotlib.ticker import LogLocator
-from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.thresholds import NonStop, entrainment_threshold, non_stop_threshold
-from numerics.control.tracking import Tracking
+from numerics.control.thresholds import edges
+from numerics.control.tracking import Tracking, acceleration
 from numerics.control.transfer import Transfer
-from numerics.linear.ties import force_form
-from numerics.scene import Pair
+from numerics.scene import Force, Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import (
@@ -34,7 +32,6 @@ from numerics.trajectory.figures import (
 )
 from numerics.trajectory.trajectory import Trajectory
 
-Floats = NDArray[np.float64]
 _DIGITS, _POINTS = 16, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
@@ -72,11 +69,11 @@ def draw_response(found: Any) -> Figure:
 def draw_rotating(found: Any) -> Figure:
     """Return the circles of both bodies, each about its own centre, and of their velocities; u starts along x."""
     figure, panels = _panels(10, 5.5, 1, 2)
-    v1, v2, turn = complex(found.v1), complex(found.v2), np.exp(1j * np.linspace(0, 2 * np.pi, _POINTS))
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, _POINTS))
     above, speeds = ("Both bodies from above", "m", 1j * float(found.omega)), ("Their velocities", "m/s", 1)
     for ax, (title, unit, rate) in zip(panels, (above, speeds), strict=True):
-        for v, style in ((v1, FIRST), (v2, SECOND)):
-            circle = v / rate * turn
+        for v, style in ((found.v1, FIRST), (found.v2, SECOND)):
+            circle = complex(v) / rate * turn
             draw_path(ax, circle.real, circle.imag, np.zeros(1), **style)
         ax.set(title=title, xlabel=f"x ({unit})", ylabel=f"y ({unit})", aspect="equal")
         ax.locator_params(nbins=5)
@@ -85,26 +82,14 @@ def draw_rotating(found: Any) -> Figure:
     return figure
 
 
-def threshold_curves(pair: Pair, omegas: Sequence[float]) -> Floats:
-    """Return U*, U** and the least U >= U** of a motion that slips permanently (N) at frequencies (rad/s), in binary64.
-
-    Shape (3, n). Both last are infinite where U** is. The last is approximate: w is looked at on a grid of times
-    (`NonStop.edge`).
-    """
-    found = []
-    with Ball(_DIGITS).context():
-        for omega in map(Fraction, map(float, omegas)):
-            high = float(non_stop_threshold(pair, omega))
-            found.append((float(entrainment_threshold(pair, omega)), high, max(high, NonStop(pair, omega).edge())))
-    return np.array(found).T
-
-
 def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
     """Draw U*, U** and the edge of the non-stop regime over frequency into logarithmic axes, and return the axes.
 
-    The regimes are shaded between U* and that edge, which is approximate as `threshold_curves` says.
+    The regimes are shaded between U* and that edge, which is approximate (`NonStop.edge`).
     """
-    low, high, edge = threshold_curves(pair, omegas)
+    with Ball(_DIGITS).context():
+        curves = [[float(one) for one in edges(pair, Fraction(float(omega)))] for omega in omegas]
+    low, high, edge = np.array(curves).T
     ax.plot(omegas, low, color=PURPLE, label="$U_*$: permanent stick is possible up to it")
     ax.plot(omegas, edge, color="black", label="no stops above this line (drawn, not proved)")
     ax.plot(omegas, high, color=PURPLE, ls="--", label="$U_{**}$: no permanent slip with two reversals below it")
@@ -124,24 +109,22 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
 
 def draw_tracking(found: Tracking, pair: Pair) -> Figure:
     """Return the reference, what it asks of the interface beside what that holds, and the force if there is one."""
-    figure, (path, friction, force) = _panels(8, 7.2, 3, 1, sharex=True)
+    figure, axes = _panels(8, 7.2, 3, 1, sharex=True)
+    path, bend, end = Force(found.reference), Force(map(acceleration, found.reference)), found.demands[-1].end
+    curves = [(path, 1.0, "black"), (bend, float(pair.m2), GREEN)]
+    title = "No force makes body 2 follow: the dashed pieces require too much friction"
+    if found.scene is not None:
+        title = "The force on body 1 that makes body 2 follow"
+        curves.append((found.scene.force, 1.0, PURPLE))
     for one in found.demands:
-        t = np.linspace(float(one.start), float(one.end), _POINTS)
-        piece = found.reference[one.number - 1]
-        since = [Fraction(at) - piece.start for at in t.tolist()]
-        r, bend = (np.array([float(force_form(piece, at, k).rounded(64)) for at in since]) for k in (0, 2))
-        dashes = "-" if one.possible else "--"
-        path.plot(t, r, color="black", ls=dashes)
-        friction.plot(t, float(pair.m2) * bend, color=GREEN, ls=dashes)
-        friction.fill_between(t, -float(one.b), float(one.b), color=GREEN, alpha=0.2, lw=0)
-        if found.scene is not None:
-            force.plot(t[:-1], [float(found.scene.force(float(at))) for at in t[:-1]], color=PURPLE)
-    title = "The force on body 1 that makes body 2 follow"
-    if found.scene is None:
-        title = "No force makes body 2 follow: the dashed pieces require too much friction"
-    path.set(ylabel="r (m)", title="The reference of body 2")
-    friction.set(ylabel="friction needed (N)", title="Friction required; shaded: friction available")
-    force.set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(found.demands[-1].end)), title=title)
+        t = np.linspace(float(one.start), float(one.end), _POINTS, endpoint=False)
+        axes[1].fill_between(t, -float(one.b), float(one.b), color=GREEN, alpha=0.2, lw=0)
+        for ax, (curve, factor, colour) in zip(axes, curves, strict=False):
+            values = [factor * float(curve(at)) for at in t.tolist()]
+            ax.plot(t, values, color=colour, ls="-" if one.possible else "--")
+    axes[0].set(ylabel="r (m)", title="The reference of body 2")
+    axes[1].set(ylabel="friction needed (N)", title="Friction required; shaded: friction available")
+    axes[2].set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(end)), title=title)
     return figure
 
 
@@ -167,20 +150,18 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
 def draw_ring(found: Any) -> Figure:
     """Return Fig. 1 for the scene of a Ring: relative plane, and distance from the limit over time, in float64."""
     entry, radius, rate, centre = (float(one) for one in (found.entry, found.radius, found.rate, found.centre))
-    solved = solve(replace(found.scene, until=Fraction(max(float(found.scene.until), 1.3 * entry))))
-    curve = sampled(solved)
+    curve = sampled(solve(replace(found.scene, until=max(found.scene.until, Fraction(1.3 * entry)))))
     z, w = curve.y[0] - curve.y[2] - centre, curve.y[1] - curve.y[3]
     figure, (plane, time) = _panels(10.5, 5.2, 1, 2)
     late = curve.t >= entry
-    plane.plot(*np.where(late, np.nan, (z, w)), color=GRAY, lw=0.9, label="before")
-    plane.plot(*np.where(late, (z, w), np.nan), color="black", lw=1.6, label="inside permanently")
+    plane.plot(z, w, color=GRAY, lw=0.9, label="before")
+    plane.plot(z[late], w[late], color="black", lw=1.6, label="inside permanently")
     plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
-    x1, v1, x2, v2 = solved.sol(entry)
-    plane.plot(x1 - x2 - centre, v1 - v2, "o", color="black", ms=5, label=f"t = {entry:.6g} s")
+    first = int(np.argmax(late))
+    plane.plot(z[first], w[first], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
     plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
     _legends_below([plane])
-    distance = np.hypot(z, w / rate)
-    time.semilogy(curve.t, np.where(distance > 0, distance, np.nan), color="black", lw=0.9)
+    time.semilogy(curve.t, np.hypot(z, w / rate), color="black", lw=0.9)
     time.axhline(radius, color="black", ls="--", lw=0.9)
     time.axvline(entry, color=GRAY, lw=1)
     time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="Inside permanently from the line on")

@@ -16,17 +16,11 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Prediction, most_digits, number, rounded
-from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
+from numerics.control.answers import KEPT_DIGITS, most_digits, number, rounded
+from numerics.control.orbit import Orbit, PeriodicDrive, middle, solve_orbit
 from numerics.control.rotating import pictures, rotating_force, rotating_response
 from numerics.control.search import MAX_EVENTS, search
-from numerics.control.stuck import (
-    entrained,
-    others_stick,
-    resonant_growth,
-    stuck_multipliers,
-    stuck_state,
-)
+from numerics.control.stuck import entrained, others_stick, resonant_growth, stuck_motion, stuck_multipliers
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Piece, Scene
@@ -63,8 +57,8 @@ class Response(ShortRepr):
     entrained: a motion in which the bodies stick permanently; None; 0; 8
     >>> [abs(one).str(5, radius=False) for one in found.multipliers], found.drift.is_zero()
     (['0.73040', '0.73040', '0'], True)
-    >>> float(found.one_period().until), found.drive.pair.b, found.claim()
-    (1.2566370614359172, Fraction(1, 20), None)
+    >>> float(found.one_period().until), found.drive.pair.b
+    (1.2566370614359172, Fraction(1, 20))
     """
 
     drive: PeriodicDrive
@@ -83,6 +77,11 @@ class Response(ShortRepr):
         is_kept = self.regime is Regime.ENTRAINED and self.drive.pair.a1 == 0
         return tuple(arb(one != 0) if is_kept else abs(one) for one in self.multipliers or ())
 
+    @property
+    def is_only_one(self) -> bool:
+        """Return whether every motion is proved to tend to this one."""
+        return self.attraction.startswith(_EVERY)
+
     def plot(self) -> Any:
         """Return a matplotlib figure: one period of the motion, its friction, and the thresholds over frequency.
 
@@ -90,19 +89,17 @@ class Response(ShortRepr):
         """
         return pictures().draw_response(self)
 
-    def claim(self) -> Prediction | None:
-        """Return the prediction that its motion repeats after a period, None without events."""
-        return self.orbit.claim(self.digits) if self.orbit is not None else None
-
     def one_period(self) -> Scene | None:
         """Return one period of its motion as a scene, in decimals; None if there is no such scene."""
-        claim = self.claim()
-        if claim is not None:
-            return claim.scene
-        with Ball(KEPT_DIGITS).context():
-            sticks = self.regime is Regime.ENTRAINED and entrained(self.drive)
-            state = stuck_state(self.drive, arb(0)) if sticks else None
-            return state and self.drive.one_period(Fraction(0), [*map(rounded, state)], KEPT_DIGITS)
+        kept = max(self.digits + 12, KEPT_DIGITS)
+        with Ball(2 * self.digits + 20).context():
+            if self.orbit is not None:
+                begin, at = middle(self.orbit.legs[:1])
+            elif self.regime is Regime.ENTRAINED and entrained(self.drive) and (motion := stuck_motion(self.drive)):
+                begin, at = Fraction(0), (motion[0], motion[1], motion[1])
+            else:
+                return None
+            return self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
 
 
 def response(
@@ -145,27 +142,20 @@ def response(
         nonlocal orbit
         growth = resonant_growth(drive)
         if growth > 0:
-            grows = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
-            return grows, [growth]
-        if entrained(drive) or others_stick(drive, known):
+            found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
+        elif entrained(drive) or others_stick(drive, known):
             found = _entrained(drive, known, digits)
         else:
-            orbit = search(drive, max_events) if orbit is None else solve_orbit(orbit)
+            orbit = search(drive, max_events) if orbit is None else solve_orbit(drive, orbit)
             found = _of_orbit(orbit, known, digits)
-        return found, _numbers(found)
+        legs = () if found.orbit is None else found.orbit.legs
+        numbers = [growth, found.drift or arb(0), *(one for leg in legs for one in (leg.start, *leg.state[:2]))]
+        return found, [*numbers, *found.moduli]
 
     # v2 is lost beside a v1 that so much larger a force gives
     times = sum(abs(one.amplitude) for one in sines) / drive.pair.b
     lost = max(0, times.numerator.bit_length() - times.denominator.bit_length()) * 3 // 10
     return to_digits(attempt, digits, most_digits(digits, max_digits), SPARE_DIGITS + lost)
-
-
-def _numbers(found: Response) -> list[arb]:
-    """Return the numbers of a response that must have the digits asked for."""
-    moduli = found.moduli
-    if found.orbit is None:
-        return [*moduli] if found.drive.pair.a1 > 0 else []
-    return [found.drift or arb(0), *moduli, *(one for leg in found.orbit.legs for one in (leg.start, *leg.state[:2]))]
 
 
 def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
@@ -179,10 +169,11 @@ def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
             raise InvalidScene("the scene has no force; add [[force]] with one sine, or give amplitude and omega")
         scene = replace(scene, force=Force.sine(**asked))
     drive = steady_drive(scene)
-    if asked and len(drive.piece.sines) != 1:
+    if not asked:
+        return drive
+    if len(drive.piece.sines) != 1:
         raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
-    sines = tuple(replace(one, **asked) for one in drive.piece.sines)
-    return replace(drive, piece=replace(drive.piece, sines=sines))
+    return replace(drive, piece=replace(drive.piece, sines=(replace(drive.piece.sines[0], **asked),)))
 
 
 def steady_drive(scene: Scene) -> PeriodicDrive:
@@ -210,8 +201,6 @@ def last_drive(scene: Scene) -> PeriodicDrive | None:
 def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
-    every = _EVERY if pair.a1 > 0 else ""
-    touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
     stays = (
         "a1 = 0, so not all motions tend to it: a free oscillation of the stuck pair does not decay, and motions that "
         "slip may do so for thousands of periods"
@@ -222,23 +211,20 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
             breaks = "but motions with a free oscillation that flattens the peaks of the load"
             why = f"not all motions do; the stuck response itself breaks, {breaks}"
         why = f"{why} stick up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
-    elif touches:
-        multipliers, why = None, f"{every or 'attraction is open'}; its load touches the limit"
-    elif pair.a1 == 0:
-        why = stays
+    elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
+        multipliers, why = None, f"{_EVERY if pair.a1 > 0 else 'attraction is open'}; its load touches the limit"
     else:
-        why = f"{every}, and sticks after a finite time"
+        why = f"{_EVERY}, and sticks after a finite time" if pair.a1 > 0 else stays
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
 
 
 def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
-    multipliers = tuple(orbit.multipliers())
     attraction = _attraction(orbit)
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
     drift = arb(0) if drive.is_odd and attraction.startswith(_EVERY) else orbit.travel / drive.period
-    return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
+    return Response(drive, regime, known, orbit, tuple(orbit.multipliers()), drift, arb(0), attraction, digits)
 
 
 def _attraction(orbit: Orbit) -> str:

@@ -13,8 +13,10 @@ in balls for it; after that time the motion is inside by what is proved of all l
 from __future__ import annotations
 
 import logging
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from typing import NamedTuple
 
 import flint
@@ -24,13 +26,13 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.arithmetic.precision import precision
 from numerics.control.answers import most_digits, number
-from numerics.control.attraction import Passage, passage_at, passages, slide_left
-from numerics.control.orbit import Orbit, PeriodicDrive
+from numerics.control.attraction import energy_norm, slide_left, speed_bound
+from numerics.control.orbit import Orbit, Passage, PeriodicDrive, passages
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
 from numerics.free.root import falling_root
-from numerics.linear.system import LocalNorm, W, Z
+from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind
@@ -38,7 +40,6 @@ from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from numerics.trajectory.variation import legs
 
 _log = logging.getLogger(__name__)
 _FREE, _FORCED = (24, 100_000), (7, 2_000)
@@ -104,7 +105,8 @@ def ring_entry(
             if found.growth > 0:
                 raise InvalidScene(f"{found.regime.value}; the motion leaves every ring")
             orbit = found.orbit
-        trajectory, known = _settled(scene, drive, orbit, (size, per), arithmetic)
+        # so near its limit, in m and in m/s for w, the motion is inside its ring
+        trajectory, known = _settled(scene, drive, orbit, float(size) * min(1.0, float(per)) / 2, arithmetic)
         entry = _last_on_ring(trajectory, known, size, per)
         return Ring(scene, size, per, known.limit, entry, orbit, known.why, digits), [known.limit, entry]
 
@@ -124,31 +126,29 @@ class Settled(NamedTuple):
 
 
 def _settled(
-    scene: Scene, drive: PeriodicDrive, orbit: Orbit | None, ring: tuple[Fraction, Fraction], arithmetic: Ball
+    scene: Scene, drive: PeriodicDrive, orbit: Orbit | None, near: float, arithmetic: Ball
 ) -> tuple[Trajectory, Settled]:
-    """Return a trajectory that is long enough to know the limit, and what is known; `ring`: its radius and rate."""
+    """Return a trajectory that is long enough to know when the motion stays near its limit (m, m/s), and what is known.
+
+    Raises NotSettled.
+    """
     doublings, most = _FORCED if scene.is_forced else _FREE
-    # so near the limit, in m and in m/s for w, the motion is inside its ring
-    near = float(ring[0]) * min(1.0, float(ring[1])) / 2
     last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(-1))
     until = max(scene.until, last + 1)
     for _ in range(doublings):
         _log.info("following the motion to t = %.6g s in %d digits", until, arithmetic.digits)
-        longer = replace(scene, until=until)
-        trajectory, found = run_scene(longer, arithmetic, most), None
+        run, found = run_scene(replace(scene, until=until), arithmetic, most), None
         if orbit is not None:
-            found = periodic_settled(trajectory, orbit, near)
-        elif trajectory.status is Status.STUCK_FOR_EVER:
-            # what acts at the horizon acts after it
-            x1, _, x2, _ = trajectory.final_state
-            since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
-            found = Settled(x1 - x2, since, "the pair sticks permanently")
-        elif not drive.piece.sines and (slip := creeping_place(trajectory, drive.pair, near, max(last, Fraction(0)))):
+            found = periodic_settled(run, orbit, near)
+        elif run.status is Status.STUCK_FOR_EVER:  # what acts at the horizon acts after it
+            x1, _, x2, _ = run.final_state
+            found = Settled(x1 - x2, [arb(0), *(one.t for one in run.events)][-1], "the pair sticks permanently")
+        elif not drive.piece.sines and (slip := creeping_place(run, drive.pair, near, max(last, Fraction(0)))):
             why = f"all slips after event {slip.index + 1} are bounded, and alternate in sign"
-            found = Settled(slip.limit, trajectory.events[slip.index].t, why)
+            found = Settled(slip.limit, run.events[slip.index].t, why)
         if found is not None:
-            return trajectory, found
-        if not trajectory.reached:
+            return run, found
+        if not run.reached:
             break
         until *= 2
     remedy = f"a later horizon{'' if drive.pair.a1 else ' or a larger radius'} may help"
@@ -157,8 +157,8 @@ def _settled(
     elif drive.piece.sines:
         remedy = "a larger radius does not help: the pair is not proved to stick permanently"
     raise NotSettled(
-        f"the motion is not known to settle to within a radius of {short(ring[0])} m by t = {short(longer.until)} s "
-        f"or {most} events; {remedy}"
+        f"the motion is not known to settle to within {near:.3g} m of its limit by t = {short(run.scene.until)} s or "
+        f"{most} events; {remedy}"
     )
 
 
@@ -169,18 +169,17 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
     sharp and the balls of both motions are apart, a later horizon is sharper: None.
     """
-    parts, pair, period = stretches(trajectory), orbit.drive.pair, orbit.drive.period
-    end, kappa = number(trajectory.scene.until), number(pair.mass / (pair.m1 * pair.m2))
-    limit, since = None, None
+    parts, pair, period = passages(trajectory), orbit.drive.pair, orbit.drive.period
+    end, limit, since = number(trajectory.scene.until), None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
         t = (end - back * period).mid()
         try:
-            there = passage_at(orbit, t)
-            here = next((one for one in parts if one.begin <= t and not t > one.end), None)
-            if here is None or here.motion.mode.side != there.motion.mode.side:
+            there = orbit.passage_at(t)
+            here = [one for one in parts if one.start <= t and not t > one.end][:1]
+            if [one.side for one in here] != [there.side]:
                 break
-            apart = [a - b for a, b in zip(here.state(t), there.state(t), strict=True)]
-            reach = LocalNorm(here.motion.mode).of(apart)
+            apart = [a - b for a, b in zip(here[0].at(t), there.at(t), strict=True)]
+            reach = energy_norm(pair, apart)
             left = slide_left(orbit, t, reach)
         except EventUndecided:
             break
@@ -189,7 +188,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
             if not left <= limit.rad() and not all(apart[k].contains(0) for k in (0, 1, 3)):
                 return None
             limit += arb(0, left)
-        if not left.max(kappa.sqrt() * reach) < near:
+        if not left.max(speed_bound(pair) * reach) < near:
             break
         since = t
     if limit is None or since is None:
@@ -200,53 +199,43 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 # the last time on the ring
 
 
-def stretches(trajectory: Trajectory) -> list[Passage]:
-    """Return the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
-    return [Passage(one.start, one.end, one.motion(trajectory.scene)) for one in legs(trajectory)]
-
-
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
-    for one in reversed(stretches(trajectory)):
-        if one.begin < known.since:
-            others = [[two] for two in passages(known.orbit, one.begin, one.end)] if known.orbit is not None else [[]]
-            for there in reversed(others):
-                begin, end = one.begin, one.end
-                for two in there:
-                    begin, end = begin.max(two.begin), end.min(two.end)
-                apart = _Apart((one, *there), begin, known.limit, number(radius**2), number(1 / rate**2))
-                found = _last_in(apart, end - begin)
+    orbit, squared, weight = known.orbit, number(radius**2), number(1 / rate**2)
+    for one in reversed(passages(trajectory)):
+        if one.start < known.since:
+            together = [(one,)] if orbit is None else [(one, two) for two in orbit.between(one.start, one.end)]
+            for parts in reversed(together):
+                start, end = reduce(arb.max, (part.start for part in parts)), reduce(arb.min, (p.end for p in parts))
+                found = _last_zero(_outside(parts, start, known.limit, squared, weight), end - start)
                 if found is not None:
-                    return begin + found
+                    return start + found
     return arb(0)
 
 
+Function = Callable[[arb], tuple[arb, arb]]
+"""A function of time (s) and its rate, enclosed over a ball of times."""
 _ROWS = ((0, Z), (0, W), (1, Z), (1, W))
 
 
-class _Apart(NamedTuple):
-    """D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time on: of a motion, or of that and a periodic one."""
+def _outside(parts: Sequence[Passage], start: arb, limit: arb, squared: arb, weight: arb) -> Function:
+    """Return D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 from a time (s) on: of one motion, or of that less another."""
+    motions = [(one.motion, start - one.start) for one in parts]
 
-    motions: tuple[Passage, ...]
-    begin: arb
-    limit: arb
-    squared: arb
-    weight: arb
-
-    def over(self, t: arb) -> tuple[arb, arb]:
-        """Return D and D' over a ball of times since the beginning."""
-        stretched = [one.motion.over(self.begin - one.begin + t) for one in self.motions]
+    def over(t: arb) -> tuple[arb, arb]:
+        stretched = [motion.over(since + t) for motion, since in motions]
         here, *others = [[one.range(row, order) for order, row in _ROWS] for one in stretched]
-        here[0] -= self.limit
         for other in others:
             here = [a - b for a, b in zip(here, other, strict=True)]
         z, w, slide, change = here
-        return z * z + self.weight * w * w - self.squared, 2 * (z * slide + self.weight * w * change)
+        z -= limit
+        return z * z + weight * w * w - squared, 2 * (z * slide + weight * w * change)
+
+    return over
 
 
-def _last_in(apart: _Apart, length: arb) -> arb | None:
-    """Return the last time in a stretch at which D is 0; None if D < 0."""
-    over = apart.over
+def _last_zero(over: Function, length: arb) -> arb | None:
+    """Return the last zero in [0, length] of a function that ends below 0; None if there is none."""
     waiting = [(arb(0), length.upper())]
     smallest = length.upper() * arb(2) ** (-working_digits())
     while waiting:

@@ -1,35 +1,32 @@
 """The search for the periodic motion: one that is found is proved.
 
-The pair is followed over periods from some starts; Newton's method on the period map (`solve_from`) ends each search. A
-pair that is followed does not see how the stuck response breaks where the force is a little above what friction holds,
-by too short slips: a search begins there, too. One motion is enough; response.py says when it is the only one.
+The pair is followed over periods from some starts; Newton's method on the period map (`solve_from`) ends each search.
+One motion is enough; response.py says when it is the only one.
 """
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, undecided, working_digits
+from numerics.arithmetic.ball import undecided
 from numerics.control.answers import number, rounded
-from numerics.control.orbit import Orbit, PeriodicDrive, State3, solve_from, within
-from numerics.control.stuck import next_to_the_stuck_response, stuck_state
-from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
-from numerics.trajectory.run import run_scene
-from numerics.trajectory.variation import legs
+from numerics.control.orbit import Orbit, PeriodicDrive, State3, follow, middle, solve_from, without_x2
+from numerics.control.stuck import stuck_motion
+from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 
 _log = logging.getLogger(__name__)
 MAX_EVENTS, _SHARE = 10_000, 5
 """Limit on events, and which part of it a period may have: its equations take longer than a run."""
-_PERIODS, _MANY = (4, 12, 48), (16, 64, 256)
-"""So many periods are followed from a start, one batch after the other; at the end of each Newton's method begins."""
 _LOST = (EventUndecided, InvalidScene, OutOfRange)
 """What ends a search from one start: nothing is claimed of it."""
-_PHASE, _DIGITS = Fraction(1234567, 10**7), 20
+_BEGIN, _DIGITS = Fraction(1234567, 10**7), 20
 """At this part of a period searches begin; that many digits of a state are followed from period to period."""
+Start = tuple[Fraction, State3, int]
+"""A time (s), (x1, v1, v2) there, and how many periods are followed from it before Newton's method begins."""
 
 
 def search(drive: PeriodicDrive, max_events: int) -> Orbit:
@@ -39,66 +36,68 @@ def search(drive: PeriodicDrive, max_events: int) -> Orbit:
     """
     failures = list[Exception]()
     for begin, at, periods in _starts(drive):
+        _log.info("following %d periods of %.4g s", periods, drive.period)
         try:
-            return _followed(drive, begin, at, periods, max_events // _SHARE)
+            return _found_from(drive, begin, at, periods, max_events // _SHARE)
         except _LOST as error:
             failures.append(error)
     raise failures[0]
 
 
-def _starts(drive: PeriodicDrive) -> Iterator[tuple[Fraction, State3, Sequence[int]]]:
-    """Yield times (s), states (x1, v1, v2) there, and how many periods are followed from them."""
-    t = rounded(drive.period * number(_PHASE), _DIGITS)
+def _found_from(drive: PeriodicDrive, begin: Fraction, at: State3, periods: int, most: int) -> Orbit:
+    """Return the periodic motion to which a start leads.
+
+    The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
+    """
+    for _ in range(periods):
+        parts = follow(drive, begin, [rounded(one, _DIGITS) for one in at], most)
+        at = without_x2(parts[-1].at(parts[-1].end))
+    if len(parts) == 1:
+        raise undecided("has a period an event?", "none")
+    return solve_from(drive, *middle(parts), most)
+
+
+def _starts(drive: PeriodicDrive) -> Iterator[Start]:
+    """Yield where searches begin: slipping, next to the stuck response, and with body 2 at rest."""
+    t = rounded(drive.period * number(_BEGIN), _DIGITS)
     # it slips at once: a pair that would stay stuck elsewhere does not hide the motion
     far = number(2 * drive.pair.half_width), arb(0), arb(0)
-    yield t, far, _PERIODS[:1]
-    for begin, at in next_to_the_stuck_response(drive):
-        yield begin, at, (0,)
-    free = stuck_state(drive, number(t), drive.pair.m1)
-    if free is not None:
-        yield t, (*free[:2], arb(0)), _PERIODS
-    yield t, far, _MANY
+    yield t, far, 4
+    yield from _breaking(drive)
+    if (creeping := _creeping(drive)) is not None:
+        yield creeping
+    alone = stuck_motion(drive, number(t), drive.pair.m1)
+    free = far if alone is None else (alone[0], alone[1], arb(0))
+    for periods in (4, 12, 48):
+        yield t, free, periods
+    for periods in (16, 64, 256):
+        yield t, far, periods
 
 
-def _followed(drive: PeriodicDrive, begin: Fraction, at: State3, periods: Sequence[int], most: int) -> Orbit:
-    """Return the periodic motion to which (x1, v1, v2) at a time (s) leads, proved. Raises one of _LOST, NotSettled.
+def _breaking(drive: PeriodicDrive) -> Iterator[Start]:
+    """Yield the stuck response where its load is least: that it breaks by too short slips, no other start sees."""
+    times = [rounded(drive.period * k / 8) for k in range(1, 8)]
+    motions = [(t, motion) for t in times if (motion := stuck_motion(drive, number(t))) is not None]
+    if motions:
+        t, (x, v, *_) = min(motions, key=lambda one: abs(float(one[1][2])))
+        yield t, (x, v, v), 1
 
-    The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing. A
-    whole batch of periods without an event ends the search. `most`: the most events of a period.
+
+def _creeping(drive: PeriodicDrive) -> Start | None:
+    """Return about how the bodies pass the rest position, if a weak sine near resonance makes them slip.
+
+    The stuck pair swings as x1 = -A cos(p - phi) under U sin p, U sin phi = -(a2 - M omega^2) A. What is left of U cos
+    phi beside damping friction takes, near the critical orbit by A^2 = L^2 (1 + w), w^2 = 4 pi (U cos phi - a1 omega L)
+    m1/(9 b M), L the half-width. Approximate, of the sine next to resonance.
     """
-    for count in periods:
-        guess = None if count else (begin, at)
-        _log.info("following %d periods of %.4g s", count, drive.period)
-        for _ in range(count):
-            at, found = _one_period(drive, begin, at, most)
-            guess = found or guess
-        if guess is None:
-            raise undecided("has a period an event?", "none")
-        try:
-            return solve_from(drive, *guess, most)
-        except _LOST as error:
-            lost = error
-    raise lost
-
-
-def _one_period(
-    drive: PeriodicDrive, begin: Fraction, at: Sequence[arb], most: int
-) -> tuple[State3, tuple[Fraction, State3] | None]:
-    """Return the state a period after a time (s), and time and state in the middle of the longest leg on the way.
-
-    None for these without an event. Raises one of _LOST, NotSettled where there are more events than `most`.
-    """
-    scene = drive.one_period(begin, [rounded(one, _DIGITS) for one in at], _DIGITS)
-    run = run_scene(scene, Ball(working_digits()), most + 1)
-    if len(run.events) > most:
-        raise NotSettled(
-            f"a period of {float(drive.period):.4g} s has more than {most} events, a fifth of max_events; raise "
-            "max_events, or use frequencies with a shorter common period"
-        )
-    x1, v1, _, v2 = run.final_state
-    last = x1, v1, v2 if run.final_mode.sign else v1
-    if len(run.modes) == 1:
-        return last, None
-    longest = max(legs(run), key=lambda one: float(one.end - one.start))
-    t = rounded(number(begin) + (longest.start + longest.end) / 2, _DIGITS)
-    return last, (t, within(longest.motion(scene), number(t - begin) - longest.start))
+    pair = drive.pair
+    sine = min(drive.piece.sines, key=lambda one: abs((pair.a2 - pair.mass * one.omega**2) / one.amplitude))
+    L, U, omega = pair.half_width, abs(sine.amplitude), number(sine.omega)
+    across = number((pair.mass * sine.omega**2 - pair.a2) * L / U)
+    along = (1 - across * across).sqrt() - number(pair.a1 * sine.omega * L / U)
+    if not along > 0:  # nor if the root is none
+        return None
+    square = along * arb.pi() * number(4 * U * pair.m1 / (9 * pair.b * pair.mass))
+    v = number(L * sine.omega if sine.amplitude > 0 else -L * sine.omega) * (1 + square.sqrt()).sqrt()
+    t = rounded((arb.pi() / 2 + across.asin() - number(sine.phase)) / omega)
+    return t, (number(drive.rest), v, v), 1

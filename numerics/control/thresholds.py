@@ -28,17 +28,14 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number
 from numerics.errors import InvalidScene
-from numerics.linear.system import is_positive_on
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive, require_digits
 from numerics.scene.model import require_kind
 from numerics.scene.plane import PlanePair
 from numerics.scene.short_repr import ShortRepr
 
-_PARTS = 64
-"""Into so many parts half a period is cut before w > 0 counts as undecided."""
 _TIMES = 96
-"""Times in half a period at which w is looked at where nothing is proved."""
+"""Times in half a period at which w is looked at for a figure."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -126,7 +123,8 @@ def non_stop_threshold(pair: Pair, omega: Fraction) -> arb:
     if pair.a1 == 0 and pair.a2 == pair.m1 * omega**2:
         # at omega1 itself the sine must make up for what friction takes in a cycle, 4 b times the amplitude
         return 4 * number(pair.b) / arb.pi()
-    return NonStop(pair, omega).threshold
+    motion = NonStop(pair, omega)
+    return motion.amplitude(motion.least)
 
 
 def odd_ratio(pair: Pair, mass: Fraction, omega: Fraction) -> int | None:
@@ -140,6 +138,22 @@ def odd_ratio(pair: Pair, mass: Fraction, omega: Fraction) -> int | None:
 def flattest_peak(odd: int) -> arb:
     """Return the least max |sin t + c sin(n t + phase)| over c and phase for an odd n >= 3: cos(pi/(2 n))."""
     return (arb.pi() / (2 * odd)).cos()
+
+
+def edges(pair: Pair, omega: Fraction) -> tuple[arb, arb, arb]:
+    """Return U*, U** and the least U >= U** at which w keeps its sign, N; in the arithmetic's context.
+
+    The last is approximate, for figures: w is looked at on a grid of times, not between them, so it may lie a little
+    too low. It is infinite where U** is.
+    """
+    low, high = entrainment_threshold(pair, omega), non_stop_threshold(pair, omega)
+    if not high.is_finite():
+        return low, high, high
+    least, motion = arb(0), NonStop(pair, omega)
+    for k in range(_TIMES):
+        t = motion.half * (2 * k + 1) / (2 * _TIMES)
+        least = least.max(-motion.relative(t) / (motion.omega * t).sin())
+    return low, high, high.max(motion.amplitude(least))
 
 
 class NonStop:
@@ -158,55 +172,17 @@ class NonStop:
         inner = (b - number(pair.a2) * b * place) / number(pair.m1)
         self.V, self.square = self.beta * self.half / 2 - b * speed, -b * speed
         self.swing = inner + self.decay * self.square
-        self.least = (inner + self.beta - 2 * self.decay * b * speed) / self.omega
+        self.least = (inner + self.beta + 2 * self.decay * self.square) / self.omega
 
-    @property
-    def threshold(self) -> arb:
-        """Return U**, N."""
-        return self.reach * abs(acb(self.V, self.least))
+    def amplitude(self, R: arb) -> arb:
+        """Return the U to which an R belongs, N."""
+        return self.reach * abs(acb(self.V, R))
 
-    def relative(self, t: arb, R: arb) -> tuple[arb, arb]:
-        """Return w (m/s) and its rate (m/s^2) at a time since the reversal, s."""
+    def relative(self, t: arb) -> arb:
+        """Return w for R = 0 at a time since the reversal (s), m/s."""
         C, S = cosine_and_sine(self.squared, t)
-        sine, cosine = (self.omega * t).sin_cos()
-        fading = (-self.decay * t).exp()
-        falls = self.square * (self.decay * C + number(self.squared) * S) + self.swing * (C - self.decay * S)
-        w = fading * (self.square * C - self.swing * S) - self.beta * (t - self.half / 2) - self.V * cosine + R * sine
-        return w, self.omega * (self.V * sine + R * cosine) - self.beta - fading * falls
-
-    def keeps_slipping(self, amplitude: arb) -> bool | None:
-        """Return whether w > 0 between the reversals under a force above U**, N; None where neither is proved."""
-        rest = (amplitude / self.reach) ** 2 - self.V * self.V
-        if not rest > 0:
-            return None
-        R = rest.sqrt()
-
-        def rising(part: arb) -> arb:
-            """Return w in the form that is the sharper: by its value in the middle and its rate over the part."""
-            middle, (plain, rate) = part.mid(), self.relative(part, R)
-            wide = self.relative(middle, R)[0] + (part - middle) * rate
-            return wide if wide.rad() < plain.rad() else plain
-
-        short_part, end = (self.half / 16).lower(), self.half.upper()
-        if (
-            is_positive_on(lambda t: self.relative(t, R)[1], arb(0), short_part, _PARTS)
-            and is_positive_on(lambda t: -self.relative(t, R)[1], self.half.lower() - short_part, end, _PARTS)
-            and is_positive_on(rising, short_part, end - short_part, _PARTS)
-        ):
-            return True
-        return False if any(self.relative(t, R)[0] < 0 for t in self._times()) else None
-
-    def edge(self) -> float:
-        """Return the least U >= U**, N, at which w keeps its sign, in binary64.
-
-        Approximate, for figures: w is looked at on a grid of times, not between them; the edge is never below U**, but
-        may lie a little too low. Not finite where U** is not.
-        """
-        least = [-self.relative(t, arb(0))[0] / (self.omega * t).sin() for t in self._times()]
-        return float(self.reach * abs(acb(self.V, max([self.least, *least], key=float))))
-
-    def _times(self) -> list[arb]:
-        return [(self.half * (2 * k + 1) / (2 * _TIMES)).mid() for k in range(_TIMES)]
+        fading = (-self.decay * t).exp() * (self.square * C - self.swing * S)
+        return fading - self.beta * (t - self.half / 2) - self.V * (self.omega * t).cos()
 
 
 def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:

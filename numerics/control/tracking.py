@@ -15,16 +15,19 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from flint import arb, arb_poly
 
 from numerics.arithmetic.attempts import to_digits
-from numerics.arithmetic.ball import Ball, proved_sign, undecided
-from numerics.control.answers import Prediction, number, rounded
+from numerics.arithmetic.ball import Ball, proved_sign
+from numerics.control.answers import number, rounded
+from numerics.control.peak import largest_size
 from numerics.errors import InvalidScene
-from numerics.linear.pieces import ExactPiece, pieces_of, polynomial_at
+from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.polynomial_root import first_crossing
+from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import require_digits, short
@@ -32,7 +35,7 @@ from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
-_MOST_PARTS, _FEW_BITS = 20_000, 64
+_FEW_BITS = 64
 _LOST_DIGITS = 10
 """Of the working digits, so many are not asked of the largest acceleration: they are what a search may lose."""
 
@@ -69,8 +72,8 @@ class Tracking(ShortRepr):
 
     >>> from numerics import load_reference, load_scene
     >>> found = track(load_scene("at-rest"), load_reference("too-fast"), digits=8)
-    >>> found.scene, found.share.str(6, radius=False), found.is_at_limit, found.force_error, found.claim()
-    (None, '1.15470', True, 0.0, None)
+    >>> found.scene, found.share.str(6, radius=False), found.is_at_limit, found.force_error
+    (None, '1.15470', True, 0.0)
     >>> [(one.number, float(one.start), float(one.end), float(one.b), one.possible) for one in found.demands]
     [(1, 0.0, 1.0, 0.5, False), (2, 1.0, 4.0, 0.5, True)]
     >>> found.demands[0].force.str(6, radius=False), found.demands[0].at.str(6, radius=False)
@@ -89,14 +92,15 @@ class Tracking(ShortRepr):
         """Return whether the reference is not proved to stay strictly below the limit of friction."""
         return not all(one.force < number(one.b) for one in self.demands)
 
-    def claim(self) -> Prediction | None:
-        """Return the prediction: stick, and x2 = r at the horizon; at the limit rounded phases may let it slip."""
-        if self.scene is None:
-            return None
-        last = self.reference[self.demands[-1].number - 1]
-        path = force_form(last, self.scene.until - last.start).enclosed(4 * Ball(self.digits + 20).bits)
-        sides = None if self.is_at_limit and self.force_error > 0 else (0,)
-        return Prediction(self.scene, "at the horizon", {"x2": path}, abs(path).max(arb(1)), sides)
+    @property
+    def sticks(self) -> bool:
+        """Return whether the bodies never slip on the way: at the limit rounded phases may let them."""
+        return not (self.is_at_limit and self.force_error > 0)
+
+    def goal(self, scene: Scene) -> tuple[arb, arb]:
+        """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
+        place = over(Force(self.reference).piece_at(scene.until), number(scene.until))
+        return place, abs(place).max(arb(1))
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
@@ -122,17 +126,18 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
         return found, [one.force if one.possible else one.too_much for one in found]
 
     demands = to_digits(attempt, digits, max_digits)
-    share = max((one.force / number(one.b) for one in demands), key=float)
-    if not all(one.possible for one in demands):
-        return Tracking(reference, demands, None, share, 0.0, digits)
-    forces, error, apart = {}, 0.0, scene.initial.x1 - scene.initial.x2
-    for index, one in parts:
-        piece = reference[index - 1]
-        first, *others = piece.polynomial or (Fraction(0),)
-        forces[index] = stuck_force(scene.pair, Piece(piece.start, (first + apart, *others), piece.sines))
-        rounded_away = sum(abs(float(scene.pair.a1 * sine.omega * sine.amplitude)) for sine in piece.sines)
-        error += rounded_away * 10.0 ** (1 - _PHASE_DIGITS) * float(one.start + one.length - piece.start)
-    return Tracking(reference, demands, replace(scene, force=Force(forces.values())), share, error, digits)
+    share, followed, error = max((one.force / number(one.b) for one in demands), key=float), None, 0.0
+    if all(one.possible for one in demands):
+        apart = Force((Piece(0, (scene.initial.x1 - scene.initial.x2,)),))
+        path = Force(one for one in reference if one.start < scene.until) + apart
+        followed = replace(scene, force=stuck_force(scene.pair, path))
+        rounded_away = (
+            abs(float(scene.pair.a1 * sine.omega * sine.amplitude * one.length))
+            for _, one in parts
+            for sine in one.sines
+        )
+        error = sum(rounded_away) * 10.0 ** (1 - _PHASE_DIGITS)
+    return Tracking(reference, demands, followed, share, error, digits)
 
 
 def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
@@ -147,24 +152,21 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     at = scene.initial
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
-    for order, (name, of_body, body) in enumerate((("r", "x2", at.x2), ("r'", "v2", at.v2))):
-        begun = [force_form(one, Fraction(0), order) for one in reference]
-        if begun[0] != body:
-            value = float(begun[0].rounded(_FEW_BITS))
-            raise InvalidScene(f"{name}(0) = {value:g} must be exactly {of_body}(0) = {short(body)}; change either")
-        for index, (before, after) in enumerate(pairwise(reference), start=1):
-            ended = force_form(before, after.start - before.start, order)
-            if ended != begun[index]:
-                left, right = (float(side.rounded(_FEW_BITS)) for side in (ended, begun[index]))
+    for order, (name, start) in enumerate((("r", at.x2), ("r'", at.v2))):
+        ends = [force_form(one, after.start - one.start, order) for one, after in pairwise(reference)]
+        for piece, before in zip(reference, [SineForm(start), *ends], strict=True):
+            begun = force_form(piece, Fraction(0), order)
+            if begun != before:
+                left, right = (float(side.rounded(_FEW_BITS)) for side in (before, begun))
                 raise InvalidScene(
-                    f"{name} jumps from {left:g} to {right:g} at t = {short(after.start)}, where piece {index + 1} of "
-                    "the reference begins; no force can follow that; make it continuous"
+                    f"{name} jumps from {left:g} to {right:g} at t = {short(piece.start)}; no force can follow "
+                    "that: make it begin with x2(0) and v2(0) of body 2, and continuous"
                 )
 
 
 def _demand(m2: Fraction, index: int, piece: ExactPiece, digits: int) -> Demand:
     bend, limit, end = acceleration(piece), piece.b / m2, piece.start + piece.length
-    peak, where = largest_size(bend, end, digits)
+    peak, where = largest_size(partial(over, bend), number(piece.start), number(end), digits)
     possible = is_within(bend, limit, piece.length)
     if possible is None:
         possible = proved_sign(number(limit) - peak, "is the acceleration within the limit of friction?") >= 0
@@ -180,14 +182,15 @@ def acceleration(path: Piece | ExactPiece) -> Piece:
     return Piece(path.start, [math.perm(k, 2) * c for k, c in enumerate(path.polynomial)][2:], sines)
 
 
-def stuck_force(pair: Pair, path: Piece) -> Piece:
+def stuck_force(pair: Pair, path: Force) -> Force:
     """Return u = M x'' + a1 x' + a2 x of a stuck pair on a path x (m), cosines as sines whose phase is rounded."""
     with Ball(_PHASE_DIGITS + 20).context():
         quarter = rounded(arb.pi() / 2, _PHASE_DIGITS)
-    sines = [Sine(one.omega * one.amplitude, one.omega, one.phase + quarter) for one in path.sines]
-    velocity = Piece(path.start, [k * c for k, c in enumerate(path.polynomial)][1:], sines)
-    parts = (pair.a2, path), (pair.a1, velocity), (pair.mass, acceleration(path))
-    return sum((factor * Force((one,)) for factor, one in parts), Force()).pieces[0]
+    velocity = []
+    for one in path.pieces:
+        sines = [Sine(sine.omega * sine.amplitude, sine.omega, sine.phase + quarter) for sine in one.sines]
+        velocity.append(Piece(one.start, [k * c for k, c in enumerate(one.polynomial)][1:], sines))
+    return pair.a2 * path + pair.a1 * Force(velocity) + pair.mass * Force(map(acceleration, path.pieces))
 
 
 def over(piece: Piece, t: arb, order: int = 0) -> arb:
@@ -212,34 +215,6 @@ def is_within(piece: Piece, limit: Fraction, length: Fraction) -> bool | None:
     return is_small or (None if piece.sines else False)
 
 
-def largest_size(piece: Piece, end: Fraction, digits: int) -> tuple[arb, arb]:
-    """Return an enclosure of max |f| over a piece up to its end to about `digits` digits, and a time of it.
-
-    The interval is halved; parts that cannot hold the largest value are dropped. Raises EventUndecided.
-    """
-
-    def reach(low: arb, high: arb) -> arb:
-        """Return an upper bound of |f| on a part, by Taylor's theorem where that is the better one."""
-        part = low.union(high)
-        middle, h = part.mid(), part - part.mid()
-        wide = over(piece, middle) + h * over(piece, middle, 1) + h * h / 2 * over(piece, part, 2)
-        return abs(over(piece, part)).upper().min(abs(wide).upper())
-
-    parts, best, where = [(number(piece.start).lower(), number(end).upper())], arb(-1), arb(0)
-    while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
-        midpoints = [((low + high) / 2).mid() for low, high in parts]
-        for t in (*parts[0], *parts[-1], *midpoints):
-            if (here := abs(over(piece, t)).lower()) > best:
-                best, where = here, t
-        halves = [half for (low, high), at in zip(parts, midpoints, strict=True) for half in ((low, at), (at, high))]
-        bounded = [(half, reach(*half)) for half in halves]
-        parts = [half for half, bound in bounded if bound > best]
-        most = max([best, *(bound for _, bound in bounded)])
-        if most - best <= most * arb(10) ** -digits:
-            return best.union(most), where
-    raise undecided("how large does the reference's acceleration get?", best)
-
-
 def is_never_negative(coefficients: Sequence[Fraction], length: Fraction) -> bool:
     """Return whether sum c_k t^k >= 0 for all 0 <= t <= length, double zeros included; exact.
 
@@ -251,5 +226,5 @@ def is_never_negative(coefficients: Sequence[Fraction], length: Fraction) -> boo
     if first_crossing([coefficients], Fraction(0), length)[0] < length:
         return False
     # it keeps its sign inside, and one of so many points is no zero
-    many = len(coefficients) + 1
-    return all(polynomial_at(coefficients, length * k / many) >= 0 for k in range(1, many))
+    many, value = len(coefficients) + 1, Force((Piece(0, coefficients),))
+    return all(value(length * k / many) >= 0 for k in range(1, many))

@@ -25,15 +25,13 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
-    Prediction,
     number,
     rounded,
     rounded_up,
 )
+from numerics.control.thresholds import cosine_and_sine
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
-from numerics.linear.model import V1, X1
-from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind
@@ -65,8 +63,8 @@ class Transfer(ShortRepr):
     >>> found = fastest_transfer(load_scene("at-rest"), "0.01", margin="0.1", digits=8)
     >>> found.road.name, [one.str(6, radius=False) for one in (found.bound, found.time, found.stuck_amplitude)]
     ('STUCK', ['0.282843', '0.298142', '2.00000'])
-    >>> found.least_amplitude, found.fastest, found.claim().ends["v2"]
-    (None, 'no force that keeps the margin is faster: friction is at it all the time', 0)
+    >>> found.least_amplitude, found.fastest
+    (None, 'no force that keeps the margin is faster: friction is at it all the time')
     """
 
     distance: Fraction
@@ -80,18 +78,14 @@ class Transfer(ShortRepr):
     scene: Scene | None
     digits: int
 
-    def claim(self) -> Prediction | None:
-        """Return the prediction: body 2 ends at rest at the distance; in a stuck transfer the bodies never slip.
+    @property
+    def sticks(self) -> bool:
+        """Return whether the bodies never slip on the way."""
+        return self.road is not TransferKind.SLIP
 
-        What the exact decimals of a scene leave of it is below 10^-18 of the distance.
-        """
-        if self.scene is None:
-            return None
-        with Ball(self.digits + 20).context():
-            ends = {"x2": number(self.scene.initial.x2 + self.distance), "v1": arb(0), "v2": arb(0)}
-            size = number(abs(self.distance)) * (1 / self.bound).min(arb(1))
-        sides = None if self.road is TransferKind.SLIP else (0,)
-        return Prediction(self.scene, "at the end of the transfer", ends, size, sides)
+    def goal(self, scene: Scene) -> tuple[arb, arb]:
+        """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
+        return number(scene.initial.x2 + self.distance), number(abs(self.distance))
 
 
 def fastest_transfer(
@@ -116,11 +110,21 @@ def fastest_transfer(
     require_kind("fastest_transfer", scene, Scene, BUILD)
     require_digits(digits, max_digits=max_digits)
     by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
-    most = None
-    if amplitude is not None:
-        most = positive(amplitude, "amplitude", "leave it out for a force without bound")
+    most = None if amplitude is None else positive(amplitude, "amplitude", "leave it out for a force without bound")
     _require(scene, by, part)
-    return to_digits(lambda _: _transfer(scene, by, most, part, digits), max(digits, KEPT_DIGITS), max_digits)
+
+    def attempt(_: Ball) -> tuple[Transfer, list[arb]]:
+        pair, far = scene.pair, abs(by)
+        bound = 2 * number(pair.m2 * far / pair.b).sqrt()
+        stuck, least = stuck_amplitude(pair, far, part), least_amplitude(pair, far)
+        road, time, fastest, force = _choice(pair, far, most, part, stuck, least)
+        planned = None
+        if force is not None and time is not None:
+            planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), force=force if by > 0 else -force)
+        answer = Transfer(by, part, road, bound, time, stuck, least, fastest, planned, digits)
+        return answer, [one for one in (bound, stuck, least, time) if one is not None]
+
+    return to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
 
 
 def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
@@ -139,41 +143,33 @@ def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
         raise InvalidScene("a transfer computes its own force, for constant b; leave [[force]] and [[friction]] out")
 
 
-def _transfer(
-    scene: Scene, by: Fraction, most: Fraction | None, margin: Fraction, digits: int
-) -> tuple[Transfer, list[arb]]:
-    pair, far, force = scene.pair, abs(by), None
-    bound = 2 * number(pair.m2 * far / pair.b).sqrt()
-    stuck, least = stuck_amplitude(pair, far, margin), least_amplitude(pair, far)
-
-    def suffices(needed: arb) -> bool:
-        return most is None or proved_sign(number(most) - needed, "does the amplitude suffice?") >= 0
-
-    if most is None or suffices(stuck):
-        found: Choice = _stuck(pair, far, margin)
-    elif margin == 0 and least is not None and suffices(least) and (force := _slip_then_stick(pair, far, most, least)):
-        found = TransferKind.SLIP, bound, "no force is faster: friction is at its limit all the time", force
-    elif bang := _bang_bang(pair, far, most, margin):
-        found = bang
-    else:
-        known = f"a stuck transfer at the {'margin' if margin else 'limit'} needs {stuck.str(6, radius=False)} N"
-        if least is None:
-            known += "; whether a slip arrives at the bound with less is open too"
-        elif suffices(least):
-            known += "; with less, body 2 can arrive at the bound, but whether both bodies can then be at rest is open"
-        else:
-            known += f", and no force arrives at the bound with less than {least.str(6, radius=False)} N"
-        found = TransferKind.OPEN, None, f"{TransferKind.OPEN.value}; {known}", None
-    road, time, fastest, force = found
-    planned = None
-    if force is not None and time is not None:
-        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), force=force if by > 0 else -force)
-    answer = Transfer(by, margin, road, bound, time, stuck, least, fastest, planned, digits)
-    return answer, [one for one in (bound, stuck, least, time) if one is not None]
-
-
 Choice = tuple[TransferKind, arb | None, str, Force | None]
 """A road, its time, what is proved of it, and its force."""
+
+
+def _choice(
+    pair: Pair, far: Fraction, most: Fraction | None, margin: Fraction, stuck: arb, least: arb | None
+) -> Choice:
+    """Return the fastest transfer that is known; `stuck` and `least`: what it takes to stick, and to slip ahead, N."""
+    if most is None or _suffices(most, stuck):
+        return _stuck(pair, far, margin)
+    slips = least is not None and _suffices(most, least)
+    if margin == 0 and slips and (ahead := _slip_then_stick(pair, far, most, least)):
+        return ahead
+    if bang := _bang_bang(pair, far, most, margin):
+        return bang
+    known = f"a stuck transfer at the {'margin' if margin else 'limit'} needs {stuck.str(6, radius=False)} N"
+    if least is None:
+        known += "; whether a slip arrives at the bound with less is open too"
+    elif slips:
+        known += "; with less, body 2 can arrive at the bound, but whether both bodies can then be at rest is open"
+    else:
+        known += f", and no force arrives at the bound with less than {least.str(6, radius=False)} N"
+    return TransferKind.OPEN, None, f"{TransferKind.OPEN.value}; {known}", None
+
+
+def _suffices(most: Fraction, needed: arb) -> bool:
+    return proved_sign(number(most) - needed, "does the amplitude suffice?") >= 0
 
 
 def stuck_amplitude(pair: Pair, far: Fraction, margin: Fraction) -> arb:
@@ -188,20 +184,21 @@ def stuck_amplitude(pair: Pair, far: Fraction, margin: Fraction) -> arb:
 
 def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
     """Return U_min = b + beta tau/g(tau), N, an enclosure; None where g' < 0 somewhere on [0, tau]."""
-    decay = pair.a1 / (2 * pair.m1)
-    tau, squared = number(pair.m2 * far / pair.b).sqrt(), pair.a2 / pair.m1 - decay**2
+    tau, squared = number(pair.m2 * far / pair.b).sqrt(), pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2
     if squared > 0 and number(squared).sqrt() * tau > arb.pi() / 2:
         return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
-    motion = _pushed(pair, pair.b + 1)  # by 1 N more than friction: g is the velocity
-    z = motion.at(tau)
-    if proved_sign(motion.rate(z)[V1, 0], "does body 1 still run ahead at half time?") < 0:
+    _, g, slope = _pushed(pair, tau)
+    if proved_sign(slope, "does body 1 still run ahead at half time?") < 0:
         return None
-    return number(pair.b) + number(pair.b / pair.m2) * tau / z[V1, 0]
+    return number(pair.b) + number(pair.b / pair.m2) * tau / g
 
 
-def _pushed(pair: Pair, push: Fraction) -> Motion:
-    """Return the motion from rest in which body 1 runs ahead under a constant force, N."""
-    return LinearMode.under(pair, 1, Piece(0, (push,))).motion([arb(0)] * 4, arb(0))
+def _pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
+    """Return where body 1 alone is under 1 N from rest at a time (s), its velocity g, and g'."""
+    decay = pair.a1 / (2 * pair.m1)
+    C, S = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
+    left, back = (-number(decay) * t).exp(), number(decay) * S
+    return (1 - left * (C + back)) / number(pair.a2), left * S / number(pair.m1), left * (C - back) / number(pair.m1)
 
 
 def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
@@ -210,15 +207,14 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     exact = number(far / gain).sqrt()
     tau = rounded_up(exact, TIME_DIGITS)
     gain = far / tau**2
-    go = stuck_force(pair, Piece(0, (0, 0, gain / 2)))
-    stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
-    force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
+    go, stop = Piece(0, (0, 0, gain / 2)), Piece(tau, (far / 2, gain * tau, -gain / 2))
+    force = stuck_force(pair, Force((go, stop, Piece(2 * tau, (far,)))))
     faster, there = ("", "its limit") if margin == 0 else (" that keeps the margin", "it")
     return TransferKind.STUCK, 2 * exact, f"no force{faster} is faster: friction is at {there} all the time", force
 
 
-def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:
-    """Return the force that lets body 1 run ahead; None if holding the place needs more than U.
+def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Choice | None:
+    """Return the transfer in which body 1 runs ahead; None if holding the place needs more than U.
 
     Braking never does. It begins with -M beta + a1 v + a2 x <= U - b - M beta, as g'(tau) >= 0, and never falls below
     -M beta >= -U_min. It gets above the force that holds only if a1^2 > 2 a2 M, and then at a velocity a1 beta/a2 <=
@@ -228,13 +224,14 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> F
     slow = (1 - _MET) * beta
     tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
     push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
-    x, v = rounded(_pushed(pair, push).at(number(tau))[X1, 0]), beta * tau
-    rest = tau + v / slow
-    held = pair.a2 * (x + v**2 / (2 * slow))
-    stop = stuck_force(pair, Piece(tau, (x, v, -slow / 2)))
-    if held > most:
+    x, v = rounded(number(push - pair.b) * _pushed(pair, number(tau))[0]), beta * tau
+    end = x + v**2 / (2 * slow)
+    if pair.a2 * end > most:
         return None
-    return Force((Piece(0, (push,)), stop, Piece(rest, (held,))))
+    braked = Force((Piece(tau, (x, v, -slow / 2)), Piece(tau + v / slow, (end,))))
+    force = Force((Piece(0, (push,)), *stuck_force(pair, braked).pieces))
+    proved = "no force is faster: friction is at its limit all the time"
+    return TransferKind.SLIP, 2 * number(far / beta).sqrt(), proved, force
 
 
 def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> Choice | None:

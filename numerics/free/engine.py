@@ -26,7 +26,7 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
         frame = Frame(arithmetic, scene.pair)
         first, until = begin(scene, frame), number(scene.until)
         horizon, knots = frame.rate * until, list[Knot]()
-        length = zero = number(0)
+        length = zero = first.tau
         given = number(at.x1), number(at.v1), number(at.x2), number(at.v2)
         for start, duration in motions(frame, first, scene.law is Law.THREE_VALUED_SGN):
             here = frame.in_si(event_state(frame, start)) if knots else given

@@ -93,9 +93,9 @@ def begin(scene: Scene, frame: Frame) -> Start:
     if on_surface and scene.law is Law.FILIPPOV and (outside > 0 or (outside == 0 and near * _sign(v1) > 0)):
         mode = -near
     side = -mode or near
-    beyond, zero = side * x - 1, number(0)
+    beyond = side * x - 1
     X, V1, Z = number(x), number(v1) / rate, number((at.x1 - at.x2) / length)
-    w = number(scene.energy_excess)
+    w, zero = number(scene.energy_excess), X * 0
     if mode == 0:
         return Start(STICK, side, X, zero, number(beyond), V1, zero, True, Z, w, zero)
     gap, push = beyond / q, side * V1 / frame.sqrt_q

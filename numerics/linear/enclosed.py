@@ -22,7 +22,7 @@ from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
-from numerics.linear.scan import splits
+from numerics.linear.swings import Swings
 from numerics.linear.ties import signal_form
 from numerics.scene import Scene
 
@@ -222,15 +222,15 @@ class EnclosedRun(EnclosedPath):
 
     def is_stuck(self, end: At) -> bool:
         """Return whether stick at the horizon is proved to last for ever, if u and b go on as they are."""
-        piece, flow = self.pieces[end.piece], self.flow(end)
-        if end.mode or self.literal or len(piece.polynomial) > 3 or not self.is_plain(piece):
-            return end.mode == 0 and self.literal
+        flow = self.flow(end)
+        if end.mode or self.literal:
+            return end.mode == 0
         for _ in range(_AHEAD):
             z = self.here(end)[1]
-            split = next(splits(flow, piece, 0, end.local, z), None)
-            if split is None:
+            held = [Swings(flow, z).taken(row, arb(0)) for row in flow.bent]
+            if any(len(one.row) > 1 for one in held):
                 return False
-            if abs(split.polynomial[0]) + split.amplitude + self.margin(end) < self.load(end)[1]:
+            if all(one.row[0] > one.amplitude + self.margin(end) for one in held):
                 return True
             try:
                 found = short_step(self, end, flow, z, flow.reach, flow.reach)

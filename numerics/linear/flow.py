@@ -25,6 +25,8 @@ BallRow = Sequence[tuple[int, arb]]
 """A linear function of z: pairs (place, coefficient)."""
 REACH = 2
 """A Taylor polynomial is used while the fastest rate turns through so many radians."""
+BEND = -1
+"""Stands in rows for v1'."""
 FEW = 14
 """The degree of the polynomials by which a guard is scanned."""
 _SLOWEST = arb((1, -2_000))
@@ -61,6 +63,13 @@ class Flow:
         self.load, self.edge, self.belt = others[LOAD], others[EDGE], others[DRIVEN]
         guarded = [*self.mode.guards, *((Z, self.mode.friction) if slips and any(cell) else ())]
         self.guarded = [[(place, number(c)) for place, c in row] for row in guarded]
+        rates = self.mode.generator()[V1]
+        stiff = rates[X1]
+        self.bent = []
+        for row in map(dict, guarded):
+            bend = row.get(X1, Fraction(0)) / stiff if stiff else Fraction(0)
+            rest = [row.get(place, Fraction(0)) - bend * c for place, c in enumerate(rates)]
+            self.bent.append([(place, number(c)) for place, c in (*sparse(rest), (BEND, bend)) if c])
         self.expand(max(_terms(bits + 8), FEW + 3))
 
     def expand(self, terms: int) -> None:

@@ -33,7 +33,8 @@ from numerics.linear.resolve import (
     resolve,
 )
 from numerics.linear.resolve import UNDECIDED as UNDECIDED_MODE
-from numerics.linear.room import Now, Problem, Room, form_z, make_room, place_of
+from numerics.linear.model import DRIVEN
+from numerics.linear.room import Now, Problem, Room, form_z, make_room, place_of, size_of
 from numerics.linear.table import STATE, UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
@@ -103,7 +104,7 @@ def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log:
 @compilable
 def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
-    norm, errors = problem.norm, (0.0, 0.0, 0.0, 0.0)
+    norm = problem.norm
     room.counts[:] = 0
     for i in range(STATE):
         room.y[i] = start[_X1 + i]
@@ -174,7 +175,12 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
         row[_X1 + i] = y[i]
     row[_LATE] = late
     x1 = min(now.N / norm.root_a2, now.far) if norm.root_a2 > 0.0 else now.far
-    v1, v2, far = now.N / norm.root_m1, now.N / norm.root_m2 if norm.root_m2 > 0.0 else 0.0, 0.0
+    v1, v2, far = now.N / norm.root_m1, 0.0, 0.0
+    if norm.root_m2 > 0.0:
+        v2 = now.N / norm.root_m2
+    else:  # the velocity of the belt, rounded
+        kind = problem.drive.places[now.piece, 0]
+        v2 = 2.0 * UNIT * size_of(problem.tables.others[kind, DRIVEN], room.size, problem.tables.count[kind])
     if late > 0.0:
         one, two = fastest(problem, room, now, 0), fastest(problem, room, now, 1)
         v1 = v2 = min(v1 + one * late, v2 + two * late)
@@ -188,6 +194,7 @@ def close(problem: Problem, room: Room, now: Now, how: int, log: Log) -> int:
     """Write the row of the end, and return how many rows there are."""
     end, counts = log.end, room.counts
     if how != EVENT_LIMIT:
+        form_z(problem, room, now.piece, now.mode, False)
         write(problem, room, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
     end[_HOW], end[_EVENTS], end[_CERTAIN] = how, counts[1], 1.0

@@ -7,7 +7,6 @@ An event is off by the guard's error over its slope.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import zip_longest
 from typing import NamedTuple
 
 from flint import arb, arb_poly, ctx
@@ -18,7 +17,8 @@ from numerics.errors import OutOfRange
 from numerics.linear.cells import FORCE, LEFT, RIGHT
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
-from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, sharpest, splits
+from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
+from numerics.linear.swings import Swings
 from numerics.linear.ties import MARGINAL
 
 _LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
@@ -184,28 +184,27 @@ def scanned(
 
 def long_step(path: EnclosedPath, at: At, flow: Flow, z: list[arb], most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
-    piece = path.pieces[at.piece]
-    for split in () if at.orders[0] or not path.is_plain(piece) else splits(flow, piece, at.mode, at.local, z):
-        (polynomial, rest, slow, amplitude), h = split, most
-        swing = [] if slow is None else flow.rows(slow)[-1]
-        row, count = [a + b for a, b in zip_longest(swing, polynomial, fillvalue=arb(0))], len(polynomial)
-        guards = guards_of(path, at, [row, row])
-        if at.mode == 0:  # of the load itself
-            guards = [
-                Guard(sign, Ball.number(piece.b), 0, one.margin) for sign, one in zip((-1, 1), guards, strict=True)
-            ]
-        guards = [one._replace(margin=one.margin + amplitude) for one in guards]
-        if not all(one.value([row]) > one.margin for one in guards):
+    if at.orders[0] or (flow.slips and flow.norm.is_coupled):
+        return None
+    swings, guards = Swings(flow, z), guards_of(path, at, flow.rows(z))
+    for limit in (arb(0), flow.fastest / 4):
+        taken, h = [swings.taken(flow.bent[one.row], limit) for one in guards], most
+        if limit > 0 and not any(one.rest > 0 for one in taken):
+            return None
+        above = [
+            one._replace(margin=one.margin + of.amplitude, row=k)
+            for k, (one, of) in enumerate(zip(guards, taken, strict=True))
+        ]
+        rows, rests = [one.row for one in taken], [one.rest for one in taken]
+        if not all(one.value(rows) > one.margin for one in above):
             continue
-        for sign, offset, _, margin, *_ in guards:
+        for sign, offset, _, margin, which, _ in above:
             # up to next to where the slow part comes down to the amplitude, if it does
-            above = arb_poly(row) * sign + (offset - 4 * margin)
-            if above(0) > 0 and above(h) < 0:
-                h = _newton(above, above.derivative(), arb(0), h, h / 2, h * _NEAR)
+            curve = arb_poly(rows[which]) * sign + (offset - 4 * margin)
+            if curve(0) > 0 and curve(h) < 0:
+                h = _newton(curve, curve.derivative(), arb(0), h, h / 2, h * _NEAR)
         while flow.fastest * h > _LONG:
-            if slow is not None:  # all of the polynomial stays: what is cut off the swing does not bound it
-                count, rest = sharpest(flow, slow, h, len(polynomial))
-            if scan([row[:count]], guards, [rest], h) == CLEAR:
+            if scan(rows, above, rests, h) == CLEAR:
                 return h
             h = (h * _RATIO).mid()
     return None

@@ -27,7 +27,7 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import REACH, Expansion, Flow, dot, exponential, flow_of
 from numerics.linear.model import FRICTION, STICK, V1, V2, X1, X2, exact_rows
-from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.pieces import pieces_of
 from numerics.linear.system import CONSTANT, BallDrive, LinearMode, LocalNorm
 from numerics.scene import Law, Scene
 
@@ -70,7 +70,8 @@ class EnclosedPath:
         self.literal = scene.law is Law.THREE_VALUED_SGN
         self.pieces, self.cells, self.varies = pieces_of(scene), Cells(scene), scene.friction.weakening is not None
         """`varies`: friction depends on the state; else it has one cell."""
-        self.drive = 0, BallDrive(self.pieces[0])
+        self.acting: tuple[int, BallDrive, dict[object, Flow]] = 0, BallDrive(self.pieces[0]), {}
+        """The piece in which the path is, its signals, its flows."""
         number, norm = Ball.number, LocalNorm(LinearMode(scene.pair, 1, self.pieces[0]))
         self.norm, self.kappa, self.is_fixed = norm, norm.kappa, norm.is_fixed
         self.speeds = 1 / norm.root_m1, arb(0) if self.is_fixed else 1 / norm.root_m2
@@ -85,17 +86,19 @@ class EnclosedPath:
 
     def flow(self, at: At) -> Flow:
         """Return the flow at a point."""
-        piece, cell = self.pieces[at.piece], CONSTANT
-        if at.mode and self.varies:
-            cell = self.cells.branch(piece, at.mode, at.cell)[1:]
-        return flow_of(self.bits, self.pair, at.mode != 0, piece.layout, cell)
+        piece, key = self.pieces[at.piece], (at.mode, at.cell)
+        if self.acting[0] != at.piece:
+            self.acting = at.piece, BallDrive(piece), {}
+        flows = self.acting[2]
+        if key not in flows:
+            cell = self.cells.branch(piece, at.mode, at.cell)[1:] if at.mode and self.varies else CONSTANT
+            flows[key] = flow_of(self.bits, self.pair, at.mode != 0, piece.layout, cell)
+        return flows[key]
 
     def here(self, at: At) -> tuple[Flow, list[arb]]:
         """Return the flow at a point, and z."""
         flow, piece = self.flow(at), self.pieces[at.piece]
-        if self.drive[0] != at.piece:
-            self.drive = at.piece, BallDrive(piece)
-        z = [*at.state, *self.drive[1].at(at.local, at.mode)]
+        z = [*at.state, *self.acting[1].at(at.local, at.mode)]
         if self.varies:  # what friction is where v1 - v2 and x1 - x2 are 0, or holds at rest
             place = piece.layout.blocks[FRICTION][0]
             if at.mode:
@@ -127,10 +130,6 @@ class EnclosedPath:
         """Return the load at a point in stick and the greatest one that friction holds there, N."""
         flow, z = self.here(at)
         return dot(flow.load, z), self.held(at) if self.varies else dot(flow.edge, z)
-
-    def is_plain(self, piece: ExactPiece) -> bool:
-        """Return whether nothing acts but u and one b: then long steps are known."""
-        return piece.is_plain and not self.is_fixed and self.norm.root_a2 > 0 and self.kept.is_zero()
 
     def weight(self, at: At) -> arb:
         """Return sqrt(g) of the norm in the cell of a point; 0 in stick, and where friction is one number b."""

@@ -8,7 +8,7 @@ b + slope (v1 - v2) + pull (x1 - x2), where it depends on the state (cells.py).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -48,8 +48,6 @@ Cell = tuple[Fraction, Fraction]
 CONSTANT: Cell = (Fraction(0), Fraction(0))
 _FURTHER = 4
 """Further terms of Taylor in a bound on a remainder."""
-MOST_CUTS = 2_000
-"""Into so many parts an interval is cut before a sign on it counts as undecided."""
 
 
 def sparse(row: Iterable[Any]) -> Row:
@@ -65,23 +63,26 @@ class BallDrive:
         number = Ball.number
         self.polynomials = [[number(c) for c in one.polynomial] for one in piece.signals]
         self.sines = [
-            [(number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase)) for s in one.sines]
+            (number(s.amplitude), number(s.omega), number(s.omega * piece.start + s.phase))
             for one in piece.signals
+            for s in one.sines
         ]
+        first, terms, sines, waves = piece.layout.blocks[FRICTION]
+        self.friction = [place - FIRST for place in (*range(first, first + terms), *range(sines, sines + 2 * waves))]
 
     def at(self, local: arb, side: int) -> list[arb]:
         """Return the blocks of z at a time in the piece (s), in a mode `side`."""
         found: list[arb] = []
-        signs = [1] * FRICTION + [side or 1]
-        for sign, terms in zip(signs, self.polynomials, strict=True):
+        for terms in self.polynomials:
             for order in range(len(terms)):
                 value = arb(0)
                 for k in range(len(terms) - 1, order - 1, -1):
                     value = value * local + terms[k] * math.perm(k, order)
-                found.append(sign * value)
-        for sign, sines in zip(signs, self.sines, strict=True):
-            for amplitude, omega, phase in sines:
-                found += [sign * amplitude * one for one in (phase + omega * local).sin_cos()]
+                found.append(value)
+        for amplitude, omega, phase in self.sines:
+            found += [amplitude * one for one in (phase + omega * local).sin_cos()]
+        for place in self.friction if side < 0 else ():
+            found[place] = -found[place]
         return found
 
 
@@ -357,23 +358,3 @@ def value(row: Row, z: arb_mat) -> arb:
 def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:
     """Return an exact matrix as balls."""
     return arb_mat([[Ball.number(one) for one in row] for row in rows])
-
-
-def is_positive_on(function: Callable[[arb], arb], start: arb, end: arb, most: int = MOST_CUTS) -> bool | None:
-    """Return whether an enclosure of a function is proved positive over [start, end], cut in halves where needed.
-
-    False: it is proved negative at some point; None: neither is proved.
-    """
-    waiting, cuts = [(start.lower(), end.upper())], 0
-    while waiting:
-        low, high = waiting.pop()
-        if function(low.union(high)) > 0:
-            continue
-        cuts += 1
-        middle = ((low + high) / 2).mid()
-        if function(middle) < 0:
-            return False
-        if cuts > most or not (low < middle < high):
-            return None
-        waiting += [(middle, high), (low, middle)]
-    return True

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from flint import arb
 
@@ -22,13 +22,6 @@ class PlaneState(NamedTuple):
     v1: Numbers
     x2: Numbers
     v2: Numbers
-
-
-class PlaneMotion(Protocol):
-    """What knows the state at any time of a run."""
-
-    def at(self, t: arb) -> PlaneState:
-        """Return the state at a time, enclosed."""
 
 
 class Working(Ball):

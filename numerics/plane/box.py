@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.plane.answer import PlaneEvent, PlaneState, Working
-from numerics.plane.linear import LETTERS, SIGNS
+from numerics.plane.linear import SIGNS
 from numerics.plane.reduced import reduced
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact
@@ -26,7 +27,7 @@ from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.trajectory.status import Status
 
-_MIRRORED = str.maketrans("+-", "-+")
+LETTERS = {sign: letter for letter, sign in SIGNS.items()}
 
 
 def part_scene(scene: PlaneScene, axes: Sequence[int], sign: int = 1) -> Scene | PlaneScene:
@@ -52,7 +53,7 @@ def part_scene(scene: PlaneScene, axes: Sequence[int], sign: int = 1) -> Scene |
 
 
 class Parts:
-    """The motions of all parts as one, at any time."""
+    """The motions of all parts as one, at any time: `answers` of each, and the sign -1 of a mirrored one."""
 
     def __init__(self, scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any]) -> None:
         """Take what `alone` answers for each part; of parts with the same data, or mirrored ones, once."""
@@ -60,11 +61,11 @@ class Parts:
         self.answers, self.signs = list[Any](), list[int]()
         for axes in self.axes:
             part, mirrored = (part_scene(scene, axes, sign) for sign in (1, -1))
-            known = mirrored if mirrored in solved else part
+            sign, known = (-1, mirrored) if mirrored in solved else (1, part)
             if known not in solved:
                 solved[known] = alone(known)
             self.answers.append(solved[known])
-            self.signs.append(1 if known == part else -1)
+            self.signs.append(sign)
 
     def at(self, t: Any) -> PlaneState:
         """Return the state at a time."""
@@ -73,6 +74,13 @@ class Parts:
             rows[:, axes] = one.sol(t).reshape(4, -1) * sign
         x1, v1, x2, v2 = map(Vector, rows)
         return PlaneState(x1, v1, x2 + exact(self.x2), v2)
+
+    def put(self, word: str, k: int, mode: Any) -> str:
+        """Return the word of all axes after one with the mode of a part."""
+        found = [*word]
+        for axis, letter in zip(self.axes[k], mode if isinstance(mode, str) else LETTERS[mode.sign], strict=True):
+            found[axis] = LETTERS[SIGNS[letter] * self.signs[k]]
+        return "".join(found)
 
 
 Run = tuple[Working, Status, str, tuple[PlaneEvent, ...], Parts]
@@ -84,62 +92,46 @@ def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], most: 
     motion = Parts(scene, alone)
     if not all(one.success for one in motion.answers):
         raise InvalidScene(f"a part of the box has more than {most} events; raise the cap max_events")
-    arithmetic = Working(2 * max(one.arithmetic.digits for one in motion.answers))
+    stuck = all(one.status is Status.STUCK_FOR_EVER for one in motion.answers)
+    arithmetic, word = Working(2 * max(one.arithmetic.digits for one in motion.answers)), "0" * scene.pair.axes
+    for k, one in enumerate(motion.answers):
+        word = motion.put(word, k, one.modes[0])
     with arithmetic.context():
-        return _joined(scene, motion, arithmetic)
+        events = _events(motion, System(reduced(scene)[-1], arithmetic.digits), word)
+    return arithmetic, Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON, word, events, motion
 
 
-def _joined(scene: PlaneScene, motion: Parts, arithmetic: Working) -> Run:
-    """Return the motions of all parts with one list of events."""
-    system, answers = System(reduced(scene, whole=True), arithmetic.digits), motion.answers
-    starts = [one.acting.start for one in system.pieces]
+def _events(motion: Parts, system: System, word: str) -> tuple[PlaneEvent, ...]:
+    """Return the events of all parts in order, those at one time as one. Raises EventUndecided."""
+    starts, groups = [one.acting.start for one in system.pieces], dict[Any, list[tuple[int, Any]]]()
+    for k, answer in enumerate(motion.answers):
+        for event in answer.events:
+            groups.setdefault(_exact_time(event, starts) or (id(answer), event.t.mid()), []).append((k, event))
+    order = sorted(groups.items(), key=lambda one: float(one[1][0][1].t.mid()))
+    for (_, before), (_, after) in pairwise(order):
+        if before[0][1].t.overlaps(t := after[0][1].t):
+            digits = max(one.arithmetic.digits for one in motion.answers)
+            raise EventUndecided("which axis has its event first", str(t.str(6)), digits)
+    found = []
+    for key, group in order:
+        t, old, cause = group[0][1].t, word, "guard"
+        for k, event in group:
+            word, cause = motion.put(word, k, event.after), "jump" if "jump" in (cause, event.cause) else cause
+        y, signs = motion.at(t), Vector(arb(SIGNS[one]) for one in word)
+        times = [key] if isinstance(key, Fraction) else [exact_middle(t.lower()), exact_middle(t.upper())]
+        loads = [_load(system, y, t, sum(one <= when for one in starts[1:])) for when in times]
+        load = Vector(x.union(y) for x, y in zip(loads[0], loads[-1], strict=True))
+        found.append(PlaneEvent(t, old, word, y, signs / (signs @ signs).max(arb(1)).sqrt(), load, cause))
+    return tuple(found)
 
-    def load_at(y: PlaneState, t: arb, when: Fraction) -> Vector:
-        """Return the load at t, N, of the piece of u that begins last up to `when`."""
-        drive = system.pieces[sum(one <= when for one in starts[1:])]
-        return system.load(drive.force(t - Ball.number(drive.acting.start)), Vector(y.x1), Vector(y.v1))
 
-    def changed(event: Any) -> list[Fraction]:
-        """Return at which change an event may be, exactly; none for one that is not due to any."""
-        return [one for one in starts if event.t.overlaps(Ball.number(one))] if event.cause == "jump" else []
+def _exact_time(event: Any, starts: Sequence[Fraction]) -> Fraction | None:
+    """Return the time of an event as a number, of one that a change brings about or that is known so well."""
+    at = [one for one in starts if event.t.overlaps(Ball.number(one))] if event.cause == "jump" else []
+    return at[0] if len(at) == 1 else exact_middle(event.t) if event.t.is_exact() else None
 
-    happened = [(event, i) for i, one in enumerate(answers) for event in one.events]
-    happened.sort(key=lambda one: (float(one[0].t.mid()), one[1]))
-    groups: list[list[tuple[Any, int]]] = []
-    for event, i in happened:
-        if not groups or not groups[-1][-1][0].t.overlaps(event.t):
-            groups.append([])
-        elif answers[i] is not answers[groups[-1][-1][1]]:
-            before = groups[-1][-1][0]
-            both, are_exact = (changed(event), changed(before)), event.t.is_exact() and before.t.is_exact()
-            if not are_exact and (len(both[0]) != 1 or both[0] != both[1]):
-                digits = max(one.arithmetic.digits for one in answers)
-                raise EventUndecided("which axis has its event first", str(event.t.str(6)), digits)
-        groups[-1].append((event, i))
-    word = ["0"] * scene.pair.axes
 
-    def put(i: int, mode: Any) -> str:
-        """Return the word of all axes after one with the mode of a part."""
-        letters = mode if isinstance(mode, str) else LETTERS[mode.sign]
-        for axis, letter in zip(motion.axes[i], letters, strict=True):
-            word[axis] = letter if motion.signs[i] > 0 else letter.translate(_MIRRORED)
-        return "".join(word)
-
-    first = mode = [put(i, one.modes[0]) for i, one in enumerate(answers)][-1]
-    events = []
-    for group in groups:
-        t, cause = group[0][0].t, "guard"
-        before = mode
-        for event, i in group:
-            mode = put(i, event.after)
-            cause = "jump" if event.cause == "jump" else cause
-        y = motion.at(t)
-        signs = Vector(arb(SIGNS[one]) for one in word)
-        direction = signs / (signs @ signs).max(arb(1)).sqrt()
-        pieces = changed(group[0][0]) or [exact_middle(t.lower()), exact_middle(t.upper())]
-        loads = [load_at(y, t, one) for one in (pieces[0], pieces[-1])]
-        load = Vector(x.union(y) for x, y in zip(*loads, strict=True))
-        events.append(PlaneEvent(t, before, mode, y, direction, load, cause))
-    stuck = all(one.status is Status.STUCK_FOR_EVER for one in answers)
-    status = Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON
-    return arithmetic, status, first, tuple(events), motion
+def _load(system: System, y: PlaneState, t: arb, piece: int) -> Vector:
+    """Return the load at t, N, by the force of a piece."""
+    drive = system.pieces[piece]
+    return system.load(drive.force(t - Ball.number(drive.acting.start)), Vector(y.x1), Vector(y.v1))

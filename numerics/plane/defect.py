@@ -12,7 +12,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly
 
 from numerics.plane.polynomial import integral_bound, least, total
-from numerics.plane.series import TaylorCurve
+from numerics.plane.series import Step
 from numerics.plane.system import System
 from numerics.plane.vector import Vector
 
@@ -25,47 +25,43 @@ class Defect(NamedTuple):
     load_error: Vector
 
 
-def defect(system: System, curve: TaylorCurve, friction_off: Vector) -> Defect:
+def defect(system: System, step: Step, friction_off: Vector) -> Defect:
     """Return the defect of a curve; friction_off: bounds on int |impulse - f dt|, f in dh(s), by axes."""
-    rate, (u, u_off) = curve.t.derivative(), force_along(system, curve)
-    v1 = curve.v2 + curve.s
-
-    def whole(off: Vector) -> Vector:
-        return off.each(integral_bound)
-
-    slope1, slope2, moved = (part.each(arb_poly.derivative) for part in (v1, curve.v2, curve.q1))
+    curve, (u, u_off) = step.curve, force_along(system, step)
+    rate, v1 = curve.t.derivative(), curve.v1
     push = system.push(u, curve.q1, v1)
-    d1 = whole(slope1 * system.m1 - push * rate + curve.impulse)
-    d2 = whole(slope2 * system.m2 - curve.impulse)
-    d1 += u_off * integral_bound(rate)
-    parts = whole(moved - v1 * rate), (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2
-    return Defect(system.norm(*parts), push * system.share, system.share * u_off)
+    slopes = (part.each(arb_poly.derivative) for part in (curve.q1, v1, curve.v2))
+    owed = v1 * rate, push * rate - step.impulse, step.impulse
+    masses = (Vector([1] * system.n), system.m1, system.m2)
+    d0, d1, d2 = ((slope * m - due).each(integral_bound) for slope, m, due in zip(slopes, masses, owed, strict=True))
+    d1 = d1 + u_off * integral_bound(rate)
+    norm = system.norm(d0, (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2)
+    return Defect(norm, push * system.share, system.share * u_off)
 
 
-def force_along(system: System, curve: TaylorCurve) -> tuple[Vector, Vector]:
+def force_along(system: System, step: Step) -> tuple[Vector, Vector]:
     """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
 
     A cosine and a sine are polynomials that may be anything; their defect bounds their errors.
     """
-    drive, t, errors = system.pieces[curve.piece], curve.t, system.still
-    for (omega, phase, amplitudes), (s, c) in zip(drive.sines, curve.swing, strict=True):
-        sine, cosine = (omega * t[0] + phase).sin_cos()
+    drive, t, errors = system.pieces[step.curve.piece], step.curve.t, system.still
+    for (omega, _, amplitudes), (s, c), (sine, cosine) in zip(drive.sines, step.swing, drive.swing(t[0]), strict=True):
         turn = t.derivative() * omega
         off = (c[0] - cosine).abs_upper() + (s[0] - sine).abs_upper()
         off += integral_bound(c.derivative() + turn * s) + integral_bound(s.derivative() - turn * c)
         errors = (errors + abs(amplitudes) * off).each(arb.upper)
-    return drive.force(t, curve.swing), errors
+    return drive.force(t, step.swing), errors
 
 
-def slip_defect(system: System, curve: TaylorCurve, slip: Vector, size: arb_poly) -> tuple[Defect, arb]:
+def slip_defect(system: System, step: Step, slip: Vector, size: arb_poly) -> tuple[Defect, arb]:
     """Return the defect of a slip along S, size g about h(S), and a lower bound of h(S), 0 if there is none.
 
     With r = g^2 - h(S)^2: |impulse - f t'| <= |impulse g - B^2 S t'|/g + b (t'/g) |r|/g, and |g - h(S)| <= |r|/g.
     """
-    drive, rate, smallest = system.pieces[curve.piece], curve.t.derivative(), least(size)
+    drive, rate, smallest = system.pieces[step.curve.piece], step.curve.t.derivative(), least(size)
     if not smallest > 0:
         return Defect(arb("inf"), system.still, system.still), arb(0)
     missing = size * size - slip * slip @ drive.b_squared
     off = drive.b * (integral_bound(missing) * total(rate) / smallest)
-    off = (off + (curve.impulse * size - slip * drive.b_squared * rate).each(integral_bound)) / smallest
-    return defect(system, curve, off), (smallest - total(missing) / smallest).lower()
+    off = (off + (step.impulse * size - slip * drive.b_squared * rate).each(integral_bound)) / smallest
+    return defect(system, step, off), (smallest - total(missing) / smallest).lower()

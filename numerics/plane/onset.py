@@ -20,7 +20,7 @@ from typing import Any
 
 from flint import arb, arb_series
 
-from numerics.plane.series import Series, SeriesPoint
+from numerics.plane.series import Point, Series
 from numerics.plane.system import PlaneDrive, System
 from numerics.plane.vector import Vector
 
@@ -28,7 +28,7 @@ _PART = 2.0**-7
 """The part of |g|^2 from which on axes that have not settled hold h."""
 
 
-def onset(system: System, at: SeriesPoint, load: Vector, m: int) -> Series:
+def onset(system: System, at: Point, load: Vector, m: int) -> Series:
     """Return the series of a slip from s = 0, at a point where the load is outside K (m = 1), or on its edge (2)."""
     drive, first = system.pieces[at.piece], arb(0)
     degree = system.degree if m == 1 else int(0.75 * system.bits) + 8
@@ -67,7 +67,7 @@ def first_slip(system: System, drive: PlaneDrive, load: Vector) -> tuple[Vector,
     return (p / (c + h)).each(arb.mid), h
 
 
-def slow_series(system: System, at: SeriesPoint, quick: Sequence[bool]) -> Series | None:
+def slow_series(system: System, at: Point, quick: Sequence[bool]) -> Series | None:
     """Return the series of a slip that has settled on the `quick` axes, None if the iteration does not settle.
 
     On the others h D g goes on from its beginning, by B^-1 Lam - g. If they have a part in h it is what |g| = 1 asks
@@ -108,7 +108,7 @@ def slow_series(system: System, at: SeriesPoint, quick: Sequence[bool]) -> Serie
     return Series(*(_listed(part, degree) for part in (q1, v2, s)), *_listed([size], degree))
 
 
-def _moved(system: System, drive: PlaneDrive, at: SeriesPoint, u: Vector, size: Any, g: Vector) -> tuple[Vector, ...]:
+def _moved(system: System, drive: PlaneDrive, at: Point, u: Vector, size: Any, g: Vector) -> tuple[Vector, ...]:
     """Return q1, v2, s and the load of a slip by the time, from h(s) and g."""
     s = size * g / drive.b
     v2 = (g * drive.b / system.m2).each(arb_series.integral) + at.v2

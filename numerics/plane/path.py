@@ -2,48 +2,40 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable
 
-from flint import arb, arb_poly
+from flint import arb
 
 from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent
-from numerics.plane.polynomial import first_root, log2, two_to
-from numerics.plane.series import PlaneExpansion, SeriesPoint, TaylorCurve
-from numerics.plane.states import PlaneLeg, States
-from numerics.plane.system import PlaneDrive, System, highest
-from numerics.plane.vector import Vector, exact, wide
+from numerics.plane.motion import Leg, Motion, drifted, enclosed, middle
+from numerics.plane.series import Friction, Point
+from numerics.plane.system import PlaneDrive, System
+from numerics.plane.vector import Vector, wide
 from numerics.plane.window import Around, around
 
 OUTSIDE = "does the load leave the friction set, or only touch its edge"
+Progress = Callable[[int, float], None]
 
 
 class PlanePath:
     """A path that is followed: legs and events so far, the point that was reached, its bounds.
 
-    `mode` has a letter for each axis: 0 sticks, + and - slip with constant friction, * with that of their direction.
+    `systems`: of the line on which it is at first, and of all axes that move. `mode` has a letter for each axis: 0
+    sticks, + and - slip with constant friction, * with that of their direction.
     """
 
-    mode: str
-
-    def __init__(
-        self, system: System, max_events: int, max_legs: int, progress: Callable[[int, float], None] | None = None
-    ) -> None:
+    def __init__(self, systems: list[System], max_events: int, max_legs: int, progress: Progress | None = None) -> None:
         """Begin at t = 0."""
-        self.system, self.max_events, self.max_legs, self.progress = system, max_events, max_legs, progress
-        self.legs: list[PlaneLeg] = []
+        self.systems, self.system, self.mode = systems, systems[0], "0" * systems[0].n
+        self.max_events, self.max_legs, self.progress = max_events, max_legs, progress
+        self.legs: list[Leg] = []
         self.events: list[PlaneEvent] = []
-        self.states = States(system, self.legs)
-        self.eps, self.reached = arb((1, -system.bits)), False
-        with system.fine():
-            q1, v1, v2 = map(exact, system.given.start)
-            self.norm, self.apart = arb(0), system.still
-            self.set(SeriesPoint(0, arb(0), q1, v2, v1 - v2, system.still))
-            b = system.pieces[0].b
-            self.place = highest(Vector((*q1, *(b / system.stiff))))
-            self.speed = highest(Vector((*v1, *v2, *(b / (system.mass * system.stiff).each(arb.sqrt)))))
+        self.motion = Motion(systems, self.legs)
+        with self.system.fine():
+            (q1, v1, v2), still = self.system.start, self.system.still
+            self.norm = arb(0)
+            self.set(Point(0, arb(0), q1, v2, v1 - v2, still))
 
     @property
     def drive(self) -> PlaneDrive:
@@ -51,34 +43,27 @@ class PlanePath:
         return self.system.drive(self.at)
 
     @property
-    def time(self) -> float:
-        """Return the time that was reached, s, for messages."""
-        return self.system.time(self.at)
+    def reached(self) -> bool:
+        """Return whether the path is at the horizon."""
+        return self.at.piece == len(self.systems[-1].pieces)
 
     def undecided(self, question: str) -> EventUndecided:
         """Return the error for a point after which these digits do not tell what happens."""
         return self.system.undecided(question, self.at, self.norm)
 
-    def set(self, point: SeriesPoint) -> None:
+    def set(self, point: Point) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
-        self.at, norm, apart = point.middle(self.system)
-        self.norm, self.apart = (self.norm + norm).upper(), (self.apart + apart).each(arb.upper)
+        self.at, norm = middle(self.system, point)
+        self.norm = (self.norm + norm).upper()
 
-    def drift(self, norm: arb, passed: arb) -> None:
-        """Let z be off by what v1 - v2 is off for a time, on the axes that slip."""
-        slips = Vector(arb(one != "0") for one in self.mode)
-        self.apart = (self.apart + self.system.apart * slips * (norm * passed)).each(arb.upper)
-
-    def go_on(self, curve: TaylorCurve, end: arb, norm: arb, *, ends: bool) -> None:
+    def go_on(self, curve: Point, end: arb, norm: arb, *, ends: bool) -> None:
         """Record a curve and go to its end, or to the next piece of force if it `ends` there."""
-        point = curve.at(end)
-        self.drift(norm, (point.t - curve.t(arb(0))).abs_upper())
-        self.norm = norm
+        point, self.norm = drifted(self.system, curve, end, norm), norm
         self.set(point)
         true = self.drive.length if ends else self.at.t
         # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
         self.norm = (self.norm + self.rate(true) * abs(point.t - true)).upper()
-        self.legs.append(PlaneLeg(curve._replace(impulse=Vector(), swing=()), end, self.norm, self.apart))
+        self.legs.append(Leg(self.systems.index(self.system), curve, end, self.norm))
         if ends:
             self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 
@@ -88,7 +73,7 @@ class PlanePath:
         self.norm = (self.norm + self.system.norm(self.system.still, first, gone - first)).upper()
         self.set(self.at._replace(v2=self.at.v2 + gone - first, s=self.at.s - gone))
 
-    def around(self, window: arb, slips: Sequence[arb | None] = ()) -> Around:
+    def around(self, window: arb, slips: Friction = ()) -> Around:
         """Return what holds of the true motion within `window` (s) of the point, proved. Raises EventUndecided."""
         return around(self.system, self.at, self.norm, window, slips)
 
@@ -104,28 +89,12 @@ class PlanePath:
         there = self.system.load(self.drive.force(self.at.t), self.at.q1, self.at.v1)
         return Vector(wide(there, self.system.load_error * self.norm))
 
-    def step(self, expansion: PlaneExpansion, fast: arb) -> arb:
-        """Return how far an expansion reaches: there its last two terms are 2^-bits of sizes; `fast`: that of s."""
-        found, n, last = math.inf, self.system.n, (self.system.degree, self.system.degree - 1)
-        sizes = (*[fast] * n, *[self.speed] * n, *[self.place] * n, self.system.period)
-        for p, size in zip(expansion.polynomials, sizes, strict=False):
-            enough = log2(size) - self.system.bits
-            found = min([found, *((enough - log2(p[k])) / k for k in last if p[k] != 0)])
-        return two_to(found) * expansion.unit if found < math.inf else arb("inf")
-
     def fitted(self, h: arb) -> tuple[arb, bool]:
         """Return a time to go on for, not beyond the end of the piece, and whether it is that."""
         left = (self.drive.length - self.at.t).mid()
         return (left, True) if h >= left else (h, False)
 
-    def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
-        """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""
-        found = first_root(p, error, start)
-        if found is False:
-            raise self.undecided(question)
-        return found
-
-    def leaves(self, normal: Vector, window: arb, m: int, slips: Sequence[arb | None] = ()) -> bool:
+    def leaves(self, normal: Vector, window: arb, m: int, slips: Friction = ()) -> bool:
         """Return whether n.Lam > h(n) from the beginning of a slip to the end of a window: then s != 0 in it.
 
         n.kap^-1 s rises, n.kap^-1 s' = n.(Lam - f) >= n.Lam - h(n). For m = 2, n.Lam = h(n) at the beginning, n its
@@ -139,13 +108,13 @@ class PlanePath:
         far = system.apart @ near.steep * window
         return bool(normal @ near.drift > far * (abs(normal) @ (system.share * (abs(system.a1) @ system.apart))))
 
-    def happened(self, before: str, direction: Vector, late: arb, cause: str) -> None:
+    def record(self, before: str, direction: Vector, late: arb, cause: str) -> None:
         """Record a change of mode, which comes before or after a piece of force, not perhaps the one or the other."""
         if late > 0 and not (late < self.at.t and self.at.t + late < self.drive.length):
             raise self.undecided("does the event come before the force changes, or the run ends")
-        states, load, along = self.states, self.around(late).load, self.states.place @ direction
-        t, length = states.pieces[self.at.piece] + self.at.t + arb(0, late.upper()), (along @ along).sqrt()
-        before, after = map(states.word, (before, self.mode))
-        y = states.enclosed(self.at, late, self.norm, self.apart)
+        system, load, along = self.system, self.around(late).load, self.system.place @ direction
+        self.at = self.at._replace(z=wide(self.at.z, system.apart * (2 * self.norm * late)))  # whatever slips
+        t, length = self.motion.starts[self.at.piece] + self.at.t + arb(0, late.upper()), (along @ along).sqrt()
+        y, (old, new) = enclosed(system, self.at, late, self.norm), map(system.word, (before, self.mode))
         unit = along / length if length > 0 else along
-        self.events.append(PlaneEvent(t, before, after, y, unit, states.force @ load, cause))
+        self.events.append(PlaneEvent(t, old, new, y, unit, system.force @ load, cause))

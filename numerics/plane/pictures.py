@@ -40,7 +40,7 @@ def draw(trajectory: Any, kind: str, ax: Any = None) -> Any:
     """Draw x1 and x2 from above, or v1 - v2, into axes (new ones, if none are given) and return them."""
     is_new, ax = ax is None, axes_for(kind, _KINDS, ax)
     title, label = _KINDS[kind]
-    every = np.linspace(0, trajectory.arithmetic.to_float(trajectory.end_time), _POINTS)
+    every = np.linspace(0, float(trajectory.end_time), _POINTS)
     times = np.sort([*every, *trajectory.floats(trajectory.event_times)])
     x1, v1, x2, v2 = trajectory.floats(trajectory.sol(times)).reshape(4, -1, len(times))
     stick = np.array([mode == "stick" or set(mode) == {"0"} for mode in trajectory.mode_at(times)])
@@ -63,18 +63,13 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
     """Return a matplotlib animation from above; see PlaneTrajectory.animate."""
 
     def drawn(_: Any, y: Any) -> Drawn:
-        import matplotlib.pyplot as plt
-
-        figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
-        draw(trajectory, "above", axes)
-        explain_below(figure)
-        marks = [axes.plot([], [], "o", color=BLUE, ms=9)[0], axes.plot([], [], "s", color=ORANGE, ms=6)[0]]
+        axes = draw(trajectory, "above")
+        marks = [axes.plot([], [], style, color=color, ms=8)[0] for style, color in (("o", BLUE), ("s", ORANGE))]
 
         def show(k: int) -> None:
-            x1, _, x2, _ = y[..., k].reshape(4, -1)
-            for mark, place in zip(marks, (x1, x2), strict=True):
+            for mark, place in zip(marks, y[..., k].reshape(4, -1)[::2], strict=True):
                 mark.set_data(place[:1], place[1:2])
 
-        return figure, marks, show
+        return axes.figure, marks, show
 
     return film(trajectory, drawn, file, duration, frames_per_second)

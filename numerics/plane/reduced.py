@@ -1,7 +1,7 @@
 """A scene on a surface without the directions in which nothing ever moves: motions are unique, so they stay away.
 
-An axis that nothing drives stays at rest. A motion along one line stays on it where M1, M2, A1, A2, B^2 take its
-direction d to multiples of one vector n, and u is one: then q = c d, f = F n, and c is the pair of the paper.
+An axis that nothing drives stays at rest. An ellipsoid's motion along one line stays on it as long as M1, M2, A1, A2,
+B^2 take its direction d to multiples of one vector, and u is one: then q = c d, and c is the pair of the paper.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class Acting(NamedTuple):
 
 
 class ReducedPlane(NamedTuple):
-    """The data on the axes that move; `place` takes q and v, `force` forces, back to the axes of the scene."""
+    """The data for q = sum c_k places[k], f = sum F_k forces[k], where places.forces = 1."""
 
     m1: Vector
     m2: Vector
@@ -72,7 +72,7 @@ class ReducedPlane(NamedTuple):
         push, rate = self.push, self.a2 @ self.start[1]
         bends = [(one, self.a2 @ (one / mass)) for one in (push, rate)]
         square = next((y / x for pair in bends for x, y in zip(*pair, strict=True) if x), Fraction(1))
-        if any(list(two) != list(one * square) for one, two in bends):
+        if any(two != one * square for one, two in bends):
             return False
         products = [self.weight * one * two for one, two in ((push, push), (push, rate), (rate, rate))]
         sums = [[sum(one[i] for i in axes) for one in products] for axes in groups]
@@ -82,65 +82,51 @@ class ReducedPlane(NamedTuple):
         )
 
 
-def reduced(scene: PlaneScene, *, whole: bool = False) -> ReducedPlane:
-    """Return the data on the axes, or on the one line, on which a scene moves; the `whole` of it, if that is asked."""
-    pair, n = scene.pair, scene.pair.axes
-    pieces, start = _pieces(scene), (scene.x1, scene.v1, scene.v2)
-    pushes = [one for piece in pieces for one in piece.terms.values()]
-    moving = [part for part in pair.parts if whole or any(one[i] for one in (*start, *pushes) for i in part)]
-    unit = [Vector(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving or pair.parts[:1]))]
-    if pair.shape == "ellipsoid":
-        try:
-            return _on_line(scene, pieces, pieces)
-        except ValueError:
-            pass
-    return _on(scene, pieces, unit, unit)
+def reduced(scene: PlaneScene) -> list[ReducedPlane]:
+    """Return the data of the line on which an ellipsoid moves up to some piece, and those of all axes that move."""
+    pair, pieces = scene.pair, pieces_of(scene)
+    start, pushes = (scene.x1, scene.v1, scene.v2), [one for piece in pieces for one in piece.terms.values()]
+    is_round = pair.shape == "ellipsoid"
+    moving = [part for part in pair.parts if not is_round or any(one[i] for one in (*start, *pushes) for i in part)]
+    axes = sorted(chain(*moving or pair.parts[:1]))
+    unit = [Vector(Fraction(i == j) for i in range(pair.axes)) for j in axes]
+    ways = (Vector(one) for one in (*start, *(one / Vector(pair.m1) for one in pushes)))
+    d, straight = next(filter(any, ways), unit[0]), 0
+    while is_round and straight < len(pieces) and _stays_on(scene, pieces[straight], d):
+        straight += 1
+    line = [_on(scene, pieces[:straight], [d])] if straight else []
+    return line if straight == len(pieces) else [*line, _on(scene, pieces, unit)]
 
 
-def line_at_first(scene: PlaneScene) -> ReducedPlane | None:
-    """Return the data on the one line on which an ellipsoid moves until a change of force or friction leads it away."""
-    pieces = _pieces(scene)
-    for k, piece in enumerate(pieces):
-        try:
-            _on_line(scene, pieces, [piece])
-        except ValueError:
-            return _on_line(scene, pieces, pieces[:k]) if k else None
-    return None
-
-
-def _on_line(scene: PlaneScene, pieces: Sequence[Acting], some: Sequence[Acting]) -> ReducedPlane:
-    """Return the data with some pieces on a line, of the direction of the start, or if that is at rest, of M1^-1 u."""
-    m1, axis = Vector(scene.pair.m1), Vector(Fraction(i == 0) for i in range(scene.pair.axes))
-    pushed = (one / m1 for piece in pieces for one in piece.terms.values())
-    d = next((Vector(one) for one in chain((scene.x1, scene.v1, scene.v2), pushed) if any(one)), axis)
-    return _on(scene, some, [d], [m1 * d])
-
-
-def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], forces: list[Vector]) -> ReducedPlane:
-    """Return the data for q = sum c_k places[k], f = sum F_k forces[k]. Raises ValueError for what leaves these."""
+def _stays_on(scene: PlaneScene, piece: Acting, d: Vector) -> bool:
+    """Return whether a motion on the line with a direction stays on it in a piece."""
     pair = scene.pair
+    n, (a1, a2) = Vector(pair.m1) * d, (Vector(map(Vector, one)) for one in (pair.a1, pair.a2))
+    pulls = Vector(pair.m2) * d, a1 @ d, a2 @ d, piece.b_squared * d, *piece.terms.values()
+    along = [(Vector(one), d) for one in (scene.x1, scene.v1, scene.v2)] + [(one, n) for one in pulls]
+    return all(x * (y @ y) == y * (x @ y) for x, y in along)
 
-    def of(vector: Iterable[Fraction], basis: list[Vector]) -> Vector:
-        """Return coordinates; the vectors of a basis do not share axes."""
-        given = tuple(vector)
-        found = Vector(next(given[i] / x for i, x in enumerate(one) if x) for one in basis)
-        if given != Vector(basis) @ found:
-            raise ValueError("a vector that is not on these axes")
-        return found
 
-    def diagonal(numbers: Sequence[Fraction]) -> Vector:
-        return Vector(of(d * Vector(numbers), forces)[k] for k, d in enumerate(places))
+def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector]) -> ReducedPlane:
+    """Return the data on axes with these directions, which nothing leaves."""
+    pair, m1 = scene.pair, Vector(scene.pair.m1)
+    forces = [m1 * d / (m1 * d @ d) for d in places]
+
+    def pull(force: Vector) -> Vector:
+        return Vector(force @ d for d in places)
+
+    def diagonal(numbers: Iterable[Fraction]) -> Vector:
+        return Vector(Vector(numbers) * d @ d for d in places)
 
     def full(matrix: Sequence[Sequence[Fraction]]) -> Vector:
-        return Vector(of(Vector(map(Vector, matrix)) @ d, forces) for d in places)
+        return Vector(pull(Vector(map(Vector, matrix)) @ d) for d in places)
 
     def piece(given: Acting) -> Acting:
-        most, size = diagonal(given.b_squared), Vector(given.b_squared @ (d * d) for d in places)
         return given._replace(
-            terms={key: of(one, forces) for key, one in given.terms.items()}, b_squared=most * most / size
+            terms={key: pull(one) for key, one in given.terms.items()}, b_squared=diagonal(given.b_squared)
         )
 
-    x1, v1, v2 = (of(one, places) for one in (scene.x1, scene.v1, scene.v2))
+    x1, v1, v2 = (Vector(n @ one for n in forces) for one in (scene.x1, scene.v1, scene.v2))
     return ReducedPlane(
         m1=diagonal(pair.m1),
         m2=diagonal(pair.m2),
@@ -155,7 +141,7 @@ def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], force
     )
 
 
-def _pieces(scene: PlaneScene) -> tuple[Acting, ...]:
+def pieces_of(scene: PlaneScene) -> tuple[Acting, ...]:
     """Return what acts, begun anew wherever u or b changes."""
     starts = {Fraction(0), *(s for one in scene.force for s in one.starts), *(s for s, _ in scene.friction)}
     order = [*sorted(one for one in starts if one < scene.until), scene.until]

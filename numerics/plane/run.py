@@ -1,4 +1,4 @@
-"""The path of an ellipsoid, whose slips are not linear; N bounds how far the true motion is from it.
+"""The run of a scene: a box, and an ellipsoid, whose slips are not linear; N bounds how far the true motion is.
 
 A motion sticks while Lam = M2 (M1+M2)^-1 (u - A2 q1 - A1 v1) is in K. Where the bound N leaves no doubt that s is not 0
 (or that Lam is inside K), the true motion is in the path's mode; between, short windows remain, in which (window.py
@@ -12,25 +12,26 @@ says what holds all through one):
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from itertools import accumulate, pairwise
 
 from flint import arb, arb_poly, arb_series
 
-from numerics.arithmetic.ball import Ball, sqrt
+from numerics.arithmetic.ball import sqrt
+from numerics.errors import NotSettled
 from numerics.plane.defect import Defect, slip_defect
-from numerics.plane.linear import AGAIN, LinearRun
+from numerics.plane.linear import LinearPath
 from numerics.plane.onset import first_slip, onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import OUTSIDE
 from numerics.plane.polynomial import first_root, log2, midpoints, rise, scaled, two_to
-from numerics.plane.series import PlaneExpansion, Series, SeriesPoint, TaylorCurve, curve_of
-from numerics.plane.states import PlaneLeg
+from numerics.plane.series import Expansion, Point, Series, Step, step_from
 from numerics.plane.system import highest
-from numerics.plane.vector import Vector, exact, wide
+from numerics.plane.vector import Vector, wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
+_MANY = 12
+"""A step of a slip is shortened so many times before its bound is asked whether s may be 0."""
 _OFTEN = 8
 """Steps of a slip between two questions whether it has settled."""
 _QUICK = 256
@@ -39,80 +40,77 @@ _QUICKER = 64
 """So many times quicker some axes settle than the last, if these alone are asked."""
 
 
-class PlaneRun(LinearRun):
-    """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried."""
+class PlaneRun(LinearPath):
+    """A path with slips of an ellipsoid; `steps` counts those of a slip since one that had settled was tried."""
 
     steps, stride = 0, arb(0)
 
-    @property
-    def groups(self) -> Sequence[Sequence[int]]:
-        """Return all axes: they stick and slip together."""
-        return [self.system.axes]
+    def follow(self) -> None:
+        """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
+        with self.system.fine():
+            self.start()
+            while not self.reached and len(self.events) < self.max_events:
+                piece, time = self.at.piece, self.system.time(self.at)
+                if len(self.legs) >= self.max_legs:
+                    raise NotSettled(f"{len(self.legs)} steps end at t = {time:.6g} s; give an earlier horizon")
+                self.one_step()
+                if self.at.piece > piece and not self.reached:
+                    self.jump()
+                if self.progress is not None and len(self.legs) % 32 == 0:
+                    self.progress(len(self.events), time / float(self.systems[-1].given.pieces[-1].end))
 
-    def go_on_from(self, line: LinearRun) -> None:
-        """Take over a path along one line where it ends: there a slip may end or turn around exactly at s = 0."""
-        given, self.young, self.on_edge = line.system.given, {}, []
-        d = exact(row @ given.place[0] for row in self.system.given.place)
-        size = sqrt(Ball.number(given.place[0] @ given.force[0]))
-
-        def placed(on: SeriesPoint | TaylorCurve) -> Iterable[Vector]:
-            return (d * part[0] for part in (on.q1, on.v2, on.s, on.z))
-
-        for curve, end, norm, apart in line.legs:
-            q1, v2, s, z = placed(curve)
-            self.legs.append(
-                PlaneLeg(curve._replace(q1=q1, v2=v2, s=s, z=z), end, (norm * size).upper(), abs(d) * apart[0])
-            )
-        self.events += line.events
-        self.mode = self.system.n * ("0" if line.mode == "0" else "*")
-        self.norm, self.apart = (line.norm * size).upper(), abs(d) * line.apart[0]
-        self.set(SeriesPoint(line.at.piece, line.at.t, *placed(line.at)))
+    def jump(self) -> None:
+        """Go on in another piece of force or friction, on all axes if it leads away from the line."""
+        if self.at.piece == len(self.system.pieces):
+            line, self.system = self.system, self.systems[-1]
+            d = Vector(n @ line.place[0] for n in self.system.force)
+            self.mode = self.system.n * ("0" if self.mode == "0" else "*")
+            self.set(Point(self.at.piece, self.at.t, *(d * part[0] for part in self.at[2:])))
+        super().jump()
 
     def one_step(self) -> None:
         """Stick or slip for a step, or to the first event in it; a slip that has settled, for a long one."""
-        if "0" in self.mode:
+        if "*" not in self.mode:
             super().one_step()
         elif self.young:
             self.begin()
         else:
             self.steps += 1
-            if self.steps % _OFTEN == 0 and self.settled():
-                self.steps = -1
-            else:
+            if self.steps % _OFTEN or not self.settled():
                 self.slip_on()
 
     def tell(self, before: str, late: arb, cause: str) -> None:
-        """Record the beginning of a slip."""
-        self.happened(before, self.first_direction(), late, cause)
+        """Record an event; a slip whose friction changes begins in the direction in which it is drawn."""
+        if "*" in self.mode:
+            self.record(before, self.first_direction(), late, cause)
+        else:
+            super().tell(before, late, cause)
 
     def slip_on(self) -> None:
         """Slip for a step, and on to what follows if s gets to 0 in it."""
         system, at, drive = self.system, self.at, self.drive
-        slip = PlaneExpansion(system, at)
-        h = self.step(slip, highest(at.s)).mid()
-        curve, x = slip.drawn(h), arb(1)
-        rate = curve.t.derivative()
-        while not rate(x) > rate[0] * _FALL:
-            x = (x * 0.75).mid()
-        if curve.t(x) > drive.length:
-            x = x.min(rise(curve.t, drive.length) * AGAIN)
-        for halving in range(60):
-            if x < 1:
-                h = (h * x).mid()
-                curve = slip.drawn(h)
-            found, slowest = slip_defect(system, curve, curve.s, curve.t.derivative() * (1 / h))
-            norm, x = (self.norm + found.norm).upper(), arb(0.5)
-            if slowest > drive.reach * norm:
-                break
-            if slowest > 0 and halving > 5:
-                self.stop()
-                return
+        slip = Expansion(system, at)
+        h = slip.reach(highest(at.s)).mid()
+        for tries in range(60):
+            step = slip.drawn(h)
+            t, rate = step.curve.t, step.curve.t.derivative()
+            shorter = 0.75
+            if rate(1) > rate[0] * _FALL:
+                shorter = 0.5
+                found, slowest = slip_defect(system, step, step.curve.s, rate * (1 / h))
+                norm = (self.norm + found.norm).upper()
+                if slowest > drive.reach * norm:
+                    break
+                if slowest > 0 and tries > _MANY:
+                    self.stop()
+                    return
+            h = (h * shorter).mid()
         else:
             raise self.undecided("does the slip turn or end")
-        ends = bool(curve.t(1) >= drive.length)
-        end = rise(curve.t, drive.length) if ends else arb(1)
-        self.stride = curve.t(end) - at.t
-        self.go_on(curve, end, norm, ends=ends)
+        ends = bool(t(1) >= drive.length)
+        end = rise(t, drive.length) if ends else arb(1)
+        self.stride = t(end) - at.t
+        self.go_on(step.curve, end, norm, ends=ends)
 
     @property
     def narrow(self) -> arb:
@@ -122,7 +120,8 @@ class PlaneRun(LinearRun):
     @property
     def enough(self) -> arb:
         """Return what N may grow by where a slip begins or ends: a rounding of velocities, some bits larger."""
-        return self.eps * 2**12 * self.speed * highest(Vector((*self.system.root_m1, *self.system.root_m2)))
+        system = self.system
+        return system.eps * 2**12 * system.speed * highest(Vector((*system.root_m1, *system.root_m2)))
 
     def settled(self) -> bool:
         """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
@@ -135,6 +134,7 @@ class PlaneRun(LinearRun):
             if series is not None:
                 h, top = self.reach(series, 0)
                 if any(self.settle(series, (h / 2**k).mid(), top) for k in range(3)):
+                    self.steps = -1
                     return True
         return False
 
@@ -146,43 +146,43 @@ class PlaneRun(LinearRun):
             return False
         if root is not None:
             h, ends = (h * root[0]).mid(), False
-        size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
-        if root is not None:  # s = (1 - x) S
-            size, *slip = (arb_poly(list(accumulate(one.coeffs()))[:-1]) for one in (size, *slip))
-        curve, found, slowest = self.along(series, h, top, slip, size, [1] if root is None else [1, -1])
-        jump = curve.s.order(0) - self.at.s
+        step, slip, found, slowest = self.along(series, h, top, 0 if root is None else -1)
+        jump = step.curve.s.order(0) - self.at.s
         added = found.norm + self.system.norm(self.system.still, jump, self.system.still)
         norm = (self.norm + added).upper()
         if not (added < self.enough / 2**7 + self.norm / 8 and self.narrow * slowest > 4 * self.drive.reach * norm):
             return False
         if root is None:
-            self.go_on(curve, arb(1), norm, ends=ends)
+            self.go_on(step.curve, arb(1), norm, ends=ends)
         else:
-            self.end(curve, norm, slip, slowest)
+            self.end(step.curve, norm, slip, slowest)
         return True
 
-    def along(
-        self, series: Series, h: arb, top: int, slip: Sequence[arb_poly], size: arb_poly, weight: Sequence[arb | int]
-    ) -> tuple[TaylorCurve, Defect, arb]:
-        """Return the curve of a slip s = weight S on [0, h], its defect, and a lower bound of h(S) (0: none)."""
-        q1, v2 = (Vector(scaled(x[: top + 1], h) for x in part) for part in series[:2])
-        t, swing = arb_poly([self.at.t, h]), self.drive.swing(arb_series([self.at.t, h], top + 2))
-        s = Vector(slip) * arb_poly(weight)
-        impulse = v2.each(arb_poly.derivative) * self.system.m2
-        curve = curve_of(self.at, t, q1, v2, s, impulse, [tuple(map(midpoints, one)) for one in swing])
-        return curve, *slip_defect(self.system, curve, Vector(slip), size)
+    def along(self, series: Series, h: arb, top: int, m: int) -> tuple[Step, Vector, Defect, arb]:
+        """Return the step of a slip s = tau^m S on [0, h], of s = (1 - x) S for m = -1, and S.
 
-    def end(self, curve: TaylorCurve, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
+        Its defect, and a lower bound of h(S) (0: none).
+        """
+        q1, v2 = (Vector(scaled(x[: top + 1], h) for x in part) for part in series[:2])
+        size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
+        if m < 0:
+            size, *slip = (arb_poly(list(accumulate(one.coeffs()))[:-1]) for one in (size, *slip))
+        t, swing = arb_poly([self.at.t, h]), self.drive.swing(arb_series([self.at.t, h], top + 2))
+        s = Vector(slip) * arb_poly([1, -1] if m < 0 else [0] * m + [(h**m).mid()])
+        impulse = v2.each(arb_poly.derivative) * self.system.m2
+        step = step_from(self.at, t, q1, v2, s, impulse, [tuple(map(midpoints, one)) for one in swing])
+        return step, Vector(slip), *slip_defect(self.system, step, Vector(slip), size)
+
+    def end(self, curve: Point, norm: arb, slip: Vector, slowest: arb) -> None:
         """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when |s|_{kap^-1} is N.
 
         Up to a time early/narrow before, its direction is that of S up to `narrow`; |s| is a multiple of N then.
         """
-        reach = self.drive.reach
         self.go_on(curve, arb(1), norm, ends=False)
         self.at = self.at._replace(s=self.system.still)
-        part = (reach * self.norm / slowest).upper()
+        part = (self.drive.reach * self.norm / slowest).upper()
         near_end = arb(1) - arb(0).union(part / self.narrow)
-        s = Vector(p(near_end) for p in slip)
+        s = slip.each(lambda p: p(near_end))
         size = self.system.length(s)
         early = part.min(self.norm / size.lower()) * curve.t[1]
         self.arrive(early.upper(), wide(s, self.system.apart * (size * self.narrow)))
@@ -199,34 +199,31 @@ class PlaneRun(LinearRun):
 
         `s`: the directions before, if they are known.
         """
-        system, drive, axes = self.system, self.drive, self.system.axes
-        inside = drive.strain(self.load, axes) < 1
-
-        def fate(load: Vector) -> tuple[arb | None, Drawn | None]:
-            drawn = drawn_to(system, drive, load, s) if s is not None else None
-            if not inside:
-                return drawn and drawn.psi, drawn
-            if not (strain := drive.strain(load, axes)) < 1:
-                return None, drawn
-            slowest = (1 - sqrt(strain)) * drive.weak  # in any direction; it may be known better where s points
-            return slowest if drawn is None else slowest.max(drawn.psi), drawn
-
-        about, _ = fate(self.load)
-        window = early / self.narrow + 2 * self.norm / about if about is not None else arb(0)
+        before, (fall, _) = self.mode, self.fate(self.load, s)
+        window = arb(0) if fall is None else early / self.narrow + 2 * self.norm / fall
         near = self.around(window).load
-        fall, drawn = fate(near)
-        outside = bool(drive.strain(near, axes) > 1)
-        if fall is None or inside == outside or not (late := early.max(self.norm / fall)) < window:
+        (fall, drawn), strain = self.fate(near, s), self.drive.strain(near, self.system.axes)
+        late = window if fall is None else early.max(self.norm / fall)
+        if not (late < window and (strain < 1 or strain > 1)):
             raise self.undecided("does the slip end, turn around s = 0 or pass through it")
-        self.drift(self.norm, late)
-        before = self.mode
-        if inside:
-            self.mode = "0" * system.n
-            self.happened(before, end_direction(system, drive, self.around(late).load, drawn), late, "guard")
+        if strain < 1:
+            self.put(0, self.system.still)
+            direction = end_direction(self.system, self.drive, self.around(late).load, drawn)
+            self.record(before, direction, late, "guard")
         else:
             self.let_go(0, self.load, 1)
             self.after = late
             self.tell(before, late, "guard")
+
+    def fate(self, load: Vector, s: Vector | None) -> tuple[arb | None, Drawn | None]:
+        """Return how fast a slip under these loads surely falls to s = 0, None if it may turn; how it is drawn."""
+        drawn, strain = None, self.drive.strain(load, self.system.axes)
+        if s is not None:
+            drawn = drawn_to(self.system, self.drive, load, s)
+        falls = [drawn.psi] if drawn else []
+        if strain < 1:  # in any direction; it may be known better where s points
+            falls.append((1 - sqrt(strain)) * self.drive.weak)
+        return max(falls, default=None), drawn
 
     def first_direction(self) -> Vector:
         """Return S_0 of the motion that begins to slip, not normalised: kap (Lam - P Lam) moves no more than Lam."""
@@ -235,7 +232,7 @@ class PlaneRun(LinearRun):
             return Vector(load / drive.b_squared)
         g, h = first_slip(self.system, drive, self.load.each(arb.mid))
         radii = load.each(arb.rad)
-        off = (radii * radii @ self.system.kappa).sqrt() + self.eps
+        off = (radii * radii @ self.system.kappa).sqrt() + self.system.eps
         return Vector(wide(g * h / drive.b, self.system.apart * off))
 
     def begin(self) -> None:
@@ -247,8 +244,7 @@ class PlaneRun(LinearRun):
         h, top = self.reach(series, m)
         h, ends = self.fitted(h)
         for _ in range(60):
-            size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
-            curve, found, slowest = self.along(series, h, top, slip, size, [0] * m + [(h**m).mid()])
+            step, _, found, slowest = self.along(series, h, top, m)
             if found.norm < self.enough:
                 break
             h, ends = (h / 2).mid(), False
@@ -259,7 +255,7 @@ class PlaneRun(LinearRun):
         if not (window < h / 2 and self.leaves(direction, window, m)):
             raise self.undecided(OUTSIDE)
         self.stride, self.after = h, arb(0)
-        self.go_on(curve, arb(1), norm, ends=ends)
+        self.go_on(step.curve, arb(1), norm, ends=ends)
 
     def reach(self, series: Series, m: int) -> tuple[arb, int]:
         """Return how far the series of a slip reaches, and how many of its terms: for m != 1 it diverges."""

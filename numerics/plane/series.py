@@ -1,4 +1,4 @@
-"""Taylor coefficients of stick and of slip; a slip's own clock makes its end, and every reversal, regular.
+"""Taylor polynomials of a path; a slip's own clock makes its end, and every reversal, regular.
 
 Where friction is given, or holds an axis at rest, they are those by the time. In slip dt = h(s) dsigma, h(s) = |B s|:
 then f dt = B^2 s dsigma, and
@@ -11,8 +11,9 @@ balls are taken, and what they are off is seen in the defect (defect.py).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import chain, pairwise
+import math
+from collections.abc import Callable, Sequence
+from itertools import chain
 from operator import mul
 from typing import Any, NamedTuple
 
@@ -22,17 +23,20 @@ from numerics.plane.polynomial import log2, scaled, two_to
 from numerics.plane.system import PlaneDrive, System, highest
 from numerics.plane.vector import Vector
 
+Friction = Sequence[arb | None]
+"""Friction by axes: constant where it slips, None where it holds the axis at rest."""
 _MORE = {True: 6, False: 2}
 """Terms beyond those of s with which the rest follows from it, by its own clock or not; loads are as good as these."""
-Row = list[arb]
-"""Coefficients, of order 0 first."""
 
 
-class SeriesPoint(NamedTuple):
-    """A point of the path: the piece, the time in it, q1, v2, s = v1 - v2 and z = q1 - q2, as exact numbers."""
+class Point(NamedTuple):
+    """A point of the path: the piece, the time in it, q1, v2, s = v1 - v2 and z = q1 - q2 - (q1 - q2)(0).
+
+    They are numbers; of a whole curve, polynomials on [0, 1].
+    """
 
     piece: int
-    t: arb
+    t: Any
     q1: Vector
     v2: Vector
     s: Vector
@@ -44,40 +48,13 @@ class SeriesPoint(NamedTuple):
         found: Vector = self.v2 + self.s
         return found
 
-    def middle(self, system: System) -> tuple[SeriesPoint, arb, Vector]:
-        """Return the midpoints; bounds on N of the radii, and on those of z."""
-        q1, v2, s, z = (part.each(arb.rad) for part in self[2:])
-        point = SeriesPoint(self.piece, self.t.mid(), *(part.each(arb.mid) for part in self[2:]))
-        return point, system.norm(q1, s + v2, v2), z
+    def each(self, of: Callable[[Any], Any]) -> Point:
+        """Return a function of each number."""
+        return Point(self.piece, of(self.t), *(part.each(of) for part in self[2:]))
 
-
-class TaylorCurve(NamedTuple):
-    """A piece of the path: the time in the piece of force, q1, v2, s, z by axes, on [0, 1]; `impulse` is f dt/dx.
-
-    `swing`: polynomials that are about sine and cosine of each phase.
-    """
-
-    piece: int
-    t: arb_poly
-    q1: Vector
-    v2: Vector
-    s: Vector
-    z: Vector
-    impulse: Vector
-    swing: Sequence[tuple[arb_poly, arb_poly]] = ()
-
-    def at(self, x: arb) -> SeriesPoint:
-        """Return a point of it."""
-        return SeriesPoint(self.piece, self.t(x), *(part.each(lambda p: p(x)) for part in self[2:6]))
-
-
-def curve_of(
-    at: SeriesPoint, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector, swing: Any
-) -> TaylorCurve:
-    """Return a piece of the path from a point, with z = q1 - q2 along it."""
-    rate = t.derivative()
-    z = Vector((x * rate).integral() + z for x, z in zip(s, at.z, strict=True))
-    return TaylorCurve(at.piece, t, q1, v2, s, z, impulse, swing)
+    def at(self, x: Any) -> Point:
+        """Return the point of a curve at x."""
+        return self.each(lambda p: p(x))
 
 
 class Series(NamedTuple):
@@ -89,18 +66,33 @@ class Series(NamedTuple):
     size: list[arb]
 
 
-class PlaneExpansion:
+class Step(NamedTuple):
+    """A curve, with `impulse` f dt/dx on it, and polynomials that are about sine and cosine of each phase."""
+
+    curve: Point
+    impulse: Vector
+    swing: Sequence[tuple[arb_poly, arb_poly]]
+
+
+def step_from(at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector, swing: Any) -> Step:
+    """Return a curve from a point, with z along it."""
+    rate = t.derivative()
+    z = Vector((x * rate).integral() + z for x, z in zip(s, at.z, strict=True))
+    return Step(Point(at.piece, t, q1, v2, s, z), impulse, swing)
+
+
+class Expansion:
     """Taylor polynomials from a point: of a slip by its own clock sigma, else by the time, with friction that is given.
 
-    `friction` by axes: constant where it slips, None where it holds the axis at rest. `polynomials` of s, v2, q1, t,
-    sines and cosines are those of sigma/unit, a unit about a step.
+    `polynomials` of s, v2, q1, t, sines and cosines are those of sigma/unit, a unit about a step.
     """
 
-    def __init__(self, system: System, at: SeriesPoint, friction: Sequence[arb | None] | None = None) -> None:
+    def __init__(self, system: System, at: Point, friction: Friction | None = None) -> None:
         """Form the series."""
-        self.system, self.at, self.friction = system, at, friction
-        drive = system.pieces[at.piece]
-        self.start = [*at.s, *at.v2, *at.q1, at.t, *chain(*drive.swing(at.t))]
+        self.system, self.at, self.friction, drive = system, at, friction, system.pieces[at.piece]
+        waves = [*chain(*drive.swing(at.t))]
+        powers = [at.t**p for p in range(2, len(drive.polynomial))]
+        self.start = [*at.s, *at.v2, *at.q1, at.t, *waves, *powers, arb(1)]
         rate = 1 / system.period
         if friction is None:
             rate = highest(1 / drive.heavy) + drive.friction(at.s)[1] / system.period
@@ -109,84 +101,82 @@ class PlaneExpansion:
         expand(rows, system, drive, friction, self.unit)
         self.polynomials = [*map(arb_poly, rows)]
 
-    def drawn(self, h: arb) -> TaylorCurve:
+    def reach(self, fast: arb) -> arb:
+        """Return how far they reach: there the last two terms are 2^-bits of sizes, `fast` that of s."""
+        system, n = self.system, self.system.n
+        last, sizes = (system.degree, system.degree - 1), [fast] * n + [system.speed] * n + [system.size] * n
+        found = math.inf
+        for p, size in zip(self.polynomials, [*sizes, system.period], strict=False):
+            enough = log2(size) - system.bits
+            found = min([found, *((enough - log2(p[k])) / k for k in last if p[k] != 0)])
+        return two_to(found) * self.unit if found < math.inf else arb("inf")
+
+    def drawn(self, h: arb) -> Step:
         """Return a step sigma = h x, 0 <= x <= 1."""
-        n, polynomials = self.system.n, zip(self.polynomials, self.start, strict=True)
-        found = [arb_poly([x, *scaled(one, h / self.unit).coeffs()[1:]]) for one, x in polynomials]
+        n, drive = self.system.n, self.system.pieces[self.at.piece]
+        given = zip(self.polynomials, self.start, strict=True)
+        found = [arb_poly([x, *scaled(one, h / self.unit).coeffs()[1:]]) for one, x in given]
         s, v2, q1 = (Vector(found[k : k + n]) for k in (0, n, 2 * n))
-        t, *waves = found[3 * n :]
+        waves = found[3 * n + 1 :][: 2 * len(drive.sines)]
         swing = [*zip(waves[::2], waves[1::2], strict=True)]
         if self.friction is None:
-            impulse = s * (self.system.pieces[self.at.piece].b_squared * h)
+            impulse = s * (drive.b_squared * h)
         else:
             held = v2.each(arb_poly.derivative) * self.system.m2
             impulse = Vector(x if f is None else arb_poly([f * h]) for x, f in zip(held, self.friction, strict=True))
-        return curve_of(self.at, t, q1, v2, s, impulse, swing)
+        return step_from(self.at, found[3 * n], q1, v2, s, impulse, swing)
 
 
-def product(one: Row, two: Row, k: int) -> arb:
-    """Return the coefficient k of the product of two rows."""
-    return sum(map(mul, one[: k + 1], two[k::-1]))
+def forms(system: System, drive: PlaneDrive) -> list[list[tuple[arb, int]]]:
+    """Return the rates by the time, as sums of rows with their factors: u - A2 q1 - A1 v1 for s, none for v2, ...
 
-
-def expand(
-    table: list[Row], system: System, drive: PlaneDrive, friction: Sequence[arb | None] | None, unit: arb
-) -> None:
-    """Append coefficients of (sigma/unit)^k to rows with those of k = 0.
-
-    Rows are n of s, v2 and q1 each, that of t, a sine and a cosine for each phase. Beyond the degree s ends, and all
-    else goes on with that, as where an axis sticks.
+    Rows are n of s, v2 and q1 each, t, a sine and a cosine for each phase, t^2, t^3, ... and 1.
     """
-    n, own, degree = system.n, friction is None, system.degree
-    s, v2, q1, t, waves = table[:n], table[n : 2 * n], table[2 * n : 3 * n], table[3 * n], table[3 * n + 1 :]
-    v1, push, rate = ([Row() for _ in range(n)], [Row() for _ in range(n)], Row())
-    powers = [t, *([t[0] ** p] for p in range(2, len(drive.polynomial)))]
-    acting = [_acting(system, drive, i, q1, v1, powers, waves[::2]) for i in system.axes]
+    n = system.n
+    q1, t = 2 * n, 3 * n
+    first = t + 1 + 2 * len(drive.sines)
+    one = first + max(0, len(drive.polynomial) - 2)
+    powers = [one, t, *range(first, one)]
+    found: list[list[tuple[arb, int]]] = [[] for _ in range(one + 1)]
+    for i in system.axes:
+        push = [(-x[i], q1 + j) for j, x in enumerate(system.a2)]
+        push += [(-x[i], part + j) for part in (0, n) for j, x in enumerate(system.a1)]
+        push += [(x[i], row) for x, row in zip(drive.polynomial, powers, strict=False)]
+        push += [(wave[-1][i], t + 1 + 2 * j) for j, wave in enumerate(drive.sines)]
+        found[i] = [(x, row) for x, row in push if x != 0]
+        found[q1 + i] = [(arb(1), i), (arb(1), n + i)]
+    for p, row in enumerate(powers[1:], start=1):
+        found[row] = [(arb(p), powers[p - 1])]
+    for j, (omega, *_) in enumerate(drive.sines):
+        sine = t + 1 + 2 * j
+        found[sine], found[sine + 1] = [(omega, sine + 1)], [(-omega, sine)]
+    return found
 
-    def by_clock(row: Row, k: int) -> arb:
-        """Return the coefficient k of what a rate by time is by the clock: the slip's own one, or the time itself."""
-        return product(row, rate, k) if own else row[k]
 
-    for k in range(degree + _MORE[own]):
-        step = unit / (k + 1)
+def expand(rows: list[list[arb]], system: System, drive: PlaneDrive, friction: Friction | None, unit: arb) -> None:
+    """Append coefficients of (sigma/unit)^k to rows with the first (see `forms`).
+
+    Beyond the degree s ends, and all else goes on with that, as where an axis sticks.
+    """
+    n, own, h = system.n, friction is None, [arb(1)]
+    rates = [(form, [arb(0)][:0]) for form in forms(system, drive)]
+
+    def product(one: list[arb], two: list[arb], k: int) -> arb:
+        return sum(map(mul, one[: k + 1], two[k::-1]), arb(0))
+
+    for k in range(system.degree + _MORE[own]):
+        step, taken = unit / (k + 1), []
+        if own:
+            square = sum(b * product(s, s, k) for b, s in zip(drive.b_squared, rows, strict=False))
+            h[k:] = [(square.sqrt() if k == 0 else (square - product(h[1:], h[1:], k - 2)) / (2 * h[0])).mid()]
+        for form, rate in rates:
+            rate.append(sum((x * rows[j][k] for x, j in form), arb(0)).mid())
+            taken.append(product(rate, h, k) if own and form else rate[k])
         for i in system.axes:
-            v1[i].append((v2[i][k] + s[i][k]).mid())
-        rate.append(_speed(drive, s, rate, k) if own else arb(k == 0))
-        t.append((rate[k] * step).mid())
-        for p, (before, row) in enumerate(pairwise(powers), start=2):
-            row.append((by_clock(before, k) * step * p).mid())
-        for i in system.axes:
-            u = drive.polynomial[0][i] if k == 0 and drive.polynomial else arb(0)
-            push[i].append(sum((x * row[k] for x, row in acting[i]), u).mid())
-            taken = by_clock(push[i], k)
-            if k < degree and (friction is None or friction[i] is not None):
-                held = drive.b_squared[i] * s[i][k] if friction is None else friction[i] if k == 0 else arb(0)
-                s[i].append((((taken - held) / system.m1[i] - held / system.m2[i]) * step).mid())
-                v2[i].append((held / system.m2[i] * step).mid())
+            if k < system.degree and (friction is None or friction[i] is not None):
+                f = drive.b_squared[i] * rows[i][k] if friction is None else friction[i] if k == 0 else arb(0)
+                taken[i], taken[n + i] = (taken[i] - f) / system.m1[i] - f / system.m2[i], f / system.m2[i]
             else:
-                s[i].append(arb(0))
-                v2[i].append((taken / system.mass[i] * step).mid())
-            q1[i].append((by_clock(v1[i], k) * step).mid())
-        for sine, cosine, (omega, *_) in zip(waves[::2], waves[1::2], drive.sines, strict=True):
-            grown, fallen = by_clock(cosine, k), by_clock(sine, k)
-            sine.append((omega * grown * step).mid())
-            cosine.append((-omega * fallen * step).mid())
-
-
-def _acting(
-    system: System, drive: PlaneDrive, i: int, q1: list[Row], v1: list[Row], powers: list[Row], sines: list[Row]
-) -> list[tuple[arb, Row]]:
-    """Return the rows of which the push u - A2 q1 - A1 v1 on an axis is a sum, each with its factor."""
-    pairs = [(-x[i], row) for x, row in zip(system.a2, q1, strict=True)]
-    pairs += [(-x[i], row) for x, row in zip(system.a1 or (), v1, strict=False)]
-    pairs += [(x[i], row) for x, row in zip(drive.polynomial[1:], powers, strict=False)]
-    pairs += [(wave[-1][i], row) for wave, row in zip(drive.sines, sines, strict=True)]
-    return [(x, row) for x, row in pairs if x != 0]
-
-
-def _speed(drive: PlaneDrive, s: list[Row], rate: Row, k: int) -> arb:
-    """Return the coefficient k of h(s), given those before."""
-    square = sum((b * product(row, row, k) for b, row in zip(drive.b_squared, s, strict=True)), arb(0))
-    if k == 0:
-        return square.sqrt().mid()
-    return ((square - sum(map(mul, rate[1:], rate[:0:-1]))) / (2 * rate[0])).mid()
+                taken[i], taken[n + i] = arb(0), taken[i] / system.mass[i]
+        for row, x in zip(rows, taken, strict=True):
+            row.append((x * step).mid())

@@ -9,8 +9,7 @@ from numerics.arithmetic.attempts import exhausted
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.plane.answer import Working
 from numerics.plane.box import joined
-from numerics.plane.linear import LinearRun
-from numerics.plane.reduced import line_at_first, reduced
+from numerics.plane.reduced import reduced
 from numerics.plane.run import PlaneRun
 from numerics.plane.system import System
 from numerics.plane.trajectory import PlaneTrajectory
@@ -82,20 +81,10 @@ def _once(scene: PlaneScene, line: Line, working: int, limits: dict[str, Any]) -
 
 def followed(scene: PlaneScene, working: int, limits: dict[str, Any]) -> PlaneTrajectory:
     """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
-    system = System(reduced(scene), working)
-    kind = LinearRun if scene.pair.shape == "box" or system.n == 1 else PlaneRun
-    most = limits["max_events"], _MAX_LEGS, limits["progress"]
-    run, line = kind(system, *most), None
-    if isinstance(run, PlaneRun) and (given := line_at_first(scene)) is not None:
-        share = float(given.pieces[-1].end / scene.until)
-        tell = most[2] and (lambda events, fraction: most[2](events, fraction * share))
-        line = LinearRun(System(given, working), *most[:2], tell)
-        line.follow()
-        with system.fine():
-            run.go_on_from(line)
-    if line is None or line.reached:
-        run.follow()
-    with system.fine():
-        first = run.events[0].before if run.events else run.states.word(run.mode)
-        status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
-    return PlaneTrajectory(scene, Working(working), status, first, tuple(run.events), run.states)
+    run = PlaneRun(
+        [System(one, working) for one in reduced(scene)], limits["max_events"], _MAX_LEGS, limits["progress"]
+    )
+    run.follow()
+    first = run.events[0].before if run.events else run.system.word(run.mode)
+    status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
+    return PlaneTrajectory(scene, Working(working), status, first, tuple(run.events), run.motion)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from functools import reduce
 from typing import Any
 
 from flint import arb, arb_mat
@@ -26,14 +27,18 @@ So N alone is a bound as good as any.
 
 
 class System:
-    """A pair on n axes. With N^2 = q1.A2 q1 + v1.M1 v1 + v2.M2 v2 of the difference of two motions N never grows."""
+    """A pair on n axes. With N^2 = q1.A2 q1 + v1.M1 v1 + v2.M2 v2 of the difference of two motions N never grows.
+
+    `groups` are the axes that stick and slip together: each axis of a box, all of an ellipsoid.
+    """
 
     def __init__(self, given: ReducedPlane, digits: int) -> None:
         """Take the data, and the working precision in decimal digits."""
         self.given, self.digits = given, digits
         self.bits = math.ceil(digits * BITS_PER_DIGIT) + _MORE_BITS[given.is_round]
-        self.n, self.degree = len(given.m1), max(12, int(0.4 * self.bits))
+        self.n, self.degree, self.eps = len(given.m1), max(12, int(0.4 * self.bits)), arb((1, -self.bits))
         self.axes = range(self.n)
+        self.groups = [[*self.axes]] if given.is_round else [[i] for i in self.axes]
         with self.fine():
             self.m1, self.m2 = exact(given.m1), exact(given.m2)
             self.a1, self.a2 = exact(given.a1 if any(map(any, given.a1)) else ()), exact(given.a2)
@@ -45,12 +50,16 @@ class System:
             self.spring = (abs(self.a2) @ ones).each(arb.sqrt)
             inverse = arb_mat([*self.a2]).inv()
             self.soft = Vector(inverse[i, i].sqrt() for i in self.axes)
-            self.stiff = Vector(self.a2[i][i] for i in self.axes)
-            self.period = highest((self.mass / self.stiff).each(arb.sqrt))
+            stiff = Vector(self.a2[i][i] for i in self.axes)
+            self.period = highest((self.mass / stiff).each(arb.sqrt))
             # an error N moves component i of the load by load_error[i] N at most, and of v1 - v2 by apart[i] N
-            self.load_error = self.share * (self.stiff.each(arb.sqrt) + abs(self.a1) @ (1 / self.root_m1))
+            self.load_error = self.share * (stiff.each(arb.sqrt) + abs(self.a1) @ (1 / self.root_m1))
             self.apart = self.kappa.each(arb.sqrt)
             self.pieces = [PlaneDrive(self, piece) for piece in given.pieces]
+            self.start, b = [*map(exact, given.start)], self.pieces[0].b
+            self.size = highest(Vector((*self.start[0], *(b / stiff))))
+            self.speed = highest(Vector((*self.start[1], *self.start[2], *(b / (self.mass * stiff).each(arb.sqrt)))))
+            self.place, self.force, self.at_first = exact(given.place), exact(given.force), exact(given.apart)
 
     @contextmanager
     def fine(self) -> Iterator[None]:
@@ -70,6 +79,10 @@ class System:
     def undecided(self, question: str, at: Any, norm: arb) -> EventUndecided:
         """Return the error for a point after which these digits do not tell what happens."""
         return EventUndecided(f"{question} near t = {self.time(at):.6g} s", f"N <= {norm.str(3)}", self.digits)
+
+    def word(self, mode: str) -> str:
+        """Return a mode as it is shown: of a box by axes."""
+        return mode if not self.given.is_round else "stick" if "0" in mode else "slip"
 
     def push(self, u: Vector, q1: Vector, v1: Vector) -> Vector:
         """Return u - A2 q1 - A1 v1, of numbers, of polynomials or of series."""
@@ -104,7 +117,7 @@ class PlaneDrive:
         self.b = self.b_squared.each(arb.sqrt)
         self.heavy = 1 / (system.kappa * self.b_squared)
         """D = (B kap B)^-1: a direction settles at the rate 1/(D h(s))."""
-        self.weak = lowest(self.b * system.apart)
+        self.weak = reduce(arb.min, self.b * system.apart)
         self.reach = highest(self.b * system.apart) * arb(1 + 1e-9)
         """h of a difference of two slips is at most that times N."""
 
@@ -133,12 +146,4 @@ class PlaneDrive:
 
 def highest(values: Vector) -> arb:
     """Return the largest size, as a point."""
-    return max((abs(one).mid() for one in values), key=lambda one: one)
-
-
-def lowest(values: Vector) -> arb:
-    """Return a lower bound of the least."""
-    found = values[0]
-    for one in values[1:]:
-        found = found.min(one)
-    return found
+    return reduce(arb.max, (abs(one).mid() for one in values))

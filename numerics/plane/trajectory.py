@@ -6,7 +6,7 @@ box in parts, the header of each part's own trajectory.
 
 from __future__ import annotations
 
-from itertools import chain
+from itertools import chain, product
 from pathlib import Path
 from typing import Any, Self
 
@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.modes import EventKind
-from numerics.plane.answer import PlaneEvent, PlaneMotion, PlaneState, Working
+from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
+from numerics.plane.motion import Leg, Motion
 from numerics.plane.reduced import reduced
-from numerics.plane.series import TaylorCurve
-from numerics.plane.states import PlaneLeg, States
+from numerics.plane.series import Point
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, exact
 from numerics.scene.decimals import exact_decimal
@@ -61,7 +61,7 @@ class PlaneTrajectory(Answer):
     True
     """
 
-    FORMAT = "inertial-pair surface trajectory 3"
+    FORMAT = "inertial-pair surface trajectory 4"
     ARITHMETICS = ("ball",)
     COLUMNS = ("t", "y", "energy")
     EVENT_COLUMNS = ("direction", "load")
@@ -73,7 +73,7 @@ class PlaneTrajectory(Answer):
         status: Status,
         mode: str,
         events: tuple[PlaneEvent, ...],
-        motion: PlaneMotion,
+        motion: Motion | Parts,
     ) -> None:
         """Keep what a run found: how it ended, the mode at t = 0, its events, and what knows the state at any time."""
         self.arithmetic: Working = arithmetic
@@ -86,45 +86,49 @@ class PlaneTrajectory(Answer):
             self.digits: int = min(EXACT, self._right_digits())
 
     @property
-    def event_kinds(self) -> tuple[EventKind, ...]:
-        """Return the kinds of the events."""
-        return tuple(one.kind for one in self.events)
-
-    @property
     def final_mode(self) -> str:
         """Return the mode at the end."""
         return self.modes[-1]
 
     @property
+    def event_kinds(self) -> tuple[EventKind, ...]:
+        """Return the kinds of the events."""
+        return tuple(one.kind for one in self.events)
+
+    @property
     def event_times(self) -> NDArray[Any]:
         """Return the times of the events, s."""
-        return _array([one.t for one in self.events])
+        return np.array([one.t for one in self.events], dtype=object)
 
     @cached_property
-    def _points(self) -> tuple[list[arb], list[list[arb]]]:
-        """Return times and states of start, events and end, or at t_eval."""
+    def _points(self) -> NDArray[Any]:
+        """Return time and state at start, events and end, or at t_eval, shape (1 + 4 n, m)."""
         with self.context():
-            times, states = [arb(0), *(one.t for one in self.events), self.end_time], [one.y for one in self.events]
-            states = [self._at(0), *states, self.final_state]
-            if self.t_eval is not None:
-                times, states = [*map(self._time, self.t_eval)], [*map(self._at, self.t_eval)]
-            return times, [[*chain(*y)] for y in states]
+            given = self.t_eval
+            rows = (
+                [(one.t, one.y) for one in self.events]
+                if given is None
+                else [(self._time(t), self._at(t)) for t in given]
+            )
+            if given is None:
+                rows = [(arb(0), self._at(0)), *rows, (self.end_time, self.final_state)]
+            return np.array([[t, *chain(*y)] for t, y in rows], dtype=object).T
 
     @property
     def t(self) -> NDArray[Any]:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        return _array(self._points[0])
+        return self._points[0]
 
     @property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4 n, m)."""
-        return _array(self._points[1]).T
+        return self._points[1:]
 
     @property
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J, shape (m,)."""
         with self.context():
-            return _array([*map(self.energy_of, self._points[1])])
+            return np.array([*map(self.energy_of, self.y.T)], dtype=object)
 
     @property
     def final_energy(self) -> arb:
@@ -149,7 +153,7 @@ class PlaneTrajectory(Answer):
         """
         given = np.asarray(t, dtype=object)
         states = [[*chain(*self._at(one))] for one in given.flat]
-        return _array(states).T.reshape(4 * self.scene.pair.axes, *given.shape)
+        return np.array(states, dtype=object).T.reshape(4 * self.scene.pair.axes, *given.shape)
 
     def mode_at(self, t: Any) -> Any:
         """Return the mode at time t (s), at an event the one after it; a list for several times."""
@@ -175,14 +179,13 @@ class PlaneTrajectory(Answer):
     def _right_digits(self) -> int:
         """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest."""
         states = [*(one.y for one in self.events), self.final_state]
-        found = [(one.t, one.t) for one in self.events]
-        for pair in ((0, 2), (1, 3)):
-            for i in range(self.scene.pair.axes):
-                column = [y[k][i] for y in states for k in pair]
-                scale = max(abs(x.mid()) for x in column)
-                found += [(x, scale if x.contains(0) else x) for x in column]
-        energy = self.energy_of(self.final_state)
-        return min(digits_within(x.rad(), of, of) for x, of in [*found, (energy, energy)])
+        alone = [*(one.t for one in self.events), self.energy_of(self.final_state)]
+        found = [(x, x) for x in alone]
+        for k, i in product((0, 1), range(self.scene.pair.axes)):
+            column = [x for y in states for x in (y[k][i], y[k + 2][i])]
+            scale = max(abs(x.mid()) for x in column)
+            found += [(x, scale if x.contains(0) else x) for x in column]
+        return min(digits_within(x.rad(), of, of) for x, of in found)
 
     def record(self) -> dict[str, Any]:
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
@@ -214,7 +217,7 @@ class PlaneTrajectory(Answer):
             "status": int(self.status),
             "events": [saved.plain([*vars(one).values()]) for one in self.events],
             "mode": self.modes[0],
-            "legs": saved.plain(motion.legs) if isinstance(motion, States) else None,
+            "legs": saved.plain(motion.legs) if isinstance(motion, Motion) else None,
             "parts": [*map(saved.contents, motion.answers)] if isinstance(motion, Parts) else None,
         }
 
@@ -226,9 +229,9 @@ class PlaneTrajectory(Answer):
         _, digits = header["arithmetic"]
         working = Working(digits)
         with working.context():
-            motion: Any
+            motion: Motion | Parts
             if header["parts"] is None:
-                motion = States(System(reduced(scene), digits), [*map(_leg, header["legs"])])
+                motion = Motion([System(one, digits) for one in reduced(scene)], [*map(_leg, header["legs"])])
             else:
                 kinds = {kind.FORMAT: kind for kind in (cls, Trajectory)}
                 parts = (saved.restored(one, kinds[one["format"]]) for one in header["parts"])
@@ -240,15 +243,11 @@ class PlaneTrajectory(Answer):
         return cls(scene, working, Status(header["status"]), header["mode"], events, motion)
 
 
-def _array(numbers: Any) -> NDArray[Any]:
-    return np.array(numbers, dtype=object)
-
-
 def _tuples(given: Any) -> Any:
     """Return a tuple for every list."""
     return tuple(map(_tuples, given)) if isinstance(given, list) else given
 
 
-def _leg(given: Any) -> PlaneLeg:
-    (piece, t, *parts), end, norm, apart = given
-    return PlaneLeg(TaylorCurve(piece, arb_poly(t), *map(Vector, parts)), end, norm, Vector(apart))
+def _leg(given: Any) -> Leg:
+    system, (piece, t, *parts), end, norm = given
+    return Leg(system, Point(piece, arb_poly(t), *map(Vector, parts)), end, norm)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from flint import arb, arb_series
 
-from numerics.plane.series import SeriesPoint
+from numerics.plane.series import Point
 from numerics.plane.system import System
 from numerics.plane.vector import Vector, wide
 
@@ -33,7 +33,7 @@ class Around(NamedTuple):
     steep: Vector
 
 
-def around(system: System, at: SeriesPoint, norm: arb, window: arb, slips: Sequence[arb | None] = ()) -> Around:
+def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[arb | None] = ()) -> Around:
     """Return what holds within `window` (s) of a point from which the true motion is N <= norm. Raises EventUndecided.
 
     `slips`: friction on axes that slip with a constant one (else None); there the rate of v1 replaces that of V.

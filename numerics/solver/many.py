@@ -132,8 +132,7 @@ def solve_many(
     columns = Columns(numbers, polynomials, waves.reshape(len(flat), len(sines), 3), frictions_of(friction))
     how = law is Law.THREE_VALUED_SGN, max_events
 
-    def scene_of(row: int) -> Scene:
-        return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {}, friction=friction)
+    scene_of = partial(_scene_of_row, flat, terms, law, friction)
 
     def run(part: slice, kept: Floats, ends: Floats) -> None:
         solve_columns(columns.part(part), *how, kept, ends)
@@ -141,7 +140,7 @@ def solve_many(
         ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
 
     kept, ends = _solved(scene_of, len(flat), limits, run)
-    return Batch(numbers, ends, kept, shape, partial(form_ledgers, columns, how, jobs))
+    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, columns, how, jobs))
 
 
 @overload
@@ -179,7 +178,9 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
         return solve_surfaces(given, *limits)
     numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
     kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
-    return Batch(numbers, ends, kept, (len(given),))
+    return Batch(
+        numbers, ends, kept, (len(given),), partial(form_ledgers, given.__getitem__, None, (False, max_events), 1)
+    )
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -230,6 +231,11 @@ def _scene(
         own = Force((Piece(0, rest[:terms], waves),))
         force = own if force is NO_FORCE else own + force
     return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
+
+
+def _scene_of_row(flat: Floats, terms: int, law: Law, friction: Friction, row: int) -> Scene:
+    """Return the scene of a row of binary numbers."""
+    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {}, friction=friction)
 
 
 def _all_of(name: str, kind: type, given: Any) -> Any:

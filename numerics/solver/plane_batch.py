@@ -50,25 +50,19 @@ class PlaneBatch(Ends):
     ANSWERS = "energy", "events", "digits", "t"
     """What can be drawn."""
 
-    def __init__(self, scenes: Sequence[PlaneScene], keep_events: int) -> None:
-        """Make room for the answers of scenes with one number of axes."""
-        rows, n = len(scenes), scenes[0].pair.axes
-        self.scenes, self.shape = scenes, (rows,)
-        self.status, self.events, self.digits = np.zeros((3, rows), dtype=np.int64)
-        self.mode, self.message = np.full((2, rows), "", dtype=object)
-        self.t, self.energy, self.energy_error = np.full((3, rows), np.nan)
-        self.y, self.y_error = np.full((2, 4, rows, n), np.nan)
-        kept = room(f"{rows} scenes with keep_events = {keep_events}", 2, 1 + 4 * n, rows, keep_events)
-        kept[:] = np.nan
-        (self.event_t, self.event_t_error), y = kept[:, 0], kept[:, 1:].reshape(2, 4, n, rows, keep_events)
-        self.event_y, self.event_y_error = np.moveaxis(y, 2, -1)
-        self.event_mode = np.full((rows, keep_events), "", dtype=object)
+    def __init__(self, scenes: Sequence[PlaneScene], rows: Sequence[dict[str, Any]]) -> None:
+        """Take scenes with one number of axes, and the answers of each by the names of arrays."""
+        self.scenes, self.shape = scenes, (len(scenes),)
+        for name in rows[0]:
+            kind = object if name in {"mode", "message", "event_mode"} else None
+            array = np.array([row[name] for row in rows], dtype=kind)
+            setattr(self, name, array.swapaxes(0, 1) if "y" in name.split("_") else array)
 
     @property
     def inputs(self) -> dict[str, NDArray[np.float64]]:
         """Return "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until, (rows,) each, SI units."""
         named = {"until": [one.until for one in self.scenes]}
-        for k in range(self.y.shape[-1]):
+        for k in range(self.scenes[0].pair.axes):
             for name in ("m1", "m2", "b", *STATE):
                 of = [one if name in STATE else one.pair for one in self.scenes]
                 named[f"{name} {AXES[k]}"] = [getattr(one, name)[k] for one in of]
@@ -76,37 +70,32 @@ class PlaneBatch(Ends):
 
 
 def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, dict[str, Any]]:
-    """Return what to write into a row, by the names of arrays."""
+    """Return the answers of a scene, by the names of arrays."""
     row, scene = task
+    n, nan = scene.pair.axes, np.nan
+    found: dict[str, Any] = {"status": 0, "message": "", "mode": "", "events": 0, "digits": 0, "t": nan, "energy": nan}
+    found |= {"energy_error": nan, "y": np.full((4, n), nan), "event_y": np.full((4, keep, n), nan)}
+    found |= {"event_t": np.full(keep, nan), "event_mode": np.full(keep, "", dtype=object)}
+    found |= {f"{name}_error": found[name].copy() for name in ("y", "event_t", "event_y")}
     try:
         run = solve_plane(scene, solve, max_events=max_events)
         with run.context():
             (t, late), (energy, energy_off), both = (_floats(x) for x in (run.t, run.final_energy, run.y))
-        y, off = (x.reshape(4, scene.pair.axes, -1).swapaxes(1, 2) for x in both)
+        y, off = (x.reshape(4, n, -1).swapaxes(1, 2) for x in both)
         if not np.isfinite(off).all():
             raise OutOfRange(Status.OUT_OF_RANGE.sentence)
     except NumericsError as error:
         capped = isinstance(error, InvalidScene)  # of a part of a box, which has no answer of its own
         ended = Status.EVENT_LIMIT if capped else Status.SEQUENCE_OPEN
-        return row, {"status": Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended, "message": str(error)}
-    kept = slice(1, 1 + min(keep, len(run.events)))
-    return row, {
-        "status": run.status,
-        "message": run.message,
-        "events": len(run.events),
-        "digits": run.digits,
-        "mode": run.final_mode,
-        "t": t[-1],
-        "energy": energy,
-        "energy_error": energy_off,
-        "y": y[:, -1],
-        "y_error": off[:, -1],
-        "event_t": t[kept],
-        "event_t_error": late[kept],
-        "event_y": y[:, kept],
-        "event_y_error": off[:, kept],
-        "event_mode": [event.after for event in run.events[:keep]],
-    }
+        ended = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended
+        return row, found | {"status": ended, "message": str(error)}
+    found |= {"status": run.status, "message": run.message, "mode": run.final_mode, "digits": run.digits}
+    found |= {"events": len(run.events), "t": t[-1], "energy": energy, "energy_error": energy_off}
+    found |= {"y": y[:, -1], "y_error": off[:, -1]}
+    for k, event in enumerate(run.events[:keep]):
+        found["event_t"][k], found["event_t_error"][k], found["event_mode"][k] = t[k + 1], late[k + 1], event.after
+        found["event_y"][:, k], found["event_y_error"][:, k] = y[:, k + 1], off[:, k + 1]
+    return row, found
 
 
 def _floats(balls: Any) -> tuple[Floats, Floats]:
@@ -120,15 +109,12 @@ def solve_surfaces(
     scenes: Sequence[PlaneScene], max_events: int, keep_events: int, jobs: int | None, progress: Any
 ) -> PlaneBatch:
     """Solve scenes with one number of axes, in turn or in processes (default: on all cores, if joblib is there)."""
-    found = PlaneBatch(scenes, keep_events)
+    room(f"{len(scenes)} scenes with keep_events = {keep_events}", 2, 13, len(scenes), keep_events)
     if jobs is None:
         jobs = available_cores() if len(scenes) > _FEW and find_spec("joblib") else 1
-    solved = run_tasks(partial(_solved, keep_events, max_events), [*enumerate(scenes)], jobs=jobs)
-    for done, (row, answers) in enumerate(solved, start=1):
-        for name, value in answers.items():
-            place: Any = (np.s_[:], row) if "y" in name.split("_") else (row,)
-            kept = (np.s_[: min(keep_events, answers["events"])],) if name.startswith("event_") else ()
-            getattr(found, name)[place + kept] = value
+    rows: dict[int, dict[str, Any]] = {}
+    for row, found in run_tasks(partial(_solved, keep_events, max_events), [*enumerate(scenes)], jobs=jobs):
+        rows[row] = found
         if progress is not None:
-            progress(done, len(scenes))
-    return found
+            progress(len(rows), len(scenes))
+    return PlaneBatch(scenes, [rows[row] for row in range(len(scenes))])

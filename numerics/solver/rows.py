@@ -14,11 +14,12 @@ from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.batch import Columns, follow_rows
+from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Friction, Scene
 from numerics.tasks import available_cores
-from numerics.trajectory.columns import STATE, Floats
+from numerics.trajectory.columns import STATE, Counts, Floats
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.trajectory import Trajectory
 
@@ -45,24 +46,34 @@ def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats
     compiled(follow_rows)(columns, literal, max_events, False, kept, ends)
 
 
-def form_ledgers(columns: Columns, how: tuple[bool, int], jobs: int | None, ends: Floats) -> None:
-    """Run once more the rows of which nobody has formed what was taken and given; at most some of them at a time."""
-    left_out = np.flatnonzero(np.isnan(ends[:, _TAKEN]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
-    room = 2 + len(columns.frictions) + ends[left_out, AT["events"]].astype(np.int64)
-    left_out = left_out[np.argsort(room, kind="stable")]  # those of about the same length together
-    room.sort()
+def form_ledgers(
+    scene_of: Callable[[int], Scene], columns: Columns | None, how: tuple[bool, int], jobs: int | None, ends: Floats
+) -> None:
+    """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
+    left_out = _without_ledger(ends)
+    rooms = 2 + (0 if columns is None else len(columns.frictions)) + ends[left_out, AT["events"]].astype(np.int64)
+    left_out = left_out[np.argsort(rooms, kind="stable")]  # those of about the same length together
+    rooms.sort()
 
     def form(part: slice) -> int:
-        rows = left_out[part]
-        for some in np.array_split(rows, 1 + len(rows) * room[part][-1] * ROW // _MOST_NUMBERS):
+        room = rooms[part][-1]
+        for some in np.array_split(left_out[part], 1 + len(left_out[part]) * room * ROW // _MOST_NUMBERS):
             own = ends[some]
-            kept = np.empty((len(some), room[part][-1], ROW))
-            compiled(follow_rows)(columns.part(some), *how, True, kept, own)
+            compiled(follow_rows)(columns.part(some), *how, True, np.empty((len(some), room, ROW)), own)
             held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
             ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
-        return len(rows)
+        return len(left_out[part])
 
-    list(in_chunks(form, len(left_out), jobs))
+    if columns is not None and can_compile():
+        list(in_chunks(form, len(left_out), jobs))
+    for row in _without_ledger(ends):
+        scene = scene_of(int(row))
+        ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[1]).record)
+
+
+def _without_ledger(ends: Floats) -> Counts:
+    """Return the rows that were solved, but of which what was taken and given is not known."""
+    return np.flatnonzero(np.isnan(ends[:, _TAKEN]) & (ends[:, AT["how"]] < How.OUT_OF_RANGE))
 
 
 def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Iterator[int]:
@@ -113,5 +124,5 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         taken = [found.ledger.friction, found.ledger.viscous]
         friction, viscous = (float(one.mid()) for one in taken)
         off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
-    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, off
+    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
     return table[:-1, :ROW], table[-1]

@@ -3,71 +3,77 @@
 from __future__ import annotations
 
 import argparse
-from statistics import median
+import math
+from pathlib import Path
 from typing import Any
 
-from numerics.exits import OK, USAGE, refuse
+from numerics.exits import OK
 from numerics.shown import print_table, shown_steps, write_figure
+
+MEANING = """Settings are digits, steps or tolerances. Times are processor times of warm calls, in turns with float64.
+Errors are the largest, against a proved run: of event times relative to the last one, of states at events and horizon
+relative to the largest position and velocity. Where an event is wrong they count for nothing."""
 
 
 def measure_trade(options: argparse.Namespace) -> int:
-    """Measure speed against accuracy, or only the public functions against heyoka; print, write the figure."""
-    from numerics.trade.contenders import CONTENDERS
+    """Measure time against accuracy on a scene, or on those that are shipped for it; print, write the figure."""
+    from numerics.scene.file import load_scene
     from numerics.trade.figure import draw_trade
-    from numerics.trade.measure import NoSuchContender, trade
+    from numerics.trade.measure import benchmarks, trade
 
-    some = [one for one in CONTENDERS if not options.interface or one.label.startswith(("solve", "ball", "heyoka"))]
-    try:
-        with shown_steps() as say:
-            measured = trade(options.size, options.only, say, some)
-    except NoSuchContender as error:
-        return refuse(str(error), USAGE)
-    if options.out is not None:
-        write_figure(draw_trade(measured), options.out)
+    scenes = {Path(options.scene).stem: (load_scene(options.scene), "")} if options.scene else benchmarks()
+    with shown_steps() as say:
+        measured = trade(scenes, options.digits, say)
+    if options.plot is not None:
+        write_figure(draw_trade(measured), options.plot)
     if options.json:
         print(measured.text(), end="")
-        return OK
-    if not options.interface:
+    else:
         print_trade(measured)
-    print_ratios(measured)
     return OK
 
 
-def print_ratios(trade: Any) -> None:
-    """Print the speed relative to heyoka: minimum and median over the scenes, then each scene."""
-    found = {what.replace("`", ""): ratios for what, ratios in trade.ratios().items()}
-    lines = [
-        (what, str(len(some)), f"{min(some.values()):.3g}", f"{median(some.values()):.3g}", min(some, key=some.get))
-        for what, some in found.items()
-    ]
-    print_table(("speed relative to heyoka", "scenes", "minimum", "median", "minimum on"), lines)
-    for what, some in found.items():
-        print(f"{what}: {', '.join(f'{scene} {ratio:.3g}' for scene, ratio in some.items())}")
-    for one in trade.sweeps:
-        digits = f"{one.digits:.0f} digits; heyoka {one.peer_digits:.1f} digits, {one.peer_wrong} scenes wrong"
-        print(f"{one.scene}, {one.size} scenes in one call: {one.ratio:.3g}, {digits}")
-
-
 def print_trade(trade: Any) -> None:
-    """Print one table per scene, the machine, and the integrators left out."""
-    for scene, why in trade.scenes.items():
-        lines = []
-        for one in trade.of(scene):
-            digits = "-" if one.digits is None else f"{one.digits:.1f}"
-            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, one.note or "right"))
-        print(f"{scene}: {why}")
-        print_table(("method", "setting", "time", "digits", "events"), lines)
+    """Print one table per scene, the machine, and the contenders left out."""
+    for scene, what in trade.scenes.items():
+        print(f"{scene}: {what}".removesuffix(": "))
+        print_table(
+            ("method", "setting", "time", "by float64", "times off", "states off", "found", "missed", "extra", ""),
+            [
+                (
+                    one.method,
+                    f"{one.setting:g}" if one.setting else "",
+                    seconds_text(one.seconds),
+                    "-" if one.ratio is None else f"{one.ratio:.3g}",
+                    error_text(one.time_digits),
+                    error_text(one.state_digits),
+                    *map(str, one[5:8]),
+                    one.note,
+                )
+                for one in trade.of(scene)
+            ],
+        )
+        if lead := trade.lead(scene):
+            ours, peer = (f"{one.method}, with {one.digits:.1f} right digits" for one in (lead.ours, lead.peer))
+            print(f"{ours}, is {lead.ratio:.3g} times as fast as {peer}")
         print()
+    for name, why in trade.left_out.items():
+        print(f"left out: {name}: {why}")
     of = trade.machine
     versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())
     print(f"{of['processor']}, {of['cores']} cores, load {of['load']}; Python {of['python']}, {versions}")
-    print(
-        "Times are CPU times of calls after a warm-up, alternating with solve(scene) in one process. Digits are those "
-        "of the largest error: of the state at the horizon relative to L and L Omega, of the event times and, on a "
-        "line, of the dissipated energy relative to themselves."
-    )
-    for name, missing in trade.left_out.items():
-        print(f"left out: {name}: needs {missing}")
+    print(MEANING)
+
+
+def error_text(digits: float | None) -> str:
+    """Return the error of so many digits, however small.
+
+    >>> error_text(12.3), error_text(1003.9), error_text(-0.2), error_text(None)
+    ('5.0e-13', '1.3e-1004', '1.6e+00', '-')
+    """
+    if digits is None:
+        return "-"
+    return f"{10 ** (math.ceil(digits) - digits):.1f}e{-math.ceil(digits):+03d}"
 
 
 def seconds_text(seconds: float | None) -> str:

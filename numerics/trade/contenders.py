@@ -1,4 +1,4 @@
-"""Who takes part: what a user calls of ours, and every peer in its best use. Nothing is imported before it prepares."""
+"""Who takes part: ours, and every other integrator in its best use. Nothing is imported before it prepares."""
 
 from __future__ import annotations
 
@@ -8,35 +8,44 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from numerics.plane.trajectory import PlaneTrajectory
+from numerics.scene.plane import PlaneScene
 from numerics.solver.solve import ArithmeticName, solve
-from numerics.trade.comparisons.forward_euler import euler_peer
-from numerics.trade.comparisons.integrators import heyoka_arcs, scipy_arcs
-from numerics.trade.comparisons.switched import Call, PeerRun, switched
-from numerics.trade.scenes import KINDS, LINE
+from numerics.trade.forward_euler import euler_peer
+from numerics.trade.integrators import heyoka_arcs, scipy_arcs
+from numerics.trade.judge import MAX_EVENTS, Call, looked_at
+from numerics.trade.switched import switched, unknown
 
-MAX_EVENTS = 10**7
-Prepare = Callable[[Any, float], Call]
-"""prepare(scene, setting) builds and compiles everything; the call that it returns is timed, and solves each time."""
+
+def only_on_a_line(scene: Any) -> str | None:
+    """Return what float64 does not solve, in words."""
+    return "a surface" if isinstance(scene, PlaneScene) else None
 
 
 class Contender(NamedTuple):
-    """A method with the settings that are worth measuring, from coarse to fine: digits, tolerances, steps (s)."""
+    """A method with the settings that are worth measuring: digits, steps or tolerances, from coarse to fine."""
 
-    label: str
+    name: str
     settings: tuple[float, ...]
-    prepare: Prepare
+    prepare: Callable[[Any, float], Call]
+    """prepare(scene, setting) builds and compiles everything; the call that it returns solves the scene each time."""
+    unknown: Callable[[Any], str | None]
     package: str = ""
     """What has to be installed."""
-    kinds: tuple[str, ...] = tuple(KINDS)
 
-    def missing(self) -> str | None:
-        """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
-        return None if not self.package or find_spec(self.package) else f"{self.package} (extra `comparisons`)"
+    def settings_up_to(self, digits: int) -> tuple[float, ...]:
+        """Return the settings; balls go up to the digits that are asked for."""
+        return self.settings if self.name != BALLS else (*(few for few in self.settings if few < digits), digits)
+
+    def left_out(self, scene: Any) -> str | None:
+        """Return in words why it does not solve a scene; None if it does."""
+        if self.package and not find_spec(self.package):
+            return f"needs {self.package} (extra `comparisons`)"
+        of = self.unknown(scene)
+        return of and f"not for {of}"
 
 
-def solved(arithmetic: ArithmeticName | None = None) -> Prepare:
-    """Return what prepares `solve`: the setting is its digits, 0 for none. Its answer is read as a peer's is."""
+def ours(arithmetic: ArithmeticName) -> Callable[[Any, float], Call]:
+    """Return what prepares `solve` in an arithmetic; its setting is the digits asked for, 0 for none."""
 
     def prepare(scene: Any, digits: float) -> Call:
         asked = int(digits) or None
@@ -45,36 +54,13 @@ def solved(arithmetic: ArithmeticName | None = None) -> Prepare:
     return prepare
 
 
-def looked_at(trajectory: Any) -> Any:
-    """Look at what a user looks at, t, y and modes, and return the trajectory: they are made when they are read."""
-    trajectory.t, trajectory.y, trajectory.modes  # noqa: B018
-    return trajectory
-
-
-def answer_of(found: Any) -> PeerRun:
-    """Return what a run of anybody says of a scene."""
-    if isinstance(found, PeerRun):
-        return found
-    if isinstance(found, PlaneTrajectory):
-        final = tuple(x for part in found.final_state for x in part)
-        return PeerRun(found.modes, tuple(one.t for one in found.events), final)
-    with found.arithmetic.context():
-        off_line = found.scene.friction.weakening is not None
-        lost = None if off_line else found.ledger.friction + found.ledger.viscous
-    signs = tuple(mode.sign for mode in found.modes)
-    return PeerRun(signs, tuple(found.t[1 : len(signs)]), tuple(found.y[:, -1]), lost)
-
-
+FLOAT64, BALLS, PEERS = "float64", "balls", ("heyoka", "heyoka long double")
+"""Ours, and whom it is measured against: the fastest integrator of its kind that we know."""
 CONTENDERS = (
-    Contender("solve", (0, 12, 20), solved()),
-    Contender("ball", (15, 100, 1000, 10_000), solved("ball"), kinds=LINE),
-    Contender("forward Euler", (1e-3, 1e-4, 1e-5), euler_peer, kinds=("free",)),
-    Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy", LINE),
-    Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), "heyoka", LINE),
-    Contender("heyoka long double", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), "heyoka", LINE),
+    Contender(FLOAT64, (0,), ours("float64"), only_on_a_line),
+    Contender(BALLS, (15, 30, 100, 300, 1000), ours("ball"), lambda _: None),
+    Contender("forward Euler", (1e3, 1e4, 1e5, 1e6), euler_peer, unknown),
+    Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), unknown, "scipy"),
+    Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), unknown, "heyoka"),
+    Contender(PEERS[1], (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), unknown, "heyoka"),
 )
-
-
-def contender(label: str) -> Contender:
-    """Return the contender of this label."""
-    return next(one for one in CONTENDERS if one.label == label)

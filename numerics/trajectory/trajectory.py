@@ -48,6 +48,8 @@ class Trajectory(Rows):
     ((4, 2, 2), 'slip+')
     >>> run.arithmetic.name, run.right_digits == run.accuracy.digits, run.without_digits, run.certain, run.phase_lost
     ('float64', True, (), True, False)
+    >>> run.check().right  # what its numbers are really off by is within its bounds
+    True
     >>> solve(run.scene, digits=20).digits, solve(run.scene, t_eval=[0, 1]).t_eval
     (20, [0, 1])
     >>> round(run.dissipated, 9), round(run.final_energy, 9), abs(run.ledger.residual) < 1e-15
@@ -364,6 +366,12 @@ class Trajectory(Rows):
         from numerics.trajectory.figures import animate
 
         return animate(self, file, duration, frames_per_second)
+
+    def check(self) -> Any:
+        """Return what every number of the run is really off by: `numerics.check` solves its scene again, in balls."""
+        import numerics
+
+        return numerics.check(self)
 
     def __repr__(self) -> str:
         """Return a short summary, as SciPy's solutions have."""

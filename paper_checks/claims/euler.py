@@ -8,7 +8,7 @@ from flint import arb, fmpq
 
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
-from numerics.trade.comparisons.forward_euler import forward_euler
+from numerics.trade.forward_euler import forward_euler
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, rounded, solved, stuck_for_ever, text, within
 from paper_checks.decide.euler_in_balls import COARSE, HORIZONS, STEPS, run

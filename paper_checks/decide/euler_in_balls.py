@@ -1,6 +1,6 @@
 """The forward Euler method itself, without rounding: each of its steps in balls, each sign proved (a1 = 0).
 
-`numerics.trade.comparisons.forward_euler` is the program, in binary64; this is the method that it rounds.
+`numerics.trade.forward_euler` is the program, in binary64; this is the method that it rounds.
 """
 
 from __future__ import annotations

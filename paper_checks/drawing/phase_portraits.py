@@ -8,7 +8,7 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from numerics.linear.modes import EventKind
-from numerics.trade.comparisons.forward_euler import EulerRun
+from numerics.trade.forward_euler import EulerRun
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.style import (
     BODY_1,

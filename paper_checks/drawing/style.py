@@ -19,7 +19,7 @@ from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
-from numerics.trade.comparisons.forward_euler import EulerRun, forward_euler
+from numerics.trade.forward_euler import EulerRun, forward_euler
 from numerics.trajectory.trajectory import Trajectory
 
 Figures = Mapping[str, Callable[[], Figure]]

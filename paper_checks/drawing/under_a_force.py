@@ -100,7 +100,7 @@ def harmonics() -> Iterator[Orbit]:
         sines = [first, Sine(share * first.amplitude, 2 * first.omega, 1)]
         changed = PeriodicDrive(drive.pair, Piece(0, (), sines))
         with Ball(20).context():
-            found = solve_orbit(Orbit(changed, found.legs))
+            found = solve_orbit(changed, found)
         yield found
 
 

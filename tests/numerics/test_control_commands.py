@@ -6,10 +6,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from control_scenes import DAMPED, FREE, answer, moved, under
+from control_scenes import DAMPED, FREE, under
 
 from numerics import Force, Mode, fastest_transfer, scene_text, solve, track
-from numerics.arithmetic.ball import Ball
 from numerics.control.answers import SecondSolveDiffers, solved_again
 from numerics.scene.file import load_reference, load_scene, parse_scene
 
@@ -50,11 +49,8 @@ def test_response_tells_regime_thresholds_and_periodic_motion(
     assert [f"t = {one['t']} s: {one['to']}" in lines for one in found["events"]] == [True] * events
 
 
-def test_response_tells_up_to_where_other_motions_stick(record):
+def test_numbers_are_told_where_they_mean_something(output, record):
     assert record("response", "at-rest", "--amplitude", 2, "--omega", "10/3")["exception"].startswith("9.23760")
-
-
-def test_the_energy_excess_is_told_where_its_unit_means_something(output, record):
     for scene, is_told in (("velocities", True), ("forced-step", False), ("forced-friction-by-pieces", False)):
         assert ("E_cr" in output("solve", scene)) is is_told
     assert "energy_excess" in record("solve", "forced-step")["final"]
@@ -87,18 +83,18 @@ def test_move_writes_a_scene_that_arrives(tmp_path, record):
     file = tmp_path / "moved.toml"
     found = record("move", "at-rest", "--distance", "0.001", "--amplitude", "1.08", "--out", file)
     assert (found["road"], found["time"][:17]) == ("slip", "0.089442719099991")
-    end = solve(parse_scene(file.read_text("utf-8")), digits=12).final_state
-    assert float(end[2]) == pytest.approx(0.001, abs=1e-12)
+    assert float(solve(load_scene(file), digits=12).final_state[2]) == pytest.approx(0.001, abs=1e-12)
 
 
 def test_what_is_said_of_how_near_to_its_limit_friction_is_is_true(output):
     """Stuck at the limit the load is within 10^-18 of b; where body 1 runs ahead, what slips of itself is tiny."""
-    stuck = fastest_transfer(load_scene("at-rest"), "0.01").scene
+    stuck, ahead = (
+        fastest_transfer(load_scene("at-rest"), D, amplitude=U).scene for D, U in (("0.01", None), ("0.001", "1.08"))
+    )
     load = 2 * stuck.force.pieces[0].polynomial[2] / stuck.pair.a2 * stuck.pair.m2
     assert 0 < 1 - load / stuck.pair.b < Fraction(1, 10**18)
     assert "--margin" not in output("move", "at-rest", "--distance", "0.01", "--margin", "0.1")
-    solved = solve(fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08").scene, digits=40)
-    met, *later = (state[0] - state[2] for state in solved.event_states.T)
+    met, *later = (state[0] - state[2] for state in solve(ahead, digits=40).event_states.T)
     assert max(abs(float(one - met)) for one in later) < 1e-19
 
 
@@ -120,12 +116,12 @@ def test_track_prints_the_scene_and_names_what_is_too_much(run, record):
 )
 def test_track_prints_a_force_and_what_it_may_be_off_by(run, tmp_path, polynomial, digits, said):
     (tmp_path / "ref.toml").write_text(f"[[reference]]\nfrom = 0\npolynomial = {polynomial}\n", "utf-8")
-    _, out, _ = run("track", "at-rest", "--reference", tmp_path / "ref.toml", "--digits", digits)
-    assert said in out
-    found = json.loads(run("track", "at-rest", "--reference", tmp_path / "ref.toml", "--json")[1])["demands"][0]
-    for name, value in (("asked", Fraction("0.5") + Fraction(2, 10**30)), ("too_much_by", Fraction(2, 10**30))):
-        if not found["possible"]:
-            assert abs(Fraction(found[name]) - value) <= Fraction(found[f"{name}_radius"]) < value / 10**14
+    words = ("track", "at-rest", "--reference", tmp_path / "ref.toml", "--digits", digits)
+    assert said in run(*words)[1]
+    found = json.loads(run(*words, "--json")[1])["demands"][0]
+    if not found["possible"]:
+        off = abs(Fraction(found["too_much_by"]) - Fraction(2, 10**30))
+        assert off <= Fraction(found["too_much_by_radius"]) < Fraction(2, 10**44)
 
 
 @pytest.mark.parametrize("a1", ["0", "0.5"])
@@ -141,10 +137,8 @@ def test_a_stuck_pair_without_a_damper_keeps_its_distances_exactly(record, file_
 @pytest.mark.parametrize(
     ("command", "said"),
     [
-        ("move at-rest --distance -1e-3", ""),
         ("move at-rest --distance -1/1000", ""),
         ("move at-rest --distance -.001", ""),
-        ("move at-rest --distance 1 --margin -1e-3", "must be"),
         ("response at-rest --omega 1 --amplitude -1e-3", ""),
         ("ring at-rest --rate 1 --radius -1E-3", "must be"),
         ("energy velocities --at -1e2", "must be"),
@@ -158,16 +152,12 @@ def test_a_number_below_0_may_follow_every_flag(run, command, said):
 
 
 def test_an_answer_whose_scene_does_something_else_is_refused_by_the_second_solve():
-    scene, found = load_scene("at-rest"), answer(DAMPED, "0.5")
-    off = moved(found.orbit, Ball.number(Fraction(1, 10**9)))
+    scene = load_scene("at-rest")
     transfer, followed = fastest_transfer(scene, "0.01"), track(scene, load_reference("s-curve"))
-    wrong = [("after a period", replace(found, orbit=off))]
     for named, one, force in (
-        ("x2 at the end", transfer, Fraction(99, 100) * transfer.scene.force),
-        ("signs of v1 - v2", followed, Force.step(0, 5)),
-        ("x2 at the horizon", followed, Force()),
+        ("x2 is", transfer, Fraction(99, 100) * transfer.scene.force),
+        ("the bodies slip", followed, Force.step(0, 5)),
+        ("x2 is", followed, Force()),
     ):
-        wrong.append((named, replace(one, scene=replace(one.scene, force=force))))
-    for named, one in wrong:
         with pytest.raises(SecondSolveDiffers, match=named):
-            solved_again(one)
+            solved_again(replace(one, scene=replace(one.scene, force=force)))

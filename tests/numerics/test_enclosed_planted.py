@@ -23,7 +23,7 @@ from numerics.linear.path_enclosed import At
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
-from numerics.linear.system import V1, V2, X1, X2, BallDrive, LocalNorm, W, Z, is_positive_on
+from numerics.linear.system import V1, V2, X1, X2, BallDrive, LocalNorm, W, Z
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -286,7 +286,3 @@ def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
     flow, z = path.here(at)
     assert all(one.margin > off * 8.999 for one in guards_of(path, at, flow.rows(z)))
-
-
-def test_a_sign_on_an_interval_is_that_of_all_its_parts():
-    assert is_positive_on(lambda x: (x - arb("0.2")) ** 2 - arb("1e-4"), arb(0), arb(1)) is False

@@ -9,16 +9,14 @@ from flint import arb
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from numerics import Force, Pair, PrecisionExhausted, Scene, State
+from numerics import Force, Pair, PrecisionExhausted, Scene, State, response
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.pictures import threshold_curves
-from numerics.control.thresholds import NonStop, load_margin, thresholds
+from numerics.control.thresholds import edges, load_margin, thresholds
 
 
 def test_resonances_are_exact():
-    free = Pair(1, 1, 200, "0.5")
-    assert thresholds(free, 10).entrainment.is_zero()
+    assert thresholds(Pair(1, 1, 200, "0.5"), 10).entrainment.is_zero()
     assert thresholds(Pair(1, 1, 100, "0.5"), 10, digits=30).non_stop.overlaps(2 / arb.pi())
     assert not thresholds(Pair(1, 1, 900, "0.5"), 10).non_stop.is_finite()  # friction drives body 1 at 3 omega
     assert thresholds(Pair(1, 1, 1800, "0.5", "0.001"), 10).exception is None
@@ -78,11 +76,9 @@ def test_the_edge_of_entrainment_is_decided_exactly(k, side):
 def test_the_edge_of_the_non_stop_regime_lies_where_the_sign_is_kept(omega, edge):
     """U** is not enough at 4.624 rad/s; above body 1's own frequency, without a damper, it is."""
     pair, omega = Pair(1, 1, 200, "0.5"), Fraction(omega)
-    _, (needed,), (found,) = threshold_curves(pair, [float(omega)])
-    assert found == pytest.approx(edge or needed, rel=1e-4)
     with Ball(20).context():
-        below, above = (
-            NonStop(pair, omega).keeps_slipping(Ball.number(Fraction(found) * Fraction(k, 1000))) for k in (998, 1002)
-        )
-        assert below is (None if edge is None else False)  # there is no such motion below U**
-        assert above is True
+        _, needed, found = (float(one) for one in edges(pair, omega))
+    assert found == pytest.approx(edge or needed, rel=1e-4)
+    for factor, never_stops in ((0.998, False), (1.002, True)):
+        run = response(Scene(pair, State(), 1, force=Force.sine(Fraction(found * factor), omega)), digits=8)
+        assert ([leg.side for leg in run.orbit.legs] == [1, -1]) is never_stops

@@ -1,231 +1,178 @@
-"""Speed against accuracy: judging, timing by a planted clock, leads, what is recorded, and the command."""
+"""Time against accuracy: judging by planted faults, timing by a planted clock, leads, what is recorded, the command."""
 
 import math
 import re
-from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
 from flint import arb
-from planted_trades import MACHINE, run, trade_of
+from planted_trades import MACHINE, row, trade_of
 
-from numerics import OutOfRange
-from numerics.arithmetic.ball import Ball
-from numerics.trade import contenders, measure, scenes
-from numerics.trade.comparisons.switched import PeerFailed
-from numerics.trade.contenders import CONTENDERS, answer_of, contender, looked_at
+from numerics import OutOfRange, load_scene
+from numerics.trade import measure
+from numerics.trade.contenders import CONTENDERS
 from numerics.trade.figure import draw_trade
 from numerics.trade.judge import judge, proved
-from numerics.trade.recorded import SHIPPED, Sweep, UnreadableTrade, recorded
+from numerics.trade.recorded import SHIPPED, UnreadableTrade, recorded
 
-SCENE = scenes.benchmark(scenes.HEADLINE)
+SCENE = load_scene("relative-motion-b05")
 TRUTH = proved(SCENE)
-COUNT, MODES, TIMES, FINAL = len(TRUTH.times), list(TRUTH.modes), list(TRUTH.times), list(TRUTH.final)
-GAP = min(TIMES[4] - TIMES[3], TIMES[5] - TIMES[4])
+COUNT, MODES, TIMES = len(TRUTH.times), list(TRUTH.modes), list(TRUTH.times)
+LEFT, RIGHT = TIMES[4] - TIMES[3], TIMES[5] - TIMES[4]
+GAP, AWAY = min(LEFT, RIGHT), 1 if LEFT < RIGHT else -1
+"""The fifth event's nearer neighbour; and the direction in which the other one lies."""
 
 # judging
 
 
-@pytest.mark.parametrize(("label", "setting", "least"), [("solve", 0, 13), ("solve", 20, 20), ("ball", 500, 500)])
-def test_our_floats_and_balls_have_the_digits_of_their_arithmetic(label, setting, least):
-    found = answer_of(contender(label).prepare(SCENE, setting)())
-    verdict = judge(found, proved(SCENE, setting), SCENE, setting)
-    assert verdict.difference is None
-    assert least < verdict.digits < least + 40
+@pytest.mark.parametrize(("place", "setting", "least"), [(0, 0, 13), (1, 20, 20), (1, 500, 500)])
+def test_our_floats_and_balls_have_the_digits_of_their_arithmetic(place, setting, least):
+    verdict = judge(CONTENDERS[place].prepare(SCENE, setting)(), proved(SCENE, setting), setting)
+    assert verdict[:3] == (COUNT, 0, 0)
+    assert all(least < digits < least + 40 for digits in (verdict.time_digits, verdict.state_digits))
 
 
-def moved(by):
-    """The true times but for the fifth."""
-    return [*TIMES[:4], TIMES[4] + by, *TIMES[5:]]
+def run(start, stop, *more):
+    """The true run with other events in the place of some: their modes after, and their times."""
+    modes, times = ([*part[:at], *new, *part[to:]] for part, at, to, new in (
+        (MODES, start + 1, stop + 1, [mode for mode, _ in more]), (TIMES, start, stop, [time for _, time in more])
+    ))  # fmt: skip
+    states = TRUTH.states[[*range(start + 1), *[start] * len(more), *range(stop + 1, COUNT + 2)]]
+    return TRUTH._replace(modes=modes, times=times, states=states)
 
 
-@pytest.mark.parametrize(
-    ("said", "changed"),
-    [
-        (f"{COUNT - 1} events, not {COUNT}", {"modes": MODES[:-1], "times": TIMES[:-1]}),
-        (f"segment 1 is slip-, not {'slip+' if MODES[0] > 0 else 'stick'}", {"modes": [-1, *MODES[1:]]}),
-        ("its neighbour", {"times": moved(GAP * 0.51)}),
-        ("off by nan s", {"times": moved(math.nan)}),
-        (None, {"times": moved(GAP * 0.49)}),
-    ],
-)
-def test_a_wrong_itinerary_is_named(said, changed):
-    difference = judge(replace(TRUTH, **changed), TRUTH, SCENE).difference
-    assert said in difference if said else difference is None
+PLANTED = {
+    "late, and still its own": (run(4, 5, (MODES[5], TIMES[4] + AWAY * GAP * 0.49)), (COUNT, 0, 0), "$"),
+    "too late": (run(4, 5, (MODES[5], TIMES[4] + AWAY * GAP * 0.51)), (COUNT - 1, 1, 1), "event 5: .* in truth"),
+    "nearer to another": (run(4, 5, (MODES[5], TIMES[4] - AWAY * GAP * 0.51)), (COUNT - 1, 1, 1), "event 5: "),
+    "without a time": (run(4, 5, (MODES[5], math.nan)), (COUNT - 1, 1, 1), "event 5: .* at nan s; in truth"),
+    "the last one lost": (run(COUNT - 1, COUNT), (COUNT - 1, 1, 0), f"event {COUNT}: .* to the end; in truth"),
+    "a short slip lost": (run(10, 12), (COUNT - 2, 2, 0), "event 11: "),
+    "one too many": (
+        run(COUNT, COUNT, ("slip+", TIMES[-1] + GAP / 9)),
+        (COUNT, 0, 1),
+        f"event {COUNT + 1}: .* to slip",
+    ),
+    "another mode": (run(2, 3, ("other", TIMES[2])), (COUNT - 2, 2, 2), f"event 3: {MODES[2]} to other "),
+}
+
+
+@pytest.mark.parametrize("fault", PLANTED)
+def test_events_are_found_missed_or_extra_and_the_first_wrong_one_is_named(fault):
+    found, counts, said = PLANTED[fault]
+    verdict = judge(found, TRUTH)
+    assert verdict[:3] == counts
+    assert re.match(said, verdict.note)
+
+
+def test_a_run_that_sticks_where_it_slips_is_wrong_without_any_event():
+    calm = TRUTH._replace(modes=["stick"], times=[], states=TRUTH.states[[0, -1]])
+    assert judge(calm._replace(modes=["slip+"]), calm).note == "event 1: slip+ to the end; in truth stick to the end"
 
 
 def test_errors_are_those_that_were_planted():
-    length = float(SCENE.pair.half_width)
-    x1, v1, x2, v2 = FINAL
-    with Ball(60).context():
-        rows = (
-            ({"final": (x1 + arb(0.001 * length), v1, x2, v2)}, 3),
-            ({"final": (x1, v1, x2, v2 - arb(0.01 * length * 10))}, 2),
-            ({"times": (*TIMES[:-1], TIMES[-1] * (1 - arb(1e-7)))}, 7),
-            ({"lost": TRUTH.lost * (1 + arb("1e-30"))}, 30),
-        )
-    for changed, digits in rows:
-        assert judge(replace(TRUTH, **changed), TRUTH, SCENE).digits == pytest.approx(digits, abs=1e-3)
-    wide = replace(TRUTH, final=(x1 + arb("[0 +/- 5e-6]"), v1, x2, v2))
-    assert judge(TRUTH, wide, SCENE).digits == pytest.approx(3, abs=0.01)
+    far, fast = (max(abs(x.mid()) for x in TRUTH.states[:, k::2].flat) for k in (0, 1))
+    for place, size, event in ((0, far, 7), (1, fast, -1), (2, far, -1), (3, fast, 7)):
+        states = TRUTH.states.copy()
+        states[event, place] += size * arb("1e-3")
+        assert judge(TRUTH._replace(states=states), TRUTH).state_digits == pytest.approx(3, abs=0.011)
+    late = TRUTH._replace(times=[*TIMES[:-1], TIMES[-1] * (1 - arb(1e-7))])
+    assert judge(late, TRUTH).time_digits == pytest.approx(7, abs=0.011)
+    wide = TRUTH._replace(states=TRUTH.states + arb(0, far * arb("1e-3")))
+    assert judge(TRUTH, wide).state_digits == pytest.approx(3, abs=0.011)  # what is not known is an error
 
 
-# what is timed, and how
+# timing
 
 
-def test_the_call_that_is_timed_solves_again_and_makes_what_a_user_looks_at(monkeypatch):
-    calls, read, solve = [], [], contenders.solve
-    monkeypatch.setattr(contenders, "solve", lambda *a, **k: calls.append(1) or solve(*a, **k))
-    call = contender("solve").prepare(SCENE, 0)
-    assert call() is not call()
-    assert len(calls) == 2
-
-    class Lazy:
-        def __getattr__(self, name):
-            read.append(name)
-
-    looked_at(Lazy())
-    assert {"t", "y", "modes"} <= set(read)
-
-
-@pytest.fixture
-def call(monkeypatch):
-    """What makes a call that takes so long at a time; the clock goes on only then."""
-    clock = SimpleNamespace(now=0.0, process_time=lambda: clock.now)
+def test_two_calls_are_timed_in_turn_and_compared_by_their_medians(monkeypatch):
+    clock, order = SimpleNamespace(now=0.0, process_time=lambda: clock.now), []
     monkeypatch.setattr(measure, "time", clock)
+    taken = {"a": iter([*[1e-3] * 3, *[1e-4] * 2, *[9e-2] * 2, *[1e-3] * 99]), "b": iter([3e-3] * 99)}
 
-    def taking(*durations):
-        left = iter(durations)
+    def call(name):
+        order.append(name)
+        clock.now += next(taken[name])
 
-        def one():
-            clock.now += next(left, durations[-1])
-
-        return one
-
-    return taking
-
-
-def test_two_calls_are_timed_in_turn_and_compared_by_their_medians(call):
-    order, slow = [], call(3e-3)
-    quick = call(*[1e-3] * 3, *[1e-4] * 2, *[9e-2] * 2, 1e-3)  # the first sets ten at once; some are outliers
-    ratio = measure.in_turns(lambda: order.append("a") or quick(), lambda: order.append("b") or slow(), 0.25)
-    assert ratio == pytest.approx(3)
-    assert "".join(order[2:]) == "aaaaaaaaaabbb" * 14
+    ours, theirs = measure.in_turns(lambda: call("a"), lambda: call("b"))
+    assert theirs / ours == pytest.approx(3)  # in spite of the outliers
+    assert "".join(order[2:]) == "aaaaaaaaaabbb" * 6
 
 
-def measured(prepare):
-    one = contender("heyoka")._replace(prepare=lambda *_: prepare())
-    return measure.judged_and_timed(one, 1e-9, SCENE, TRUTH, lambda: None, 0.1)
+@pytest.mark.parametrize("stage", [0, 1])
+def test_a_contender_that_fails_leaves_a_note(stage):
+    def fail():
+        raise OutOfRange("no step is small enough")
 
-
-def test_what_is_found_is_judged_and_timed_beside_solve(monkeypatch):
-    monkeypatch.setattr(measure, "in_turns", lambda base, call, _: 2.0 if call() is TRUTH else 0.0)
-    ratio, digits, note = measured(lambda: lambda: TRUTH)
-    assert (ratio, digits > 30, note) == (2.0, True, "")
-    assert "events, not" in measured(lambda: lambda: replace(TRUTH, modes=MODES[:-1], times=TIMES[:-1]))[2]
-
-
-@pytest.mark.parametrize("error", [PeerFailed, OutOfRange])
-def test_a_contender_that_fails_leaves_a_note(error):
-    def prepare():
-        raise error("no step is small enough")
-
-    assert measured(prepare) == (None, None, "no answer: no step is small enough")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["forced-stick-slip", "forced-friction", "velocities"])
-def test_a_sweep_has_the_digits_of_both(name):
-    if missing := contender("heyoka").missing():
-        pytest.skip(missing)
-    found = measure.swept(name, 3, 0.0)
-    assert found.ratio > 0
-    assert found.peer_wrong == (name == "forced-friction")
-    assert min(found.digits, found.peer_digits) > 7
+    call, verdict = measure.judged((lambda: fail, fail)[stage], TRUTH, 0)
+    assert (call, verdict) == (None, (0, 0, 0, None, None, "no step is small enough"))
 
 
 # what is recorded
 
-PEERS = [("heyoka", 2e-3, 9.0), ("heyoka", 5e-3, 15.0), ("heyoka", 9e-3, 16.0), ("heyoka", 1e-9, 30.0, False)]
 
-
-def test_the_public_interface_is_held_against_what_is_as_accurate():
-    some = [run(who, "velocities", *rest) for who, *rest in PEERS]
-    assert trade_of(*some).beside("velocities", 0).ratio == pytest.approx(5)
-    assert trade_of(*some).beside("velocities", 12) is None
-    less = trade_of(some[0])
-    assert less.beside("velocities", 0).peer.digits == 9.0
-    assert less.beside("relative-motion-b05", 0) is None
-    assert less.ratios() == {"`solve(scene)`, without a force": {"velocities": pytest.approx(2)}}
-
-
-def test_of_two_arithmetics_the_faster_counts_that_has_the_digits_asked_for():
-    ours = run("solve", "velocities", 1e-3, 20.5, asked=20)
-    double, longer = run("heyoka", "velocities", 1e-4, 14.0), run("heyoka long double", "velocities", 4e-3, 17.0)
-    found = trade_of(ours, double, longer)
-    assert found.beside("velocities", 0).ratio == pytest.approx(0.1)
-    assert found.beside("velocities", 20).ratio == pytest.approx(4)
+def test_the_lead_is_over_the_fastest_that_is_as_accurate_or_the_most_accurate():
+    rows = [row("heyoka", "velocities", *one) for one in ((2.0, 9.0), (5.0, 15.0), (9.0, 16.0), (0.1, 30.0, "event 1"))]
+    assert trade_of(*rows).lead("velocities").ratio == 5
+    assert trade_of(rows[0], rows[3]).lead("velocities").peer == rows[0]
+    assert trade_of(*rows).lead("relative-motion-b05") is None
+    assert trade_of(rows[1], row("heyoka long double", "velocities", 3.0, 17.0)).lead("velocities").ratio == 3
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
-    [
-        ("", "is no output of"),
-        (trade_of(machine={}).text(), "no runs or no machine"),
-        (trade_of().text().replace("14.5", '"soon"'), "could not convert"),
-    ],
+    ("content", "said"), [("", "is no output"), (trade_of(machine={}).text(), "no machine"), (None, "No such file")]
 )
 def test_a_wrong_file_is_named_with_what_is_wrong(tmp_path, content, said):
-    (tmp_path / "wrong.json").write_text(content)
-    with pytest.raises(UnreadableTrade, match=rf"^wrong\.json .*{said}"):
+    if content is not None:
+        (tmp_path / "wrong.json").write_text(content)
+    with pytest.raises(UnreadableTrade, match=rf"wrong\.json .*{said}"):
         recorded(tmp_path / "wrong.json")
-    with pytest.raises(UnreadableTrade, match=r"nowhere\.json cannot be read: No such file"):
-        recorded(tmp_path / "nowhere.json")
 
 
 def test_the_shipped_one_is_small_names_no_place_and_no_day_and_is_drawn():
     text, found = SHIPPED.read_text("utf-8"), recorded()
-    assert len(text) < 20_000
-    assert not re.search(
-        r"(?<![\w.])/(home|root|tmp|opt|usr|work|var|nix|Users)/|[A-Z]:\\\\|\b20\d\d-\d\d-\d\d\b", text
-    )
+    assert len(text) < 25_000
+    assert not re.search(r"(?<![\w.])/(home|root|tmp|opt|usr|work|var|nix|Users)/|\b20\d\d-\d\d-\d\d\b", text)
     assert found.text() == text
     assert set(found.machine) == {*MACHINE, "busy"} == set(measure.machine())
-    assert len(draw_trade(found).axes) == len(found.scenes)
-    assert {one.who for one in found.runs} == {one.label for one in CONTENDERS}
-    assert all(one.digits and one.peer_digits for one in found.sweeps)
-    assert [one for one in found.runs if one.ours and one.right is not True] == []
+    assert [*found.scenes] == [*measure.benchmarks()]
+    assert len(draw_trade(found).axes) == 1
+    assert {one.method for one in found.rows} == {one.name for one in CONTENDERS}
+    assert [one for one in found.rows if one.ours and not one.right] == []
 
 
 # the command
 
 
 @pytest.fixture
-def planted_answers(monkeypatch):
-    monkeypatch.setattr(measure, "judged_and_timed", lambda *_: (2.0, 9.0, ""))
-    monkeypatch.setattr(measure, "total_time", lambda call, loops: 1e-3 * loops)
-    monkeypatch.setattr(measure, "swept", lambda name, size, _: Sweep(name, 30.0, size, 11.0, 13.5))
-    monkeypatch.setattr(measure, "proved", lambda _: None)
-    absent = CONTENDERS[0]._replace(label="absent tool", package="a-package-that-nobody-has")
-    some = (contender("solve"), contender("heyoka")._replace(package=""), contender("forward Euler"), absent)
-    monkeypatch.setattr(contenders, "CONTENDERS", some)
-    monkeypatch.setattr(measure, "contender", {one.label: one for one in some}.get)
+def quick(monkeypatch):
+    monkeypatch.setattr(measure, "in_turns", lambda ours, theirs: (1e-3, 2e-3))
+    absent = CONTENDERS[-1]._replace(name="absent tool", package="a-package-that-nobody-has")
+    few = [one._replace(settings=one.settings[:1]) for one in CONTENDERS if not one.package]
+    monkeypatch.setattr(measure, "CONTENDERS", (*few, absent))
 
 
-@pytest.mark.usefixtures("planted_answers")
-def test_the_whole_command_with_planted_answers(output, record, tmp_path):
-    found = record("trade", "--size", "small", "--only", "free", "--out", tmp_path / "trade.png")
-    assert found["left_out"]["absent tool"] == "a-package-that-nobody-has (extra `comparisons`)"
-    assert list(found["scenes"]) == ["relative-motion-b05", "near-critical-1e-6"]
-    assert list(dict.fromkeys(row[1] for row in found["runs"])) == ["solve", "heyoka", "forward Euler"]
-    assert [row[2] for row in found["runs"][:3]] == [0, 12, 20]
-    assert list(found) == ["command", "machine", "left_out", "scenes", "sweeps", "runs"]
-    assert [path.name for path in tmp_path.iterdir()] == ["trade.png"]
-    printed = output("trade", "--size", "small", "--only", "Euler", "absent", "b05")
+@pytest.mark.usefixtures("quick")
+def test_the_whole_command_on_a_scene_of_the_users(output, record, scene_file, tmp_path):
+    found = record("trade", scene_file, "--digits", 40, "--plot", tmp_path / "trade.png")
+    assert found["left_out"] == {"absent tool": "needs a-package-that-nobody-has (extra `comparisons`)"}
+    asked = [("float64", 0), ("balls", 15), ("balls", 40), ("forward Euler", 1000)]
+    ratios = (1.0, 2.0, 2.0, 2.0)
+    assert [tuple(one[:5]) for one in found["rows"]] == [
+        ("scene", *one, 0.002, x) for one, x in zip(asked, ratios, strict=True)
+    ]
+    assert (tmp_path / "trade.png").stat().st_size > 10_000
+    printed = output("trade", scene_file, "--digits", 30)
     assert "left out: absent tool: needs a-package-that-nobody-has" in printed
-    assert "2 ms" in printed
-    assert "near-critical" not in printed
-    printed = output("trade", "--size", "small", "--interface")
-    assert "solve(scene), without a force: relative-motion-b05 1, near-critical-1e-6 1" in printed
-    assert "forced-stick-slip, 20 scenes in one call: 30, 11 digits; heyoka 13.5 digits, 0 scenes wrong" in printed
-    assert "forward Euler" not in printed
+    assert re.search(r"float64 +2 ms +1 +\d\.\de-1\d +\d\.\de-1\d +\d+ +0 +0 *$", printed, re.MULTILINE)
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize(
+    ("scene", "who", "why"),
+    [("plane-rotating-force", "float64", "a surface"), ("velocities-literal", "forward Euler", "law = ")],
+)
+def test_who_does_not_know_a_scene_is_left_out(record, scene, who, why):
+    found = record("trade", scene, "--digits", 15)
+    assert why in found["left_out"][who]
+    assert "balls" in {one[1] for one in found["rows"]}

@@ -52,7 +52,7 @@ from oracle.reading import HERE
 FROZEN = HERE / "bounds.json.xz"
 Numbers = list[float]
 Frozen = dict[str, dict[str, Numbers]]
-ENDS = [*BOUNDS, AT["excess_error"], AT["dissipated_error"]]
+ENDS = [*BOUNDS, AT["speed_error"], AT["ledger_error"]]
 FOLDERS = "differentiated", "followed", "followed-in-balls", "no-ties", "passed-over", "proved", "weakened"
 PROVE = "if a bound became smaller, or a doubt (number 0) begins later, prove it; if larger, it is a loss; then"
 CHANGED = f"{PROVE} freeze anew with `python -m oracle.bounds`, from tests"

@@ -14,8 +14,7 @@ import paper_checks.report.output.parts as parts_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
-from paper_checks.report.content import speed as section_module
-from paper_checks.report.content import under_a_force
+from paper_checks.report.content import euler_lessons, under_a_force
 from paper_checks.report.content.blocks import Section
 from paper_checks.report.formats import latex
 
@@ -28,8 +27,7 @@ def small(monkeypatch, tmp_path_factory, rows, figures):
     monkeypatch.setattr(recorded_module, "recorded", lambda path=None: recorded(path) if path else shipped)
     monkeypatch.setattr(under_a_force, "section", lambda: Section("under-a-force", "Under a force", ()))
     monkeypatch.setattr(under_a_force, "figures", dict)
-    monkeypatch.setattr(section_module, "euler_figures", dict)
-    monkeypatch.setattr(section_module, "stick_energy", lambda step: (1.0, 1.0))
+    monkeypatch.setattr(euler_lessons, "blocks", tuple)
     monkeypatch.setattr(claims_module, "CLAIMS", tuple(row.claim for row in rows))
     monkeypatch.setattr(parts_module, "FIGURES", figures)
 

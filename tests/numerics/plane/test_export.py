@@ -61,7 +61,7 @@ def test_what_is_no_such_file_is_refused(tmp_path):
     with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 3'"):
         PlaneTrajectory.load(path)
     run.save(path)
-    with pytest.raises(InvalidFile, match="surface trajectory 3'"):
+    with pytest.raises(InvalidFile, match="surface trajectory 4'"):
         Trajectory.load(path)
     text = header_of(path)
     for right, wrong in (

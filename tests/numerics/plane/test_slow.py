@@ -4,13 +4,13 @@ from fractions import Fraction
 
 import pytest
 from flint import arb
-from plane_paths import agree, overlap, path_of
+from plane_paths import agree, path_of
 
 from numerics import solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided
 from numerics.plane import run as running
-from numerics.plane.passage import drawn_to, end_direction
+from numerics.plane.passage import drawn_to
 from numerics.plane.vector import Vector
 from numerics.plane.window import around
 from numerics.scene.file import load_scene
@@ -93,20 +93,6 @@ def test_a_slip_is_drawn_through_rest_up_to_the_load_at_which_its_direction_is_n
         assert (drawn is not None) == passes
         assert passes != (drawn is None or not drawn.psi > 1)
         assert drawn_to(system, system.pieces[0], Vector([arb(0), arb(load)]), Vector([arb(0, 1), arb(-1)])) is None
-
-
-def test_the_direction_of_an_end_is_enclosed_and_sees_the_load():
-    """Of a round pair it is the load's: to 1e-20, and that of another load is told apart."""
-    system = path_of(PlaneScene(PlanePair(2, 2, 1, "0.5"), 1, x1=["0.1", 0], v1=[0, 1]), 30).system
-    with system.fine():
-        load, other = Vector([arb("0.3"), arb("0.1")]), Vector([arb("0.3"), arb("0.1000000000001")])
-        drawn = drawn_to(system, system.pieces[0], load, Vector([arb("0.3", 1e-3), arb("0.1", 1e-3)]))
-        found = end_direction(system, system.pieces[0], load, drawn)
-        assert overlap(found, load / (load @ load).sqrt())
-        assert all(x.rad() < 1e-20 for x in found)
-        assert not found[1].overlaps((other / (other @ other).sqrt())[1])
-        assert drawn_to(system, system.pieces[0], load, Vector([arb(0, 1), arb("0.1")])) is None
-        assert all(x.contains(1) for x in end_direction(system, system.pieces[0], load, None))
 
 
 def test_a_slip_settles_on_two_axes_quickly_and_slowly_on_the_third():

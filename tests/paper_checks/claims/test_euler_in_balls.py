@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from numerics import Pair, Scene, State, load_scene
-from numerics.trade.comparisons.forward_euler import forward_euler
+from numerics.trade.forward_euler import forward_euler
 from paper_checks.claims import euler
 from paper_checks.claims.itineraries import never_merges
 from paper_checks.decide import euler_in_balls as decide_euler

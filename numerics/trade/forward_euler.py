@@ -9,8 +9,6 @@ would read it, chatter inside the sliding region being sticking: from the signs 
     stick (chatter) ends   at the first step where the load lies outside the region: an exit;
     a new slip             may have to wait for its sign, as after chatter: it can end only once v1 - v2 has had its
                            sign, or the load is back inside.
-
-Its dissipated energy is E(0) - E(end), which chatter spoils: forward Euler gains energy in stick.
 """
 
 from __future__ import annotations
@@ -22,19 +20,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compiled
+from numerics.linear.modes import MODES
 from numerics.scene import Law, Scene
-from numerics.trade.comparisons.switched import Call, PeerRun, SwitchedPair
+from numerics.trade.judge import Call, Run
+from numerics.trade.switched import SwitchedPair
 
 Vector = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class EulerRun:
-    """Samples of a forward Euler run: t (n,) s, y (4, n) with rows x1, v1, x2, v2 in SI units; approximate."""
+    """Samples of a forward Euler run: t (n,) s, y (4, n) with rows x1, v1, x2, v2, u and b (N); approximate."""
 
     scene: Scene
     t: Vector
     y: Vector
+    u: Vector
+    b: Vector
 
     @property
     def sign(self) -> Vector:
@@ -43,13 +45,14 @@ class EulerRun:
 
     @property
     def load(self) -> Vector:
-        """Return a2 x1 + a1 v1 by the largest one that stick holds, at every step."""
+        """Return a2 x1 + a1 v1 - u by the largest one that stick holds, at every step."""
         pair = self.scene.pair
-        return (float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1]) / float(pair.a2 * pair.half_width)
+        pull = float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1] - self.u
+        return pull / (self.b * float(pair.mass / pair.m2))
 
     @property
     def chatter(self) -> int:
-        """Return how often sgn(v1 - v2) flips between consecutive steps that both lie in |a2 x1 + a1 v1| <= a2 L."""
+        """Return how often sgn(v1 - v2) flips between consecutive steps whose loads lie in the sliding region."""
         sign, inside = self.sign, np.abs(self.load) <= 1
         return int(np.count_nonzero((sign[1:] * sign[:-1] < 0) & inside[1:] & inside[:-1]))
 
@@ -64,21 +67,31 @@ class EulerRun:
         return np.asarray(self.scene.pair.energy(self.y, float))
 
 
-def march(y: Vector, step: float, literal: bool, m1: float, m2: float, a1: float, a2: float, b: float) -> None:
+def march(
+    y: Vector, u: Vector, b: Vector, step: float, literal: bool, m1: float, m2: float, a1: float, a2: float
+) -> None:
     """Fill the columns of y, (4, n), from the first one on: plain arithmetic, fit for a compiler."""
-    held = b * (m1 + m2) / m2
     x1, v1, x2, v2 = float(y[0, 0]), float(y[1, 0]), float(y[2, 0]), float(y[3, 0])
     for n in range(1, y.shape[1]):
-        load = a2 * x1 + a1 * v1
+        load, friction = a2 * x1 + a1 * v1 - u[n - 1], b[n - 1]
         sign = (v1 > v2) * 1 - (v1 < v2) * 1
-        if sign == 0 and not literal and abs(load) > held:
+        if sign == 0 and not literal and abs(load) > friction * (m1 + m2) / m2:
             sign = -1 if load > 0 else 1
         if sign != 0:
-            dv1, dv2 = -(load + b * sign) / m1, b * sign / m2
+            dv1, dv2 = -(load + friction * sign) / m1, friction * sign / m2
         else:
             dv1 = dv2 = -load / (m1 + m2)
         x1, v1, x2, v2 = x1 + step * v1, v1 + step * dv1, x2 + step * v2, v2 + step * dv2
         y[0, n], y[1, n], y[2, n], y[3, n] = x1, v1, x2, v2
+
+
+def acting(scene: Scene, t: Vector) -> tuple[Vector, Vector]:
+    """Return the force on body 1 and the friction force at these times, N."""
+    u, b = np.zeros_like(t), np.zeros_like(t)
+    for span in SwitchedPair(scene).spans:
+        on = t >= span.start
+        u[on], b[on] = span.u(t[on], 0, (np.sin, np.cos)), span.b
+    return u, b
 
 
 def forward_euler(scene: Scene, step: float) -> EulerRun:
@@ -93,23 +106,26 @@ def forward_euler(scene: Scene, step: float) -> EulerRun:
     pair, at = scene.pair, scene.initial
     y = np.empty((4, steps + 1))
     y[:, 0] = [float(one) for one in (at.x1, at.v1, at.x2, at.v2)]
-    numbers = [float(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b)]
-    compiled(march)(y, step, scene.law is Law.THREE_VALUED_SGN, *numbers)
-    return EulerRun(scene, np.linspace(0.0, step * steps, steps + 1), y)
+    t = np.linspace(0.0, step * steps, steps + 1)
+    u, b = acting(scene, t)
+    numbers = [float(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2)]
+    compiled(march)(y, u, b, step, scene.law is Law.THREE_VALUED_SGN, *numbers)
+    return EulerRun(scene, t, y, u, b)
 
 
-def euler_peer(scene: Scene, step: float) -> Call:
-    """Prepare a run of a free pair, its first mode known."""
-    first = SwitchedPair(scene).mode
+def euler_peer(scene: Scene, steps: float) -> Call:
+    """Prepare a run of so many steps, its first mode known."""
+    first, step = SwitchedPair(scene).mode, float(scene.until) / steps
     return lambda: read(first, forward_euler(scene, step))
 
 
 @np.errstate(over="ignore", invalid="ignore")  # a coarse step may blow up, and says so by its result
-def read(first: int, euler: EulerRun) -> PeerRun:
+def read(first: int, euler: EulerRun) -> Run:
     """Return what a forward Euler run says, its first mode known, read by the rules above."""
-    events, energy = list(events_of(euler.sign, euler.load, first)), euler.energy
-    times, modes = [float(euler.t[step]) for step, _ in events], [first, *(mode for _, mode in events)]
-    return PeerRun(modes, times, euler.y[:, -1].tolist(), float(energy[0] - energy[-1]))
+    events = list(events_of(euler.sign, euler.load, first))
+    at = [step for step, _ in events]
+    modes = [MODES[mode].value for mode in (first, *(mode for _, mode in events))]
+    return Run(modes, euler.t[at], euler.y[:, [0, *at, -1]].T)
 
 
 def events_of(sign: Vector, load: Vector, mode: int) -> Iterator[tuple[int, int]]:

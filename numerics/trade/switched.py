@@ -1,62 +1,53 @@
 """The pair as a user of an integrator writes it down: one smooth field per mode, in coordinates that lose nothing.
 
 With the load F = u(t) - a2 x1 - a1 v1 and held = b (m1+m2)/m2, friction holds the bodies together while |F| < held.
-Towards one edge of that region, s = +1 or -1 (in slip the sign of v1 - v2), the coordinates are
+Towards one edge
+of that region, s = +1 or -1 (in slip the sign of v1 - v2), the coordinates are
 
-    room = held - s F,   v = s v1,   g = s (v1 - v2),   z' = g
+    r = F - s held,   v = v1,   g = v1 - v2,   z = x1 - x2,   with z' = g
 
-    slip   m1 v' = held - b - room,   m1 g' = -room     until g falls to 0
-    stick  (m1+m2) v' = held - room,  g = 0             until room falls to 0
+    slip   m1 v' = r + s (held - b),   m1 g' = r       until s g falls to 0
+    stick  (m1+m2) v' = r + s held,    g = 0           until -s r falls to 0
 
-with room' = a2 v + a1 v' - s u'(t) in both; and the integral of v^2 where there is viscosity. At an exit room = g = 0
-exactly, so a slip of any length can be computed to full relative accuracy, and events are clean roots.
-
-Whoever is compared with ours is a function `prepare(scene, setting)`: it builds and compiles everything once; the call
-that it returns is what is timed, and gives a PeerRun.
+with r' = u'(t) - a2 v - a1 v' in both. At an exit r = g = 0 exactly, so a slip of any length can be computed to full
+relative accuracy, and events are clean roots.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from numerics.errors import NumericsError
+from numerics.linear.modes import MODES
 from numerics.linear.pieces import pieces_of
-from numerics.scene import Scene
+from numerics.scene import Law, Scene
+from numerics.trade.judge import Call, Run
 
 Number = Any
 """A number of the integrator's format: float or numpy.longdouble."""
 MAX_ARCS = 300_000
-
-
-@dataclass(frozen=True)
-class PeerRun:
-    """What one run of an integrator says of a scene; SI units, approximate, in the integrator's own numbers."""
-
-    modes: Sequence[Any]
-    """The itinerary: the sign of v1 - v2 in every segment, 0 in stick; one more than there are events. On a surface
-    words."""
-    times: Sequence[Any]
-    """The times of the events, s."""
-    final: Sequence[Any]
-    """x1, v1, x2, v2 at the horizon, m and m/s; each by axes on a surface."""
-    lost: Any = None
-    """The energy that friction and viscosity took from t = 0 to the horizon, J; None where nobody counts it."""
-
-
-Call = Callable[[], Any]
-"""Gives a PeerRun, or one of our trajectories."""
 Extra = Any
 """What a module of the extra `comparisons` makes; it is imported late and untyped."""
 
 
 class PeerFailed(NumericsError):
     """A run that does not get to the horizon: too many steps or events, or its own error."""
+
+
+def unknown(scene: Any) -> str | None:
+    """Return in words what is written down here of no such scene; None where it is known."""
+    if not isinstance(scene, Scene):
+        return "a surface"
+    if scene.law is not Law.FILIPPOV:
+        return f'law = "{scene.law.value}"'
+    if scene.friction.weakening is not None:
+        return "friction that depends on the state"
+    return None if getattr(scene, "is_plain", True) else "a pair of another kind than the paper's under a force"
 
 
 class Span(NamedTuple):
@@ -80,11 +71,16 @@ class Span(NamedTuple):
         """Return the friction force, N."""
         return self.numbers[1]
 
+    @property
+    def start(self) -> Number:
+        """Return the time from which the polynomial counts, s."""
+        return self.numbers[2]
+
     def u(self, t: Number, order: int, waves: Any) -> Number:
         """Return the derivative of order 0, 1 or 2 at t (s); `waves`: sine and cosine of the numbers that t is of."""
         value, numbers, sines = 0 * t, self.numbers, 3 + self.terms
         for k in range(order, self.terms):
-            value += math.perm(k, order) * numbers[3 + k] * (t - numbers[2]) ** (k - order)
+            value += math.perm(k, order) * numbers[3 + k] * (t - self.start) ** (k - order)
         for n in range(sines, len(numbers), 3):
             wave = waves[order % 2](numbers[n + 1] * t + numbers[n + 2])
             value += (-1) ** (order // 2) * numbers[n] * numbers[n + 1] ** order * wave
@@ -99,8 +95,6 @@ class SwitchedPair:
         pair, at, self.kind, self.zero = scene.pair, scene.initial, kind, kind(0)
         self.m1, self.mass, self.a1, self.a2 = self.numbers(pair.m1, pair.mass, pair.a1, pair.a2)
         self.waves: Any = (math.sin, math.cos) if kind is float else (np.sin, np.cos)
-        self.viscous = [self.zero] if pair.a1 > 0 else []
-        """Where the integral of v^2 starts, if there is viscosity."""
         pieces, self.spans = pieces_of(scene), list[Span]()
         terms, sines = (max(len(part(one)) for one in pieces) for part in (lambda p: p.polynomial, lambda p: p.sines))
         for one in pieces:
@@ -115,11 +109,14 @@ class SwitchedPair:
         # exactly, lest a start on the edge misses it by a rounding error
         load = Fraction(scene.force(0)) - pair.a2 * at.x1 - pair.a1 * at.v1
         beyond = abs(load) - pieces[0].b * pair.mass / pair.m2
-        self.load, self.v1, self.gap, self.apart = self.numbers(load, at.v1, at.v1 - at.v2, at.x1 - at.x2)
-        self.mode = int(np.sign(self.gap)) or self.parted(self.spans[0], self.zero, self.load, beyond, self.v1)
+        self.start = self.numbers(load, at.v1, at.v1 - at.v2, at.x1 - at.x2)
+        """The load F, v, g and z."""
+        self.mode = int(np.sign(self.start[2])) or self.parted(
+            self.spans[0], self.zero, self.start[0], beyond, self.start[1]
+        )
         length = max(float(one.held / self.a2) for one in self.spans) + abs(float(at.x1))
         speed = length * math.sqrt(pair.a2 / pair.m1) + abs(float(at.v1)) + abs(float(at.v2))
-        self.sizes = [length * float(pair.a2), speed, speed, length, speed * length][: 4 + len(self.viscous)]
+        self.sizes = [length * float(pair.a2), speed, speed, length]
         """Of the coordinates: what absolute tolerances are measured by."""
 
     def numbers(self, *values: Fraction) -> list[Number]:
@@ -144,19 +141,18 @@ class SwitchedPair:
 
     def rates(self, slip: bool, span: Span, s: Number, push: Number, y: Any) -> list[Any]:
         """Return the time derivatives of the coordinates y, with push = u'(t); numbers, arrays or formulas."""
-        room, v, g, _, *viscous = y
-        pull = (span.held - span.b - room) / self.m1 if slip else (span.held - room) / self.mass
-        apart = [-room / self.m1, g] if slip else [0 * g, 0 * g]
-        return [self.a2 * v + self.a1 * pull - s * push, pull, *apart, *[v * v] * len(viscous)]
+        r, v, g, _ = y
+        pull = (r + s * (span.held - span.b)) / self.m1 if slip else (r + s * span.held) / self.mass
+        return [push - self.a2 * v - self.a1 * pull, pull, *([r / self.m1, g] if slip else [0 * g, 0 * g])]
 
-    def first_step(self, span: Span, s: int, t: Number, room: Number, v: Number) -> tuple[float, float]:
+    def first_step(self, span: Span, s: int, t: Number, r: Number, v: Number) -> tuple[float, float]:
         """Return a step off the surface that ends within the slip, and when g comes back by its series, s.
 
-        g starts as c1 t + c2 t^2/2 + c3 t^3/6; where it leaves steeply it is not asked, and the second number is 0.
+        s g starts as c1 t + c2 t^2/2 + c3 t^3/6; where it leaves steeply it is not asked, and the second number is 0.
         """
-        rate, pull, *_ = self.rates(True, span, s, self.u(span, t, 1), (room, v, self.zero, self.zero))
-        bend = self.a2 * pull - s * self.u(span, t, 2)
-        c1, c2, c3 = (float(one / self.m1) for one in (-room, -rate, self.a1 * rate / self.m1 - bend))
+        rate, pull, *_ = self.rates(True, span, s, self.u(span, t, 1), (r, v, self.zero, self.zero))
+        bend = self.u(span, t, 2) - self.a2 * pull - self.a1 * rate / self.m1
+        c1, c2, c3 = (float(s * one / self.m1) for one in (r, rate, bend))
         if c1 > abs(c2) * self.quick:
             return self.quick, 0.0
         inner = c2 * c2 / 4 - 2 * c1 * c3 / 3
@@ -165,13 +161,13 @@ class SwitchedPair:
 
 
 Arc = Callable[[bool, Span, int, Number, list[Number]], tuple[bool, Number, list[Number]]]
-"""An integrator of both modes: from slip or not, a span, the edge, the time (s) and the coordinates room, v, g, z, and
-the integral of v^2 where there is viscosity, to whether it met its event, the time and the coordinates there. It may
-stop before the end of the span where the load turns back. Raises PeerFailed."""
+"""An integrator of both modes: from slip or not, a span, the edge, the time (s) and the coordinates r, v, g, z, to
+whether it met its event, the time and the coordinates there. It may stop before the end of the span where the load
+turns back. Raises PeerFailed."""
 
 
 def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = float) -> Callable[[Scene, float], Call]:
-    """Return what prepares an integrator, in numbers of a format."""
+    """Return what prepares an integrator, in numbers of a format: it compiles once, and each call solves the scene."""
 
     def prepare(scene: Scene, setting: float) -> Call:
         pair = SwitchedPair(scene, kind)
@@ -181,36 +177,40 @@ def switched(integrator: Callable[[SwitchedPair, float], Arc], kind: type = floa
     return prepare
 
 
-def run(pair: SwitchedPair, arc: Arc) -> PeerRun:
+def run(pair: SwitchedPair, arc: Arc) -> Run:
     """Run from event to event and from jump to jump. Raises PeerFailed."""
-    t = slipped = lost = pair.zero
-    load, v1, gap, mode, arcs = pair.load, pair.v1, pair.gap, pair.mode, 0
-    modes, times = [mode], list[Number]()
+    t, mode, arcs, (load, v, g, z) = pair.zero, pair.mode, 0, pair.start
+    modes, times, states = [mode], list[Number](), list[tuple[Number, ...]]()
+
+    def note(span: Span) -> None:
+        """Keep the state."""
+        x1 = (pair.u(span, t) - load - pair.a1 * v) / pair.a2
+        states.append((x1, v, x1 - z, v - g))
+
+    note(pair.spans[0])
     for before, span in zip([pair.spans[0], *pair.spans], pair.spans, strict=False):
         held, turned, after = span.held, 0, mode
         if span is not before:
             load += pair.u(span, t) - pair.u(before, t)
-            after = mode or pair.parted(span, t, load, abs(load) - held, v1)
+            after = mode or pair.parted(span, t, load, abs(load) - held, v)
         while True:
             if after != mode:
                 modes.append(after)
                 times.append(t)
+                note(span)
             mode = after
             if t >= span.end:
                 break
-            s = mode or turned or (1 if pair.load_rate(span, t, load, v1) > 0 else -1)
-            start = [held - s * load, s * v1, s * gap, pair.zero, *pair.viscous]
-            met, at, (room, v, g, z, *viscous) = arc(mode != 0, span, s, t, start)
-            arcs += 1
+            s = mode or turned or (1 if pair.load_rate(span, t, load, v) > 0 else -1)
+            met, t, (r, v, g, z) = arc(mode != 0, span, s, t, [load - s * held, v, g, z])
+            load, turned, arcs = r + s * held, -s, arcs + 1
             if arcs > MAX_ARCS:
                 raise PeerFailed(f"{len(times)} events by t = {t:.9g} s in {arcs} arcs")
-            t, load, v1, gap, turned = at, s * (held - room), s * v, s * g, -s
-            slipped, lost = slipped + s * z, lost + span.b * z + sum(pair.a1 * one for one in viscous)
             if met:
-                side, beyond, gap = (s, -room, pair.zero) if room < held else (-s, room - 2 * held, pair.zero)
+                side, beyond, g = (s, s * r, pair.zero) if s * r > -held else (-s, -s * r - 2 * held, pair.zero)
                 if mode == 0:
                     load, after = side * held, side
                 else:
-                    after, turned = pair.parted(span, t, side * (held + beyond), beyond, v1), 0
-    x1 = (pair.u(pair.spans[-1], t) - load - pair.a1 * v1) / pair.a2
-    return PeerRun(modes, times, (x1, v1, x1 - pair.apart - slipped, v1 - gap), lost)
+                    after, turned = pair.parted(span, t, load, beyond, v), 0
+    note(pair.spans[-1])
+    return Run([MODES[one].value for one in modes], times, states)

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from numerics.trade.comparisons.switched import Arc, Extra, Number, PeerFailed, Span, SwitchedPair
+from numerics.trade.switched import Arc, Extra, Number, PeerFailed, Span, SwitchedPair
 
 NOTHING = 1e-300
 """Keeps a load that does not change from turning back."""
@@ -37,8 +37,8 @@ def scipy_arcs(pair: SwitchedPair, rtol: float) -> Arc:
         def guards(since: float, y: Extra) -> tuple[float, float]:
             """Return what falls to 0 at the event, and where the load turns."""
             if slip:
-                return y[2], np.inf
-            return min(y[0], 2 * span.held - y[0]), NOTHING - pair.quick * field(since, y)[0]
+                return s * y[2], np.inf
+            return min(-s * y[0], 2 * span.held + s * y[0]), NOTHING + s * pair.quick * field(since, y)[0]
 
         def watched(since: float, y: Extra) -> float:
             return min(guards(since, y))
@@ -85,7 +85,7 @@ def heyoka_arcs(pair: SwitchedPair, tol: float) -> Arc:
     last = pair.spans[0]
     formula = last._replace(numbers=[hy.par[1 + n] for n in range(len(last.numbers))])
     push = formula.u(hy.time, 1, (hy.sin, hy.cos)) if pair.driven else pair.zero
-    y = hy.make_vars(*["room", "v", "g", "z", "viscous"][: len(pair.sizes)])
+    y = hy.make_vars("r", "v", "g", "z")
 
     def compiled(slip: bool, *guards: Extra) -> Placed:
         system = list(zip(y, pair.rates(slip, formula, hy.par[0], push, y), strict=True))
@@ -93,8 +93,9 @@ def heyoka_arcs(pair: SwitchedPair, tol: float) -> Arc:
         options: Any = {"t_events": falling, "fp_type": pair.kind, "tol": pair.kind(tol)}
         return Placed(hy.taylor_adaptive(system, [pair.zero] * len(y), **options))
 
-    leaving, slipping = compiled(True), compiled(True, y[2])
-    sticking = compiled(False, y[0], *[2 * formula.held - y[0]] * (len(last.numbers) > 3))
+    s = hy.par[0]
+    leaving, slipping = compiled(True), compiled(True, s * y[2])
+    sticking = compiled(False, -s * y[0], *[2 * formula.held + s * y[0]] * (len(last.numbers) > 3))
     cut = int(hy.taylor_outcome.time_limit)
 
     def arc(slip: bool, span: Span, s: int, t: Number, start: list[Number]) -> tuple[bool, Number, list[Number]]:

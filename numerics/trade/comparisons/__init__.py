@@ -1,1 +1,0 @@
-"""Other integrators, behind one interface: the paper's forward Euler first."""

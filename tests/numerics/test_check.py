@@ -1,0 +1,115 @@
+"""`run.check()`: a true run passes; a number, an event or a mode that is falsified is found and named."""
+
+import json
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from numerics import Pair, Scene, State, Trajectory, load_scene, solve
+from numerics.linear.record import AT
+
+RUN = solve(load_scene("velocities"))
+"""24 events in float64."""
+
+
+def falsified(row, **changed):
+    """The run with other numbers in a row of its record."""
+    rows = RUN.record.rows.copy()
+    for name, value in changed.items():
+        rows[row, AT[name]] = value
+    return Trajectory(RUN.scene, RUN.arithmetic, RUN.record._replace(rows=rows))
+
+
+@pytest.mark.parametrize("name", ["velocities", "start-at-6mm-literal", "forced-sweep", "forced-friction-by-pieces"])
+@pytest.mark.parametrize("how", [{}, {"arithmetic": "ball", "digits": 20}])
+def test_a_true_run_passes(name, how):
+    found = solve(load_scene(name), **how).check()
+    assert found.right
+    assert found.difference is None
+    assert all(one.error <= one.bound for one in found.off if one.bound is not None)
+    assert {"x1", "v1", "x2", "v2", "energy", "energy_excess", "dissipated"} <= {one.quantity for one in found.off}
+    assert (found.events > 0) is (found.off[0].quantity == "t")
+
+
+def test_without_bounds_it_says_what_numbers_are_off_by():
+    found = solve(RUN.scene, arithmetic="mpmath", digits=20).check()
+    assert found.right
+    assert {one.bound for one in found.off} == {None}
+    assert 0 < max(one.error for one in found.off) < 1e-18
+
+
+@pytest.mark.parametrize("name", ["x1", "v1", "x2", "v2"])
+def test_a_falsified_number_is_named_with_its_event(name):
+    """A row's state is that of its event; what is a little off is beyond the bound, and less is not."""
+    row = int(RUN.event_rows[6])
+    number = RUN.record.rows[row, AT[name]]
+    found = falsified(row, **{name: number + 1e-9}).check()
+    worst = next(one for one in found.off if one.quantity == name)
+    assert not found.right
+    assert (worst.event, worst.within) == (7, False)
+    assert worst.error == pytest.approx(1e-9, rel=1e-3)
+    assert f"off by more than the bound: {name}" in str(found)
+    assert [one.quantity for one in found.off if not one.within and one.event == 7] == [name]
+
+
+def test_a_falsified_time_and_a_bound_that_is_too_small_are_named():
+    late = falsified(int(RUN.event_rows[2]), local=RUN.event_times[2] + 1e-9).check()
+    assert [(one.quantity, one.event) for one in late.off if not one.within][:1] == [("t", 3)]
+    said = replace(RUN.accuracy, y=RUN.accuracy.y * 1e-9)
+    proud = RUN.but()
+    proud.__dict__["accuracy"] = said
+    assert [one.quantity for one in proud.check().off if not one.within] == ["x1", "v1", "x2", "v2"]
+
+
+def test_a_falsified_mode_is_the_first_event_that_differs():
+    found = falsified(int(RUN.event_rows[4]), mode=1 - abs(RUN.signs[5])).check()
+    assert (found.difference.event, found.difference.t) == (5, RUN.event_times[4])
+    assert found.difference.mode != found.difference.true_mode == RUN.modes[5].value
+    assert str(found.difference) in str(found)
+    assert not found.right
+    assert {one.quantity for one in found.off} == {"t", "x1", "v1", "x2", "v2"}
+    assert all(one.within for one in found.off)
+    assert json.loads(json.dumps(found.to_dict()))["difference"]["event"] == 5
+
+
+def test_a_lost_event_and_an_invented_one_are_named():
+    """The rows of a run over 3 s said to be those of 5 s, and the other way round."""
+    early = Scene(RUN.scene.pair, RUN.scene.initial, 3)
+    lost = Trajectory(RUN.scene, RUN.arithmetic, solve(early).record).check().difference
+    invented = Trajectory(early, RUN.arithmetic, RUN.record).check().difference
+    assert lost.event == invented.event == len(solve(early).events) + 1
+    assert (lost.t, lost.mode) == (invented.true_t, invented.true_mode) == (None, None)
+    assert lost.true_t == pytest.approx(invented.t) == pytest.approx(RUN.event_times[lost.event - 1])
+    assert "no such event; in truth" in str(lost)
+
+
+def test_a_run_that_was_cut_off_is_held_against_as_many_events():
+    found = solve(RUN.scene, max_events=10).check()
+    assert found.right
+    assert found.events == 10
+
+
+def test_only_runs_on_a_line_are_checked():
+    with pytest.raises(TypeError, match="give it what `solve` returns"):
+        Trajectory.check(Scene(Pair(1, 1, 200, "0.5"), State(), 1))
+
+
+def test_the_command_prints_it(run, record):
+    assert record("solve", "velocities", "--check")["right"] is True
+    code, out, _ = run("solve", "velocities", "--check")
+    assert code == 0
+    assert "really off by" in out
+    assert run("solve", "velocities", "--check", "--csv")[0] == 2
+
+
+@pytest.mark.parametrize("after", ["1e-30", "-1e-30"])
+def test_a_sequence_in_doubt_has_no_bounds_and_is_compared_all_the_same(after):
+    """The horizon is next to the third event: float64 cannot say on which side."""
+    third = Fraction(solve(RUN.scene, digits=40).events[2].t.str(40, radius=False)) + Fraction(after)
+    run = solve(Scene(RUN.scene.pair, RUN.scene.initial, third), arithmetic="float64")
+    found = run.check()
+    assert not run.certain
+    assert {one.bound for one in found.off} == {None}
+    lost = None if len(run.events) == 2 + (after[0] != "-") else 3
+    assert (found.difference and found.difference.event) == lost
