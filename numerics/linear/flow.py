@@ -18,11 +18,9 @@ from flint import arb, arb_mat, arb_poly, ctx
 from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
 from numerics.linear.model import DRIVEN, EDGE, FIRST, LOAD, V1, V2, X1, X2, Layout
-from numerics.linear.system import CONSTANT, Cell, LinearMode, LocalNorm, Z, matrix, sparse
+from numerics.linear.system import CONSTANT, BallRow, Cell, LinearMode, LocalNorm, Z, matrix, sparse
 from numerics.scene import Pair
 
-BallRow = Sequence[tuple[int, arb]]
-"""A linear function of z: pairs (place, coefficient)."""
 REACH = 2
 """A Taylor polynomial is used while the fastest rate turns through so many radians."""
 BEND = -1
@@ -201,11 +199,6 @@ class Expansion:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
         h = t.upper()
         return [self.curves[k].derivative()(t).abs_upper() + self.left_out(k, h, 1) for k in (V1, V2)]
-
-
-def dot(row: BallRow, z: Sequence[arb]) -> arb:
-    """Return the value of a row."""
-    return sum((c * z[place] for place, c in row), arb(0))
 
 
 def _products(rows: list[list[arb]]) -> Callable[[Sequence[arb]], list[arb]]:

@@ -25,10 +25,10 @@ from flint import arb, ctx
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.flow import REACH, Expansion, Flow, dot, exponential, flow_of
+from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
 from numerics.linear.model import FRICTION, STICK, V1, V2, X1, X2, exact_rows
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import CONSTANT, BallDrive, LinearMode, LocalNorm
+from numerics.linear.system import CONSTANT, BallDrive, LinearMode, LocalNorm, dot
 from numerics.scene import Law, Scene
 
 AWAY = (0, 0, 0, 0)
