@@ -95,7 +95,8 @@ class Accuracy(ShortRepr):
     @property
     def bounded(self) -> bool:
         """Return whether the sequence of events is certain and every bound a number."""
-        bounds = [*self.t, *self.y.ravel(), *self.final, self.energy, self.energy_excess, self.dissipated]
+        excess = [] if math.isnan(self.energy_excess) else [self.energy_excess]  # without E_cr there is none
+        bounds = [*self.t, *self.y.ravel(), *self.final, self.energy, *excess, self.dissipated]
         return self.certain and bool(np.all(np.isfinite(bounds)))
 
 

@@ -154,14 +154,16 @@ class Variation:
     def _by_polynomial(self, name: str, piece: Piece, t: arb, block: Array, sign: int) -> None:
         """Write how a polynomial and its derivatives move with its coefficients and its start."""
         since, start = t - Ball.number(piece.start), self.column.get(f"{name}.from")
-        of_b = f"{name}.b" if name else "b"
+        of_b, power = f"{name}.b" if name else "b", [arb(1)]
+        for _ in piece.polynomial[1:]:
+            power.append(power[-1] * since)  # ** has no powers of a ball that holds 0
         for j, own in enumerate(piece.polynomial):
             place = self.column.get(f"{name}.polynomial[{j}]", self.column.get(of_b))
             for k in range(j + 1):
                 if place is not None:
-                    block[k, place] += sign * perm(j, k) * since ** (j - k)
+                    block[k, place] += sign * perm(j, k) * power[j - k]
                 if start is not None and k < j:
-                    block[k, start] -= sign * Ball.number(own) * perm(j, k + 1) * since ** (j - k - 1)
+                    block[k, start] -= sign * Ball.number(own) * perm(j, k + 1) * power[j - k - 1]
 
     def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
