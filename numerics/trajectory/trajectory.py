@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any, Literal, Self
 
 import numpy as np
+from flint import arb
 
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.arithmetic.precision import cached_property
@@ -247,8 +249,10 @@ class Trajectory(Rows):
 
     @cached_property
     def energy_excess(self) -> Array:
-        """Return E/E_cr - 1 at `t`, shape (m,), accurate in itself. Raises InvalidScene where there is no E_cr."""
+        """Return E/E_cr - 1 at `t`, shape (m,), accurate in itself; nan where there is no E_cr."""
         with self.context():
+            if not self.has_critical_energy:
+                return np.full(self.t.shape, math.nan if self.bounded else arb("nan"))
             formed = self.energy / self._critical - 1
             if self.row_excess is None:
                 return np.asarray(formed)

@@ -42,7 +42,7 @@ from numerics.linear.model import (
 )
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import Cell
+from numerics.linear.system import Cell, Motion
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
@@ -70,6 +70,10 @@ class Leg(NamedTuple):
     """Whether its piece begins there."""
     cell: tuple[int, int]
     """Of a slip whose friction depends on the state (linear/cells.py)."""
+
+    def motion(self, scene: Scene) -> Motion:
+        """Return the motion from its start on, of the scene to which it belongs."""
+        return mode_in(scene, pieces_of(scene)[self.piece], self.side, self.cell).motion(self.state, self.start)
 
 
 def legs(trajectory: Trajectory) -> list[Leg]:
