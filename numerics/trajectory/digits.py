@@ -134,7 +134,8 @@ def judged_balls(trajectory: Trajectory) -> tuple[int, tuple[str, ...]]:
     with trajectory.context():
         states, energies, pair = trajectory.y, trajectory.energy, trajectory.scene.pair
         x, v = (states[k::2].ravel() for k in range(2))
-        far, carried = _largest(x), [] if trajectory.row_excess is None else trajectory.row_excess
+        far: arb = _largest(x)
+        carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
         rate = Ball.number(pair.a2 / (pair.m1 if pair.is_fixed else pair.mass)).sqrt()
         worst = [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
+from typing import Any
 
 import flint
 import mpmath
@@ -141,7 +142,8 @@ def signals_at(mode: LinearMode, local: Floats, rest: Floats) -> Floats:
             coefficients = np.polynomial.polynomial.polyder(coefficients)
         for k, sine in enumerate(piece.sines):
             start = reduced(sine.phase + sine.omega * mode.piece.start)
-            phase = plus(product(nearest(sine.omega), TwoFloats(local, rest)), nearest(start))
+            at: Any = TwoFloats(local, rest)  # type: ignore[arg-type]  # arrays of them
+            phase = plus(product(nearest(sine.omega), at), nearest(start))
             angle, low = plus(phase, times(_TURN, -np.rint(phase.high / _TURN.high)))
             s, c = np.sin(angle), np.cos(angle)
             found[sines + 2 * k : sines + 2 * k + 2] = (

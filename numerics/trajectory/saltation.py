@@ -17,10 +17,12 @@ each cell (cells.py), and a crossing of a knot, where the field is continuous, i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache, partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
@@ -62,7 +64,7 @@ class Chain:
         self.scene, self.legs, self.pieces, self.cells = scene, legs, pieces_of(scene), cells_of(scene)
         self.column = {name: index for index, name in enumerate(names)}
         self.bodies, self.is_fixed = Bodies.of(scene.pair), scene.pair.is_fixed
-        self.variation = cache(partial(Variation, scene, self.column))
+        self.variation, self.norms = cache(partial(Variation, scene, self.column)), dict[Any, LocalNorm]()
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
@@ -92,7 +94,7 @@ class Chain:
         return y
 
     def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array | None = None) -> Array:
-        """Return the derivatives of the energy, J, (p,), from those of a state at a time in a leg; `t`: of that time."""
+        """Return the derivatives of the energy, J, (p,), from those of a state at a time in a leg, and of that time."""
         (now, (x1, v1, x2, v2)), pair, number = at, self.scene.pair, Ball.number
         wall, stretched = self._zeros(), x1
         if self.scene.wall.pieces:
@@ -122,7 +124,10 @@ class Chain:
 
     def _norm(self, leg: Leg) -> LocalNorm:
         mode = self._of(leg).mode
-        return LocalNorm(mode, self.cells.pulling if self.cells else None)
+        key = mode.layout, bool(leg.side), mode.cell
+        if key not in self.norms:
+            self.norms[key] = LocalNorm(mode, self.cells.pulling if self.cells else None)
+        return self.norms[key]
 
     def _driven(self, leg: Leg, y: Array) -> Array:
         """Return derivatives of a state at the start of a leg with those of the belt's velocity, if there is a belt."""
@@ -216,17 +221,18 @@ class Chain:
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
         here, at, literal = self.pieces[leg.piece], (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
         before = self.pieces[last.piece] if index else _in_front(here, scene)
-        jumping = [k for k in range(len(SIGNALS)) if _jumps_at(before, here, k, scene)]
+        # of signals that begin here, and whose start counts
+        names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
+        jumping = [k for k in names if _jumps_at(before, here, k)]
         alone = [_with(here, k, before) for k in jumping]  # the piece in front of each jump alone
         fields = [self._field_from_contact(one, *at) for one in alone]
         if index and len(jumping) > 1 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
-            names = " and ".join(SIGNALS[k] for k in jumping)
-            when = f"at t = {float(leg.start):.6g} s {names} both jump, and which of them comes first"
+            both = " and ".join(SIGNALS[k] for k in jumping)
+            when = f"at t = {float(leg.start):.6g} s {both} both jump, and which of them comes first"
             raise NotDifferentiable(f"this scene has no derivatives: {when} counts; change one of them slightly")
         found, after = {}, self._field(here, *at, leg)
         for k, one, (from_contact, _) in zip(jumping, alone, fields, strict=True):
-            starts = [piece.start for piece in scene.pieces[SIGNALS[k]]]
-            name = f"{SIGNALS[k]}[{starts.index(here.start)}].from"
+            name = names[k]
             if not index and scene.initial.v1 == scene.initial.v2 and not literal and not self.is_fixed:
                 found[name] = from_contact, after
             elif k != FRICTION or leg.side or last.side:
@@ -263,6 +269,13 @@ def _dot(row: Array, z: Sequence[arb]) -> arb:
     return sum((Ball.number(c) * one for c, one in zip(row, z, strict=True)), arb(0))
 
 
+def _starts(scene: Scene, at: Fraction) -> Iterator[str]:
+    """Yield of every signal the name of the start that is at a time; "" if there is none."""
+    for name, pieces in scene.pieces.items():
+        k = bisect_left(pieces, at, key=lambda one: one.start)
+        yield f"{name}[{k}].from" if k < len(pieces) and pieces[k].start == at else ""
+
+
 def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:
     """Return what is before the run: no signals, and the pair's own b."""
     nothing = Piece(0)
@@ -276,10 +289,8 @@ def _with(here: ExactPiece, k: int, before: ExactPiece) -> ExactPiece:
     return replace(here, signals=tuple(signals))
 
 
-def _jumps_at(before: ExactPiece, here: ExactPiece, k: int, scene: Scene) -> bool:
-    """Return whether a signal, of which a piece begins here, jumps; of belt and wall its derivative counts, too."""
-    if here.start not in {piece.start for piece in scene.pieces[SIGNALS[k]]}:
-        return False
-    local = here.start - before.start
+def _jumps_at(before: ExactPiece, here: ExactPiece, k: int) -> bool:
+    """Return whether a signal jumps where a piece begins; of belt and wall its derivative counts, too."""
     orders = 2 if SIGNALS[k] in {"belt", "wall"} else 1
-    return any(signal_form(before, k, local, n) != signal_form(here, k, here.start * 0, n) for n in range(orders))
+    ends = (here.start - before.start, here.start - here.start)
+    return any(signal_form(before, k, ends[0], n) != signal_form(here, k, ends[1], n) for n in range(orders))

@@ -178,7 +178,7 @@ def enclosures(trajectory: Trajectory, names: tuple[str, ...] | None = None) -> 
         energies = [
             *(
                 chain.energy(leg, (leg.start, leg.state), *one)
-                for leg, one in zip(events, zip(chain.y, chain.t), strict=True)
+                for leg, *one in zip(events, chain.y, chain.t, strict=True)
             ),
             chain.energy(chain.legs[-1], end, last := chain.final(balls.final_state)),
             *(chain.energy(leg, (leg.start, leg.state), y) for leg, y in zip(events, chain.before, strict=True)),

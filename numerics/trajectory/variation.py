@@ -4,8 +4,8 @@ A number p moves A, by A_p, and the signals in z; at a fixed time y = dz/dp foll
 
     y(tau) = exp(A tau) y(0) + sum_i Q_i a_i,    Q_i = int_0^tau exp(A (tau - s)) e_i z(s)' ds
 
-with a_i the rows of A_p, and Q_i from exp([[A, e_i z(0)'], [0, A']] tau): few rows depend on numbers, whatever there is
-of these. Entries of A are polynomials of degree 3 or less in the numbers of model.Bodies, so A_p is a difference, exact.
+with a_i the rows of A_p, and Q_i from exp([[A, e_i z(0)'], [0, A']] tau): few rows depend on numbers, however many
+there are. Entries of A are polynomials of degree 3 or less in those of model.Bodies: A_p is an exact difference.
 Everything is enclosed by balls.
 """
 
@@ -173,15 +173,16 @@ class Variation:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
         z, moved = self.begun(state, t, y)
         n = len(z)
-        flow = _exponential(self.A * tau)[:FIRST]
-        found = np.array((arb_mat(flow.tolist()) * arb_mat(moved.tolist())).tolist())
+        flow, found = None, np.full((FIRST, y.shape[1]), arb(0))
         for row, numbers in self.inputs.items():
             whole = np.full((2 * n, 2 * n), arb(0))
             whole[:n, :n], whole[row, n:], whole[n:, n:] = self.A, z, self.A.T
-            Q = _exponential(whole * tau)[:FIRST, n:]
+            block = _exponential(whole * tau)[:FIRST]
+            flow = block[:, :n]
             for place, one in numbers:
-                found[:, place] += Q @ one
-        return found
+                found[:, place] += block[:, n:] @ one
+        flow = _exponential(self.A * tau)[:FIRST] if flow is None else flow
+        return found + np.array((arb_mat(flow.tolist()) * arb_mat(moved.tolist())).tolist())
 
     def guard(self, end: Variation, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> Guard:
         """Return the guard that ends this mode where it is 0: its row on states, its derivatives, and its rate.

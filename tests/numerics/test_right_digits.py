@@ -9,7 +9,7 @@ from hypothesis import given
 from strategies import decimals, signed
 from three_scenes import DAMPED, PAPER
 
-from numerics import Force, Pair, Piece, Scene, State, load_scene, solve, solve_many, solve_scenes
+from numerics import EventUndecided, Force, Pair, Piece, Scene, State, load_scene, solve, solve_many, solve_scenes
 from numerics.arithmetic.ball import Ball, widened
 from numerics.linear.errors_of import errors_of
 from numerics.linear.record import AT, END_ROW, ROW

@@ -8,7 +8,7 @@ from differences import moved
 from flint import arb
 from scene_files import scenes_in
 
-from numerics import Pair, Scene, State, solve
+from numerics import solve
 from numerics.arithmetic.ball import Ball, widened
 from numerics.trajectory import sensitivity
 from numerics.trajectory.saltation import CarriedDerivatives, Chain
