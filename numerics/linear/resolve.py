@@ -76,8 +76,11 @@ def resolve(problem: Problem, room: Room, now: Now, event: StepEnd) -> Now:
         mode = mode_after(problem, room, now, (one, two), event.late)
         if event.kind == SLIP_END and mode == now.mode:
             mode = UNDECIDED
-        order, since = (1 if mode != 0 else 0), 1e300
-    return Now(now.piece, mode, order, edge, event.late, since, now.N, now.far, now.far_2, now.apart)
+        order = 1 if mode != 0 else 0
+        if mode != now.mode:
+            since = 1e300 if mode != 0 else 0.0
+    late = event.late if mode != now.mode or event.kind == EXIT else now.late
+    return Now(now.piece, mode, order, edge, late, since, now.N, now.far, now.far_2, now.apart)
 
 
 @compilable
