@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -38,6 +39,7 @@ ROUNDING = 2.0**-53
 _ZERO_BITS = 3
 """A ball that holds 0 has no more accurate bits than that."""
 
+_STATE = slice(AT["x1"], AT["v2"] + 1)
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 """Where the bounds of x1, v1, x2, v2 stand in a row."""
 
@@ -119,18 +121,31 @@ def _weights(pair: Pair) -> tuple[tuple[float, float, float], float]:
 
 
 def judged(trajectory: Trajectory) -> Judged:
-    """Return what the bounds of a run in floats leave."""
+    """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
+    if trajectory.bounded:
+        return _judged_floats(trajectory)
+    found = _judged_balls(trajectory) if trajectory.arithmetic.name == "ball" else (0, ())
+    return Judged(np.empty(0), math.nan, math.nan, *found)
+
+
+def _judged_floats(trajectory: Trajectory) -> Judged:
     record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
     weights, critical = _weights(scene.pair)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
+    if scene.wall.pieces:  # the spring is longer or shorter than x1
+        end = record.end[_STATE]
+        x1, stretched = abs(float(end[0])), abs(float(end[0] - float(scene.wall(Fraction(trajectory.end_time)))))
+        energy += (
+            weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
+        )
+        excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
     digits, without = _digits(worst.tolist(), MOST_DIGITS)
     return Judged(late, energy, excess, digits if trajectory.certain else 0, without)
 
 
-def judged_balls(trajectory: Trajectory) -> tuple[int, tuple[str, ...]]:
-    """Return how many digits the balls of a run leave right, relative as in floats, and what has none."""
+def _judged_balls(trajectory: Trajectory) -> tuple[int, tuple[str, ...]]:
     with trajectory.context():
         states, energies, pair = trajectory.y, trajectory.energy, trajectory.scene.pair
         x, v = (states[k::2].ravel() for k in range(2))

@@ -16,7 +16,7 @@ from numerics.free.frame import Frame, ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.trajectory.columns import Array
-from numerics.trajectory.digits import ROUNDING, Accuracy, Judged, accuracy_of, judged, judged_balls
+from numerics.trajectory.digits import ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.saved import plain
@@ -130,21 +130,15 @@ class Trajectory(Rows):
     def _judged(self) -> Judged:
         return judged(self)
 
-    @cached_property
-    def _known(self) -> tuple[int, tuple[str, ...]]:
-        if self.bounded:
-            return self._judged.digits, self._judged.without
-        return judged_balls(self) if self._is_ball else (0, ())
-
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds or balls leave right (digits.py); 0 without either."""
-        return self._known[0]
+        return self._judged.digits
 
     @property
     def without_digits(self) -> tuple[str, ...]:
         """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
-        return self._known[1]
+        return self._judged.without
 
     # ------------------------------------------------------------------ events and segments
     @cached_property
@@ -170,7 +164,6 @@ class Trajectory(Rows):
 
     @property
     def _all_modes(self) -> tuple[Mode, ...]:
-        """Return the modes, with that after the last event, where the cap on events ended the run."""
         return tuple(map(MODES.__getitem__, self.signs))
 
     @property
