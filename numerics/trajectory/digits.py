@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
@@ -31,9 +31,6 @@ from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
 
-if TYPE_CHECKING:
-    from numerics.trajectory.trajectory import Trajectory
-
 ROUNDING = 2.0**-53
 """Of one operation in float64."""
 _ZERO_BITS = 3
@@ -44,7 +41,7 @@ _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 """Where the bounds of x1, v1, x2, v2 stand in a row."""
 
 
-def proved_digits(trajectory: Trajectory) -> int:
+def proved_digits(trajectory: Any) -> int:
     """Return how many digits the balls of a trajectory leave right: of every event, and of the end."""
     with trajectory.context():
         values = list(_enclosed(trajectory))
@@ -55,7 +52,7 @@ def proved_digits(trajectory: Trajectory) -> int:
         return min((digits_within(value.rad(), value, scale) for value, scale in worst), default=EXACT)
 
 
-def _enclosed(trajectory: Trajectory) -> Iterator[tuple[arb, arb]]:
+def _enclosed(trajectory: Any) -> Iterator[tuple[arb, arb]]:
     """Yield every number that a trajectory in balls states, with the scale to which a zero is compared."""
     x, v, energy = _scales(trajectory)
     for t in trajectory.event_times:
@@ -66,7 +63,7 @@ def _enclosed(trajectory: Trajectory) -> Iterator[tuple[arb, arb]]:
     yield from zip(ends, (energy, trajectory.arithmetic.number(1)), strict=False)
 
 
-def _scales(trajectory: Trajectory) -> tuple[arb, arb, arb]:
+def _scales(trajectory: Any) -> tuple[arb, arb, arb]:
     """Return L, L Omega and E_cr; of a pair without them the largest position, speed and energy along the run."""
     if trajectory.has_frame:
         frame = trajectory.frame
@@ -120,7 +117,7 @@ def _weights(pair: Pair) -> tuple[tuple[float, float, float], float]:
     return (float(pair.a2), float(pair.m1), 0.0 if pair.is_fixed else float(pair.m2)), critical
 
 
-def judged(trajectory: Trajectory) -> Judged:
+def judged(trajectory: Any) -> Judged:
     """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
     if trajectory.bounded:
         return _judged_floats(trajectory)
@@ -128,7 +125,7 @@ def judged(trajectory: Trajectory) -> Judged:
     return Judged(np.empty(0), math.nan, math.nan, *found)
 
 
-def _judged_floats(trajectory: Trajectory) -> Judged:
+def _judged_floats(trajectory: Any) -> Judged:
     record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
     weights, critical = _weights(scene.pair)
@@ -145,7 +142,7 @@ def _judged_floats(trajectory: Trajectory) -> Judged:
     return Judged(late, energy, excess, digits if trajectory.certain else 0, without)
 
 
-def _judged_balls(trajectory: Trajectory) -> tuple[int, tuple[str, ...]]:
+def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
     with trajectory.context():
         states, energies, pair = trajectory.y, trajectory.energy, trajectory.scene.pair
         x, v = (states[k::2].ravel() for k in range(2))
@@ -187,7 +184,7 @@ def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
     return min(digits), tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == 0)
 
 
-def accuracy_of(trajectory: Trajectory, found: Judged) -> Accuracy:
+def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
     record, (late, energy, excess, digits, _) = trajectory.record, found
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2 * trajectory.ledger.error
