@@ -37,4 +37,5 @@ def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, f
     N = now.N + own[0]
     apart = now.apart + own[1] + own[2] + (norm.kappa * N * time.high if now.mode != 0 else 0.0)
     far = now.far + own[1] + N / norm.root_m1 * time.high
-    return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, apart)
+    far_2 = now.far_2 + own[2] + (N / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
+    return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, far_2, apart)

@@ -55,6 +55,8 @@ class Now(NamedTuple):
     """A bound on N of the error (model.py)."""
     far: float
     """A bound on the error of x1, where time gives a better one than N."""
+    far_2: float
+    """The same of x2."""
     apart: float
     """A bound on the error of x1 - x2."""
 
