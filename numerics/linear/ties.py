@@ -27,9 +27,9 @@ def force_form(piece: Piece | ExactPiece, local: Fraction, order: int = 0) -> Si
     return _value(piece if isinstance(piece, Piece) else piece.signals[FORCE], piece.start, local, order)
 
 
-def signal_form(piece: ExactPiece, which: int, local: Fraction) -> SineForm:
-    """Return a signal at a time in a piece (s), exact."""
-    return _value(piece.signals[which], piece.start, local)
+def signal_form(piece: ExactPiece, which: int, local: Fraction, order: int = 0) -> SineForm:
+    """Return a derivative of a signal at a time in a piece (s), exact."""
+    return _value(piece.signals[which], piece.start, local, order)
 
 
 def _value(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> SineForm:
