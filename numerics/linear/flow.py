@@ -47,10 +47,10 @@ class Flow:
     and where friction depends on the state x1 - x2 and F besides.
     """
 
-    def __init__(self, bits: int, pair: Pair, slips: bool, layout: Layout, cell: Cell = CONSTANT) -> None:
+    def __init__(self, bits: int, pair: Pair, slips: bool, layout: Layout, cell: Cell | None = None) -> None:
         """Build the tables, with so many bits."""
         self.bits, self.slips, number = bits, slips, Ball.number
-        self.mode = LinearMode.like(pair, int(slips), layout, cell)
+        self.mode = LinearMode.like(pair, int(slips), layout, cell or CONSTANT)
         self.norm = LocalNorm(self.mode)
         self.generator = [[(j, number(c)) for j, c in sparse(row)] for row in self.mode.generator()]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
@@ -59,7 +59,7 @@ class Flow:
         self.reach = (REACH / self.fastest).lower()
         others = [[(place, number(c)) for place, c in sparse(row)] for row in self.mode.rows.others]
         self.load, self.edge, self.belt = others[LOAD], others[EDGE], others[DRIVEN]
-        guarded = [*self.mode.guards, *((Z, self.mode.friction) if slips and any(cell) else ())]
+        guarded = [*self.mode.guards, *((Z, self.mode.friction) if cell else ())]
         self.guarded = [[(place, number(c)) for place, c in row] for row in guarded]
         rates = self.mode.generator()[V1]
         stiff = rates[X1]

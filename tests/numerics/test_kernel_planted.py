@@ -9,11 +9,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from kernel_runs import BOUNDS, STATE, a_scene, begun, errors, exact, in_stick, moved, run
+from numerics.linear.columns import expand
 from scene_files import scenes_in
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.compiled import can_compile
-from numerics.linear.columns import expand
 from numerics.linear.first_root import CLEAR, ROOT
 from numerics.linear.modes import UNDECIDED
 from numerics.linear.next_event import Next, Step, next_event

@@ -69,9 +69,9 @@ def test_what_is_found_is_the_motion(scene: Scene):
 @settings(max_examples=5, deadline=None)
 @given(weakened_scenes())
 def test_enclosures_of_any_digits_overlap_the_ledger_closes_and_a_table_that_says_nothing_changes_nothing(scene: Scene):
-    assert overlap(scene, scene, (24, 60))
-    ledger = run_scene(scene, Ball(24)).ledger
-    with Ball(24).context():
+    assert overlap(scene, scene, (60, 100))
+    ledger = run_scene(scene, Ball(60)).ledger
+    with Ball(60).context():
         assert ledger.residual.contains(0)
         assert ledger.residual.rad() < 1e-6
     pieces = scene.friction.steps
