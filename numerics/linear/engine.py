@@ -154,7 +154,7 @@ def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> N
     if how == TOO_MANY:
         raise OutOfRange(
             f"the mode at t = {at:.6g} s would take more than 400000 steps; shorten the horizon, leave a fast sine "
-            "out, or start exactly on the tie that is next to this start"
+            'out, start exactly on the tie that is next to this start, or use arithmetic="ball"'
         )
     if how == How.DOUBT:
         raise EventUndecided(
