@@ -121,14 +121,14 @@ def doubled(A: Any, levels: int) -> Any:
     powers, term = np.zeros((levels, count, count)), np.eye(count)
     for k in range(1, 40):
         powers[0] += term
-        term = product(term, A) / k
+        term = matrix_product(term, A) / k
     for level in range(1, levels):
-        powers[level] = product(powers[level - 1], powers[level - 1])
+        powers[level] = matrix_product(powers[level - 1], powers[level - 1])
     return powers
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def product(A: Any, B: Any) -> Any:
+def matrix_product(A: Any, B: Any) -> Any:
     """Return A B; without a library for it, which would have to be installed."""
     count = A.shape[0]
     found = np.zeros((count, count))
