@@ -34,13 +34,13 @@ def _names(text: str) -> set[str]:
 
 NO_NUMBERS = _names(
     """FORMAT ARITHMETICS COLUMNS EVENT_COLUMNS accuracy animate arithmetic bounded but certain check context digits
-    end_bounds event_kinds event_rows final_mode floats frame has_critical_energy has_frame kept load look_up_times message mode_at modes phase_lost
-    pieces plot reached record restored right_digits save scene signs status success t_eval to_csv
+    end_bounds event_kinds event_rows final_mode floats frame has_critical_energy has_frame kept load look_up_times message mode_at modes
+    phase_lost pieces plot reached record restored right_digits save scene signs status success t_eval to_csv
     to_dataframe tried without_digits"""
 )
 """What says how and with which digits, and what gives the numbers below once more."""
 ROWS = _names(
-    """column in_floats row_at row_excess row_flow row_lengths row_mode row_motion row_pieces row_signs row_states
+    """row_at row_changes row_column row_excess row_flow row_lengths row_mode row_motion row_pieces row_signs row_states
     row_taken row_times row_values"""
 )
 """Of what the numbers below are made."""

@@ -9,7 +9,7 @@ import numpy as np
 from numerics.linear.cells import cells_of
 from numerics.trajectory.columns import Array, Counts, Floats
 from numerics.trajectory.events import energy_in_floats
-from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
 """So many segments at the beginning and at the end are always drawn as curves."""
@@ -47,7 +47,7 @@ class Curve(NamedTuple):
     """J"""
 
 
-def sampled(trajectory: Trajectory) -> Curve:
+def sampled(trajectory: Rows) -> Curve:
     """Return points that resolve every segment, however short; of thousands of segments the first and the last.
 
     At a jump of u or b, as at an event, there are two points.
@@ -62,7 +62,7 @@ def sampled(trajectory: Trajectory) -> Curve:
     at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
     since, stick = lengths[at] * share, trajectory.row_signs[at] == 0
-    found = trajectory.in_floats(at, since, integrals=True)
+    found = trajectory.row_changes(at, since, integrals=True)
     y, (u, load, kinetic, edge), taken = number(trajectory.row_states)[:, at] + found[:4], found[4:8], found[8:10]
     if cells is not None:
         edge = edge * cells.relative(y[1] - y[3], y[0] - y[2])

@@ -14,8 +14,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
@@ -30,19 +31,17 @@ from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
 
-if TYPE_CHECKING:
-    from numerics.trajectory.trajectory import Trajectory
-
 ROUNDING = 2.0**-53
 """Of one operation in float64."""
 _ZERO_BITS = 3
 """A ball that holds 0 has no more accurate bits than that."""
 
+_STATE = slice(AT["x1"], AT["v2"] + 1)
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 """Where the bounds of x1, v1, x2, v2 stand in a row."""
 
 
-def proved_digits(trajectory: Trajectory) -> int:
+def proved_digits(trajectory: Any) -> int:
     """Return how many digits the balls of a trajectory leave right: of every event, and of the end."""
     with trajectory.context():
         values = list(_enclosed(trajectory))
@@ -53,7 +52,7 @@ def proved_digits(trajectory: Trajectory) -> int:
         return min((digits_within(value.rad(), value, scale) for value, scale in worst), default=EXACT)
 
 
-def _enclosed(trajectory: Trajectory) -> Iterator[tuple[arb, arb]]:
+def _enclosed(trajectory: Any) -> Iterator[tuple[arb, arb]]:
     """Yield every number that a trajectory in balls states, with the scale to which a zero is compared."""
     x, v, energy = _scales(trajectory)
     for t in trajectory.event_times:
@@ -64,7 +63,7 @@ def _enclosed(trajectory: Trajectory) -> Iterator[tuple[arb, arb]]:
     yield from zip(ends, (energy, trajectory.arithmetic.number(1)), strict=False)
 
 
-def _scales(trajectory: Trajectory) -> tuple[arb, arb, arb]:
+def _scales(trajectory: Any) -> tuple[arb, arb, arb]:
     """Return L, L Omega and E_cr; of a pair without them the largest position, speed and energy along the run."""
     if trajectory.has_frame:
         frame = trajectory.frame
@@ -118,19 +117,32 @@ def _weights(pair: Pair) -> tuple[tuple[float, float, float], float]:
     return (float(pair.a2), float(pair.m1), 0.0 if pair.is_fixed else float(pair.m2)), critical
 
 
-def judged(trajectory: Trajectory) -> Judged:
-    """Return what the bounds of a run in floats leave."""
+def judged(trajectory: Any) -> Judged:
+    """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
+    if trajectory.bounded:
+        return _judged_floats(trajectory)
+    found = _judged_balls(trajectory) if trajectory.arithmetic.name == "ball" else (0, ())
+    return Judged(np.empty(0), math.nan, math.nan, *found)
+
+
+def _judged_floats(trajectory: Any) -> Judged:
     record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
     weights, critical = _weights(scene.pair)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
+    if scene.wall.pieces:  # the spring is longer or shorter than x1
+        end = record.end[_STATE]
+        x1, stretched = abs(float(end[0])), abs(float(end[0] - float(scene.wall(Fraction(trajectory.end_time)))))
+        energy += (
+            weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
+        )
+        excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
     digits, without = _digits(worst.tolist(), MOST_DIGITS)
     return Judged(late, energy, excess, digits if trajectory.certain else 0, without)
 
 
-def judged_balls(trajectory: Trajectory) -> tuple[int, tuple[str, ...]]:
-    """Return how many digits the balls of a run leave right, relative as in floats, and what has none."""
+def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
     with trajectory.context():
         states, energies, pair = trajectory.y, trajectory.energy, trajectory.scene.pair
         x, v = (states[k::2].ravel() for k in range(2))
@@ -172,7 +184,7 @@ def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
     return min(digits), tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == 0)
 
 
-def accuracy_of(trajectory: Trajectory, found: Judged) -> Accuracy:
+def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
     record, (late, energy, excess, digits, _) = trajectory.record, found
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2 * trajectory.ledger.error

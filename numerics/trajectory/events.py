@@ -125,13 +125,12 @@ class EnergyLedger(ShortRepr):
 def ledger_of(run: Rows) -> EnergyLedger:
     """Return the ledger of the whole run; in the arithmetic's context."""
     rows = range(len(run.row_lengths))
-    friction, viscous, *works, error = taken_in(run, rows)
-    works[-1] = works[-1] + _by_jumps_of_the_wall(run, rows)
+    friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
+    wall = wall + _by_jumps_of_the_wall(run, rows)
     initial, final = (energy_of(run, *at)[0] for at in _ends(run))
-    work = sum(works[1:], works[0])
-    return EnergyLedger(
-        initial, final, friction, viscous, initial + work - final - friction - viscous, work, *works, error
-    )
+    work = force + force_2 + belt + wall
+    residual = initial + work - final - friction - viscous
+    return EnergyLedger(initial, final, friction, viscous, residual, work, force, force_2, belt, wall, error)
 
 
 def taken_in(run: Rows, rows: range) -> list[Number]:

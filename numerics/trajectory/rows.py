@@ -15,6 +15,7 @@ import numpy as np
 
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in
 from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
 from numerics.linear.modes import MODES
@@ -40,7 +41,7 @@ class Rows(Answer):
         self.bounded, self._is_ball = arithmetic.name == "float64", arithmetic.name == "ball"
 
     # ------------------------------------------------------------------ rows
-    def column(self, name: str) -> Array:
+    def row_column(self, name: str) -> Array:
         """Return a column of all rows, that of the end last: floats, or an object array."""
         rows, end = self.record.rows, self.record.end
         if isinstance(rows, np.ndarray):
@@ -65,17 +66,17 @@ class Rows(Answer):
     @cached_property
     def row_signs(self) -> Counts:
         """Return the mode that starts at each row, the sign of v1 - v2."""
-        return self.column("mode")[:-1].astype(np.int64)
+        return self.row_column("mode")[:-1].astype(np.int64)
 
     @cached_property
     def row_pieces(self) -> Counts:
         """Return the piece in which each row is."""
-        return self.column("piece")[:-1].astype(np.int64)
+        return self.row_column("piece")[:-1].astype(np.int64)
 
     @cached_property
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
-        local = self.column("local")[:-1]
+        local = self.row_column("local")[:-1]
         if not self.row_pieces.any():
             return local
         if self.bounded:
@@ -86,7 +87,7 @@ class Rows(Answer):
 
     @cached_property
     def _states(self) -> Array:
-        return np.array([self.column(name) for name in STATE])
+        return np.array([self.row_column(name) for name in STATE])
 
     @property
     def row_states(self) -> Array:
@@ -102,19 +103,19 @@ class Rows(Answer):
     @cached_property
     def row_excess(self) -> Array | None:
         """Return E/E_cr - 1 at each row and at the end; None where a run does not carry it (free/ alone does)."""
-        found = None if self.bounded else self.column("excess")
+        found = None if self.bounded else self.row_column("excess")
         return None if found is None or found[0] is None else found
 
     @cached_property
     def row_lengths(self) -> Array:
         """Return how long the segment of each row lasts, s."""
-        after = self.column("length")[1:]
+        after = self.row_column("length")[1:]
         return after if self.reached else after[:-1]
 
     @cached_property
     def event_rows(self) -> Counts:
         """Return the rows at which the mode has changed: the events."""
-        return np.flatnonzero(self.column("event")[:-1])
+        return np.flatnonzero(self.row_column("event")[:-1])
 
     @property
     def event_times(self) -> Array:
@@ -131,6 +132,30 @@ class Rows(Answer):
         """Return the time at the end, s."""
         with self.context():
             return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
+
+    @property
+    def has_critical_energy(self) -> bool:
+        """Whether the pair has L and E_cr: a spring and friction."""
+        return bool(self.scene.pair.a2 and self.scene.pair.b)
+
+    @property
+    def has_frame(self) -> bool:
+        """Whether the pair has reduced coordinates: L, E_cr, and a total mass."""
+        return self.has_critical_energy and not self.scene.pair.is_fixed
+
+    @cached_property
+    def frame(self) -> Frame:
+        """Return the constants of the pair, between SI units and reduced coordinates of its own b.
+
+        Raises InvalidScene where the pair has none.
+        """
+        with self.context():
+            _ = self.scene.pair.mass, self.scene.pair.critical_energy
+            return Frame(self.arithmetic, self.scene.pair)
+
+    @property
+    def _critical(self) -> Number:
+        return self.arithmetic.number(self.scene.pair.critical_energy)
 
     # ------------------------------------------------------------------ times
     def _times(self, t: Any) -> Array:
@@ -214,7 +239,7 @@ class Rows(Answer):
         if not self.bounded:
             return np.asarray(times - self.row_times[rows])
         start, below = starts_of(self.scene)[:, self.row_pieces[rows]]
-        local, rest = (self.column(name)[rows] for name in ("local", "local_rest"))
+        local, rest = (self.row_column(name)[rows] for name in ("local", "local_rest"))
         return np.asarray(np.maximum((times - start) - local - (below + rest), 0.0))
 
     # ------------------------------------------------------------------ the motion
@@ -239,23 +264,23 @@ class Rows(Answer):
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self.bounded:
-            return np.asarray(self.row_states[:, rows] + self.in_floats(rows, since)[:FIRST])
+            return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:FIRST])
         return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
 
     def row_taken(self, rows: Counts, since: Array) -> Array:
         """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J, (6, n)."""
         if self.bounded:
-            return self.in_floats(rows, since, integrals=True)[FIRST + 4 :]
+            return self.row_changes(rows, since, integrals=True)[FIRST + 4 :]
         return _columns([self.row_motion(row).taken(tau) for row, tau in zip(rows, since, strict=True)])
 
     @cached_property
     def _begun(self) -> tuple[Floats, Floats, Floats]:
         """Return when each row begins in its piece, s, what its rounding left out, and its state, in binary64."""
-        local = self.floats(self.column("local"))
-        rest = self.column("local_rest") if self.bounded else 0.0 * local
+        local = self.floats(self.row_column("local"))
+        rest = self.row_column("local_rest") if self.bounded else 0.0 * local
         return local, rest, self.floats(self.row_states)
 
-    def in_floats(self, rows: Counts, since: Floats, *, integrals: bool = False) -> Floats:
+    def row_changes(self, rows: Counts, since: Floats, *, integrals: bool = False) -> Floats:
         """Return by how much the state changes from rows on for a time (s), what acts then, and what was TAKEN.
 
         In binary64, shape (14, n). What acts: u, the friction force that sticking needs, that in slip, and the edge, N.

@@ -246,11 +246,11 @@ def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
     """Return balls in the numbers of an arithmetic. Raises OutOfRange."""
     if arithmetic.name == "ball":
         return array
-    in_floats = arithmetic.name == "float64"
-    convert = Ball.to_float if in_floats else lambda one: arithmetic.number(exact_middle(one))
+    row_changes = arithmetic.name == "float64"
+    convert = Ball.to_float if row_changes else lambda one: arithmetic.number(exact_middle(one))
     with arithmetic.context():
-        found: Array = np.vectorize(convert, otypes=[float if in_floats else object])(array)
-    if in_floats and not np.isfinite(found).all():
+        found: Array = np.vectorize(convert, otypes=[float if row_changes else object])(array)
+    if row_changes and not np.isfinite(found).all():
         raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
     return found
 

@@ -12,11 +12,11 @@ from flint import arb
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
-from numerics.free.frame import Frame, ReducedState
+from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.trajectory.columns import Array
-from numerics.trajectory.digits import ROUNDING, Accuracy, Judged, accuracy_of, judged, judged_balls
+from numerics.trajectory.digits import ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.saved import plain
@@ -58,6 +58,8 @@ class Trajectory(Rows):
     (0.00868247, 0.00256753, True)
     >>> run.end_time, [round(one, 6) for one in run.final_state]
     (5.0, [0.002483, 0.044169, 0.001745, 0.044169])
+    >>> run.has_critical_energy, run.has_frame
+    (True, True)
     >>> [round(one, 6) for one in run.units]  # L (m), Omega (1/s) and E_cr (J) of reduced coordinates
     [0.005, 10.0, 0.0025]
     >>> round(run.final.w, 6), float(run.initial.X), round(run.reduced(0.5).w, 6), round(run.energy_excess[-1], 6)
@@ -116,7 +118,7 @@ class Trajectory(Rows):
         if self._is_ball or self.scene.is_forced:
             return False
         with self.context():
-            angle = self.frame.rate * self.column("length")[-1]
+            angle = self.frame.rate * self.row_column("length")[-1]
             # what has decayed is no rounding yet
             damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
         return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
@@ -130,21 +132,15 @@ class Trajectory(Rows):
     def _judged(self) -> Judged:
         return judged(self)
 
-    @cached_property
-    def _known(self) -> tuple[int, tuple[str, ...]]:
-        if self.bounded:
-            return self._judged.digits, self._judged.without
-        return judged_balls(self) if self._is_ball else (0, ())
-
     @property
     def right_digits(self) -> int:
         """Return how many digits its error bounds or balls leave right (digits.py); 0 without either."""
-        return self._known[0]
+        return self._judged.digits
 
     @property
     def without_digits(self) -> tuple[str, ...]:
         """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
-        return self._known[1]
+        return self._judged.without
 
     # ------------------------------------------------------------------ events and segments
     @cached_property
@@ -161,7 +157,7 @@ class Trajectory(Rows):
     @property
     def final_mode(self) -> Mode:
         """Return the mode at the end: after the last event, where the cap on events ended the run."""
-        return MODES[float(self.column("mode")[-1])]
+        return MODES[float(self.row_column("mode")[-1])]
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
@@ -170,7 +166,6 @@ class Trajectory(Rows):
 
     @property
     def _all_modes(self) -> tuple[Mode, ...]:
-        """Return the modes, with that after the last event, where the cap on events ended the run."""
         return tuple(map(MODES.__getitem__, self.signs))
 
     @property
@@ -198,7 +193,7 @@ class Trajectory(Rows):
     def events(self) -> tuple[Event, ...]:
         """Return the events."""
         rows, modes = self.event_rows, self._all_modes
-        causes = ["jump" if jump else "guard" for jump in self.column("jump")[rows]]
+        causes = ["jump" if jump else "guard" for jump in self.row_column("jump")[rows]]
         reduced = [self._reduced(self.row_states[:, k], k) if self.has_frame else None for k in rows]
         y = map(tuple, self.event_states.T.tolist())
         return tuple(map(Event, self.event_times.tolist(), self.event_kinds, modes, modes[1:], y, reduced, causes))
@@ -275,10 +270,6 @@ class Trajectory(Rows):
         found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
         return found
 
-    @property
-    def _critical(self) -> Number:
-        return self.arithmetic.number(self.scene.pair.critical_energy)
-
     def end_numbers(self) -> tuple[Number, ...]:
         """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""
         found = *self.final_state, self.final_energy
@@ -294,26 +285,6 @@ class Trajectory(Rows):
         return late, *found.final, found.energy, found.energy_excess
 
     # ------------------------------------------------------------------ reduced coordinates
-    @property
-    def has_critical_energy(self) -> bool:
-        """Whether the pair has L and E_cr: a spring and friction."""
-        return bool(self.scene.pair.a2 and self.scene.pair.b)
-
-    @property
-    def has_frame(self) -> bool:
-        """Whether the pair has reduced coordinates: L, E_cr, and a total mass."""
-        return self.has_critical_energy and not self.scene.pair.is_fixed
-
-    @cached_property
-    def frame(self) -> Frame:
-        """Return the constants of the pair, between SI units and reduced coordinates of its own b.
-
-        Raises InvalidScene where the pair has none.
-        """
-        with self.context():
-            _ = self.scene.pair.mass, self.scene.pair.critical_energy
-            return Frame(self.arithmetic, self.scene.pair)
-
     @property
     def units(self) -> tuple[Number, Number, Number]:
         """Return L (m), Omega (1/s) and E_cr (J)."""
