@@ -1,11 +1,11 @@
 """What a run answers where belt, wall, force on body 2, varying friction, no spring, or more friction at rest act."""
 
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
 from differences import moved
+from scene_files import scenes_in
 
 from numerics import (
     Force,
@@ -15,15 +15,12 @@ from numerics import (
     Scene,
     State,
     Trajectory,
-    load_scene,
     sensitivities,
     solve,
 )
 from numerics.linear.model import TAKEN
 
-SCENES = {
-    one.stem: load_scene(one) for one in sorted((Path(__file__).parents[1] / "signals" / "scenes").glob("*.toml"))
-}
+SCENES = scenes_in("signals")
 STEP = Fraction(1, 10**16)
 
 
