@@ -4,11 +4,14 @@ It shares nothing with the engines but the scene; its events and states are good
 """
 
 import math
+from itertools import pairwise
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 NEXT_TO_NOTHING = 1e-9
+PRECISELY = {"method": "DOP853", "rtol": 3e-14, "atol": 1e-16, "max_step": 0.02}
+"""What is shorter than a step is lost."""
 
 
 def signal(pieces, t0, order=0):
@@ -63,6 +66,16 @@ class Acting:
         load, most = self.load(t, z), self.ratio * self.b(t)
         return 0 if abs(load) < most else int(math.copysign(1, load))
 
+    def guards(self, mode):
+        """Return what is positive in a mode, for SciPy: where it falls through 0 the mode ends."""
+        if mode:
+            found = [lambda _, z, s: s * (z[1] - z[3])]
+        else:
+            found = [lambda t, z, _, s=s: self.ratio * self.b(t) - s * self.load(t, z) for s in (1, -1)]
+        for one in found:
+            one.terminal, one.direction = True, -1
+        return found
+
 
 def follow(scene):
     """Return the first mode, the events (t, mode, state) and the state at the end."""
@@ -70,8 +83,8 @@ def follow(scene):
     times = [*sorted(one for one in changes if one < scene.until), scene.until]
     at = scene.initial
     z, mode, first, events = [float(one) for one in (at.x1, at.v1, at.x2, at.v2)], None, None, []
-    for start, end in zip(times, times[1:], strict=False):
-        acting, t, end, before = Acting(scene, start), float(start), float(end), mode
+    for start, end in pairwise(times):
+        acting, t, before = Acting(scene, start), float(start), mode
         if acting.is_fixed:
             z[3] = acting.c(t)
         if not mode or acting.is_fixed:
@@ -82,24 +95,14 @@ def follow(scene):
         elif mode != before:
             events.append((t, mode, list(z)))
         while t < end:
-            guards = (
-                [(lambda t, z, _, s=s: acting.ratio * acting.b(t) - s * acting.load(t, z)) for s in (1, -1)]
-                if mode == 0
-                else [lambda _, z, mode: mode * (z[1] - z[3])]
-            )
-            for one in guards:
-                one.terminal, one.direction = True, -1
-            found = solve_ivp(
-                acting.rate, (t, end), z, "DOP853", events=guards, args=(mode,), rtol=3e-14, atol=1e-16, max_step=0.02
-            )
+            found = solve_ivp(acting.rate, (t, float(end)), z, events=acting.guards(mode), args=(mode,), **PRECISELY)
             t, z = float(found.t[-1]), list(found.y[:, -1])
             if found.status != 1:
                 break
-            side = 1 if len(found.t_events[0]) else -1
             if mode:
                 z[1] = z[3]
                 mode = acting.after_contact(t, z)
             else:
-                mode = side
+                mode = 1 if len(found.t_events[0]) else -1
             events.append((t, mode, list(z)))
     return first, events, z

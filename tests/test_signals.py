@@ -1,4 +1,4 @@
-"""Scenes of all five signals in balls: right values of an independent solver, closed forms, drawn scenes, boxes of starts."""
+"""Scenes of all five signals in balls: values of an independent solver, closed forms, drawn scenes, boxes of starts."""
 
 import json
 import random
@@ -47,7 +47,7 @@ def test_the_right_values_are_those_of_the_reference():
 
 
 def test_newmarks_block_slides_as_far_as_he_says():
-    """Under a pulse A m for t0 above friction mu m it runs (A - mu) t0^2/2 and then v0^2/(2 mu) further, v0 = (A - mu) t0."""
+    """Under a pulse A m for t0, friction mu m: (A - mu) t0^2/2 and then v0^2/(2 mu) further, v0 = (A - mu) t0."""
     scene = SCENES["newmark-block"]
     found = run(scene, 30)
     A, mu, t0 = 4, 2, Fraction(1, 2)
@@ -139,7 +139,7 @@ def test_drawn_scenes_are_those_of_the_reference(seed):
 
 
 def test_who_starts_within_a_box_stays_in_what_is_said_of_it():
-    """From its corners; where static friction is kept a motion that leaves a stick later parts from one that did not."""
+    """From its corners; where more holds at rest, a motion that leaves a stick later parts from one that did not."""
     told = 0
     for seed in range(160):
         draw = random.Random(seed)

@@ -135,11 +135,11 @@ class Cells:
 
     def relative(self, w: NDArray[np.float64], z: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return (B(|w|) + C(z))/b in binary64, for drawing."""
-        lines = [np.array(one, dtype=float) for one in (self.by_speed, self.by_place)]
+        by_speed, by_place = (np.array(one, dtype=float) for one in (self.by_speed, self.by_place))
         k, j = (
             np.searchsorted(np.array(at, dtype=float), x) for at, x in ((self.speeds[1:], abs(w)), (self.places, z))
         )
-        force = lines[0][k, 0] + lines[0][k, 1] * abs(w) + lines[1][j, 0] + lines[1][j, 1] * z
+        force = by_speed[k, 0] + by_speed[k, 1] * abs(w) + by_place[j, 0] + by_place[j, 1] * z
         return np.asarray(force / float(self.pair.b))
 
     def ends(self, cell: tuple[int, int]) -> tuple[Fraction | None, ...]:

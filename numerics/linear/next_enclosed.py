@@ -122,7 +122,7 @@ def guards_of(path: EnclosedPath, at: At, rows: Sequence[Sequence[arb]]) -> list
         of_place, order = kind in {LEFT, RIGHT}, at.orders[kind]
         margin = place if of_place and not order else flow.apart(of_place, order) * norm
         found.append(Guard(sign if of_place else sign * side, number(offset), order, margin, int(of_place), kind))
-    if may_vanish:
+    if may_vanish and path.varies:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
         found.append(Guard(side, arb(0), 0, margin, 2, FORCE))

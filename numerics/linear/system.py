@@ -19,7 +19,6 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.model import (
     FIRST,
-    FORCE,
     FRICTION,
     KINETIC,
     LOAD,
@@ -132,11 +131,6 @@ class LinearMode:
         return sparse(row)
 
     @property
-    def force(self) -> Row:
-        """Return u as a linear function of z."""
-        return self.signal(FORCE)
-
-    @property
     def friction(self) -> Row:
         """Return F, the friction force on body 2, N; of a slip."""
         return sparse(self.rows.others[KINETIC])
@@ -150,11 +144,6 @@ class LinearMode:
     def guards(self) -> tuple[Row, ...]:
         """Return the rows that are positive in the mode, but for the sign of a slip."""
         return (W,) if self.side else tuple(map(sparse, self.rows.guards[STICK]))
-
-    @property
-    def b(self) -> Fraction:
-        """Return friction where it is one number b, N."""
-        return self.piece.b
 
     @property
     def mass(self) -> Fraction:
@@ -219,10 +208,6 @@ class Motion:
         """Return N of its mode."""
         return LocalNorm(self.mode)
 
-    def range(self, row: Row, t: arb, order: int = 0) -> arb:
-        """Return an enclosure of the order-th derivative of a row over a ball of times, by Taylor's theorem."""
-        return self.over(t).range(row, order)
-
 
 class Stretched:
     """A motion over a ball of times: z where it begins, and enclosures of derivatives of rows over the whole of it.
@@ -234,7 +219,6 @@ class Stretched:
     def __init__(self, motion: Motion, begin: arb_mat, h: arb) -> None:
         """Keep z where the ball begins; `h` is the ball of times, counted from there."""
         self.motion, self.h, self.derivatives = motion, h, [begin]
-        self.bends: dict[int, arb_mat] = {}
 
     def derivative(self, order: int) -> arb_mat:
         """Return the order-th derivative of z where the ball begins."""
@@ -244,25 +228,13 @@ class Stretched:
 
     def range(self, row: Row, order: int = 0) -> arb:
         """Return an enclosure of the order-th derivative of a row over the ball of times: by Taylor's theorem."""
-        here, slope = (value(row, self.derivative(order + n)) for n in (0, 1))
-        if self.h.is_zero():
-            return here
-        return here + self.h * slope + (self.h * self.h / 2) * value(row, self._bend(order + 2))
-
-    def _bend(self, order: int) -> arb_mat:
-        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times.
-
-        Further terms of Taylor are sharp on a short ball, the bound by energy on a long one.
-        """
-        if order not in self.bends:
-            further = _FURTHER if self.motion.norm.fastest * self.h < 1 else 0
-            last = self.derivative(order + further).entries()
-            sizes = self.motion.norm.sizes(last, abs(self.h).upper())
-            found = arb_mat(len(sizes), 1, [arb(0, one) for one in sizes])
-            for k in range(further, 0, -1):
-                found = self.derivative(order + k - 1) + found * (self.h / k)
-            self.bends[order] = found
-        return self.bends[order]
+        terms, further = 2, _FURTHER if self.motion.norm.fastest * self.h < 1 else 0
+        sizes = self.motion.norm.sizes(self.derivative(order + terms + further).entries(), abs(self.h).upper())
+        found = sum((Ball.number(c) * arb(0, sizes[place]) for place, c in row), arb(0))
+        # further terms are sharp on a short ball, the bound by energy on a long one
+        for k in range(terms + further, 0, -1):
+            found = value(row, self.derivative(order + k - 1)) + found * (self.h / k)
+        return found
 
 
 class LocalNorm:
