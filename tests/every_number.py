@@ -33,15 +33,15 @@ def _names(text: str) -> set[str]:
 
 
 NO_NUMBERS = _names(
-    """FORMAT ARITHMETICS COLUMNS EVENT_COLUMNS accuracy animate arithmetic bounded but certain context digits
-    end_bounds event_kinds event_rows final_mode floats frame kept load look_up_times message mode_at modes phase_lost
-    pieces plot reached record restored right_digits save scene signs status success t_eval to_csv
+    """FORMAT ARITHMETICS COLUMNS EVENT_COLUMNS accuracy animate arithmetic bounded but certain check context digits
+    end_bounds event_kinds event_rows final_mode floats frame has_critical_energy has_frame kept load look_up_times message mode_at modes
+    phase_lost pieces plot reached record restored right_digits save scene signs status success t_eval to_csv
     to_dataframe tried without_digits"""
 )
 """What says how and with which digits, and what gives the numbers below once more."""
 ROWS = _names(
-    """row_at row_changes row_code row_end row_excess row_flow row_lengths row_losses row_mode row_modes row_motion
-    row_numbers row_pieces row_signs row_states row_table row_times row_values"""
+    """row_at row_changes row_column row_excess row_flow row_lengths row_mode row_motion row_pieces row_signs row_states
+    row_taken row_times row_values"""
 )
 """Of what the numbers below are made."""
 NUMBERS = _names(
@@ -201,7 +201,7 @@ def bounds_of(run: Any, times: Any) -> Bounds:
         "initial": reduced[0],
         "end_numbers": np.concatenate(end),
         "dissipated": [run.accuracy.dissipated],
-        "ledger": [taken] * 6,
+        "ledger": [taken] * 10,
         "units": [8 * u * one for one in (own.length, own.rate, own.critical)],
         "segments": [one for segment in run.segments for one in (late, late, late, taken, taken)],
         "sol": np.concatenate([own.flowed(times, side).ravel() for side in SIDES]),
@@ -236,7 +236,7 @@ def _given(run: Any, name: str, times: Any) -> Any:
         return [(one.t, one.y, one.reduced) for one in run.events]
     if name == "ledger":
         ledger = run.ledger
-        return [getattr(ledger, one) for one in ledger.__slots__]
+        return [getattr(ledger, one) for one in ledger.__slots__ if one != "error"]
     found = getattr(run, name)
     return found() if callable(found) else found
 

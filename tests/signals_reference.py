@@ -82,9 +82,11 @@ def follow(scene):
         elif mode != before:
             events.append((t, mode, list(z)))
         while t < end:
-            guards = [
-                (lambda t, z, _, s=s: acting.ratio * acting.b(t) - s * acting.load(t, z)) for s in (1, -1)
-            ] if mode == 0 else [lambda _, z, mode: mode * (z[1] - z[3])]
+            guards = (
+                [(lambda t, z, _, s=s: acting.ratio * acting.b(t) - s * acting.load(t, z)) for s in (1, -1)]
+                if mode == 0
+                else [lambda _, z, mode: mode * (z[1] - z[3])]
+            )
             for one in guards:
                 one.terminal, one.direction = True, -1
             found = solve_ivp(

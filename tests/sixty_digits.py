@@ -37,7 +37,7 @@ UNDECIDABLE = "touches-at-irrational-times"
 # neighbours of a tie or of a contact, nearer than the bounds of float64; solve(scene) climbs there
 NEAR = {"jump-just-before-contact", "reversal-just-before-contact", "sine-barely-above-threshold", "mass-ratio-1e-6"}
 BEYOND = {"ball": {UNDECIDABLE}, "float64": {UNDECIDABLE, *NEAR}}
-FEWER = {"sine-just-above-threshold": 7, "soft-spring": 8, "four-thousand-events": 8}
+FEWER = {"sine-just-above-threshold": 6, "four-thousand-events": 6, "mass-ratio-1e6": 8, "sine-non-stop": 8}
 """Right digits of float64 where a slip is so short that its end keeps fewer, or events are so many."""
 
 

@@ -64,7 +64,7 @@ def test_every_extreme_scene_has_an_entry_and_an_answer_and_says_what_it_is():
         (forced, "many-causes", "ball", 37),
         (extreme, "excess-1e-12", "ball", 48),
         (extreme, "excess-1e-12", "mpmath", 45),
-        (extreme, "excess-1e-12", "float64", 10),
+        (forced, "sine-stick-slip", "float64", 8),
     ],
 )
 def test_a_wrong_answer_is_seen(kind, name, way, place):

@@ -19,7 +19,8 @@ from numerics.linear.model import EDGE, FORCE, FRICTION, LOAD, STICK, V1, X1
 from numerics.linear.room import Now, Problem, Room, dot, form_z
 from numerics.linear.table import STATE, UNIT
 
-_MOST_COLUMNS = 64
+_MOST_COLUMNS, _MOST_STEPS = 64, 2.0**36
+"""Columns of a matrix whose powers are formed; steps beyond which floats keep no phase."""
 
 
 class Calm(NamedTuple):
@@ -40,7 +41,15 @@ def step_over(problem: Problem, room: Room, now: Now, calm: Calm, step: int) -> 
     is_calm = problem.tables.count[kind] <= _MOST_COLUMNS and problem.norm.root_m2 > 0.0
     if not (is_calm and (problem.literal or rest_is_calm(problem, room, now))):
         return now, Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
+    if left > _MOST_STEPS * problem.tables.h[kind, STICK]:
+        return doubtful(now), Calm(True, step, calm.begun)
     return long_step(problem, room, now), Calm(True, step, calm.begun)
+
+
+@compilable
+def doubtful(now: Now) -> Now:
+    """Return where the run is, with an error beyond all range."""
+    return Now(now.piece, 0, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
 
 
 @compilable

@@ -17,6 +17,7 @@ a touch of the load: beyond b by e for a time sqrt(e) at most.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from numerics.linear.exact_start import ExactKnot, exact_knots, exact_motion, held_pieces
 from numerics.linear.pieces import ExactPiece
@@ -51,10 +52,9 @@ def _in_segment(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> str | None:
     """Return what is wrong with the motion from a knot to the next."""
     if knot.order == MARGINAL:
         return "stick is the motion of a slip as well"
-    if knot.mode == 0 or piece.sines:
-        return None
-    motion = exact_motion(scene, piece, knot)
-    slides = motion is not None and touches(motion.guards(), knot.local, knot.quiet)
+    motion = exact_motion(scene, piece, knot) if knot.mode else None
+    guards = motion.guards() if motion is not None else None
+    slides = guards is not None and touches(guards, Fraction(0), knot.quiet - knot.local)
     return "the bodies' velocities touch in a slip" if slides else None
 
 
@@ -81,7 +81,7 @@ def _at_the_end(scene: Scene, pieces: Sequence[ExactPiece], last: ExactKnot) -> 
     if last.piece + 1 < len(pieces) or last.quiet < piece.length or last.mode == 0:
         return None
     motion = exact_motion(scene, piece, last)
-    if motion is None:
+    if motion is None or not motion.ends:
         return None
     end = motion.at(piece.length)
     return "a slip ends on the horizon" if end.v1 == end.v2 else None

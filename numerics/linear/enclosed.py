@@ -65,7 +65,10 @@ class EnclosedRun(EnclosedPath):
     # ------------------------------------------------------------------ the loop
     def rows(self) -> Iterator[Knot | None]:
         """Follow the modes up to the horizon; yield every row, None before one that a root begins, the end last."""
-        for knot in exact_knots(self.scene, self.pieces):
+        knots = exact_knots(self.scene, self.pieces)
+        if not self.arithmetic.number(0).is_zero():  # a box of starts: what is known of its middle is not of all
+            knots = [knots[0]._replace(quiet=knots[0].local)]
+        for knot in knots:
             at = self.begin(knot)
             yield self.row(at, Ball.number(knot.local), self.exactly(knot))._replace(jump=knot.is_jump)
         is_over = knot.quiet == self.pieces[knot.piece].length

@@ -26,6 +26,8 @@ from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
+_LARGEST = 1020
+"""Energies up to 2 to this power (J) are numbers of binary64."""
 _MOST_ORDER = ORDERS - 1
 """Derivatives of a guard that may vanish at an exact start."""
 _STATE = slice(AT["x1"], AT["x1"] + 4)
@@ -60,7 +62,9 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
-    if not compiled(finish)(rows, end, *prepared.units):
+    most, units = max(float(np.abs(rows[:, _STATE]).max()), float(np.abs(end[_STATE]).max())), prepared.units
+    energy = 2.0 * math.log2(max(most, 1.0)) + units.of(mass=1, length=2, time=-2)
+    if energy > _LARGEST or not compiled(finish)(rows, end, *units):
         raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, How(how), int(end[AT["events"]]))
 
@@ -149,7 +153,7 @@ def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> N
     if how == TOO_MANY:
         raise OutOfRange(
             f"the mode at t = {at:.6g} s would take more than 400000 steps; shorten the horizon, leave a fast sine "
-            "out, or start exactly on the tie that is next to this start"
+            'out, start exactly on the tie that is next to this start, or use arithmetic="ball"'
         )
     if how == How.DOUBT:
         raise EventUndecided(

@@ -6,7 +6,7 @@ from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import Norm
-from numerics.linear.room import Now, Problem, Room, dot, place_of, polynomial_of
+from numerics.linear.room import Now, Problem, Room, between, dot, place_of, polynomial_of
 from numerics.linear.table import STATE, UNIT
 
 
@@ -21,10 +21,26 @@ def evolve(problem: Problem, room: Room, now: Now, s: float) -> Now:
             room.y[i], _ = value_slope(room.q[0], s)
         else:
             room.y[i] = dot(tables.flow[at][i], room.z, count)
-    own = tables.own[at][is_part]
-    sizes = room.size
-    added = UNIT * dot(own[0], sizes, count), UNIT * dot(own[1], sizes, count), UNIT * dot(own[2], sizes, count)
-    return moved(problem.norm, room, now, two_product(s, h), added)
+    own, size = tables.own[at], room.size
+    if is_part:
+        added = between(own[1, 0], own[2, 0], s, size, count), between(own[1, 1], own[2, 1], s, size, count)
+        last = between(own[1, 2], own[2, 2], s, size, count)
+    else:
+        added, last = (
+            (UNIT * dot(own[0, 0], size, count), UNIT * dot(own[0, 1], size, count)),
+            UNIT * dot(own[0, 2], size, count),
+        )
+    if now.mode == 0 and not is_part and now.since > now.late:
+        now = shrunk(now, tables.shrink[at[0]])
+    return moved(problem.norm, room, now, two_product(s, h), (added[0], added[1], last))
+
+
+@compilable
+def shrunk(now: Now, factor: float) -> Now:
+    """Return where the run is, with N that has become smaller: both motions stick."""
+    return Now(
+        now.piece, now.mode, now.order, now.edge, now.late, now.since, now.N * factor, now.far, now.far_2, now.apart
+    )
 
 
 @compilable
@@ -37,4 +53,5 @@ def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, f
     N = now.N + own[0]
     apart = now.apart + own[1] + own[2] + (norm.kappa * N * time.high if now.mode != 0 else 0.0)
     far = now.far + own[1] + N / norm.root_m1 * time.high
-    return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, apart)
+    far_2 = now.far_2 + own[2] + (N / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
+    return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, far_2, apart)

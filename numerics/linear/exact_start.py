@@ -10,16 +10,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import factorial
 from typing import NamedTuple
 
 from numerics.linear.cells import cells_of
-from numerics.linear.model import BELT
+from numerics.linear.model import BELT, FIRST, V1, V2, X1
 from numerics.linear.modes import MODES, Mode
-from numerics.linear.pieces import ExactPiece, particular, pieces_of, polynomial_at
+from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.sine_form import SineForm
-from numerics.linear.ties import mode_after, signal_form
+from numerics.linear.system import LinearMode, Row, sparse
+from numerics.linear.ties import applied, exact_z, mode_after, signal_form
 from numerics.scene import Law, Scene
+
+_NONE, _SINE, _COSINE = Fraction(0), (Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))
 
 
 class ExactKnot(NamedTuple):
@@ -79,107 +83,125 @@ def mode_at_start(scene: Scene) -> Mode:
     return MODES[float(exact_knots(scene, pieces_of(scene)[:1])[0].mode)]
 
 
-class ExactMotion(NamedTuple):
-    """The motion after a knot, exact: x1 is a polynomial of the time in the piece, plus sines with the force's phases.
+class ExactMotion:
+    """The motion after a knot for as long as its mode lasts, exact: steady answers to sines, and what is left of it.
 
-    Of each sine the amplitudes in phase with it and a quarter turn ahead.
+    `terms` are the Taylor coefficients of that, if it `ends`: then it is a polynomial of the time since the knot.
     """
 
-    scene: Scene
-    piece: ExactPiece
-    knot: ExactKnot
-    polynomial: list[Fraction]
-    sines: list[tuple[Fraction, Fraction]]
+    def __init__(self, scene: Scene, piece: ExactPiece, knot: ExactKnot) -> None:
+        """Form them. Raises ZeroDivisionError at a resonance without damping."""
+        self.knot, self.piece, self.mode = knot, piece, LinearMode(scene.pair, knot.mode, piece)
+        sines, self.A = self.mode.sine_places, [dict(sparse(row)) for row in self.mode.generator()]
+        self.answers = {place: self._answer(place) for place in sines}
+        z = exact_z(piece, knot.mode, knot.local, knot.state)
+        y = [one - two for one, two in zip(z, self.steady(z), strict=False)] + z[FIRST : sines.start]
+        self.terms: list[list[SineForm]] = []
+        while any(one.sign() for one in y) and len(self.terms) < len(y) + 4:
+            self.terms.append(y)
+            rates = (tuple(one for one in row.items() if one[0] < len(y)) for row in self.A[: len(y)])
+            y = [applied(row, y) * Fraction(1, len(self.terms)) for row in rates]
+        self.ends = not any(one.sign() for one in y)
 
-    def body_1(self, local: Fraction) -> tuple[SineForm, SineForm]:
-        """Return x1 and v1 at a time in the piece."""
-        x = SineForm(polynomial_at(self.polynomial, local))
-        v = SineForm(polynomial_at(_derivative(self.polynomial), local))
-        for sine, (one, two) in zip(self.piece.sines, self.sines, strict=True):
-            angle = sine.omega * (self.piece.start + local) + sine.phase
-            x += SineForm.turned(angle, one, two)
-            v += SineForm.turned(angle, -two * sine.omega, one * sine.omega)
-        return x, v
+    def _answer(self, sine: int) -> dict[int, tuple[Fraction, Fraction]]:
+        """Return the steady answer to a sine of what stands in z: so much of the sine, and of its cosine."""
+        omega, found = self.A[sine][sine + 1], {sine: _SINE, sine + 1: _COSINE}
+        for V in (V1, V2):
+            row = self.A[V]
+            on_sine, on_cosine = (row.get(place, _NONE) for place in (sine, sine + 1))
+            # in stick both bodies go together
+            stiff, drag = -row.get(X1, _NONE) - omega**2, -row.get(V1, _NONE) * omega
+            square = stiff**2 + drag**2
+            one, two = (on_sine * stiff + on_cosine * drag) / square, (on_cosine * stiff - on_sine * drag) / square
+            found |= {V - 1: (one, two), V: (-two * omega, one * omega)}
+        return found
+
+    def steady(self, z: Sequence[SineForm]) -> list[SineForm]:
+        """Return x1, v1, x2, v2 of all steady answers."""
+        found = [SineForm()] * FIRST
+        for place, answer in self.answers.items():
+            for k in range(FIRST):
+                found[k] = found[k] + z[place] * answer[k][0] + z[place + 1] * answer[k][1]
+        return found
 
     def at(self, local: Fraction) -> ExactKnot:
         """Return the knot moved to a later time in the piece."""
-        knot, t = self.knot, local - self.knot.local
-        x1, v1 = self.body_1(local)
-        if knot.mode == 0:
-            return knot._replace(local=local, x1=x1, v1=v1, x2=knot.x2 + (x1 - knot.x1), v2=v1)
-        brake = knot.mode * self.piece.b / self.scene.pair.m2
-        x2, v2 = knot.x2 + knot.v2 * t + brake * t * t / 2, knot.v2 + brake * t
-        return knot._replace(local=local, x1=x1, v1=v1, x2=x2, v2=v2)
+        state = self.steady(exact_z(self.piece, self.knot.mode, local, self.knot.state))
+        for n, term in enumerate(self.terms):
+            state = [one + c * (local - self.knot.local) ** n for one, c in zip(state, term, strict=False)]
+        x1, v1, x2, v2 = state
+        return self.knot._replace(local=local, x1=x1, v1=v1, x2=x2, v2=v2)
 
-    def guards(self) -> list[list[Fraction]]:
-        """Return the guards, which must not become negative, as polynomials of the time in the piece; without sines."""
-        velocity, b, m2 = _derivative(self.polynomial), self.piece.b, self.scene.pair.m2
-        if self.knot.mode == 0:
-            load = [c * m2 for c in _derivative(velocity)] or [Fraction(0)]
-            return [[b - side * load[0], *(-side * c for c in load[1:])] for side in (1, -1)]
-        v2, brake = self.knot.v2.rational, b / m2
-        if v2 is None:
-            raise ArithmeticError("a slip without sines has rational velocities")
-        guard = [self.knot.mode * c for c in velocity] + [Fraction(0)] * (2 - len(velocity))
-        guard[0] += brake * self.knot.local - self.knot.mode * v2
-        guard[1] -= brake
-        return [guard]
+    def guard(self, row: Row) -> list[Fraction] | None:
+        """Return the Taylor coefficients of a guard without its sines; None if they are not rational."""
+        row = tuple((place, c * (self.knot.mode or 1)) for place, c in row if place < self.mode.sine_places.start)
+        found = [applied(row, term).rational for term in self.terms]
+        return [one for one in found if one is not None] if None not in found else None
+
+    def guards(self) -> list[list[Fraction]] | None:
+        """Return the guards, which must not become negative, as polynomials of the time since the knot, if they are."""
+        found = [one for one in map(self.guard, self.mode.guards) if one is not None]
+        return None if self.answers or not self.ends or len(found) < len(self.mode.guards) else found
+
+    def stays(self) -> bool:
+        """Return whether stick never ends: its guards are a constant but for one oscillation, and may touch 0 for ever.
+
+        That is the steady answer to a sine, or the free motion of an undamped pair.
+        """
+        k = -self.A[V1].get(X1, _NONE) or Fraction(1)
+        for row in self.mode.guards:
+            terms = self.guard(row)
+            if self.knot.mode or terms is None:
+                return False
+            terms += [_NONE] * (3 * self.ends)
+            value, rate, bend, *later = (c * factorial(n) for n, c in enumerate(terms))
+            if any(two + k * one for one, two in zip((rate, bend, *later), later, strict=False)):
+                return False
+            swing, squares = -bend / k, [(bend / k) ** 2 + rate**2 / k]
+            for answer, size in zip(self.answers.values(), self.mode.amplitudes, strict=True):
+                parts = (sum(c * answer[place][n] for place, c in row if place in answer) for n in (0, 1))
+                squares.append(size**2 * sum(one**2 for one in parts))
+            room = value - swing
+            if room < 0 or sum(squares) > room**2 or sum(map(bool, squares)) > 1:
+                return False
+        return True
 
 
 def exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotion | None:
-    """Return the particular motion of the mode if the state lies on it exactly, else None."""
+    """Return the motion of the mode, None at a resonance without damping, and for what is followed in numbers only."""
     if knot.mode and scene.friction.weakening:
-        return None  # followed in numbers only
-    motion = _particular_motion(scene, piece, knot)
-    return motion if motion is not None and motion.body_1(knot.local) == (knot.x1, knot.v1) else None
-
-
-def _particular_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotion | None:
-    """Return the motion of the mode in which nothing swings freely; None at resonance without damping.
-
-    None, too, where more acts than u and one b: such motions are followed in numbers.
-    """
-    pair = scene.pair
-    if not (piece.is_plain and pair.a2) or pair.is_fixed or pair.b_static:
         return None
-    mass = pair.m1 if knot.mode else pair.mass
-    force, sines = list(piece.polynomial) or [Fraction(0)], []
-    force[0] -= knot.mode * piece.b
-    for sine in piece.sines:
-        stiff, drag = pair.a2 - mass * sine.omega**2, pair.a1 * sine.omega
-        if stiff == 0 and drag == 0:
-            return None
-        scale = sine.amplitude / (stiff**2 + drag**2)
-        sines.append((stiff * scale, -drag * scale))
-    return ExactMotion(scene, piece, knot, particular(force, mass, pair.a1, pair.a2), sines)
-
-
-def _derivative(polynomial: list[Fraction]) -> list[Fraction]:
-    return [k * c for k, c in enumerate(polynomial)][1:]
+    try:
+        return ExactMotion(scene, piece, knot)
+    except ZeroDivisionError:
+        return None
 
 
 def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tuple[Fraction, ExactKnot | None]:
     """Return up to when a mode does not end after a knot, and the next knot if it is exact."""
     piece, is_root = pieces[knot.piece], False
     motion = exact_motion(scene, piece, knot)
-    lasts = _stays_below(scene, piece, knot)
     if motion is None:
-        return piece.length if lasts else knot.local, None
-    if lasts or (knot.mode == 0 and scene.law is Law.THREE_VALUED_SGN):
-        until = piece.length
-    elif piece.sines:
         return knot.local, None
-    else:
-        until, is_root = first_crossing(motion.guards(), knot.local, piece.length)
+    lasts, guards = motion.stays() or (knot.mode == 0 and scene.law is Law.THREE_VALUED_SGN), motion.guards()
+    if not motion.ends or (guards is None and not lasts):
+        return piece.length if motion.stays() else knot.local, None
+    until = piece.length
+    if not lasts and guards is not None:
+        until, is_root = first_crossing(guards, Fraction(0), until - knot.local)
+        until += knot.local
     if until < piece.length:
         return until, _decided(scene, pieces, motion.at(until)._replace(is_jump=False)) if is_root else None
     if knot.piece + 1 == len(pieces):
         return until, None
     # a slip that ends where a piece begins ends by itself; stick there ends by what jumps
     jumped = motion.at(until)._replace(piece=knot.piece + 1, local=Fraction(0), is_jump=knot.mode == 0 or not is_root)
-    if jumped.v1 == jumped.v2:
+    if scene.pair.is_fixed:
+        jumped = jumped._replace(v2=signal_form(pieces[jumped.piece], BELT, Fraction(0)))
+    side = (jumped.v1 - jumped.v2).sign()
+    if side == 0:
         return until, _decided(scene, pieces, jumped)
-    return until, jumped._replace(order=0, is_event=False)
+    return until, jumped._replace(mode=side, order=0, is_event=side != knot.mode)
 
 
 def _decided(scene: Scene, pieces: Sequence[ExactPiece], at: ExactKnot) -> ExactKnot:
@@ -187,23 +209,3 @@ def _decided(scene: Scene, pieces: Sequence[ExactPiece], at: ExactKnot) -> Exact
     literal = scene.law is Law.THREE_VALUED_SGN
     mode, order = mode_after(scene.pair, pieces[at.piece], at.local, at.state, literal=literal)
     return at._replace(mode=mode, order=order, is_event=mode != at.mode)
-
-
-def _stays_below(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
-    """Return whether a load that is constant but for one oscillation never gets past b in a stick; exact.
-
-    The oscillation is a sine of the force, or the free one of an undamped pair; it may touch b for ever.
-    """
-    if knot.mode or len(piece.polynomial) > 3 or len(piece.sines) > 1:
-        return False
-    steady, pair = _particular_motion(scene, piece, knot), scene.pair
-    if steady is None:
-        return False
-    x, v = steady.body_1(knot.local)
-    y, w, stiff = (knot.x1 - x).rational, (knot.v1 - v).rational, pair.a2 / pair.mass
-    if y is None or w is None or ((y or w) and (pair.a1 or piece.sines)):
-        return False
-    waves = ((one**2 + two**2) * s.omega**4 for s, (one, two) in zip(piece.sines, steady.sines, strict=True))
-    square = pair.m2**2 * (stiff**2 * y**2 + stiff * w**2 + sum(waves, Fraction(0)))
-    room = piece.b - abs(pair.m2 * 2 * sum(steady.polynomial[2:3], Fraction(0)))
-    return room >= 0 and square <= room * room

@@ -18,11 +18,9 @@ from flint import arb, arb_mat, arb_poly, ctx
 from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
 from numerics.linear.model import DRIVEN, EDGE, FIRST, LOAD, V1, V2, X1, X2, Layout
-from numerics.linear.system import CONSTANT, Cell, LinearMode, LocalNorm, Z, matrix, sparse
+from numerics.linear.system import CONSTANT, BallRow, Cell, LinearMode, LocalNorm, Z, matrix, sparse
 from numerics.scene import Pair
 
-BallRow = Sequence[tuple[int, arb]]
-"""A linear function of z: pairs (place, coefficient)."""
 REACH = 2
 """A Taylor polynomial is used while the fastest rate turns through so many radians."""
 BEND = -1
@@ -49,10 +47,10 @@ class Flow:
     and where friction depends on the state x1 - x2 and F besides.
     """
 
-    def __init__(self, bits: int, pair: Pair, slips: bool, layout: Layout, cell: Cell = CONSTANT) -> None:
+    def __init__(self, bits: int, pair: Pair, slips: bool, layout: Layout, cell: Cell | None = None) -> None:
         """Build the tables, with so many bits."""
         self.bits, self.slips, number = bits, slips, Ball.number
-        self.mode = LinearMode.like(pair, int(slips), layout, cell)
+        self.mode = LinearMode.like(pair, int(slips), layout, cell or CONSTANT)
         self.norm = LocalNorm(self.mode)
         self.generator = [[(j, number(c)) for j, c in sparse(row)] for row in self.mode.generator()]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
@@ -61,7 +59,7 @@ class Flow:
         self.reach = (REACH / self.fastest).lower()
         others = [[(place, number(c)) for place, c in sparse(row)] for row in self.mode.rows.others]
         self.load, self.edge, self.belt = others[LOAD], others[EDGE], others[DRIVEN]
-        guarded = [*self.mode.guards, *((Z, self.mode.friction) if slips and any(cell) else ())]
+        guarded = [*self.mode.guards, *((Z, self.mode.friction) if cell else ())]
         self.guarded = [[(place, number(c)) for place, c in row] for row in guarded]
         rates = self.mode.generator()[V1]
         stiff = rates[X1]
@@ -201,11 +199,6 @@ class Expansion:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
         h = t.upper()
         return [self.curves[k].derivative()(t).abs_upper() + self.left_out(k, h, 1) for k in (V1, V2)]
-
-
-def dot(row: BallRow, z: Sequence[arb]) -> arb:
-    """Return the value of a row."""
-    return sum((c * z[place] for place, c in row), arb(0))
 
 
 def _products(rows: list[list[arb]]) -> Callable[[Sequence[arb]], list[arb]]:

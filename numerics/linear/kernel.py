@@ -116,7 +116,7 @@ def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
     N = norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2
     room.clock[0, 0], room.clock[0, 1] = start[_LOCAL], start[_REST]
     room.clock[1, :] = 0.0
-    now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 0, 0.0, 1e300, N, x1, x1 + x2)
+    now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 0, 0.0, 1e300, N, x1, x2, x1 + x2)
     return now, StepEnd(CONTACT if start[_JUMP] == 1.0 and start[_MODE] == 0.0 else PIECE, 0.0)
 
 
@@ -138,7 +138,11 @@ def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_c
         return now, nothing, STUCK if is_calm or (now.mode == 0 and problem.literal) else REACHED
     room.clock[0, :] = 0.0
     kind = CONTACT if places[piece, 4] == 1 or (now.mode == 0 and places[piece, 3] == 1) else PIECE
-    return Now(piece, now.mode, 0, now.edge, 0.0, now.since, now.N, now.far, now.apart), StepEnd(kind, 0.0), GOES_ON
+    return (
+        Now(piece, now.mode, 0, now.edge, now.late, now.since, now.N, now.far, now.far_2, now.apart),
+        StepEnd(kind, 0.0),
+        GOES_ON,
+    )
 
 
 @compilable
@@ -181,7 +185,12 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
         one, two = fastest(problem, room, now, 0, late), fastest(problem, room, now, 1, late)
         v1 = v2 = min(v1 + one * late, v2 + two * late) + abs(y[1] - y[3])
         far = (abs(y[1]) + one * late) * late
-    row[_ERRORS], row[_ERRORS + 1], row[_ERRORS + 2], row[_ERRORS + 3] = x1 + far, v1, x1 + now.apart + far, v2
+    row[_ERRORS], row[_ERRORS + 1], row[_ERRORS + 2], row[_ERRORS + 3] = (
+        x1 + far,
+        v1,
+        min(x1 + now.apart, now.far_2) + far,
+        v2,
+    )
     row[_ERRORS + 4] = now.N / norm.root_m1
 
 

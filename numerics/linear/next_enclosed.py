@@ -184,7 +184,7 @@ def scanned(
 
 def long_step(path: EnclosedPath, at: At, flow: Flow, z: list[arb], most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
-    if at.orders[0] or (flow.slips and flow.norm.is_coupled):
+    if at.orders[0] or (flow.slips and any(flow.mode.cell)):
         return None
     swings, guards = Swings(flow, z), guards_of(path, at, flow.rows(z))
     for limit in (arb(0), flow.fastest / 4):

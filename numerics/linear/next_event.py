@@ -67,11 +67,13 @@ def first_of_guard(problem: Problem, room: Room, now: Now, guard: int, order: in
     if now.mode < 0:
         for k in range(q.shape[0]):
             q[k] = -q[k]
-    off = UNIT * dot(tables.sums[at][guard, order], room.size, count)
+    sums = tables.sums[at][guard, order]
+    off = UNIT * dot(sums[0], room.size, count)
+    rise = UNIT * dot(sums[1], room.size, count) - off
     if now.mode == 0:
-        margins = off + problem.norm.load * now.N, 0.0, 0.0
+        margins = off + problem.norm.load * now.N, rise, 0.0
     else:
-        margins = slip_margins(problem.norm, h, order, off, now, end)
+        margins = slip_margins(problem.norm, h, order, (off, rise), now, end)
     if order > 0 and now.late > 0.0:  # the true segment began up to `late` away: as much as its guard changes meanwhile
         shift = (1.0 + order) * now.late / h * abs_slope(q)
         margins = margins[0] + shift, margins[1], margins[2]
@@ -80,7 +82,7 @@ def first_of_guard(problem: Problem, room: Room, now: Now, guard: int, order: in
         return Next(how, s, guard, 0.0, 0.0, 0.0)
     value, slope = value_slope(q, s)
     power = s**order
-    return Next(ROOT, s, guard, alone, -slope * power / h, (abs(value) + off) * power)
+    return Next(ROOT, s, guard, alone, -slope * power / h, (abs(value) + off + s * rise) * power)
 
 
 @compilable
@@ -93,16 +95,18 @@ def abs_slope(q: Any) -> float:
 
 
 @compilable
-def slip_margins(norm: Norm, h: float, order: int, off: float, now: Now, end: float) -> tuple[float, float, float]:
+def slip_margins(
+    norm: Norm, h: float, order: int, own: tuple[float, float], now: Now, end: float
+) -> tuple[float, float, float]:
     """Return the margin of the guard of a slip, up to s = end, for `first_root`.
 
     Two motions in one mode part in v1' by no more than bend N, and so in the guard since both were at v1 = v2.
     """
-    bend = norm.bend * now.N * h
+    (off, rise), bend = own, norm.bend * now.N * h
     if order >= 2:
-        return off, 0.0, 16.0 * bend
+        return off, rise, 16.0 * bend
     if order == 1:
-        return off + 2.0 * bend, 0.0, 0.0
+        return off + 2.0 * bend, rise, 0.0
     if norm.bend * (now.since + end * h) < norm.kappa:
-        return off + 2.0 * norm.bend * now.since * now.N, 2.0 * bend, 0.0
-    return off + 2.0 * norm.kappa * now.N, 0.0, 0.0
+        return off + 2.0 * norm.bend * now.since * now.N, rise + 2.0 * bend, 0.0
+    return off + 2.0 * norm.kappa * now.N, rise, 0.0

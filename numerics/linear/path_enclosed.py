@@ -25,10 +25,10 @@ from flint import arb, ctx
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
-from numerics.linear.flow import REACH, Expansion, Flow, dot, exponential, flow_of
+from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
 from numerics.linear.model import FRICTION, STICK, V1, V2, X1, X2, exact_rows
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import CONSTANT, BallDrive, LinearMode, LocalNorm
+from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
 from numerics.scene import Law, Scene
 
 AWAY = (0, 0, 0, 0)
@@ -91,7 +91,7 @@ class EnclosedPath:
             self.acting = at.piece, BallDrive(piece), {}
         flows = self.acting[2]
         if key not in flows:
-            cell = self.cells.branch(piece, at.mode, at.cell)[1:] if at.mode and self.varies else CONSTANT
+            cell = self.cells.branch(piece, at.mode, at.cell)[1:] if at.mode and self.varies else None
             flows[key] = flow_of(self.bits, self.pair, at.mode != 0, piece.layout, cell)
         return flows[key]
 

@@ -80,7 +80,8 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     changes = sorted((one for one in begun if one[0] < scene.until), key=lambda one: one[:2])
     found: list[ExactPiece] = []
     for (start, signal, piece), (end, *_) in pairwise([(Fraction(0), FRICTION, acting[-1]), *changes, (scene.until,)]):
-        acting[signal] = piece
+        is_lifted_off = signal == FRICTION and not (piece.polynomial or piece.sines)
+        acting[signal] = Piece(piece.start, (0,)) if is_lifted_off else piece
         if start < end:
             signals = tuple(one.moved(start) if len(one.polynomial) > 1 else one for one in acting)
             jumps = [not found or _may_jump(found[-1], k, one) for k, one in enumerate(signals)]

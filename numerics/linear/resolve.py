@@ -51,11 +51,11 @@ def arrived(problem: Problem, room: Room, now: Now, ahead: Next) -> tuple[Now, S
     if now.mode == 0:
         N += 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window)
         mode, order, since = 1 - 2 * ahead.guard, 2 if above <= 0.0 else 1, 0.0 if above <= 0.0 else 1e300
-        return Now(now.piece, mode, order, now.edge, late, since, N, now.far, apart), StepEnd(EXIT, late)
+        return Now(now.piece, mode, order, now.edge, late, since, N, now.far, now.far_2, apart), StepEnd(EXIT, late)
     gap = abs(y[1] - y[3])
     y[1] = y[3]
     N += 2.0 * norm.kappa * b * window + norm.root_m1 * gap
-    return Now(now.piece, now.mode, 0, now.edge, late, now.since, N, now.far, apart), StepEnd(SLIP_END, late)
+    return Now(now.piece, now.mode, 0, now.edge, late, now.since, N, now.far, now.far_2, apart), StepEnd(SLIP_END, late)
 
 
 @compilable
@@ -77,8 +77,11 @@ def resolve(problem: Problem, room: Room, now: Now, event: StepEnd) -> Now:
         mode = mode_after(problem, room, now, (one, two), event.late)
         if event.kind == SLIP_END and mode == now.mode:
             mode = UNDECIDED
-        order, since = (1 if mode != 0 else 0), 1e300
-    return Now(now.piece, mode, order, edge, event.late, since, now.N, now.far, now.apart)
+        order = 1 if mode != 0 else 0
+        if mode != now.mode:
+            since = 1e300 if mode != 0 else 0.0
+    late = event.late if mode != now.mode or event.kind == EXIT else now.late
+    return Now(now.piece, mode, order, edge, late, since, now.N, now.far, now.far_2, now.apart)
 
 
 @compilable

@@ -10,7 +10,7 @@ import numpy as np
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, times
 from numerics.linear.model import DRIVEN, FIRST, V1, V2, Norm
-from numerics.linear.table import STATE, Tables
+from numerics.linear.table import STATE, UNIT, Tables
 
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
 
@@ -50,11 +50,13 @@ class Now(NamedTuple):
     late: float
     """By how much the event that the segment began with may be misplaced, s."""
     since: float
-    """Time since the exit that this slip began with, 1e300 if it began otherwise."""
+    """Time since the exit that a slip began with, or the contact that a stick did, s; 1e300 if they began otherwise."""
     N: float
     """A bound on N of the error (model.py)."""
     far: float
     """A bound on the error of x1, where time gives a better one than N."""
+    far_2: float
+    """The same of x2."""
     apart: float
     """A bound on the error of x1 - x2."""
 
@@ -97,6 +99,14 @@ def dot(row: Any, z: Any, count: int) -> float:
     for j in range(count):
         total += row[j] * z[j]
     return total
+
+
+@compilable
+def between(first: Any, last: Any, s: float, size: Any, count: int) -> float:
+    """Return what is rounded at a part s of a step, from counts at its start and end: positive terms are below their
+    chord."""
+    one = dot(first, size, count)
+    return UNIT * (one + s * (dot(last, size, count) - one))
 
 
 @compilable_with(**FAST)

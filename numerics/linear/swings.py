@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 from flint import acb, arb, arb_poly
 
-from numerics.linear.flow import BEND, FEW, BallRow, Flow
+from numerics.linear.flow import BEND, FEW, Flow
 from numerics.linear.model import FIRST, V1, V2, X1
-from numerics.linear.system import length
+from numerics.linear.system import BallRow, length
 
 _I = acb(0, 1)
 
@@ -69,8 +68,8 @@ class Swings:
         count, curves = len(self.rates), [x, x.derivative(), x.derivative().derivative()]
         if abs(r * r - 4 * k) < k:
             # rates that are nearly one: of y, k y^2 + y'^2 never grows, and so on
-            stiff, sizes = k.sqrt(), (y, w, -k * y - r * w)
-            sizes = [length(stiff * a, b) for a, b in pairwise(sizes)]
+            stiff = k.sqrt()
+            sizes = [length(stiff * a, b) for a, b in ((y, w), (w, -k * y - r * w))]
             free = [{count: acb(one)} for one in (sizes[0] / stiff, *sizes)]
             self.rates.append(acb("inf"))
         else:
@@ -89,7 +88,7 @@ class Swings:
 
     def of(self, row: BallRow) -> tuple[arb_poly, dict[int, acb]]:
         """Return the polynomial and the terms of a row."""
-        polynomial, terms = arb_poly([]), {}
+        polynomial, terms = arb_poly([]), dict[int, acb]()
         for place, c in row:
             polynomial += self.curves[place] * c
             for n, one in self.terms[place].items():

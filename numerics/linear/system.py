@@ -43,6 +43,7 @@ Row = tuple[tuple[int, Fraction], ...]
 W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
 Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
 """The relative velocity w = v1 - v2, and x1 - x2."""
+BallRow = Sequence[tuple[int, arb]]
 Cell = tuple[Fraction, Fraction]
 """Slope (N s/m) and pull (N/m) of the friction of a slip."""
 CONSTANT: Cell = (Fraction(0), Fraction(0))
@@ -169,6 +170,11 @@ class LinearMode:
         """Return where each sine stands in z, its cosine one place on."""
         return range(FIRST + sum(self.layout.terms), self.size, 2)
 
+    @property
+    def amplitudes(self) -> list[Fraction]:
+        """Return those of the sines."""
+        return [one.amplitude for signal in self.piece.signals for one in signal.sines]
+
     def begin(self, state: Sequence[arb], t: arb) -> list[arb]:
         """Return z at time t (s), where (x1, v1, x2, v2) is a state."""
         return [*state, *BallDrive(self.piece).at(t - Ball.number(self.piece.start), self.side)]
@@ -266,8 +272,8 @@ class LocalNorm:
     like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa (g - pull)/(2 sqrt(g)), with any g >= |pull|. A itself
     is at most `rate` in N; `fastest` is that, or a sine's. A body 2 of infinite mass counts for nothing.
 
-    Derivatives of a motion obey z' = A z too, and by them the signals push (`sizes`). Where friction depends on the
-    state they move both bodies; else a slip moves body 1, and body 2 goes with the signals alone.
+    Derivatives of a motion obey z' = A z too, and what is no part of N pushes them (`sizes`): the signals, and a body
+    that goes with the signals alone, as body 2 does in a slip, unless friction depends on the state.
     """
 
     def __init__(self, mode: LinearMode, g: Fraction | None = None) -> None:
@@ -275,22 +281,27 @@ class LocalNorm:
         (slope, pull), pair, number = mode.cell, mode.pair, Ball.number
         g = abs(pull) if g is None else g
         bodies = Bodies.of(pair)
-        self.mode, self.is_fixed, self.is_coupled = mode, pair.is_fixed, bool(slope or pull)
+        self.mode, self.is_fixed = mode, pair.is_fixed
         self.root_a2, self.root_m1, self.root_g = (number(one).sqrt() for one in (pair.a2, pair.m1, g))
         self.root_m2 = arb(0) if self.is_fixed else number(pair.m2).sqrt()
         self.kappa, self.root_mass = number(bodies.inverse_1 + bodies.inverse_2).sqrt(), number(mode.mass).sqrt()
-        self.slope, square = number(abs(slope)), self.kappa * self.kappa
+        square = self.kappa * self.kappa
         pulled = self.kappa * number((g - pull) / 2) / self.root_g if g else arb(0)
         self.mu = square * number(max(Fraction(0), -slope)) + pulled
         self.load = number(bodies.share_2**2 * (pair.a2 + pair.a1**2 / pair.m1)).sqrt()
         """Of Lambda."""
         own = number(pair.a1 / mode.mass) + number(pair.a2 / mode.mass).sqrt()
-        self.rate = self.fastest = own + square * self.slope + self.kappa * self.root_g
+        self.rate = self.fastest = own + square * number(abs(slope)) + self.kappa * self.root_g
         for omegas in mode.layout.omegas:
             for omega in omegas:
                 self.fastest = self.fastest.max(number(omega))
-        rows = mode.generator()
-        self.pushes = [[(place, abs(number(c))) for place, c in sparse(rows[k]) if place >= FIRST] for k in (V1, V2)]
+        A = mode.generator()
+        on_state = {V: any(A[V][:FIRST]) for V in (V1, V2)}
+        masses = (self.root_m1, self.root_m2) if mode.side else (self.root_mass, self.root_mass)
+        self.moved = {V: root for V, root in zip((V1, V2), masses, strict=True) if on_state[V]}
+        """The bodies that the state accelerates, not the signals alone, and the roots of what moves with them."""
+        kept = [place for V in self.moved for place in (V - 1, V)]
+        self.pushes = {V: [(k, abs(number(c))) for k, c in sparse(A[V]) if k not in kept] for V in (V2, V1)}
         self.blocks = [range(first, first + terms) for first, terms, *_ in mode.layout.blocks.tolist()]
 
     def of(self, state: Sequence[arb]) -> arb:
@@ -319,32 +330,28 @@ class LocalNorm:
                 found[k] = sum((found[m] * h ** (m - k) / math.factorial(m - k) for m in range(k, block.stop)), arb(0))
         for k in self.mode.sine_places:
             found[k] = found[k + 1] = length(z[k], z[k + 1])
-        push_1, push_2 = (sum((c * found[place] for place, c in push), arb(0)) for push in self.pushes)
-        x1, v1, x2, v2 = z[:4]
-        if self.mode.side and not (self.is_coupled and not self.is_fixed):
-            # body 2 goes with the signals
-            found[V2] = found[V2] + h * push_2
-        if not self.mode.side:
-            x1 = arb(0) if self.is_fixed else x1  # on a belt the spring moves nothing
-            start = length(self.root_a2 * x1, self.root_mass * v1)
-            found[V1] = found[V2] = start / self.root_mass + h * push_1
-        elif not self.is_coupled:
-            found[V1] = length(self.root_a2 * x1, self.root_m1 * v1) / self.root_m1 + h * push_1
-        elif self.is_fixed:
-            pushed = self.root_m1 * push_1 + (self.slope / self.root_m1 + self.root_g) * found[V2]
-            found[V1] = self.growth(h) * (self.of((x1, v1, x2, v2)) + h * pushed) / self.root_m1
-        else:
-            reached = self.growth(h) * (
-                self.of((x1, v1, x2, v2)) + h * length(self.root_m1 * push_1, self.root_m2 * push_2)
-            )
-            found[V1], found[V2] = reached / self.root_m1, reached / self.root_m2
-        found[X1], found[X2] = found[X1] + h * found[V1], found[X2] + h * found[V2]
+        for V in self.pushes:
+            if V not in self.moved:
+                found[V] += h * dot(self.pushes[V], found)
+                found[V - 1] += h * found[V]
+        if self.moved:
+            kept = [one if k | 1 in self.moved else arb(0) for k, one in enumerate(z[:FIRST])]
+            pushed = length(*(root * dot(self.pushes[V], found) for V, root in self.moved.items()))
+            reached = self.growth(h) * (self.of(kept) + h * pushed)
+            for V, root in self.moved.items():
+                found[V] = reached / root
+                found[V - 1] += h * found[V]
         return [one.upper() for one in found]
 
 
 def length(*numbers: arb) -> arb:
     """Return a bound on the root of the sum of squares."""
     return sum((one * one for one in numbers), arb(0)).abs_upper().sqrt().upper()
+
+
+def dot(row: BallRow, z: Sequence[arb]) -> arb:
+    """Return the value of a row."""
+    return sum((c * z[place] for place, c in row), arb(0))
 
 
 def value(row: Row, z: arb_mat) -> arb:

@@ -59,9 +59,13 @@ class Tables(NamedTuple):
     flow: Any
     """(kinds, 2, 4, n): the state at the end of a step."""
     sums: Any
-    """(kinds, 2, 2, ORDERS, n): what rounding and truncation do to a guard without its first p coefficients, in roundings."""
+    """(kinds, 2, 2, ORDERS, 2, n): what rounding and truncation do to a guard without its first p coefficients, in
+    roundings: at the start of a step, and at its end."""
     own: Any
-    """(kinds, 2, 2, 3, n): the same of the state in N, of x1 and of x2, by a whole step and by a part of it."""
+    """(kinds, 2, 3, 3, n): the same of the state in N, of x1 and of x2, by a whole step and by a part of it, the latter
+    at the start and at the end."""
+    shrink: Any
+    """(kinds,): by which factor a step of two motions that stick makes N of their difference smaller, if it does."""
 
 
 @compilable
@@ -86,8 +90,9 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
         np.zeros((kinds, 2, 6, n, terms)),
         np.zeros((kinds, 2, 6, n), dtype=np.int64),
         np.zeros((kinds, 2, 4, n)),
-        np.zeros((kinds, 2, 2, ORDERS, n)),
-        np.zeros((kinds, 2, 2, 3, n)),
+        np.zeros((kinds, 2, 2, ORDERS, 2, n)),
+        np.zeros((kinds, 2, 3, 3, n)),
+        np.ones(kinds),
     )
 
 
@@ -122,7 +127,7 @@ def form_mode(tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exa
     h = step_of(A, places, longest)
     tables.h[at] = h
     own[:, :, :] = 0.0
-    row, cut, counts, total = np.zeros(n), np.zeros(n), np.zeros((ORDERS, n)), np.zeros((n, 2))
+    row, cut, counts, total = np.zeros(n), np.zeros(n), np.zeros((ORDERS, 2, n)), np.zeros((n, 2))
     for index in range(STATE + 1 + mode):
         row[:] = 0.0
         if index < STATE:
@@ -133,26 +138,41 @@ def form_mode(tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exa
         expand(A, places, h, row, table, total, cut)
         count_roundings(table, n, exactness, cut, counts, tables.degrees[at][index])
         if index >= STATE:
-            tables.sums[at][index - STATE, :, :n] = counts
+            tables.sums[at][index - STATE, :, :, :n] = counts
             continue
         for j in range(n):
             tables.flow[at][index, j] = total[j, 0]
-            whole, part = (n + 4) * abs(total[j, 0]) + cut[j] / UNIT, counts[0, j]
-            own[0, 0, j] += scale[index] * whole
-            own[1, 0, j] += scale[index] * part
-            if index % 2 == 0:
-                own[0, 1 + index // 2, j] += whole
-                own[1, 1 + index // 2, j] += part
+            whole = (n + 4) * abs(total[j, 0]) + cut[j] / UNIT
+            for k, size in enumerate((whole, counts[0, 0, j], counts[0, 1, j])):
+                own[k, 0, j] += scale[index] * size
+                if index % 2 == 0:
+                    own[k, 1 + index // 2, j] += size
     for j in range(n):  # what an entry of A is off by is a force
         bent = 3.0 * exactness * h * (scale[1] * abs(A[V1, j]) + scale[3] * abs(A[V2, j]))
-        own[:, 0, j] += bent
-        own[:, 1, j] += h * bent / scale[1]
-        own[:, 2, j] += h * 3.0 * exactness * h * abs(A[V2, j])
+        for k in (0, 2):
+            own[k, 0, j] += bent
+            own[k, 1, j] += h * bent / scale[1]
+            own[k, 2, j] += h * 3.0 * exactness * h * abs(A[V2, j])
         for g in range(2):
             rate = 0.0
             for i in range(n):
                 rate += tables.guards[kind, g, i] * A[i, j]
             tables.rates[at][g, j] = rate
+    if mode == STICK:
+        tables.shrink[kind] = shrinking(tables.flow[at], norm)
+
+
+@compilable
+def shrinking(flow: Any, norm: Norm) -> float:
+    """Return the norm of the flow of (x1, v1) in stick, in which N^2 is a2 x1^2 + M v1^2; at most 1."""
+    root_mass = math.hypot(norm.root_m1, norm.root_m2)
+    one, four = flow[X1, X1], flow[V1, V1]
+    if norm.root_m2 == 0.0 or norm.root_a2 == 0.0:
+        return 1.0
+    two, three = flow[X1, V1] * norm.root_a2 / root_mass, flow[V1, X1] * root_mass / norm.root_a2
+    square, determinant = one * one + two * two + three * three + four * four, one * four - two * three
+    inner = max(square * square - 4.0 * determinant * determinant, 0.0)
+    return min(1.0, math.sqrt((square + math.sqrt(inner)) / 2.0) * (1.0 + 1e-12) + 1e-15)
 
 
 @compilable
@@ -196,17 +216,20 @@ def expand(A: Any, places: Any, h: float, row: Any, table: Any, total: Any, cut:
 
 @compilable
 def count_roundings(table: Any, n: int, exactness: float, cut: Any, counts: Any, degrees: Any) -> None:
-    """Count the terms of each series, and its roundings without the first p terms at the end of a step.
+    """Count the terms of each series, and its roundings without the first p terms, at the start and end of a step.
 
     The term of (t/h)^k is rounded 2 k + n + 6 times in all sums, and off by k entries of A and one of the row.
     """
     for j in range(n):
         degrees[j] = 0
         for p in range(ORDERS):
-            counts[p, j] = cut[j] / UNIT
+            counts[p, 0, j], counts[p, 1, j] = 0.0, cut[j] / UNIT
         for k in range(table.shape[1]):
             term = abs(table[j, k])
             if term > 0.0:
                 degrees[j] = k + 2 - k % 2
+                weighted = (2 * k + n + 6 + exactness * (k + 1)) * term
+                if k < ORDERS:
+                    counts[k, 0, j] = weighted
                 for p in range(min(k + 1, ORDERS)):
-                    counts[p, j] += (2 * k + n + 6 + exactness * (k + 1)) * term
+                    counts[p, 1, j] += weighted

@@ -11,12 +11,11 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
 from math import perm
-from typing import Any
 
-from numerics.linear.model import FORCE, FRICTION, LOAD, STICK
+from numerics.linear.model import FORCE, FRICTION
 from numerics.linear.pieces import ExactPiece, polynomial_at
 from numerics.linear.sine_form import SineForm
-from numerics.linear.system import LinearMode
+from numerics.linear.system import LinearMode, Row, sparse
 from numerics.scene import Pair, Piece
 
 MARGINAL = 10**9
@@ -28,9 +27,9 @@ def force_form(piece: Piece | ExactPiece, local: Fraction, order: int = 0) -> Si
     return _value(piece if isinstance(piece, Piece) else piece.signals[FORCE], piece.start, local, order)
 
 
-def signal_form(piece: ExactPiece, which: int, local: Fraction) -> SineForm:
-    """Return a signal at a time in a piece (s), exact."""
-    return _value(piece.signals[which], piece.start, local)
+def signal_form(piece: ExactPiece, which: int, local: Fraction, order: int = 0) -> SineForm:
+    """Return a derivative of a signal at a time in a piece (s), exact."""
+    return _value(piece.signals[which], piece.start, local, order)
 
 
 def _value(signal: Piece, start: Fraction, local: Fraction, order: int = 0) -> SineForm:
@@ -61,22 +60,22 @@ def exact_z(piece: ExactPiece, side: int, local: Fraction, state: Sequence[SineF
     return [*state, *chain.from_iterable(kinds)]
 
 
-def applied(row: Sequence[Any], z: Sequence[SineForm]) -> SineForm:
+def applied(row: Row, z: Sequence[SineForm]) -> SineForm:
     """Return the value of a row."""
-    return sum((one * c for one, c in zip(z, row, strict=True) if c), SineForm())
+    return sum((z[place] * c for place, c in row), SineForm())
 
 
 def derivatives(mode: LinearMode, local: Fraction, state: Sequence[SineForm]) -> Iterator[list[SineForm]]:
     """Yield the derivatives of z along a mode from a time in its piece (s), from z itself on, as many as decide all."""
-    z = exact_z(mode.piece, mode.side, local, state)
+    z, A = exact_z(mode.piece, mode.side, local, state), [sparse(row) for row in mode.generator()]
     for _ in range(mode.size + 1):
         yield z
-        z = [applied(row, z) for row in mode.generator()]
+        z = [applied(row, z) for row in A]
 
 
 def load_form(pair: Pair, piece: ExactPiece, local: Fraction, state: Sequence[SineForm]) -> SineForm:
     """Return the load, N, exact."""
-    return applied(LinearMode(pair, 0, piece).rows.others[LOAD], exact_z(piece, 0, local, state))
+    return applied(LinearMode(pair, 0, piece).load, exact_z(piece, 0, local, state))
 
 
 def mode_after(
@@ -86,7 +85,7 @@ def mode_after(
     stick = LinearMode(pair, 0, piece)
     if literal:
         return 0, 0
-    tied = dict(zip((1, -1), stick.rows.guards[STICK], strict=True))
+    tied = dict(zip((1, -1), stick.guards, strict=True))
     for k, z in enumerate(derivatives(stick, local, state)):
         for side, row in list(tied.items()):
             sign = applied(row, z).sign()

@@ -18,7 +18,7 @@ from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.rows import require_times
-from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
+from numerics.trajectory.run import MAX_EVENTS, Progress, run_scene
 from numerics.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ _SPARE_DIGITS = 4
 _HAS, _WORTH_A_TRY = 16, 15
 """Digits that float64 has before a run; right digits up to which it is tried."""
 _MOST_IN_BALLS = 10_000
-"""With more events float64's open sequence stands: balls would take minutes."""
+"""With more events what float64 has stands, also without digits: balls would take minutes."""
 _FLOAT64 = Float64()
 _LADDER: tuple[Arithmetic, ...] = (_FLOAT64, Ball(34), Ball(68), Ball(136), Ball(560))
 """What decides a sequence, and finds digits, in the order in which they are tried."""
@@ -81,9 +81,8 @@ def solve(  # type: ignore[misc]  # the options are those below
     Digits of a time are relative to that time; all others are relative to the largest such quantity along the run
     (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest |velocity|.
 
-    With `arithmetic`: "float64" only, where the free pair's events may stay undecided (Trajectory.certain); "ball" with
-    `digits` or 15 proved digits; "mpmath" with `digits` or 30, without bounds: a second, independent computation of the
-    free pair (a1 = 0, no force, constant b), and of no other scene.
+    With `arithmetic`: "float64" only; "ball" with `digits` or 15 proved digits; "mpmath" with `digits` or 30, without
+    bounds: a second, independent computation of the free pair (a1 = 0, no force, constant b), and of no other scene.
 
     `max_digits`: limit on working digits; float64 keeps its 15 under any limit.
     `t_eval`: times (s), in order, at which `t`, `y` and `energy` are given, instead of at the events.
@@ -153,31 +152,28 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
 
 
 def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
-    """Return a trajectory in float64; where its bounds leave the events open, or no digit, in the next arithmetic.
+    """Return a trajectory in float64; where its bound leaves the events open, or no digit, in the next arithmetic.
 
-    The last one that is sure of the events, or else the first, where none has a right digit of everything.
+    The first one that knows the events, where none has a right digit of everything.
     """
     best: Trajectory | None = None
     refused: NumericsError | None = None
     tried: list[str] = []
     for arithmetic in _ladder(limits):
-        if arithmetic.digits > _LADDER[-1].digits and (best is None or not best.certain):
+        if best is None and arithmetic.digits > _LADDER[-1].digits:
             break  # more digits than these are for numbers, not for events
-        if arithmetic.name == "ball" and best is not None and best.record.events > _MOST_IN_BALLS:
+        if best is not None and best.record.events > _MOST_IN_BALLS:
             break
         try:
             found = limits.run(scene, arithmetic)
         except (EventUndecided, OutOfRange) as error:
-            if isinstance(error, OutOfRange) and free_scene(scene):
-                raise
             refused = error
             tried.append(f"{arithmetic.name} with {arithmetic.digits} digits: {error}")
             continue
-        if found.certain and not found.without_digits:
+        if not found.without_digits:
             return found.but(tried="; ".join(tried)) if tried else found
-        best = found if best is None or found.certain else best
-        blank = f"has no right digit of the {' and '.join(found.without_digits)}"
-        tried.append(f"{arithmetic.name} {blank if found.certain else 'leaves the sequence of events open'}")
+        best = found if best is None else best
+        tried.append(f"{arithmetic.name} has no right digit of the {' and '.join(found.without_digits)}")
     if best is None:
         raise refused or EventUndecided("which event comes next", "", 0)
     return best.but(tried="; ".join(tried))
@@ -207,10 +203,9 @@ def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
             reached = found.right_digits
             if reached >= digits:
                 return found.but(digits=digits, tried=f"float64 has {reached} right digits by its error bounds")
-            if found.certain and reached:
+            if reached:
                 guard = _HAS + _SPARE_DIGITS - reached
-            blank = f"has {reached} right digits by its error bounds"
-            tried = f"float64 {blank if found.certain else 'leaves the sequence of events open'}; "
+            tried = f"float64 has {reached} right digits by its error bounds; "
     balls = _solve_to_digits(scene, digits, guard, limits)
     return balls.but(tried=f"{tried}{digits} are asked for")
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from numerics.linear.cells import cells_of
-from numerics.scene import Pair
 from numerics.trajectory.columns import Array, Counts, Floats
+from numerics.trajectory.events import energy_in_floats
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -39,11 +39,12 @@ class Curve(NamedTuple):
     """Force on body 1, N; where it jumps there are two points."""
     b: Floats
     """Friction that the interface gives in slip, and can give in stick, N."""
-
-    def load(self, pair: Pair) -> Floats:
-        """Return the friction force on body 2 that sticking needs, m2 (u - a2 x1 - a1 v1)/M, N."""
-        pull = self.u - float(pair.a2) * self.y[0] - float(pair.a1) * self.y[1]
-        return np.asarray(float(pair.m2 / pair.mass) * pull)
+    load: Floats
+    """Friction force on body 2 that sticking needs, N."""
+    friction: Floats
+    """Friction force on body 2, N: by the mode, since rounding gives v1 - v2 a sign of its own at an event."""
+    energy: Floats
+    """J"""
 
 
 def sampled(trajectory: Rows) -> Curve:
@@ -51,30 +52,33 @@ def sampled(trajectory: Rows) -> Curve:
 
     At a jump of u or b, as at an event, there are two points.
     """
-    pair, number, cells = trajectory.scene.pair, trajectory.floats, cells_of(trajectory.scene)
+    scene, number, cells = trajectory.scene, trajectory.floats, cells_of(trajectory.scene)
     with trajectory.arithmetic.context():
         lengths, excess = number(trajectory.row_lengths), trajectory.row_excess
-        pieces = trajectory.row_pieces[: len(lengths)]
-    fastest = [max([float(pair.a2 / pair.m1) ** 0.5, *(float(s.omega) for s in p.sines)]) for p in trajectory.pieces]
-    radians = lengths * np.array(fastest)[pieces]
+    own = float(scene.pair.a2 / scene.pair.m1) ** 0.5
+    fastest = [max([own, *(float(s) for one in p.layout.omegas for s in one)]) for p in trajectory.pieces]
+    radians = lengths * np.array(fastest)[trajectory.row_pieces[: len(lengths)]]
     parts = _parts(radians)
     at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
-    since = lengths[at] * share
-    changed = trajectory.row_changes(at, since, integrals=True)
-    y, taken, u = trajectory.row_numbers[1][:, at] + changed[:4], changed[4:6], changed[7]
-    b = np.array([float(piece.b) for piece in trajectory.pieces])[pieces[at]]
+    since, stick = lengths[at] * share, trajectory.row_signs[at] == 0
+    found = trajectory.row_changes(at, since, integrals=True)
+    y, (u, load, kinetic, edge), taken = number(trajectory.row_states)[:, at] + found[:4], found[4:8], found[8:10]
     if cells is not None:
-        b *= cells.relative(y[1] - y[3], y[0] - y[2])
+        edge = edge * cells.relative(y[1] - y[3], y[0] - y[2])
     ends = np.cumsum(parts + 1) - 1
     lost = np.insert(np.cumsum(taken[:, ends], axis=1), 0, 0.0, axis=1)[:, at] + taken
     segment = np.searchsorted(trajectory.event_rows, at, side="right")
     t = number(trajectory.row_times)[at] + since
-    unit = float(pair.critical_energy)
-    w = pair.energy(y, float) / unit - 1
-    if excess is not None:
-        w = number(excess)[at] - taken[0] / unit  # keeps its digits where E/E_cr - 1 cancels
-    return Curve(t, y, w, lost, segment, (parts >= _FEWEST * radians)[at], trajectory.row_signs[at] == 0, u, b)
+    energy = energy_in_floats(scene, t, y)
+    w = np.full(len(t), np.nan)
+    if trajectory.has_critical_energy:
+        unit = float(scene.pair.critical_energy)
+        # where it is carried it keeps its digits where E/E_cr - 1 cancels
+        w = energy / unit - 1 if excess is None else number(excess)[at] - taken[0] / unit
+    b, friction = np.where(stick, edge, np.abs(kinetic)), np.where(stick, load, kinetic)
+    resolved = (parts >= _FEWEST * radians)[at]
+    return Curve(t, y, w, lost, segment, resolved, stick, u, b, load, friction, energy)
 
 
 def _parts(radians: Floats) -> Counts:

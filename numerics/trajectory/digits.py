@@ -14,13 +14,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
 
-from numerics.arithmetic.ball import EXACT, digits_within
+from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.linear.errors_of import JUDGED, errors_of
 from numerics.linear.pieces import starts_of
@@ -29,18 +30,18 @@ from numerics.scene import Pair
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
-from numerics.trajectory.rows import Rows
 
 ROUNDING = 2.0**-53
 """Of one operation in float64."""
 _ZERO_BITS = 3
 """A ball that holds 0 has no more accurate bits than that."""
 
+_STATE = slice(AT["x1"], AT["v2"] + 1)
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 """Where the bounds of x1, v1, x2, v2 stand in a row."""
 
 
-def proved_digits(trajectory: Rows) -> int:
+def proved_digits(trajectory: Any) -> int:
     """Return how many digits the balls of a trajectory leave right: of every event, and of the end."""
     with trajectory.context():
         values = list(_enclosed(trajectory))
@@ -51,17 +52,24 @@ def proved_digits(trajectory: Rows) -> int:
         return min((digits_within(value.rad(), value, scale) for value, scale in worst), default=EXACT)
 
 
-def _enclosed(trajectory: Rows) -> Iterator[tuple[arb, arb]]:
+def _enclosed(trajectory: Any) -> Iterator[tuple[arb, arb]]:
     """Yield every number that a trajectory in balls states, with the scale to which a zero is compared."""
-    frame = trajectory.frame
-    scales = (frame.length, frame.speed, frame.length, frame.speed)
+    x, v, energy = _scales(trajectory)
     for t in trajectory.event_times:
         yield t, t
     for state in (*trajectory.event_states.T, trajectory.final_state):
-        yield from zip(state, scales, strict=True)
-    energy, (excess,) = trajectory.final_energy, trajectory.row_end("excess")
-    yield energy, frame.critical_energy
-    yield energy / frame.critical_energy - 1 if excess is None else excess, trajectory.arithmetic.number(1)
+        yield from zip(state, (x, v, x, v), strict=True)
+    _, _, _, _, *ends = trajectory.end_numbers()
+    yield from zip(ends, (energy, trajectory.arithmetic.number(1)), strict=False)
+
+
+def _scales(trajectory: Any) -> tuple[arb, arb, arb]:
+    """Return L, L Omega and E_cr; of a pair without them the largest position, speed and energy along the run."""
+    if trajectory.has_frame:
+        frame = trajectory.frame
+        return frame.length, frame.speed, frame.critical_energy
+    x, v = (_largest(trajectory.y[k::2].ravel()) for k in range(2))
+    return x, v, _largest(trajectory.energy)
 
 
 @dataclass(frozen=True, repr=False)
@@ -86,7 +94,8 @@ class Accuracy(ShortRepr):
     @property
     def bounded(self) -> bool:
         """Return whether the sequence of events is certain and every bound a number."""
-        bounds = [*self.t, *self.y.ravel(), *self.final, self.energy, self.energy_excess, self.dissipated]
+        excess = [] if math.isnan(self.energy_excess) else [self.energy_excess]  # without E_cr there is none
+        bounds = [*self.t, *self.y.ravel(), *self.final, self.energy, *excess, self.dissipated]
         return self.certain and bool(np.all(np.isfinite(bounds)))
 
 
@@ -108,30 +117,42 @@ def _weights(pair: Pair) -> tuple[tuple[float, float, float], float]:
     return (float(pair.a2), float(pair.m1), 0.0 if pair.is_fixed else float(pair.m2)), critical
 
 
-def judged(trajectory: Rows) -> Judged:
-    """Return what the bounds of a run in floats leave."""
+def judged(trajectory: Any) -> Judged:
+    """Return what the bounds of a run in floats leave, or the balls of another one; mpmath knows nothing."""
+    if trajectory.bounded:
+        return _judged_floats(trajectory)
+    found = _judged_balls(trajectory) if trajectory.arithmetic.name == "ball" else (0, ())
+    return Judged(np.empty(0), math.nan, math.nan, *found)
+
+
+def _judged_floats(trajectory: Any) -> Judged:
     record, scene = trajectory.record, trajectory.scene
     judge = compiled(errors_of) if compiles_now() else errors_of
     weights, critical = _weights(scene.pair)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
+    if scene.wall.pieces:  # the spring is longer or shorter than x1
+        end = record.end[_STATE]
+        x1, stretched = abs(float(end[0])), abs(float(end[0] - float(scene.wall(Fraction(trajectory.end_time)))))
+        energy += (
+            weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
+        )
+        excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
     digits, without = _digits(worst.tolist(), MOST_DIGITS)
     return Judged(late, energy, excess, digits if trajectory.certain else 0, without)
 
 
-def judged_balls(trajectory: Rows) -> tuple[int, tuple[str, ...]]:
-    """Return how many digits the balls of a run leave right, relative as in floats, and what has none."""
+def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
     with trajectory.context():
-        frame, excess = trajectory.frame, trajectory.row_excess
-        states = np.column_stack([trajectory.row_states, trajectory.final_state])
-        energies = trajectory.scene.pair.energy(states, trajectory.arithmetic.number)
-        carried = [] if excess is None else [*excess, *trajectory.row_end("excess")]
+        states, energies, pair = trajectory.y, trajectory.energy, trajectory.scene.pair
         x, v = (states[k::2].ravel() for k in range(2))
-        far = _largest(x)
+        far: arb = _largest(x)
+        carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
+        rate = Ball.number(pair.a2 / (pair.m1 if pair.is_fixed else pair.mass)).sqrt()
         worst = [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
             _relative(x, far),
-            _relative(v, _largest(v), frame.rate * far),
+            _relative(v, _largest(v), rate * far),
             _relative(energies[-1:], _largest(energies)),
             _relative(carried[-1:], _largest(carried)),
         ]
@@ -163,8 +184,8 @@ def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
     return min(digits), tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == 0)
 
 
-def accuracy_of(trajectory: Rows, found: Judged) -> Accuracy:
+def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
     record, (late, energy, excess, digits, _) = trajectory.record, found
-    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2.0 * float(trajectory.taken[6])
+    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2 * trajectory.ledger.error
     return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)

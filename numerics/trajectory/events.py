@@ -1,20 +1,29 @@
 """What a trajectory consists of: segments in one mode, the events between them, and where the energy went.
 
-E' = u v1 - a1 v1^2 - b |v1 - v2| is integrated anew between the rows of a record, each time from the state of a row
-over the length that the run says: an engine that put an event, or the state at it, in a wrong place leaves a residual.
-Quadratic forms of z' = A z are integrated by Van Loan's block exponential, what is slid is the flow itself.
+Powers are integrated anew between the rows of a record, each time from the state of a row over the length that the run
+says (flow.py, in float64 linear/ledger.py): an engine that put an event, or the state at it, in a wrong place leaves a
+residual.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import reduce
 
 import numpy as np
+from flint import arb
 
+from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
+from numerics.linear.engine import ledger_of as taken_of_floats
 from numerics.linear.modes import EventKind, Mode
+from numerics.linear.record import ROW, How, Record
+from numerics.scene import Piece, Scene
 from numerics.scene.short_repr import ShortRepr
+from numerics.trajectory.columns import Array, Floats
 from numerics.trajectory.rows import Rows
 
 
@@ -38,7 +47,7 @@ class Event(ShortRepr):
     before: Mode
     after: Mode
     y: tuple[Number, Number, Number, Number]
-    reduced: ReducedState = field(repr=False)
+    reduced: ReducedState | None = field(repr=False)
     cause: str = "guard"
 
 
@@ -78,25 +87,25 @@ class Segment(ShortRepr):
 
     def losses(self) -> tuple[Number, Number]:
         """Return what friction and viscosity take in it, b int |v1 - v2| and a1 int v1^2, J."""
-        rows = np.array(self.rows)
-        friction, viscous, _ = self.run.row_losses(rows, self.run.row_lengths[rows]).sum(axis=1)
+        friction, viscous, *_ = taken_in(self.run, self.rows)
         return friction, viscous
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class EnergyLedger(ShortRepr):
-    """Where the energy went, J: initial - final against b int |v1 - v2| dt + a1 int v1^2 dt.
+    """Where the energy went, J: initial - final against what friction and damper took and what acts put in.
 
-    `work` is what a force has put in, int u v1 dt. `residual` = initial + work - final - friction - viscous: rounding
-    only, and an enclosure of 0 for balls. The integrals start anew from the state at each event, so that an
+    `friction` is b int |v1 - v2| dt (on a belt too), `viscous` a1 int (v1 - y')^2 dt. `force`, `force_2`, `belt` and
+    `wall` are the works of what acts, `work` their sum. `residual` = initial + work - final - friction - viscous:
+    rounding only, and an enclosure of 0 for balls. The integrals start anew from the state at each event, so that an
     event at the wrong place shows.
 
     >>> from numerics import load_scene, solve
     >>> books = solve(load_scene("velocities")).ledger
     >>> [round(float(one), 6) for one in (books.initial, books.final, books.friction, books.viscous, books.work)]
     [0.01125, 2.9e-05, 0.011221, 0.0, 0.0]
-    >>> abs(books.residual) < 1e-15
-    True
+    >>> abs(books.residual) < 1e-15, books.force, books.force_2, books.belt, books.wall
+    (True, 0.0, 0.0, 0.0, 0.0)
     """
 
     initial: Number
@@ -104,12 +113,94 @@ class EnergyLedger(ShortRepr):
     friction: Number
     viscous: Number
     residual: Number
-    work: Number = 0
+    work: Number
+    force: Number
+    force_2: Number
+    belt: Number
+    wall: Number
+    error: float
+    """A bound on the errors of what is integrated, in float64; 0 for balls and mpmath."""
 
 
 def ledger_of(run: Rows) -> EnergyLedger:
     """Return the ledger of the whole run; in the arithmetic's context."""
-    lengths, zero = run.row_lengths, run.arithmetic.number(0)
-    friction, viscous, work = (sum(part.tolist(), zero) for part in run.row_losses(np.arange(len(lengths)), lengths))
-    initial, final = run.arithmetic.number(run.scene.energy), run.final_energy
-    return EnergyLedger(initial, final, friction, viscous, initial + work - final - friction - viscous, work)
+    rows = range(len(run.row_lengths))
+    friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
+    wall = wall + _by_jumps_of_the_wall(run, rows)
+    initial, final = (energy_of(run, *at)[0] for at in _ends(run))
+    work = force + force_2 + belt + wall
+    residual = initial + work - final - friction - viscous
+    return EnergyLedger(initial, final, friction, viscous, residual, work, force, force_2, belt, wall, error)
+
+
+def taken_in(run: Rows, rows: range) -> list[Number]:
+    """Return what is taken and given (model.TAKEN) in some rows, J, and in floats a bound on the error of each."""
+    if not run.bounded:
+        zero, lengths = run.arithmetic.number(0), run.row_lengths[rows.start : rows.stop]
+        return [*(sum(part.tolist(), zero) for part in run.row_taken(np.array(rows, dtype=int), lengths)), 0.0]
+    record, end = run.record, run.record.end.copy()
+    if rows.stop < len(record.rows):
+        end[:ROW] = record.rows[rows.stop]
+    part = Record(record.rows[rows.start : rows.stop], end, How.REACHED, 0)
+    found: list[Number] = taken_of_floats(run.scene, part).tolist()
+    return found
+
+
+def energy_of(run: Rows, t: Array, y: Array) -> Array:
+    """Return the energy of states at times, J: of the spring by its length; in the arithmetic's context."""
+    if run.bounded:
+        return energy_in_floats(run.scene, t, y)
+    x1, *others = y
+    if run.scene.wall.pieces:
+        x1 = x1 - np.array([wall_at(run, one) for one in t])
+    return np.asarray(run.scene.pair.energy((x1, *others), run.arithmetic.number))
+
+
+def energy_in_floats(scene: Scene, t: Floats, y: Floats) -> Floats:
+    """Return the same in binary64."""
+    x1, *others = y
+    if scene.wall.pieces:
+        x1 = x1 - np.array([float(scene.wall(Fraction(one))) for one in t.tolist()])
+    return np.asarray(scene.pair.energy((x1, *others), float))
+
+
+def wall_at(run: Rows, t: Number, side: int = 1) -> Number:
+    """Return the displacement of the wall, m; of a ball of times all that it may be."""
+    wall = run.scene.wall
+    if run.bounded:
+        return float(wall(Fraction(t), side))
+    low, high = (exact_middle(one) for one in (t.lower(), t.upper()))
+    acting = {
+        wall.piece_at(low, side),
+        wall.piece_at(high, side),
+        *(one for one in wall.pieces if low < one.start < high),
+    }
+    found = [_value_in_balls(one, t) for one in acting]
+    return reduce(lambda one, two: one.union(two), found)
+
+
+def _value_in_balls(piece: Piece, t: arb) -> arb:
+    value, since = arb(0), t - Ball.number(piece.start)
+    for coefficient in reversed(piece.polynomial):
+        value = value * since + Ball.number(coefficient)
+    for sine in piece.sines:
+        value += Ball.number(sine.amplitude) * (Ball.number(sine.omega) * t + Ball.number(sine.phase)).sin()
+    return value
+
+
+def _by_jumps_of_the_wall(run: Rows, rows: range) -> Number:
+    """Return what jumps of the wall put into the spring, J."""
+    total, pieces, a2 = run.arithmetic.number(0), run.row_pieces, run.scene.pair.a2
+    begun = [
+        k for k in rows if k and pieces[k] != pieces[k - 1] and run.pieces[pieces[k]].start in run.scene.wall.starts
+    ]
+    for k in begun:
+        t, x1 = run.arithmetic.number(run.pieces[pieces[k]].start), run.row_states[0, k]
+        before, after = (x1 - wall_at(run, t, side) for side in (-1, 1))
+        total += run.arithmetic.number(a2 / 2) * (after - before) * (after + before)
+    return total
+
+
+def _ends(run: Rows) -> Iterator[tuple[Array, Array]]:
+    yield np.array([run.arithmetic.number(0)]), run.row_states[:, :1]
+    yield np.array([run.end_time]), np.array(run.final_state, dtype=run.row_states.dtype)[:, None]

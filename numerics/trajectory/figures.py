@@ -16,7 +16,6 @@ from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Law
 from numerics.trajectory.curve import Curve, sampled
 from numerics.trajectory.export import word
-from numerics.trajectory.solution import Solution
 
 BLUE, ORANGE, GREEN, PURPLE, GRAY = "#0072B2", "#D55E00", "#009E73", "#7B4FA3", "#999999"
 """Body 1, body 2, friction, the force, stick; told apart without red and green. What is of no body is black."""
@@ -47,7 +46,7 @@ _TURNS = 9
 """Turns of the spring that is drawn."""
 
 
-def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
+def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
     """Draw into matplotlib axes, new ones if none are given, and return them.
 
     Kinds: "velocities" and "positions" of both bodies against time; "load", the friction that sticking needs, and what
@@ -90,7 +89,7 @@ def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> 
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
-def _against_time(trajectory: Solution, curve: Curve, ax: Any) -> None:
+def _against_time(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Label the time axis, and shade the times at which the bodies stick over the whole height of the axes.
 
     Of thousands of phases the first ones would be too narrow to see on a linear axis.
@@ -105,7 +104,7 @@ def _against_time(trajectory: Solution, curve: Curve, ax: Any) -> None:
         ax.fill_between(curve.t, 0, 1, where=curve.stick, transform=across, color=GRAY, alpha=0.25, lw=0, label="stick")
 
 
-def _mark_events(trajectory: Solution, ax: Any, across: int, up: int) -> None:
+def _mark_events(trajectory: Any, ax: Any, across: int, up: int) -> None:
     """Mark the events at row `up` of t, x1, v1, x2, v2, against row `across` of them."""
     if len(trajectory.events) > _MOST_MARKED:
         return
@@ -115,39 +114,33 @@ def _mark_events(trajectory: Solution, ax: Any, across: int, up: int) -> None:
             ax.plot(rows[across], rows[up], marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
-def _velocities(trajectory: Solution, curve: Curve, ax: Any) -> None:
+def _velocities(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[1], **FIRST)
     ax.plot(curve.t, curve.y[3], **SECOND)
     _mark_events(trajectory, ax, 0, 2)
 
 
-def _positions(_: Solution, curve: Curve, ax: Any) -> None:
+def _positions(_: Any, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[0], **FIRST)
     ax.plot(curve.t, curve.y[2], **SECOND)
 
 
-def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
+def _load(_: Any, curve: Curve, ax: Any) -> None:
     ax.fill_between(curve.t, -curve.b, curve.b, **_ENOUGH)
-    ax.plot(curve.t, curve.load(trajectory.scene.pair), **_NEEDED)
+    ax.plot(curve.t, curve.load, **_NEEDED)
 
 
-def _force(_: Solution, curve: Curve, ax: Any) -> None:
+def _force(_: Any, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.u, color=PURPLE, lw=1.2)
 
 
-def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
-    """Return the friction force on body 2, N: by the mode, since rounding gives w a sign of its own at an event."""
-    signs = np.array([mode.sign for mode in trajectory.modes])[curve.segment]
-    return np.where(curve.stick, curve.load(trajectory.scene.pair), curve.b * signs)
-
-
-def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
+def _friction(_: Any, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
     w = curve.y[1] - curve.y[3], "$v_1 - v_2$ (m/s)"
-    _plane(curve, ax, w, friction_on_body_2(trajectory, curve))
+    _plane(curve, ax, w, curve.friction)
 
 
-def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
+def _phase(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1, and S0 where it stays."""
     _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1], **FIRST)
     _mark_events(trajectory, ax, 1, 2)
@@ -155,7 +148,7 @@ def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
         _sliding_region(trajectory.scene.pair, ax)
 
 
-def _relative(_: Solution, curve: Curve, ax: Any) -> None:
+def _relative(_: Any, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1 - v2: on S that is 0, and a cycle of stick and slip closes."""
     _plane(curve, ax, (curve.y[0], "$x_1$ (m)"), curve.y[1] - curve.y[3])
 
@@ -192,8 +185,9 @@ def _sliding_region(pair: Any, ax: Any) -> None:
         ax.plot(half_width * np.cos(angle), speed * np.sin(angle), **_CRITICAL)
 
 
-def _excess(_: Any, curve: Curve, ax: Any) -> None:
-    """Draw what the energy has above E_cr, or lacks below it, on whole decades."""
+def _excess(trajectory: Any, curve: Curve, ax: Any) -> None:
+    """Draw what the energy has above E_cr, or lacks below it, on whole decades. Raises InvalidScene without E_cr."""
+    _ = trajectory.scene.pair.half_width, trajectory.scene.pair.critical_energy
     sizes = np.abs(curve.w[np.isfinite(curve.w) & (curve.w != 0)])
     if not len(sizes):
         ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
@@ -207,23 +201,24 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
     ax.set_ylim(10 ** np.floor(np.log10(sizes.min()) - 0.05), 10 ** np.ceil(np.log10(sizes.max()) + 0.05))
 
 
-def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
-    pair, (friction, viscous) = trajectory.scene.pair, curve.lost
-    energy = pair.energy(curve.y, float)
-    work = energy - energy[0] + friction + viscous
-    if not trajectory.scene.is_forced:
-        ax.axhline(float(pair.critical_energy), **_CRITICAL)
+def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
+    """Draw the ledger: what acts has put in, what is left of it, and what friction and viscosity took."""
+    scene, (friction, viscous) = trajectory.scene, curve.lost
+    work = curve.energy - curve.energy[0] + friction + viscous
+    pushing = " ".join(name for name, pieces in scene.pieces.items() if pieces and name != "friction")
+    if not scene.is_forced:
+        ax.axhline(float(scene.pair.critical_energy), **_CRITICAL)
     for acts, label, part, color, dashes in (
-        (curve.u.any(), "work of the force", work, PURPLE, "-"),
-        (True, "energy of the pair", energy, "black", "-"),
+        (pushing, f"work of {_ACTING.get(pushing, 'what acts')}", work, PURPLE, "-"),
+        (True, "energy of the pair", curve.energy, "black", "-"),
         (True, "lost to friction", friction, GREEN, "--"),
-        (pair.a1 > 0, "lost to viscosity", viscous, "black", ":"),
+        (scene.pair.a1 > 0, "lost to viscosity", viscous, "black", ":"),
     ):
         if acts:
             ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
 
 
+_ACTING = {"force": "the force", "force_2": "the force on body 2", "belt": "the belt", "wall": "the wall"}
 _KINDS = {
     "velocities": ("Velocities of both bodies", "$v_1$, $v_2$ (m/s)", _velocities),
     "positions": ("Positions of both bodies", "$x_1$, $x_2$ (m)", _positions),
@@ -238,7 +233,7 @@ _KINDS = {
 """Title, label of what is drawn upwards, and what draws it."""
 
 
-def overview(trajectory: Solution) -> Any:
+def overview(trajectory: Any) -> Any:
     """Return a matplotlib figure: velocities, positions, load, phase portrait and energy, titled by the scene.
 
     Under a force it shows u(t) too.
@@ -294,7 +289,7 @@ def explain_below(figure: Any) -> None:
         figure.legend(handles, shown, loc="outside lower center", ncols=across, fontsize="small")
 
 
-def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
+def animate(trajectory: Any, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
 
     def drawn(times: Any, y: Any) -> Drawn:

@@ -1,78 +1,52 @@
-"""A run as its rows, read off the record: when the segments begin, in which state, where it ends; and any time between.
+"""A run as its rows, read off the record: when segments begin, in which state, where it ends; and any time between.
 
-Which row's segment holds a time, and the flow from that row's state (flow.py).
+Which row's segment holds a time, and the motion from that row's state (flow.py).
 """
 
 from __future__ import annotations
 
-import math
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
 from typing import Any, Literal
 
 import numpy as np
 
-from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in
-from numerics.linear.engine import ledger_of
-from numerics.linear.modes import MODES, Mode
+from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
+from numerics.linear.modes import MODES
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
-from numerics.linear.record import AT, How, Knot, Record, tabulate
+from numerics.linear.record import AT, How, Record
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.scene.decimals import short, shown
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
-from numerics.trajectory.flow import Moving, changes
+from numerics.trajectory.flow import Moving, signals_at, steps_of
 
 Side = Literal["left", "right"]
-_KNOT = {name: place for place, name in enumerate(Knot._fields)}
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 
 class Rows(Answer):
-    """A scene, the arithmetic it was solved in, and the rows of its record, in SI units and in numbers."""
+    """A scene, the arithmetic it was solved in, and the rows of its record, in SI units."""
 
     def __init__(self, scene: Scene, arithmetic: Arithmetic, record: Record) -> None:
         """Keep what a run wrote."""
         self.scene, self.arithmetic, self.record = scene, arithmetic, record
         self.bounded, self._is_ball = arithmetic.name == "float64", arithmetic.name == "ball"
 
-    @cached_property
-    def _tables(self) -> tuple[dict[str, int], Array, Array]:
-        """Return where columns stand in the rows of the record and in that of the end; of knots both are made."""
-        rows, end, *_ = self.record
+    # ------------------------------------------------------------------ rows
+    def row_column(self, name: str) -> Array:
+        """Return a column of all rows, that of the end last: floats, or an object array."""
+        rows, end = self.record.rows, self.record.end
         if isinstance(rows, np.ndarray):
-            return AT, rows, end
-        *table, end = (one[:-1] for one in (*rows, end))
-        return _KNOT, np.array(table, dtype=object), np.array(end, dtype=object)
-
-    def row_code(self, name: str) -> Array:
-        """Return a code of all rows."""
-        at, rows, _ = self._tables
-        return rows[:, at[name]]
-
-    def row_table(self, *names: str) -> Array:
-        """Return some numbers of all rows, a line each: floats, or an object array."""
-        return self._read(self._tables[1], names)
-
-    def row_end(self, *names: str) -> list[Number]:
-        """Return numbers of the end; of floats also what friction or viscosity took up to there (J)."""
-        found: list[Number] = self._read(self._tables[2].reshape(1, -1), names).ravel().tolist()
-        return found
-
-    def _read(self, rows: Array, names: tuple[str, ...]) -> Array:
-        return np.asarray(rows.T[[self._tables[0][name] for name in names]])
-
-    @cached_property
-    def taken(self) -> Floats:
-        """Return what was taken and given in a run in floats (linear/model.py TAKEN), J, and a bound on their errors."""
-        return ledger_of(self.scene, self.record)
+            return np.append(rows[:, AT[name]], end[AT[name]])
+        return np.array([getattr(one, name) for one in (*rows, end)], dtype=object)
 
     @property
     def reached(self) -> bool:
@@ -86,121 +60,72 @@ class Rows(Answer):
 
     @property
     def pieces(self) -> Sequence[ExactPiece]:
-        """Return the pieces of force and friction, exact."""
+        """Return the pieces of all signals, exact."""
         return pieces_of(self.scene)
 
     @cached_property
     def row_signs(self) -> Counts:
         """Return the mode that starts at each row, the sign of v1 - v2."""
-        return self.row_code("mode").astype(np.int64)
+        return self.row_column("mode")[:-1].astype(np.int64)
 
     @cached_property
     def row_pieces(self) -> Counts:
         """Return the piece in which each row is."""
-        return self.row_code("piece").astype(np.int64)
-
-    @cached_property
-    def row_modes(self) -> tuple[Array, Counts]:
-        """Return all (piece, sign, cell of friction) in which rows begin (linear/cells.py), and each row's one."""
-        rows = self.record.rows
-        cells = np.array([PLAIN] * len(rows) if isinstance(rows, np.ndarray) else [one.cell for one in rows])
-        all_rows = np.column_stack([self.row_pieces, self.row_signs, cells])
-        modes, which = np.unique(all_rows, axis=0, return_inverse=True)
-        return modes, which.ravel()
-
-    def row_mode(self, which: int) -> LinearMode:
-        """Return one of the linear modes in which rows begin."""
-        piece, sign, *cell = self.row_modes[0][which].tolist()
-        return mode_in(self.scene, self.pieces[piece], sign, (cell[0], cell[1]))
-
-    @cached_property
-    def row_numbers(self) -> tuple[Floats, Floats]:
-        """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
-        return self.floats(self.row_table("local")[0]), self.floats(self.row_states)
+        return self.row_column("piece")[:-1].astype(np.int64)
 
     @cached_property
     def row_times(self) -> Array:
         """Return when each row's segment begins, s."""
-        return self._begun(slice(None))
-
-    def _begun(self, which: slice | Counts) -> Array:
-        """Return when the segments of some rows begin, s."""
-        rows, pieces = self._tables[1][which], self.row_pieces[which]
+        local = self.row_column("local")[:-1]
         if not self.row_pieces.any():
-            return self._read(rows, ("local",))[0]
+            return local
         if self.bounded:
-            return np.asarray(starts_of(self.scene)[0, pieces] + rows[:, AT["local"]])
+            return np.asarray(starts_of(self.scene)[0, self.row_pieces] + local)
         with self.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
-            return np.asarray(starts[pieces] + self._read(rows, ("local",))[0])
+            return np.asarray(starts[self.row_pieces] + local)
 
     @cached_property
+    def _states(self) -> Array:
+        return np.array([self.row_column(name) for name in STATE])
+
+    @property
     def row_states(self) -> Array:
         """Return x1, v1, x2, v2 at each row, shape (4, n)."""
-        return self.row_table(*STATE)
+        return self._states[:, :-1]
+
+    @property
+    def final_state(self) -> tuple[Number, Number, Number, Number]:
+        """Return (x1, v1, x2, v2) at the end."""
+        x1, v1, x2, v2 = self._states[:, -1].tolist()
+        return x1, v1, x2, v2
 
     @cached_property
     def row_excess(self) -> Array | None:
-        """Return E/E_cr - 1 at each row, accurate in itself; None where a run does not carry it (free/ alone does)."""
-        if self.bounded:
-            return None
-        found = self.row_table("excess")[0]
-        return None if found[0] is None else found
+        """Return E/E_cr - 1 at each row and at the end; None where a run does not carry it (free/ alone does)."""
+        found = None if self.bounded else self.row_column("excess")
+        return None if found is None or found[0] is None else found
 
     @cached_property
     def row_lengths(self) -> Array:
         """Return how long the segment of each row lasts, s."""
-        after, last = self.row_table("length")[0, 1:], self.row_end("length")
-        return np.append(after, last) if self.reached else after
+        after = self.row_column("length")[1:]
+        return after if self.reached else after[:-1]
 
     @cached_property
     def event_rows(self) -> Counts:
         """Return the rows at which the mode has changed: the events."""
-        return np.flatnonzero(self.row_code("event"))
-
-    @cached_property
-    def _table(self) -> tuple[Counts, Array]:
-        """Return the rows at which segments start, and t, x1, v1, x2, v2 there and at a horizon that was reached."""
-        record, count = self.record, self.record.events + 1
-        if self.bounded:
-            read = compiled(tabulate) if compiles_now() else tabulate
-            return read(record.rows, record.end, count, starts_of(self.scene)[0], float(self.scene.until), self.reached)
-        at = np.append(0, self.event_rows)
-        table = np.vstack([self._begun(at), self._read(self._tables[1][at], STATE)])
-        return at, np.column_stack([table, [self.end_time, *self.final_state]]) if self.reached else table
-
-    @property
-    def signs(self) -> list[int]:
-        """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
-        signs: list[int] = self.row_code("mode")[self._table[0]].tolist()
-        return signs
+        return np.flatnonzero(self.row_column("event")[:-1])
 
     @property
     def event_times(self) -> Array:
         """Return the times of all events, s, shape (k,)."""
-        return self._table[1][0, 1 : self.record.events + 1]
+        return self.row_times[self.event_rows]
 
     @property
     def event_states(self) -> Array:
         """Return x1, v1, x2, v2 at all events, shape (4, k)."""
-        return self._table[1][1:, 1 : self.record.events + 1]
-
-    @property
-    def final_mode(self) -> Mode:
-        """Return the mode at the end: after the last event, where the cap on events ended the run."""
-        return MODES[float(self._tables[2][self._tables[0]["mode"]])]
-
-    @cached_property
-    def final_state(self) -> tuple[Number, Number, Number, Number]:
-        """Return (x1, v1, x2, v2) at the end."""
-        x1, v1, x2, v2 = self.row_end(*STATE)
-        return x1, v1, x2, v2
-
-    @cached_property
-    def final_energy(self) -> Number:
-        """Return the energy at the end, J, formed from the state."""
-        with self.context():
-            return self.scene.pair.energy(self.final_state, self.arithmetic.number)
+        return self.row_states[:, self.event_rows]
 
     @cached_property
     def end_time(self) -> Number:
@@ -208,12 +133,31 @@ class Rows(Answer):
         with self.context():
             return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
 
+    @property
+    def has_critical_energy(self) -> bool:
+        """Whether the pair has L and E_cr: a spring and friction."""
+        return bool(self.scene.pair.a2 and self.scene.pair.b)
+
+    @property
+    def has_frame(self) -> bool:
+        """Whether the pair has reduced coordinates: L, E_cr, and a total mass."""
+        return self.has_critical_energy and not self.scene.pair.is_fixed
+
     @cached_property
     def frame(self) -> Frame:
-        """Return the constants of the pair, between SI units and reduced coordinates of its own b."""
+        """Return the constants of the pair, between SI units and reduced coordinates of its own b.
+
+        Raises InvalidScene where the pair has none.
+        """
         with self.context():
+            _ = self.scene.pair.mass, self.scene.pair.critical_energy
             return Frame(self.arithmetic, self.scene.pair)
 
+    @property
+    def _critical(self) -> Number:
+        return self.arithmetic.number(self.scene.pair.critical_energy)
+
+    # ------------------------------------------------------------------ times
     def _times(self, t: Any) -> Array:
         """Return times (s) as numbers of the arithmetic, in their shape. Raises ValueError outside [0, end]."""
         try:
@@ -272,21 +216,6 @@ class Rows(Answer):
         found = [MODES[sign] for sign in self.row_signs[self.row_at(t, side)]]
         return np.array(found, dtype=object).reshape(np.shape(t))[()]
 
-    def _excess(self, t: Any, side: Side) -> Number:
-        """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
-
-        What friction took since the last event is subtracted from what it was there: such a pair has no damper.
-        """
-        carried, unit = self.row_excess, self.frame.critical_energy
-        if carried is None:
-            return None
-
-        def left(rows: Counts, since: Array) -> Array:
-            return np.asarray(carried[rows] - self.row_losses(rows, since)[0] / unit)
-
-        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
-        return found
-
     def row_values(self, function: Callable[..., Array], times: Array, side: Side) -> Array:
         """Return a function of rows and of the times since they began at times of the run.
 
@@ -309,34 +238,83 @@ class Rows(Answer):
         """Return how long after the starts of their rows times are, s."""
         if not self.bounded:
             return np.asarray(times - self.row_times[rows])
-        starts = np.array([float(piece.start) for piece in self.pieces])
-        return np.asarray(np.maximum((times - starts[self.row_pieces[rows]]) - self.row_table("local")[0][rows], 0.0))
+        start, below = starts_of(self.scene)[:, self.row_pieces[rows]]
+        local, rest = (self.row_column(name)[rows] for name in ("local", "local_rest"))
+        return np.asarray(np.maximum((times - start) - local - (below + rest), 0.0))
+
+    # ------------------------------------------------------------------ the motion
+    @cached_property
+    def _modes(self) -> tuple[list[LinearMode], Counts]:
+        """Return the linear modes in which rows begin, and the index of each row's one."""
+        rows = self.record.rows
+        cells = np.array([PLAIN] * len(rows) if isinstance(rows, np.ndarray) else [one.cell for one in rows])
+        all_rows = np.column_stack([self.row_pieces, self.row_signs, cells])
+        kinds, which = np.unique(all_rows, axis=0, return_inverse=True)
+        found = [mode_in(self.scene, self.pieces[k], sign, (i, j)) for k, sign, i, j in kinds.tolist()]
+        return found, which.ravel()
+
+    def row_mode(self, row: int) -> LinearMode:
+        """Return the linear mode in which a row begins."""
+        return self._modes[0][self._modes[1][row]]
+
+    def row_motion(self, row: int) -> Moving:
+        """Return the motion of a row's segment; not for binary64."""
+        return Moving(self.arithmetic, self.row_mode(row), self.row_states[:, row].tolist(), self.row_times[row])
 
     def row_flow(self, rows: Counts, since: Array) -> Array:
         """Return the states at times (s) after the starts of rows, shape (4, n); in the arithmetic's context."""
         if self.bounded:
-            return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:4])
+            return np.asarray(self.row_states[:, rows] + self.row_changes(rows, since)[:FIRST])
         return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
 
-    def row_losses(self, rows: Counts, since: Array) -> Array:
-        """Return b int |v1 - v2|, a1 int v1^2 and int u v1 from the starts of rows on for times (s), J, (3, n)."""
+    def row_taken(self, rows: Counts, since: Array) -> Array:
+        """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J, (6, n)."""
         if self.bounded:
-            return self.row_changes(rows, since, integrals=True)[4:7]
-        return _columns([self.row_motion(row).losses(tau) for row, tau in zip(rows, since, strict=True)])
+            return self.row_changes(rows, since, integrals=True)[FIRST + 4 :]
+        return _columns([self.row_motion(row).taken(tau) for row, tau in zip(rows, since, strict=True)])
 
-    def row_motion(self, row: int) -> Moving:
-        """Return the motion of a row's segment; not for binary64."""
-        mode, state = self.row_mode(self.row_modes[1][row]), self.row_states[:, row].tolist()
-        return Moving(self.arithmetic, mode, state, self.row_times[row])
+    @cached_property
+    def _begun(self) -> tuple[Floats, Floats, Floats]:
+        """Return when each row begins in its piece, s, what its rounding left out, and its state, in binary64."""
+        local = self.floats(self.row_column("local"))
+        rest = self.row_column("local_rest") if self.bounded else 0.0 * local
+        return local, rest, self.floats(self.row_states)
 
-    def row_changes(self, rows: Counts, tau: Floats, *, integrals: bool = False) -> Floats:
-        """Return `changes` (flow.py) of the motions from rows on, row by row for a time (s); in binary64."""
-        (local, y), found, which = self.row_numbers, np.zeros((8, len(tau))), self.row_modes[1][rows]
-        for one in np.unique(which):
-            chosen = which == one
-            begun = local[rows[chosen]], y[:, rows[chosen]]
-            found[:, chosen] = changes(self.row_mode(one), begun, tau[chosen], integrals)
+    def row_changes(self, rows: Counts, since: Floats, *, integrals: bool = False) -> Floats:
+        """Return by how much the state changes from rows on for a time (s), what acts then, and what was TAKEN.
+
+        In binary64, shape (14, n). What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
+        """
+        (local, rest, y), found, (modes, which) = self._begun, np.zeros((FIRST + 10, len(since))), self._modes
+        for kind, chosen in _groups(modes, which[rows]):
+            z = np.zeros((kind.size, len(chosen)))
+            z[:FIRST] = y[:, rows[chosen]]
+            for one in np.unique(own := which[rows[chosen]]):
+                its = rows[chosen[own == one]]
+                z[FIRST:, own == one] = signals_at(modes[one], local[its], rest[its])
+            top = int(np.frexp(since[chosen].max(initial=0.0))[1])
+            steps = steps_of(kind.pair, kind.layout, bool(kind.side), kind.cell, top)
+            changed, taken = steps.over(z, since[chosen], integrals)
+            found[:FIRST, chosen], found[FIRST + 4 :, chosen] = changed[:FIRST], taken
+            found[FIRST : FIRST + 4, chosen] = _acting(kind) @ (z + changed)
         return found
+
+
+def _groups(modes: list[LinearMode], which: Counts) -> Iterator[tuple[LinearMode, Counts]]:
+    """Yield a mode of every kind, which one matrix A moves, and where in `which` modes are of that kind."""
+    kinds: dict[Any, tuple[LinearMode, list[int]]] = {}
+    for one in np.unique(which).tolist():
+        key = modes[one].layout, bool(modes[one].side), modes[one].cell
+        kinds.setdefault(key, (modes[one], []))[1].append(one)
+    for mode, its in kinds.values():
+        yield mode, np.flatnonzero(np.isin(which, its))
+
+
+def _acting(mode: LinearMode) -> Floats:
+    """Return the rows of u, of the load that sticking needs, of the friction force in slip, and of the edge, (4, n)."""
+    force, others = np.zeros(mode.size), mode.rows.others
+    add_signal(force, mode.layout.blocks[FORCE], 1.0)
+    return np.array([force, *others[[LOAD, KINETIC, EDGE]].astype(float)])
 
 
 def _columns(found: list[Any]) -> Array:

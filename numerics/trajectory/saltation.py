@@ -1,43 +1,42 @@
-"""The chain rule along a trajectory of balls: derivatives from leg to leg, across events and jumps of u and b.
+"""The chain rule along a trajectory of balls: derivatives from leg to leg, across events and jumps of signals.
 
 Along a motion of one mode derivatives at a fixed time follow the linearised equation (variation.py). Between two
 motions, with f- and f+ the field y' on either side, they jump:
 
-    guard   dtau = -(g_y dy + g_p)/g',   dy+ = dy- + (f- - f+) dtau   (g = v1 - v2, or b - s m2 x1'')
+    guard   dtau = -(dg)/g',   dy+ = dy- + (f- - f+) dtau   (dg at a fixed time; g a row of z, as in model.py)
     piece   its start is a number of the scene: dtau = 1 by that number, else 0
 
-At an event, which moves, the state has the derivatives dy- + f- dtau. An exit by a guard leaves f as it is.
+At an event, which moves, the state has the derivatives dy- + f- dtau. An exit by a guard leaves f as it is, but for
+friction that is larger at rest.
 
-At a fixed time two solutions of the linearised equations never part in the norm
-
-    N^2 = a2 y1^2 + m1 y2^2 + m2 y4^2
-
-across all events. So what is carried on are points, with bounds that are sums of local radii; of x1 - x2, which N does
-not know, the bound grows by that of |v1 - v2| in a slip. Where friction depends on the state N grows at the rate of
-each cell (cells.py), and a crossing of a knot, where the field is continuous, is no jump.
+At a fixed time two solutions of the linearised equations never part in the norm of model.py across all events. So what
+is carried on are points, with bounds that are sums of local radii; of x1, where there is no spring, and of x1 - x2,
+which N does not know, the bound grows by that of a velocity. Where friction depends on the state N grows at the rate of
+each cell (cells.py), and a crossing of a knot, where the field is continuous, is no jump. A belt says its velocity.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache, partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
-from numerics.linear.cells import cells_of, mode_in
+from numerics.linear.cells import cells_of
+from numerics.linear.model import DRIVEN, EDGE, FIRST, FRICTION, KINETIC, LOAD, WALL, Bodies
 from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.system import LocalNorm
-from numerics.linear.ties import force_form
+from numerics.linear.system import LinearMode, LocalNorm
+from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
-from numerics.trajectory.variation import Leg, Variation
+from numerics.trajectory.variation import SIGNALS, Leg, Variation
 
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
@@ -45,10 +44,11 @@ _widened = np.frompyfunc(widened, 2, 1)
 
 
 class CarriedDerivatives(NamedTuple):
-    """Derivatives of the state at a fixed time, (4, p), with bounds (p,) on their errors: in N, and of x1 - x2."""
+    """Derivatives of the state at a fixed time, (4, p), with bounds (p,) on their errors: in N, of x1, of x1 - x2."""
 
     y: Array
     norm: Array
+    far: Array
     place: Array
 
 
@@ -60,26 +60,28 @@ class Chain:
     """
 
     def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
-        """Follow all legs; `names` are those of all numbers, the last axis of every array."""
+        """Follow all legs; `names` are those of the numbers, the last axis of every array."""
         self.scene, self.legs, self.pieces, self.cells = scene, legs, pieces_of(scene), cells_of(scene)
         self.column = {name: index for index, name in enumerate(names)}
-        pair, number = scene.pair, Ball.number
-        self.a2, self.m1, self.m2, self.a1, self.mass = map(number, (pair.a2, pair.m1, pair.m2, pair.a1, pair.mass))
-        self.roots = [one.sqrt() for one in (self.a2, self.m1, self.m2)]
-        self.variation = cache(partial(Variation, scene, self.column))
+        self.bodies, self.is_fixed = Bodies.of(scene.pair), scene.pair.is_fixed
+        self.variation, self.norms = cache(partial(Variation, scene, self.column)), dict[Any, LocalNorm]()
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
         y = self._zeros(4)
-        y[range(4), [self.column[name] for name in STATE]] = arb(1)
+        for place, name in enumerate(STATE):
+            if name in self.column:
+                y[place, self.column[name]] = arb(1)
+        y = self._driven(legs[0], y)
         if legs[0].side == 0:  # stuck neighbours share their momentum at once
-            y[1] = y[3] = (self.m1 * y[1] + self.m2 * y[3]) / self.mass
-        self.starts = [self._into_piece(CarriedDerivatives(y, self._zeros(), self._zeros()), 0)]
+            y[1] = y[3] = Ball.number(self.bodies.share_1) * y[1] + Ball.number(self.bodies.share_2) * y[3]
+        zeros = self._zeros()
+        self.starts = [self._into_piece(CarriedDerivatives(y, zeros, zeros, zeros), 0)]
         self.starts.extend(map(self._crossed, range(len(legs) - 1)))
 
     def at(self, index: int, tau: arb) -> Array:
         """Return the derivatives of the state at a fixed time, tau (s) after the start of a leg, enclosed, (4, p)."""
-        return self._enclosed(self._ahead(index, tau))
+        return self._enclosed(self._ahead(index, tau), self._norm(self.legs[index]))
 
     def final(self, state: Sequence[arb]) -> Array:
         """Return the derivatives of the last state, whose value is given, (4, p)."""
@@ -88,85 +90,121 @@ class Chain:
             return self.y[-1]
         y = self.at(len(self.legs) - 1, last.end - last.start)
         if "until" in self.column:
-            y[:, self.column["until"]] += self._field(self.pieces[last.piece], last.end, state, last)
+            y[:, self.column["until"]] += self._of(last).field(state, last.end)
         return y
 
-    def energy(self, state: Sequence[arb], y: Array) -> Array:
-        """Return the derivatives of (a2 x1^2 + m1 v1^2 + m2 v2^2)/2, J, from those of a state, (p,)."""
-        x1, v1, _, v2 = state
-        found = y[0] * (self.a2 * x1) + y[1] * (self.m1 * v1) + y[3] * (self.m2 * v2)
-        for name, value in (("a2", x1), ("m1", v1), ("m2", v2)):
-            found[self.column[name]] += value * value / 2
+    def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array | None = None) -> Array:
+        """Return the derivatives of the energy, J, (p,), from those of a state at a time in a leg, and of that time."""
+        (now, (x1, v1, x2, v2)), pair, number = at, self.scene.pair, Ball.number
+        wall, stretched = self._zeros(), x1
+        if self.scene.wall.pieces:
+            mode = self._of(leg)
+            z, moved = mode.begun((x1, v1, x2, v2), now, y)
+            row = np.full(len(z), arb(0))
+            for place, factor in mode.mode.signal(WALL):
+                row[place] = number(factor)
+            stretched, wall = x1 - row @ z, wall + row @ moved
+            speed = row @ (mode.A @ z)
+            wall = wall + speed * t if t is not None else wall
+            if t is None and "until" in self.column:
+                wall[self.column["until"]] += speed
+        found = (y[0] - wall) * (number(pair.a2) * stretched) + y[1] * (number(pair.m1) * v1)
+        if not self.is_fixed:
+            found = found + y[3] * (number(pair.m2) * v2)
+        for name, value in (("a2", stretched), ("m1", v1), ("m2", v2)):
+            if name in self.column:
+                found[self.column[name]] += value * value / 2
         return found
 
     def _zeros(self, *rows: int) -> Array:
         return np.full((*rows, len(self.column)), arb(0))
 
+    def _of(self, leg: Leg) -> Variation:
+        return self.variation(leg.piece, leg.side, leg.cell)
+
+    def _norm(self, leg: Leg) -> LocalNorm:
+        mode = self._of(leg).mode
+        key = mode.layout, bool(leg.side), mode.cell
+        if key not in self.norms:
+            self.norms[key] = LocalNorm(mode, self.cells.pulling if self.cells else None)
+        return self.norms[key]
+
+    def _driven(self, leg: Leg, y: Array) -> Array:
+        """Return derivatives of a state at the start of a leg with those of the belt's velocity, if there is a belt."""
+        if not self.is_fixed:
+            return y
+        mode, found = self._of(leg), +y
+        row = np.array([Ball.number(one) for one in mode.rows.others[DRIVEN]])
+        found[3] = row @ mode.begun(leg.state, leg.start, y)[1]
+        if not leg.side:
+            found[1] = found[3]
+        return found
+
     def _ahead(self, index: int, tau: arb) -> CarriedDerivatives:
         """Return the derivatives tau (s) after the start of a leg: of the point that is carried, and the bounds."""
-        leg, (y, norm, place) = self.legs[index], self.starts[index]
-        flow, columns = self.variation(leg.piece, leg.side, leg.cell).over(leg.state, leg.start, tau)
-        if self.cells and leg.side:
-            mode = self.cells.mode(self.pieces[leg.piece], leg.side, leg.cell)
-            norm = norm * LocalNorm(mode, self.cells.pulling).growth(tau.abs_upper())
-        return CarriedDerivatives(
-            flow @ y + columns, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side)
-        )
+        leg, (y, norm, far, place), own = self.legs[index], self.starts[index], self._norm(self.legs[index])
+        ahead = self._of(leg).over(leg.state, leg.start, tau, y)
+        norm = norm * own.growth(tau.abs_upper())
+        place = place + norm * own.kappa * abs(tau) * abs(leg.side)
+        return CarriedDerivatives(ahead, norm, far + norm / own.root_m1 * abs(tau), place)
 
-    def _guard_by_norm(self, side: int) -> arb:
-        """Return the most that |v1 - v2| in slip, or m2 x1'' in stick, can be for N = 1."""
-        if side:
-            return (self.mass / (self.m1 * self.m2)).sqrt()
-        return self.m2 / self.mass * (self.a2 + self.a1 * self.a1 / self.mass).sqrt()
-
-    def _pointed(self, found: CarriedDerivatives) -> CarriedDerivatives:
+    def _pointed(self, found: CarriedDerivatives, norm: LocalNorm) -> CarriedDerivatives:
         """Return the middles of balls, their radii added to the bounds."""
         x1, v1, x2, v2 = _radius(found.y)
-        norm = found.norm + x1 * self.roots[0] + v1 * self.roots[1] + v2 * self.roots[2]
-        if self.cells:
-            norm = norm + (x1 + x2) * Ball.number(self.cells.pulling).sqrt()
-        return CarriedDerivatives(_middle(found.y), norm, found.place + x1 + x2)
+        off = found.norm + x1 * norm.root_a2 + v1 * norm.root_m1 + v2 * norm.root_m2 + (x1 + x2) * norm.root_g
+        return CarriedDerivatives(_middle(found.y), off, found.far + x1, found.place + x1 + x2)
 
-    def _enclosed(self, found: CarriedDerivatives) -> Array:
+    def _enclosed(self, found: CarriedDerivatives, norm: LocalNorm) -> Array:
         """Return balls that hold the true derivatives."""
-        x1, v1, v2 = (found.norm / root for root in self.roots)
-        return _widened(found.y, np.array([x1, v1, found.place + x1, v2]))
+        x1 = found.norm / norm.root_a2 if norm.root_a2 > 0 else found.far
+        v2 = 0 * found.norm if self.is_fixed else found.norm / norm.root_m2
+        return _widened(found.y, np.array([x1, found.norm / norm.root_m1, found.place + x1, v2]))
 
     def _crossed(self, index: int) -> CarriedDerivatives:
         """Return the derivatives at the start of the next leg; those of an event are kept."""
         leg, after = self.legs[index], self.legs[index + 1]
         ended = self._ahead(index, after.start - leg.start)
         if after.begins_piece:
-            return self._into_piece(ended, index + 1)
-        return self._after_guard(leg, after, ended) if after.is_event else self._pointed(ended)
+            found = self._into_piece(ended, index + 1)
+        elif after.is_event:
+            found = self._after_guard(leg, after, ended)
+        else:
+            found = self._pointed(ended, self._norm(leg))
+        return found._replace(y=self._driven(after, found.y)) if self.is_fixed else found
 
     def _after_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> CarriedDerivatives:
         """Return the derivatives after an event by a guard."""
-        piece, enclosed = self.pieces[leg.piece], self._enclosed(ended)
-        before, behind = (self._field(piece, after.start, after.state, one) for one in (leg, after))
-        by_state, by_numbers, rate = self.variation(leg.piece, leg.side, leg.cell).guard(after, before)
-        t = -(by_state @ ended.y + by_numbers) / rate
-        off = ended.norm * self._guard_by_norm(leg.side) + ended.place * abs(by_state[2])
+        norm, here = self._norm(leg), (after.state, after.start)
+        enclosed, end = self._enclosed(ended, norm), self._of(after._replace(side=after.side or 1))
+        end = self.variation(after.piece, 1, (0, after.cell[1])) if self.cells and not leg.side else end
+        before, behind = (self._of(one).field(*here) for one in (leg, after))
+        by_state, moved, rate = self._of(leg).guard(end, after.side, *here, ended.y)
+        t = -moved / rate
+        off = ended.norm * norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
+        off = off + (ended.far * abs(by_state[0] + by_state[2]) if not norm.root_a2 > 0 else 0)
         late = _widened(t, off / abs(rate))
         y, total = enclosed + np.outer(before, late), ended.y + np.outer(before, t)
         if leg.side:
             y[1], total[1] = y[3], total[3]  # a slip ends where both velocities are one
+        if leg.side or self.bodies.static != 1:
             ended = ended._replace(y=total - np.outer(behind, t))
         self._keep(late, y, enclosed)
-        return self._pointed(ended)
+        return self._pointed(ended, norm)
 
     def _into_piece(self, found: CarriedDerivatives, index: int) -> CarriedDerivatives:
         """Return the derivatives at the start of a leg that begins a piece; those of an event are kept."""
-        enclosed, t, y = self._enclosed(found), self._zeros(), +found.y
+        norm = self._norm(self.legs[index])
+        enclosed, t, y = self._enclosed(found, norm), self._zeros(), +found.y
         moving = +enclosed
         for name, (before, after) in self._jumps(index).items():
-            place = self.column[name]
-            t[place] += 1
-            moving[:, place] += before
-            y[:, place] += before - after
+            if name in self.column:
+                place = self.column[name]
+                t[place] += 1
+                moving[:, place] += before
+                y[:, place] += before - after
         if self.legs[index].is_event:
             self._keep(t, moving, enclosed)
-        return self._pointed(found._replace(y=y))
+        return self._pointed(found._replace(y=y), norm)
 
     def _keep(self, t: Array, y: Array, before: Array) -> None:
         """Keep the derivatives of the time and the state of an event, and of the state right before it."""
@@ -177,40 +215,82 @@ class Chain:
     def _jumps(self, index: int) -> dict[str, tuple[Array, Array]]:
         """Return y' before and after each start at the beginning of a leg that begins a piece, by its name.
 
-        Where u and b jump together, each does so after the other. What does not jump, or does nothing in stick, is left
-        out. Raises NotDifferentiable if the order of two jumps counts.
+        Where signals jump together, each does so after the others. What does not jump, or does nothing in stick, is
+        left out. Raises NotDifferentiable if the order of two jumps counts.
         """
         leg, last, scene = self.legs[index], self.legs[max(index - 1, 0)], self.scene
         here, at, literal = self.pieces[leg.piece], (leg.start, leg.state), scene.law is Law.THREE_VALUED_SGN
-        # before the run there is no force, and the pair's own b
-        still = replace(here, signals=(Piece(0), *here.signals[1:])).with_friction(scene.pair.b)
-        before = self.pieces[last.piece] if index else still
-        jumping = []  # with the starts of all such pieces, and the piece in front of this jump alone
-        if force_form(before, before.length) != force_form(here, Fraction(0)):
-            jumping.append(("force", scene.force.starts, before.with_friction(here.b)))
-        if before.b != here.b:
-            jumping.append(("friction", scene.friction.starts, here.with_friction(before.b)))
-        fields = [self._field_from_contact(alone, *at) for *_, alone in jumping]
-        if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
-            when = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
+        before = self.pieces[last.piece] if index else _in_front(here, scene)
+        # of signals that begin here, and whose start counts
+        names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
+        jumping = [k for k in names if _jumps_at(before, here, k)]
+        alone = [_with(here, k, before) for k in jumping]  # the piece in front of each jump alone
+        fields = [self._field_from_contact(one, *at) for one in alone]
+        if index and len(jumping) > 1 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
+            both = " and ".join(SIGNALS[k] for k in jumping)
+            when = f"at t = {float(leg.start):.6g} s {both} both jump, and which of them comes first"
             raise NotDifferentiable(f"this scene has no derivatives: {when} counts; change one of them slightly")
         found, after = {}, self._field(here, *at, leg)
-        for (kind, starts, alone), (from_contact, _) in zip(jumping, fields, strict=True):
-            name = f"{kind}[{bisect_left(starts, here.start)}].from"
-            if not index and scene.initial.v1 == scene.initial.v2 and not literal:
+        for k, one, (from_contact, _) in zip(jumping, alone, fields, strict=True):
+            name = names[k]
+            if not index and scene.initial.v1 == scene.initial.v2 and not literal and not self.is_fixed:
                 found[name] = from_contact, after
-            elif kind == "force" or leg.side or last.side:
-                found[name] = self._field(alone, *at, last), after
+            elif k != FRICTION or leg.side or last.side:
+                found[name] = self._field(one, *at, last), after
         return found
 
     def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> Array:
-        """Return (v1, v1', v2, v2') of a state in the mode of a leg at a time, s."""
-        motion = mode_in(self.scene, piece, leg.side, leg.cell).motion(state, t)
-        return np.array(motion.rate(motion.begin).entries()[:4])
+        """Return (x1, v1, x2, v2)' of a state in the mode of a leg, under a piece."""
+        mode = LinearMode(self.scene.pair, leg.side, piece)
+        if self.cells and leg.side:
+            mode = self.cells.mode(piece, leg.side, leg.cell)
+        state = list(state)
+        if self.is_fixed:
+            z = mode.begin(state, t)
+            state[3] = _dot(mode.rows.others[DRIVEN], z)
+            state[1] = state[1] if leg.side else state[3]
+        motion = mode.motion(state, t)
+        return np.array(motion.rate(motion.begin).entries()[:FIRST])
 
     def _field_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb]) -> tuple[Array, bool]:
         """Return the same in the mode that follows v1 = v2, and whether that is surely a stick."""
-        v1, rate, v2, _ = self._field(piece, t, state, self.legs[0]._replace(side=0))
-        held = self.cells.held(piece, state[0] - state[2]) if self.cells else Ball.number(piece.b)
-        push = (self.m2 * rate).min(held).max(-held)
-        return np.array([v1, (self.mass * rate - push) / self.m1, v2, push / self.m2]), abs(self.m2 * rate) < held
+        mode = LinearMode(self.scene.pair, 0, piece)
+        z, others = mode.begin(state, t), mode.rows.others
+        load, edge, b = (_dot(others[k], z) for k in (LOAD, EDGE, KINETIC))
+        if self.cells:
+            edge = b = self.cells.held(piece, state[0] - state[2])
+        surely, held = abs(load) < edge, self._field(piece, t, state, self.legs[0]._replace(side=0))
+        push = load if surely else load.min(b).max(-b)
+        one, two = (Ball.number(k) * (load - push) for k in (self.bodies.inverse_1, self.bodies.inverse_2))
+        return held + np.array([arb(0), one, arb(0), -two]), bool(surely)
+
+
+def _dot(row: Array, z: Sequence[arb]) -> arb:
+    return sum((Ball.number(c) * one for c, one in zip(row, z, strict=True)), arb(0))
+
+
+def _starts(scene: Scene, at: Fraction) -> Iterator[str]:
+    """Yield of every signal the name of the start that is at a time; "" if there is none."""
+    for name, pieces in scene.pieces.items():
+        k = bisect_left(pieces, at, key=lambda one: one.start)
+        yield f"{name}[{k}].from" if k < len(pieces) and pieces[k].start == at else ""
+
+
+def _in_front(here: ExactPiece, scene: Scene) -> ExactPiece:
+    """Return what is before the run: no signals, and the pair's own b."""
+    nothing = Piece(0)
+    return replace(here, signals=(nothing, nothing, nothing, nothing, Piece(0, (scene.pair.b,))))
+
+
+def _with(here: ExactPiece, k: int, before: ExactPiece) -> ExactPiece:
+    """Return a piece with one signal of another, moved to its time."""
+    signals = list(here.signals)
+    signals[k] = before.signals[k].moved(here.start) if before.start <= here.start else before.signals[k]
+    return replace(here, signals=tuple(signals))
+
+
+def _jumps_at(before: ExactPiece, here: ExactPiece, k: int) -> bool:
+    """Return whether a signal jumps where a piece begins; of belt and wall its derivative counts, too."""
+    orders = 2 if SIGNALS[k] in {"belt", "wall"} else 1
+    ends = (here.start - before.start, here.start - here.start)
+    return any(signal_form(before, k, ends[0], n) != signal_form(here, k, ends[1], n) for n in range(orders))

@@ -20,7 +20,7 @@ together, each is moved alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
@@ -35,6 +35,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
+from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
@@ -50,6 +51,8 @@ _GUARD_BITS = 64
 _TRIES = 6
 """So many times the precision is raised at most."""
 _TABLE_DIGITS = 6
+_MOST_PIECES = 100
+"""A signal of more pieces is a table: nobody asks for the derivatives by all of its samples."""
 
 
 @dataclass(frozen=True)
@@ -82,18 +85,23 @@ class Sensitivity:
 
 
 @overload
-def sensitivities(trajectory: Trajectory) -> Sensitivity: ...
+def sensitivities(trajectory: Trajectory, *, wrt: Sequence[str] | None = None) -> Sensitivity: ...
 
 
 @overload
-def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right") -> Array: ...
+def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right", wrt: Sequence[str] | None = None) -> Array: ...
 
 
-def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -> Sensitivity | Array:
+def sensitivities(
+    trajectory: Trajectory, t: Any = None, side: Side = "right", wrt: Sequence[str] | None = None
+) -> Sensitivity | Array:
     """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
 
+    `wrt` are names of `parameters(scene)`, in the order of the last axis; only these are computed. Left out: all of
+    them, but for the numbers of a signal of more than 100 pieces.
+
     With `t` an array of shape (4, p) for a number, (4, p, ...) for an array of any shape: partial derivatives at that
-    fixed time by the names of `parameters(scene)`, in their order (0 by `until`). At an event they jump, and `side`
+    fixed time (0 by `until`). At an event they jump, and `side`
     says which of both is meant; a time is given as to `Trajectory.sol`.
 
     Enclosed for a trajectory of balls, else rounded: right to 16 digits in float64, to those of the arithmetic
@@ -113,14 +121,15 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
     >>> measured, guess = solved(0.05, 1.0).sol(times)[1], np.array([0.0525, 1.05])
     >>> for _ in range(5):
     ...     trajectory = solved(*guess)
-    ...     slopes = sensitivities(trajectory, times)[1, [7, 4]]  # of v1 by b and m1
+    ...     slopes = sensitivities(trajectory, times, wrt=["b", "m1"])[1]  # of v1
     ...     guess += np.linalg.lstsq(slopes.T, measured - trajectory.sol(times)[1], rcond=None)[0]
     >>> guess.round(12).tolist()
     [0.05, 1.0]
     """
     require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
+    names = _names(trajectory, wrt)
     if t is None:
-        found = enclosures(trajectory)
+        found = enclosures(trajectory, names)
         arrays = (found.t, found.y, found.final, found.energy)
         return Sensitivity(found.wrt, *(_as_numbers(trajectory.arithmetic, one) for one in arrays))
     asked, own_rows = np.asarray(t, dtype=object), trajectory.row_at(t, side)
@@ -137,27 +146,54 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
             found = slopes(own_rows, times - balls.row_times[own_rows])
         return (np.array([*found.T.reshape(-1, 4, len(chain.column)), *chain.before]),)
 
-    rows = _enclosed(trajectory, at_times)[0][: asked.size]
+    rows = _enclosed(trajectory, at_times, names)[0][: asked.size]
     states = _as_numbers(trajectory.arithmetic, np.moveaxis(rows, 0, -1))
     return states.reshape(*states.shape[:2], *asked.shape)
 
 
-def enclosures(trajectory: Trajectory) -> Sensitivity:
+def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]:
+    """Return the names of the numbers by which to derive. Raises ValueError for what names none."""
+    scene = trajectory.scene
+    known = parameters(scene)
+    if wrt is None:
+        tables = tuple(f"{name}[" for name, pieces in scene.pieces.items() if len(pieces) > _MOST_PIECES)
+        return tuple(name for name in known if not name.startswith(tables))
+    if isinstance(wrt, str) or not (names := tuple(wrt)):
+        raise ValueError(f'wrt = {shown(wrt)} must be names of numbers of the scene, such as ["b", "m1"]')
+    for name in names:
+        if name not in known or names.count(name) > 1:
+            raise ValueError(
+                f"wrt names {shown(name)}, which is no number of this scene, or twice; see parameters(scene)"
+            )
+    return names
+
+
+def enclosures(trajectory: Trajectory, names: tuple[str, ...] | None = None) -> Sensitivity:
     """Return the sensitivities as balls, whatever the trajectory is made of. Raises what `sensitivities` does."""
+    names = names or _names(trajectory, None)
 
     def of_events(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        events = [leg.state for leg in chain.legs if leg.is_event]
-        states, y = [*events, balls.final_state, *events], [*chain.y, chain.final(balls.final_state), *chain.before]
-        energies = [chain.energy(state, one) for state, one in zip(states, y, strict=True)]
+        events = [leg for leg in chain.legs if leg.is_event]
+        end = balls.end_time, balls.final_state
+        energies = [
+            *(
+                chain.energy(leg, (leg.start, leg.state), *one)
+                for leg, *one in zip(events, chain.y, chain.t, strict=True)
+            ),
+            chain.energy(chain.legs[-1], end, last := chain.final(balls.final_state)),
+            *(chain.energy(leg, (leg.start, leg.state), y) for leg, y in zip(events, chain.before, strict=True)),
+        ]
         times = np.array(chain.t, dtype=object).reshape(-1, len(chain.column))
-        return times, np.array(y), np.array(energies)
+        return times, np.array([*chain.y, last, *chain.before]), np.array(energies)
 
-    times, states, energies = _enclosed(trajectory, of_events)
+    times, states, energies = _enclosed(trajectory, of_events, names)
     count = len(times)
-    return Sensitivity(tuple(parameters(trajectory.scene)), times, states[:count], states[count], energies[count])
+    return Sensitivity(names, times, states[:count], states[count], energies[count])
 
 
-def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple[Array, ...]]) -> tuple[Array, ...]:
+def _enclosed(
+    trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple[Array, ...]], names: tuple[str, ...]
+) -> tuple[Array, ...]:
     """Return arrays of derivatives in balls, at a precision that gives them the digits that were asked for.
 
     What is asked of a chain has samples along the first axis, whose largest is what digits are relative to, and all
@@ -182,7 +218,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
         if not np.array_equal(balls.row_signs, trajectory.row_signs):
             raise EventUndecided("are the events those of the trajectory?", f"{balls.record.events} events", digits)
         with precision(Ball(digits).bits + _GUARD_BITS):
-            found = asked(balls, Chain(scene, legs(balls), tuple(parameters(scene))))
+            found = asked(balls, Chain(scene, legs(balls), names))
             right = _right_digits(found, digits)
         if right >= wanted:
             break
@@ -210,11 +246,11 @@ def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
     """Return balls in the numbers of an arithmetic. Raises OutOfRange."""
     if arithmetic.name == "ball":
         return array
-    in_floats = arithmetic.name == "float64"
-    convert = Ball.to_float if in_floats else lambda one: arithmetic.number(exact_middle(one))
+    row_changes = arithmetic.name == "float64"
+    convert = Ball.to_float if row_changes else lambda one: arithmetic.number(exact_middle(one))
     with arithmetic.context():
-        found: Array = np.vectorize(convert, otypes=[float if in_floats else object])(array)
-    if in_floats and not np.isfinite(found).all():
+        found: Array = np.vectorize(convert, otypes=[float if row_changes else object])(array)
+    if row_changes and not np.isfinite(found).all():
         raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
     return found
 

@@ -36,8 +36,8 @@ from numerics.trajectory.closed_forms import (
     spells,
 )
 from numerics.trajectory.export import arrays
-from numerics.trajectory.solution import Solution
 from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
 
 SHOWN = 12
 """Digits of the bounds in a theorem, of the greatest time, place or velocity."""
@@ -55,7 +55,7 @@ DEPTH = 64
 """How often the kernel halves an interval to show that no event was passed."""
 
 
-def theorem(trajectory: Solution) -> str:
+def theorem(trajectory: Trajectory) -> str:
     """Return the text of a proof file: the theorem `trajectory`, of every motion of the scene.
 
     Raises NoProof, in a sentence, for a scene that the checker does not cover, and for a run without certain events.
@@ -81,7 +81,7 @@ def theorem(trajectory: Solution) -> str:
     raise NoProof(f"no theorem is written: {reason}")
 
 
-def _uncovered(trajectory: Solution) -> str:
+def _uncovered(trajectory: Trajectory) -> str:
     """Return why the checker does not cover a trajectory, or nothing."""
     scene, at = trajectory.scene, trajectory.scene.initial
     if scene.law is not Law.FILIPPOV:
@@ -150,7 +150,7 @@ class _Writer:
         load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed)
         return {-friction * pair.mass: 1, friction * pair.mass: -1}.get(load, 0)
 
-    def text(self, trajectory: Solution, times: list[float]) -> str:
+    def text(self, trajectory: Trajectory, times: list[float]) -> str:
         """Return the file; the last of the times is the end."""
         events, last = [], trajectory.final_mode
         for event, time in zip(trajectory.events, times, strict=False):

@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any, Literal, Self
 
 import numpy as np
+from flint import arb
 
 from numerics.arithmetic.by_name import arithmetic_named
+from numerics.arithmetic.precision import cached_property
+from numerics.arithmetic.protocol import Number
+from numerics.free.frame import ReducedState
+from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
+from numerics.trajectory.columns import Array
+from numerics.trajectory.digits import ROUNDING, Accuracy, Judged, accuracy_of, judged
+from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
+from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.saved import plain
-from numerics.trajectory.solution import Solution
+from numerics.trajectory.status import Status
 
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
 
-class Trajectory(Solution):
+class Trajectory(Rows):
     """A solved scene, with the attribute names of SciPy's solution objects, and modes, events and energies.
 
     Rows of `y` are x1, v1 (m, m/s) and x2, v2; columns belong to `t` (s): start, events, end; with t_eval, those times
@@ -48,6 +58,8 @@ class Trajectory(Solution):
     (0.00868247, 0.00256753, True)
     >>> run.end_time, [round(one, 6) for one in run.final_state]
     (5.0, [0.002483, 0.044169, 0.001745, 0.044169])
+    >>> run.has_critical_energy, run.has_frame
+    (True, True)
     >>> [round(one, 6) for one in run.units]  # L (m), Omega (1/s) and E_cr (J) of reduced coordinates
     [0.005, 10.0, 0.0025]
     >>> round(run.final.w, 6), float(run.initial.X), round(run.reduced(0.5).w, 6), round(run.energy_excess[-1], 6)
@@ -68,6 +80,251 @@ class Trajectory(Solution):
     ARITHMETICS = ("float64", "mpmath", "ball")
     COLUMNS = ("t", "y", "energy", "energy_excess")
 
+    # ------------------------------------------------------------------ how it ended
+    def look_up_times(self) -> None:
+        """Raise ValueError for times in t_eval that are outside the run."""
+        if self.t_eval is not None:
+            with self.context():
+                self._asked_times = self._times(self.t_eval)
+
+    @property
+    def status(self) -> Status:  # type: ignore[override]
+        """Return how the solve ended."""
+        if not self.reached:
+            return Status.EVENT_LIMIT
+        if not self.certain:
+            return Status.SEQUENCE_OPEN
+        if self.without_digits:
+            return Status.NO_RIGHT_DIGIT
+        is_stuck = self.record.how == How.STUCK and not self.scene.changes_later
+        return Status.STUCK_FOR_EVER if is_stuck else Status.REACHED_HORIZON
+
+    @property
+    def message(self) -> str:
+        """Return the sentence that says how the solve ended, of what no digit is right, whether the phase was lost."""
+        if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
+            return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
+        said = super().message.replace("a quantity", " and ".join(self.without_digits))
+        if not self.phase_lost:
+            return said
+        return (
+            f"{said}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end the mode and the "
+            "energy are known, x1, v1, x2 and v2 are not; use ball arithmetic"
+        )
+
+    @property
+    def phase_lost(self) -> bool:
+        """Whether the last segment of a free motion is too long for the digits of its phase; always False for balls."""
+        if self._is_ball or self.scene.is_forced:
+            return False
+        with self.context():
+            angle = self.frame.rate * self.row_column("length")[-1]
+            # what has decayed is no rounding yet
+            damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
+        return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
+
+    @cached_property
+    def accuracy(self) -> Accuracy | None:
+        """Return the error bounds of a float64 trajectory, else None (balls carry their own)."""
+        return accuracy_of(self, self._judged) if self.bounded else None
+
+    @cached_property
+    def _judged(self) -> Judged:
+        return judged(self)
+
+    @property
+    def right_digits(self) -> int:
+        """Return how many digits its error bounds or balls leave right (digits.py); 0 without either."""
+        return self._judged.digits
+
+    @property
+    def without_digits(self) -> tuple[str, ...]:
+        """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
+        return self._judged.without
+
+    # ------------------------------------------------------------------ events and segments
+    @cached_property
+    def _starts(self) -> Array:
+        """Return the rows at which segments start."""
+        return np.append(0, self.event_rows)
+
+    @property
+    def signs(self) -> list[int]:
+        """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
+        signs: list[int] = self.row_signs[self._starts].tolist()
+        return signs
+
+    @property
+    def final_mode(self) -> Mode:
+        """Return the mode at the end: after the last event, where the cap on events ended the run."""
+        return MODES[float(self.row_column("mode")[-1])]
+
+    @cached_property
+    def modes(self) -> tuple[Mode, ...]:
+        """Return the itinerary: the mode of every segment."""
+        return self._all_modes[: self.record.events + self.reached]
+
+    @property
+    def _all_modes(self) -> tuple[Mode, ...]:
+        return tuple(map(MODES.__getitem__, self.signs))
+
+    @property
+    def event_kinds(self) -> tuple[EventKind, ...]:
+        """Return the kinds of the events in their order."""
+        modes = self._all_modes
+        return tuple(map(event_kind, modes, modes[1:]))
+
+    @property
+    def t_events(self) -> tuple[Array, ...]:
+        """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
+        return self._by_kind(self.event_times)
+
+    @property
+    def y_events(self) -> tuple[Array, ...]:
+        """Return the event states by kind, each of shape (k, 4)."""
+        return self._by_kind(self.event_states.T)
+
+    def _by_kind(self, events: Array) -> tuple[Array, ...]:
+        sticks = self.row_signs[self._starts] == 0
+        before, after = sticks[:-1], sticks[1:]
+        return events[after], events[before], events[~(before | after)]
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """Return the events."""
+        rows, modes = self.event_rows, self._all_modes
+        causes = ["jump" if jump else "guard" for jump in self.row_column("jump")[rows]]
+        reduced = [self._reduced(self.row_states[:, k], k) if self.has_frame else None for k in rows]
+        y = map(tuple, self.event_states.T.tolist())
+        return tuple(map(Event, self.event_times.tolist(), self.event_kinds, modes, modes[1:], y, reduced, causes))
+
+    @cached_property
+    def segments(self) -> tuple[Segment, ...]:
+        """Return the segments."""
+        first = [*self._starts.tolist(), *([len(self.record.rows)] if self.reached else [])]
+        t, lengths, found = [*self.row_times[self._starts].tolist(), self.end_time], self.row_lengths, []
+        with self.context():
+            for k, (mode, start, after) in enumerate(zip(self.modes, first, first[1:], strict=False)):
+                length = sum(lengths[start + 1 : after], lengths[start])
+                found.append(Segment(mode, t[k], t[k + 1], length, range(start, after), self))
+        return tuple(found)
+
+    # ------------------------------------------------------------------ at t
+    @property
+    def t(self) -> Array:
+        """Return the times of start, events and end, or t_eval, s, shape (m,)."""
+        if self.t_eval is not None:
+            return self._asked_times
+        times = self.row_times[self._starts]
+        return np.append(times, self.end_time) if self.reached else times
+
+    @property
+    def y(self) -> Array:
+        """Return the states at `t`, shape (4, m)."""
+        if self.t_eval is not None:
+            return self._asked_states
+        at = self._starts
+        return self._states[:, np.append(at, -1) if self.reached else at]
+
+    @cached_property
+    def _asked_states(self) -> Array:
+        return self.sol(self.t_eval)
+
+    @cached_property
+    def energy(self) -> Array:
+        """Return the energy at `t`, J, shape (m,), formed from the states."""
+        with self.context():
+            return np.asarray(energy_of(self, self.t, self.y))
+
+    @property
+    def final_energy(self) -> Number:
+        """Return the energy at the end, J, formed from the state."""
+        with self.context():
+            return energy_of(self, np.array([self.end_time]), self._states[:, -1:])[0]
+
+    @cached_property
+    def energy_excess(self) -> Array:
+        """Return E/E_cr - 1 at `t`, shape (m,), accurate in itself; nan where there is no E_cr."""
+        with self.context():
+            if not self.has_critical_energy:
+                return np.full(self.t.shape, math.nan if self.bounded else arb("nan"))
+            formed = self.energy / self._critical - 1
+            if self.row_excess is None:
+                return np.asarray(formed)
+            if self.t_eval is not None:
+                return np.array([self._excess(one, "right") for one in self._asked_times], dtype=object)
+            return self.row_excess[np.append(self._starts, -1) if self.reached else self._starts]
+
+    def _excess(self, t: Any, side: Side) -> Number:
+        """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
+
+        What friction took since the last event is subtracted from what it was there: such a pair has no damper.
+        """
+        carried = self.row_excess
+        if carried is None:
+            return None
+
+        def left(rows: Array, since: Array) -> Array:
+            return np.asarray(carried[rows] - self.row_taken(rows, since)[0] / self._critical)
+
+        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
+        return found
+
+    def end_numbers(self) -> tuple[Number, ...]:
+        """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""
+        found = *self.final_state, self.final_energy
+        if not self.has_critical_energy:
+            return found
+        with self.context():
+            return *found, found[-1] / self._critical - 1 if self.row_excess is None else self.row_excess[-1]
+
+    def end_bounds(self) -> tuple[float, ...]:
+        """Return bounds on the errors of time, state, energy and excess at the end, of numbers that have them."""
+        found, late = accuracy_of(self, self._judged), abs(float(self.end_time)) * 4 * ROUNDING
+        late += 0.0 if self.reached else float(found.t[-1])
+        return late, *found.final, found.energy, found.energy_excess
+
+    # ------------------------------------------------------------------ reduced coordinates
+    @property
+    def units(self) -> tuple[Number, Number, Number]:
+        """Return L (m), Omega (1/s) and E_cr (J)."""
+        return self.frame.length, self.frame.rate, self.frame.critical_energy
+
+    def _reduced(self, y: Any, row: int) -> ReducedState:
+        """Return the reduced state at a row, or at the end (-1)."""
+        with self.context():
+            return self.frame.reduced(y, None if self.row_excess is None else self.row_excess[row])
+
+    @property
+    def final(self) -> ReducedState:
+        """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
+        return self._reduced(self.final_state, -1)
+
+    @property
+    def initial(self) -> ReducedState:
+        """Return the reduced state at the start."""
+        with self.context():
+            return self.frame.reduced(self.row_states[:, 0], self.arithmetic.number(self.scene.energy_excess))
+
+    def reduced(self, t: Any, side: Side = "right") -> ReducedState:
+        """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
+        with self.context():
+            return self.frame.reduced(self.sol(t, side), self._excess(t, side))
+
+    # ------------------------------------------------------------------ where the energy went
+    @property
+    def dissipated(self) -> Number:
+        """Return what friction and viscosity took, J."""
+        with self.context():
+            return self.ledger.friction + self.ledger.viscous
+
+    @cached_property
+    def ledger(self) -> EnergyLedger:
+        """Return the energy ledger of the whole run, with the works of forces, belt and wall."""
+        with self.context():
+            return ledger_of(self)
+
+    # ------------------------------------------------------------------ pictures, text and files
     def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
         from numerics.trajectory.figures import draw

@@ -1,18 +1,12 @@
-"""A leg: one mode in one piece of force and friction; differentiated: how its end moves with its start and all numbers.
+"""One mode in one piece, differentiated: how z at its end moves with the state at its start and with all numbers.
 
-With F = u - s b (slip, s the sign of v1 - v2, m = m1) or F = u (stick, m = m1 + m2) body 1 obeys m x'' + a1 x' + a2 x
-= F(t), and at a fixed time y = dx/dp follows
+A number p moves A, by A_p, and the signals in z; at a fixed time y = dz/dp follows y' = A y + A_p z, so that (Van Loan)
 
-    m y'' + a1 y' + a2 y = h(t),    h = dF/dp - (dm/dp) x'' - (da1/dp) x' - (da2/dp) x = row . z(t)
+    y(tau) = exp(A tau) y(0) + sum_i Q_i a_i,    Q_i = int_0^tau exp(A (tau - s)) e_i z(s)' ds
 
-by every number p. Here z' = A z holds x, x' and functions of time: 1, t, t^2, ... and sin, cos, t sin, t cos. With O
-the matrix of the oscillator alone and e = (0, 1/m) the answers to all components of z at once are (Van Loan)
-
-    Q(tau) = int_0^tau exp(O (tau - s)) e z(s)^T ds,    exp([[O, e z(0)^T], [0, A^T]] tau) = [[exp(O tau), Q], [0, ...]]
-
-so that (y, y') = exp(O tau) (y, y')(0) + Q row. Resonance and critical damping are no special cases. Where friction
-depends on the state, O is that of both bodies, and numbers act on v2' as well, by e = (0, 0, 0, 1/m2). Everything is
-enclosed by balls.
+with a_i the rows of A_p, and Q_i from exp([[A, e_i z(0)'], [0, A']] tau): few rows depend on numbers, however many
+there are. Entries of A are polynomials of degree 3 or less in those of model.Bodies: A_p is an exact difference.
+Everything is enclosed by balls.
 """
 
 from __future__ import annotations
@@ -20,8 +14,10 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
-from typing import NamedTuple
+from math import perm
+from typing import Any, NamedTuple
 
 import flint
 import numpy as np
@@ -29,16 +25,33 @@ from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, magnitude_bits
 from numerics.arithmetic.precision import precision
-from numerics.linear.cells import FrictionLine, cells_of, mode_in
+from numerics.linear.cells import cells_of, mode_in
+from numerics.linear.model import (
+    FIRST,
+    FRICTION,
+    KINETIC,
+    LOAD,
+    SLIP,
+    STICK,
+    Bodies,
+    Layout,
+    Rows,
+    make_rows,
+    put_rows,
+    spread_omegas,
+)
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import Motion
-from numerics.scene import Piece, Scene
+from numerics.linear.system import Cell, Motion
+from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
 
 _BITS_PER_SQUARING = 5
 """What an exponential may lose each time that it is squared: entries are sums of a few products."""
+SIGNALS = ("force", "force_2", "belt", "wall", "friction")
+_DIFFERENCE = {-2: Fraction(1, 12), -1: Fraction(-2, 3), 1: Fraction(2, 3), 2: Fraction(-1, 12)}
+"""The derivative at 0 of a polynomial of degree 4, from its values."""
 
 
 class Leg(NamedTuple):
@@ -76,128 +89,185 @@ def legs(trajectory: Trajectory) -> list[Leg]:
     ]
 
 
+class Guard(NamedTuple):
+    """What is 0 at an event: its row on the state, its derivatives at a fixed time (p,), and its rate."""
+
+    by_state: Array
+    moved: Array
+    rate: arb
+
+
 class Variation:
     """The mode `side` (+1, -1: the sign of v1 - v2; 0: stick) in one piece and one cell, in the balls' context.
 
-    Derivatives are by all numbers of the scene, p of them; `column` says in which place. Where friction depends on the
-    state, body 2 is part of the oscillator, and numbers act on it too: its row of the inputs.
-
-    z is the oscillator (2 or 4 components), the powers of the time since the piece of force began, and of every sine
-    sin, cos, t sin, t cos. `system` is A, (n, n); `inputs` what all numbers do to each body, (1 or 2, n, p), N.
+    Derivatives are by p numbers of the scene; `column` says in which place.
     """
 
     def __init__(self, scene: Scene, column: dict[str, int], index: int, side: int, cell: tuple[int, int]) -> None:
         """Take the numbers of the scene, in the piece of this index."""
-        pair, number, self.cells, self.piece = scene.pair, Ball.number, cells_of(scene), pieces_of(scene)[index]
-        place, began = (bisect_right(of.starts, self.piece.start) - 1 for of in (scene.friction, scene.force))
-        name = f"force[{began}]"
-        self.b = "b" if place < 0 else f"friction[{place}].b"
-        """The name of the friction that acts."""
-        self.force = scene.force.pieces[began] if began >= 0 else Piece(0)
-        self.side, self.column, self.mode = side, column, mode_in(scene, self.piece, side, cell)
-        self.m2, self.mass = number(pair.m2), number(self.mode.mass)
-        terms, sines = self.force.polynomial or (Fraction(0),), self.force.sines
-        n = self.size = 4 if side and self.cells else 2
-        size = n + len(terms) + 4 * len(sines)
-        self.system = system = np.full((size, size), arb(0))
-        self.inputs = inputs = np.full((n // 2, size, len(column)), arb(0))
-        system[0, 1], system[1, :2] = arb(1), [-number(pair.a2), -number(pair.a1)]
-        inputs[0, 0, column["a2"]] = inputs[0, 1, column["a1"]] = arb(-1)
-        for k, one in enumerate(terms):
-            system[1, n + k] = number(one)
-            if k:
-                system[n + k, n + k - 1] = arb(k)
-                inputs[0, n + k - 1, column[f"{name}.from"]] = number(-k * one)
-            if self.force.polynomial:
-                inputs[0, n + k, column[f"{name}.polynomial[{k}]"]] = arb(1)
-        for k, sine in enumerate(sines):
-            at, omega, height = n + len(terms) + 4 * k, number(sine.omega), number(sine.amplitude)
-            for turned in (at, at + 2):
-                system[turned, turned + 1], system[turned + 1, turned] = omega, -omega
-            system[at + 2, at] = system[at + 3, at + 1] = arb(1)
-            system[1, at] = height
-            for key, by, factor in (("amplitude", 0, arb(1)), ("phase", 1, height), ("omega", 3, height)):
-                inputs[0, at + by, column[f"{name}.sines[{k}].{key}"]] = factor
-        friction = self._friction(FrictionLine(self.mode.b, *self.mode.cell))
-        system[1] = (system[1] - friction) / self.mass
-        inputs[0, :, column["m1"]], inputs[0, :, column["m2"]] = -system[1], -system[1] * (side == 0)
-        if n == 4:
-            system[2, 3], system[3] = arb(1), friction / self.m2
-            inputs[1, :, column["m2"]] = -system[3]
-        for name, (offset, slope, pull) in self._by_numbers(side, cell).items() if side else ():
-            acting = self._friction(FrictionLine(offset, slope, pull))
-            inputs[0, :, column[name]] -= acting
-            inputs[1:, :, column[name]] += acting
+        piece, self.column, self.side, cells = pieces_of(scene)[index], column, side, cells_of(scene)
+        self.mode, self.is_weakened = mode_in(scene, piece, side, cell), cells is not None
+        self.rows = self.mode.rows
+        self.A = _balls(self.rows.A[SLIP if side else STICK])
+        self.signals = _acting(scene, piece.start)
+        b = f"{self.signals[FRICTION][0]}.b" if self.signals[FRICTION][0] else "b"
+        lines = cells.by_numbers(piece, side, cell, b) if cells and side else {}
+        self.lines = {name: one for name, one in lines.items() if name in column}
+        self.moved = self._moved()
+        self.inputs: dict[int, list[tuple[int, Array]]] = {}
+        """Rows of A_p that are not 0, with the places of p."""
+        for name, one in self.moved.items():
+            A = one.A[SLIP if side else STICK]
+            for row in np.flatnonzero((A != 0).any(axis=1)).tolist():
+                self.inputs.setdefault(row, []).append((column[name], _balls(A[row])))
 
-    def _by_numbers(self, side: int, cell: tuple[int, int]) -> dict[str, FrictionLine]:
-        """Return the derivatives of the friction of a slip by the numbers in it."""
-        if self.cells:
-            return self.cells.by_numbers(self.piece, side, cell, self.b)
-        return {self.b: FrictionLine(Fraction(1), Fraction(0), Fraction(0))}
-
-    def _friction(self, line: FrictionLine) -> Array:
-        """Return friction on body 2 over z; of a stick none."""
-        found = np.full(len(self.system), arb(0))
-        found[self.size] += Ball.number(self.side * line.offset)
-        if self.size == 4:
-            slope, pull = Ball.number(line.slope), Ball.number(line.pull)
-            found[:4] += [pull, slope, -pull, -slope]
+    def _moved(self) -> dict[str, Rows]:
+        """Return the derivatives of the matrices by the numbers on which they depend."""
+        pair, layout, cell = self.mode.pair, self.mode.layout, self.mode.cell
+        found = {name: one for name in self.column if (one := _by_body(pair, layout, cell, name)) is not None}
+        for name, (_, slope, pull) in self.lines.items():
+            found[name] = _moved_rows(pair, layout, cell, (), (), (slope, pull))
+        for (name, piece), (_, _, first, _) in zip(self.signals, layout.blocks.tolist(), strict=True):
+            for k in range(len(piece.sines)):
+                omega = f"{name}.sines[{k}].omega"
+                if omega in self.column:
+                    found[omega] = _moved_rows(pair, layout, cell, (), ((first + 2 * k + 1, Fraction(1)),), None)
         return found
 
-    def _begun(self, state: Sequence[arb], t: arb) -> Array:
-        """Return z at a time (s)."""
-        since, found = t - Ball.number(self.force.start), [*state[: self.size], arb(1)]
-        for _ in self.force.polynomial[1:]:
-            found.append(found[-1] * since)
-        for one in self.force.sines:
-            sine, cosine = (Ball.number(one.omega) * t + Ball.number(one.phase)).sin_cos()
-            found += [sine, cosine, t * sine, t * cosine]
-        return np.array(found)
+    def begun(self, state: Sequence[arb], t: arb, y: Array) -> tuple[Array, Array]:
+        """Return z, and its derivatives (n, p) from those of the state (4, p), at a time (s)."""
+        found = np.full((self.mode.size, y.shape[1]), arb(0))
+        found[:FIRST] = y
+        blocks = self.mode.layout.blocks.tolist()
+        for which, ((name, piece), (first, terms, sines, _)) in enumerate(zip(self.signals, blocks, strict=True)):
+            sign = (self.side or 1) if which == FRICTION else 1
+            if which == FRICTION and self.is_weakened:
+                for number, line in self.lines.items():
+                    found[first, self.column[number]] += sign * Ball.number(line.offset)
+                continue
+            self._by_polynomial(name, piece, t, found[first : first + terms], sign)
+            for k, sine in enumerate(piece.sines):
+                height, omega, phase = (Ball.number(one) for one in (sine.amplitude, sine.omega, sine.phase))
+                s, c = (omega * t + phase).sin_cos()
+                turned = np.array([height * c, -height * s])
+                for key, by in (("amplitude", np.array([s, c])), ("phase", turned), ("omega", turned * t)):
+                    if (place := self.column.get(f"{name}.sines[{k}].{key}")) is not None:
+                        found[sines + 2 * k : sines + 2 * k + 2, place] += by * sign
+        return np.array(self.mode.begin(state, t)), found
 
-    def over(self, state: Sequence[arb], t: arb, tau: arb) -> tuple[Array, Array]:
-        """Return the derivatives at tau (s) after the start of a motion, which is at t (s) with this state.
+    def _by_polynomial(self, name: str, piece: Piece, t: arb, block: Array, sign: int) -> None:
+        """Write how a polynomial and its derivatives move with its coefficients and its start."""
+        since, start = t - Ball.number(piece.start), self.column.get(f"{name}.from")
+        of_b, power = f"{name}.b" if name else "b", [arb(1)]
+        for _ in piece.polynomial[1:]:
+            power.append(power[-1] * since)  # ** has no powers of a ball that holds 0
+        for j, own in enumerate(piece.polynomial):
+            place = self.column.get(f"{name}.polynomial[{j}]", self.column.get(of_b))
+            for k in range(j + 1):
+                if place is not None:
+                    block[k, place] += sign * perm(j, k) * power[j - k]
+                if start is not None and k < j:
+                    block[k, start] -= sign * Ball.number(own) * perm(j, k + 1) * power[j - k - 1]
 
-        By (x1, v1, x2, v2) at the start, (4, 4), and by the numbers at a fixed start, (4, p).
+    def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
+        """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
+        z, moved = self.begun(state, t, y)
+        n = len(z)
+        flow, found = None, np.full((FIRST, y.shape[1]), arb(0))
+        for row, numbers in self.inputs.items():
+            whole = np.full((2 * n, 2 * n), arb(0))
+            whole[:n, :n], whole[row, n:], whole[n:, n:] = self.A, z, self.A.T
+            block = _exponential(whole * tau)[:FIRST]
+            flow = block[:, :n]
+            for place, one in numbers:
+                found[:, place] += block[:, n:] @ one
+        flow = _exponential(self.A * tau)[:FIRST] if flow is None else flow
+        return found + np.array((arb_mat(flow.tolist()) * arb_mat(moved.tolist())).tolist())
+
+    def guard(self, end: Variation, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> Guard:
+        """Return the guard that ends this mode where it is 0: its row on states, its derivatives, and its rate.
+
+        That of a slip is v1 - v2; that of a stick which ends in the slip of a sign is the edge less that times the
+        load, where friction depends on the state by the slip's line in the cell of `end`.
         """
-        flow, columns, n = np.full((4, 4), arb(0)), np.full((4, len(self.column)), arb(0)), self.size
-        z = self._begun(state, t)
-        for place, mass, rows in zip((1, 3), (self.mass, self.m2), self.inputs, strict=False):
-            whole = np.full((n + len(z), n + len(z)), arb(0))
-            whole[:n, :n], whole[place, n:], whole[n:, n:] = self.system[:n, :n], z / mass, self.system.T
-            block = _exponential(whole * tau)
-            flow[:n, :n], columns[:n] = block[:n, :n], columns[:n] + block[:n, n:] @ rows
-        if n == 4:
-            return flow, columns
+        own = end if self.is_weakened and not self.side else self
+        z, moved = own.begun(state, t, y)
         if self.side:
-            flow[2:, 2:] = [[arb(1), tau], [arb(0), arb(1)]]
-            slid = np.array([tau * tau / 2, tau]) * self.side / self.m2
-            columns[2:, self.column[self.b]] = slid
-            columns[2:, self.column["m2"]] = -slid * Ball.number(self.mode.b) / self.m2
-        else:
-            flow[2:, :2], columns[2:] = flow[:2, :2], columns[:2]
-            flow[2] += [-1, 0, 1, 0]
-        return flow, columns
+            return Guard(
+                _balls(self.rows.guards[SLIP, 0])[:FIRST], moved[1] - moved[3], (self.A @ z)[1] - (self.A @ z)[3]
+            )
 
-    def guard(self, after: Leg, field: Array) -> tuple[Array, Array, arb]:
-        """Return the derivatives of the guard by the state (4,) and by the numbers (p,), and its rate, where it is 0.
+        def row(rows: Rows) -> Array:
+            if own is end:
+                return _balls(rows.others[KINETIC] - exit_side * rows.others[LOAD])
+            return _balls(rows.guards[STICK, 0 if exit_side > 0 else 1])
 
-        The guard of a slip is v1 - v2; that of a stick which ends in the slip s of the leg `after` is F - s m2 x1'',
-        F = b, or B(0) + C(x1 - x2). `field` is (v1, v1', v2, v2') there.
-        """
-        (x1, _, x2, _), exit_side, cell = after.state, after.side, (0, after.cell[1])
-        by_state, by_numbers = np.full(4, arb(0)), np.full(len(self.column), arb(0))
-        if self.side:
-            return np.array([0, 1, 0, -1]), by_numbers, field[1] - field[3]
-        z, load = self._begun(after.state, after.start), -exit_side * self.m2 * self.system[1]
-        by_numbers += -exit_side * self.m2 / self.mass * (z @ self.inputs[0])
-        by_numbers[self.column["m2"]] -= exit_side * field[1]
-        by_state[:2] = load[:2]
-        for name, one in self._by_numbers(1, cell).items():
-            by_numbers[self.column[name]] += Ball.number(one.offset) + Ball.number(one.pull) * (x1 - x2)
-        if self.cells:
-            pull = Ball.number(self.cells.branch(self.piece, 1, cell).pull)
-            by_state += [pull, 0, -pull, 0]
-        return by_state, by_numbers, load @ (self.system @ z)
+        here, by = row(own.rows), np.full(y.shape[1], arb(0))
+        by += here @ moved
+        for name, one in own.moved.items():
+            by[self.column[name]] += row(one) @ z
+        return Guard(here[:FIRST], by, here @ (_balls(own.rows.A[STICK]) @ z))
+
+    def field(self, state: Sequence[arb], t: arb) -> Array:
+        """Return (x1, v1, x2, v2)' of a state at a time, s."""
+        return np.asarray(self.A[:FIRST] @ np.array(self.mode.begin(state, t)))
+
+
+def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
+    """Return the pieces of all signals that act from a time on, as they were given, with their names; "": none."""
+    found = []
+    for name in SIGNALS:
+        pieces = scene.pieces[name]
+        k = bisect_right(pieces, t, key=lambda one: one.start) - 1
+        nothing = Piece(0, (scene.pair.b,)) if name == "friction" else Piece(0)
+        found.append((f"{name}[{k}]", pieces[k]) if k >= 0 else ("", nothing))
+    return found
+
+
+@lru_cache(maxsize=1024)
+def _by_body(pair: Pair, layout: Layout, cell: Cell, name: str) -> Rows | None:
+    """Return the derivative of the matrices by a number of the pair, if they depend on it."""
+    one, m1, m2 = Fraction(1), pair.m1, pair.m2
+    by: dict[str, dict[str, Fraction]] = {"a1": {"a1": one}, "a2": {"a2": one}}
+    by["m1"] = {"m1": one, "inverse_1": -1 / m1**2}
+    if not pair.is_fixed:
+        mass = pair.mass
+        by["m1"] |= {"inverse_both": -1 / mass**2, "share_1": m2 / mass**2, "share_2": -m2 / mass**2}
+        by["m2"] = {"inverse_2": -1 / m2**2, "inverse_both": -1 / mass**2}
+        by["m2"] |= {"share_1": -m1 / mass**2, "share_2": m1 / mass**2}
+    if pair.b_static is not None:
+        by |= {"b_static": {"static": 1 / pair.b}, "b": {"static": -pair.b_static / pair.b**2}}
+    return _moved_rows(pair, layout, cell, tuple(by[name].items()), (), None) if name in by else None
+
+
+@lru_cache(maxsize=1024)
+def _moved_rows(
+    pair: Pair,
+    layout: Layout,
+    cell: Cell,
+    bodies: tuple[tuple[str, Fraction], ...],
+    omegas: tuple[tuple[int, Fraction], ...],
+    line: Cell | None,
+) -> Rows:
+    """Return the derivative of the matrices where these of the numbers of bodies, frequencies and a cell move."""
+    found: list[Any] = []
+    for k, weight in _DIFFERENCE.items():
+        rows = Rows(*(np.full(one.shape, Fraction(0)) for one in make_rows(layout.size)))
+        own, turns = Bodies.of(pair), spread_omegas(layout)
+        for place, rate in omegas:
+            turns[place] += k * rate
+        here = cell if line is None else (cell[0] + k * line[0], cell[1] + k * line[1])
+        moved = own._replace(**{name: getattr(own, name) + k * rate for name, rate in bodies})
+        put_rows(moved, layout.blocks, turns, here, rows)
+        parts = [weight * one for one in rows]
+        found = [one + two for one, two in zip(found, parts, strict=True)] if found else parts
+    return Rows(*found)
+
+
+def _balls(matrix: Array) -> Array:
+    """Return an exact array as balls."""
+    convert = np.frompyfunc(Ball.number, 1, 1)
+    return np.asarray(convert(matrix))
 
 
 def _exponential(matrix: Array) -> Array:

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, same, under
-from flint import arb
+from flint import arb, arb_poly
 from scipy.linalg import eigh, expm
 from sixty_digits import forced_scene
 
@@ -18,12 +18,14 @@ from numerics.linear import enclosed, next_enclosed
 from numerics.linear.cells import cells_of
 from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.flow import FEW, Expansion, Flow, exponential
+from numerics.linear.model import V1, V2, X1, X2, Layout
 from numerics.linear.next_enclosed import guards_of
 from numerics.linear.path_enclosed import At
-from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.pieces import pieces_of
 from numerics.linear.record import How
-from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan, splits
-from numerics.linear.system import V1, V2, X1, X2, BallDrive, LocalNorm, W, Z
+from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
+from numerics.linear.swings import Swings
+from numerics.linear.system import LinearMode, LocalNorm, dot
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -62,10 +64,10 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
         at, root = found(path, at)
         if root is not None:
             flow, z = path.here(at)
-            row, A = rows_of(flow)[root.guard.row], flow.mode.generator()
+            row, A = flow.guarded[root.guard.row], flow.mode.generator()
 
             def guard(t):
-                return root.guard.offset + root.guard.sign * value(row, exponential(A, t, z))
+                return root.guard.offset + root.guard.sign * dot(row, exponential(A, t, z))
 
             assert not abs(guard(root.tau)) > root.value
             assert not guard(root.tau - root.window) < 0
@@ -85,10 +87,17 @@ BALLS = Ball(40)
 CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
 
 
+LAYOUT = Layout((3, 2, 0, 2, 1), ((Fraction(3), Fraction(11)), (), (), (Fraction(2),), (Fraction(5),)))
+BELT = Layout((3, 0, 2, 2, 1), ((Fraction(3),), (), (Fraction(7),), (), (Fraction(5),)))
+ON_BELT = Pair("0.3", "inf", 50, 1, "0.5"), Pair("0.3", "inf", 0, 1)
+
+
 def flows():
-    for pair in PAIRS:
-        yield from (Flow(BALLS.bits, pair, slips, 3, (Fraction(3), Fraction(11))) for slips in (False, True))
-        yield from (Flow(BALLS.bits, pair, True, 3, (Fraction(3),), tuple(map(Fraction, one))) for one in CELLS)
+    for pair, layout in (*((one, LAYOUT) for one in PAIRS), *((one, BELT) for one in ON_BELT)):
+        yield from (Flow(BALLS.bits, pair, slips, layout) for slips in (False, True))
+        yield from (
+            Flow(BALLS.bits, pair, True, layout, tuple(map(Fraction, one))) for one in CELLS[: 4 if pair.a2 else 0]
+        )
 
 
 def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
@@ -103,29 +112,18 @@ def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
             _holds(flow, z, (flow.reach / 2).mid(), Expansion(few, z, flow.reach / 2))
 
 
-def value(row, z):
-    return sum((Ball.number(c) * z[n] for n, c in row), arb(0))
-
-
-def rows_of(flow):
-    """The rows of which there are guards."""
-    if flow.coupling:
-        return W, Z, flow.mode.friction
-    return (W if flow.slips else flow.mode.load,)
-
-
 def _holds(flow, z, t, motion):
     """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
-    A = [tuple(enumerate(row)) for row in flow.mode.generator()]
+    A = [[(k, Ball.number(c)) for k, c in enumerate(row)] for row in flow.mode.generator()]
     there = exponential(flow.mode.generator(), t, z)
-    rate = [value(row, there) for row in A]
+    rate = [dot(row, there) for row in A]
     assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
     assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
     rows = flow.rows(z)
-    for which, row in enumerate(rows_of(flow)):
-        curve, true = motion.row(which), value(row, there)
+    for which, row in enumerate(flow.guarded):
+        curve, true = motion.row(which), dot(row, there)
         assert abs(curve(t) - true) < motion.row_off(which, t, 0) + OFF
-        assert abs(curve.derivative()(t) - value(row, rate)) < motion.row_off(which, t, 1) + OFF
+        assert abs(curve.derivative()(t) - dot(row, rate)) < motion.row_off(which, t, 1) + OFF
         for order in (3, 5, 8, FEW):
             off = abs(sum((c * t**n for n, c in enumerate(rows[which][:order])), arb(0)) - true)
             assert not off > flow.rests(z, t, order)[which] * t**order
@@ -138,24 +136,18 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
     """Within its amplitude about a polynomial and what is slow; for waves or free motion alone it comes near that."""
     pair, nearest = Pair("0.3", m2, 50, 1, a1), 0.0
     for waves, x, v in (((), "0.1", "0.7"), ((Sine(3, 5, 1), Sine(1, 40)), 0, 0), ((Sine(3, "0.5", 1),), 0, 2)):
-        piece = ExactPiece(Fraction(0), Fraction(9), pair.b, (Fraction(1), Fraction(2)), waves, True)
-        flow = Flow(BALLS.bits, pair, slips, 2, tuple(one.omega for one in waves))
-        state = [Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)]
-        z = [*state, slips * Ball.number(pair.b), *BallDrive.of(piece).force(arb(0))]
-        row = W if slips else flow.mode.load
-
-        def guard(t, z, flow=flow, row=row):
-            return value(row, exponential(flow.mode.generator(), t, z))
-
-        for split in splits(flow, piece, int(slips), arb(0), z):
+        mode = LinearMode.under(pair, int(slips), Piece(0, (1, 2), waves))
+        flow = Flow(BALLS.bits, pair, slips, mode.layout)
+        z = mode.begin([Ball.number(Fraction(one)) for one in (x, v, 0, -3 if slips else v)], arb(0))
+        found, row = Swings(flow, z), flow.guarded[-1]
+        for limit in (arb(0), flow.fastest / 4):
+            taken = found.taken(flow.bent[-1], limit)
             for k in range(1, 60, 4):
-                t = Ball.number(Fraction(k, 40)) if split.rest == 0 else flow.reach * k / 30
-                rest = sum((c * t**n for n, c in enumerate(split.polynomial)), arb(0))
-                if split.slow is not None:
-                    rest += guard(t, split.slow)
-                off = abs(guard(t, z) - rest)
-                assert not off > split.amplitude + split.rest * t**FEW
-                nearest = max(nearest, float((off / split.amplitude).mid()))
+                t = Ball.number(Fraction(k, 40)) if taken.rest == 0 else flow.reach * k / 30
+                true, near = dot(row, exponential(mode.generator(), t, z)), arb_poly(taken.row)(t)
+                off = abs(true - near)
+                assert not off > taken.amplitude + taken.rest * t ** len(taken.row) + OFF
+                nearest = max(nearest, float((off / taken.amplitude).mid()))
     assert nearest > 0.6
 
 
@@ -198,8 +190,8 @@ def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(we
             A = np.array(flow.mode.generator(), dtype=float)[:4, :4]
             for guard in guards_of(path, at, flow.rows(z)):
                 row = np.zeros(5)
-                for place, factor in rows_of(flow)[guard.row]:
-                    row[min(place, 4)] = factor
+                for k, c in flow.guarded[guard.row]:
+                    row[min(k, 4)] = float(c)
                 for t in np.linspace(0, float(flow.reach), 5):
                     there = (
                         row[:4] @ np.linalg.matrix_power(A, guard.order) @ expm(A * t) @ (np.eye(4) if g > 0 else onto)

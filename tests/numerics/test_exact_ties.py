@@ -5,12 +5,18 @@ from math import factorial
 
 import pytest
 
-from numerics import Pair, Sine
+from numerics import Pair, Piece, Sine
 from numerics.arithmetic.ball import Ball
-from numerics.linear.pieces import ExactPiece
 from numerics.linear.polynomial_root import first_crossing, touches
 from numerics.linear.sine_form import SineForm
+from numerics.linear.system import LinearMode
 from numerics.linear.ties import MARGINAL, mode_after
+
+
+def after(pair, force, x, v, literal=False):
+    """What follows x1 = x, v1 = v2 = v at once, and how many derivatives of its guard vanish."""
+    state = [SineForm(one) for one in (x, v, 0, v)]
+    return mode_after(pair, LinearMode.under(pair, 0, force).piece, Fraction(0), state, literal=literal)
 
 
 @pytest.mark.parametrize("angle", [0, "1/3", "-1/3", -7])
@@ -33,27 +39,23 @@ def test_a_tie_is_decided_by_the_first_derivative_that_does_not_vanish(order, a1
         chosen = [u + (beyond * sign if k == order else 0) for k, u in enumerate(ties)]
         chosen = [Fraction(u - wave) / factorial(k) for k, (u, wave) in enumerate(zip(chosen, waves, strict=False))]
         chosen = chosen[: max(order + 1, 3)] if not sine else chosen
-        piece = ExactPiece(Fraction(0), Fraction(1), pair.b, tuple(chosen), sine, True)
-        found = mode_after(pair, piece, Fraction(0), SineForm(), SineForm(v), literal=False)
+        found = after(pair, Piece(0, chosen, sine), 0, v)
         if order == 0:
             assert found == ((side, 1) if sign > 0 else (0, 0))
         elif order < 5:
             assert found == ((side, order + 1) if sign > 0 else (0, order))
         else:
             assert found == (((side, 6) if side > 0 else (0, 5)) if sine else (0, MARGINAL))
-    assert mode_after(pair, piece, Fraction(0), SineForm(), SineForm(v), literal=True) == (0, 0)
+    assert after(pair, Piece(0, chosen, sine), 0, v, literal=True) == (0, 0)
 
 
 def test_a_tie_without_a_force_is_decided_by_the_speed():
     pair = Pair("0.4", "0.6", 3, "0.3", "0.7")
-    piece = ExactPiece(Fraction(0), Fraction(1), pair.b, (), (), True)
     still = -pair.a1 * pair.b / pair.m2 / pair.a2  # p' = 0, and p'' < 0
     for side in (1, -1):
         for v, found in ((still - 1, (side, 2)), (still + 1, (0, 1)), (still, (0, 2))):
             x = (-pair.b * pair.mass / pair.m2 - pair.a1 * v) / pair.a2
-            assert (
-                mode_after(pair, piece, Fraction(0), *(SineForm(side * x), SineForm(side * v)), literal=False) == found
-            )
+            assert after(pair, Piece(0), side * x, side * v) == found
 
 
 def test_a_crossing_is_the_first_root_of_odd_multiplicity_after_a_time():

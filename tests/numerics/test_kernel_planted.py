@@ -165,25 +165,18 @@ def test_a_stick_is_calm_where_the_load_stays_below_b_and_not_where_it_comes_to_
         assert (one.how == 1, len(one.events)) == (is_calm, int(not is_calm))
 
 
-def test_a_planted_error_that_may_reach_b_ends_a_calm_stick_and_another_is_in_its_bounds():
-    small, large = ((0, Fraction(1, n), 0, Fraction(1, n)) for n in (10**6, 1000))
-    assert [run(steady(0.9999, 0.7, 3.3, 0.0, 0.4, 4000), by).how == 1 for by in (small, large)] == [True, False]
-    scene = steady(0.9, 0.7, 3.3, 0.01, 0.4, 900)
-    one, two = run(scene, large), run(moved(scene, large))
-    assert one.how == 1
-    assert np.hstack(quotients(one, two)).max() <= 1
+def test_a_planted_error_that_may_reach_b_ends_a_calm_stick():
+    scene = steady(0.9999, 0.7, 3.3, 0.0, 0.4, 4000)
+    assert [run(scene, (0, size, 0, size)).how == 1 for size in (1e-6, 1e-3)] == [True, False]
 
 
-def test_a_jump_lets_go_or_is_in_doubt_and_what_grows_reaches_b_late():
+def test_a_jump_lets_go_or_is_in_doubt():
     pair = Pair("0.4", "0.6", 1, "0.6", "0.2")
     for jump in (Piece("0.8", [2]), Piece("0.8", [], [Sine(2, 3)])):
         assert run(Scene(pair, State(), 1, force=Force([Piece(0), jump]))).modes[:2] == (0, 1)
     just_below = Scene(pair, State(), 1, force=Force([Piece(0), Piece("0.8", [1 - Fraction(1, 10**6)])]))
     for size in (1.5, 0.5):
         assert (run(just_below, [size / 10**6, 0, 0, 0]).modes is None) == (size > 1)
-    for b, *force in (("1e-5", [0, 0, 0, "1e-9"]), ("0.5", [0, 0, "-0.25"]), ("0.5", [], [Sine("0.01", 1)])):
-        scene = Scene(Pair("0.4", "0.6", 1, b), State(), 3000, force=Force([Piece(0, *force)]))
-        assert run(scene, most=1).how != 1
 
 
 def require_right(scene, most=60):

@@ -54,17 +54,6 @@ def test_what_is_clear_exceeds_its_margin_and_a_root_is_the_first_and_alone(one,
         assert slopes.max() < 0.55 * slopes.min() < 0
 
 
-@given(st.floats(0.02, 0.98), st.sampled_from([-0.4, 0.0, 0.3]), st.sampled_from([0.0, 1e-9]), reaches)
-def test_a_single_root_is_found_and_a_double_one_never(part, slope, margin, theta):
-    r = part * theta
-    how, s, alone = rooted(padded(1, slope - 1 / r, -slope / r), (margin, 0.0, 0.0), theta)
-    assert how == ROOT
-    assert abs(s - r) < 1e-9
-    assert 0.05 * r < alone <= 0.26 * abs(1 + slope * r) / max(abs(2 * slope), 1e-9)
-    how, s, _ = rooted(padded(1, -2 / r, 1 / r**2), (margin, 0.0, 0.0), theta)
-    assert how == UNDECIDED or (how == CLEAR and s < r)
-
-
 @given(st.floats(0.1, 0.9), st.sampled_from(range(3)), reaches)
 def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
     q, root = padded(1, (value_at_end - 1) / theta), value_at_end * theta

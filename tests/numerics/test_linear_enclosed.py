@@ -118,9 +118,8 @@ def for_both(request, monkeypatch):
 
             def planted(path, knot):
                 at, (x1, v1, x2, v2) = begin(path, knot), map(Ball.number, off)
-                parts = path.root_a2 * x1, path.root_m1 * v1, path.root_m2 * v2, path.weight(at) * (x1 - x2)
-                norm = sum((one * one for one in parts), arb(0)).sqrt()
-                return at._replace(norm=norm.upper(), far=abs(x1).upper(), place=abs(x1 - x2).upper())
+                norm = path.flow(at).norm.of((x1, v1, x2, v2))
+                return at._replace(norm=norm, far=abs(x1).upper(), place=abs(x1 - x2).upper())
 
             patch.setattr(EnclosedRun, "begin", planted)
             return run(scene)

@@ -48,7 +48,7 @@ FORCED = Scene(
 @pytest.mark.parametrize("scene", [PAPER, DAMPED, FORCED])
 def test_the_load_that_is_drawn_decides_between_stick_and_slip(scene):
     curve = sampled(solve(scene))
-    load = curve.load(scene.pair)
+    load = curve.load
     assert np.all(np.abs(load[curve.stick]) <= curve.b[curve.stick] * (1 + 1e-9))
     assert np.abs(load[~curve.stick]).max() > curve.b.max()
 

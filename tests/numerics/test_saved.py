@@ -3,7 +3,6 @@
 import copy
 import json
 import pickle
-from dataclasses import replace
 from decimal import Decimal
 
 import numpy as np
@@ -25,8 +24,6 @@ def runs(scene=PAPER):
 def test_what_was_pickled_or_saved_comes_back_to_the_last_bit_and_is_equal(scene, tmp_path):
     times = [0, Decimal("0.25"), "1/3", 0.5, 2]
     answers = [*runs(scene), solve(scene, t_eval=times), solve(scene, digits=20, t_eval=times)]
-    answers.append(solve(replace(PAPER, until=solve(PAPER).events[2].t), arithmetic="float64"))
-    assert not answers[-1].certain
     for one in answers:
         one.save(tmp_path / "run.npz")
         for back in (Trajectory.load(tmp_path / "run.npz"), pickle.loads(pickle.dumps(one)), copy.deepcopy(one)):

@@ -105,9 +105,9 @@ def test_what_is_lost_over_a_ball_of_times_holds_what_is_lost_up_to_each(scene):
     with run.context():
         for row, length in enumerate(run.row_lengths[:3]):
             motion = run.row_motion(row)
-            wide = motion.losses(length / 2 + arb(0, 1) * length / 4)
+            wide = motion.taken(length / 2 + arb(0, 1) * length / 4)
             for share in (0.3, 0.5, 0.7):
-                assert all(one.contains(two) for one, two in zip(wide, motion.losses(length * share), strict=True))
+                assert all(one.contains(two) for one, two in zip(wide, motion.taken(length * share), strict=True))
 
 
 def test_a_stick_of_thousands_of_turns_keeps_its_ledger():

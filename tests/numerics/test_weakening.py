@@ -69,9 +69,9 @@ def test_what_is_found_is_the_motion(scene: Scene):
 @settings(max_examples=5, deadline=None)
 @given(weakened_scenes())
 def test_enclosures_of_any_digits_overlap_the_ledger_closes_and_a_table_that_says_nothing_changes_nothing(scene: Scene):
-    assert overlap(scene, scene, (24, 60))
-    ledger = run_scene(scene, Ball(24)).ledger
-    with Ball(24).context():
+    assert overlap(scene, scene, (60, 100))
+    ledger = run_scene(scene, Ball(60)).ledger
+    with Ball(60).context():
         assert ledger.residual.contains(0)
         assert ledger.residual.rad() < 1e-6
     pieces = scene.friction.steps
@@ -181,7 +181,7 @@ def test_a_heavy_body_2_is_a_belt_on_which_body_1_sticks_and_slips_in_one_cycle(
     assert len(let_go) > 4
     assert np.allclose(let_go, (0.5 - 0.2 * 0.02) / 200, rtol=1e-4)
     stick, path, *_ = (line.get_ydata() for line in run.plot("friction").lines)
-    assert np.all(abs(path[np.isnan(stick)] + 0.375) <= 0.125)
+    assert np.all(abs(path[np.isnan(stick)] + 0.375) <= 0.125 + 1e-12)
     cycle = run.plot("relative")
     assert (cycle.get_xlabel(), cycle.get_ylabel()) == ("$x_1$ (m)", "$v_1 - v_2$ (m/s)")
     plt.close("all")

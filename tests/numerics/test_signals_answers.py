@@ -1,0 +1,107 @@
+"""What a run answers where belt, wall, force on body 2, varying friction, no spring, or more friction at rest act."""
+
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+from differences import moved
+
+from numerics import (
+    Force,
+    InvalidScene,
+    NumericsError,
+    Pair,
+    Scene,
+    State,
+    Trajectory,
+    load_scene,
+    sensitivities,
+    solve,
+)
+from numerics.linear.model import TAKEN
+
+SCENES = {
+    one.stem: load_scene(one) for one in sorted((Path(__file__).parents[1] / "signals" / "scenes").glob("*.toml"))
+}
+STEP = Fraction(1, 10**16)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_floats_are_balls_and_the_books_close(name, tmp_path):
+    scene = SCENES[name]
+    run, truth = (solve(scene, max_events=40, arithmetic=one) for one in ("float64", "ball"))
+    times = np.linspace(0, float(run.end_time), 40)
+    assert truth.floats(truth.sol(times)) == pytest.approx(run.sol(times), abs=1e-12)
+    books, true = run.ledger, truth.ledger
+    with truth.context():
+        assert true.residual.contains(0)
+        for part in ("initial", "final", "work", *TAKEN):
+            off = abs(getattr(books, part) - truth.arithmetic.to_float(getattr(true, part)))
+            assert off <= books.error + 1e-14 * (1 + books.friction)
+    assert abs(books.residual) <= 6 * books.error + 1e-14
+    assert run.energy == pytest.approx(truth.floats(truth.energy), abs=1e-12)
+    assert len(run.to_dataframe()) == len(truth.to_csv().splitlines()) - 1 + 1
+    run.save(tmp_path / "run.npz")
+    assert Trajectory.load(tmp_path / "run.npz") == run
+    run.plot("energy")
+
+
+def test_a_wall_that_jumps_gives_its_work_at_once():
+    scene = Scene(Pair(1, 1, 200, "0.5"), State(), 2, wall=Force.step(1, "0.02"))
+    for arithmetic in ("float64", "ball"):
+        run = solve(scene, arithmetic=arithmetic)
+        assert run.floats(run.ledger.wall) == pytest.approx(100 * 0.02**2, rel=1e-9)
+        assert abs(run.floats(run.ledger.residual)) < 1e-14
+
+
+def test_a_pair_without_a_spring_has_no_excess_and_says_so():
+    run = solve(SCENES["no-spring"])
+    assert np.isnan(run.energy_excess).all()
+    assert "excess" not in run.to_csv()
+    for ask in ("final", "units"):
+        with pytest.raises(InvalidScene, match="spring"):
+            getattr(run, ask)
+
+
+def numbers(run):
+    """Times of events, final state and energy."""
+    return [*run.event_times, *run.final_state, run.final_energy]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_derivatives_by_every_number_are_differences(name):
+    scene = SCENES[name]
+    base = solve(scene, arithmetic="ball", digits=60, max_events=20)
+    found, compared = sensitivities(base), 0
+    for k, number in enumerate(found.wrt):
+        ours = base.floats([*found.t[:, k], *found.final[:, k], found.energy[k]])
+        for sign in (1, -1):
+            try:
+                near = solve(moved(scene, {number: sign * STEP}), arithmetic="ball", digits=60, max_events=20)
+            except (NumericsError, IndexError, TypeError):  # no such scene, or no such number in it
+                continue
+            if near.modes == base.modes:
+                with base.context():
+                    theirs = base.floats(
+                        [(a - b) / (sign * STEP.numerator) for a, b in zip(numbers(near), numbers(base), strict=True)]
+                    )
+                assert ours == pytest.approx(theirs * 1e16, abs=1e-8 * (1e-3 + abs(ours).max())), number
+                compared += 1
+                break
+    assert compared >= len(found.wrt) - 3
+
+
+def test_only_the_chosen_columns_are_computed():
+    t = [Fraction(k, 50) for k in range(150)]
+    table = Force.samples(t, [Fraction(k * k % 17, 20) for k in range(150)])
+    run = solve(Scene(Pair(1, 1, 200, "0.2"), State(), 3, force=table))
+    found, chosen = sensitivities(run), sensitivities(run, wrt=["b", "force[3].polynomial[0]", "m1"])
+    assert found.wrt == ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1", "until")  # no samples
+    for name in ("b", "m1"):
+        assert (chosen.final[:, chosen.wrt.index(name)] == found.final[:, found.wrt.index(name)]).all()
+    assert abs(chosen.final[:, 1]).max() > 0
+    assert (sensitivities(run, 2, wrt=["m1"])[:, 0] == sensitivities(run, 2)[:, 4]).all()
+    for wrong in (["b", "nothing"], "b", [], ["b", "b"]):
+        with pytest.raises(ValueError, match="wrt"):
+            sensitivities(run, wrt=wrong)
