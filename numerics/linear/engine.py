@@ -6,6 +6,7 @@ again from what is known exactly: ties, touches, jumps that meet an event.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
