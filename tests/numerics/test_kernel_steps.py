@@ -142,7 +142,7 @@ def test_a_guard_is_clear_where_it_exceeds_what_N_lateness_or_rounding_may_take_
     slip = norm.kappa if since > 9 else norm.bend * (since + 1) * h
     by_N = norm.load if mode == 0 else [2 * slip, 2 * norm.bend * h, 16 * norm.bend * h][order]
     rows, degrees = problem.tables.rows[0, int(mode == 0)], problem.tables.degrees[0, int(mode == 0)]
-    sums = problem.tables.sums[0, int(mode == 0), 0, order, :count].sum() * UNIT
+    sums = problem.tables.sums[0, int(mode == 0), 0, order, 1, :count].sum() * UNIT
     rows[STATE:], degrees[STATE:] = 0.0, 0
     rows[STATE:, 0, order : order + 2], degrees[STATE:, 0] = [[1.0, 0.0]], order + 2
     for N, size, late in ((1e-3, 0.0, 0.0), (0.0, 1e6, 0.0), (0.0, 0.0, 1e-3 * h)):
