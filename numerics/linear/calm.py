@@ -118,7 +118,9 @@ def long_step(problem: Problem, room: Room, now: Now) -> Now:
 def doubled(A: Any, levels: int) -> Any:
     """Return exp(A 2^k) for k < levels."""
     count = A.shape[0]
-    powers, term = np.zeros((levels, count, count)), np.eye(count)
+    powers, term = np.zeros((levels, count, count)), np.zeros((count, count))
+    for i in range(count):
+        term[i, i] = 1.0
     for k in range(1, 40):
         powers[0] += term
         term = product(term, A) / k
