@@ -17,7 +17,7 @@ from numerics.linear.calm import doubled, matrix_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import V1, V2, X1, Norm
 from numerics.linear.record import AT
-from numerics.linear.room import Problem, Room, dot, form_z, polynomial_of
+from numerics.linear.room import Problem, Room, dot, form_z, polynomial_of, size_of
 from numerics.linear.table import STATE, UNIT
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
@@ -41,7 +41,7 @@ def ledger(problem: Problem, room: Room, rows: Any, count: int, end: Any, taken:
 
     nan where a segment has more steps than anybody waits for.
     """
-    X, at_node = np.zeros((STATE, problem.tables.rows.shape[4])), np.zeros((6, 2))
+    X = np.zeros((STATE, problem.tables.rows.shape[4]))
     taken[:] = 0.0
     steps = 0
     for k in range(count):
@@ -57,9 +57,11 @@ def ledger(problem: Problem, room: Room, rows: Any, count: int, end: Any, taken:
             left = by_powers(problem, room, (piece, mode), left, N * problem.norm.root_m1, taken)
         while left > 0.0 and steps < _MOST_STEPS:
             s = min(1.0, left / h)
-            step(problem, room, (piece, mode), s, X, at_node, N * problem.norm.root_m1, taken)
+            step(problem, room, (piece, mode), s, X, N * problem.norm.root_m1, taken)
             left -= s * h
             steps += 1
+    if count > 0:
+        taken[6] += end[_LATE] * at_event(problem, room, int(end[_PIECE]), end[_ERROR] * problem.norm.root_m1)
     if steps == _MOST_STEPS:
         taken[:] = np.nan
 
@@ -71,7 +73,6 @@ def step(
     here: tuple[int, int],
     s: float,
     X: Any,
-    factors: Any,
     N: float,
     taken: Any,
 ) -> None:
@@ -92,17 +93,10 @@ def step(
             form_z(problem, room, piece, mode, False)
             weight = WEIGHTS[n] / cut * s * h
             for k in range(6):
-                for i in range(2):
-                    factors[k, i] = dot(tables.powers[kind, side, k, i], room.z, count)
-                one, two = factors[k]
+                one, a = factor(problem, room, tables.powers[kind, side, k, 0], count, N)
+                two, b = factor(problem, room, tables.powers[kind, side, k, 1], count, N)
                 taken[k] += weight * one * two
-                a, b = (
-                    reach(problem.norm, tables.powers[kind, side, k, 0]),
-                    reach(problem.norm, tables.powers[kind, side, k, 1]),
-                )
-                taken[6] += weight * (
-                    abs(one) * b * N + abs(two) * a * N + a * b * N * N + 64.0 * UNIT * abs(one * two)
-                )
+                taken[6] += weight * (abs(one) * b + abs(two) * a + a * b)
     put(room.clock[0], plus(begun, two_product(s, h)))
     for i in range(STATE):
         room.y[i], _ = value_slope(X[i], s)
@@ -165,17 +159,22 @@ def form_at(form: Any, z: Any) -> float:
 
 @compilable
 def at_event(problem: Problem, room: Room, piece: int, N: float) -> float:
-    """Return the greatest power of friction and belt in any mode where the room is: about an event it may be either."""
+    """Return twice the greatest powers in any mode where the room is: about an event it may be either."""
     tables, kind, total = problem.tables, problem.drive.places[piece, 0], 0.0
     form_z(problem, room, piece, 1, True)
     for side in range(2):
-        for k in (0, 4):
-            power = 2.0
-            for i in range(2):
-                row = tables.powers[kind, side, k, i]
-                power *= abs(dot(row, room.z, tables.count[kind])) + reach(problem.norm, row) * N
-            total += power
+        for k in range(6):
+            one, a = factor(problem, room, tables.powers[kind, side, k, 0], tables.count[kind], N)
+            two, b = factor(problem, room, tables.powers[kind, side, k, 1], tables.count[kind], N)
+            total += 2.0 * (abs(one) + a) * (abs(two) + b)
     return total
+
+
+@compilable_with(forceinline=False)
+def factor(problem: Problem, room: Room, row: Any, count: int, N: float) -> tuple[float, float]:
+    """Return the value of a row, and by how much it may be off."""
+    off = reach(problem.norm, row) * N + 32.0 * UNIT * size_of(row, room.size, count)
+    return dot(row, room.z, count), off
 
 
 @compilable
