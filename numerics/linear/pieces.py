@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.pair import nearest
+from numerics.arithmetic.precision import cached_property
 from numerics.linear.model import BELT, FORCE, FRICTION, WALL, Layout
 from numerics.scene import Piece, Scene, Sine
 
