@@ -61,7 +61,13 @@ class Log(NamedTuple):
 def follow(problem: Problem, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
     """Follow the modes (follow_in) in a room of its own."""
     rows = problem.tables.rows
-    return follow_in(problem, make_room(rows.shape[3], rows.shape[4]), start, clear_until, log)
+    return follow_alone(problem, make_room(rows.shape[3], rows.shape[4]), start, clear_until, log)
+
+
+@compilable
+def follow_alone(problem: Problem, room: Room, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
+    """Follow the modes (follow_in) as a batch does: for a caller of other options numba would compile it anew."""
+    return follow_in(problem, room, start, clear_until, log)
 
 
 @compilable_with(forceinline=False)

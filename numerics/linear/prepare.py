@@ -24,7 +24,7 @@ from numerics.linear.model import BELT, DRIVEN, FIRST, WALL, Bodies, Layout, Nor
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, END_ROW
 from numerics.linear.room import Drive, Problem
-from numerics.linear.table import REACH, Tables, form, make_tables, most_terms
+from numerics.linear.table import REACH, Tables, form_alone, make_tables, most_terms
 from numerics.scene import Law, Pair, Scene
 from numerics.scene.decimals import short
 
@@ -174,7 +174,7 @@ def _tables(pair: Pair, norm: Norm, layouts: tuple[Layout, ...], units: KernelUn
     tables = make_tables(len(layouts), n, most_terms(terms))
     for index, layout in enumerate(layouts):
         rows = _in_units(exact_rows(pair, layout), layout, units)
-        compiled(form)(tables, index, norm, layout.blocks, rows, 1.0, longest)
+        compiled(form_alone)(tables, index, norm, layout.blocks, rows, 1.0, longest)
     return tables
 
 

@@ -119,6 +119,14 @@ def form(tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactne
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
+def form_alone(
+    tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactness: float, longest: float
+) -> None:
+    """Form the tables of one kind (form) as a batch does: for a caller of other options numba would compile it anew."""
+    form(tables, kind, norm, blocks, rows, exactness, longest)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
 def form_mode(tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exactness: float, longest: float) -> None:
     """Form the tables of one mode."""
     n, at = tables.count[kind], (kind, mode)

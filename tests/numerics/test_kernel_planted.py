@@ -22,7 +22,7 @@ from numerics.trajectory.run import run_scene
 
 OURS = 1e-13
 """What both runs of a comparison round, relative to 1."""
-RUNS, BORDERS, BROUGHT = (300, 30, 60) if can_compile() else (60, 6, 25)
+RUNS, BORDERS, BROUGHT = (300, 30, 60) if can_compile() else (30, 3, 6)
 TAKEN = slice(AT["friction"], AT["ledger_error"])
 
 
@@ -201,8 +201,8 @@ def require_right(scene, most=60):
 
 
 def test_scenes_of_new_kinds_are_those_of_balls_within_their_bounds():
-    decided = sum(require_right(brought(Random(one))) for one in range(BROUGHT))
-    assert decided > 0.7 * BROUGHT
+    scenes = [scene for one in range(BROUGHT) if (scene := brought(Random(one))).pair.b]
+    assert sum(map(require_right, scenes)) > 0.7 * len(scenes)
 
 
 @pytest.mark.parametrize("omega", [1, 30, 1000])

@@ -66,6 +66,12 @@ def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
         assert (rooted(padded(1, -1 / root), margins, theta)[0] == ROOT) == (factor < 1)
 
 
+@pytest.mark.parametrize("power", [7, 8, 9, 14])
+def test_no_power_is_left_out_of_what_is_clear(power):
+    how, s, _ = rooted(padded(1, *[0] * (power - 1), -1.5), (0.0, 0.0, 0.0), 1.0)
+    assert s < 1.5 ** (-1 / power) or (how == ROOT and s == pytest.approx(1.5 ** (-1 / power)))
+
+
 def matrix_of(problem, mode):
     count = int(problem.tables.count[0])
     return problem.tables.A[0, int(mode == 0), :count, :count], float(problem.tables.h[0, int(mode == 0)]), count
