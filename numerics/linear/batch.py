@@ -18,7 +18,7 @@ from numerics.linear.ledger import ledger
 from numerics.linear.model import FIRST, FORCE, FRICTION, Bodies, Rows, make_rows, norm_of, put_rows
 from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
 from numerics.linear.room import Drive, Problem, Room, make_room
-from numerics.linear.table import Tables, form, make_tables, most_terms
+from numerics.linear.table import form, make_tables, most_terms
 
 _MODE, _JUMP, _PIECE, _LOCAL, _X1, _HOW = (AT[name] for name in ("mode", "jump", "piece", "local", "x1", "how"))
 _TAKEN = AT["friction"]

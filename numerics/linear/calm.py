@@ -110,7 +110,7 @@ def long_step(problem: Problem, room: Room, now: Now) -> Now:
                 most += abs(row[j]) * room.size[j]
             own[i] = math.ldexp((count + 8) * UNIT, level + 2) * most  # each squaring doubles what is off
         added = scale[0] * own[0] + (scale[1] + scale[3]) * own[1]
-        now = moved(norm, room, now, TwoFloats(math.ldexp(h, level), 0.0), (added, own[0], own[2]))
+        now = moved(norm, room, now, TwoFloats(math.ldexp(h, level), 0.0), (added, own[0], own[2]), 1.0)
         form_z(problem, room, now.piece, 0, False)
 
 
@@ -118,17 +118,19 @@ def long_step(problem: Problem, room: Room, now: Now) -> Now:
 def doubled(A: Any, levels: int) -> Any:
     """Return exp(A 2^k) for k < levels."""
     count = A.shape[0]
-    powers, term = np.zeros((levels, count, count)), np.eye(count)
+    powers, term = np.zeros((levels, count, count)), np.zeros((count, count))
+    for i in range(count):
+        term[i, i] = 1.0
     for k in range(1, 40):
         powers[0] += term
-        term = product(term, A) / k
+        term = matrix_product(term, A) / k
     for level in range(1, levels):
-        powers[level] = product(powers[level - 1], powers[level - 1])
+        powers[level] = matrix_product(powers[level - 1], powers[level - 1])
     return powers
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def product(A: Any, B: Any) -> Any:
+def matrix_product(A: Any, B: Any) -> Any:
     """Return A B; without a library for it, which would have to be installed."""
     count = A.shape[0]
     found = np.zeros((count, count))

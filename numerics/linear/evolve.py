@@ -30,28 +30,23 @@ def evolve(problem: Problem, room: Room, now: Now, s: float) -> Now:
             (UNIT * dot(own[0, 0], size, count), UNIT * dot(own[0, 1], size, count)),
             UNIT * dot(own[0, 2], size, count),
         )
-    if now.mode == 0 and not is_part and now.since > now.late:
-        now = shrunk(now, tables.shrink[at[0]])
-    return moved(problem.norm, room, now, two_product(s, h), (added[0], added[1], last))
+    both_stick = now.mode == 0 and not is_part and now.since > now.late
+    factor = tables.shrink[at[0]] if both_stick else 1.0
+    return moved(problem.norm, room, now, two_product(s, h), (added[0], added[1], last), factor)
 
 
 @compilable
-def shrunk(now: Now, factor: float) -> Now:
-    """Return where the run is, with N that has become smaller: both motions stick."""
-    return Now(
-        now.piece, now.mode, now.order, now.edge, now.late, now.since, now.N * factor, now.far, now.far_2, now.apart
-    )
+def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, float, float], factor: float) -> Now:
+    """Move clock and errors by a step of the state, which was rounded by `own` in N, x1 and x2.
 
-
-@compilable
-def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, float, float]) -> Now:
-    """Move clock and errors by a step of the state, which was rounded by `own` in N, x1 and x2."""
+    N shrinks by a factor; until then positions may part as fast as before.
+    """
     if now.mode == 0:
         room.y[3] = room.y[1]
     for i in range(2):
         put(room.clock[i], plus(pair_of(room.clock[i]), time))
-    N = now.N + own[0]
-    apart = now.apart + own[1] + own[2] + (norm.kappa * N * time.high if now.mode != 0 else 0.0)
-    far = now.far + own[1] + N / norm.root_m1 * time.high
-    far_2 = now.far_2 + own[2] + (N / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
+    most, N = now.N + own[0], now.N * factor + own[0]
+    apart = now.apart + own[1] + own[2] + (norm.kappa * most * time.high if now.mode != 0 else 0.0)
+    far = now.far + own[1] + most / norm.root_m1 * time.high
+    far_2 = now.far_2 + own[2] + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
     return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, far_2, apart)

@@ -19,6 +19,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.calm import Calm, step_over
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
+from numerics.linear.model import V2
 from numerics.linear.next_event import Next, Step, next_event, step_from
 from numerics.linear.record import AT, ROW
 from numerics.linear.resolve import (
@@ -26,15 +27,13 @@ from numerics.linear.resolve import (
     EXIT,
     NOTHING,
     PIECE,
-    SLIP_END,
     StepEnd,
     arrived,
     fastest,
     resolve,
 )
 from numerics.linear.resolve import UNDECIDED as UNDECIDED_MODE
-from numerics.linear.model import DRIVEN
-from numerics.linear.room import Now, Problem, Room, form_z, make_room, place_of, size_of
+from numerics.linear.room import Now, Problem, Room, form_z, make_room, place_of
 from numerics.linear.table import STATE, UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
@@ -179,15 +178,12 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
         row[_X1 + i] = y[i]
     row[_LATE] = late
     x1 = min(now.N / norm.root_a2, now.far) if norm.root_a2 > 0.0 else now.far
-    v1, v2, far = now.N / norm.root_m1, 0.0, 0.0
-    if norm.root_m2 > 0.0:
-        v2 = now.N / norm.root_m2
-    else:  # the velocity of the belt, rounded
-        kind = problem.drive.places[now.piece, 0]
-        v2 = 2.0 * UNIT * size_of(problem.tables.others[kind, DRIVEN], room.size, problem.tables.count[kind])
+    # that of a belt is its velocity, rounded
+    v1, v2 = now.N / norm.root_m1, now.N / norm.root_m2 if norm.root_m2 > 0.0 else 8.0 * UNIT * room.size[V2]
+    far = 0.0
     if late > 0.0:
-        one, two = fastest(problem, room, now, 0), fastest(problem, room, now, 1)
-        v1 = v2 = min(v1 + one * late, v2 + two * late)
+        one, two = fastest(problem, room, now, 0, late), fastest(problem, room, now, 1, late)
+        v1 = v2 = min(v1 + one * late, v2 + two * late) + abs(y[1] - y[3])
         far = (abs(y[1]) + one * late) * late
     row[_ERRORS], row[_ERRORS + 1], row[_ERRORS + 2], row[_ERRORS + 3] = (
         x1 + far,

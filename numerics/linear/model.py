@@ -113,7 +113,7 @@ class Layout(NamedTuple):
         waves = [len(one) for one in self.omegas]
         first = FIRST + np.cumsum([0, *self.terms[:-1]])
         sines = FIRST + sum(self.terms) + 2 * np.cumsum([0, *waves[:-1]])
-        return np.array([first, self.terms, sines, waves], dtype=np.int64).T
+        return np.array([first, self.terms, sines, waves], dtype=np.int64).T.copy()
 
 
 class Rows(NamedTuple):

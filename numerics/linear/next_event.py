@@ -75,7 +75,7 @@ def first_of_guard(problem: Problem, room: Room, now: Now, guard: int, order: in
     else:
         margins = slip_margins(problem.norm, h, order, (off, rise), now, end)
     if order > 0 and now.late > 0.0:  # the true segment began up to `late` away: as much as its guard changes meanwhile
-        shift = 2.0 * now.late / h * abs_slope(q)
+        shift = (1.0 + order) * now.late / h * abs_slope(q)
         margins = margins[0] + shift, margins[1], margins[2]
     how, s, alone = first_root(q, margins, end, room.bernstein)
     if how != ROOT:

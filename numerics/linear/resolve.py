@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.model import EDGE, KINETIC, SLIP, STICK, V1, V2
 from numerics.linear.next_event import Next
 from numerics.linear.room import Now, Problem, Room, dot, place_of, size_of
@@ -71,7 +71,8 @@ def resolve(problem: Problem, room: Room, now: Now, event: StepEnd) -> Now:
     edge = 0 if one <= two else 1
     gap = room.y[1] - room.y[3]
     if event.kind == CONTACT and gap != 0.0:  # the belt's velocity has jumped
-        mode = UNDECIDED if abs(gap) <= problem.norm.kappa * now.N else 1 if gap > 0.0 else -1
+        off = problem.norm.kappa * now.N + 32.0 * UNIT * room.size[V2]
+        mode = UNDECIDED if abs(gap) <= off else 1 if gap > 0.0 else -1
     elif event.kind in (CONTACT, SLIP_END):
         mode = mode_after(problem, room, now, (one, two), event.late)
         if event.kind == SLIP_END and mode == now.mode:
@@ -93,12 +94,10 @@ def mode_after(problem: Problem, room: Room, now: Now, values: tuple[float, floa
     for g in range(2):
         off = problem.norm.load * now.N + 32.0 * UNIT * size_of(tables.guards[kind, g], room.size, count)
         if late > 0.0:
-            fast, bend = 0.0, 0.0
+            fast = 0.0
             for mode in range(2):
-                rate, h = tables.rates[kind, mode, g], tables.h[kind, mode]
-                fast = max(fast, reach_of(rate, room.z, tables.signed[kind], count))
-                bend = max(bend, size_of(rate, room.size, count) / h)
-            off += 1.25 * late * (fast + 2.0 * late * bend)
+                fast = max(fast, most_of(problem, room, (kind, mode), tables.rates[kind, mode, g], late))
+            off += 1.25 * late * fast
         if values[g] < -off:
             return 1 - 2 * g
         at_edge += 0 if values[g] > off else 1
@@ -117,12 +116,24 @@ def reach_of(row: Any, z: Any, signed: Any, count: int) -> float:
     return abs(own) + abs(of_friction)
 
 
+@compilable_with(forceinline=False)
+def most_of(problem: Problem, room: Room, at: tuple[int, int], row: Any, late: float) -> float:
+    """Return the greatest value of a row for either sign of b, within `late` of where z stands in a mode."""
+    tables, (kind, mode) = problem.tables, at
+    signed, count, A = tables.signed[kind], tables.count[kind], tables.A[kind, mode]
+    most = reach_of(row, room.z, signed, count)
+    if late > 1e-8 * tables.h[kind, mode]:  # else less than rounding
+        for j in range(count):
+            most += 2.0 * late * abs(row[j]) * reach_of(A[j], room.z, signed, count)
+    return most
+
+
 @compilable
-def fastest(problem: Problem, room: Room, now: Now, body: int) -> float:
-    """Return the greatest |v1'| (body 0) or |v2'| (body 1) of any mode where a run is."""
+def fastest(problem: Problem, room: Room, now: Now, body: int, late: float) -> float:
+    """Return the greatest |v1'| (body 0) or |v2'| (body 1) of any mode within `late` of where a run is."""
     tables, kind = problem.tables, problem.drive.places[now.piece, 0]
-    place, count, signed, most = V2 if body == 1 else V1, tables.count[kind], tables.signed[kind], 0.0
+    place, most = V2 if body == 1 else V1, 0.0
     for mode in (SLIP, STICK):
         if mode == SLIP or problem.literal:  # else stick's is between those of the slips
-            most = max(most, reach_of(tables.A[kind, mode, place], room.z, signed, count))
+            most = max(most, most_of(problem, room, (kind, mode), tables.A[kind, mode, place], late))
     return most

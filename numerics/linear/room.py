@@ -141,9 +141,12 @@ def form_z(problem: Problem, room: Room, piece: int, mode: int, is_event: bool) 
             if tables.signed[kind, j] == 1.0:
                 z[j] = -z[j]
     if problem.norm.root_m2 == 0.0:
-        z[V2] = room.y[3] = dot(tables.others[kind, DRIVEN], z, tables.count[kind])
+        driven, count = tables.others[kind, DRIVEN], tables.count[kind]
+        z[V2] = room.y[3] = dot(driven, z, count)
+        size[V2] = size_of(driven, size, count)
         if mode == 0 and not is_event:
-            z[V1] = room.y[1] = z[V2]
+            z[V1], size[V1] = z[V2], size[V2]
+            room.y[1] = z[V2]
 
 
 @compilable

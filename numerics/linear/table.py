@@ -123,7 +123,7 @@ def form_mode(tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exa
     """Form the tables of one mode."""
     n, at = tables.count[kind], (kind, mode)
     A, own, scale = tables.A[at][:n, :n], tables.own[at], (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
-    places = np.argwhere(A)
+    places = places_of(A)
     h = step_of(A, places, longest)
     tables.h[at] = h
     own[:, :, :] = 0.0
@@ -173,6 +173,18 @@ def shrinking(flow: Any, norm: Norm) -> float:
     square, determinant = one * one + two * two + three * three + four * four, one * four - two * three
     inner = max(square * square - 4.0 * determinant * determinant, 0.0)
     return min(1.0, math.sqrt((square + math.sqrt(inner)) / 2.0) * (1.0 + 1e-12) + 1e-15)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def places_of(A: Any) -> Any:
+    """Return where a matrix is not 0, (k, 2); argwhere takes longer to compile."""
+    found, count = np.zeros((A.size, 2), dtype=np.int64), 0
+    for i in range(A.shape[0]):
+        for j in range(A.shape[1]):
+            if A[i, j] != 0.0:
+                found[count, 0], found[count, 1] = i, j
+                count += 1
+    return found[:count]
 
 
 @compilable
