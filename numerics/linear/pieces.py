@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property, lru_cache
-from itertools import pairwise
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.pair import nearest
+from numerics.arithmetic.precision import cached_property
 from numerics.linear.model import BELT, FORCE, FRICTION, WALL, Layout
 from numerics.scene import Piece, Scene, Sine
 
@@ -75,11 +75,12 @@ class ExactPiece:
 def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     """Return the pieces from t = 0 up to the horizon, in order."""
     acting = [_NOTHING, _NOTHING, _NOTHING, _NOTHING, Piece(0, (scene.pair.b,))]
-    given = scene.force, scene.force_2, scene.belt, scene.wall, scene.friction  # in the order of model.py
-    begun = [(piece.start, signal, piece) for signal, one in enumerate(given) for piece in one.pieces]
-    changes = sorted((one for one in begun if one[0] < scene.until), key=lambda one: one[:2])
+    given = enumerate(scene.pieces.values())  # in the order of model.py
+    begun = [(piece.start, signal, piece) for signal, pieces in given for piece in pieces if piece.start < scene.until]
+    changes = [(Fraction(0), FRICTION, acting[-1]), *sorted(begun, key=lambda one: one[:2])]
+    ends = [*(start for start, *_ in changes[1:]), scene.until]
     found: list[ExactPiece] = []
-    for (start, signal, piece), (end, *_) in pairwise([(Fraction(0), FRICTION, acting[-1]), *changes, (scene.until,)]):
+    for (start, signal, piece), end in zip(changes, ends, strict=True):
         is_lifted_off = signal == FRICTION and not (piece.polynomial or piece.sines)
         acting[signal] = Piece(piece.start, (0,)) if is_lifted_off else piece
         if start < end:
