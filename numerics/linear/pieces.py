@@ -54,16 +54,6 @@ class ExactPiece:
         """Return the piece with another friction force, N."""
         return replace(self, signals=(*self.signals[:FRICTION], Piece(0, (b,))))
 
-    @property
-    def is_plain(self) -> bool:
-        """Return whether nothing acts but u, and one number b."""
-        return not (any(one.polynomial or one.sines for one in self.signals[1:FRICTION]) or self.varies)
-
-    @property
-    def varies(self) -> bool:
-        """Return whether friction is no one number here."""
-        return self.signals[FRICTION].constant is None
-
     @cached_property
     def layout(self) -> Layout:
         """Return what of the signals the matrices of the modes depend on."""
