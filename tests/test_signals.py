@@ -64,7 +64,7 @@ def test_a_block_on_a_belt_sticks_until_its_spring_bears_static_friction_and_sli
     a2, b, most, c = 30, 1, Fraction(3, 2), Fraction(1, 10)
     scene = Scene(Pair(1, "inf", a2, b, b_static=most), State(v1=c), 6, belt=Force([Piece(0, (c,))]))
     leaves, sticks, again = events(run(scene, 40, 3))
-    assert [leaves.mode, sticks.mode, again.mode] == [-1, 0, -1]
+    assert [leaves.mode, leaves.order, sticks.mode, again.mode] == [-1, 1, 0, -1]
     assert numbers(scene, leaves)[0].overlaps(Ball.number(most / a2 / c))
     assert sticks.x1.overlaps(Ball.number(2 * b / Fraction(a2) - most / a2))
     omega = Ball.number(a2).sqrt()

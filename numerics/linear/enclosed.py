@@ -23,6 +23,7 @@ from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
 from numerics.linear.swings import Swings
+from numerics.linear.system import dot
 from numerics.linear.ties import signal_form
 from numerics.scene import Scene
 
@@ -125,7 +126,8 @@ class EnclosedRun(EnclosedPath):
         """Return the mode that follows v1 = v2, and a bound on int |error of friction| dt about the event."""
         late, span, kappa = root.late, root.window, self.kappa
         there = at._replace(mode=0, local=here, state=event, place=arb(0))
-        load, b = self.load(there)
+        flow, z = self.here(there)
+        load, b = dot(flow.load, z), self.edge(there, flow, z)
         above = self.kept * b * late  # while one sticks at more than b and the other slips
         if at.mode:
             mode = mode_on_surface(load, b, arb(0), literal=self.literal)
@@ -143,7 +145,6 @@ class EnclosedRun(EnclosedPath):
             if self.kept > 0:
                 order = 1
             else:
-                flow, z = self.here(there)
                 bend = -flow.rows(z)[root.guard.row][1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
@@ -204,8 +205,8 @@ class EnclosedRun(EnclosedPath):
         if self.is_fixed and piece.belt_jumps:
             found = self.beside(end, found)
         if found.mode == 0 and piece.is_jump:
-            load, edge = self.load(found)
-            mode = mode_on_surface(load, edge, self.margin(end), literal=self.literal)
+            flow, z = self.here(found)
+            mode = mode_on_surface(dot(flow.load, z), self.edge(found, flow, z), self.margin(end), literal=self.literal)
             if mode == UNDECIDED:
                 raise self.undecided(at)
             found = self.entered(found._replace(mode=mode), abs(mode), found.state)
@@ -268,7 +269,7 @@ class EnclosedRun(EnclosedPath):
     def fixed(self, at: At) -> list[arb]:
         """Return the state of the true motion at the time of a point."""
         fast_1, fast_2 = (at.norm * one for one in self.speeds)
-        state = self.here(at)[1][:4]
+        state = self.here(at)[1][:4] if self.is_fixed else at.state
         return [widened(one, off) for one, off in zip(state, (at.far, fast_1, at.far + at.place, fast_2), strict=True)]
 
     def row(self, at: At, local: arb, state: Sequence[arb]) -> Knot:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
-from numerics.linear.model import Norm
+from numerics.linear.model import X1, X2, Norm
 from numerics.linear.room import Now, Problem, Room, between, dot, place_of, polynomial_of
 from numerics.linear.table import STATE, UNIT
 
@@ -41,12 +41,17 @@ def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, f
 
     N shrinks by a factor; until then positions may part as fast as before.
     """
-    if now.mode == 0:
-        room.y[3] = room.y[1]
+    y, z = room.y, room.z
+    most, N, parted = now.N + own[0], now.N * factor + own[0], own[1] + own[2]
+    if now.mode == 0:  # body 2 goes where body 1 does
+        y[3] = y[1]
+        y[2] = z[X2] + (y[0] - z[X1])
+        parted = 2.0 * UNIT * (abs(y[0]) + abs(z[X1]) + abs(z[X2]) + abs(y[2]))
+    else:
+        parted += norm.kappa * most * time.high
     for i in range(2):
         put(room.clock[i], plus(pair_of(room.clock[i]), time))
-    most, N = now.N + own[0], now.N * factor + own[0]
-    apart = now.apart + own[1] + own[2] + (norm.kappa * most * time.high if now.mode != 0 else 0.0)
+    apart = now.apart + parted
     far = now.far + own[1] + most / norm.root_m1 * time.high
-    far_2 = now.far_2 + own[2] + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
+    far_2 = now.far_2 + (own[1] + parted if now.mode == 0 else own[2]) + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
     return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, far_2, apart)

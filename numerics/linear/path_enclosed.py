@@ -126,10 +126,9 @@ class EnclosedPath:
             raise self.undecided(at)
         return edge
 
-    def load(self, at: At) -> tuple[arb, arb]:
-        """Return the load at a point in stick and the greatest one that friction holds there, N."""
-        flow, z = self.here(at)
-        return dot(flow.load, z), self.held(at) if self.varies else dot(flow.edge, z)
+    def edge(self, at: At, flow: Flow, z: Sequence[arb]) -> arb:
+        """Return the greatest load that friction holds at a point in stick, N."""
+        return self.held(at) if self.varies else dot(flow.edge, z)
 
     def weight(self, at: At) -> arb:
         """Return sqrt(g) of the norm in the cell of a point; 0 in stick, and where friction is one number b."""

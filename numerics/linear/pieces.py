@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,16 +54,6 @@ class ExactPiece:
         """Return the piece with another friction force, N."""
         return replace(self, signals=(*self.signals[:FRICTION], Piece(0, (b,))))
 
-    @property
-    def is_plain(self) -> bool:
-        """Return whether nothing acts but u, and one number b."""
-        return not (any(one.polynomial or one.sines for one in self.signals[1:FRICTION]) or self.varies)
-
-    @property
-    def varies(self) -> bool:
-        """Return whether friction is no one number here."""
-        return self.signals[FRICTION].constant is None
-
     @cached_property
     def layout(self) -> Layout:
         """Return what of the signals the matrices of the modes depend on."""
@@ -76,11 +65,12 @@ class ExactPiece:
 def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     """Return the pieces from t = 0 up to the horizon, in order."""
     acting = [_NOTHING, _NOTHING, _NOTHING, _NOTHING, Piece(0, (scene.pair.b,))]
-    given = scene.force, scene.force_2, scene.belt, scene.wall, scene.friction  # in the order of model.py
-    begun = [(piece.start, signal, piece) for signal, one in enumerate(given) for piece in one.pieces]
-    changes = sorted((one for one in begun if one[0] < scene.until), key=lambda one: one[:2])
+    given = enumerate(scene.pieces.values())  # in the order of model.py
+    begun = [(piece.start, signal, piece) for signal, pieces in given for piece in pieces if piece.start < scene.until]
+    changes = [(Fraction(0), FRICTION, acting[-1]), *sorted(begun, key=lambda one: one[:2])]
+    ends = [*(start for start, *_ in changes[1:]), scene.until]
     found: list[ExactPiece] = []
-    for (start, signal, piece), (end, *_) in pairwise([(Fraction(0), FRICTION, acting[-1]), *changes, (scene.until,)]):
+    for (start, signal, piece), end in zip(changes, ends, strict=True):
         is_lifted_off = signal == FRICTION and not (piece.polynomial or piece.sines)
         acting[signal] = Piece(piece.start, (0,)) if is_lifted_off else piece
         if start < end:
