@@ -25,7 +25,7 @@ from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
-from numerics.scene.model import BUILD, require_kind
+from numerics.scene.model import BUILD, require_kind, require_plain
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
 
@@ -133,6 +133,7 @@ def response(
             amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
     require_kind("response", scene, Scene, BUILD)
+    require_plain(scene, "a response")
     drive = _drive_under(scene, amplitude=amplitude, omega=omega)
     known, orbit, sines = None, None, drive.piece.sines
     if len(sines) == 1:
@@ -179,7 +180,6 @@ def _drive_under(scene: Scene, **given: Exact | None) -> PeriodicDrive:
 def steady_drive(scene: Scene) -> PeriodicDrive:
     """Return what acts in the long run. Raises InvalidScene unless that is a constant and sines."""
     scene.require_filippov("a response")
-    scene.require_one_b("a response")
     drive = last_drive(scene)
     if drive is None or not drive.piece.sines:
         raise InvalidScene(

@@ -35,7 +35,7 @@ from numerics.free.root import falling_root
 from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
-from numerics.scene.model import BUILD, require_kind
+from numerics.scene.model import BUILD, require_kind, require_plain
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
@@ -91,9 +91,9 @@ def ring_entry(
     '4.7556413'
     """
     require_kind("ring_entry", scene, Scene, BUILD)
+    require_plain(scene, "a tolerance ring")
     require_digits(digits, max_digits=max_digits)
     size, per = positive(radius, "radius", "give a positive radius"), positive(rate, "rate", "give a positive rate")
-    scene.require_one_b("a tolerance ring")
     drive = last_drive(scene)
     if drive is None:
         raise InvalidScene("the force grows without bound: for a ring its last piece must be a constant and sines")

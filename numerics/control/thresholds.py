@@ -72,6 +72,8 @@ def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_di
     """
     if not isinstance(pair, PlanePair):
         require_kind("thresholds", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
+        if extra := pair.extra:
+            raise InvalidScene(f"thresholds are not available for {extra}; leave that out")
     require_digits(digits, max_digits=max_digits)
     rate = positive(omega, "omega", "give a frequency in rad/s")
     if isinstance(pair, PlanePair):

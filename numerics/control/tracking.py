@@ -31,7 +31,7 @@ from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import require_digits, short
-from numerics.scene.model import BUILD, require_kind
+from numerics.scene.model import BUILD, require_kind, require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
@@ -116,6 +116,7 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     ((Fraction(0, 1), Fraction(2, 1)), '0.288675')
     """
     require_kind("track", scene, Scene, BUILD)
+    require_plain(scene, "tracking")
     require_digits(digits, max_digits=max_digits)
     _require(scene, reference)
     starts, pieces = [one.start for one in reference], pieces_of(replace(scene, force=Force(reference)))
@@ -147,7 +148,6 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     if not reference or reference[0].start != 0:
         raise InvalidScene("a reference must begin at from = 0; give its first piece there")
     Force(reference)  # in order of time
-    scene.require_one_b("tracking")
     scene.require_filippov("tracking")
     at = scene.initial
     if at.v1 != at.v2:

@@ -34,7 +34,7 @@ from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
-from numerics.scene.model import BUILD, require_kind
+from numerics.scene.model import BUILD, require_kind, require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _MET = Fraction(1, 10**20)
@@ -108,6 +108,7 @@ def fastest_transfer(
     ('0.28284271', Fraction(0, 1))
     """
     require_kind("fastest_transfer", scene, Scene, BUILD)
+    require_plain(scene, "a transfer")
     require_digits(digits, max_digits=max_digits)
     by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
     most = None if amplitude is None else positive(amplitude, "amplitude", "leave it out for a force without bound")
@@ -137,7 +138,6 @@ def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
         )
     if any((at.x1, at.v1, at.v2)):
         raise InvalidScene(f"a transfer starts at rest with the spring unloaded, not from {at!r}; set x1 = v1 = v2 = 0")
-    scene.require_one_b("a transfer")
     scene.require_filippov("a transfer")
     if scene.is_forced:
         raise InvalidScene("a transfer computes its own force, for constant b; leave [[force]] and [[friction]] out")

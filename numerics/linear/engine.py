@@ -16,7 +16,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.errors import EventUndecided, OutOfRange
+from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.ledger import ledger
@@ -43,7 +43,7 @@ def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: 
             raise OutOfRange('friction that depends on the state is solved in balls only; use arithmetic="ball"')
         return run_floats(scene, max_events, progress)
     if not isinstance(arithmetic, Ball):
-        raise ValueError(
+        raise InvalidScene(
             f'{arithmetic.name} solves the free pair only (a1 = 0, no force, constant b); use arithmetic="ball"'
         )
     from numerics.linear.enclosed import run_enclosed

@@ -79,6 +79,17 @@ class Pair(ShortRepr):
         return self.m2 == math.inf
 
     @property
+    def extra(self) -> str:
+        """What the pair has beyond a spring, two masses and one b > 0; "" for nothing."""
+        found = {
+            "a2 = 0": not self.a2,
+            "b = 0": not self.b,
+            'm2 = "inf"': self.is_fixed,
+            "b_static": self.b_static is not None,
+        }
+        return next((name for name, is_so in found.items() if is_so), "")
+
+    @property
     def mass(self) -> Fraction:
         """Total mass M = m1 + m2, kg, exact."""
         if self.is_fixed:
@@ -259,15 +270,12 @@ class Scene(ShortRepr):
     def extra(self) -> str:
         """What the scene has beyond a spring, two masses, one b > 0 by steps, and a force on body 1; "" for nothing."""
         found = {
-            "a2 = 0": not self.pair.a2,
-            "b = 0": 0 in (self.pair.b, *(one.constant for one in self.friction.pieces)),
-            'm2 = "inf"': self.pair.is_fixed,
-            "b_static": self.pair.b_static is not None,
+            "b = 0": 0 in (one.constant for one in self.friction.pieces),
             "a force on body 2": self.force_2.pieces,
             "a wall that moves": self.wall.pieces,
             "friction that varies within a piece": not self.friction.is_stepwise,
         }
-        return next((name for name, is_so in found.items() if is_so), "")
+        return self.pair.extra or next((name for name, is_so in found.items() if is_so), "")
 
     @property
     def is_plain(self) -> bool:
@@ -308,7 +316,8 @@ class Scene(ShortRepr):
 
 
 def require_plain(scene: Scene, what: str) -> None:
-    """Raise InvalidScene, where only plain scenes are supported, for another one."""
+    """Raise InvalidScene, where only plain scenes and one b are supported, for another one."""
+    scene.require_one_b(what)
     if scene.extra:
         raise InvalidScene(f"{what} is not available for {scene.extra}; leave that out, or use solve")
 

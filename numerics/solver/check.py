@@ -162,8 +162,10 @@ def _numbers(run: Trajectory) -> Iterator[_Number]:
         bounds = [None] * 5 if known is None else [known.t[k], *known.y[k]]
         yield from (_Number(name, k + 1, *pair) for name, *pair in zip(("t", *STATE), row, bounds, strict=True))
     bounds = [None] * 7 if known is None else [*run.end_bounds()[1:], known.dissipated]
-    end = dict(zip(END_NAMES, run.end_numbers(), strict=True)) | {"dissipated": run.dissipated}
-    yield from (_Number(name, None, value, bound) for (name, value), bound in zip(end.items(), bounds, strict=True))
+    found, names = run.end_numbers(), (*END_NAMES, "dissipated")
+    end = [*found, *[None] * (len(END_NAMES) - len(found)), run.dissipated]  # without E_cr there is no excess
+    told = zip(names, end, bounds, strict=True)
+    yield from (_Number(name, None, value, bound) for name, value, bound in told if value is not None)
     ledger = run.ledger
     for name in ("friction", "viscous", "work", "residual"):
         yield _Number(name, None, getattr(ledger, name), None)

@@ -26,7 +26,7 @@ from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.linear.errors_of import JUDGED, errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
-from numerics.scene import Pair
+from numerics.scene import Pair, Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
@@ -69,7 +69,16 @@ def _scales(trajectory: Any) -> tuple[arb, arb, arb]:
         frame = trajectory.frame
         return frame.length, frame.speed, frame.critical_energy
     x, v = (_largest(trajectory.y[k::2].ravel()) for k in range(2))
-    return x, v, _largest(trajectory.energy)
+    slow = _rate(trajectory.scene) * x  # a block that rests at every event has moved all the same
+    moving = Ball.number(trajectory.scene.pair.m1) * slow * slow / 2
+    return x, max(v, slow), max(_largest(trajectory.energy), moving)
+
+
+def _rate(scene: Scene) -> arb:
+    """Return Omega, without a spring 1/until: a speed is small beside it times the largest position."""
+    pair = scene.pair
+    squared = pair.a2 / (pair.m1 if pair.is_fixed else pair.mass) if pair.a2 else 1 / scene.until**2
+    return Ball.number(squared).sqrt()
 
 
 @dataclass(frozen=True, repr=False)
@@ -148,12 +157,12 @@ def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
         x, v = (states[k::2].ravel() for k in range(2))
         far: arb = _largest(x)
         carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
-        rate = Ball.number(pair.a2 / (pair.m1 if pair.is_fixed else pair.mass)).sqrt()
+        slow = _rate(trajectory.scene) * far
         worst = [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
             _relative(x, far),
-            _relative(v, _largest(v), rate * far),
-            _relative(energies[-1:], _largest(energies)),
+            _relative(v, _largest(v), slow),
+            _relative(energies[-1:], _largest(energies), Ball.number(pair.m1) * slow * slow / 2),
             _relative(carried[-1:], _largest(carried)),
         ]
     return _digits(worst, trajectory.arithmetic.digits)

@@ -86,6 +86,8 @@ def _uncovered(trajectory: Trajectory) -> str:
     scene, at = trajectory.scene, trajectory.scene.initial
     if scene.law is not Law.FILIPPOV:
         return f'the checker knows no law = "{scene.law.value}"; leave the law out, for "filippov"'
+    if scene.extra:
+        return f"the checker does not cover {scene.extra}; leave that out"
     if scene.friction.weakening is not None:
         return "the checker knows no friction that depends on speed or place; leave [weakening] out"
     if not trajectory.success:
