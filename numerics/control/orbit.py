@@ -21,7 +21,6 @@ from numerics.arithmetic.ball import Ball, undecided, working_digits
 from numerics.control.answers import KEPT_DIGITS, number, rounded, rounded_up
 from numerics.errors import NotSettled
 from numerics.linear.model import V1, V2, X1
-from numerics.linear.pieces import pieces_of
 from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.short_repr import ShortRepr

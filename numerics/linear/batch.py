@@ -50,8 +50,8 @@ def follow_rows(given: Columns, literal: bool, max_events: int, has_ledger: bool
     """Solve rows of scenes; write start and first events of each to `kept` (n, k, ROW), its end to `ends` (n, END_ROW).
 
     Each is solved in units that are powers of 2; tables are formed anew only where they change. Rows that are in doubt,
-    or out of range, are UNKNOWN at the end. With `has_ledger`, `kept` has room for all rows of each, also those at which
-    a piece begins, and the end says what was taken and given.
+    or out of range, are UNKNOWN at the end. With `has_ledger`, `kept` has room for all rows of each, also those at
+    which a piece begins, and the end says what was taken and given.
     """
     numbers, polynomial, sines, frictions = given
     terms, waves, pieces = polynomial.shape[1], sines.shape[1], frictions.shape[0]

@@ -19,7 +19,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
-from numerics.linear.ledger import ledger
+from numerics.linear.ledger import TINY, ledger
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import Problem, make_room
@@ -77,7 +77,9 @@ def ledger_of(scene: Scene, record: Record) -> NDArray[np.float64]:
     compiled(finish)(rows, end, -mass, -time, -length)
     size, terms = prepared.problem.tables.rows.shape[3:]
     compiled(ledger)(prepared.problem, make_room(size, terms), rows, count, end, taken)
-    return np.ldexp(taken, mass + 2 * length - 2 * time)
+    found = np.ldexp(taken, mass + 2 * length - 2 * time)
+    found[6] += TINY if taken[6] > 0.0 else 0.0
+    return found
 
 
 def _run(
@@ -123,6 +125,9 @@ def _from_exact(
     start[AT["order"]], start[AT["jump"]] = min(last.order, _MOST_ORDER), 0.0
     how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))
     found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
+    piece = prepared.pieces[-1]
+    if how == How.REACHED and last.mode == 0 and last.quiet == piece.length and len(piece.polynomial) <= 1:
+        how = How.STUCK if last.piece + 1 == len(prepared.pieces) else how  # what holds it there holds it later, too
     end[AT["events"]] += len(events)
     return how, np.concatenate([rows[:-1], found]), end
 

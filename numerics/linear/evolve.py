@@ -53,5 +53,6 @@ def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, f
         put(room.clock[i], plus(pair_of(room.clock[i]), time))
     apart = now.apart + parted
     far = now.far + own[1] + most / norm.root_m1 * time.high
-    far_2 = now.far_2 + (own[1] + parted if now.mode == 0 else own[2]) + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
+    own_2 = own[1] + parted if now.mode == 0 else own[2]
+    far_2 = now.far_2 + own_2 + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
     return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, far_2, apart)

@@ -22,6 +22,8 @@ from numerics.linear.table import STATE, UNIT
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
+TINY = 2.0**-1060
+"""More than energies can lose below the normal numbers, J."""
 _LONG, _MOST_LEVELS, _MOST_STEPS = 256.0, 36, 1_000_000
 """From so many steps on a segment is taken by powers of its flow, each the square of the one before it, of so many at
 most; further steps are not waited for."""
@@ -114,7 +116,30 @@ def by_powers(problem: Problem, room: Room, here: tuple[int, int], left: float, 
     count, h, powers = tables.count[kind], tables.h[kind, side], tables.powers[kind, side]
     A = tables.A[kind, side, :count, :count] * h
     levels = min(_MOST_LEVELS, 1 + math.floor(math.log2(left / h)))
-    flows, forms, rows = doubled(A, levels), np.zeros((levels, 6, 3, count, count)), np.zeros((2, count))
+    flows = doubled(A, levels)
+    forms = doubled_forms(A, powers, h, flows)
+    while left > _LONG * h:
+        level = min(levels - 1, math.floor(math.log2(left / h)))
+        form_z(problem, room, piece, mode, False)
+        time = math.ldexp(h, level)
+        for k in range(6):
+            p, q = max(form_at(forms[level, k, 1], room.z), 0.0), max(form_at(forms[level, k, 2], room.z), 0.0)
+            taken[k] += form_at(forms[level, k, 0], room.z)
+            a, b = reach(problem.norm, powers[k, 0]), reach(problem.norm, powers[k, 1])
+            taken[6] += N * (b * math.sqrt(time * p) + a * math.sqrt(time * q) + a * b * N * time)
+            taken[6] += math.ldexp((count + 64) * UNIT, level + 2) * math.sqrt(p * q)
+        for i in range(STATE):
+            room.y[i] = dot(flows[level, i], room.z, count)
+        put(room.clock[0], plus(pair_of(room.clock[0]), TwoFloats(time, 0.0)))
+        left -= time
+    return left
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def doubled_forms(A: Any, powers: Any, h: float, flows: Any) -> Any:
+    """Return F of every power, of its first row squared and of its second, for the time of each of these flows."""
+    levels, count = flows.shape[0], A.shape[0]
+    forms, rows = np.zeros((levels, 6, 3, count, count)), np.zeros((2, count))
     for n in range(NODES.shape[0]):
         flow = doubled(A * NODES[n], 1)[0]
         for k in range(6):
@@ -131,21 +156,7 @@ def by_powers(problem: Problem, room: Room, here: tuple[int, int], left: float, 
             for c in range(3):
                 before = forms[level - 1, k, c]
                 forms[level, k, c] = before + matrix_product(matrix_product(flow.T.copy(), before), flow)
-    while left > _LONG * h:
-        level = min(levels - 1, math.floor(math.log2(left / h)))
-        form_z(problem, room, piece, mode, False)
-        time = math.ldexp(h, level)
-        for k in range(6):
-            p, q = max(form_at(forms[level, k, 1], room.z), 0.0), max(form_at(forms[level, k, 2], room.z), 0.0)
-            taken[k] += form_at(forms[level, k, 0], room.z)
-            a, b = reach(problem.norm, powers[k, 0]), reach(problem.norm, powers[k, 1])
-            taken[6] += N * (b * math.sqrt(time * p) + a * math.sqrt(time * q) + a * b * N * time)
-            taken[6] += math.ldexp((count + 64) * UNIT, level + 2) * math.sqrt(p * q)
-        for i in range(STATE):
-            room.y[i] = dot(flows[level, i], room.z, count)
-        put(room.clock[0], plus(pair_of(room.clock[0]), TwoFloats(time, 0.0)))
-        left -= time
-    return left
+    return forms
 
 
 @compilable

@@ -36,6 +36,7 @@ from numerics.linear.model import (
 )
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair, Piece, Sine
+from numerics.scene.short_repr import ShortRepr
 
 Row = tuple[tuple[int, Fraction], ...]
 """A linear function of z: pairs (place, coefficient)."""
@@ -86,8 +87,8 @@ class BallDrive:
         return found
 
 
-@dataclass(frozen=True)
-class LinearMode:
+@dataclass(frozen=True, repr=False)
+class LinearMode(ShortRepr):
     """A pair in the mode `side` (+1, -1: the sign of w; 0: stick) under a piece of the signals."""
 
     pair: Pair

@@ -191,7 +191,7 @@ class Scene(ShortRepr):
     force_2: Signal
     belt: Signal
     wall: Signal
-    hashed: int = field(init=False, repr=False, compare=False)
+    _hash: int = field(init=False, repr=False, compare=False)
     """The hash of all of it, formed once: what is derived from a scene is cached by the scene."""
 
     def __init__(
@@ -213,7 +213,7 @@ class Scene(ShortRepr):
             if not isinstance(part, kind):
                 given = f"{str(part)[:40]!r}, {type(part).__name__}"
                 raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
-        put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, hashed=0)
+        put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, _hash=0)
         put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)
         require_nonnegative(friction, self.until)
         if friction.weakening and (pair.b_static is not None or not pair.b or not friction.is_stepwise):
@@ -252,9 +252,9 @@ class Scene(ShortRepr):
 
     def __hash__(self) -> int:
         """Return the hash of all parts."""
-        if not self.hashed:
-            put(self, hashed=hash(tuple(getattr(self, one.name) for one in fields(self) if one.init)) or 1)
-        return self.hashed
+        if not self._hash:
+            put(self, _hash=hash(tuple(getattr(self, one.name) for one in fields(self) if one.init)) or 1)
+        return self._hash
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what pickles and copies are made of."""

@@ -12,6 +12,7 @@ import numpy as np
 from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.errors_of import errors_of_rows
+from numerics.linear.ledger import TINY
 from numerics.linear.record import AT, BOUNDS, How
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
@@ -214,7 +215,7 @@ class Batch(Ends):
     @cached_property
     def dissipated_error(self) -> Floats:
         """Return a bound on its error."""
-        return np.asarray(2.0 * self._taken("ledger_error")[0])
+        return np.asarray(2.0 * self._taken("ledger_error")[0] + TINY)
 
     @cached_property
     def event_t(self) -> Floats:

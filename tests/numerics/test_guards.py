@@ -36,10 +36,12 @@ def test_digits_that_need_countless_steps_are_refused_at_once():
 # phases
 
 
-@pytest.mark.parametrize("how", [{"arithmetic": "float64"}, {"arithmetic": "mpmath", "digits": 5}])
-def test_a_phase_lost_before_the_horizon_is_said(how):
+def test_a_phase_lost_before_the_horizon_is_said():
     """Fig. 3's pair below E_cr: stuck for ever, but where on its orbit after 1e23 rad?"""
     scene = Scene(PAPER.pair, State(x1="0.003", v1="0.02", v2="-0.01"), until="1e22")
+    how = {"arithmetic": "mpmath", "digits": 5}
+    with pytest.raises(OutOfRange, match="ball"):
+        solve(scene, arithmetic="float64")
     run = solve(scene, **how)
     assert run.phase_lost
     assert "keep no phase" in run.message

@@ -145,8 +145,11 @@ def test_the_excess_is_between_two_constants_over_the_time(scene, t):
 @given(starts_on_a_ray((-9, -1), ratios=(-2, 2)), st.integers(1, 60))
 def test_in_float64_the_excess_is_between_the_same_bounds(scene, quarter_turns):
     t = quarter_turns * Fraction(float(arb.pi() / reduced_time(scene.pair, 2)))
-    run = solve(Scene(scene.pair, scene.initial, t), arithmetic="float64")
-    if not (run.certain and run.accuracy.bounded):
+    try:
+        run = solve(Scene(scene.pair, scene.initial, t), arithmetic="float64")
+    except EventUndecided:  # next to a tie float64 does not tell what comes
+        raise LeftOut from None
+    if not run.accuracy.bounded:
         raise LeftOut
     with precision(BITS):
         begun = first_exit(scene)
