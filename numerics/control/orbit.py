@@ -10,7 +10,7 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import count, pairwise
 from typing import NamedTuple
@@ -127,9 +127,9 @@ class Orbit(ShortRepr):
     """
 
     drive: PeriodicDrive
-    legs: tuple[Passage, ...]
+    legs: tuple[Passage, ...] = field(repr=False)
     travel: arb
-    slopes: arb_mat
+    slopes: arb_mat = field(repr=False)
 
     def multipliers(self) -> list[acb]:
         """Return the Floquet multipliers of (x1, v1, v2), largest first. Raises EventUndecided."""

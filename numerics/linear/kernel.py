@@ -16,7 +16,7 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.linear.calm import Calm, step_over
+from numerics.linear.calm import Calm, rest_is_calm, step_over
 from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
 from numerics.linear.model import V2
@@ -103,6 +103,9 @@ def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log:
         how = DOUBT
     else:
         how = TOO_MANY
+    if how == REACHED and now.mode == 0:
+        form_z(problem, room, now.piece, 0, False)
+        how = STUCK if problem.norm.root_m2 > 0.0 and rest_is_calm(problem, room, now) else REACHED
     return how, close(problem, room, now, how, log)
 
 
@@ -184,9 +187,10 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
         row[_X1 + i] = y[i]
     row[_LATE] = late
     x1 = min(now.N / norm.root_a2, now.far) if norm.root_a2 > 0.0 else now.far
-    # that of a belt is its velocity, rounded
-    v1, v2 = now.N / norm.root_m1, now.N / norm.root_m2 if norm.root_m2 > 0.0 else 8.0 * UNIT * room.size[V2]
-    far = 0.0
+    v1, v2, far = now.N / norm.root_m1, now.N / norm.root_m2 if norm.root_m2 > 0.0 else 0.0, 0.0
+    if norm.root_m2 == 0.0:  # the velocity of the belt, rounded, at a time that is rounded
+        rounded = fastest(problem, room, now, 1, 0.0) * abs(room.clock[0, 0])
+        v2 = UNIT * (8.0 * room.size[V2] + 2.0 * rounded)
     if late > 0.0:
         one, two = fastest(problem, room, now, 0, late), fastest(problem, room, now, 1, late)
         v1 = v2 = min(v1 + one * late, v2 + two * late) + abs(y[1] - y[3])

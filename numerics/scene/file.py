@@ -152,6 +152,8 @@ def parse_scene(text: str, file: str = "") -> Scene:
         raise InvalidScene("on a surface the law is filippov; sgn(0) = 0 does not define a direction; leave it out")
     along = _signals(tables, "force", folder, "axis", AXES)
     n = max([2, *lists, *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
+    if any(one.keys() & {"polynomial", "sines"} for one in tables.get("friction", ())):
+        raise InvalidScene("on a surface b is constant by pieces; give each [[friction]] a from and a b")
     changes = _read("friction", tables, _friction_piece)
     surface = PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=along[:n], friction=changes)
     return cast("Scene", surface)  # what is asked of a Scene is refused by type
@@ -165,11 +167,16 @@ def _signals(
     def read(table: dict[str, Any]) -> tuple[Any, tuple[Piece, ...]]:
         value = table.get(key, values[0])
         if value not in values:
-            raise InvalidScene(f"{key} = {shown(value)} is not one of {', '.join(map(str, values))}")
+            raise InvalidScene(
+                f"{key} = {shown(value)} is not one of {', '.join(map(str, values))}; leave it out for the first"
+            )
         return value, _samples(table, folder) if "file" in table else (_piece(table),)
 
     found = _read(name, tables, read)
-    return [Signal(piece for value, pieces in found if value == own for piece in pieces) for own in values]
+    try:
+        return [Signal(piece for value, pieces in found if value == own for piece in pieces) for own in values]
+    except InvalidScene as error:
+        raise InvalidScene(f"[[{name}]]: {error}; give what acts at one time in one table") from None
 
 
 def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:

@@ -52,6 +52,8 @@ class Pair(ShortRepr):
     >>> block = Pair(m1=1, m2="inf", a2=200, b="0.5", b_static=1)
     >>> block, block.is_fixed, block.share_2, block.half_width, block.energy((0, 1, 0, 3))
     (Pair(m1=1, m2=inf, a2=200, b=0.5, b_static=1), True, Fraction(1, 1), Fraction(1, 400), Fraction(1, 2))
+    >>> pair.extra, block.extra
+    ('', 'm2 = "inf"')
     """
 
     m1: Fraction

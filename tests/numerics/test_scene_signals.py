@@ -3,6 +3,7 @@
 import copy
 import math
 import pickle
+import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -12,9 +13,31 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import brought_scenes, magnitudes
 
-from numerics import Force, Friction, InvalidScene, Pair, Piece, Scene, Signal, Sine, State, Weakening, scene_text
+from numerics import (
+    Force,
+    Friction,
+    InvalidScene,
+    Pair,
+    Piece,
+    Scene,
+    Signal,
+    Sine,
+    State,
+    Weakening,
+    fastest_transfer,
+    load_reference,
+    response,
+    ring_entry,
+    scene_text,
+    solve,
+    thresholds,
+    track,
+)
+from numerics.errors import NoProof
+from numerics.free.energy import energy_at
 from numerics.scene.file import load_scene, parse_scene
 from numerics.scene.model import parameters, require_plain
+from numerics.trajectory.theorem import theorem
 
 PAIR = Pair(m1=1, m2=1, a2=200, b="0.5")
 GROUND = Pair(m1=1, m2="inf", a2=200, b="0.5")
@@ -62,6 +85,29 @@ def test_each_new_kind_alone_is_forced_and_not_plain(kind):
     assert (scene.extra, scene.is_plain, scene.is_forced) == (kind, False, True)
     assert Scene(PAIR, State(), 1).is_plain
     assert not Scene(PAIR, State(), 1).is_forced
+
+
+ASKED = {
+    "response": lambda scene: response(scene, amplitude=1, omega=3),
+    "ring_entry": lambda scene: ring_entry(scene, "0.01"),
+    "track": lambda scene: track(scene, load_reference("s-curve")),
+    "fastest_transfer": lambda scene: fastest_transfer(scene, 1),
+    "energy_at": lambda scene: energy_at(scene, 1),
+    "theorem": lambda scene: theorem(solve(scene)),
+}
+
+
+@pytest.mark.parametrize("kind", EXTRA)
+@pytest.mark.parametrize("asked", ASKED)
+def test_what_knows_plain_scenes_only_refuses_each_new_kind(asked, kind):
+    with pytest.raises(InvalidScene if asked != "theorem" else NoProof, match=f"{re.escape(kind)}; leave that out"):
+        ASKED[asked](EXTRA[kind])
+
+
+@pytest.mark.parametrize("pair", [replace(PAIR, a2=0), replace(PAIR, b=0), GROUND, replace(PAIR, b_static=1)])
+def test_thresholds_refuse_a_pair_that_they_do_not_know(pair):
+    with pytest.raises(InvalidScene, match=f"thresholds are not available for {re.escape(pair.extra)}; leave"):
+        thresholds(pair, 3)
 
 
 def test_ground_and_belt_carry_body_2():
