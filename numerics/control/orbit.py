@@ -126,7 +126,7 @@ class Orbit(ShortRepr):
     that a period before, at some time.
     """
 
-    drive: PeriodicDrive
+    drive: PeriodicDrive = field(repr=False)
     legs: tuple[Passage, ...] = field(repr=False)
     travel: arb
     slopes: arb_mat = field(repr=False)

@@ -86,7 +86,7 @@ def rest_is_calm(problem: Problem, room: Room, now: Now) -> bool:
         most += peak
         size += peak * (1.0 + omega / math.sqrt(stiff))
     most += math.sqrt(free * free + rate * rate / stiff) + 1e-13 * size
-    return most + problem.norm.load * now.N < (1.0 - 1e-9) * dot(edge, z, count)
+    return most + problem.norm.load * now.N < (1.0 - 1e-12) * dot(edge, z, count)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

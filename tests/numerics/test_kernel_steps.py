@@ -100,8 +100,9 @@ def test_a_step_is_that_of_its_matrix_and_counts_a_rounding_of_every_product(see
         assert room.y[1] == room.y[3]
     assert (abs(room.y - flow[:STATE] @ z) <= 100 * own + 1e-300).all()
     assert count * (own @ scale) <= after.N - now.N <= 1e-9 * (1 + abs(z).max()) * scale.max()
-    for grown, rounded in ((after.far - now.far, own[0]), (after.apart - now.apart, own[0] + own[2])):
-        assert grown >= count * rounded + (after.N / norm.root_m1 * s * h if rounded == own[0] else 0)
+    assert after.far - now.far >= count * own[0] + after.N / norm.root_m1 * s * h
+    parted = count * (own[0] + own[2]) if mode else 2 * UNIT * (abs(z[0]) + abs(z[2]) + abs(room.y[0]) + abs(room.y[2]))
+    assert after.apart - now.apart >= parted * (1 - 1e-12)
     assert after.apart - now.apart >= (norm.kappa * after.N * s * h if mode else 0)
 
 
