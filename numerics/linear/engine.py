@@ -18,8 +18,8 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
-from numerics.linear.ledger import ledger
 from numerics.linear.kernel import TOO_MANY, Log, follow
+from numerics.linear.ledger import ledger
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import Problem, make_room

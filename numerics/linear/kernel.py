@@ -183,8 +183,9 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
     if norm.root_m2 > 0.0:
         v2 = now.N / norm.root_m2
     else:  # the velocity of the belt, at a time that is rounded
-        kind, rounded = problem.drive.places[now.piece, 0], fastest(problem, room, now, 1) * abs(room.clock[0, 0])
-        v2 = 2.0 * UNIT * (size_of(problem.tables.others[kind, DRIVEN], room.size, problem.tables.count[kind]) + rounded)
+        kind = problem.drive.places[now.piece, 0]
+        size = size_of(problem.tables.others[kind, DRIVEN], room.size, problem.tables.count[kind])
+        v2 = 2.0 * UNIT * (size + fastest(problem, room, now, 1) * abs(room.clock[0, 0]))
     if late > 0.0:
         one, two = fastest(problem, room, now, 0), fastest(problem, room, now, 1)
         v1 = v2 = min(v1 + one * late, v2 + two * late)

@@ -193,12 +193,12 @@ class Batch(Ends):
 
     @cached_property
     def energy_excess(self) -> Floats:
-        """Return E/E_cr - 1 at the end, of the pair's own b."""
+        """Return E/E_cr - 1 at the end, of the pair's own b; nan without a spring or b."""
         x1, v1, _, v2 = self.y
         m1, m2, a2, b = (self._given(name) for name in SI[:4])
-        with np.errstate(over="ignore", invalid="ignore"):
-            energy = a2 * x1**2 / 2 + m1 * v1**2 / 2 + m2 * v2**2 / 2
-            return energy / ((b * (m1 + m2) / m2) ** 2 / (2 * a2)) - 1
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            energy = a2 * x1**2 / 2 + m1 * v1**2 / 2 + np.where(np.isinf(m2), 0.0, m2 * v2**2 / 2)
+            return np.where(a2 * b > 0, energy / ((b * (1 + m1 / m2)) ** 2 / (2 * a2)) - 1, np.nan)
 
     @cached_property
     def energy_excess_error(self) -> Floats:

@@ -13,8 +13,26 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import brought_scenes, magnitudes
 
-from numerics import Force, Friction, InvalidScene, Pair, Piece, Scene, Signal, Sine, State, Weakening, scene_text
-from numerics import fastest_transfer, load_reference, response, ring_entry, solve, thresholds, track
+from numerics import (
+    Force,
+    Friction,
+    InvalidScene,
+    Pair,
+    Piece,
+    Scene,
+    Signal,
+    Sine,
+    State,
+    Weakening,
+    fastest_transfer,
+    load_reference,
+    response,
+    ring_entry,
+    scene_text,
+    solve,
+    thresholds,
+    track,
+)
 from numerics.errors import NoProof
 from numerics.free.energy import energy_at
 from numerics.scene.file import load_scene, parse_scene

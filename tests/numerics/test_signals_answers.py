@@ -22,7 +22,7 @@ from numerics import (
 from numerics.linear.model import TAKEN
 
 SCENES = {
-    one.stem: load_scene(one) for one in sorted((Path(__file__).parents[1] / "signals" / "scenes").glob("*.toml"))
+    one.stem: load_scene(one) for one in sorted((Path(__file__).parents[1] / "scenes" / "signals").glob("*.toml"))
 }
 STEP = Fraction(1, 10**16)
 
