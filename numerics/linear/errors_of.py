@@ -29,7 +29,7 @@ def errors_of(
     where a bound is no number.
     """
     count, events, late, worst = len(rows), 0, np.empty(len(rows)), np.zeros(5)
-    sizes, errors, highest, last, latest = np.zeros(2), np.zeros(2), 0.0, 0.0, 0.0
+    sizes, errors, highest, last = np.zeros(2), np.zeros(2), 0.0, 0.0
     for index in range(count + 1):
         row = rows[index] if index < count else end
         for k in range(4):
@@ -39,9 +39,8 @@ def errors_of(
         x1, v1, v2 = row[_X1], row[_X1 + 1], row[_X1 + 3]
         last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
         highest = max(highest, last)
-        t = abs(starts[min(int(row[_PIECE]), len(starts) - 1)] + row[_LOCAL])
-        latest = max(latest, t)
         if index < count and row[_EVENT] == 1.0:
+            t = abs(starts[int(row[_PIECE])] + row[_LOCAL])
             # 4 roundings: of where the piece begins, and of the sum
             late[events] = row[_LATE] + 4 * rounding * t
             worst[0] = max(worst[0], relative(late[events], t))
@@ -52,8 +51,8 @@ def errors_of(
     for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
         error = end[_ERRORS + k]
         energy += weight * error * (abs(end[_X1 + k]) + error / 2)
-    if weights[0] == 0.0 and latest > 0.0:  # a block that rests at every event has moved all the same
-        sizes[1] = max(sizes[1], sizes[0] / latest)
+    if weights[0] == 0.0 and end[_LOCAL] > 0.0:  # a block that rests at every event has moved all the same
+        sizes[1] = max(sizes[1], sizes[0] / (starts[int(end[_PIECE])] + end[_LOCAL]))
         highest = max(highest, weights[1] * sizes[1] * sizes[1] / 2)
     rate = math.sqrt(weights[0] / (weights[1] + weights[2]))
     worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], rate * sizes[0])
