@@ -51,6 +51,9 @@ def errors_of(
     for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
         error = end[_ERRORS + k]
         energy += weight * error * (abs(end[_X1 + k]) + error / 2)
+    if weights[0] == 0.0 and end[_LOCAL] > 0.0:  # a block that rests at every event has moved all the same
+        sizes[1] = max(sizes[1], sizes[0] / (starts[int(end[_PIECE])] + end[_LOCAL]))
+        highest = max(highest, weights[1] * sizes[1] * sizes[1] / 2)
     rate = math.sqrt(weights[0] / (weights[1] + weights[2]))
     worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], rate * sizes[0])
     worst[3] = relative(energy, highest)
@@ -77,7 +80,8 @@ def errors_of_rows(numbers: Any, kept: Any, ends: Any, rounding: float) -> Any:
     found, at_once = np.empty((2, len(ends))), np.zeros(1)
     for n in range(len(ends)):
         m1, m2, a2, b = numbers[n, 0], numbers[n, 1], numbers[n, 2], numbers[n, 3]
-        count, push = 1 + min(int(ends[n, _EVENTS]), kept.shape[1] - 1), b * (m1 + m2) / m2
-        judged = errors_of(kept[n, :count], ends[n], at_once, (a2, m1, m2), push * push / (2 * a2), rounding)
+        count, push = 1 + min(int(ends[n, _EVENTS]), kept.shape[1] - 1), b * (1.0 + m1 / m2)
+        critical, weight_2 = push * push / (2 * a2) if a2 * b > 0.0 else math.nan, m2 if math.isfinite(m2) else 0.0
+        judged = errors_of(kept[n, :count], ends[n], at_once, (a2, m1, weight_2), critical, rounding)
         found[0, n], found[1, n] = judged[2], judged[3].max()
     return found

@@ -167,9 +167,8 @@ def _signals(
     def read(table: dict[str, Any]) -> tuple[Any, tuple[Piece, ...]]:
         value = table.get(key, values[0])
         if value not in values:
-            raise InvalidScene(
-                f"{key} = {shown(value)} is not one of {', '.join(map(str, values))}; leave it out for the first"
-            )
+            known = ", ".join(map(str, values))
+            raise InvalidScene(f"{key} = {shown(value)} is not one of {known}; leave it out for the first")
         return value, _samples(table, folder) if "file" in table else (_piece(table),)
 
     found = _read(name, tables, read)

@@ -272,7 +272,7 @@ class Scene(ShortRepr):
     def extra(self) -> str:
         """What the scene has beyond a spring, two masses, one b > 0 by steps, and a force on body 1; "" for nothing."""
         found = {
-            "b = 0": 0 in (one.constant for one in self.friction.pieces),
+            "b = 0": any(one.constant == 0 for one in self.friction.pieces),
             "a force on body 2": self.force_2.pieces,
             "a wall that moves": self.wall.pieces,
             "friction that varies within a piece": not self.friction.is_stepwise,

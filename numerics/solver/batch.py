@@ -111,13 +111,15 @@ class Batch(Ends):
         kept: Floats,
         shape: tuple[int, ...],
         form_ledgers: Callable[[Floats], None] | None = None,
+        walls: Any = False,
     ) -> None:
         """Keep SI numbers (n, 10), and rows that the runs wrote (linear/record.py): of ends, of start and first events.
 
         In these the time counts from the start of the run, whatever piece of force it is in. `form_ledgers` writes to
-        the ends what friction and viscosity took, where that is nan.
+        the ends what friction and viscosity took, where that is nan. `walls` says where a wall moves.
         """
         self.numbers, self.ends, self.kept, self.shape, self._form_ledgers = numbers, ends, kept, shape, form_ledgers
+        self._walls = np.asarray(walls, bool)
 
     @property
     def inputs(self) -> dict[str, Floats]:
@@ -194,17 +196,17 @@ class Batch(Ends):
 
     @cached_property
     def energy_excess(self) -> Floats:
-        """Return E/E_cr - 1 at the end, of the pair's own b."""
+        """Return E/E_cr - 1 at the end, of the pair's own b; nan without a spring or b, and where a wall moves."""
         x1, v1, _, v2 = self.y
         m1, m2, a2, b = (self._given(name) for name in SI[:4])
-        with np.errstate(over="ignore", invalid="ignore"):
-            energy = a2 * x1**2 / 2 + m1 * v1**2 / 2 + m2 * v2**2 / 2
-            return energy / ((b * (m1 + m2) / m2) ** 2 / (2 * a2)) - 1
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            energy = a2 * x1**2 / 2 + m1 * v1**2 / 2 + np.where(np.isinf(m2), 0.0, m2 * v2**2 / 2)
+            return np.where((a2 * b > 0) & ~self._walls, energy / ((b * (1 + m1 / m2)) ** 2 / (2 * a2)) - 1, np.nan)
 
     @cached_property
     def energy_excess_error(self) -> Floats:
         """Return a bound on its error."""
-        return np.where(self._how == How.OUT_OF_RANGE, np.nan, self._judged[0])
+        return np.where((self._how == How.OUT_OF_RANGE) | self._walls, np.nan, self._judged[0])
 
     @cached_property
     def dissipated(self) -> Floats:

@@ -178,9 +178,8 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
         return solve_surfaces(given, *limits)
     numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
     kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
-    return Batch(
-        numbers, ends, kept, (len(given),), partial(form_ledgers, given.__getitem__, None, (False, max_events), 1)
-    )
+    ledgers = partial(form_ledgers, given.__getitem__, None, (False, max_events), 1)
+    return Batch(numbers, ends, kept, (len(given),), ledgers, [bool(one.wall.pieces) for one in given])
 
 
 def _of_one_kind(given: Any) -> Any:

@@ -3,9 +3,10 @@
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from numerics import Pair, Scene, Signal, State, Trajectory, load_scene, solve
+from numerics import Pair, Scene, Signal, State, Trajectory, load_scene, solve, solve_scenes
 from numerics.linear.record import AT
 
 RUN = solve(load_scene("velocities"))
@@ -44,6 +45,22 @@ def test_a_scene_of_a_new_kind_passes(name):
     assert found.right
     assert found.events > 1
     assert ("energy_excess" in {one.quantity for one in found.off}) == bool(BROUGHT[name].pair.a2)
+
+
+@pytest.mark.parametrize("name", BROUGHT)
+def test_many_scenes_of_a_new_kind_have_right_digits(name):
+    found = solve_scenes([BROUGHT[name]] * 2, jobs=1)
+    assert found.success.all()
+    assert found.digits.min() > 8
+    excess = solve(BROUGHT[name]).energy_excess[-1]
+    assert found.energy_excess == pytest.approx([excess, excess], rel=1e-9, nan_ok=True)
+
+
+def test_many_scenes_have_no_excess_where_a_wall_moves():
+    scene = Scene(Pair(1, 1, 200, "0.5"), State(), 1, wall=Signal.sine("0.01", 5))
+    found = solve_scenes([scene, RUN.scene], jobs=1)
+    assert np.isnan(found.energy_excess).tolist() == [True, False]
+    assert np.isnan(found.energy_excess_error).tolist() == [True, False]
 
 
 def test_a_block_at_rest_at_every_event_has_right_digits_in_balls():
