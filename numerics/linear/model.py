@@ -58,7 +58,7 @@ class Bodies(NamedTuple):
     def of(cls, pair: Pair) -> Bodies:
         """Return the exact numbers of a pair."""
         one = Fraction(1)
-        static = one if getattr(pair, "b_static", None) is None else pair.b_static / pair.b
+        static = one if pair.b_static is None else pair.b_static / pair.b
         if pair.m2 == math.inf:
             zero = Fraction(0)
             return cls(pair.m1, pair.a1, pair.a2, one / pair.m1, zero, zero, zero, one, static)

@@ -187,13 +187,13 @@ def _in_units(rows: Rows, layout: Layout, units: KernelUnits) -> Rows:
         z[first : first + terms] = exponent - units.time * np.arange(terms)
         z[sines : sines + 2 * waves] = exponent
     found = make_rows(size)
-    exponents = z[None, :, None] - units.time, np.array([speed, force])[:, None, None], np.full((4, 1), force)
-    exponents[2][DRIVEN] = speed
-    exponents += (np.array([force, speed])[None, None, :, None],)
-    for exact, own, exponent in zip(rows, found, exponents, strict=True):
+    others = np.full((4, 1), force)
+    others[DRIVEN] = speed
+    guards, powers = np.array([speed, force])[:, None, None], np.array([force, speed])[None, None, :, None]
+    for exact, own, unit in zip(rows, found, (z[None, :, None] - units.time, guards, others, powers), strict=True):
         for at in np.argwhere(exact != 0):
             place = tuple(at)
-            own[place] = rounded(exact[place], int(np.broadcast_to(exponent, exact.shape)[place]) - int(z[at[-1]]))
+            own[place] = rounded(exact[place], int(np.broadcast_to(unit, exact.shape)[place]) - int(z[at[-1]]))
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
 import numpy as np
 
@@ -55,17 +56,17 @@ def form_ledgers(
     left_out = left_out[np.argsort(rooms, kind="stable")]  # those of about the same length together
     rooms.sort()
 
-    def form(part: slice) -> int:
+    def form(given: Columns, part: slice) -> int:
         room = rooms[part][-1]
         for some in np.array_split(left_out[part], 1 + len(left_out[part]) * room * ROW // _MOST_NUMBERS):
             own = ends[some]
-            compiled(follow_rows)(columns.part(some), *how, True, np.empty((len(some), room, ROW)), own)
+            compiled(follow_rows)(given.part(some), *how, True, np.empty((len(some), room, ROW)), own)
             held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
             ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
         return len(left_out[part])
 
     if columns is not None and can_compile():
-        list(in_chunks(form, len(left_out), jobs))
+        list(in_chunks(partial(form, columns), len(left_out), jobs))
     for row in _without_ledger(ends):
         scene = scene_of(int(row))
         ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[1]).record)

@@ -47,7 +47,7 @@ class Event(ShortRepr):
     before: Mode
     after: Mode
     y: tuple[Number, Number, Number, Number]
-    reduced: ReducedState | None = field(repr=False)
+    reduced: ReducedState = field(repr=False)
     cause: str = "guard"
 
 
