@@ -60,7 +60,7 @@ def ledger(problem: Problem, room: Room, rows: Any, count: int, end: Any, taken:
         while left > 0.0 and steps < _MOST_STEPS:
             s = min(1.0, left / h)
             step(problem, room, (piece, mode), s, X, N * problem.norm.root_m1, taken)
-            left -= s * h
+            left = left - h if s == 1.0 else 0.0
             steps += 1
     if count > 0:
         taken[6] += end[_LATE] * at_event(problem, room, int(end[_PIECE]), end[_ERROR] * problem.norm.root_m1)
