@@ -343,4 +343,6 @@ def _fill(wide: Floats, arrays: dict[str, Floats]) -> None:
             first = tuple(int(i) for i in np.argwhere(wrong)[0])
             place = f"{name}{list(first) if first else ''} = {array[first]:g}"
             bound = "" if _least(name) < 0 else ">= 0 and " if _least(name) == 0 else "> 0 and "
-            raise InvalidScene(f"{place} must be {bound}finite; correct it, or leave that scene out")
+            known = array[first] == (np.inf if name == "m2" else 0) and name in {"m2", "a2", "b"}
+            remedy = "solve_scenes takes such scenes" if known else "correct it, or leave that scene out"
+            raise InvalidScene(f"{place} must be {bound}finite; {remedy}")

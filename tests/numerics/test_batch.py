@@ -288,6 +288,8 @@ def test_without_numba_the_same_numbers_come_out():
     ("given_", "said"),
     [
         ({"m1": [1, 0]}, r"m1\[1\] = 0 must be > 0"),
+        ({"m2": [1, np.inf]}, "m2.1. = inf must be > 0 and finite; solve_scenes takes such scenes"),
+        ({"a2": 0}, "a2 = 0 must be > 0 and finite; solve_scenes takes such scenes"),
         ({"a1": [1, -2]}, r"a1\[1\] = -2 must be >= 0"),
         ({"v1": [0, np.nan]}, r"v1\[1\] = nan must be finite"),
         ({"v1": np.array([0.1 + 0.2j])}, "v1 = .* must be real numbers"),
