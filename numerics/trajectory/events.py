@@ -127,7 +127,7 @@ def ledger_of(run: Rows) -> EnergyLedger:
     rows = range(len(run.row_lengths))
     friction, viscous, force, force_2, belt, wall, error = taken_in(run, rows)
     wall = wall + _by_jumps_of_the_wall(run, rows)
-    initial, final = (energy_of(run, *at)[0] for at in _ends(run))
+    initial, final = (energy_of(run, *at).tolist()[0] for at in _ends(run))
     work = force + force_2 + belt + wall
     residual = initial + work - final - friction - viscous
     return EnergyLedger(initial, final, friction, viscous, residual, work, force, force_2, belt, wall, error)

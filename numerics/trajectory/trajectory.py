@@ -240,7 +240,8 @@ class Trajectory(Rows):
     def final_energy(self) -> Number:
         """Return the energy at the end, J, formed from the state."""
         with self.context():
-            return energy_of(self, np.array([self.end_time]), self._states[:, -1:])[0]
+            found: Number = energy_of(self, np.array([self.end_time]), self._states[:, -1:]).tolist()[0]
+            return found
 
     @cached_property
     def energy_excess(self) -> Array:
@@ -309,7 +310,8 @@ class Trajectory(Rows):
     def reduced(self, t: Any, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
         with self.context():
-            return self.frame.reduced(self.sol(t, side), self._excess(t, side))
+            y = self.sol(t, side)
+            return self.frame.reduced(y.tolist() if y.ndim == 1 else y, self._excess(t, side))
 
     # ------------------------------------------------------------------ where the energy went
     @property
