@@ -125,7 +125,7 @@ def test_a_stick_at_the_horizon_that_is_said_to_last_for_ever_must_last(name, is
 PARTS = 4
 
 
-@pytest.mark.parametrize("part", range(PARTS))
+@pytest.mark.parametrize("part", [0, *(pytest.param(part, marks=pytest.mark.long) for part in range(1, PARTS))])
 def test_bounds_doubts_and_derivatives_are_the_frozen_ones(part):
     assert not [*changes(part, PARTS)]
 
