@@ -118,7 +118,7 @@ def neighbour(base: Any, scene: Scene | None, digits: int) -> Any:
 
 def deviation(base: Any, direction: Mapping[str, Fraction], digits: int, step: Fraction) -> Deviation:
     """Compare the derivatives in a direction with differences; one-sided where only that side has the same events."""
-    scene, found = base.scene, sensitivities(base)
+    scene, found = base.scene, sensitivities(base, wrt=list(parameters(base.scene)))
     way = {name: weight * natural_scale(scene, name) for name, weight in direction.items()}
     known: dict[int, Any] = {0: base}
 

@@ -11,6 +11,8 @@ from nbclient.exceptions import CellExecutionError
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 NOTEBOOKS = sorted(path.name for path in FOLDER.glob("*.py"))
 SHOWN = {"image/png", "image/svg+xml", "text/latex"}
+COMPILES = "numba compiles the solver, once for this version\n"
+"""What a first run says, and no warning."""
 LONGEST_LAMBDA = 80
 """Characters; a longer lambda is a function in disguise."""
 
@@ -33,7 +35,8 @@ def seen(notebook):
     """Return whether some cell shows a figure or a formula, and what the cells wrote to stderr: warnings, above all."""
     outputs = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
     shown = any(SHOWN & set(output.get("data", {})) for output in outputs)
-    return shown, [output.text for output in outputs if output.get("name") == "stderr"]
+    told = [output.text for output in outputs if output.get("name") == "stderr"]
+    return shown, [one for one in told if one != COMPILES]
 
 
 def definitions(source):

@@ -17,7 +17,9 @@ from numerics import EventUndecided, Force, Pair, Piece, Scene, State, load_scen
 DRAWN = {"ties": ties, "free": free_scenes, "viscous": viscous_scenes, "driven": driven_scenes}
 WAYS = ["float64", "ball"]
 TESTS = Path(__file__).parent.parent
-FOLDERS = [f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir()]
+SIGNALS = "signals"
+"""Scenes of all signals have references of their own (tests/test_signals.py, test_signals_answers.py)."""
+FOLDERS = [f"scenes/{one.name}" for one in sorted((TESTS / "scenes").iterdir()) if one.is_dir() and one.name != SIGNALS]
 ALL_IN_DOUBT = {("float64", "scenes/followed-in-balls"), ("float64", "scenes/weakened")}
 """Folders of scenes that float64 leaves to balls."""
 FOUND = scenes_in("bounded")
