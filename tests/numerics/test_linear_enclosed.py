@@ -42,6 +42,7 @@ def test_balls_of_few_digits_hold_those_of_many(scene):
     assert same((scene, one), (scene, two))
 
 
+@pytest.mark.long  # tests/test_signals.py asks the same of fewer scenes
 @reaching
 @settings(max_examples=40)
 @given(driven_scenes() | scenes(damped=None) | weakened_scenes(), st.tuples(*[st.sampled_from([-1, 1])] * 3), st.data())
