@@ -36,8 +36,7 @@ UNKNOWN = -1
 """How a row of a batch ended that compiled code leaves to a run of its own."""
 
 
-_EVENT, _PIECE, _LOCAL = (AT[name] for name in ("event", "piece", "local"))
-_X1, _FRICTION = AT["x1"], AT["friction"]
+_FRICTION = AT["friction"]
 _OF_DIMENSION = (
     (),
     ("local", "local_rest", "length", "late"),
@@ -67,28 +66,6 @@ def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
                 is_finite = is_finite and (math.isfinite(number) or (may_miss and math.isnan(number)))
                 table[n, k] = number
     return is_finite
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def tabulate(rows: Any, end: Any, count: int, starts: Any, until: float, reached: bool) -> tuple[Any, Any]:
-    """Return the rows (count,) at which segments start, and t, x1, v1, x2, v2 at these and at the end, if `reached`.
-
-    Of binary64; `starts` are those of the pieces, s. The table has the shape (5, count), or one column more.
-    """
-    at, table = np.empty(count, np.int64), np.empty((5, count + (1 if reached else 0)))
-    found = 0
-    for index in range(len(rows)):
-        if index == 0 or rows[index, _EVENT] == 1.0:
-            at[found] = index
-            table[0, found] = starts[int(rows[index, _PIECE])] + rows[index, _LOCAL]
-            for k in range(4):
-                table[1 + k, found] = rows[index, _X1 + k]
-            found += 1
-    if reached:
-        table[0, count] = until
-        for k in range(4):
-            table[1 + k, count] = end[_X1 + k]
-    return at, table
 
 
 class How(IntEnum):
