@@ -118,15 +118,15 @@ def test_a_clock_keeps_what_its_roundings_leave_out_over_many_steps():
 
 
 @given(seeds)
-def test_a_sine_is_off_by_what_is_counted_after_a_million_radians_and_next_to_its_zeros(seed):
+def test_a_sine_is_off_by_what_is_counted_after_many_radians_and_next_to_its_zeros(seed):
     random = np.random.default_rng(seed)
     omega, phase, power = exact(random.uniform(0.1, 10)), exact(random.uniform(0, 6)), random.uniform(1, 17)
-    angle = random.integers(1, 10**6) * math.pi / 2 * (1 + random.choice([-1, 1]) * 10**-power)
+    angle = random.integers(1, 10 ** random.integers(1, 13)) * math.pi / 2 * (1 + random.choice([-1, 1]) * 10**-power)
     force = Force([Piece(0, (), [Sine("0.7", omega, phase)])])
-    problem, room, _ = begun(Scene(Pair("0.4", "0.6", "1.3", "0.6"), State(), 10**8, force=force))
+    problem, room, _ = begun(Scene(Pair("0.4", "0.6", "1.3", "0.6"), State(), 10**13, force=force))
     first = int(problem.tables.blocks[0, 0, 2])
     amplitude, rate, start = problem.drive.sines[0]
-    room.clock[0] = (angle - float(phase)) / rate[0], random.uniform(-1, 1) * 1e-10
+    room.clock[0] = (angle - float(phase)) / rate[0], random.uniform(-1, 1) * 10.0 ** random.integers(-16, -9)
     form_z(problem, room, 0, 1, False)
     with precision(400):
         turned = sum(map(Fraction, rate.tolist())) * sum(map(Fraction, room.clock[0].tolist()))
