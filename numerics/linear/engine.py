@@ -63,8 +63,9 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
-    most, units = max(float(np.abs(rows[:, _STATE]).max()), float(np.abs(end[_STATE]).max())), prepared.units
-    energy = 2.0 * math.log2(max(most, 1.0)) + units.of(mass=1, length=2, time=-2)
+    units = prepared.units
+    most = max(rows[:, _STATE].max(), -rows[:, _STATE].min(), *map(abs, end[_STATE].tolist()), 1.0)
+    energy = 2.0 * math.log2(most) + units.of(mass=1, length=2, time=-2)
     if energy > _LARGEST or not compiled(finish)(rows, end, *units):
         raise OutOfRange.of("a position, a velocity or an energy on the way", "float64")
     return Record(rows, end, How(how), int(end[AT["events"]]))

@@ -54,13 +54,12 @@ class Prepared(NamedTuple):
     start: NDArray[np.float64]
     units: KernelUnits
     pieces: Sequence[ExactPiece]
+    half_turns: float
+    """How many of them the fastest rate makes."""
 
     def room(self, most: int) -> int:
         """Return how many rows are given room for at first, with so many events at most."""
-        drive, tables = self.problem.drive, self.problem.tables
-        fastest = REACH / float(tables.h.min())
-        half_turns = float(drive.length[:, 0].sum()) * fastest / math.pi
-        return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * half_turns))
+        return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * self.half_turns))
 
     def part(self, piece: int, until: Fraction) -> Problem:
         """Return the problem of one piece alone, up to a time in it (s)."""
@@ -137,7 +136,9 @@ def prepare(scene: Scene) -> Prepared:
     start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
     start[AT["jump"]] = gap == 0
-    return Prepared(Problem(norm, drive, tables, scene.law is Law.THREE_VALUED_SGN), start, units, pieces)
+    half_turns = float(drive.length[:, 0].sum()) * REACH / float(tables.h.min()) / math.pi
+    problem = Problem(norm, drive, tables, scene.law is Law.THREE_VALUED_SGN)
+    return Prepared(problem, start, units, pieces, half_turns)
 
 
 def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dict[Layout, int], float]:

@@ -59,9 +59,10 @@ class Judgement(NamedTuple):
 
 def looked_at(trajectory: Any) -> Run:
     """Return what a trajectory of ours says: a user looks at its t, y and modes, which are made when they are read."""
-    if len(trajectory.event_times) + 2 != trajectory.y.shape[1]:
+    times, states = trajectory.event_times, trajectory.y.T
+    if len(times) + 2 != len(states):
         raise NumericsError(trajectory.message)
-    return Run([*map(word, trajectory.modes)], trajectory.event_times, trajectory.y.T)
+    return Run([*map(word, trajectory.modes)], times, states)
 
 
 def proved(scene: Any, digits: int = 0) -> Run:

@@ -26,7 +26,7 @@ from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.linear.errors_of import JUDGED, errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
-from numerics.scene import Pair, Scene
+from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
@@ -120,8 +120,9 @@ class Judged(NamedTuple):
 
 
 @lru_cache(maxsize=128)
-def _weights(pair: Pair) -> tuple[tuple[float, float, float], float]:
+def _weights(scene: Scene) -> tuple[tuple[float, float, float], float]:
     """Return a2, m1, m2 (0 where it is infinite) and E_cr (J; nan where there is none) as floats."""
+    pair = scene.pair
     critical = float(pair.critical_energy) if pair.a2 and pair.b else math.nan
     return (float(pair.a2), float(pair.m1), 0.0 if pair.is_fixed else float(pair.m2)), critical
 
@@ -136,10 +137,9 @@ def judged(trajectory: Any) -> Judged:
 
 def _judged_floats(trajectory: Any) -> Judged:
     record, scene = trajectory.record, trajectory.scene
-    judge = compiled(errors_of) if compiles_now() else errors_of
-    weights, critical = _weights(scene.pair)
-    with np.errstate(all="ignore"):
-        late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
+    judge = compiled(errors_of) if compiles_now() else np.errstate(all="ignore")(errors_of)
+    weights, critical = _weights(scene)
+    late, energy, excess, worst = judge(record.rows, record.end, starts_of(scene)[0], weights, critical, ROUNDING)
     if scene.wall.pieces:  # the spring is longer or shorter than x1
         end = record.end[_STATE]
         x1, stretched = abs(float(end[0])), abs(float(end[0] - float(scene.wall(Fraction(trajectory.end_time)))))

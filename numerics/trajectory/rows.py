@@ -43,10 +43,15 @@ class Rows(Answer):
     # ------------------------------------------------------------------ rows
     def row_column(self, name: str) -> Array:
         """Return a column of all rows, that of the end last: floats, or an object array."""
+        if self._in_floats is not None:
+            return self._in_floats[:, AT[name]]
+        return np.array([getattr(one, name) for one in (*self.record.rows, self.record.end)], dtype=object)
+
+    @cached_property
+    def _in_floats(self) -> Floats | None:
+        """Return the rows of a run in floats, that of the end last; None for other numbers."""
         rows, end = self.record.rows, self.record.end
-        if isinstance(rows, np.ndarray):
-            return np.append(rows[:, AT[name]], end[AT[name]])
-        return np.array([getattr(one, name) for one in (*rows, end)], dtype=object)
+        return np.concatenate([rows, end[None, : rows.shape[1]]]) if isinstance(rows, np.ndarray) else None
 
     @property
     def reached(self) -> bool:
@@ -87,6 +92,8 @@ class Rows(Answer):
 
     @cached_property
     def _states(self) -> Array:
+        if self._in_floats is not None:
+            return self._in_floats[:, AT["x1"] : AT["x1"] + len(STATE)].T
         return np.array([self.row_column(name) for name in STATE])
 
     @property

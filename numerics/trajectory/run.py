@@ -28,10 +28,9 @@ def run_scene(
 ) -> Trajectory:
     """Solve a scene once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange.
 
-    The free engine leaves it to `Trajectory.certain` whether float64 is sure of the events.
+    In float64 every scene runs in the linear engine; the free pair has an exact road of its own in the others.
     """
-    is_free = free_scene(scene) and not isinstance(arithmetic, Float64)
-    run = run_free if is_free else run_linear
+    run = run_linear if isinstance(arithmetic, Float64) or not free_scene(scene) else run_free
     try:
         return Trajectory(scene, arithmetic, run(scene, arithmetic, max_events, progress))
     except OutOfRange as error:
