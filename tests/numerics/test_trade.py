@@ -138,7 +138,11 @@ def test_the_shipped_one_is_small_names_no_place_and_no_day_and_is_drawn():
     assert [*found.scenes] == [*measure.benchmarks()]
     assert len(draw_trade(found).axes) == 1
     assert {one.method for one in found.rows} == {one.name for one in CONTENDERS}
-    assert [one for one in found.rows if one.ours and not one.right] == []
+    ours = [one for one in found.rows if one.ours]
+    assert [one for one in ours if one.seconds is not None and not one.right] == []
+    # what has no answer says why: next to the critical energy float64 is sent to balls
+    assert {(one.scene, one.method) for one in ours if one.seconds is None} == {("near-critical-1e-12", "float64")}
+    assert all(one.note for one in ours if one.seconds is None)
 
 
 # the command
