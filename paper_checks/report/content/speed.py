@@ -11,7 +11,7 @@ from statistics import median
 from matplotlib.figure import Figure
 
 from numerics.trade.command import error_text, seconds_text
-from numerics.trade.contenders import BALLS
+from numerics.trade.contenders import BALLS, FLOAT64
 from numerics.trade.figure import draw_trade
 from numerics.trade.recorded import Trade
 from paper_checks.drawing.style import Figures, house_style
@@ -50,6 +50,9 @@ def answers(trade: Trade) -> Iterator[str]:
     """Say who is faster in float64, and what more digits cost."""
     leads = {scene: lead for scene in trade.scenes if (lead := trade.lead(scene))}
     yield told({scene: lead.ratio for scene, lead in leads.items()})
+    refused = [one.scene for one in trade.rows if one.method == FLOAT64 and one.seconds is None]
+    if refused:
+        yield f"On {listed(refused)} float64 has no answer: its bound does not tell the next event, and balls follow."
     balls = [one for one in trade.rows if one.method == BALLS and one.right and one.ratio]
     costs = [
         f"{digits:g} cost {median(one.ratio or 0 for one in balls if one.setting == digits):,.0f} times"

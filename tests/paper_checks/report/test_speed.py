@@ -48,6 +48,12 @@ def test_who_is_faster_comes_first(case):
     assert told(*rows)[0] == line
 
 
+def test_a_scene_on_which_float64_has_no_answer_is_named():
+    refused = row("float64", "velocities", 1.0)._replace(seconds=None, ratio=None)
+    assert not any("no answer" in one for one in told())
+    assert told(refused)[1].startswith("On velocities float64 has no answer")
+
+
 def test_what_proved_digits_cost_is_said():
     assert told()[1].endswith("15 cost 100 times.")
 
