@@ -14,7 +14,7 @@ from paper_checks.evidence.claim import (
     theorem,
 )
 from paper_checks.evidence.clause import Clause, Formula, clause
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, argument, enclosed
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, argument, enclosed, reading
 from paper_checks.evidence.finding import carried
 from paper_checks.evidence.formula import equation, form, latex, stating
 
@@ -41,6 +41,7 @@ __all__ = [
     "equation",
     "form",
     "latex",
+    "reading",
     "stating",
     "theorem",
 ]

@@ -11,6 +11,13 @@ from functools import cached_property
 _NON_FINITE = re.compile(r"(?<![\w\\])[+-]?(?:nan|inf|infinity)(?!\w)", re.IGNORECASE)
 
 
+INFERRING = re.compile(
+    r"\b(so|hence|thus|therefore|then|because|since|implies|imply|follows?|consequently|whence|proves?|shows?)\b",
+    re.IGNORECASE,
+)
+"""Words of an inference, which has no place in a reading."""
+
+
 def one_line(text: str) -> str:
     """Return prose, which may be written over several lines, with single spaces."""
     return " ".join(text.split())
@@ -33,6 +40,8 @@ class EvidenceKind(Enum):
     """Random cases in a stated number."""
     SIMULATION = "simulation"
     """One computed trajectory, without a proven error."""
+    READING = "reading"
+    """What words of the paper are taken to say; it infers nothing, and settles nothing."""
 
     @cached_property
     def strength(self) -> int:
@@ -131,6 +140,25 @@ def argument(statement: str, *rests_on: Evidence, cites: tuple[str, ...] = ()) -
     outcomes = {step.passed for step in rests_on if not step.supports}
     passed = False if False in outcomes else None if None in outcomes else True
     return Evidence(EvidenceKind.ARGUMENT, "written inference", statement, passed, rests_on=rests_on, cites=cites)
+
+
+def reading(words: str, meaning: str) -> Evidence:
+    """Return that words of the paper are read as what `meaning` names, a formula among it: "We read “words” as meaning."
+
+    It stands beside a claim and carries no clause of it. Raises ValueError where it infers, where it is more than
+    one sentence, or where it names no formula.
+
+    >>> reading("they stick", "$v_1=v_2$ on an interval of time").statement
+    'We read “they stick” as $v_1=v_2$ on an interval of time.'
+    """
+    said = f"We read “{one_line(words)}” as {one_line(meaning)}."
+    if inferred := INFERRING.search(said):
+        raise ValueError(f"a reading infers nothing, but this one has “{inferred[0]}”: {said}")
+    if re.search(r"[.;:?!](?=\s)", said):
+        raise ValueError(f"a reading is one sentence: {said}")
+    if not re.search(r"\$[^$]+\$", meaning):
+        raise ValueError(f"a reading names the formula that the words are read as: {said}")
+    return Evidence(EvidenceKind.READING, "reading", said, True)
 
 
 def enclosed(

@@ -48,7 +48,8 @@ class Proof:
         """The weakest kind of step that the clause needs, its formulas' among them; None where it is not established."""
         steps = closure(self.needed)
         failed = any(step.passed is not True for step in (*steps, *self.bindings) if not step.supports)
-        return None if failed or not steps else weakest(steps if self.by_kernel else (*steps, *self.bindings))
+        carries = any(not step.supports for step in steps)
+        return None if failed or not carries else weakest(steps if self.by_kernel else (*steps, *self.bindings))
 
     @property
     def kernel_status(self) -> str | None:

@@ -57,7 +57,7 @@ HEAD = ("step", "kind", "checked statement", "result", "claims")
 def cells(step: Evidence, below: Iterable[str]) -> tuple[str, str, str]:
     """Return kind, statement with its remarks, and result of a step that rests on steps of these names."""
     about = "" if step.about is Subject.CLAIM else f"{step.about.value.capitalize()}: "
-    beside = "Beside the proof. " if step.supports else ""
+    beside = "Beside the proof. " if step.supports and step.kind is not EvidenceKind.READING else ""
     rests = ", ".join(f"`{name}`" for name in below)
     remarks = [f"Given {', '.join(step.assumptions)}"] if step.assumptions and step.engine != "Coq" else []
     remarks += [f"Rests on {rests}"] if rests else []

@@ -47,6 +47,10 @@ GUARANTEES = {
         "nothing: it supports a proof and never counts",
     ),
     EvidenceKind.SIMULATION: ("One trajectory was computed.", "nothing: it supports a proof and never counts"),
+    EvidenceKind.READING: (
+        "It is said which formula words of the paper are read as.",
+        "the reader: whether that is what the words mean; it carries no claim",
+    ),
 }
 """What a step of each kind guarantees, and what has to be trusted for it."""
 

@@ -9,7 +9,7 @@ from paper_checks.decide import kernel
 from paper_checks.decide.deciders import equals
 from paper_checks.evidence.claim import Claim, because, claim, correction, counterexample
 from paper_checks.evidence.clause import Formula, clause
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, reading, weakest
 from paper_checks.evidence.finding import Finding, InvalidFindingError, Verdict, carried, conclude
 from paper_checks.proofs import signed
 from paper_checks.proofs.library import Proved
@@ -30,8 +30,32 @@ CORRECTED = {"counterexample": "$a=1$", "corrected": "$a=a$"}
 
 def test_kinds_are_ordered_strongest_first():
     names = [kind.value for kind in sorted(EvidenceKind, key=lambda kind: -kind.strength)]
-    assert names == ["kernel", "smt", "exact", "enclosure", "argument", "property", "simulation"]
+    assert names == ["kernel", "smt", "exact", "enclosure", "argument", "property", "simulation", "reading"]
     assert [kind.value for kind in EvidenceKind if kind.decisive] == names[:5]
+
+
+@pytest.mark.parametrize(
+    ("words", "meaning", "missing"),
+    [
+        ("they stick", "$v_1=v_2$, so the energy is constant", "infers nothing"),
+        ("they stick", "$v_1=v_2$; hence $E$ is constant", "infers nothing"),
+        ("they stick", "$v_1=v_2$, which follows from (3)", "infers nothing"),
+        ("they stick", "$v_1=v_2$. The energy is constant", "one sentence"),
+        ("they stick", "equality of the velocities", "names the formula"),
+    ],
+)
+def test_a_reading_infers_nothing_is_one_sentence_and_names_the_formula(words, meaning, missing):
+    with pytest.raises(ValueError, match=missing):
+        reading(words, meaning)
+
+
+def test_a_reading_neither_carries_a_clause_nor_weakens_it():
+    read = reading("they stick", "$v_1=v_2$")
+    assert not read.decides
+    assert weakest((EXACT, read)) is EvidenceKind.EXACT
+    assert weakest((read,)) is None
+    assert Proof(clause("c", "text"), Subject.CLAIM, (read,), (), ()).established_by is None
+    assert Proof(clause("c", "text"), Subject.CLAIM, (EXACT, read), (), ()).established_by is EvidenceKind.EXACT
 
 
 @pytest.mark.parametrize(
