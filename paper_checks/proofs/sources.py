@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-FOLDER = Path(__file__).parent
+FOLDER = Path(__file__).parents[1] / "rocq"
 LIBRARY = "InertialPair"
 
 # a text in quotes holds no mark of a comment; Coq reads it as one within a comment too
@@ -73,8 +73,8 @@ def without_comments(text: str) -> str:
 
 
 def read(folder: Path = FOLDER) -> dict[str, Source]:
-    """The proof files of a folder by name."""
-    return {path.stem: Source(path.stem, path.read_text("utf-8")) for path in sorted(folder.glob("*.v"))}
+    """The proof files below a folder by name, each of which is there once."""
+    return {path.stem: Source(path.stem, path.read_text("utf-8")) for path in sorted(folder.rglob("*.v"))}
 
 
 def in_order(sources: Mapping[str, Source]) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from paper_checks.proofs import kernel
 from paper_checks.proofs.kernel import Compiled, Progress
-from paper_checks.proofs.sources import FOLDER, Source
+from paper_checks.proofs.sources import Source
 from paper_checks.store import Store, digest, version
 
 TIES = "Tie"
@@ -20,7 +20,7 @@ def text(store: Path) -> tuple[str, str]:
     """
     import theory
 
-    made_from = [*sorted(Path(theory.__file__).parent.rglob("*.py")), *sorted(FOLDER.glob("*.py"))]
+    made_from = [*sorted(Path(theory.__file__).parent.rglob("*.py")), *sorted(Path(__file__).parent.glob("*.py"))]
     kept = Store("ties", digest(made_from, [f"sympy {version('sympy')}"]), store)
     if body := kept.get(f"{TIES}.v"):
         return body.decode(), ""

@@ -31,7 +31,7 @@ NAMES = (
     "`is_lim f p_infty l` says that $f$ tends to $l$ at infinity. An arrow is an implication: all before the last one is assumed."
 )
 FILES = (
-    "The statements and proofs are not printed here. They are the Coq files in `paper_checks/proofs` of the software; "
+    "The statements and proofs are not printed here. They are the Coq files in `paper_checks/rocq` of the software; "
     "`python -m paper_checks.proofs` compiles them and compares each statement with the one on record."
 )
 SAME = "filippov-iff"

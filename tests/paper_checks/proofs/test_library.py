@@ -146,7 +146,7 @@ def test_the_text_of_the_ties_is_made_again_where_what_it_was_made_from_changes(
     if changed == "sympy":
         monkeypatch.setattr(tied, "version", lambda _: "0.0")
     else:
-        folder = Path(theory.__file__).parent if changed == "theory" else library.FOLDER
+        folder = Path(theory.__file__).parent if changed == "theory" else Path(tied.__file__).parent
         target, content = folder / "energy.py" if changed == "theory" else folder / changed, Path.read_bytes
         monkeypatch.setattr(Path, "read_bytes", lambda path: content(path) + b" " * (path == target))
     assert tied.text(tmp_path) == ("Tie 2", "")
@@ -236,7 +236,7 @@ def test_the_kernel_is_asked_again_where_what_its_answers_rest_on_changes(facts,
 )
 def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeypatch, built, store, true, false, said):
     shutil.copytree(library.FOLDER, tmp_path / "proofs")
-    damaged = tmp_path / "proofs" / "Critical.v"
+    damaged = tmp_path / "proofs" / "free" / "Critical.v"
     damaged.write_text(damaged.read_text("utf-8").replace(true, false), "utf-8")
     _, known = known_here(store)
     monkeypatch.setattr(

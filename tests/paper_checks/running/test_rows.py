@@ -157,7 +157,7 @@ def test_the_state_knows_seed_kernel_versions_and_sources(monkeypatch, tmp_path)
 
 def test_what_rows_can_depend_on_is_in_the_state_and_what_only_shows_them_is_reached_from_no_check():
     seen = {path.relative_to(ROOT).as_posix() for path in kept.sources()}
-    assert {"theory/excursion.py", "numerics/scene/shipped/velocities.toml", "paper_checks/proofs/Paper.v"} <= seen
+    assert {"theory/excursion.py", "numerics/scene/shipped/velocities.toml", "paper_checks/rocq/free/Paper.v"} <= seen
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     declared = project["dependencies"] + project["optional-dependencies"]["checks"]
     assert {re.split("[>=]", line)[0] for line in declared} - SHOWN_WITH <= set(kept.DEPENDENCIES)
