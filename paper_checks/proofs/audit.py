@@ -44,7 +44,7 @@ Set Printing Width 110.
 Set Printing Depth 1000.
 """
 _TITLE = re.compile(r"^== (.*)\n", re.MULTILINE)
-_TIE = re.compile(r"^\(\*\* (.*?) \*\)\nTheorem (tie_\w+) :", re.MULTILINE | re.DOTALL)
+_TIE = re.compile(r"^\(\*\* ((?:(?!\*\)).)*) \*\)\nTheorem (tie_\w+) :", re.MULTILINE | re.DOTALL)
 _AXIOM = re.compile(r"^(?:([A-Za-z_][\w.']*)\s*(?::|$)|(\S.*))", re.MULTILINE)
 _AXIOMS = re.compile(r"^(?:Axioms:\n|Closed under the global context)", re.MULTILINE)
 

@@ -51,12 +51,12 @@ WORDS = {
     "Cycle.o1": "$\\omega_1$, the frequency of body 1 alone.",
     "Cycle.ray": "The velocity on a ray whose excess energy is $q\\,u^2$.",
     "Cycle.on_ray": "At the time $t$ the pair is on the ray of side $k$, with that velocity.",
-    "Rate.hh": "$h$ at the angle $2p$.",
-    "Rate.depth": "$c$ at the angle $2p$: the depth of a slip.",
+    "ReturnMap.hh": "$h$ at the angle $2p$.",
+    "ReturnMap.depth": "$c$ at the angle $2p$: the depth of a slip.",
     "Filippov.filippov": "Absolutely continuous, and in the inclusion at almost every time.",
     "Filippov.included": "The velocity is in the inclusion.",
-    "Law.small": "The relative excess $w=E/E_{cr}-1$ of an energy is small.",
-    "Mode.load": "$\\Lambda$, the friction force on body 2 that sticking needs.",
+    "SharpLaw.small": "The relative excess $w=E/E_{cr}-1$ of an energy is small.",
+    "ModeAtContact.load": "$\\Lambda$, the friction force on body 2 that sticking needs.",
 }
 """The definitions that a reader meets first, in words; all others are shown without."""
 _APPLIED = re.compile(r"\b([A-Z]\w*\.\w+)((?: [\w']+)+)")

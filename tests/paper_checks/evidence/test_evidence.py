@@ -273,7 +273,7 @@ def theorems(monkeypatch):
     """Plant how the theorem of a row stands, and those that it is tied to or uses."""
 
     def plant(status, ties=(), uses=(), others=kernel.PROVED):
-        other = Proved("", "Law.sharp_law", "It is so.", "forall x, x = x", (), (), (), PASSED[others])
+        other = Proved("", "SharpLaw.sharp_law", "It is so.", "forall x, x = x", (), (), (), PASSED[others])
         top = replace(other, uses=uses, ties=ties, holds=PASSED[status])
         monkeypatch.setattr(kernel, "theorem", lambda name: replace(top if name == "sharp-law" else other, id=name))
         kernel.step.cache_clear()

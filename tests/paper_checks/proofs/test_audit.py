@@ -63,7 +63,7 @@ def test_what_is_not_checked_counts_as_an_axiom_and_nothing_is_read_in_part():
     told = "Axioms:\nClassical_Prop.classic : forall P : Prop,\n  P \\/ ~ P\nbad is assumed to be guarded.\n"
     assert audit.axioms(told) == ("Classical_Prop.classic", "bad is assumed to be guarded.")
     with pytest.raises(RuntimeError, match="in part only"):
-        audit.trimmed("Merging.merging_set", "Merging.merging_set\n     : forall t, v1 (...) = v2 t")
+        audit.trimmed("MergingEnergies.merging_set", "MergingEnergies.merging_set\n     : forall t, v1 (...) = v2 t")
 
 
 def test_an_answer_that_is_not_the_one_on_record_is_named():
@@ -77,7 +77,7 @@ def test_an_answer_that_is_not_the_one_on_record_is_named():
     assert problem() == ""
     assert "does not say what is in Audit.out" in problem({name: "True"})
     assert "Pair.energy, which is not defined as in Audit.out" in problem({"Pair.energy": "fun x => x"})
-    for wrong in ("Critical.easy", "Classical_Prop.another", "bad is assumed to be guarded."):
+    for wrong in ("CriticalRatioDigits.easy", "Classical_Prop.another", "bad is assumed to be guarded."):
         assert f"rests on {wrong}, which nobody has proved" in problem(axioms=[*known.axioms, wrong])
     assert "more than in Audit.out" in problem(axioms=[*known.axioms, "PrimInt63.add"])
 
@@ -146,14 +146,14 @@ def test_a_changed_record_turns_the_theorem(planted, true, false, said):
     ("true", "false", "said"),
     [
         ("13 decimals", "13 decimals", ""),
-        ("interval", "idtac", "Critical.decimals is not proved (line "),
-        ("Qed.", "Admitted.", "Critical.decimals rests on "),
-        ("Theorem decimals", "Theorem digits", "Critical.decimals: "),
+        ("interval", "idtac", "CriticalRatioDigits.decimals is not proved (line "),
+        ("Qed.", "Admitted.", "CriticalRatioDigits.decimals rests on "),
+        ("Theorem decimals", "Theorem digits", "CriticalRatioDigits.decimals: "),
     ],
 )
 def test_a_damaged_file_is_reported_by_the_name_of_its_theorem_and_costs_no_other(tmp_path, store, true, false, said):
     shutil.copytree(FOLDER, tmp_path / "rocq")
-    damaged = tmp_path / "rocq" / "free" / "Critical.v"
+    damaged = tmp_path / "rocq" / "free" / "CriticalRatioDigits.v"
     damaged.write_text(damaged.read_text("utf-8").replace(true, false), "utf-8")
     proved = library.prove([DIGITS, ONE], store=store, folder=tmp_path / "rocq")
     assert bool(proved[DIGITS].problem) == bool(said)

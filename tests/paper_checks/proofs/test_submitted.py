@@ -156,7 +156,7 @@ def test_nothing_false_is_accepted(judge, written, what, pattern, new):
         (
             r"Lemma accepted :\s+(.*?)\.\nProof.*?Qed\.",
             r"Parameter accepted : \1.",
-            "rests on Submitted.accepted, beyond",
+            "on Submitted.accepted, beyond",
         ),
         (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
         (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
