@@ -286,34 +286,7 @@ Proof.
   assert (0 <= kap * (a2 * (x u - x' u) ^ 2)) by positive. lra.
 Qed.
 
-(** on the displacement z: with the square of its difference beside *)
-Theorem growth_by_displacement z z' t : cont z -> cont z' -> (forall t, 0 <= t -> rderiv z t (w t)) ->
-  (forall t, 0 <= t -> rderiv z' t (w' t)) -> 0 <= t -> (forall t, 0 <= t -> Rabs (b t - b' t) <= l * Rabs (z t - z' t)) ->
-  sqrt (N2 t + (z t - z' t) ^ 2) <= exp ((l + 1) * sqrt kap * t) * sqrt (N2 0 + (z 0 - z' 0) ^ 2).
-Proof.
-  intros Cz Cz' Dz Dz' Ht K. set (r := sqrt kap). assert (Sp : 0 <= r) by apply sqrt_pos.
-  assert (Sq : forall u, 0 <= N2 u + (z u - z' u) ^ 2) by (intros u; pose proof (N2_pos u); pose proof (pow2_ge_0 (z u - z' u)); lra).
-  apply (root_growth (fun u => N2 u + (z u - z' u) ^ 2)); auto. apply (in_proportion (fun u => N2 u + (z u - z' u) ^ 2)); auto; [positive| |].
-  { apply cont_plus; auto. apply cont_ext with (fun u => (z u - z' u) * (z u - z' u)); [intros; ring|].
-    apply cont_mult; apply cont_minus; auto. }
-  intros u Hu e He. set (p := z u - z' u). set (q := w u - w' u).
-  destruct (N2_dini u (l * Rabs p * Rabs q) Hu (by_slopes u _ (Rmult_le_pos _ _ Hl (Rabs_pos p)) (K u Hu)) (e / 2)) as (d1 & H1 & K1); [lra|].
-  assert (Dp : rderiv (fun u => (z u - z' u) * (z u - z' u)) u (q * p + p * q)).
-  { apply (rderiv_mult (fun u => z u - z' u) (fun u => z u - z' u)); apply rderiv_minus; auto. }
-  destruct (Dp (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)).
-  specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. cbv beta. fold p in K2 |- *.
-  assert (Pq : 2 * (l * Rabs p * Rabs q) + (q * p + p * q) <= 2 * ((l + 1) * r) * (N2 u + p ^ 2)).
-  { pose proof (product_below p q 1 kap (N2 u) Rlt_0_1 kap_pos) as Q.
-    assert (G : q ^ 2 <= kap * N2 u).
-    { pose proof (gap u) as G. fold q in G. pose proof (pow2_ge_0 (x u - x' u)).
-      assert (0 <= kap * (a2 * (x u - x' u) ^ 2)) by positive. lra. }
-    specialize (Q G). replace (kap / 1) with kap in Q by field. fold r in Q. rewrite Rmult_1_l in Q.
-    pose proof (Rle_abs (p * q)) as A. rewrite Rabs_mult in A.
-    assert (l * (Rabs p * Rabs q) <= l * (r * (p ^ 2 + N2 u))) by scale. lra. }
-  assert ((2 * (l * Rabs p * Rabs q) + (q * p + p * q)) * h <= 2 * ((l + 1) * r) * (N2 u + p ^ 2) * h)
-    by (apply Rmult_le_compat_r; lra). lra.
-Qed.
-(** on all three, with slopes of at most l *)
+(** on the displacement z, or on all three, with slopes of at most l: with the square of the difference of z beside *)
 Theorem growth_by_state z z' t : cont z -> cont z' -> (forall t, 0 <= t -> rderiv z t (w t)) ->
   (forall t, 0 <= t -> rderiv z' t (w' t)) -> 0 <= t -> (forall t, 0 <= t ->
     Rabs (b t - b' t) <= l * (Rabs (x t - x' t) + Rabs (z t - z' t) + Rabs (Rabs (w t) - Rabs (w' t)))) ->
@@ -351,6 +324,31 @@ Proof.
   assert (EY : Y = N2 u + p ^ 2) by reflexivity. apply Rmult_le_compat_r with (r := h) in Pq; lra.
 Qed.
 End Growth.
+
+(** *** Two forces: the root of twice the distance grows at most by the integral of their difference over sqrt m1 *)
+Theorem interface_input_to_state b U U' x v1 v2 F x' v1' v2' F' du J r t :
+  rubs b U x v1 v2 F -> rubs b U' x' v1' v2' F' -> (forall t, 0 <= t -> rderiv (fun r => U r - U' r) t (du t)) -> cont J ->
+  (forall t, 0 <= t -> rderiv J t (Rabs (du t))) -> 0 <= r <= t ->
+  sqrt (2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) <=
+  sqrt (2 * energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r)) + (J t - J r) / sqrt m1.
+Proof.
+  intros H H' HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
+  set (D := fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)).
+  replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
+  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
+  - exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H').
+  - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
+  - intros u Hu. pose proof (Rabs_pos (du u)). split; [positive|split; [apply rderiv_scal; auto; apply HJ; lra|]]. intros e He.
+    destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) (HU u ltac:(lra)) e He) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+    pose proof (pow2_ge_0 (v1 u - v1' u)). pose proof (Rle_abs (du u * (v1 u - v1' u))) as P. rewrite Rabs_mult in P.
+    assert (Q : sqrt m1 * Rabs (v1 u - v1' u) <= sqrt (2 * D u)).
+    { rewrite <- (sqrt_Rsqr_abs (v1 u - v1' u)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
+      unfold D, energy, Pair.energy, Rsqr. pose proof (pow2_ge_0 (x u - x' u)). pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
+    assert (Rabs (du u) * Rabs (v1 u - v1' u) <= / sqrt m1 * Rabs (du u) * sqrt (2 * D u)); [|nra].
+    replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1' u))) by (field; lra).
+    apply Rmult_le_compat_l; [positive|exact Q].
+Qed.
 
 (** *** Without a force, friction that stays above some strength brings the slip to rest, whatever it depends on *)
 Theorem interface_synchronises b x v1 v2 F z lo hi : rubs b (fun _ => 0) x v1 v2 F -> 0 < lo ->

@@ -1,5 +1,6 @@
-(** The rule of the modes for an interface whose strength changes: with the strength from the time of the contact on. *)
-From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Mode Analytic Rule Interface.
+(** The rule of the modes for an interface whose strength changes, with the strength from the time of the contact on; and
+    with a strength that is constant by pieces events do not accumulate. *)
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Mode Analytic Modes Before Zeno Rule Interface.
 
 Section InterfaceMode.
 Variables m1 m2 a1 a2 : R.
@@ -103,5 +104,46 @@ Proof.
     + exists (Rmin q d). split; [positive|]. intros t Ht. pose proof (Rmin_l q d). pose proof (Rmin_r q d).
       destruct (K (t - t0) ltac:(lra)) as (K1 & K2 & _). destruct (E (t - t0) ltac:(lra)) as (_ & E1 & E2).
       rewrite Lo in K2 by lra. replace (t0 + (t - t0)) with t in * by ring. lra.
+Qed.
+
+(** No accumulation: under a force that is analytic by pieces and with a strength that is constant by pieces, finitely
+    many of both in every bounded time, the modes change finitely often in it. *)
+Theorem interface_no_zeno b U u x v1 v2 F T : rubs m1 m2 a1 a2 b U x v1 v2 F -> (forall t, 0 <= t -> rderiv U t (u t)) ->
+  piecewise_analytic u -> (forall t, 0 <= t -> exists c c' d, 0 < c /\ 0 < c' /\ 0 < d /\
+    (forall r, t <= r < t + d -> b r = c) /\ (forall r, 0 <= r -> t - d < r < t -> b r = c')) -> 0 <= T ->
+  finitely_many_modes v1 v2 0 T.
+Proof.
+  intros H DU A Pc HT.
+  assert (Local : forall c t0 d, 0 <= t0 -> 0 < d -> 0 < c -> (forall r, t0 <= r < t0 + d -> b r = c) -> exists y w1 w2 s,
+    forced m1 m2 a1 a2 c (fun t => U (t0 + t)) y w1 w2 s /\ (forall t, 0 <= t -> rderiv (fun t => U (t0 + t)) t (u (t0 + t))) /\
+    forall t, 0 <= t <= d -> w1 t = v1 (t0 + t) /\ w2 t = v2 (t0 + t)).
+  { intros c t0 d Ht0 Hd Hc E. destruct (rubs_forced b U x v1 v2 F t0 d c H Ht0 Hd Hc E) as (y & w1 & w2 & s & Fo & Eq).
+    exists y, w1, w2, s. split; [exact Fo|]. split; [intros t Ht; apply rderiv_earlier, DU; lra|]. intros t Ht. apply Eq; auto. }
+  assert (Shift : forall (w1 w2 : R -> R) t0 d p q, (forall t, 0 <= t <= d -> w1 t = v1 (t0 + t) /\ w2 t = v2 (t0 + t)) -> 0 <= p -> q <= d ->
+    one_mode w1 w2 p q -> one_mode v1 v2 (t0 + p) (t0 + q)).
+  { intros w1 w2 t0 d p q Eq Hp Hq [O|[O|O]]; [left|right; left|right; right]; intros t Ht; specialize (O (t - t0) ltac:(lra));
+      destruct (Eq (t - t0) ltac:(lra)) as (E1 & E2); replace (t0 + (t - t0)) with t in * by ring; lra. }
+  apply modes_by_compactness; auto; intros t Ht.
+  - destruct (A t ltac:(lra)) as (f & g & d & Hd & _ & Ag & Eg & _). destruct (Pc t ltac:(lra)) as (c & _ & d' & Hc & _ & Hd' & Ec & _).
+    destruct (Local c t d' ltac:(lra) Hd' Hc Ec) as (y & w1 & w2 & s & Fo & DU' & Eq).
+    destruct (mode_after m1 m2 a1 a2 c Hm1 Hm2 Ha1 Ha2 Hc _ _ y w1 w2 s Fo DU' 0 (fun r => g (t + r)) d (Rle_refl 0) Hd) as (q & Hq & O).
+    { apply analytic_shift. rewrite Rplus_0_r. auto. } { intros r Hr. apply Eg. lra. }
+    exists (Rmin q d'). split; [positive|]. pose proof (Rmin_l q d'). pose proof (Rmin_r q d'). rewrite <- (Rplus_0_r t) at 1.
+    apply (Shift w1 w2 t d'); auto; [lra|]. apply (one_mode_within w1 w2 0 (0 + q)); auto; lra.
+  - destruct (A t ltac:(lra)) as (f & g & d & Hd & Af & _ & _ & Ef). destruct (Pc t ltac:(lra)) as (_ & c & d' & _ & Hc & Hd' & _ & Ec).
+    set (l := Rmin (d' / 2) t). assert (Hl : 0 < l) by positive. pose proof (Rmin_l (d' / 2) t). pose proof (Rmin_r (d' / 2) t). fold l in H0, H1.
+    destruct (Local c (t - l) l ltac:(lra) Hl Hc) as (y & w1 & w2 & s & Fo & DU' & Eq). { intros r Hr. apply Ec; lra. }
+    assert (End : t - l + l = t) by ring. destruct (Eq l ltac:(lra)) as (E1 & E2). rewrite End in E1, E2.
+    assert (B : exists q, 0 < q <= l /\ one_mode w1 w2 (l - q) l).
+    { destruct (Req_dec (w1 l) (w2 l)) as [Meet|Apart].
+      - destruct (mode_before m1 m2 a1 a2 c Hm1 Hm2 Ha1 Ha2 Hc _ _ y w1 w2 s Fo DU' l Hl Meet (fun r => f (t - l + r)) d Hd) as (q & Hq & O).
+        { apply analytic_shift. rewrite End. auto. } { intros r Hr0 Hr. apply Ef; lra. }
+        exists (Rmin q l). pose proof (Rmin_l q l). pose proof (Rmin_r q l). split; [split; [positive|lra]|].
+        apply (one_mode_within w1 w2 (l - q) l); auto; lra.
+      - pose proof (cont_w m1 m2 a1 a2 c Hm2 _ y w1 w2 s Fo) as Cw. destruct (apart_nearby w1 w2 l Cw ltac:(lra) Apart) as (q & Hq & K).
+        exists (Rmin q l). pose proof (Rmin_l q l). pose proof (Rmin_r q l). split; [split; [positive|lra]|].
+        apply no_zero_one_sign; [exact Cw|lra|]. intros r Hr. apply K; [lra|]. rewrite Rabs_left; lra. }
+    destruct B as (q & Hq & O). exists q. split; [lra|]. replace (t - q) with (t - l + (l - q)) by ring. rewrite <- End at 2.
+    apply (Shift w1 w2 (t - l) l); auto; lra.
 Qed.
 End InterfaceMode.
