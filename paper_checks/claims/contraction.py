@@ -7,7 +7,7 @@ import sympy as sp
 from paper_checks.claims import filippov
 from paper_checks.claims.words import *
 from theory import forced
-from theory.energy import contraction_rate, energy, sigma, sigma_other
+from theory.energy import contraction_rate, sigma, sigma_other
 from theory.model import slip, stick
 
 

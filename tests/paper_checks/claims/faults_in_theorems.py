@@ -3,7 +3,7 @@
 import sympy as sp
 from flint import acb
 
-from theory.symbols import a1, b, q, theta, v1
+from theory.symbols import b, q, theta
 
 from .faults import (
     changed,
