@@ -167,27 +167,6 @@ def modes_from_closed_form() -> Case:
     )
 
 
-def _friction_can_give() -> Steps:
-    """Return that friction with a share of its strength between -1 and 1 gives adhesion exactly up to |x1''| = b/m2."""
-    share, needed = symbols("s A", real=True)
-
-    def bounded(value: Expr, bound: Expr) -> Basic:
-        return And(signed(value - bound, "<="), signed(value + bound, ">="))
-
-    return (
-        prove(
-            r"with $m_2\ddot x_1=b\sigma$: $|\sigma|\leqslant 1$ gives $|\ddot x_1|\leqslant b/m_2$ (here $s=\sigma$)",
-            [bounded(share, Integer(1))],
-            bounded(b * share / m2, b / m2),
-        ),
-        prove(
-            r"and $|\ddot x_1|\leqslant b/m_2$ gives $|\sigma|\leqslant 1$ (here $A=\ddot x_1$)",
-            [bounded(needed, b / m2)],
-            bounded(m2 * needed / b, Integer(1)),
-        ),
-    )
-
-
 @claim(
     "stiction-bracket",
     "II",
@@ -254,9 +233,10 @@ def stiction_bracket() -> Case:
         carried(
             "condition",
             identity(
-                "adhesion needs the force $m_2\\ddot x_1$ on body 2", stuck.force_on_second, m2 * stuck.acceleration1
+                r"adhesion needs the force $m_2\ddot x_1$ on body 2, the share $\ddot x_1/(b/m_2)$ of $b$",
+                [stuck.force_on_second, stuck.force_on_second / b],
+                [m2 * stuck.acceleration1, stuck.acceleration1 / (b / m2)],
             ),
-            *_friction_can_give(),
         ),
         correction(
             reading(
