@@ -1,6 +1,6 @@
 (** Motions under a force, put together from arcs: what starts on a smooth arc that obeys the law of friction runs
     along it; the mirror image of a motion; motions that repeat with the opposite sign. *)
-From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence.
 
 (** continuity along a path of times that never runs faster than time *)
 Lemma cont_path f c : (forall t, 0 <= t -> 0 <= c t) -> (forall r t, Rabs (c t - c r) <= Rabs (t - r)) -> cont f ->

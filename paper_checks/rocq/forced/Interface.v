@@ -1,7 +1,7 @@
 (** An interface of changing strength: friction of at most b(t) against the slip, where b may depend on the time, on the
     place of body 1, on the displacement and on the speed of the slip. What parts two motions is only that their
     strengths differ; there is one motion from every start; and what stays above some strength brings every slip to rest. *)
-From InertialPair Require Import Inclusion Dini Pair Stick Chase Forced.
+From InertialPair Require Import Dini PaidRates Pair Stick Pursuit Forced.
 
 Section Interface.
 Variables m1 m2 a1 a2 : R.

@@ -1,6 +1,6 @@
 (** An interface of changing strength has one motion from every start: where the strength is a function of time that has
     a continuous integral, and where it depends with bounded slopes on the place, the displacement and the speed. *)
-From InertialPair Require Import Dini Pair Stick Chase Forced Interface.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced Interface.
 
 Section Exists.
 Variables m1 m2 a1 a2 x0 v10 v20 : R.

@@ -1,6 +1,6 @@
 (** The rule of the modes for an interface whose strength changes, with the strength from the time of the contact on; and
     with a strength that is constant by pieces events do not accumulate. *)
-From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Mode Analytic Modes Before Zeno Rule Interface.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs ModeAtContact Analytic Modes BeforeContact FinitelyManyModes RuleOfModes Interface.
 
 Section InterfaceMode.
 Variables m1 m2 a1 a2 : R.
@@ -71,9 +71,9 @@ Proof.
   { intros e He. destruct (Cu e He) as (q & Hq & K). exists q; split; auto. intros h Hh. unfold ut. rewrite Rplus_0_l, Rplus_0_r. auto. }
   destruct (E 0 ltac:(lra)) as (Y0 & W1 & W2). rewrite Rplus_0_r in Y0, W1, W2.
   assert (Meet' : w1 0 = w2 0) by lra.
-  assert (Lo : forall t, 0 <= t <= d -> Mode.load m1 m2 a1 a2 ut y w1 t = load (t0 + t)).
-  { intros t Ht. destruct (E t Ht) as (E1 & E2 & _). unfold load, Mode.load, ut. rewrite E1, E2. auto. }
-  assert (L0 : Mode.load m1 m2 a1 a2 ut y w1 0 = load t0) by (rewrite Lo, Rplus_0_r by lra; auto).
+  assert (Lo : forall t, 0 <= t <= d -> ModeAtContact.load m1 m2 a1 a2 ut y w1 t = load (t0 + t)).
+  { intros t Ht. destruct (E t Ht) as (E1 & E2 & _). unfold load, ModeAtContact.load, ut. rewrite E1, E2. auto. }
+  assert (L0 : ModeAtContact.load m1 m2 a1 a2 ut y w1 0 = load t0) by (rewrite Lo, Rplus_0_r by lra; auto).
   assert (St : (exists d, 0 < d /\ forall t, 0 <= t < 0 + d -> w1 t = w2 t) -> sticks).
   { intros (q & Hq & K). exists (Rmin q d). split; [positive|]. intros t Ht. pose proof (Rmin_l q d). pose proof (Rmin_r q d).
     specialize (K (t - t0) ltac:(lra)). destruct (E (t - t0) ltac:(lra)) as (_ & E1 & E2).
