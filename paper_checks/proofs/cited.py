@@ -248,16 +248,19 @@ _FREE: dict[str, tuple[str, str]] = {
         "Body 2 changes its velocity by at most $b/m_2$ times the time, whatever the force.",
     ),
     "slips-from-rest": (
-        "CaseStudy.slips_from_rest",
+        "StartFromRest.slips_from_rest",
         "Case study, $b=0.5$: released at rest at $x_1>5$ mm every solution slips at once.",
     ),
     "slips-from-6-mm": (
-        "CaseStudy.six_millimetres",
+        "StartFromRest.six_millimetres",
         "Case study, $b=0.5$: released at rest at 6 mm every solution slips at once.",
     ),
-    "sticks-from-rest": ("CaseStudy.rest_inside", "Released at rest inside $S_0$ every solution sticks permanently."),
+    "sticks-from-rest": (
+        "StartFromRest.rest_inside",
+        "Released at rest inside $S_0$ every solution sticks permanently.",
+    ),
     "sticks-from-5-mm": (
-        "CaseStudy.five_millimetres",
+        "StartFromRest.five_millimetres",
         "Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently.",
     ),
     # one motion

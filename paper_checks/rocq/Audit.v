@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Dini AlmostEverywhere Analytic Pursuit Pair Stick Forced Approach ForcedExistence Arcs BoundedMotions ModeAtContact Modes BeforeContact PeriodicMotion Drift EnergyLimit Entrainment VaryingFriction FinitelyManyModes ForcedCapture ForcedTies Nonstop HalfPeriod NonstopUndamped LeastTimeTransfer LeastAmplitude Waves NonstopDamped NonstopOverdamped PiecewiseFriction RelativeMotion RuleOfModes ThresholdTies ToleranceRing TransferTies TwoStop Excursion ReturnMap TurningFunction FollowArc Cycle SlipFromGap ExitOrbit SharpRate Dichotomy AlternatingAngles ReturnToS0 SharpLaw AfterOneSlip MergingAngles AlternatingSlips SwitchingSurface CaseStudy Viscous OneOverT Consequences CriticalRatioDigits CycleTime MonotoneInclusion DisplacementLimit WellPosed EndlessStickSlip ExitPlaces StaticFriction FallingFriction Filippov FirstLanding ShortSlipMargin Reentry KappaBound LevelAfterSlip MergingByMassRatio MergingIff MergingEnergies SlipTies Switching SwitchingSurfaceTies SwitchingTies UniformRate PairTies FrictionSystems RotatingForce RoundFriction Trajectory Velocities FirstAdhesion.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs BeforeContact BoundedMotions Consequences CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EndlessStickSlip EnergyLimit Entrainment Excursion ExitOrbit ExitPlaces FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped OneOverT Pair PairTies PeriodicMotion PiecewiseFriction Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Trajectory TransferTies TurningFunction TwoStop UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -725,14 +725,14 @@ Print Assumptions SwitchingSurface.slips_beyond.
 Goal True. idtac "== slips-from-6-mm
 Case study, $b=0.5$: released at rest at 6 mm every solution slips at once.
 uses: slips-from-rest". Abort.
-Check @CaseStudy.six_millimetres.
-Print Assumptions CaseStudy.six_millimetres.
+Check @StartFromRest.six_millimetres.
+Print Assumptions StartFromRest.six_millimetres.
 
 Goal True. idtac "== slips-from-rest
 Case study, $b=0.5$: released at rest at $x_1>5$ mm every solution slips at once.
 uses: slips-beyond". Abort.
-Check @CaseStudy.slips_from_rest.
-Print Assumptions CaseStudy.slips_from_rest.
+Check @StartFromRest.slips_from_rest.
+Print Assumptions StartFromRest.slips_from_rest.
 
 Goal True. idtac "== slips-on-ray
 On an edge of $S_0$, moving outwards, every solution slips at once, inwards.
@@ -779,14 +779,14 @@ Print Assumptions EndlessStickSlip.stick_slip_for_ever.
 Goal True. idtac "== sticks-from-5-mm
 Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently.
 uses: sticks-from-rest". Abort.
-Check @CaseStudy.five_millimetres.
-Print Assumptions CaseStudy.five_millimetres.
+Check @StartFromRest.five_millimetres.
+Print Assumptions StartFromRest.five_millimetres.
 
 Goal True. idtac "== sticks-from-rest
 Released at rest inside $S_0$ every solution sticks permanently.
 uses: sticks-iff". Abort.
-Check @CaseStudy.rest_inside.
-Print Assumptions CaseStudy.rest_inside.
+Check @StartFromRest.rest_inside.
+Print Assumptions StartFromRest.rest_inside.
 
 Goal True. idtac "== sticks-iff
 On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$.
