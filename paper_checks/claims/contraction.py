@@ -7,7 +7,7 @@ import sympy as sp
 from paper_checks.claims import filippov
 from paper_checks.claims.words import *
 from theory import forced
-from theory.energy import contraction_rate, energy, sigma, sigma_other
+from theory.energy import contraction_rate, sigma, sigma_other
 from theory.model import slip, stick
 
 
@@ -88,73 +88,6 @@ def forces_apart() -> Evidence:
     )
 
 
-@cache
-def friction_of_the_state() -> Evidence:
-    """A friction that depends on place or speed: what the distance of two motions gains."""
-    larger, smaller, slope = symbols("w k l", positive=True)
-    strong, weak = symbols("b c", positive=True)
-    shares = b * sigma - forced.b_other * sigma_other
-    return argument(
-        r"""
-        $b\sigma-\tilde b\tilde\sigma=b(\sigma-\tilde\sigma)+(b-\tilde b)\tilde\sigma$: the first part is that of one
-        friction law, the second adds at most $|b-\tilde b|\,|\dot z-\dot{\tilde z}|$, with $a_2(x_1-\tilde
-        x_1)^2\leqslant N^2$ and $(\dot z-\dot{\tilde z})^2\leqslant\kappa N^2$. A friction $F(\dot z)=b(|\dot
-        z|)\,\sigma$ that falls by at most $\ell$ times the speed has $(F-\tilde F)(\dot z-\dot{\tilde
-        z})\geqslant-\ell(\dot z-\dot{\tilde z})^2$. Gronwall's inequality bounds $N$, or $N^2+(z-\tilde z)^2$ where $b$
-        depends on $z$, so each initial state has at most one motion; it has one by Filippov's theorem.
-        """,
-        identity(
-            r"$b\sigma-\tilde b\tilde\sigma$ in these two parts",
-            shares,
-            b * (sigma - sigma_other) + (b - forced.b_other) * sigma_other,
-        ),
-        prove(
-            r"for two slips of one sign, $w>k>0$, whose friction falls by at most $l(w-k)$: $(b-c)(w-k)\geqslant-l(w-k)^2$",
-            [larger > smaller, sp.Ge(strong, weak - slope * (larger - smaller), evaluate=False)],
-            sp.Ge((strong - weak) * (larger - smaller), -slope * (larger - smaller) ** 2, evaluate=False),
-        ),
-        filippov.never_apart(),
-        cites=("Filippov's theorem on existence", "Gronwall's inequality"),
-    )
-
-
-@cache
-def braked() -> Evidence:
-    """What stays above a least friction brakes: the relative velocity tends to 0."""
-    return argument(
-        r"$b_{\min}\int|\dot z|\,dt\leqslant E(0)$ for $u=0$, so the path of $z$ is finite; $\ddot z$ is bounded, as $E$ and $b$ are: $\dot z\to 0$.",
-        energy_rate(),
-    )
-
-
-@cache
-def pieces_without_end() -> Evidence:
-    """What holds up to each time holds for ever."""
-    return argument(
-        r"Up to any time there are finitely many pieces, and one motion. The motion up to a later time agrees with that up to an earlier one: together they are one motion for all times, and rates and bounds hold at each.",
-        friction_in_time(),
-    )
-
-
-@cache
-def friction_in_time() -> Evidence:
-    """b enters the rates by its value only: b(t) changes none of them."""
-    return argument(
-        """
-        The equations of motion contain $b$ but not its rate, and $E$ and $N$ do not contain $b$: at each time the rates
-        are those of a constant friction with that value, and both terms of the contraction keep their signs.
-        """,
-        energy_rate(),
-        never_apart(),
-        forces_apart(),
-        one_solution(),
-        identity(
-            r"$E$ does not depend on $b$, and the rates are linear in it",
-            [diff(energy(), b), diff(forced.energy_rate(), b, 2), diff(forced.contraction_rate(), b, 2)],
-        ),
-    )
-
-
 DISTANCE = Symbol("N", nonnegative=True)
 
 
@@ -201,22 +134,23 @@ def _quotable() -> dict[Basic, Basic]:
             DISTANCE**2,
             implied(where=_quotable),
         ),
-        kernel="varying-input-to-state",
+        kernel="interface-input-to-state interface-one-strength",
     ),
     clause(
         "interface",
-        r"With a friction $b(t)>0$ that is constant on each of finitely many pieces of time there is exactly one solution from every initial state, too, and the distance of two never grows.",
-        kernel="varying-contraction varying-well-posed",
+        r"""
+        With a friction of at most $b(t)\geqslant 0$ where $b$ is the rate from the right of a continuous function, as where
+        it is constant on pieces of time, finitely many in every bounded time interval, there is exactly one solution from
+        every initial state, too, and the distance of two never grows.
+        """,
+        kernel="interface-well-posed interface-contraction interface-one-strength",
     ),
     clause(
         "interface-rates",
-        r"The rate of the energy holds with $b(t)$ in place of $b$, and the bound under two forces holds as it is,",
-        kernel="varying-energy-rate varying-input-to-state",
-    ),
-    clause("interface-contraction", r"and so does the rate of $N^2$;"),
-    clause(
-        "interface-for-ever",
-        r"all of it also where there are infinitely many pieces, finitely many in every bounded time interval.",
+        r"""
+        The rates of the energy and of $N^2$ hold with $b(t)$ in place of $b$, and the bound under two forces holds as it is.
+        """,
+        kernel="interface-energy-rate interface-distance-rate interface-input-to-state",
     ),
 )
 def forced_contraction() -> Case:
@@ -224,6 +158,4 @@ def forced_contraction() -> Case:
     return because(
         "Under any force the flow is non-expansive in the energy norm: the force cancels in the difference of two motions. Friction that depends on position would not cancel: the friction of one solution is then not a monotone function of its own relative velocity alone.",
         carried("rate", filippov.never_apart()),
-        carried("interface-contraction", friction_in_time()),
-        carried("interface-for-ever", pieces_without_end()),
     )

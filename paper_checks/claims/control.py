@@ -56,15 +56,15 @@ def one_active_one_passive() -> Case:
         "The force acts on body 1 alone. Nothing but friction acts on body 2, and friction is at most b.",
         carried(
             "freedoms",
-            argument(
-                "A degree of freedom is active if the control acts on it, passive if only the interface does.",
-                identity(
-                    r"$u$ stands in the equation of body 1 alone",
-                    [diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)],
-                    [0, 1, 0],
-                ),
-                transfers.gentle(),
+            identity(
+                r"$u$ stands in the equation of body 1 alone",
+                [diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)],
+                [0, 1, 0],
             ),
+            transfers.gentle(),
+        ),
+        reading(
+            "active", r"$\partial(m_1\dot v_1)/\partial u=1$, and “passive” as $m_2\dot v_2=b\sigma$ whatever $u$ is"
         ),
     )
 

@@ -82,6 +82,10 @@ def stick_region() -> Evidence:
     )
 
 
+SPURIOUS = ("half adhesion", "broken adhesion")
+"""The branches of (3), (4) at z' = 0 that are no mode of the text."""
+
+
 def _share(name: str) -> Rational:
     return {"half adhesion": Rational(1, 2), "broken adhesion": Integer(1)}[name]
 

@@ -276,10 +276,10 @@ def forced_mode_rule() -> Case:
         "finite",
         """
         Where $u$ is piecewise analytic, the ends of the pieces included (as piecewise polynomials plus sinusoids are),
-        and $b>0$ is constant on each of finitely many pieces of time, the pair changes its mode finitely often in every
-        bounded time interval.
+        and $b>0$ is constant on pieces of time, finitely many in every bounded time interval, the pair changes its mode
+        finitely often in every bounded time interval.
         """,
-        kernel="no-zeno-varying scenes-analytic",
+        kernel="interface-no-zeno scenes-analytic",
     ),
     clause(
         "finite-friction",

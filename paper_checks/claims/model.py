@@ -1,20 +1,29 @@
 """Section II, eqs (3), (4): their branches, the stiction bracket, the force between the bodies."""
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from paper_checks.claims.filippov import (
+    SPURIOUS,
     adhesion_factor,
-    bracket_is_off_in_slip,
     edge_is_isolated,
     spurious_branch,
     spurious_branches_leave,
-    stick_is_filippov,
     stick_region,
 )
 from paper_checks.claims.points import EDGE, EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.signum import agree, none_under_control, under_a_force
 from paper_checks.claims.words import *
-from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, branches, driven_equation, driving_equation
+from theory.model import (
+    RELATIVE_SIGN,
+    STICTION_SIGN,
+    Branch,
+    branch_named,
+    branches,
+    driven_equation,
+    driving_equation,
+)
 
 Z, ADHESION = (
     Symbol(r"\mathrm{sgn}(\dot{z})", real=True),
@@ -30,7 +39,14 @@ def _factor(sign: int) -> Expr:
     return diff(driven_equation().subs({RELATIVE_SIGN: 0, STICTION_SIGN: sign}), acceleration1) / m2
 
 
-SPURIOUS = ("half adhesion", "broken adhesion")
+SHARES = Matrix([Rational(1, 2), 1])
+"""The share of x1'' that is the relative acceleration in these branches."""
+
+
+def _by_acceleration(quantity: Callable[[Branch], Expr]) -> Matrix:
+    """Return a quantity of these branches as a multiple of x1''."""
+    found = (branch_named(name) for name in SPURIOUS)
+    return Matrix([sp.cancel(quantity(one) / one.acceleration1) * acceleration1 for one in found])
 
 
 def leaves_the_surface() -> Steps:
@@ -213,15 +229,20 @@ def stiction_bracket() -> Case:
                 (branch_named("half adhesion").acceleration2, "=", stuck.acceleration1 / 2),
             ),
         ),
-        correction(
-            bracket_is_off_in_slip(),
+        carried("brackets"),
+        carried(
+            "condition",
             identity(
-                "adhesion needs the force $m_2\\ddot x_1$ on body 2: friction can give it where $|\\ddot x_1|\\leqslant b/m_2$",
-                stuck.force_on_second,
-                m2 * stuck.acceleration1,
+                r"adhesion needs the force $m_2\ddot x_1$ on body 2, the share $\ddot x_1/(b/m_2)$ of $b$",
+                [stuck.force_on_second, stuck.force_on_second / b],
+                [m2 * stuck.acceleration1, stuck.acceleration1 / (b / m2)],
             ),
-            stick_is_filippov(),
-            stick_region(),
+        ),
+        correction(
+            reading(
+                "stiction condition",
+                r"that friction can give the force of adhesion, $b\sigma=m_2\ddot x_1$ with $-1\leqslant\sigma\leqslant 1$",
+            )
         ),
         derivation=(
             equation("0", driven_equation()),
@@ -300,9 +321,24 @@ def friction_opposes_displacement() -> Case:
         clause(
             "broken",
             r"""
-            where (4) breaks adhesion at $\dot z=0$ they do not, but the free system is there at isolated instants
-            only, so it conserves the balance of momentum at almost every time.
+            where (4) breaks adhesion at $\dot z=0$ they do not: for $|\ddot x_1|=b/m_2$ and for $|\ddot x_1|>b/m_2$
+            they are «sum», and such an instant is isolated, as there $\ddot z\neq 0$: «leaves».
             """,
+            sum=equal(
+                "f_1+f_2", -m2 * acceleration1 * SHARES, lambda: _by_acceleration(lambda one: one.force_imbalance)
+            ),
+            leaves=equal(
+                r"\ddot z",
+                acceleration1 * SHARES,
+                lambda: _by_acceleration(lambda one: one.acceleration1 - one.acceleration2),
+            ),
+        ),
+        clause(
+            "almost",
+            r"""
+            Every solution of (3), (4) with $u=0$ conserves the balance of momentum, $f_1+f_2=0$, at almost every time.
+            """,
+            kernel="momentum-balance",
         ),
     ),
 )
@@ -339,21 +375,8 @@ def interface_force_balance() -> Case:
             ),
         ),
         carried("balanced"),
-        carried(
-            "broken",
-            argument(
-                "The two branches leave $\\dot z=0$ at once, or hold at isolated instants.",
-                identity(
-                    "with broken adhesion the sum of the forces is $-m_2\\ddot x_1$",
-                    broken.force_imbalance,
-                    -m2 * broken.acceleration1,
-                ),
-                identity(
-                    "with half adhesion it is $-m_2\\ddot x_1/2$", half.force_imbalance, -m2 * half.acceleration1 / 2
-                ),
-                *leaves_the_surface(),
-            ),
-        ),
+        carried("broken", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
+        correction(reading("isolated", r"$\dot z=0\neq\ddot z$, a simple zero of $\dot z$")),
         derivation=(
             equation("0", driving_equation()),
             equation("0", driven_equation()),

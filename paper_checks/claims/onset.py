@@ -6,7 +6,7 @@ from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.claims import energy as dissipation
 from paper_checks.claims.capture import leaves_above_critical
-from paper_checks.claims.filippov import bracket_is_off_in_slip, stick_region
+from paper_checks.claims.filippov import SPURIOUS, bracket_is_off_in_slip, spurious_branch, spurious_branches_leave
 from paper_checks.claims.points import EXAMPLE_PAIR, INSIDE, PULL, START_AT_6MM, scene_at
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
@@ -32,6 +32,14 @@ def subcritical_level() -> Basic:
     return signed(on_surface() - critical_energy(), "<=")
 
 
+HALF_WIDTH = Symbol("L", positive=True)
+
+
+def _pull_ratio() -> Expr:
+    """Return x1'' over b/m2 in the stick of the example."""
+    return case_study_mode(0)[0] / b
+
+
 @claim(
     "example-stiction-never-violated",
     "IV",
@@ -52,13 +60,19 @@ def subcritical_level() -> Basic:
         clause("slip", r"Where $\dot z\neq 0$ the acceleration-dependent switching of (4) has no effect."),
         clause(
             "stick",
-            r"""
-            Where $\dot z=0$ it acts exactly if $|x_1|\geqslant L$, «width»; but for isolated instants with $|\ddot x_1|=b/m_2$ it
-            does not act if $E\leqslant E_{cr}$, «level», nor in any stick phase of (3)–(4).
-            """,
+            r"Where $\dot z=0$ it acts exactly if $|x_1|\geqslant L$, «width», as there «ratio»;",
             width=equal("L", b / 100, lambda: half_width().subs(CASE_STUDY)),
+            ratio=equal(PULL / b, -x1 / HALF_WIDTH, _pull_ratio, lambda: {HALF_WIDTH: half_width().subs(CASE_STUDY)}),
+        ),
+        clause(
+            "below",
+            r"""
+            but for isolated instants with $|\ddot x_1|=b/m_2$, at which $v_1=0\neq\dot v_1$, it does not act if
+            $E\leqslant E_{cr}$, «level»,
+            """,
             level=equal("E_{cr}", b**2 / 100, lambda: critical_energy().subs(CASE_STUDY)),
         ),
+        clause("lasting", r"nor in any stick phase of (3)–(4), as where it acts $\ddot z\neq 0$."),
     ),
 )
 def example_stiction_never_violated() -> Case:
@@ -66,7 +80,7 @@ def example_stiction_never_violated() -> Case:
     literal, slipping = case_study_mode(0)[0], case_study_mode(1)[0]
     contact = solved(load_scene("velocities")).events[0]
     at_contact = -(exact(200) * contact.y[0] + exact(load_scene("velocities").pair.b))
-    stuck = free(stick().acceleration1)
+    pull = undamped(free(stick().acceleration1))
     return because(
         (
             "The paper's own start of Fig. 4 (a) violates the inequality: $\\dot z=0$ and "
@@ -97,15 +111,27 @@ def example_stiction_never_violated() -> Case:
                 exact(load_scene("velocities").pair.b),
             ),
         ),
-        correction(
+        carried("slip", bracket_is_off_in_slip()),
+        carried("stick"),
+        carried(
+            "below",
             prove(
                 "with $a_1=u=0$ and $\\dot z=0$, $E\\leqslant E_{cr}$ implies $|\\ddot x_1|\\leqslant b/m_2$",
                 [subcritical_level()],
-                signed(undamped(stuck) ** 2 - (b / m2) ** 2, "<="),
+                signed(pull**2 - (b / m2) ** 2, "<="),
             ),
-            stick_region(),
-            bracket_is_off_in_slip(),
+            prove(
+                r"and with $|\ddot x_1|\geqslant b/m_2$ it implies $v_1=0$ and $\ddot x_1\neq 0$",
+                [subcritical_level(), signed(pull**2 - (b / m2) ** 2, ">=")],
+                And(signed(v1, "="), signed(pull, "!=")),
+            ),
         ),
+        correction(
+            reading("it acts", r"$|\ddot x_1|\geqslant b/m_2$ at $\dot z=0$, where the factor of (4) is not $1$"),
+            reading("isolated", r"$v_1=0\neq\dot v_1$, a simple zero of $v_1$"),
+            reading("stick phase", r"$\dot z=\ddot z=0$"),
+        ),
+        carried("lasting", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
         derivation=(
             equation(r"\ddot{x}_1|_{\dot{z}=0}", literal),
             equation(r"\ddot{x}_1|_{\dot{z}>0}", slipping),

@@ -122,10 +122,11 @@ def on_a_line() -> Evidence:
             r"""
             What carries over is the friction in the direction of the slip, $\mathbf f=b\,\mathbf w/|\mathbf w|$,
             $\mathbf w=\mathbf v_1-\mathbf v_2$, and any $|\mathbf f|\leqslant b$ in stick, which is not (4) by
-            components: with scalar masses, spring and damper $\dot E=-b|\mathbf w|-a_1|\mathbf v_1|^2$ for $u=0$, there
-            is one motion from every initial state, and the flow is non-expansive.
+            components: with scalar masses, spring and damper $\dot E=-b|\mathbf w|-a_1|\mathbf v_1|^2$ for $u=0$,
             """,
         ),
+        clause("apart", r"the flow is non-expansive,", kernel="system-contraction"),
+        clause("one", r"and there is one motion from every initial state."),
         clause("line", r"Along a line it is exactly the pair with Coulomb's law, and so for $u=0$ that of (2)–(4)."),
     ),
     open=(
@@ -151,12 +152,8 @@ def motions_on_a_surface() -> Case:
             depends_on_axes(),
         ),
         carried("components"),
-        carried(
-            "direction",
-            one_size(),
-            energy_rate(),
-            never_apart(),
-        ),
+        carried("direction", one_size(), energy_rate()),
+        carried("one", never_apart()),
         carried("line", on_a_line()),
         derivation=(
             r"$$(\mathbf p-\tilde{\mathbf p})\cdot(\mathbf w-\tilde{\mathbf w})\geqslant 0,\qquad \mathbf f=b\,\mathbf p.$$",

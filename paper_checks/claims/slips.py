@@ -242,6 +242,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         """,
         contact=in_angle(r"\nu", H - gap * sp.cot(theta / 2), lambda: root(contact_condition(), push)),
         rise=equal("h", (theta - sin(theta)) / (1 - cos(theta)), h),
+        kernel="one-contact",
     ),
     clause(
         "landing",
@@ -267,6 +268,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         $\tan\theta_v=\theta_v$, «turn», and by the same ray if $\theta>\theta_v$.
         """,
         turn=Formula(r"\theta_v", "=...", Rational("4.4934"), decimal(_turning_angle)),
+        kernel="turning-angle leaves-by",
     ),
 )
 def excursion_closed_form() -> Case:
@@ -311,6 +313,7 @@ def excursion_closed_form() -> Case:
         in $\theta$ for every start on $S$;
         """,
         rise=equal("h", (theta - sin(theta)) / (1 - cos(theta)), h),
+        kernel="excursion-rise",
     ),
     clause(
         "depth",
@@ -324,6 +327,7 @@ def excursion_closed_form() -> Case:
             lambda: half_tangent_form(diff(in_trigonometry(depth()), theta)),
             lambda: {H: half_tangent_form(h())},
         ),
+        kernel="excursion-depth excursions-grow",
     ),
 )
 def excursion_monotone() -> Case:

@@ -2,9 +2,10 @@
 
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Scene, State
-from paper_checks.claims import contraction, forced_modes, response, signum, stuck, tolerance, transfers
+from paper_checks.claims import contraction, response, signum, stuck, tolerance, transfers
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved
 from theory import forced
 from theory.energy import energy, sigma, sigma_other
@@ -193,19 +194,23 @@ def damping_for_tracking() -> Case:
     correction=(
         clause(
             "time",
-            r"For $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every initial state, and the flow is non-expansive;",
-            kernel="varying-contraction varying-well-posed",
-        ),
-        clause(
-            "rate",
-            r"the same holds for infinitely many pieces, finitely many in every bounded time interval, with «contraction»;",
+            r"""
+            For every $b(t)\geqslant 0$ that is the rate from the right of a continuous function, as one that is constant on
+            pieces of time, finitely many in every bounded time interval, there is one solution from every initial state,
+            and the flow is non-expansive, with «contraction»;
+            """,
             contraction=equal(
                 r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
                 -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
                 forced.contraction_rate,
             ),
+            kernel="interface-well-posed interface-contraction interface-distance-rate interface-one-strength",
         ),
-        clause("rule", r"the mode rule is unchanged, with the values of $b$ from the right."),
+        clause(
+            "rule",
+            r"where $b>0$ is constant for a while from a contact on, the mode rule is unchanged, with that value.",
+            kernel="interface-rule",
+        ),
         clause(
             "state",
             r"""
@@ -222,8 +227,8 @@ def damping_for_tracking() -> Case:
         clause(
             "unique",
             r"""
-            There is still one motion from every initial state: if $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$,
-            $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ the same holds with $(z-\tilde
+            There is still one motion from every initial state where $b\geqslant 0$ depends on $x_1$, $z$ and $|\dot z|$ with
+            bounded slopes. If $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$, $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ the same holds with $(z-\tilde
             z)^2$ added to $N^2$ and another $\gamma$, and for $b(|\dot z|)$ that falls by at most $\ell$ times the
             increase of the speed with «speed»: where $b$ does not fall with the speed, $\ell=0$, $N$ never grows.
             """,
@@ -237,10 +242,12 @@ def damping_for_tracking() -> Case:
                 LIPSCHITZ * (m1 + m2) / (m1 * m2),
                 lambda: forced.growth_by_speed(LIPSCHITZ),
             ),
+            kernel="state-well-posed growth-by-place growth-by-state growth-by-speed",
         ),
         clause(
             "synchronises",
             r"As long as $b$ stays between some $b_{\min}>0$ and some $b_{\max}$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
+            kernel="interface-synchronises",
         ),
     ),
     open=(
@@ -259,20 +266,10 @@ def varying_interface() -> Case:
         motion is open in both cases.
         """,
         counterexample(
-            "For $b(t)$ this much of the effect is known: from every initial state there is one solution, and the flow is non-expansive in the norm $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
-            contraction.friction_in_time(),
+            "For $b(t)\\geqslant 0$ with a continuous integral this much of the effect is known: from every initial state there is one solution, and the flow is non-expansive in the norm $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
+            kernel.step("interface-well-posed"),
+            kernel.step("interface-contraction"),
         ),
-        carried(
-            "time",
-            argument(
-                r"At each time the equations are those of a constant friction with the value $b(t)$; at a jump of $b$ the strip changes and the state does not.",
-                contraction.friction_in_time(),
-            ),
-        ),
-        carried("rate", contraction.pieces_without_end()),
-        carried("unique", contraction.friction_of_the_state()),
-        carried("synchronises", contraction.braked()),
-        carried("rule", forced_modes.strict_rule(), forced_modes.tie_rule()),
         carried(
             "state",
             exhibit(

@@ -31,6 +31,7 @@ def load_and_place() -> Evidence:
         moves on $\mathbf q\cos\Omega t+\mathbf p\sin\Omega t$, its load stays within $b$ exactly while this is within
         $L$ of the origin, and its energy is $\frac{a_2}2(|\mathbf q|^2+|\mathbf p|^2)$, $\frac{a_2}2L^2=E_{cr}$.
         """,
+        kernel="plane-stuck-load",
     ),
     clause(
         "axis",

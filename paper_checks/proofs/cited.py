@@ -25,6 +25,10 @@ _FREE: dict[str, tuple[str, str]] = {
         "Switching.switching_iff",
         "The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.",
     ),
+    "momentum-balance": (
+        "Switching.momentum_balance",
+        "Every solution of (3), (4) without a control has $m_1\\dot v_1+a_1v_1+a_2x_1+m_2\\dot v_2=0$ at almost all times: the forces between the bodies add up to nothing.",
+    ),
     "filippov-well-posed": (
         "Filippov.filippov_well_posed",
         "From every initial state there is exactly one Filippov solution, with or without damping.",
@@ -98,6 +102,30 @@ _FREE: dict[str, tuple[str, str]] = {
     "h-increases": (
         "Excursion.h_increases",
         r"$h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed.",
+    ),
+    "excursion-rise": (
+        "ExcursionShape.rise",
+        r"$h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$ increases for every $d\geqslant 0$.",
+    ),
+    "excursion-depth": (
+        "ExcursionShape.deepens",
+        r"$c'=h$; $c$ takes every positive value once on $(0,2\pi)$ and is concave as a function of $h^2$.",
+    ),
+    "excursions-grow": (
+        "ExcursionShape.grow_together",
+        "Of two excursions from a ray the faster one lasts longer, goes deeper and loses more energy.",
+    ),
+    "one-contact": (
+        "ExcursionShape.one_contact",
+        r"Every slip from $S$ with a gap $d\geqslant 0$ and a push $\nu$ ($\nu>0$ if $d=0$) ends at the one angle with $\nu=h-d\cot(\theta/2)$.",
+    ),
+    "turning-angle": (
+        "ExcursionShape.turning_angle",
+        r"$\sin\theta=\theta\cos\theta$ has one solution $\theta_v$ in $(0,2\pi)$.",
+    ),
+    "leaves-by": (
+        "ExcursionShape.leaves_by",
+        r"After an excursion from a ray that re-enters $S_0$ above $E_{cr}$ the pair leaves by the other ray if $\theta<\theta_v$, and by the same if $\theta>\theta_v$.",
     ),
     "depth-upper": ("ReturnMap.depth_upper", r"The depth of an excursion is at most $\tfrac{3}{2}h^2$."),
     "depth-lower": (

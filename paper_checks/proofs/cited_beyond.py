@@ -39,6 +39,10 @@ BEYOND: dict[str, tuple[str, str]] = {
         "The pair under a force is the case with one direction.",
     ),
     # the pair on a surface
+    "plane-stuck-load": (
+        "RoundFriction.stuck_load",
+        r"A stuck pair in the plane moves on an ellipse; the force on body 2 is within $b$ exactly while the place is within $L$; its energy by the ellipse, and $E_{cr}=a_2L^2/2$.",
+    ),
     "plane-stuck-iff": (
         "RoundFriction.stuck_iff",
         "On a stuck ellipse the load stays within isotropic friction permanently exactly if the semi-major axis is at most $L$.",

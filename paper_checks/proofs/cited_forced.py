@@ -15,21 +15,57 @@ FORCED: dict[str, tuple[str, str]] = {
         "Forced.forced_contraction",
         "Under any force the flow is non-expansive in the energy norm.",
     ),
-    "varying-contraction": (
-        "VaryingFriction.varying_contraction",
-        "With friction constant on each of finitely many pieces of time the flow under a force is non-expansive in the energy norm.",
+    "interface-one-strength": (
+        "Interface.rubs_constant",
+        "A friction of one strength at all times: the motions under a force, and only they.",
     ),
-    "varying-well-posed": (
-        "VaryingFriction.varying_well_posed",
-        "With friction constant on each of finitely many pieces of time there is exactly one motion from every initial state.",
+    "interface-well-posed": (
+        "InterfaceExists.interface_well_posed",
+        "With a friction of at most $b(t)\\geqslant 0$ against the slip, where $b$ is the rate from the right of a continuous function, there is exactly one motion from every initial state.",
     ),
-    "varying-energy-rate": (
-        "PiecewiseFriction.varying_energy_rate",
-        "With friction constant on each of finitely many pieces of time $\\dot E=u\\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.",
+    "interface-contraction": (
+        "Interface.interface_contraction",
+        "Two motions under one force with a friction of one strength $b$ along both, as any $b(t)$ has, never move apart in the energy norm.",
     ),
-    "varying-input-to-state": (
-        "PiecewiseFriction.varying_input_to_state",
-        r"With friction constant on each of finitely many pieces of time, under two forces: $N(t)\leqslant N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.",
+    "interface-distance-rate": (
+        "Interface.interface_distance_rate",
+        r"Where the frictions $f,\tilde f$ of two motions exist from the right, $\tfrac12\tfrac{d}{dt}N^2=(u-\tilde u)(v_1-\tilde v_1)-a_1(v_1-\tilde v_1)^2-(f-\tilde f)(\dot z-\dot{\tilde z})$.",
+    ),
+    "interface-energy-rate": (
+        "Interface.interface_energy_rate",
+        "With a friction of the strength $b(t)$, whatever it depends on, $\\dot E=u\\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.",
+    ),
+    "interface-input-to-state": (
+        "Interface.interface_input_to_state",
+        r"With a friction of one strength $b(t)$, under two forces: $N(t)\leqslant N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.",
+    ),
+    "interface-rule": (
+        "InterfaceMode.interface_rule",
+        r"Where the strength $b$ is constant for a while from a contact on: stick for $|\Lambda|<b$, slip with the sign of $\Lambda$ for $|\Lambda|>b$, at $\Lambda=\pm b$ the first nonzero derivative, and stick at the edge where all are 0 and the force is analytic.",
+    ),
+    "interface-no-zeno": (
+        "InterfaceMode.interface_no_zeno",
+        "Under a piecewise analytic force and with a strength $b>0$ that is constant on pieces, finitely many in every bounded time, every bounded time interval has finitely many mode changes.",
+    ),
+    "interface-synchronises": (
+        "Interface.interface_synchronises",
+        r"Without a force, with a strength between $b_{\min}>0$ and $b_{\max}$, whatever it depends on: $\dot E\leqslant-b_{\min}|\dot z|$, $\dot z\to 0$, and $z$ has a limit.",
+    ),
+    "state-well-posed": (
+        "InterfaceExists.state_well_posed",
+        r"With a strength $b\geqslant 0$ that depends on $x_1$, $z$ and $|\dot z|$ with bounded slopes there is exactly one motion from every initial state.",
+    ),
+    "growth-by-place": (
+        "Interface.growth_by_place",
+        r"Where $|b-\tilde b|\leqslant\ell|x_1-\tilde x_1|$ along two motions: $N(t)\leqslant e^{\gamma t}N(0)$, $\gamma=\ell\sqrt{(m_1+m_2)/(m_1m_2a_2)}$.",
+    ),
+    "growth-by-state": (
+        "Interface.growth_by_state",
+        r"Where $|b-\tilde b|\leqslant\ell(|x_1-\tilde x_1|+|z-\tilde z|+||\dot z|-|\dot{\tilde z}||)$ along two motions, $N^2+(z-\tilde z)^2$ grows at most as $e^{2\gamma t}$, $\gamma=\ell\sqrt{\kappa/a_2}+(\ell+1)\sqrt\kappa+\ell\kappa$.",
+    ),
+    "growth-by-speed": (
+        "Interface.growth_by_speed",
+        r"Where $b$ falls by at most $\ell$ times the increase of $|\dot z|$: $N(t)\leqslant e^{\gamma t}N(0)$, $\gamma=\ell(m_1+m_2)/(m_1m_2)$.",
     ),
     "mode-stick": (
         "ModeAtContact.sticks_at",
@@ -67,10 +103,6 @@ FORCED: dict[str, tuple[str, str]] = {
     "no-zeno": (
         "FinitelyManyModes.no_zeno",
         "Under a piecewise analytic force every bounded time interval has finitely many mode changes.",
-    ),
-    "no-zeno-varying": (
-        "FinitelyManyModes.no_zeno_varying",
-        "Under a piecewise analytic force and with friction constant on each of finitely many pieces of time every bounded time interval has finitely many mode changes.",
     ),
     "scenes-analytic": (
         "Analytic.scenes_are_analytic",

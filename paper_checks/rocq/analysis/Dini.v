@@ -145,6 +145,13 @@ Proof.
   rewrite <- !E by lra. apply K; auto.
 Qed.
 
+(** a right derivative sees only what comes next *)
+Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.
+Proof.
+  intros Hd E F e He. destruct (F e He) as (d' & Hd' & K). smaller d d'. intros h Hh. rewrite <- !E by lra.
+  apply K; lra.
+Qed.
+
 (** of a sum *)
 Lemma rderiv_plus f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u + g u) t (l + k).
 Proof. intros F G. eapply little_ext; [|exact (little_plus _ _ F G)]. intros; simpl; ring. Qed.
@@ -194,7 +201,14 @@ Proof.
   specialize (K h Hh). apply Rabs_inv in K. nra.
 Qed.
 
-(** continuity *)
+(** continuity: of an absolute value *)
+Lemma cont_abs f : cont f -> cont (fun u => Rabs (f u)).
+Proof.
+  intros C t Ht e He. destruct (C t Ht e He) as (d & Hd & K). exists d; split; auto. intros s Hs Hd1.
+  eapply Rle_lt_trans; [apply Rabs_triang_inv2|]. auto.
+Qed.
+
+(** of a constant *)
 Lemma cont_const c : cont (fun _ => c).
 Proof. intros t _ e He; exists 1; split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0; auto. Qed.
 

@@ -1,6 +1,6 @@
-(** Tools for existence: a function that chases another with speed at most 1, as a supremum of subsolutions (Perron),
-    moves no more than that one does when it is changed; and integrals of functions that are continuous on [0,
-    +oo). *)
+(** Tools for existence: a function that chases another one as fast as a bound B of its increments allows, as a supremum
+    of subsolutions (Perron); integrals of functions that are continuous on [0, +oo); the fixed point of a map of two
+    functions that halves their distances. *)
 From InertialPair Require Import Dini.
 
 (** the least upper bound as a number (no choice) *)
@@ -19,125 +19,145 @@ Qed.
 Lemma abs_scal c y B : 0 <= c -> Rabs y <= B -> Rabs (c * y) <= c * B.
 Proof. intros Hc HB. rewrite Rabs_mult, (Rabs_pos_eq c) by auto. scale. Qed.
 
-(** ** The chaser: s(0) = 0, s' in Sgn (c - s) *)
-Section Chase.
+(** ** The pursuer: from 0, towards c, where it is not there with all the speed that B allows *)
+Section Pursuit.
+Variables B c : R -> R.
+Hypotheses (CB : cont B) (MB : forall r t, 0 <= r <= t -> B r <= B t).
 
-(** subsolutions on [0, t]: 1-Lipschitz, and above c they fall with slope -1 *)
-Definition sub (c : R -> R) (t : R) (z : R -> R) :=
-  z 0 <= 0 /\ (forall p q, 0 <= p <= q -> q <= t -> - (q - p) <= z q - z p <= q - p) /\
-  forall p q, 0 <= p <= q -> q <= t -> (forall u, p <= u <= q -> c u < z u) -> z q <= z p - (q - p).
+(** subsolutions on [0, t]: their increments are at most those of B, and above c they fall as B rises *)
+Definition below t (z : R -> R) :=
+  z 0 <= 0 /\ (forall p q, 0 <= p <= q -> q <= t -> - (B q - B p) <= z q - z p <= B q - B p) /\
+  forall p q, 0 <= p <= q -> q <= t -> (forall u, p <= u <= q -> c u < z u) -> z q <= z p - (B q - B p).
 
-(** the chaser: the supremum of all that start at 0, fall no faster than 1 and rise only below c *)
-Definition chase c t := real (Lub_Rbar (fun y => exists z, sub c t z /\ y = z t)).
+(** the pursuer: the supremum of them *)
+Definition pursuit t := real (Lub_Rbar (fun y => exists z, below t z /\ y = z t)).
 
-(** the function -t is one of them *)
-Lemma sub_fall c t : sub c t (fun u => - u).
-Proof. repeat split; intros; simpl; lra. Qed.
+(** what falls as B rises is one of them *)
+Lemma below_fall t : below t (fun u => B 0 - B u).
+Proof. split; [lra|]. split; intros p q Hp Hq; pose proof (MB p q Hp); intros; lra. Qed.
 
 (** it is their least upper bound *)
-Lemma chase_lub c t : 0 <= t -> (forall z, sub c t z -> z t <= chase c t) /\
-  (forall y, (forall z, sub c t z -> z t <= y) -> chase c t <= y).
+Lemma pursuit_lub t : 0 <= t -> (forall z, below t z -> z t <= pursuit t) /\
+  (forall y, (forall z, below t z -> z t <= y) -> pursuit t <= y).
 Proof.
-  intros Ht. destruct (lub_real (fun y => exists z, sub c t z /\ y = z t) (- t) t) as (U & L).
-  { exists (fun u => - u); split; auto. apply sub_fall. }
+  intros Ht. destruct (lub_real (fun y => exists z, below t z /\ y = z t) (B 0 - B t) (B t - B 0)) as (U & L).
+  { exists (fun u => B 0 - B u); split; auto. apply below_fall. }
   { intros y (z & (Z & Lz & _) & ->). specialize (Lz 0 t ltac:(lra) ltac:(lra)). lra. }
-  split.
-  - intros z Hz. apply U. exists z; auto.
-  - intros y Hy. apply L. intros y' (z & Hz & ->). auto.
+  split; [intros z Hz; apply U; exists z; auto|]. intros y Hy. apply L. intros y' (z & Hz & ->). auto.
 Qed.
 
-(** a subsolution may go on with slope -1, and with slope 1 as long as it stays below c *)
-Definition ext (z : R -> R) r k u := if Rle_dec u r then z u else z r + k * (u - r).
-
-(** one of them can be prolonged by a line: falling, or rising below c *)
-Lemma ext_sub c z r t k : 0 <= r <= t -> sub c r z ->
-  k = -1 \/ (k = 1 /\ forall u, r <= u <= t -> z r + (u - r) <= c u) -> sub c t (ext z r k).
+(** a subsolution may go on falling as B rises, and rising with it as long as it stays below c *)
+Lemma below_on z r t k : 0 <= r <= t -> below r z ->
+  k = -1 \/ (k = 1 /\ forall u, r <= u <= t -> z r + (B u - B r) <= c u) ->
+  below t (fun u => if Rle_dec u r then z u else z r + k * (B u - B r)).
 Proof.
-  intros Hr (Z & Lz & Fz) Hk. unfold ext. split; [destruct (Rle_dec 0 r); lra|]. split.
-  - intros p q Hp Hq. destruct (Rle_dec p r), (Rle_dec q r); try lra.
+  intros Hr (Z & Lz & Fz) Hk. split; [destruct (Rle_dec 0 r); lra|]. split.
+  - intros p q Hp Hq. pose proof (MB p q Hp) as Mp. destruct (Rle_dec p r), (Rle_dec q r); try lra.
     + apply Lz; lra.
-    + pose proof (Lz p r ltac:(lra) ltac:(lra)). destruct Hk as [->|(-> & _)]; lra.
+    + pose proof (Lz p r ltac:(lra) ltac:(lra)). pose proof (MB r q ltac:(lra)). destruct Hk as [->|(-> & _)]; lra.
     + destruct Hk as [->|(-> & _)]; lra.
   - intros p q Hp Hq O. destruct (Rle_dec q r) as [Q|Q].
     { destruct (Rle_dec p r); [|lra]. apply Fz; try lra. intros u Hu. specialize (O u Hu).
       destruct (Rle_dec u r); lra. }
-    destruct Hk as [->|(-> & B)].
-    + destruct (Rle_dec p r); [|lra]. assert (z r <= z p - (r - p)); [|lra].
+    destruct Hk as [->|(-> & Bl)].
+    + destruct (Rle_dec p r); [|lra]. assert (z r <= z p - (B r - B p)); [|lra].
       apply Fz; try lra. intros u Hu. specialize (O u ltac:(lra)). destruct (Rle_dec u r); lra.
-    + specialize (O q ltac:(lra)). destruct (Rle_dec q r); [lra|]. specialize (B q ltac:(lra)). lra.
+    + specialize (O q ltac:(lra)). destruct (Rle_dec q r); [lra|]. specialize (Bl q ltac:(lra)). lra.
 Qed.
-
-(** and cut off *)
-Lemma sub_less c r t z : r <= t -> sub c t z -> sub c r z.
+Lemma below_less r t z : r <= t -> below t z -> below r z.
 Proof. intros Hr (Z & Lz & Fz). repeat split; auto; intros; try (apply Lz; lra). apply Fz; auto; lra. Qed.
 
-(** the chaser starts at 0 *)
-Lemma chase_0 c : chase c 0 = 0.
+(** it starts at 0 *)
+Lemma pursuit_0 : pursuit 0 = 0.
 Proof.
-  destruct (chase_lub c 0 (Rle_refl 0)) as (U & L). apply Rle_antisym.
+  destruct (pursuit_lub 0 (Rle_refl 0)) as (U & L). apply Rle_antisym.
   - apply L. intros z (Z & _). auto.
-  - specialize (U _ (sub_fall c 0)). simpl in U. lra.
+  - specialize (U _ (below_fall 0)). lra.
 Qed.
 
-(** it is 1-Lipschitz *)
-Lemma chase_lip c r t : 0 <= r <= t -> - (t - r) <= chase c t - chase c r <= t - r.
+(** its increments are at most those of B *)
+Lemma pursuit_lip r t : 0 <= r <= t -> - (B t - B r) <= pursuit t - pursuit r <= B t - B r.
 Proof.
-  intros Hr. destruct (chase_lub c r ltac:(lra)) as (Ur & Lr). destruct (chase_lub c t ltac:(lra)) as (Ut & Lt). split.
-  - assert (chase c r <= chase c t + (t - r)); [|lra]. apply Lr. intros z Hz.
-    pose proof (Ut _ (ext_sub c z r t (-1) Hr Hz (or_introl eq_refl))) as Q. unfold ext in Q.
+  intros Hr. destruct (pursuit_lub r ltac:(lra)) as (Ur & Lr). destruct (pursuit_lub t ltac:(lra)) as (Ut & Lt). split.
+  - assert (pursuit r <= pursuit t + (B t - B r)); [|lra]. apply Lr. intros z Hz.
+    pose proof (Ut _ (below_on z r t (-1) Hr Hz (or_introl eq_refl))) as Q. cbv beta in Q.
     destruct (Rle_dec t r); [replace t with r in * by lra|]; lra.
-  - assert (chase c t <= chase c r + (t - r)); [|lra]. apply Lt. intros z Hz.
-    pose proof (Ur z (sub_less c r t z ltac:(lra) Hz)). destruct Hz as (_ & Lz & _).
-      specialize (Lz r t ltac:(lra) ltac:(lra)). lra.
+  - assert (pursuit t <= pursuit r + (B t - B r)); [|lra]. apply Lt. intros z Hz.
+    pose proof (Ur z (below_less r t z ltac:(lra) Hz)). destruct Hz as (_ & Lz & _).
+    specialize (Lz r t ltac:(lra) ltac:(lra)). lra.
+Qed.
+Lemma pursuit_cont : cont pursuit.
+Proof.
+  intros t Ht e He. destruct (CB t Ht e He) as (d & Hd & K). exists d; split; auto. intros s Hs Hd'.
+  specialize (K s Hs Hd'). apply Rabs_def2 in K. destruct (Rle_dec s t) as [Le|].
+  - pose proof (pursuit_lip s t ltac:(lra)). apply Rabs_def1; lra.
+  - pose proof (pursuit_lip t s ltac:(lra)). apply Rabs_def1; lra.
 Qed.
 
-(** causal, and not expansive *)
-Lemma chase_near c c' M t : 0 <= t -> 0 <= M -> (forall u, 0 <= u <= t -> c u <= c' u + M) ->
-  chase c t <= chase c' t + M.
+Hypothesis Cc : cont c.
+(** near a time at which it is g away from c *)
+Let near t g : 0 <= t -> 0 < g -> exists d, 0 < d /\ forall u, t <= u < t + d -> Rabs (c u - c t) < g / 4 /\ B u - B t < g / 8.
 Proof.
-  intros Ht HM C. destruct (chase_lub c t Ht) as (_ & L). destruct (chase_lub c' t Ht) as (U & _). apply L.
-  intros z (Z & Lz & Fz). assert (z t - M <= chase c' t); [|lra]. apply (U (fun u => z u - M)). split; [lra|]. split.
-  - intros p q Hp Hq. specialize (Lz p q Hp Hq). lra.
-  - intros p q Hp Hq O. specialize (Fz p q Hp Hq). assert (z q <= z p - (q - p)); [|lra].
-    apply Fz. intros u Hu. specialize (O u Hu). specialize (C u ltac:(lra)). lra.
+  intros Ht Hg. destruct (Cc t Ht (g / 4)) as (d1 & H1 & K1); [lra|]. destruct (CB t Ht (g / 8)) as (d2 & H2 & K2); [lra|].
+  smaller d1 d2. intros u Hu. assert (A : Rabs (u - t) < Rmin d1 d2) by (rewrite Rabs_pos_eq; lra).
+  split; [apply K1; lra|]. specialize (K2 u ltac:(lra) ltac:(lra)). apply Rabs_def2 in K2. lra.
+Qed.
+
+(** apart from c it moves as B does, towards c *)
+Lemma pursuit_moves t k be : 0 <= t -> k = 1 \/ k = -1 -> 0 < k * (c t - pursuit t) -> rderiv B t be ->
+  rderiv pursuit t (k * be).
+Proof.
+  intros Ht Hk Apart DB. set (g := k * (c t - pursuit t)) in *. destruct (near t g Ht Apart) as (d & Hd & K).
+  apply rderiv_near with (fun u => pursuit t + k * (B u - B t)) d; auto.
+  - intros u Hu. destruct (Req_dec u t) as [->|N]; [ring|]. destruct (K u Hu) as (_ & Bu).
+    pose proof (pursuit_lip t u ltac:(lra)) as Li. destruct (pursuit_lub t Ht) as (U & L).
+    destruct (pursuit_lub u ltac:(lra)) as (U' & L'). destruct Hk as [-> | ->].
+    + assert (pursuit t <= pursuit u - (B u - B t)); [|lra]. apply L. intros z Hz. pose proof (U z Hz).
+      assert (Q : below u (fun v => if Rle_dec v t then z v else z t + 1 * (B v - B t))).
+      { apply below_on; auto; [lra|]. right; split; auto. intros v Hv. destruct (K v ltac:(lra)) as (Cv & Bv).
+        apply Rabs_def2 in Cv. unfold g in *. lra. }
+      pose proof (U' _ Q) as W. cbv beta in W. destruct (Rle_dec u t); lra.
+    + assert (pursuit u <= pursuit t - (B u - B t)); [|lra]. apply L'. intros z Hz.
+      pose proof (U z (below_less t u z ltac:(lra) Hz)). destruct Hz as (_ & Lz & Fz).
+      destruct (Rle_dec (z u) (pursuit t - (B u - B t))) as [|No]; auto. exfalso.
+      assert (z u <= z t - (B u - B t)); [|lra]. apply Fz; try lra. intros v Hv.
+      specialize (Lz v u ltac:(lra) ltac:(lra)). destruct (K v ltac:(lra)) as (Cv & _). pose proof (MB t v ltac:(lra)).
+      apply Rabs_def2 in Cv. unfold g in *. lra.
+  - apply rderiv_eq with (0 + k * (be - 0)); [ring|].
+    apply rderiv_plus; [apply rderiv_const|apply rderiv_scal, rderiv_minus; [auto|apply rderiv_const]].
+Qed.
+End Pursuit.
+
+(** two pursuers part by no more than what they chase, and the integral A of the difference of their speeds *)
+Lemma pursuits_near B B' c c' be be' A M t : cont B -> cont B' -> cont c -> cont c' -> cont A ->
+  (forall r t, 0 <= r <= t -> B r <= B t) -> (forall r t, 0 <= r <= t -> B' r <= B' t) -> (forall u, 0 <= A u) -> 0 <= M -> 0 <= t ->
+  (forall u, 0 <= u < t -> rderiv B u (be u) /\ rderiv B' u (be' u) /\ exists a, Rabs (be u - be' u) <= a /\ rderiv A u a) ->
+  (forall u, 0 <= u <= t -> c u <= c' u + M) -> pursuit B c t <= pursuit B' c' t + M + A t.
+Proof.
+  intros CB CB' Cc Cc' CA MB MB' A0 HM Ht D Near. apply le_epsilon. intros e He.
+  assert (pursuit B c t - pursuit B' c' t - A t <= M + e); [|lra].
+  apply (barrier_until (fun u => pursuit B c u - pursuit B' c' u - A u) (M + e) 0 t); [|lra| |].
+  - repeat apply cont_minus; auto using pursuit_cont.
+  - rewrite !pursuit_0 by auto. specialize (A0 0). lra.
+  - intros u Hu Far. specialize (A0 u). destruct (D u Hu) as (DB & DB' & a & Ha & DA). specialize (Near u ltac:(lra)).
+    apply Rabs_inv in Ha. intros q Hq. destruct (DA (q / 4)) as (d0 & H0 & K0); [lra|].
+    destruct (Rlt_dec (c u) (pursuit B c u)) as [Up|No].
+    + destruct (pursuit_moves B c CB MB Cc u (-1) (be u) ltac:(lra) ltac:(auto) ltac:(lra) DB (q / 4)) as (d1 & H1 & K1); [lra|].
+      destruct (DB' (q / 4)) as (d2 & H2 & K2); [lra|]. exists (Rmin d0 (Rmin d1 d2)). split; [positive|].
+      intros h Hh. pose proof (Rmin_l d0 (Rmin d1 d2)). pose proof (Rmin_r d0 (Rmin d1 d2)). pose proof (Rmin_l d1 d2).
+      pose proof (Rmin_r d1 d2). specialize (K0 h ltac:(lra)). specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
+      pose proof (pursuit_lip B' c' MB' u (u + h) ltac:(lra)). apply Rabs_inv in K0, K1, K2. nra.
+    + destruct (pursuit_moves B' c' CB' MB' Cc' u 1 (be' u) ltac:(lra) ltac:(auto) ltac:(lra) DB' (q / 4)) as (d1 & H1 & K1); [lra|].
+      destruct (DB (q / 4)) as (d2 & H2 & K2); [lra|]. exists (Rmin d0 (Rmin d1 d2)). split; [positive|].
+      intros h Hh. pose proof (Rmin_l d0 (Rmin d1 d2)). pose proof (Rmin_r d0 (Rmin d1 d2)). pose proof (Rmin_l d1 d2).
+      pose proof (Rmin_r d1 d2). specialize (K0 h ltac:(lra)). specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
+      pose proof (pursuit_lip B c MB u (u + h) ltac:(lra)). apply Rabs_inv in K0, K1, K2. nra.
 Qed.
 
 (** the right derivative of a function that is a line for a while *)
 Lemma rderiv_exact f t l d : 0 < d -> (forall h, 0 < h < d -> f (t + h) - f t = l * h) -> rderiv f t l.
 Proof. intros Hd F e He. exists d; split; auto. intros h Hh. rewrite F by auto.
   rewrite Rminus_diag_eq, Rabs_R0 by auto. nra. Qed.
-
-(** above c it falls with speed 1 *)
-Lemma chase_down c t : cont c -> 0 <= t -> c t < chase c t -> rderiv (chase c) t (-1).
-Proof.
-  intros C Ht Hc. set (g := chase c t - c t). destruct (C t Ht (g / 4)) as (d & Hd & K); [unfold g; lra|].
-  assert (Hd2 : 0 < Rmin d (g / 8)) by (apply Rmin_glb_lt; unfold g; lra).
-  apply rderiv_exact with (1 := Hd2). intros h Hh. pose proof (Rmin_l d (g / 8)). pose proof (Rmin_r d (g / 8)).
-  pose proof (chase_lip c t (t + h) ltac:(lra)). assert (chase c (t + h) <= chase c t - h); [|lra].
-  destruct (chase_lub c t Ht) as (U & _). destruct (chase_lub c (t + h) ltac:(lra)) as (_ & L). apply L. intros z Hz.
-  pose proof (U z (sub_less c t (t + h) z ltac:(lra) Hz)). destruct Hz as (_ & Lz & Fz).
-  destruct (Rle_dec (z (t + h)) (chase c t - h)) as [|N]; auto. exfalso.
-  assert (z (t + h) <= z t - (t + h - t)); [|lra]. apply Fz; try lra. intros u Hu.
-  specialize (Lz u (t + h) ltac:(lra) ltac:(lra)). assert (Q : Rabs (c u - c t) < g / 4). { apply K; [lra|].
-    rewrite Rabs_pos_eq; lra. }
-  apply Rabs_def2 in Q. unfold g in *. lra.
-Qed.
-
-(** below c it rises with speed 1 *)
-Lemma chase_up c t : cont c -> 0 <= t -> chase c t < c t -> rderiv (chase c) t 1.
-Proof.
-  intros C Ht Hc. set (g := c t - chase c t). destruct (C t Ht (g / 4)) as (d & Hd & K); [unfold g; lra|].
-  assert (Hd2 : 0 < Rmin d (g / 8)) by (apply Rmin_glb_lt; unfold g; lra).
-  apply rderiv_exact with (1 := Hd2). intros h Hh. pose proof (Rmin_l d (g / 8)). pose proof (Rmin_r d (g / 8)).
-  pose proof (chase_lip c t (t + h) ltac:(lra)). assert (chase c t <= chase c (t + h) - h); [|lra].
-  destruct (chase_lub c t Ht) as (U & L). destruct (chase_lub c (t + h) ltac:(lra)) as (U' & _). apply L. intros z Hz.
-  assert (Q : sub c (t + h) (ext z t 1)).
-  { apply ext_sub; auto; [lra|]. right; split; auto. intros u Hu. pose proof (U z Hz).
-    assert (Q : Rabs (c u - c t) < g / 4). { apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
-    apply Rabs_def2 in Q. unfold g in *. lra. }
-  pose proof (U' _ Q) as W. unfold ext in W. destruct (Rle_dec (t + h) t); lra.
-Qed.
-End Chase.
 
 (** ** Integrals of functions that are continuous on [0, +oo) *)
 Definition integral (f : R -> R) (t : R) : R := RInt (fun u => f (Rmax 0 u)) 0 t.
@@ -204,3 +224,99 @@ Proof.
   exists n. specialize (N n (le_n n)). rewrite Rabs_pos_eq in N by (apply pow_le; lra).
   apply Rmult_lt_compat_l with (r := q) in N; auto. replace (q * (e / q)) with e in N by (field; lra). auto.
 Qed.
+
+(** a continuous function is bounded up to each time *)
+Lemma cont_bounded f t : cont f -> 0 <= t -> exists B, forall u, 0 <= u <= t -> Rabs (f u) <= B.
+Proof.
+  intros C Ht. set (g := fun u => Rabs (f (Rmax 0 u))). assert (CG : forall u, 0 <= u <= t -> continuity_pt g u).
+  { intros u _. apply continuity_pt_filterlim. apply (max_continuous (fun u => Rabs (f u))). apply cont_abs; auto. }
+  destruct (continuity_ab_maj g 0 t Ht CG) as (m & Hm & _). exists (g m). intros u Hu. specialize (Hm u Hu).
+  unfold g in Hm at 1. rewrite Rmax_right in Hm by lra. auto.
+Qed.
+
+(** a sequence whose steps are halved each time comes to its limit at that rate *)
+Lemma halving (a : nat -> R) c : (forall n, Rabs (a (S n) - a n) <= c * (/ 2) ^ n) ->
+  forall n, Rabs (real (Lim_seq a) - a n) <= 2 * c * (/ 2) ^ n.
+Proof.
+  intros St n. set (r := fun n => 2 * c * (/ 2) ^ n). assert (R0 : is_lim_seq r 0).
+  { replace (Finite 0) with (Rbar_mult (2 * c) 0) by (simpl; f_equal; ring).
+    apply is_lim_seq_scal_l, is_lim_seq_geom. rewrite Rabs_pos_eq; lra. }
+  assert (Half : forall j, r (S j) = r j / 2 /\ - (r j / 2) <= a (S j) - a j <= r j / 2).
+  { intros j. split; [unfold r; simpl; field|]. apply Rabs_inv. eapply Rle_trans; [apply St|right; unfold r; field]. }
+  assert (Up : forall j, a j - r j <= a (S j) - r (S j)) by (intros j; destruct (Half j) as (-> & Q); lra).
+  assert (Down : forall j, a (S j) + r (S j) <= a j + r j) by (intros j; destruct (Half j) as (-> & Q); lra).
+  destruct (ex_lim_seq_adj (fun j => a j - r j) (fun j => a j + r j) Up Down) as ((l & Hl) & (k & Hk) & _).
+  { apply is_lim_seq_ext with (fun j => r j + r j); [intros; ring|]. rewrite <- (Rplus_0_r 0). apply is_lim_seq_plus'; auto. }
+  assert (La : is_lim_seq a l).
+  { apply is_lim_seq_ext with (fun j => (a j - r j) + r j); [intros; ring|]. rewrite <- (Rplus_0_r l).
+    apply is_lim_seq_plus'; auto. }
+  assert (Lk : is_lim_seq (fun j => a j + r j) l) by (rewrite <- (Rplus_0_r l); apply is_lim_seq_plus'; auto).
+  rewrite (is_lim_seq_unique _ _ La). pose proof (is_lim_seq_incr_compare _ _ Hl Up n).
+  pose proof (is_lim_seq_decr_compare _ _ Lk Down n). fold (r n). apply Rabs_le. simpl. lra.
+Qed.
+
+(** ** The fixed point of a map of several functions that halves their distances, weighed by exp (lam t) *)
+Section Fixed.
+Variables (next : (bool -> R -> R) -> bool -> R -> R) (lam : R).
+Hypotheses (Hl : 0 <= lam) (Cn : forall f, (forall i, cont (f i)) -> forall i, cont (next f i)).
+Hypothesis Half : forall f g D T, (forall i, cont (f i)) -> (forall i, cont (g i)) -> 0 <= D ->
+  (forall i u, 0 <= u <= T -> Rabs (f i u - g i u) <= D * exp (lam * u)) ->
+  forall i t, 0 <= t <= T -> Rabs (next f i t - next g i t) <= D / 2 * exp (lam * t).
+
+Fixpoint iterate n : bool -> R -> R := match n with O => fun _ _ => 0 | S n => next (iterate n) end.
+Lemma iterate_cont n i : cont (iterate n i).
+Proof. revert i. induction n; intros i; simpl; [apply cont_const|apply Cn; auto]. Qed.
+
+Let steps T : 0 <= T -> exists C, 0 < C /\ forall n i t, 0 <= t <= T ->
+  Rabs (iterate (S n) i t - iterate n i t) <= C * (/ 2) ^ n * exp (lam * t).
+Proof.
+  intros HT. destruct (cont_bounded (iterate 1 true) T (iterate_cont 1 true) HT) as (B1 & H1).
+  destruct (cont_bounded (iterate 1 false) T (iterate_cont 1 false) HT) as (B2 & H2).
+  pose proof (H1 0 ltac:(lra)). pose proof (Rabs_pos (iterate 1 true 0)). pose proof (H2 0 ltac:(lra)).
+  pose proof (Rabs_pos (iterate 1 false 0)). exists (1 + B1 + B2). split; [lra|]. induction n as [|n IH]; intros i t Ht.
+  - rewrite pow_O, Rmult_1_r. change (iterate 0 i t) with 0. rewrite Rminus_0_r. pose proof (exp_ineq1_le (lam * t)).
+    assert (0 <= lam * t) by positive. assert (Rabs (iterate 1 i t) <= 1 + B1 + B2); [|nra].
+    destruct i; [specialize (H1 t Ht)|specialize (H2 t Ht)]; lra.
+  - replace ((1 + B1 + B2) * (/ 2) ^ S n) with ((1 + B1 + B2) * (/ 2) ^ n / 2) by (simpl; field).
+    apply (Half (iterate (S n)) (iterate n) _ T); auto using iterate_cont. apply Rmult_le_pos; [lra|apply pow_le; lra].
+Qed.
+
+Let limit i t := real (Lim_seq (fun n => iterate n i t)).
+Let limit_near T : 0 <= T -> exists C, 0 < C /\ forall n i t, 0 <= t <= T ->
+  Rabs (limit i t - iterate n i t) <= C * (/ 2) ^ n * exp (lam * t).
+Proof.
+  intros HT. destruct (steps T HT) as (C & HC & St). exists (2 * C). split; [lra|]. intros n i t Ht.
+  replace (2 * C * (/ 2) ^ n * exp (lam * t)) with (2 * (C * exp (lam * t)) * (/ 2) ^ n) by ring.
+  apply (halving (fun n => iterate n i t)). intros j. eapply Rle_trans; [apply St; auto|right; ring].
+Qed.
+Let limit_cont i : cont (limit i).
+Proof.
+  intros t Ht e He. pose proof (exp_pos (lam * (t + 1))) as Ep. destruct (limit_near (t + 1) ltac:(lra)) as (C & CT & Near).
+  destruct (small (C * exp (lam * (t + 1))) (e / 3)) as (n & Hn); [nra|lra|].
+  destruct (iterate_cont n i t Ht (e / 3)) as (d & Hd & Kd); [lra|]. smaller d 1. intros u Hu Hd1.
+  assert (B : forall r, 0 <= r <= t + 1 -> Rabs (limit i r - iterate n i r) < e / 3).
+  { intros r Hr. eapply Rle_lt_trans; [apply Near; lra|]. eapply Rle_lt_trans; [|exact Hn].
+    replace (C * exp (lam * (t + 1)) * (/ 2) ^ n) with (C * (/ 2) ^ n * exp (lam * (t + 1))) by ring.
+    apply Rmult_le_compat_l; [pose proof (pow_le (/ 2) n ltac:(lra)); nra|].
+    destruct (Req_dec (lam * r) (lam * (t + 1))) as [->|N]; [lra|]. apply Rlt_le, exp_increasing.
+    assert (lam * r <= lam * (t + 1)) by scale. lra. }
+  assert (Q : Rabs (u - t) < 1) by lra. apply Rabs_def2 in Q.
+  pose proof (B u ltac:(lra)) as B1. pose proof (B t ltac:(lra)) as B2. specialize (Kd u Hu ltac:(lra)).
+  apply Rabs_def2 in B1. apply Rabs_def2 in B2. apply Rabs_def2 in Kd. apply Rabs_def1; lra.
+Qed.
+
+Theorem fixed_point : exists f, (forall i, cont (f i)) /\ forall i t, 0 <= t -> next f i t = f i t.
+Proof.
+  exists limit. split; [exact limit_cont|]. intros i t Ht. apply Rminus_diag_uniq.
+  destruct (Req_dec (next limit i t - limit i t) 0) as [|N]; auto. exfalso.
+  apply Rabs_pos_lt in N. pose proof (exp_pos (lam * t)). destruct (limit_near t Ht) as (C & CT & Near).
+  destruct (small (C * exp (lam * t)) (Rabs (next limit i t - limit i t)) ltac:(nra) N) as (n & Hn).
+  assert (A : Rabs (next limit i t - iterate (S n) i t) <= C * (/ 2) ^ n / 2 * exp (lam * t)).
+  { apply (Half limit (iterate n) _ t); auto using iterate_cont; [|lra].
+    pose proof (pow_le (/ 2) n ltac:(lra)). nra. }
+  pose proof (Near (S n) i t ltac:(lra)) as Q. simpl pow in Q.
+  replace (next limit i t - limit i t) with ((next limit i t - iterate (S n) i t) - (limit i t - iterate (S n) i t)) in Hn by ring.
+  pose proof (Rabs_triang (next limit i t - iterate (S n) i t) (- (limit i t - iterate (S n) i t))) as T.
+  rewrite Rabs_Ropp in T. unfold Rminus at 1 in Hn. lra.
+Qed.
+End Fixed.

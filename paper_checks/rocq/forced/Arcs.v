@@ -2,13 +2,6 @@
     along it; the mirror image of a motion; motions that repeat with the opposite sign. *)
 From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence.
 
-(** a right derivative sees only what comes next *)
-Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.
-Proof.
-  intros Hd E F e He. destruct (F e He) as (d' & Hd' & K). smaller d d'. intros h Hh. rewrite <- !E by lra.
-  apply K; lra.
-Qed.
-
 (** continuity along a path of times that never runs faster than time *)
 Lemma cont_path f c : (forall t, 0 <= t -> 0 <= c t) -> (forall r t, Rabs (c t - c r) <= Rabs (t - r)) -> cont f ->
   cont (fun t => f (c t)).

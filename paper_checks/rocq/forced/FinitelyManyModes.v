@@ -1,8 +1,7 @@
 (** Events do not accumulate: under a force that is analytic by pieces, and a friction that is constant by pieces, a
     motion changes its mode finitely often in bounded time. After any time one mode lasts for a while, by the rule of
     `ModeAtContact.v`; before any time, too, by `BeforeContact.v`. *)
-From Coq Require Import List.
-From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach BoundedMotions Arcs VaryingFriction
+From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach BoundedMotions Arcs
   ModeAtContact Analytic Modes BeforeContact.
 
 Section Zeno.
@@ -74,25 +73,4 @@ Proof.
     + pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
       destruct (apart_nearby v1 v2 t Cw ltac:(lra) Apart) as (d' & Hd' & K). smaller d' t.
       apply no_zero_one_sign; [exact Cw|lra|]. intros r Hr. apply K; [lra|]. rewrite Rabs_left; lra.
-Qed.
-
-(** *** The same with a friction that is constant by pieces *)
-
-Theorem no_zeno_varying m1 m2 a1 a2 b pieces : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b -> sound pieces ->
-  forall U u x v1 v2 T, varying m1 m2 a1 a2 pieces b U x v1 v2 -> (forall t, 0 <= t -> rderiv U t (u t)) ->
-  piecewise_analytic u -> 0 <= T -> finitely_many_modes v1 v2 0 T.
-Proof.
-  intros Hm1 Hm2 Ha1 Ha2 Hb. induction pieces as [|(b1, T1) later IH]; intros So U u x v1 v2 T H DU A HT.
-  - destruct H as (s & H). exact (no_zeno m1 m2 a1 a2 b U u x v1 v2 s T Hm1 Hm2 Ha1 Ha2 Hb H DU A HT).
-  - destruct (So (b1, T1) (or_introl eq_refl)) as (Hb1 & HT1). simpl in Hb1, HT1.
-    destruct H as ((y & w1 & w2 & s & F & E) & H).
-    assert (First : forall q, 0 <= q <= T1 -> finitely_many_modes v1 v2 0 q).
-    { intros q Hq. apply (modes_equal v1 v2 w1 w2); [intros t Ht; apply E; lra|].
-      exact (no_zeno m1 m2 a1 a2 b1 U u y w1 w2 s q Hm1 Hm2 Ha1 Ha2 Hb1 F DU A ltac:(lra)). }
-    destruct (Rle_dec T T1) as [Le|N]; [apply First; lra|]. apply (modes_concat v1 v2 0 T1); [apply First; lra|].
-    replace T1 with (T1 + 0) by ring. replace T with (T1 + (T - T1)) by ring. apply modes_later.
-    apply (IH (fun z Hz => So z (or_intror Hz)) (fun t => U (T1 + t)) (fun t => u (T1 + t)) (fun t => x (T1 + t)));
-      auto; try lra.
-    + intros t Ht. apply rderiv_earlier, DU. lra.
-    + apply piecewise_later; auto.
 Qed.

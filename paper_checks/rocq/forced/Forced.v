@@ -13,13 +13,6 @@ Proof.
   rewrite Rabs_mult, (Rabs_pos_eq (d / 2)) in Q by lra. nra.
 Qed.
 
-(** the absolute value is continuous *)
-Lemma cont_abs f : cont f -> cont (fun u => Rabs (f u)).
-Proof.
-  intros C t Ht e He. destruct (C t Ht e He) as (d & Hd & K). exists d; split; auto. intros s Hs Hd1.
-  eapply Rle_lt_trans; [apply Rabs_triang_inv2|]. auto.
-Qed.
-
 (** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
 Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
 Proof.

@@ -1,5 +1,5 @@
 (** The limit of the relative displacement; stability of the set of stuck motions; explicit time to fall. *)
-From InertialPair Require Import Dini Pair Stick MonotoneInclusion.
+From InertialPair Require Import Dini Pair Stick PaidRates.
 
 Section Corollaries.
 Variables m1 m2 a1 a2 b : R.

@@ -65,7 +65,7 @@ Proof.
   { intros x v. unfold stick_load. replace (- (m2 * (a2 * x + 0 * v)) / (m1 + m2)) with (- (c * x)) by (unfold c; field;
     lra). rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
   rewrite Load in Hl.
-  destruct (Forced.cont_abs _ CX 0 (Rle_refl 0) (Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0) / c)) as (D & HD & Near).
+  destruct (Dini.cont_abs _ CX 0 (Rle_refl 0) (Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0) / c)) as (D & HD & Near).
   { positive. }
   assert (Between : forall t, 0 <= t < D -> bk < c * Rabs (X x0 v0 t) < bs).
   { intros t Ht. specialize (Near t ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite X00 in Near.

@@ -195,4 +195,13 @@ Qed.
 (** The solutions of the paper's equations (3), (4) without a control are Filippov's, and only they. *)
 Theorem switching_iff x v1 v2 : switching x v1 v2 <-> filippov m1 m2 a1 a2 b x v1 v2.
 Proof. split; [apply switching_filippov|apply filippov_switching]. Qed.
+
+(** The forces on the two bodies that Newton's law finds behind the motion add up to nothing at almost all times. *)
+Theorem momentum_balance x v1 v2 T : switching x v1 v2 -> 0 <= T -> exists N, null N /\ forall t, 0 <= t <= T -> ~ N t ->
+  exists a a' : R, is_derive v1 t a /\ is_derive v2 t a' /\ m1 * a + a1 * v1 t + a2 * x t + m2 * a' = 0.
+Proof.
+  intros H HT. destruct (switching_filippov x v1 v2 H) as (_ & _ & _ & In). destruct (In T HT) as (N & HN & Sw).
+  exists N. split; auto. intros t Ht No. destruct (Sw t Ht No) as (g & _ & _ & _ & _ & D1 & D2).
+  eexists. eexists. split; [exact D1|]. split; [exact D2|]. field. lra.
+Qed.
 End Switching.

@@ -3,77 +3,7 @@
       the
     inner product need not be definite. Two motions never part, and defects add up; friction that brakes has a finite
       path. *)
-From InertialPair Require Import Dini Pair Stick Forced.
-
-(** *** Real functions *)
-
-(** y' <= k y gives an exponential: the logarithm is concave *)
-Lemma log_dini y q k t : 0 < q -> 0 <= t -> (forall u, q <= y u) -> cont y -> (forall u, 0 <= u -> dini_le y u (k * y
-  u)) ->
-  y t <= exp (k * t) * y 0.
-Proof.
-  intros Hq Ht P C D. assert (Ln : forall u v, 0 < u -> 0 < v -> ln u - ln v <= (u - v) / v).
-  { intros u v Hu Hv. rewrite <- ln_div by auto. pose proof (exp_ineq1_le (ln (u / v))) as I.
-    rewrite exp_ln in I by positive. replace ((u - v) / v) with (u / v - 1) by (field; lra). lra.
-      }
-  assert (Py : forall u, 0 < y u) by (intros u; specialize (P u); lra).
-  assert (Q : ln (y t) - ln (y 0) <= k * (t - 0)).
-  { apply (dini_slope (fun u => ln (y u))); [|lra|].
-    - intros u Hu e He. destruct (C u Hu (q * e)) as (d & Hd & K); [nra|]. exists d; split; auto. intros v Hv Hd'.
-      specialize (K v Hv Hd'). apply Rabs_def2 in K.
-      assert (B : forall p r, q <= p -> q <= r -> p - r < q * e -> ln p - ln r < e).
-      { intros p r Hp Hr L. eapply Rle_lt_trans; [apply Ln; lra|]. undivide r. nra. }
-      apply Rabs_def1; [apply B; auto; lra|]. cut (ln (y u) - ln (y v) < e); [lra|]. apply B; auto; lra.
-    - intros u Hu e He. destruct (D u ltac:(lra) (e * y u)) as (d & Hd & K); [specialize (Py u); nra|]. exists d; split;
-      auto. intros h Hh. specialize (K h Hh). eapply Rle_trans; [apply Ln; auto|]. specialize (Py u).
-      undivide (y u). lra. }
-  rewrite <- (exp_ln (y t)), <- (exp_ln (y 0)) at 1 by auto. rewrite <- exp_plus. apply Rnot_lt_le. intros N.
-  apply exp_lt_inv in N. lra.
-Qed.
-
-(** what an energy pays for converges; at a rate that cannot jump it comes to rest *)
-Section Paid.
-Variables (E : R -> R) (c : R).
-Hypotheses (Ep : forall t, 0 <= t -> 0 <= E t) (Em : forall r t, 0 <= r <= t -> E t <= E r) (Hc : 0 < c).
-
-(** what moves only at the cost of energy has a limit *)
-Lemma paid_converges z : (forall r t, 0 <= r <= t -> c * Rabs (z t - z r) <= E r - E t) -> exists zl,
-  (forall t, 0 <= t -> c * Rabs (z t - zl) <= E t) /\
-  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
-Proof.
-  intros Pay. destruct (dec_limit E Em Ep) as (l & L0 & Lo & Lim). assert (Ic : 0 < / c) by positive.
-  assert (Back : forall u v, u <= / c * v <-> c * u <= v).
-  { intros u v. split; intros Q; [apply Rmult_le_reg_l with (/ c)|apply Rmult_le_reg_l with c]; auto;
-    rewrite <- Rmult_assoc; [rewrite Rinv_l|rewrite Rinv_r]; lra. }
-  destruct (paid_limit E z (/ c) l) as (zl & B); [lra|auto|intros r t Hr; apply Back; auto|].
-  exists zl. split. { intros t Ht. pose proof (proj1 (Back _ _) (B t Ht)). lra. }
-  intros e He. destruct (Lim (c * e)) as (T & HT & K); [nra|]. exists T; split; auto. intros t Ht.
-  specialize (K t Ht). apply Rle_trans with (1 := B t ltac:(lra)). apply Rmult_le_reg_l with c; auto.
-  rewrite <- Rmult_assoc, Rinv_r; lra.
-Qed.
-
-(** a Lipschitz rate f of a path J that the energy pays for tends to 0 *)
-Lemma paid_vanishes f J K : cont J -> (forall t, 0 <= t -> 0 <= f t /\ rderiv J t (f t)) -> 0 < K ->
-  (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= K * (t - r)) -> (forall r t, 0 <= r <= t -> c * (J t - J r) <= E r - E
-    t) ->
-  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> f t <= e.
-Proof.
-  intros CJ HJ HK Lf Pay e He. destruct (dec_limit E Em Ep) as (l & _ & Lo & Lim).
-  assert (Hd : 0 < e / (2 * K)) by positive. destruct (Lim (c * (e / 2 * (e / (2 * K))) / 2)) as (T & HT & Near).
-  { positive. }
-  exists T; split; auto. intros t Ht. apply Rnot_lt_le. intros N. set (d := e / (2 * K)) in *.
-  assert (Q : - J (t + d) - - J t <= - (e / 2) * (t + d - t)).
-  { apply (dini_slope (fun u => - J u)); [|lra|].
-    { apply cont_ext with (fun u => -1 * J u); [intros; ring|apply cont_scal; auto]. }
-    intros u Hu. apply rderiv_dini with (-1 * f u).
-    - pose proof (Lf t u ltac:(lra)) as L. apply Rabs_inv in L. assert (K * (u - t) <= K * d) by scale.
-      assert (K * d = e / 2) by (unfold d; field; lra). lra.
-    - apply rderiv_ext with (fun u => -1 * J u); [intros; ring|]. apply rderiv_scal, HJ. lra. }
-  pose proof (Pay t (t + d) ltac:(lra)) as P. pose proof (Near t Ht). pose proof (Lo (t + d) ltac:(lra)).
-  assert (e / 2 * d <= J (t + d) - J t) by lra. assert (c * (e / 2 * d) <= c * (J (t + d) - J t)) by scale.
-  assert (0 < c * (e / 2 * d)) by positive. lra.
-Qed.
-End Paid.
+From InertialPair Require Import Dini PaidRates Pair Stick Forced.
 
 (** *** The space *)
 

@@ -81,6 +81,66 @@ Proof.
 Qed.
 End Ellipse.
 
+(** Every stuck motion is such an ellipse: body 1 carries both masses on its spring, component by component. The force on
+    body 2 is m2 times its acceleration, and within b exactly while the place is within L; with p in units of the frequency
+    the energy is a2 (|q|^2 + |p|^2) / 2, and E_cr that of the place L. *)
+Lemma oscillator om x v : 0 < om -> (forall t, is_derive x t (v t)) -> (forall t, is_derive v t (- (om * om) * x t)) ->
+  forall t, x t = x 0 * cos (om * t) + v 0 / om * sin (om * t).
+Proof.
+  intros Ho X V t. set (c := fun t => x t * cos (om * t) - v t / om * sin (om * t)).
+  set (s := fun t => x t * sin (om * t) + v t / om * cos (om * t)).
+  assert (Dx : forall t, Derive (fun u => x u) t = v t) by (intros; apply is_derive_unique, X).
+  assert (Dv : forall t, Derive (fun u => v u) t = - (om * om) * x t) by (intros; apply is_derive_unique, V).
+  assert (Const : forall f, (forall t, is_derive f t 0) -> f t = f 0).
+  { intros f D. destruct (MVT_gen f 0 t (fun _ => 0)) as (m & _ & E); [auto|intros; apply derivable_continuous_pt; eexists;
+      apply is_derive_Reals, D|lra]. }
+  assert (C : c t = c 0) by (apply Const; intros u; unfold c; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv; field; lra]).
+  assert (S : s t = s 0) by (apply Const; intros u; unfold s; auto_derive; [repeat split; eexists; eauto|rewrite Dx, Dv; field; lra]).
+  unfold c, s in C, S. rewrite Rmult_0_r, cos_0, sin_0 in C, S. pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC.
+  assert (E : x t * (sin (om * t) * sin (om * t) + cos (om * t) * cos (om * t)) = (x t * cos (om * t) - v t / om * sin (om * t))
+    * cos (om * t) + (x t * sin (om * t) + v t / om * cos (om * t)) * sin (om * t)) by ring.
+  rewrite SC, C, S in E. lra.
+Qed.
+
+Theorem stuck_load m1 m2 a2 b (x y v w ax ay : R -> R) : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
+  (forall t, is_derive x t (v t) /\ is_derive v t (ax t) /\ is_derive y t (w t) /\ is_derive w t (ay t)) ->
+  (forall t, (m1 + m2) * ax t = - a2 * x t /\ (m1 + m2) * ay t = - a2 * y t) ->
+  let om := sqrt (a2 / (m1 + m2)) in let L := b * (m1 + m2) / (a2 * m2) in forall t,
+  x t = x 0 * cos (om * t) + v 0 / om * sin (om * t) /\ y t = y 0 * cos (om * t) + w 0 / om * sin (om * t) /\
+  (sqrt ((m2 * ax t) ^ 2 + (m2 * ay t) ^ 2) <= b <-> sqrt (x t ^ 2 + y t ^ 2) <= L) /\
+  a2 * (x t ^ 2 + y t ^ 2) / 2 + (m1 + m2) * (v t ^ 2 + w t ^ 2) / 2 =
+    a2 / 2 * (x 0 ^ 2 + y 0 ^ 2 + ((v 0 / om) ^ 2 + (w 0 / om) ^ 2)) /\
+  a2 / 2 * L ^ 2 = b ^ 2 * (m1 + m2) ^ 2 / (2 * a2 * m2 ^ 2).
+Proof.
+  intros Hm1 Hm2 Ha2 Hb D N om L t. assert (Ho : 0 < om) by (apply sqrt_lt_R0; positive).
+  assert (O2 : om * om = a2 / (m1 + m2)) by (apply sqrt_sqrt, Rlt_le; positive). assert (HL : 0 < L) by (unfold L; positive).
+  assert (Ax : forall t, ax t = - (om * om) * x t) by (intros u; destruct (N u); rewrite O2; apply Rmult_eq_reg_l with (m1 + m2); [field_simplify|]; lra).
+  assert (Ay : forall t, ay t = - (om * om) * y t) by (intros u; destruct (N u); rewrite O2; apply Rmult_eq_reg_l with (m1 + m2); [field_simplify|]; lra).
+  assert (Dv : forall t, is_derive v t (- (om * om) * x t)) by (intros u; rewrite <- Ax; apply D).
+  assert (Dw : forall t, is_derive w t (- (om * om) * y t)) by (intros u; rewrite <- Ay; apply D).
+  split; [apply oscillator; auto; apply D|]. split; [apply oscillator; auto; apply D|]. split; [|split].
+  - assert (E : sqrt ((m2 * ax t) ^ 2 + (m2 * ay t) ^ 2) = b / L * sqrt (x t ^ 2 + y t ^ 2)).
+    { assert (F : m2 * (om * om) = b / L) by (rewrite O2; unfold L; field; lra). assert (0 < b / L) by positive.
+      rewrite Ax, Ay, <- (sqrt_square (b / L)), <- sqrt_mult by (try positive; pose proof (pow2_ge_0 (x t)); pose proof (pow2_ge_0 (y t)); nra).
+      f_equal. rewrite <- F. ring. }
+    rewrite E. assert (Q : forall z, b / L * z <= b <-> z <= L).
+    { intros z. split; intros Z; [apply Rmult_le_reg_l with (b / L); [positive|]|apply Rle_trans with (b / L * L); [scale; positive|right; field; lra]].
+      replace (b / L * L) with b by (field; lra). auto. } apply Q.
+  - assert (E : forall x v : R -> R, (forall t, is_derive x t (v t)) -> (forall t, is_derive v t (- (om * om) * x t)) ->
+      a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2 = a2 * x 0 ^ 2 / 2 + (m1 + m2) * v 0 ^ 2 / 2).
+    { clear - O2 Hm1 Hm2 Ha2. intros x v X V. assert (Z : forall u, is_derive (fun t => a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2) u 0).
+      { intros u. assert (Dx : Derive (fun u => x u) u = v u) by apply is_derive_unique, X.
+        assert (Dv : Derive (fun u => v u) u = - (om * om) * x u) by apply is_derive_unique, V.
+        auto_derive; [repeat split; eexists; eauto|]. rewrite Dx, Dv, O2. field. lra. }
+      destruct (MVT_gen (fun t => a2 * x t ^ 2 / 2 + (m1 + m2) * v t ^ 2 / 2) 0 t (fun _ => 0)) as (m & _ & E); [auto| |lra].
+      intros u _. apply derivable_continuous_pt. exists 0. apply is_derive_Reals. auto. }
+    pose proof (E x v ltac:(apply D) Dv). pose proof (E y w ltac:(apply D) Dw).
+    assert (P : forall z, (m1 + m2) * z ^ 2 = a2 * (z / om) ^ 2).
+    { intros z. replace a2 with ((m1 + m2) * (om * om)) at 1 by (rewrite O2; field; lra). field. lra. }
+    pose proof (P (v 0)). pose proof (P (w 0)). lra.
+  - unfold L. field. lra.
+Qed.
+
 (** T4: in slip s' = k (Lambda - b s/|s|) the function G = b|s| + Lambda.s falls towards its zero, the end of the slip,
   at a rate that does not vanish there while |Lambda| < b *)
 Theorem landing_rate k b (x y p q : R -> R) l l' t : 0 < x t ^ 2 + y t ^ 2 ->

@@ -50,6 +50,7 @@ FAULTS = {
         "model.mode_equations": other_sign,
     },
     "stiction-bracket": {
+        "model._factor": plus(1),
         "model.INSIDE": lambda _: START_AT_6MM,
         "model.EDGE": lambda _: START_AT_6MM,
     },
@@ -57,6 +58,7 @@ FAULTS = {
     "interface-force-balance": {
         "model.START_AT_6MM": lambda _: INSIDE,
         "model.EDGE": lambda _: START_AT_6MM,
+        "model.spurious_branch": failing,
     },
     "viscous-no-direct-effect": {
         "viscous.a1": lambda a1: -a1,
@@ -223,7 +225,10 @@ FAULTS = {
     "example-stiction-never-violated": {
         "onset.START_AT_6MM": lambda _: EDGE,
         "onset.critical_energy": doubled,
-        "filippov.load_threshold": doubled,
+        "onset.half_width": doubled,
+        "onset.undamped": lambda _: lambda acceleration: 2 * acceleration,
+        "onset.bracket_is_off_in_slip": failing,
+        "onset.spurious_branch": failing,
     },
     "example-onset": {
         "onset.INSIDE": lambda _: START_AT_6MM,
@@ -268,6 +273,7 @@ FAULTS = {
     },
     "one-active-one-passive": {
         "theory.forced_control.strongest": doubled,
+        "theory.forced.forced_system": doubled,
     },
     "ring-of-tolerance": {
         "theory.forced_control.ring_ratio": halved,
@@ -303,8 +309,10 @@ FAULTS = {
         "theory.forced_control.strongest": doubled,
     },
     "varying-interface": {
-        "contraction.prove": confused(">=", "<=", 1),
+        "theory.forced.contraction_rate": negated,
         "theory.forced.place_dependent_rate": negated,
+        "theory.forced.growth_by_place": doubled,
+        "theory.forced.growth_by_speed": doubled,
     },
     "start-at-6mm-sticks": {
         "starts.half_width": doubled,

@@ -3,7 +3,7 @@
 import sympy as sp
 from flint import acb
 
-from theory.symbols import a1, b, q, theta, v1
+from theory.symbols import b, q, theta
 
 from .faults import (
     changed,
@@ -16,6 +16,7 @@ from .faults import (
     plus,
     raised,
     squared,
+    unbounded_sign,
 )
 
 FAULTS = {
@@ -86,9 +87,7 @@ FAULTS = {
         "theory.forced.excess_load": doubled,
     },
     "forced-contraction": {
-        "theory.forced.energy_rate": plus(a1 * v1**2),
-        "theory.forced.distance_rate": doubled,
-        "contraction.prove": confused("<=", ">=", 0),
+        "filippov.set_valued_sign": unbounded_sign,
     },
     "forced-periodic-response": {
         "theory.forced.undamped_difference": entry(1, lambda one: -one),

@@ -1,0 +1,428 @@
+(** An interface of changing strength: friction of at most b(t) against the slip, where b may depend on the time, on the
+    place of body 1, on the displacement and on the speed of the slip. What parts two motions is only that their
+    strengths differ; there is one motion from every start; and what stays above some strength brings every slip to rest. *)
+From InertialPair Require Import Dini PaidRates Pair Stick Pursuit Forced.
+
+Section Interface.
+Variables m1 m2 a1 a2 : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
+Let M := m1 + m2.
+Let kap := M / (m1 * m2).
+Let energy := energy m1 m2 a2.
+
+(** F is the impulse of friction, b t its strength at the time t *)
+Record rubs (b U x v1 v2 F : R -> R) : Prop := {
+  r_cap : forall t, 0 <= t -> forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
+    Rabs (F (t + h) - F t) <= (b t + e) * h;
+  r_slip : forall t, 0 <= t -> forall k, k = 1 \/ k = -1 -> 0 < k * (v1 t - v2 t) -> rderiv F t (k * b t);
+  r_cU : cont U;
+  r_cx : cont x;
+  r_cv : cont v1;
+  r_cF : cont F;
+  r_x : forall t, 0 <= t -> rderiv x t (v1 t);
+  r_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + F r - U r) t (- (a2 * x t + a1 * v1 t));
+  r_v2 : forall t, 0 <= t -> m2 * v2 t - F t = m2 * v2 0 - F 0 }.
+
+(** one strength at all times: the motions under a force, and only they *)
+Theorem rubs_constant b U x v1 v2 F : 0 < b -> rubs (fun _ => b) U x v1 v2 F <-> forced m1 m2 a1 a2 b U x v1 v2 (fun t => F t / b).
+Proof.
+  intros Hb. assert (Fs : forall f : R -> R, (forall t, b * (f t / b) = f t)) by (intros; field; lra).
+  assert (To : forall t l, rderiv F t l -> rderiv (fun t => F t / b) t (l / b)).
+  { intros t l D. apply rderiv_ext with (fun t => / b * F t); [intros; field; lra|].
+    apply rderiv_eq with (/ b * l); [field; lra|]. apply rderiv_scal; auto. }
+  assert (Sum : forall t l, rderiv (fun r => m1 * v1 r + b * (F r / b) - U r) t l <-> rderiv (fun r => m1 * v1 r + F r - U r) t l).
+  { intros t l. split; apply rderiv_ext; intros u _; rewrite Fs; auto. }
+  split.
+  - intros [Ca Sl CU Cx Cv CF X V W]. assert (Cs : cont (fun t => F t / b)).
+    { apply cont_ext with (fun t => / b * F t); [intros; field; lra|apply cont_scal; auto]. }
+    constructor; auto.
+    + assert (Up : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> k * (F t / b) - k * (F r / b) <= 1 * (t - r)).
+      { intros k r t Hk Hr. apply (dini_slope (fun t => k * (F t / b))); auto using cont_scal. intros u Hu e He.
+        destruct (Ca u ltac:(lra) (e * b)) as (d & Hd & K); [nra|]. exists d; split; auto. intros h Hh.
+        specialize (K h Hh). apply Rabs_inv in K. apply Rmult_le_reg_l with b; auto.
+        replace (b * (k * (F (u + h) / b) - k * (F u / b))) with (k * (F (u + h) - F u)) by (field; lra).
+        destruct Hk; subst k; nra. }
+      intros r t Hr. pose proof (Up 1 r t ltac:(auto) Hr). pose proof (Up (-1) r t ltac:(auto) Hr). apply Rabs_le. lra.
+    + intros t Ht Gt. apply rderiv_eq with (1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
+    + intros t Ht Lt. apply rderiv_eq with (-1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
+    + intros t Ht. apply Sum. auto.
+    + intros t Ht. rewrite !Fs. auto.
+  - intros H. pose proof (moves_cs m1 m2 a1 a2 b 1 U x v1 v2 _ H) as Cs. destruct H as [L P N CU CX CV X V W].
+    assert (Back : forall t l, rderiv (fun t => F t / b) t l -> rderiv F t (l * b)).
+    { intros t l D. apply rderiv_ext with (fun t => b * (F t / b)); [intros; field; lra|].
+      apply rderiv_eq with (b * l); [ring|]. apply rderiv_scal; auto. }
+    constructor; auto.
+    + intros t Ht e He. exists 1. split; [lra|]. intros h Hh. specialize (L t (t + h) ltac:(lra)).
+      rewrite <- (Fs F (t + h)), <- (Fs F t), <- Rmult_minus_distr_l, Rabs_mult, Rabs_pos_eq by lra.
+      replace (t + h - t) with h in L by ring. nra.
+    + intros t Ht k Hk G. apply Back. destruct Hk; subst k; [apply P|apply N]; lra.
+    + apply cont_ext with (fun t => b * (F t / b)); [auto|apply cont_scal; auto].
+    + intros t Ht. apply Sum. auto.
+    + intros t Ht. rewrite <- (Fs F t), <- (Fs F 0). auto.
+Qed.
+
+Section One.
+Variables b U x v1 v2 F : R -> R.
+Hypothesis H : rubs b U x v1 v2 F.
+
+Lemma rubs_big t : 0 <= t -> big (fun h => F (t + h) - F t).
+Proof.
+  intros Ht. destruct (r_cap _ _ _ _ _ _ H t Ht 1 Rlt_0_1) as (d & Hd & K). pose proof (Rabs_pos (b t)).
+  exists (Rabs (b t) + 1), d. repeat split; try lra. intros h Hh. specialize (K h Hh). pose proof (Rle_abs (b t)). nra.
+Qed.
+Lemma rubs_v2 t h : 0 <= t -> 0 < h -> v2 (t + h) - v2 t = 1 / m2 * (F (t + h) - F t).
+Proof.
+  intros Ht Hh. pose proof (r_v2 _ _ _ _ _ _ H t Ht). pose proof (r_v2 _ _ _ _ _ _ H (t + h) ltac:(lra)).
+  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (1 / m2 * (F (t + h) - F t))) with (F (t + h) - F t) by (field; lra). lra.
+Qed.
+Lemma rubs_cv2 : cont v2.
+Proof.
+  apply cont_ext with (fun u => (v2 0 - / m2 * F 0) + / m2 * F u).
+  { intros u Hu. pose proof (r_v2 _ _ _ _ _ _ H u Hu) as Q. apply Rmult_eq_reg_l with m2; [|lra]. field_simplify; lra. }
+  apply cont_plus; [apply cont_const|apply cont_scal, (r_cF _ _ _ _ _ _ H)].
+Qed.
+Lemma rubs_power t : 0 <= t -> little (fun h => (F (t + h) - F t) * (v1 t - v2 t) - b t * Rabs (v1 t - v2 t) * h).
+Proof.
+  intros Ht. set (w := v1 t - v2 t). destruct (Req_dec w 0) as [->|N].
+  - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Rabs_R0; ring.
+  - assert (K : exists k, (k = 1 \/ k = -1) /\ 0 < k * w /\ Rabs w = w * k).
+    { destruct (Rlt_dec w 0); [exists (-1); rewrite Rabs_left by lra|exists 1; rewrite Rabs_pos_eq by lra]; lra. }
+    destruct K as (k & Hk & Kw & ->).
+    eapply little_ext; [|exact (little_scal w _ (r_slip _ _ _ _ _ _ H t Ht k Hk Kw))]. intros h; simpl. ring.
+Qed.
+
+(** the power of the force, of the damper and of friction *)
+Theorem interface_energy_rate t u : 0 <= t -> rderiv U t u -> rderiv (fun t => energy (x t) (v1 t) (v2 t)) t
+  (u * v1 t - a1 * v1 t ^ 2 - b t * Rabs (v1 t - v2 t)).
+Proof.
+  intros Ht HU. assert (V : rderiv (fun r => m1 * v1 r + 1 * F r) t (u - (a2 * x t + a1 * v1 t))).
+  { eapply little_ext; [|exact (little_plus _ _ (r_v1 _ _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
+  eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 1 Hm1 Hm2 x v1 v2 F t _ (r_x _ _ _ _ _ _ H t Ht) V
+    (fun h Hh => rubs_v2 t h Ht Hh) (rubs_big t Ht)) (rubs_power t Ht))].
+  intros h. unfold energy. cbv beta. ring.
+Qed.
+Lemma rubs_cE : cont (fun t => energy (x t) (v1 t) (v2 t)).
+Proof.
+  apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
+  { intros; unfold energy, Pair.energy; field. }
+  pose proof rubs_cv2. destruct H. repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
+Qed.
+End One.
+
+Section Two.
+Variables b U x v1 v2 F b' U' x' v1' v2' F' : R -> R.
+Hypotheses (H : rubs b U x v1 v2 F) (H' : rubs b' U' x' v1' v2' F').
+Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
+Let w t := v1 t - v2 t.
+Let w' t := v1' t - v2' t.
+
+Lemma rubs_cD : cont D.
+Proof.
+  assert (cont (fun t => x t - x' t)) by (apply cont_minus; [apply (r_cx _ _ _ _ _ _ H)|apply (r_cx _ _ _ _ _ _ H')]).
+  assert (cont (fun t => v1 t - v1' t)) by (apply cont_minus; [apply (r_cv _ _ _ _ _ _ H)|apply (r_cv _ _ _ _ _ _ H')]).
+  assert (cont (fun t => v2 t - v2' t)) by (apply cont_minus; eapply rubs_cv2; eauto).
+  apply cont_ext with (fun t => a2 / 2 * ((x t - x' t) * (x t - x' t)) + m1 / 2 * ((v1 t - v1' t) * (v1 t - v1' t))
+    + m2 / 2 * ((v2 t - v2' t) * (v2 t - v2' t))).
+  { intros; unfold D, energy, Pair.energy; field. }
+  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
+Qed.
+
+(** the increment of the distance, but for friction *)
+Lemma rubs_D_increment t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
+  little (fun h => D (t + h) - D t - (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2) * h
+    + ((F (t + h) - F t) - (F' (t + h) - F' t)) * (w t - w' t)).
+Proof.
+  intros Ht HU. assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + 1 * (F r - F' r)) t
+    (du - (a2 * (x t - x' t) + a1 * (v1 t - v1' t)))).
+  { eapply little_ext; [|exact (little_plus _ _ (little_minus _ _ (r_v1 _ _ _ _ _ _ H t Ht) (r_v1 _ _ _ _ _ _ H' t Ht))
+    HU)]. intros h; simpl; ring. }
+  eapply little_ext; [|refine (energy_increment m1 m2 a2 1 Hm1 Hm2 (fun r => x r - x' r) (fun r => v1 r - v1' r)
+    (fun r => v2 r - v2' r) (fun r => F r - F' r) t _ (rderiv_minus _ _ _ _ _ (r_x _ _ _ _ _ _ H t Ht) (r_x _ _ _ _ _ _ H' t Ht)) V _ _)].
+  - intros h. unfold D, energy, w, w'. cbv beta. ring.
+  - intros h Hh. pose proof (rubs_v2 _ _ _ _ _ _ H t h Ht Hh). pose proof (rubs_v2 _ _ _ _ _ _ H' t h Ht Hh). lra.
+  - eapply big_ext; [|exact (big_minus _ _ (rubs_big _ _ _ _ _ _ H t Ht) (rubs_big _ _ _ _ _ _ H' t Ht))].
+    intros h; simpl; ring.
+Qed.
+
+(** only the difference of the strengths parts them *)
+Theorem interface_parts t du : 0 <= t -> rderiv (fun r => U r - U' r) t du -> dini_le D t
+  (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2 - (b t - b' t) * (Rabs (w t) - Rabs (w' t))).
+Proof.
+  intros Ht HU e He. pose proof (Rabs_pos (w t)) as P. pose proof (Rabs_pos (w' t)) as P'.
+  set (q := e / (4 + Rabs (w t) + Rabs (w' t))). assert (Hq : 0 < q) by (unfold q; positive).
+  assert (Eq : q * (4 + Rabs (w t) + Rabs (w' t)) = e) by (unfold q; field; lra).
+  destruct (rubs_D_increment t du Ht HU q Hq) as (d1 & H1 & K1). destruct (rubs_power _ _ _ _ _ _ H t Ht q Hq) as (d2 & H2 & K2).
+  destruct (rubs_power _ _ _ _ _ _ H' t Ht q Hq) as (d3 & H3 & K3). destruct (r_cap _ _ _ _ _ _ H t Ht q Hq) as (d4 & H4 & K4).
+  destruct (r_cap _ _ _ _ _ _ H' t Ht q Hq) as (d5 & H5 & K5).
+  exists (Rmin d1 (Rmin (Rmin d2 d3) (Rmin d4 d5))). split; [positive|]. intros h Hh.
+  pose proof (Rmin_l d1 (Rmin (Rmin d2 d3) (Rmin d4 d5))). pose proof (Rmin_r d1 (Rmin (Rmin d2 d3) (Rmin d4 d5))).
+  pose proof (Rmin_l (Rmin d2 d3) (Rmin d4 d5)). pose proof (Rmin_r (Rmin d2 d3) (Rmin d4 d5)). pose proof (Rmin_l d2 d3).
+  pose proof (Rmin_r d2 d3). pose proof (Rmin_l d4 d5). pose proof (Rmin_r d4 d5).
+  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). specialize (K3 h ltac:(lra)).
+  specialize (K4 h ltac:(lra)). specialize (K5 h ltac:(lra)). apply Rabs_inv in K1, K2, K3.
+  fold (w t) in K2. fold (w' t) in K3. set (f := F (t + h) - F t) in *. set (f' := F' (t + h) - F' t) in *.
+  assert (C1 : f * w' t <= (b t + q) * h * Rabs (w' t)).
+  { pose proof (Rle_abs (f * w' t)) as Q. rewrite Rabs_mult in Q. nra. }
+  assert (C2 : f' * w t <= (b' t + q) * h * Rabs (w t)).
+  { pose proof (Rle_abs (f' * w t)) as Q. rewrite Rabs_mult in Q. nra. }
+  rewrite <- Eq. nra.
+Qed.
+
+(** the rate of their distance, where the friction of both has one *)
+Theorem interface_distance_rate t du f f' : 0 <= t -> rderiv (fun r => U r - U' r) t du -> rderiv F t f -> rderiv F' t f' ->
+  rderiv D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2 - (f - f') * (w t - w' t)).
+Proof.
+  intros Ht HU Df Df'.
+  eapply little_ext; [|exact (little_minus _ _ (rubs_D_increment t du Ht HU) (little_scal (w t - w' t) _ (little_minus _ _ Df Df')))].
+  intros h. cbv beta. ring.
+Qed.
+End Two.
+
+(** under one force and one strength they never move apart *)
+Theorem interface_contraction b U x v1 v2 F x' v1' v2' F' r t : rubs b U x v1 v2 F -> rubs b U x' v1' v2' F' -> 0 <= r <= t ->
+  energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
+Proof.
+  intros H H' Hr. apply (dini_mono (fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t))); auto.
+  { exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H'). }
+  intros u Hu e He. assert (Z : rderiv (fun r => U r - U r) u 0).
+  { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
+  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto.
+  intros h Hh. specialize (K h Hh). pose proof (pow2_ge_0 (v1 u - v1' u)).
+  assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h) by (apply Rmult_le_pos; [positive|lra]). cbv beta. lra.
+Qed.
+
+(** what grows at most in proportion *)
+Lemma in_proportion y k t : 0 <= k -> 0 <= t -> cont y -> (forall u, 0 <= y u) -> (forall u, 0 <= u -> dini_le y u (k * y u)) ->
+  y t <= exp (k * t) * y 0.
+Proof.
+  intros Hk Ht C P G. pose proof (exp_pos (k * t)) as Ep. apply le_epsilon. intros e He.
+  assert (He' : 0 < e / exp (k * t)) by positive. set (q := e / exp (k * t)) in *.
+  assert (Q : y t + q <= exp (k * t) * (y 0 + q)).
+  { apply (log_dini (fun u => y u + q) q k t); auto; [intros u; specialize (P u); cbv beta; lra|apply cont_plus; [auto|apply cont_const]|].
+    intros u Hu p Hp. destruct (G u Hu p Hp) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
+    assert (0 <= k * q * h) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). cbv beta. lra. }
+  replace (exp (k * t) * (y 0 + q)) with (exp (k * t) * y 0 + e) in Q by (unfold q; field; lra). lra.
+Qed.
+(** a product by two squares *)
+Lemma product_below p q a k P : 0 < a -> 0 < k -> q ^ 2 <= k * P -> Rabs p * Rabs q <= sqrt (k / a) * (a * p ^ 2 + P).
+Proof.
+  intros Ha Hk Hq. set (r := sqrt (k / a)). assert (Hr : 0 < r) by (apply sqrt_lt_R0; positive).
+  assert (Er : r * r = k / a) by (apply sqrt_sqrt, Rlt_le; positive). assert (Ea : a * (r * r) = k) by (rewrite Er; field; lra).
+  rewrite <- (pow2_abs p). rewrite <- (pow2_abs q) in Hq. pose proof (Rabs_pos p). pose proof (Rabs_pos q).
+  set (u := Rabs p) in *. set (v := Rabs q) in *. apply Rmult_le_reg_l with (a * r); [positive|].
+  replace (a * r * (r * (a * u ^ 2 + P))) with ((a * r * u) ^ 2 + a * (r * r) * P) by ring. rewrite Ea.
+  pose proof (pow2_ge_0 (a * r * u - v)). pose proof (pow2_ge_0 (a * r * u + v)). assert (0 <= a * r * (u * v)) by positive. nra.
+Qed.
+Lemma gap_below dx dv dw : (dv - dw) ^ 2 <= kap * (2 * energy dx dv dw - a2 * dx ^ 2).
+Proof.
+  unfold energy, Pair.energy, kap, M. apply Rmult_le_reg_l with (m1 * m2); [positive|].
+  replace (m1 * m2 * ((m1 + m2) / (m1 * m2) * (2 * (a2 * dx ^ 2 / 2 + m1 * dv ^ 2 / 2 + m2 * dw ^ 2 / 2) - a2 * dx ^ 2)))
+    with ((m1 + m2) * (m1 * dv ^ 2 + m2 * dw ^ 2)) by (field; lra). pose proof (pow2_ge_0 (m1 * dv + m2 * dw)). nra.
+Qed.
+Let kap_pos : 0 < kap := ltac:(unfold kap, M; positive).
+Lemma root_growth y g t : 0 <= t -> 0 <= y 0 -> y t <= exp (2 * g * t) * y 0 -> sqrt (y t) <= exp (g * t) * sqrt (y 0).
+Proof.
+  intros Ht P Q. pose proof (exp_pos (g * t)). rewrite <- (sqrt_square (exp (g * t))) by lra. rewrite <- sqrt_mult by (nra || auto).
+  apply sqrt_le_1_alt. rewrite <- exp_plus. replace (g * t + g * t) with (2 * g * t) by ring. auto.
+Qed.
+
+Section Growth.
+Variables b U x v1 v2 F b' x' v1' v2' F' : R -> R.
+Hypotheses (H : rubs b U x v1 v2 F) (H' : rubs b' U x' v1' v2' F').
+Let N2 t := 2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
+Let w t := v1 t - v2 t.
+Let w' t := v1' t - v2' t.
+Variable l : R.
+Hypothesis Hl : 0 <= l.
+
+Let N2_pos t : 0 <= N2 t.
+Proof. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)). unfold N2, energy. lra. Qed.
+Let N2_cont : cont N2.
+Proof. apply cont_scal. exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H'). Qed.
+Let N2_dini t k : 0 <= t -> - (b t - b' t) * (Rabs (w t) - Rabs (w' t)) <= k -> dini_le N2 t (2 * k).
+Proof.
+  intros Ht Hk e He. assert (Z : rderiv (fun r => U r - U r) t 0).
+  { apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const]. }
+  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' t 0 Ht Z (e / 2)) as (d & Hd & K); [lra|]. exists d; split; auto.
+  intros h Hh. specialize (K h Hh). fold (w t) (w' t) in K. pose proof (pow2_ge_0 (v1 t - v1' t)).
+  assert (0 <= a1 * (v1 t - v1' t) ^ 2 * h) by (apply Rmult_le_pos; [positive|lra]).
+  assert (- (b t - b' t) * (Rabs (w t) - Rabs (w' t)) * h <= k * h) by (apply Rmult_le_compat_r; lra). unfold N2. lra.
+Qed.
+Let apart t : Rabs (Rabs (w t) - Rabs (w' t)) <= Rabs (w t - w' t) := Rabs_triang_inv2 _ _.
+Let gap t : (w t - w' t) ^ 2 <= kap * (N2 t - a2 * (x t - x' t) ^ 2).
+Proof.
+  replace (w t - w' t) with ((v1 t - v1' t) - (v2 t - v2' t)) by (unfold w, w'; ring). apply gap_below.
+Qed.
+Let by_slopes t c : 0 <= c -> Rabs (b t - b' t) <= c -> - (b t - b' t) * (Rabs (w t) - Rabs (w' t)) <= c * Rabs (w t - w' t).
+Proof.
+  intros Hc K. apply Rle_trans with (1 := Rle_abs _). rewrite Rabs_mult, Rabs_Ropp.
+  apply Rmult_le_compat; auto using Rabs_pos.
+Qed.
+
+(** a strength that depends on the place of body 1 *)
+Theorem growth_by_place t : 0 <= t -> (forall t, 0 <= t -> Rabs (b t - b' t) <= l * Rabs (x t - x' t)) ->
+  sqrt (N2 t) <= exp (l * sqrt ((m1 + m2) / (m1 * m2 * a2)) * t) * sqrt (N2 0).
+Proof.
+  intros Ht K. set (r := sqrt ((m1 + m2) / (m1 * m2 * a2))). assert (Sp : 0 <= r) by apply sqrt_pos.
+  apply root_growth; auto. apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc. apply N2_dini; auto.
+  eapply Rle_trans; [apply (by_slopes u _ (Rmult_le_pos _ _ Hl (Rabs_pos (x u - x' u))) (K u Hu))|].
+  rewrite Rmult_assoc. apply Rmult_le_compat_l; auto.
+  pose proof (product_below (x u - x' u) _ a2 kap _ Ha2 kap_pos (gap u)) as Q.
+  replace (kap / a2) with ((m1 + m2) / (m1 * m2 * a2)) in Q by (unfold kap, M; field; lra). fold r in Q.
+  replace (a2 * (x u - x' u) ^ 2 + (N2 u - a2 * (x u - x' u) ^ 2)) with (N2 u) in Q by ring. exact Q.
+Qed.
+
+(** on the speed of the slip: it may rise as it likes, and fall by at most l times the increase of the speed *)
+Theorem growth_by_speed t : 0 <= t -> (forall t, 0 <= t ->
+  - l * (Rabs (w t) - Rabs (w' t)) ^ 2 <= (b t - b' t) * (Rabs (w t) - Rabs (w' t))) ->
+  sqrt (N2 t) <= exp (l * (m1 + m2) / (m1 * m2) * t) * sqrt (N2 0).
+Proof.
+  intros Ht K. replace (l * (m1 + m2) / (m1 * m2)) with (l * kap) by (unfold kap, M; field; lra).
+  apply root_growth; auto. apply in_proportion; auto; [positive|]. intros u Hu. rewrite !Rmult_assoc. apply N2_dini; auto.
+  apply Rle_trans with (l * (Rabs (w u) - Rabs (w' u)) ^ 2); [specialize (K u Hu); lra|]. apply Rmult_le_compat_l; auto.
+  pose proof (apart u) as A. rewrite <- (pow2_abs (Rabs (w u) - Rabs (w' u))). pose proof (Rabs_pos (Rabs (w u) - Rabs (w' u))).
+  pose proof (gap u) as G. rewrite <- (pow2_abs (w u - w' u)) in G. pose proof (pow2_ge_0 (x u - x' u)).
+  assert (Rabs (Rabs (w u) - Rabs (w' u)) ^ 2 <= Rabs (w u - w' u) ^ 2) by (apply pow_incr; lra).
+  assert (0 <= kap * (a2 * (x u - x' u) ^ 2)) by positive. lra.
+Qed.
+
+(** on the displacement z, or on all three, with slopes of at most l: with the square of the difference of z beside *)
+Theorem growth_by_state z z' t : cont z -> cont z' -> (forall t, 0 <= t -> rderiv z t (w t)) ->
+  (forall t, 0 <= t -> rderiv z' t (w' t)) -> 0 <= t -> (forall t, 0 <= t ->
+    Rabs (b t - b' t) <= l * (Rabs (x t - x' t) + Rabs (z t - z' t) + Rabs (Rabs (w t) - Rabs (w' t)))) ->
+  N2 t + (z t - z' t) ^ 2 <= exp (2 * (l * sqrt (kap / a2) + (l + 1) * sqrt kap + l * kap) * t) * (N2 0 + (z 0 - z' 0) ^ 2).
+Proof.
+  intros Cz Cz' Dz Dz' Ht K. set (ra := sqrt (kap / a2)). set (r := sqrt kap). assert (Sp : 0 <= r) by apply sqrt_pos.
+  assert (Sa : 0 <= ra) by apply sqrt_pos.
+  apply (in_proportion (fun u => N2 u + (z u - z' u) ^ 2)); auto; [|apply cont_plus; auto| |].
+  { assert (0 <= l * ra) by positive. assert (0 <= l * kap) by positive. assert (0 <= (l + 1) * r) by positive. lra. }
+  { apply cont_ext with (fun u => (z u - z' u) * (z u - z' u)); [intros; ring|]. apply cont_mult; apply cont_minus; auto. }
+  { intros u. pose proof (N2_pos u). pose proof (pow2_ge_0 (z u - z' u)). lra. }
+  intros u Hu e He. set (p := z u - z' u). set (q := w u - w' u). set (o := x u - x' u). pose proof (Rabs_pos p).
+  pose proof (Rabs_pos q). pose proof (Rabs_pos o). pose proof (apart u) as Ap. fold q in Ap. pose proof (gap u) as G.
+  fold q o in G. pose proof (pow2_ge_0 o). pose proof (pow2_ge_0 p). pose proof (N2_pos u).
+  assert (Sum : 0 <= l * (Rabs o + Rabs p + Rabs q)) by positive.
+  assert (Kb : Rabs (b u - b' u) <= l * (Rabs o + Rabs p + Rabs q)).
+  { eapply Rle_trans; [apply K; auto|]. fold o p. apply Rmult_le_compat_l; auto. lra. }
+  destruct (N2_dini u _ Hu (by_slopes u _ Sum Kb) (e / 2)) as (d1 & E1 & K1); [lra|].
+  assert (Dp : rderiv (fun u => (z u - z' u) * (z u - z' u)) u (q * p + p * q)).
+  { apply (rderiv_mult (fun u => z u - z' u) (fun u => z u - z' u)); apply rderiv_minus; auto. }
+  destruct (Dp (e / 2)) as (d2 & E2 & K2); [lra|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)).
+  specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. cbv beta. fold p q in K1, K2 |- *.
+  assert (Kp : 0 <= kap * (a2 * o ^ 2)) by positive. assert (Gq : q ^ 2 <= kap * N2 u) by lra.
+  pose proof (product_below p q 1 kap (N2 u) Rlt_0_1 kap_pos Gq) as Q. replace (kap / 1) with kap in Q by field. fold r in Q.
+  pose proof (product_below o q a2 kap _ Ha2 kap_pos G) as Q'. fold ra in Q'.
+  replace (a2 * o ^ 2 + (N2 u - a2 * o ^ 2)) with (N2 u) in Q' by ring. rewrite <- (pow2_abs q) in Gq.
+  pose proof (Rle_abs (p * q)) as A. rewrite Rabs_mult in A. set (Y := N2 u + p ^ 2) in *.
+  assert (Q1 : l * (Rabs o * Rabs q) <= l * (ra * Y)) by (apply Rmult_le_compat_l; [auto|]; eapply Rle_trans; [exact Q'|];
+    apply Rmult_le_compat_l; [auto|unfold Y; lra]).
+  assert (Q2 : l * (Rabs p * Rabs q) <= l * (r * Y)) by (apply Rmult_le_compat_l; [auto|unfold Y; lra]).
+  assert (Q3 : l * (Rabs q ^ 2) <= l * (kap * Y)) by (apply Rmult_le_compat_l; [auto|]; eapply Rle_trans; [exact Gq|];
+    apply Rmult_le_compat_l; [lra|unfold Y; lra]).
+  assert (Q4 : p * q <= r * Y) by (unfold Y; lra).
+  assert (Pq : 2 * (l * (Rabs o + Rabs p + Rabs q) * Rabs q) + (q * p + p * q) <= 2 * (l * ra + (l + 1) * r + l * kap) * Y) by lra.
+  assert (EY : Y = N2 u + p ^ 2) by reflexivity. apply Rmult_le_compat_r with (r := h) in Pq; lra.
+Qed.
+End Growth.
+
+(** *** Two forces: the root of twice the distance grows at most by the integral of their difference over sqrt m1 *)
+Theorem interface_input_to_state b U U' x v1 v2 F x' v1' v2' F' du J r t :
+  rubs b U x v1 v2 F -> rubs b U' x' v1' v2' F' -> (forall t, 0 <= t -> rderiv (fun r => U r - U' r) t (du t)) -> cont J ->
+  (forall t, 0 <= t -> rderiv J t (Rabs (du t))) -> 0 <= r <= t ->
+  sqrt (2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) <=
+  sqrt (2 * energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r)) + (J t - J r) / sqrt m1.
+Proof.
+  intros H H' HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
+  set (D := fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)).
+  replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
+  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
+  - exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H').
+  - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
+  - intros u Hu. pose proof (Rabs_pos (du u)). split; [positive|split; [apply rderiv_scal; auto; apply HJ; lra|]]. intros e He.
+    destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) (HU u ltac:(lra)) e He) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+    pose proof (pow2_ge_0 (v1 u - v1' u)). pose proof (Rle_abs (du u * (v1 u - v1' u))) as P. rewrite Rabs_mult in P.
+    assert (Q : sqrt m1 * Rabs (v1 u - v1' u) <= sqrt (2 * D u)).
+    { rewrite <- (sqrt_Rsqr_abs (v1 u - v1' u)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
+      unfold D, energy, Pair.energy, Rsqr. pose proof (pow2_ge_0 (x u - x' u)). pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
+    assert (Rabs (du u) * Rabs (v1 u - v1' u) <= / sqrt m1 * Rabs (du u) * sqrt (2 * D u)); [|nra].
+    replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1' u))) by (field; lra).
+    apply Rmult_le_compat_l; [positive|exact Q].
+Qed.
+
+(** *** Without a force, friction that stays above some strength brings the slip to rest, whatever it depends on *)
+Theorem interface_synchronises b x v1 v2 F z lo hi : rubs b (fun _ => 0) x v1 v2 F -> 0 < lo ->
+  (forall t, 0 <= t -> lo <= b t <= hi) -> cont z -> (forall t, 0 <= t -> rderiv z t (v1 t - v2 t)) ->
+  (forall t, 0 <= t -> dini_le (fun t => energy (x t) (v1 t) (v2 t)) t (- lo * Rabs (v1 t - v2 t))) /\
+  (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (v1 t - v2 t) <= e) /\
+  exists zl, forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
+Proof.
+  intros H Hlo Hb Cz Dz. set (w := fun t => v1 t - v2 t). set (E := fun t => energy (x t) (v1 t) (v2 t)).
+  assert (Cw : cont w) by (apply cont_minus; [apply (r_cv _ _ _ _ _ _ H)|exact (rubs_cv2 _ _ _ _ _ _ H)]).
+  assert (CE : cont E) by exact (rubs_cE _ _ _ _ _ _ H). assert (CJ : cont (fun t => Rabs (w t))) by (apply cont_abs; auto).
+  assert (Ep : forall t, 0 <= E t) by (intros t; apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2)).
+  assert (Fall : forall t, 0 <= t -> dini_le E t (- lo * Rabs (w t))).
+  { intros t Ht. eapply rderiv_dini; [|exact (interface_energy_rate _ _ _ _ _ _ H t 0 Ht (rderiv_const 0 t))].
+    fold (w t). pose proof (Rabs_pos (w t)). pose proof (pow2_ge_0 (v1 t)). specialize (Hb t Ht). nra. }
+  set (J := integral (fun t => Rabs (w t))).
+  assert (Pay : forall r t, 0 <= r <= t -> lo * (J t - J r) <= E r - E t).
+  { intros r t Hr. assert (E t + lo * J t <= E r + lo * J r); [|lra].
+    apply (dini_mono (fun t => E t + lo * J t)); auto; [apply cont_plus; [auto|apply cont_scal, integral_cont; auto]|].
+    intros u Hu e He. destruct (Fall u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
+    destruct (rderiv_scal lo J u _ (integral_rderiv _ u CJ ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|].
+    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
+    cbv beta in *. lra. }
+  assert (Path : forall r t, 0 <= r <= t -> Rabs (z t - z r) <= J t - J r).
+  { assert (Up : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> k * z t - J t <= k * z r - J r).
+    { intros k r t Hk Hr. apply (rderiv_mono (fun t => k * z t - J t) r t (fun t => k * w t - Rabs (w t))); auto.
+      - apply cont_minus; [apply cont_scal; auto|apply integral_cont; auto].
+      - intros u Hu. split; [apply rderiv_minus; [apply rderiv_scal, Dz; lra|apply (integral_rderiv (fun t => Rabs (w t))); auto; lra]|].
+        pose proof (Rle_abs (w u)). pose proof (Rle_abs (- w u)) as Q. rewrite Rabs_Ropp in Q. destruct Hk; subst k; lra. }
+    intros r t Hr. pose proof (Up 1 r t ltac:(auto) Hr). pose proof (Up (-1) r t ltac:(auto) Hr). apply Rabs_le. lra. }
+  assert (J0 : forall r t, 0 <= r <= t -> J r <= J t) by (intros r t Hr; pose proof (Path r t Hr); pose proof (Rabs_pos (z t - z r)); lra).
+  assert (Em : forall r t, 0 <= r <= t -> E t <= E r).
+  { intros r t Hr. pose proof (Pay r t Hr). pose proof (J0 r t Hr). assert (0 <= lo * (J t - J r)) by (apply Rmult_le_pos; lra). lra. }
+  split; [exact Fall|]. split.
+  - set (X := 2 * E 0 / a2 + 1). set (V := 2 * E 0 / m1 + 1). pose proof (Ep 0) as E0.
+    assert (X1 : 1 <= X) by (assert (0 <= 2 * E 0 / a2) by positive; unfold X; lra).
+    assert (V1 : 1 <= V) by (assert (0 <= 2 * E 0 / m1) by positive; unfold V; lra).
+    assert (Bd : forall t, 0 <= t -> - X <= x t <= X /\ - V <= v1 t <= V).
+    { intros t Ht. pose proof (Em 0 t ltac:(lra)) as Q. unfold E at 1 in Q. unfold energy, Pair.energy in Q.
+      pose proof (pow2_ge_0 (x t)). pose proof (pow2_ge_0 (v1 t)). pose proof (pow2_ge_0 (v2 t)). split; apply sq_le_abs; try lra.
+      - assert (x t ^ 2 <= 2 * E 0 / a2) by (undivide a2; nra). unfold X in *. nra.
+      - assert (v1 t ^ 2 <= 2 * E 0 / m1) by (undivide m1; nra). unfold V in *. nra. }
+    pose proof (Hb 0 (Rle_refl 0)) as Hb0. set (K := (a2 * X + a1 * V) / m1 + (/ m1 + / m2) * hi).
+    assert (i1 : 0 < / m1) by positive. assert (i2 : 0 < / m2) by positive.
+    assert (HK : 0 < K) by (unfold K; assert (0 < (/ m1 + / m2) * hi) by positive; assert (0 <= (a2 * X + a1 * V) / m1) by positive; lra).
+    assert (Steep : forall k t, k = 1 \/ k = -1 -> 0 <= t -> dini_le (fun t => k * w t) t K).
+    { intros k t Hk Ht e He. destruct (Bd t Ht) as (Bx & Bv). specialize (Hb t Ht).
+      destruct (r_v1 _ _ _ _ _ _ H t Ht (e * m1 / 4)) as (d1 & H1 & K1); [positive|].
+      destruct (r_cap _ _ _ _ _ _ H t Ht (e / (2 * (/ m1 + / m2)))) as (d2 & H2 & K2); [positive|].
+      smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1, K2.
+      pose proof (rubs_v2 _ _ _ _ _ _ H t h Ht ltac:(lra)) as W. set (f := F (t + h) - F t) in *. unfold w.
+      set (g := m1 * v1 (t + h) - m1 * v1 t + f). assert (G : Rabs g <= (a2 * X + a1 * V) * h + e * m1 / 4 * h).
+      { unfold g, f. apply Rabs_le. assert (Rabs (a2 * x t + a1 * v1 t) <= a2 * X + a1 * V) as Q by (apply Rabs_le; split; nra).
+        apply Rabs_inv in Q. unfold f in *. split; nra. }
+      replace (k * (v1 (t + h) - v2 (t + h)) - k * (v1 t - v2 t)) with (k * (/ m1 * g) - k * ((/ m1 + / m2) * f)).
+      2: { unfold g. replace (v2 (t + h)) with (v2 t + 1 / m2 * f) by lra. field. lra. }
+      assert (Q1 : k * (/ m1 * g) <= / m1 * ((a2 * X + a1 * V) * h + e * m1 / 4 * h)).
+      { apply Rabs_inv in G. assert (Rabs (/ m1 * g) <= / m1 * ((a2 * X + a1 * V) * h + e * m1 / 4 * h)) as Q.
+        { apply abs_scal; [lra|]. apply Rabs_le. lra. } apply Rabs_inv in Q. destruct Hk; subst k; lra. }
+      assert (Q2 : - (k * ((/ m1 + / m2) * f)) <= (/ m1 + / m2) * ((b t + e / (2 * (/ m1 + / m2))) * h)).
+      { assert (Rabs ((/ m1 + / m2) * f) <= (/ m1 + / m2) * ((b t + e / (2 * (/ m1 + / m2))) * h)) as Q.
+        { apply abs_scal; [lra|]. apply Rabs_le. lra. } apply Rabs_inv in Q. destruct Hk; subst k; lra. }
+      replace (/ m1 * ((a2 * X + a1 * V) * h + e * m1 / 4 * h)) with ((a2 * X + a1 * V) / m1 * h + e / 4 * h) in Q1 by (field; lra).
+      replace ((/ m1 + / m2) * ((b t + e / (2 * (/ m1 + / m2))) * h)) with ((/ m1 + / m2) * b t * h + e / 2 * h) in Q2 by (field; lra).
+      assert ((/ m1 + / m2) * b t * h <= (/ m1 + / m2) * hi * h) by (apply Rmult_le_compat_r; [lra|apply Rmult_le_compat_l; lra]).
+      unfold K. nra. }
+    apply (paid_vanishes E lo ltac:(auto) Em Hlo (fun t => Rabs (w t)) J K); auto.
+    + apply integral_cont; auto.
+    + intros t Ht. split; [apply Rabs_pos|apply (integral_rderiv (fun t => Rabs (w t))); auto].
+    + intros r t Hr. eapply Rle_trans; [apply Rabs_triang_inv2|]. 
+      pose proof (dini_slope (fun t => 1 * w t) K r t ltac:(apply cont_scal; auto) Hr ltac:(intros; apply Steep; auto; lra)).
+      pose proof (dini_slope (fun t => -1 * w t) K r t ltac:(apply cont_scal; auto) Hr ltac:(intros; apply Steep; auto; lra)).
+      apply Rabs_le. lra.
+  - destruct (paid_converges E lo ltac:(auto) Em Hlo z) as (zl & _ & Lim); [|exists zl; exact Lim].
+    intros r t Hr. eapply Rle_trans; [|apply Pay; auto]. apply Rmult_le_compat_l; [lra|apply Path; auto].
+Qed.
+End Interface.
