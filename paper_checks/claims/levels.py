@@ -68,13 +68,14 @@ def critical_energy_claim() -> Case:
         For $E_0>E_{cr}$ the intersection $\{E=E_0\}\cap S_0$ consists of two disjoint elliptic arcs, each being a
         part of a trajectory.
         """,
+        kernel="two-arcs",
     ),
     clause(
         "exits",
         r"One of these trajectories exits $S_0$ through the ray $\ell_-$ into $\Omega_+$,",
-        kernel="arc-to-left-ray slips-on-ray",
+        kernel="two-arcs arc-to-left-ray slips-on-ray",
     ),
-    clause("other", r"the other through the ray $\ell_+$ into $\Omega_-$."),
+    clause("other", r"the other through the ray $\ell_+$ into $\Omega_-$.", kernel="two-arcs"),
 )
 def supercritical_arcs() -> Case:
     """Two arcs, each left by its ray into the half-space that the paper names."""
@@ -86,14 +87,8 @@ def supercritical_arcs() -> Case:
         $\ell_+$, and one with $v_1<0$, which runs to $\ell_-$. On $\ell_+$ the field $\Phi_-$ touches $S$ and curves
         into $\Omega_-$, while $\Phi_+$ points into $\Omega_-$ too: the exit is the only motion.
         """,
-        carried(
-            "arcs",
-            argument(
-                "The level in $S_0$ falls into the parts with $v_1>0$ and with $v_1<0$, each from edge to edge.",
-                prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *within()], sp.Ne(v1, 0, evaluate=False)),
-                identity("$\\dot E=0$ along the sliding field", undamped(stick_rate())),
-            ),
-        ),
+        prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *within()], sp.Ne(v1, 0, evaluate=False)),
+        identity("$\\dot E=0$ along the sliding field", undamped(stick_rate())),
         identity(
             "on the edges the level has $v_1^2=2(E_0-E_{cr})/(m_1+m_2)$",
             edge_speed_squared(),

@@ -1,11 +1,9 @@
-"""A pair that sticks for ever under a periodic force: when, and to which motion others tend."""
+"""A pair that sticks for ever under a periodic force, without a damper."""
 
 from functools import cache
 
 import sympy as sp
 
-from paper_checks.claims.forced_modes import strict_rule
-from paper_checks.claims.response import one_response
 from paper_checks.claims.words import *
 from theory import forced_response as response
 from theory.forced_response import amplitude, multiple, omega
@@ -38,21 +36,6 @@ def stuck_response() -> Evidence:
             a2 - total_mass() * omega**2 + sp.I * a1 * omega,
         ),
         identity(r"for $a_1=0$ the response is $U\sin\omega t/(a_2-M\omega^2)$", undamped),
-    )
-
-
-@cache
-def sticks_for_ever() -> Evidence:
-    """With a damper: exactly up to U*, and then all motions tend to it."""
-    return argument(
-        r"""
-        A motion that sticks permanently is that of one damped body, so it tends to the response and needs the same
-        friction: $U\leqslant U_*$. If so, the response is a motion, periodic, and attracts all. If $U<U_*$, near it
-        $|\Lambda|\leqslant b-\eta$: a slip has $s\ddot z\leqslant-\kappa\eta$ and ends, and the stick after it lasts.
-        """,
-        stuck_response(),
-        one_response(),
-        strict_rule(),
     )
 
 

@@ -231,6 +231,11 @@ _FREE: dict[str, tuple[str, str]] = {
         "SwitchingSurface.ellipse_iff",
         "An ellipse on $S$ is a solution exactly if its energy is at most $E_{cr}$.",
     ),
+    "two-arcs": (
+        "TwoArcs.two_arcs",
+        "A level above $E_{cr}$ meets $S_0$ in two arcs, the graphs of a speed and of its negative over $[-L,L]$; each is run through by a motion, which "
+        "slips at its end: from the left ray into $v_1>v_2$, from the right one into $v_1<v_2$.",
+    ),
     "return-alternatives": (
         "Consequences.return_alternatives",
         "From $v_1<v_2$ every solution reaches $S_0$, or $S$ beyond its left edge, from where it passes into $v_1>v_2$ at once.",
@@ -272,6 +277,28 @@ _FREE: dict[str, tuple[str, str]] = {
         "FirstAdhesion.first_adhesion",
         "The scene of Fig. 5: every solution sticks from 4.549769479... s to 4.579537997... s, not before, slips until "
         "4.771754480... s, including 4.7 s, and sticks again.",
+    ),
+    # scenes of Section IV, at all times
+    "creeps-b-0.05": (
+        "CreepingScenes.creeps_b005",
+        "The scene of Fig. 5 (a): 20 crossings, first adhesion at 4.549769... s, and from then on sticks and slips in turn without end, above $E_{cr}$, each slip "
+        "slower than the one before, none faster than 2.3202 mm/s.",
+    ),
+    "creeps-b-0.2": (
+        "CreepingScenes.creeps_b02",
+        "The same with $b=0.2$: 4 crossings, first adhesion at 0.984017... s, none faster than 10.219 mm/s from then on.",
+    ),
+    "creeps-b-0.5": (
+        "CreepingScenes.creeps_b05",
+        "The same with $b=0.5$, as in Fig. 4 (b): 1 crossing, first adhesion at 0.276302... s, none faster than 20.381 mm/s from then on.",
+    ),
+    "itinerary-creeps": (
+        "CreepingScenes.itinerary_creeps",
+        r"$m_1=m_2=1$, $a_2=200$, $b=0.5$, $\dot x_1(0)=0.21$: the energy stays above $E_{cr}$, and the motion tends to one on the critical ellipse.",
+    ),
+    "peaks-fall": (
+        "Fading.peaks_fall",
+        r"Where a motion never merges, the peaks of $|v_1|$ between entries fall to $L\Omega$ like $1/t$: at late entries each is at $x_1=0$, in stick, and $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$.",
     ),
     # damping
     "captive-sticks": ("Viscous.captive_sticks", "On $S$ below the captive level the pair sticks permanently."),

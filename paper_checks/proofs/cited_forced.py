@@ -118,6 +118,19 @@ FORCED: dict[str, tuple[str, str]] = {
         "Forced.trackable_iff",
         "From some initial state of body 1 some force makes body 2 follow a velocity exactly if that is $b/m_2$-Lipschitz.",
     ),
+    "tracks": (
+        "Tracking.tracks",
+        r"With $a_1>0$, under the force of the stuck motion along a reference with $|\ddot x_{\mathrm{ref}}|\leqslant b/m_2$, but for a constant, if it is bounded: $v_1$, $v_2$ and $x_1$ of "
+        "every motion tend to the velocity of the reference, and to its place but for the constant.",
+    ),
+    "controlled-contraction": (
+        "Tracking.controlled_contraction",
+        r"Under any force, and a damper $a_1(t)\geqslant 0$ that varies in time, the flow is non-expansive in the energy norm.",
+    ),
+    "keeps-offset": (
+        "Offset.keeps_offset",
+        r"$m_1=m_2=a_1=a_2=b=1$, $u=\frac12\sin t$: the reference $-\frac14(\sin t+\cos t)$ is a motion, and one that starts with its $x_2$ and $v_2$, body 1 at rest at 0, takes on its velocities and keeps an offset of $x_2$ between $-266.2$ and $-266.1$ mm.",
+    ),
     "reach": ("Forced.reach", "A bound on the position of body 2 at a time, whatever the force."),
     "least-time": (
         "Forced.least_time",

@@ -9,18 +9,19 @@ Import ListNotations.
 Lemma slips_first x v1 x2 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->
   unfolds x v1 x2 v2 t (slips ++ later) e -> exists times,
   Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= List.last times t) /\
-  (forall u, t < u <= List.last times t -> (v1 u = v2 u <-> In u times)) /\ unfolds x v1 x2 v2 (List.last times t) later e.
+  (forall u, t < u <= List.last times t -> (v1 u = v2 u <-> In u times)) /\ NoDup times /\
+    unfolds x v1 x2 v2 (List.last times t) later e.
 Proof.
   assert (Ll : forall r s (l : list R), List.last (r :: l) s = List.last l r).
   { intros r s l. revert r s. induction l as [|y l IH]; intros r s; auto.
     change (List.last (y :: l) s = List.last (y :: l) r). rewrite !IH. auto. }
   induction slips as [|now slips IH]; intros t S U.
-  - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto].
+  - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto using NoDup_nil].
   - destruct U as (t1 & Ht1 & W & _ & _ & _ & Ev & Md & U).
-    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & Ws & In1 & Co & U'). exists (t1 :: times).
+    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & Ws & In1 & Co & Nd & U'). exists (t1 :: times).
     rewrite Ll. split; [constructor; auto|]. assert (Le : t1 <= List.last times t1).
     { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
-    split; [|split; auto].
+    split; [|split; [|split; [constructor; auto; intros Q; destruct (In1 _ Q); lra|auto]]].
     + intros r [<-|Hr]; [lra|]. destruct (In1 r Hr); lra.
     + intros u Hu. destruct (Rlt_dec t1 u).
       * rewrite Co by lra. simpl. intuition. lra.
@@ -45,6 +46,42 @@ Proof.
     + destruct (IH p q Hp) as (u & Hu & N). exists u. split; [lra|]. intros [->|I]; [lra|auto].
 Qed.
 
+(** from rest but for the speed V of body 1, with the friction B *)
+Definition from_speed V B := Scene 1 1 0 200 0 V 0 0 (Spell 0 B (Steady 0%Q [] [])) [].
+(** a solution from such a start is a motion of the scene *)
+Lemma speed_motion V B x v1 v2 s : solution 1 1 0 200 (Q2R B) x v1 v2 s -> x 0 = 0 -> v1 0 = Q2R V -> v2 0 = 0 ->
+  motion (from_speed V B) x v1 (integral v2) v2.
+Proof.
+  intros H X0 V1 V2. pose proof (proj2 (free_case 1 1 0 200 (Q2R B) x v1 v2 s) H) as F.
+  assert (Cv : cont v2) by exact (moves_cv2 1 1 0 200 (Q2R B) Rlt_0_1 _ _ _ _ _ _ F).
+  exists (fun _ => 0). unfold from_speed; simpl. split; [apply cont_const|]. split; [intros t _; apply rderiv_const|].
+  rewrite X0, V1, V2, integral_0. unfold Q2R at 1 2 3 4; simpl. replace (1 * / 1) with 1 by field.
+  replace (0 * / 1) with 0 by field. replace (200 * / 1) with 200 by field. split; [exists s; exact F|].
+  split; [apply integral_cont; auto|]. split; [intros; apply integral_rderiv; auto|]. unfold Q2R; simpl. lra.
+Qed.
+
+(** slips at the head of a table, after a start in slip: the first time at which the velocities agree but at single
+    instants is not before the last of them ends *)
+Lemma entry x v1 x2 v2 slips now later e : unfolds x v1 x2 v2 0 (slips ++ now :: later) e -> v1 0 <> v2 0 ->
+  (forall m, In m (slips ++ [now]) -> mode_until m <> Stick) ->
+  exists ta contacts, 0 < ta /\ within (time now) ta /\ within (place now) (x ta) /\ within (speed now) (v1 ta) /\
+    v1 ta = v2 ta /\
+    length contacts = length slips /\ NoDup contacts /\ (forall u, In u contacts <-> 0 <= u < ta /\ v1 u = v2 u) /\
+      unfolds x v1 x2 v2 ta later e.
+Proof.
+  intros U N S. apply slips_first in U; [|intros m Hm; apply S, in_or_app; auto].
+    destruct U as (times & Ws & In1 & Co & Nd & U).
+  assert (P : 0 <= List.last times 0).
+  { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
+  destruct U as (ta & Ha & Wa & Xa & _ & Va & Ea & Ma & U). exists ta, times. split; [lra|]. do 4 (split; [auto|]).
+  split; [exact (same_length _ _ _ Ws)|]. split; [exact Nd|]. split; [|auto]. intros u. split.
+  - intros Q. destruct (In1 _ Q). split; [lra|]. apply Co; auto; lra.
+  - intros (Hu & Q). destruct (Rle_dec u (List.last times 0)).
+    + apply Co; auto. split; [|lra]. destruct (Req_dec u 0) as [->|]; [contradiction|lra].
+    + specialize (Ma u ltac:(lra)). assert (M : mode_until now <> Stick) by (apply S, in_or_app; simpl; auto).
+      destruct (mode_until now) as [[|]|]; simpl in Ma; [lra|lra|congruence].
+Qed.
+
 (** The first adhesion is at ta = 4.549769479..., not before: until then both velocities agree at 20 single instants
     only. It lasts until tb = 4.579537997...; at 4.7 the pair slips, and adheres again from tc = 4.771754480... until
     td = 4.911023717.... *)
@@ -58,27 +95,15 @@ Theorem first_adhesion x v1 v2 s : solution 1 1 0 200 (5 / 100) x v1 v2 s -> x 0
   (forall u, tc <= u <= td -> v1 u = v2 u).
 Proof.
   intros H X0 V1 V2. assert (Mo : motion the_scene x v1 (integral v2) v2).
-  { pose proof (proj2 (free_case 1 1 0 200 (5 / 100) x v1 v2 s) H) as F.
-    assert (Cv : cont v2) by exact (moves_cv2 1 1 0 200 (5 / 100) Rlt_0_1 _ _ _ _ _ _ F).
-    exists (fun _ => 0). unfold the_scene; simpl. split; [apply cont_const|]. split.
-    - intros t _. apply rderiv_const.
-    - unfold Q2R; simpl. rewrite X0, V1, V2, integral_0. split; [exists s|].
-      + replace (1 * / 1) with 1 by field. replace (0 * / 1) with 0 by field. replace (200 * / 1) with 200 by field.
-        replace (1 * / 20) with (5 / 100) by field. exact F.
-      + split; [apply integral_cont; auto|]. split; [intros; apply integral_rderiv; auto|lra]. }
+  { apply (speed_motion 0.15 0.05 x v1 v2 s); auto. }
   pose proof (trajectory x v1 (integral v2) v2 Mo) as U.
-  change the_events with (firstn 20 the_events ++ skipn 20 the_events) in U. apply slips_first in U.
-  2: { intros m Hm. simpl in Hm. repeat (destruct Hm as [<-|Hm]; [discriminate|]). contradiction. }
-  destruct U as (times & Ws & In1 & Co & U). assert (Ln : length times = 20%nat).
-  { pose proof (same_length _ _ _ Ws) as E. simpl in E. auto. }
-  assert (P : 0 <= List.last times 0).
-  { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
-  destruct U as (ta & Ha & Wa & _ & _ & _ & Ea & Ma & U). destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U).
+  change the_events with (firstn 20 the_events ++ nth 20 the_events (Event Stick (0, 0) (0, 0) (0, 0) (0, 0))%Q ::
+    skipn 21 the_events) in U.
+  apply entry in U; [|lra|intros m Hm; simpl in Hm; repeat (destruct Hm as [<-|Hm]; [discriminate|]); contradiction].
+  destruct U as (ta & times & T0 & Wa & _ & _ & Ea & Ln & _ & Cs' & U).
+  assert (Cs : forall u, 0 <= u < ta -> (v1 u = v2 u <-> In u times)) by (intros u Hu; rewrite Cs'; tauto).
+    destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U).
   destruct U as (tc & Hc & Wc & _ & _ & _ & Ec & Mc & U). destruct U as (td & Hd & Wd & _ & _ & _ & Ed & Md & _).
-  assert (Cs : forall u, 0 <= u < ta -> (v1 u = v2 u <-> In u times)).
-  { intros u Hu. destruct (Rle_dec u (List.last times 0)).
-    - destruct (Req_dec u 0) as [->|]; [|apply Co; lra]. split; [lra|]. intros Q. destruct (In1 _ Q); lra.
-    - specialize (Ma u ltac:(lra)). simpl in Ma. split; [lra|]. intros Q. destruct (In1 _ Q); lra. }
   unfold within in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd. unfold Q2R in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd.
   exists ta, tb, tc, td, times. do 4 (split; [lra|]). split; [auto|]. split; [auto|]. split; [|split; [|split]].
   - intros p q Hp Hq. destruct (gap times p q ltac:(lra)) as (u & Hu & N). exists u. split; [lra|].

@@ -213,7 +213,7 @@ FAULTS = {
     "itinerary-that-creeps": {
         "itineraries.PLUS": lambda _: itineraries.MINUS,
         "itineraries.exact": lambda exact: lambda value: exact(value + 3),
-        "itineraries.h": doubled,
+        "itineraries.LARGEST": lambda largest: largest / 10,
     },
     "example-reduction": {
         "example.printed_reduction": plus(sp.Matrix([0, acceleration1])),
@@ -319,10 +319,20 @@ FAULTS = {
         "starts.transversality": negated,
         "itineraries.next_excess": doubled,
     },
-    "start-with-speed-synchronises": {"itineraries.h": squared},
-    "relative-motion-converges": {"itineraries.h": squared},
-    "synchronisation-time": {"itineraries.guard_of_u": doubled},
-    "constant-damping-rate": {"velocities.slip": other_sign},
+    "start-with-speed-synchronises": {
+        "itineraries.LARGEST": lambda largest: largest / 2,
+        "itineraries.guard_of_u": doubled,
+    },
+    "relative-motion-converges": {
+        "itineraries.LARGEST": lambda largest: largest / 2,
+        "itineraries.guard_of_u": doubled,
+    },
+    "synchronisation-time": {"itineraries.LARGEST": lambda largest: largest / 2, "itineraries.guard_of_u": doubled},
+    "constant-damping-rate": {
+        "velocities.slip": other_sign,
+        "velocities._slips": lambda slips: lambda trajectory: slips(trajectory) - 2,
+        "velocities.pi": lambda _: sp.pi / 2,
+    },
     "euler-reproduces-figures": {
         "euler.sliding_field": doubled,
         "euler.run": part("adhesion", lambda at: at and at + 4),

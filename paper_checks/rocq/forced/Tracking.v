@@ -1,0 +1,56 @@
+(** Tracking with a damper: the velocities, and the place of body 1, tend to the reference;
+  and a damper that is controlled
+    in time does not move two motions apart. *)
+From InertialPair Require Import Dini Pair Pursuit Forced BoundedMotions.
+
+Section Tracking.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+
+(** A constant damper: under the force that holds a stuck pair on the reference r, but for a constant x0 - r 0, if it
+    is bounded, every motion takes on the velocity of the reference, and body 1 its place but for that constant. *)
+Theorem tracks r r' x0 G x v1 v2 s : 0 < a1 -> cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
+  (forall p q, 0 <= p <= q -> Rabs (r' q - r' p) <= b / m2 * (q - p)) ->
+  let U t := (m1 + m2) * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t in
+  0 <= G -> (forall p q, 0 <= p <= q -> Rabs (U q - U p) <= G * (q - p)) -> forced m1 m2 a1 a2 b U x v1 v2 s ->
+  forced m1 m2 a1 a2 b U (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t) /\
+  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+    Rabs (v1 t - r' t) <= e /\ Rabs (v2 t - r' t) <= e /\ Rabs (x t - (r t + (x0 - r 0))) <= e.
+Proof.
+  intros A1 Cr Dr Lr U HG LU H. pose proof (trackable m1 m2 a1 a2 b Hm2 Hb x0 r r' Cr Dr Lr) as F.
+  split; [exact F|]. intros e He. set (mu := Rmin a2 (Rmin m1 m2)).
+  assert (Mu : 0 < mu /\ mu <= a2 /\ mu <= m1 /\ mu <= m2).
+  { unfold mu. pose proof (Rmin_l a2 (Rmin m1 m2)). pose proof (Rmin_r a2 (Rmin m1 m2)). pose proof (Rmin_l m1 m2).
+    pose proof (Rmin_r m1 m2). split; [positive|lra]. }
+  destruct (approach m1 m2 a1 a2 b Hm1 Hm2 A1 Ha2 Hb _ _ _ _ _ _ _ _ _ G H F HG LU (mu * e ^ 2 / 2)) as (T & HT & K);
+    [positive|]. exists T. split; [auto|]. intros t Ht. specialize (K t Ht). unfold energy in K.
+  pose proof (pow2_ge_0 (x t - (x0 + r t - r 0))). pose proof (pow2_ge_0 (v1 t - r' t)).
+    pose proof (pow2_ge_0 (v2 t - r' t)).
+  assert (mu * (x t - (x0 + r t - r 0)) ^ 2 <= a2 * (x t - (x0 + r t - r 0)) ^ 2) by scale.
+  assert (mu * (v1 t - r' t) ^ 2 <= m1 * (v1 t - r' t) ^ 2) by scale.
+  assert (mu * (v2 t - r' t) ^ 2 <= m2 * (v2 t - r' t) ^ 2) by scale.
+  assert (Q : forall y, mu * y ^ 2 <= mu * e ^ 2 -> Rabs y <= e).
+  { intros y Hy. apply Rmult_le_reg_l in Hy; [|lra]. apply Rabs_le, sq_le_abs; lra. }
+  replace (x t - (r t + (x0 - r 0))) with (x t - (x0 + r t - r 0)) by ring. repeat split; apply Q; nra.
+Qed.
+
+(** A damper c t >= 0 that varies in time, with the impulse D of its force: no two motions under one force move apart.
+  *)
+Theorem controlled_contraction c U D x v1 v2 s D' x' v1' v2' s' r t : (forall u, 0 <= u -> 0 <= c u) ->
+  (forall u, 0 <= u -> rderiv D u (c u * v1 u)) -> (forall u, 0 <= u -> rderiv D' u (c u * v1' u)) ->
+  forced m1 m2 0 a2 b (fun u => U u - D u) x v1 v2 s -> forced m1 m2 0 a2 b (fun u => U u - D' u) x' v1' v2' s' ->
+  0 <= r <= t ->
+  energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy m1 m2 a2 (x r - x' r) (v1 r - v1' r) (v2 r -
+    v2' r).
+Proof.
+  intros C DD DD' H H' Hr.
+  apply (dini_mono (fun u => energy m1 m2 a2 (x u - x' u) (v1 u - v1' u) (v2 u - v2' u))); auto.
+  { exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
+  intros u Hu e He. assert (Z : rderiv (fun q => U q - D q - (U q - D' q)) u (- (c u * (v1 u - v1' u)))).
+  { apply rderiv_ext with (fun q => D' q - D q); [intros; ring|].
+    apply rderiv_eq with (c u * v1' u - c u * v1 u); [ring|]. apply rderiv_minus; [apply DD'|apply DD]; lra. }
+  destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) Z e He) as (d & Hd & K).
+  exists d. split; auto. intros h Hh. specialize (K h Hh). pose proof (C u ltac:(lra)).
+    pose proof (pow2_ge_0 (v1 u - v1' u)). assert (0 <= c u * (v1 u - v1' u) ^ 2 * h) by positive. nra.
+Qed.
+End Tracking.

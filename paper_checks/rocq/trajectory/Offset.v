@@ -1,0 +1,105 @@
+(** Body 2 can keep an offset from its reference: m1 = m2 = a1 = a2 = b = 1 under the force sin t / 2, by a table of one
+    event. *)
+From Coq Require Import Reals QArith Qreals List.
+From Interval.Float Require Import Specific_ops Specific_stdz.
+From Interval.Interval Require Import Float_full.
+From Interval Require Import Tactic.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced BoundedMotions ModeAtContact Waves Trajectory
+  Velocities.
+Import ListNotations.
+
+Section Table.
+Local Open Scope Q_scope.
+Definition sine_scene := Scene 1 1 1 1 0 0 (-0.25) (-0.25) (Spell 0 1 (Steady 0 [] [Tone 0.5 0 0 0 1 0])) [].
+Definition sine_events := [
+  Event (Slip true) (0.1313681533, 0.1313681534) (-0.008068700834, -0.008068700833)
+    (-0.274213242483, -0.274213242482) (-0.118631846628, -0.118631846627)].
+Definition sine_ending := Ending Stick 0.2 (-0.01597053397, -0.015970533969) (-0.111437796499, -0.111437796498)
+    (-0.28211507562, -0.282115075619) (-0.111437796499, -0.111437796498) (0, 0) false.
+Lemma sine_accepted : C.check F.PtoP (F.PtoP 24) 64 sine_scene 72
+  [(Steady 0 [] [Tone 0 (-0.5) 0 0 1 0], Steady 0 [] [Tone (-0.25) (-0.25) 0 0 1 0])] sine_events sine_ending [
+  Hit 72 0.1313681533720056072 0.1313681533720056073 true;
+  Last 72 0.0686318466279943929] = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+End Table.
+
+(** the force, the reference and its velocity *)
+Definition half_sine t := (1 - cos t) / 2.
+Definition swing t := - (sin t + cos t) / 4.
+Definition swing' t := - (cos t - sin t) / 4.
+(** The reference is a motion under that force. One that starts with body 2 in its place and at its velocity, but with
+    body 1 at rest at 0, tends to it in both velocities, and body 2 stays between 266.1 and 266.2 mm behind for good. *)
+Theorem keeps_offset x v1 v2 s x2 : forced 1 1 1 1 1 half_sine x v1 v2 s -> cont x2 ->
+  (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> x 0 = 0 -> v1 0 = 0 -> x2 0 = swing 0 -> v2 0 = swing' 0 ->
+  (exists s', forced 1 1 1 1 1 half_sine swing swing' swing' s') /\
+  exists c, - (2662 / 10 ^ 4) <= c <= - (2661 / 10 ^ 4) /\ forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+    Rabs (v1 t - swing' t) <= e /\ Rabs (v2 t - swing' t) <= e /\ Rabs (x2 t - swing t - c) <= e.
+Proof.
+  intros H Cx2 Dx2 X0 V0 P0 W0. pose proof Rlt_0_1 as One.
+  assert (DU : forall t, 0 <= t -> rderiv half_sine t (sin t / 2)).
+  { intros t _. apply rderiv_of_derive. unfold half_sine. auto_derive; auto. field. }
+  assert (Ds : forall t, 0 <= t -> rderiv swing t (swing' t)).
+  { intros t _. apply rderiv_of_derive. unfold swing, swing'. auto_derive; auto. field. }
+  assert (Ds' : forall t, rderiv swing' t ((sin t + cos t) / 4)).
+  { intros t. apply rderiv_of_derive. unfold swing'. auto_derive; auto. field. }
+  assert (CU : cont half_sine) by (apply (cont_of_derive _ (fun t => sin t / 2)); intros t; unfold half_sine;
+    auto_derive; auto; field).
+  assert (Cs : cont swing) by (apply (cont_of_derive _ swing'); intros t; unfold swing, swing'; auto_derive; auto;
+    field).
+  assert (Cs' : cont swing') by (apply (cont_of_derive _ (fun t => (sin t + cos t) / 4)); intros t; unfold swing';
+    auto_derive; auto; field). assert (B : forall t, Rabs (sin t) <= 1 /\ Rabs (cos t) <= 1).
+  { intros t. pose proof (SIN_bound t). pose proof (COS_bound t). split; apply Rabs_le; lra. }
+  assert (F : forced 1 1 1 1 1 half_sine swing swing' swing' (fun t => 1 / 1 * swing' t)).
+  { apply stuck_forced; auto.
+    - intros t Ht. apply rderiv_eq with ((1 + 1) * ((sin t + cos t) / 4) - sin t / 2); [unfold swing, swing'; field|].
+      apply rderiv_minus; auto. apply rderiv_scal; auto.
+    - intros p q Hp. replace (1 / 1 * (q - p)) with (1 * (q - p)) by field.
+      apply (lip_of_rderiv swing' (fun t => (sin t + cos t) / 4)); auto. intros u _. split; auto.
+      destruct (B u) as (S & C). apply Rabs_inv in S. apply Rabs_inv in C. apply Rabs_le. lra. }
+  split; [eexists; exact F|]. assert (Mo : motion sine_scene x v1 x2 v2).
+  { exists half_sine. unfold sine_scene; simpl. split; [auto|]. split.
+    - intros t Ht. apply rderiv_eq with (2 := DU t Ht). unfold sval, tval, pval; simpl. unfold Q2R; simpl.
+      replace (1 * / 1 * t + 0 * / 1) with t by field. field.
+    - unfold Q2R; simpl. split; [exists s; replace (1 * / 1) with 1 by field; exact H|]. unfold swing, swing' in P0, W0.
+      rewrite sin_0, cos_0 in P0, W0. split; [auto|]. split; [auto|]. lra. }
+  destruct (C.sound _ _ _ _ _ _ _ _ _ sine_accepted x v1 x2 v2 Mo) as (t1 & T1 & Wt & Wx & Wx2 & Wv & Ev & _).
+  unfold within in Wt, Wx, Wx2, Wv. simpl in Wt, Wx, Wx2, Wv. unfold Q2R in Wt, Wx, Wx2, Wv. simpl in Wt, Wx, Wx2, Wv.
+  (* from t1 on it is near to the reference, so the load stays within friction *)
+  set (dx := fun t => x t - swing t). set (dv := fun t => v1 t - swing' t).
+  assert (Near : forall t, t1 <= t -> dx t ^ 2 + dv t ^ 2 <= 1 / 10).
+  { intros t Ht. pose proof (forced_contraction 1 1 1 1 1 One One ltac:(lra) One half_sine _ _ _ _ _ _ _ _ t1 t H F
+      ltac:(lra)) as Q. rewrite <- Ev in Q. unfold energy in Q. fold (dx t) (dx t1) (dv t) (dv t1) in Q.
+      pose proof (pow2_ge_0 (v2 t - swing' t)).
+    assert (X1 : Rabs (dx t1) <= 273 / 1000). { unfold dx, swing. interval with (i_prec 60). }
+    assert (V1 : Rabs (dv t1) <= 97 / 1000). { unfold dv, swing'. interval with (i_prec 60). }
+    apply Rabs_inv in X1. apply Rabs_inv in V1. nra. }
+  assert (Load : forall k t, k = 1 \/ k = -1 -> t1 <= t -> k * load 1 1 1 1 (fun t => sin t / 2) x v1 t <= 1).
+  { intros k t Hk Ht. specialize (Near t Ht). destruct (B t) as (S & C). apply Rabs_inv in S. apply Rabs_inv in C.
+    assert (E : load 1 1 1 1 (fun t => sin t / 2) x v1 t = (sin t + cos t) / 4 - (dx t + dv t) / 2)
+      by (unfold load, dx, dv, swing, swing'; field). rewrite E.
+    pose proof (pow2_ge_0 (dx t - dv t)). assert (- (1 / 2) <= dx t + dv t <= 1 / 2) by (apply sq_le_abs; lra).
+      destruct Hk; subst k; lra. } assert (St : forall t, t1 <= t -> v1 t = v2 t).
+  { intros t Ht. assert (Q : forall k, k = 1 \/ k = -1 -> k * (v1 t - v2 t) <= 0).
+    { intros k Hk. apply (ModeAtContact.stays_behind 1 1 1 1 1 One One half_sine (fun t => sin t / 2) x v1 v2 s 0 t H
+        (Rle_refl
+        0)) with (r := t1); auto; try lra.
+      - intros; apply DU; lra.
+      - rewrite Ev. lra.
+      - intros q Hq. apply Load; auto; lra. }
+    pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). lra. }
+  exists (x2 t1 - x t1). split; [lra|]. intros e He.
+  destruct (approach 1 1 1 1 1 One One One One One _ _ _ _ _ _ _ _ _ (1 / 2) H F ltac:(lra)) with (e := e ^ 2 / 2) as
+    (T & HT & K); [|positive|].
+  { intros p q Hp. apply (lip_of_rderiv half_sine (fun t => sin t / 2)); auto. intros u Hu. split; auto.
+    destruct (B u) as (S & _). apply Rabs_inv in S. apply Rabs_le. lra. }
+  exists (Rmax T t1). pose proof (Rmax_l T t1). pose proof (Rmax_r T t1). split; [lra|]. intros t Ht.
+  specialize (K t ltac:(lra)). unfold energy in K.
+  pose proof (pow2_ge_0 (x t - swing t)). pose proof (pow2_ge_0 (v1 t - swing' t)).
+    pose proof (pow2_ge_0 (v2 t - swing' t)).
+  assert (Q : forall y, y ^ 2 <= e ^ 2 -> Rabs y <= e) by (intros y Hy; apply Rabs_le, sq_le_abs; lra).
+  split; [apply Q; lra|]. split; [apply Q; lra|]. assert (Z : (x t - x2 t) - (x t1 - x2 t1) = 0 * (t - t1)).
+  { apply (rderiv_line (fun u => x u - x2 u)); [apply cont_minus; [exact (f_cx _ _ _ _ _ _ _ _ _ _ H)|auto]|lra|].
+    intros u Hu. apply rderiv_eq with (v1 u - v2 u); [rewrite St; lra|].
+    apply rderiv_minus; [apply (f_x _ _ _ _ _ _ _ _ _ _ H); lra|apply Dx2; lra]. }
+  replace (x2 t - swing t - (x2 t1 - x t1)) with (x t - swing t) by lra. apply Q. lra.
+Qed.
