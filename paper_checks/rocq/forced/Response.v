@@ -313,6 +313,23 @@ Proof.
 Qed.
 End Response.
 
+(** what stays within an energy distance of something bounded is bounded *)
+Definition reach m1 m2 a2 D := sqrt (2 * D / a2) + sqrt (2 * D / m1) + sqrt (2 * D / m2).
+Lemma beside m1 m2 a2 x v1 v2 x' v1' v2' B D : 0 < m1 -> 0 < m2 -> 0 < a2 ->
+  energy m1 m2 a2 (x - x') (v1 - v1') (v2 - v2') <= D -> Rabs x' <= B /\ Rabs v1' <= B /\ Rabs v2' <= B ->
+  Rabs x <= B + reach m1 m2 a2 D /\ Rabs v1 <= B + reach m1 m2 a2 D /\ Rabs v2 <= B + reach m1 m2 a2 D.
+Proof.
+  intros Hm1 Hm2 Ha2 Q (b1 & b2 & b3). unfold energy in Q. unfold reach.
+  pose proof (sqrt_pos (2 * D / a2)). pose proof (sqrt_pos (2 * D / m1)). pose proof (sqrt_pos (2 * D / m2)).
+  pose proof (pow2_ge_0 (x - x')). pose proof (pow2_ge_0 (v1 - v1')). pose proof (pow2_ge_0 (v2 - v2')).
+  assert (Near : forall m z z' y, 0 < m -> m * (z - z') ^ 2 <= 2 * D -> Rabs z' <= B -> sqrt (2 * D / m) <= y ->
+    Rabs z <= B + y).
+  { intros m z z' y Hm Hz Hz' Hy. replace z with (z' + (z - z')) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    apply Rplus_le_compat; auto. apply Rle_trans with (2 := Hy). rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt.
+    unfold Rsqr. undivide m. lra. }
+  repeat split; [apply (Near a2 _ x')|apply (Near m1 _ v1')|apply (Near m2 _ v2')]; auto; try lra; nra.
+Qed.
+
 (** *** A damper a(t) that is controlled in time *)
 Section Controlled.
 Variables m1 m2 a2 b : R.
@@ -359,20 +376,10 @@ Proof.
   assert (Mono : forall t, 0 <= t -> D t <= D 0) by (intros t Ht; apply (controlled_contraction a u _ _ _ s _ _ _ s'); auto; lra).
   destruct C as (V & H & DV), C' as (V' & H' & DV').
   assert (B0 : 0 <= B) by (destruct (Bd' 0 ltac:(lra)) as (Q & _); pose proof (Rabs_pos (x' 0)); lra).
-  assert (D0 : 0 <= D 0) by (apply energy_pos; auto).
-  set (E := sqrt (2 * D 0 / a2) + sqrt (2 * D 0 / m1) + sqrt (2 * D 0 / m2)).
-  pose proof (sqrt_pos (2 * D 0 / a2)). pose proof (sqrt_pos (2 * D 0 / m1)). pose proof (sqrt_pos (2 * D 0 / m2)).
-  assert (E0 : 0 <= E) by (unfold E; lra).
-  assert (Bd : forall t, 0 <= t -> Rabs (x t) <= B + E /\ Rabs (v1 t) <= B + E /\ Rabs (v2 t) <= B + E).
-  { intros t Ht. destruct (Bd' t Ht) as (b1 & b2 & b3). pose proof (Mono t Ht) as Q. unfold D at 1, energy in Q.
-    pose proof (pow2_ge_0 (x t - x' t)). pose proof (pow2_ge_0 (v1 t - v1' t)). pose proof (pow2_ge_0 (v2 t - v2' t)).
-    assert (Near : forall m z z', 0 < m -> m * (z - z') ^ 2 <= 2 * D 0 -> Rabs z' <= B -> sqrt (2 * D 0 / m) <= E ->
-      Rabs z <= B + E).
-    { intros m z z' Hm Hz Hz' HE. replace z with (z' + (z - z')) by ring. eapply Rle_trans; [apply Rabs_triang|].
-      apply Rplus_le_compat; auto. apply Rle_trans with (2 := HE). rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt.
-      unfold Rsqr. undivide m. lra. }
-    repeat split; [apply (Near a2 _ (x' t))|apply (Near m1 _ (v1' t))|apply (Near m2 _ (v2' t))]; auto;
-      try (unfold E; lra); nra. }
+  set (E := reach m1 m2 a2 (D 0)).
+  assert (E0 : 0 <= E) by (unfold E, reach; repeat apply Rplus_le_le_0_compat; apply sqrt_pos).
+  assert (Bd : forall t, 0 <= t -> Rabs (x t) <= B + E /\ Rabs (v1 t) <= B + E /\ Rabs (v2 t) <= B + E)
+    by (intros t Ht; apply (beside m1 m2 a2 _ _ _ (x' t) (v1' t) (v2' t) B (D 0)); auto; exact (Mono t Ht)).
   assert (A0 : a1 <= A) by (destruct (Hau 0 ltac:(lra)); lra).
   assert (Lip : forall W y w1 w2 z, forced m1 m2 0 a2 b W y w1 w2 z -> (forall t, 0 <= t -> rderiv W t (u t - a t * w1 t)) ->
     (forall t, 0 <= t -> Rabs (w1 t) <= B + E) -> forall r t, 0 <= r <= t ->
