@@ -1,6 +1,6 @@
 (** Forward Euler with any friction in [-b, b] that has the sign of the slip: its distance from the motion grows like
     sqrt (h t), with a constant that its own steps tell. *)
-From InertialPair Require Import Dini Pair Stick Chase.
+From InertialPair Require Import Dini Pair Stick Pursuit.
 
 Section EulerLaw.
 Variables m1 m2 a1 a2 b h : R.
