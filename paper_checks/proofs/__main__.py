@@ -11,7 +11,7 @@ from pathlib import Path
 from numerics.exits import USAGE, OneLineParser, refuse
 from paper_checks import atomic
 from paper_checks.proofs import audit, graph, kernel, library, submitted
-from paper_checks.proofs.sources import AUDIT, FOLDER, needed, read
+from paper_checks.proofs.sources import AUDIT, FOLDER, read
 
 
 def main() -> int:
@@ -124,9 +124,7 @@ def script(compiled: kernel.Compiled) -> str:
     printed, _ = audit.asked(compiled, [list(ids)], sorted(definitions))
     statements = "\n".join(printed[name] for name in ids)
     sources = read()
-    return audit.script(
-        needed(sources, sources), uses, audit.below(statements, {name: printed[name] for name in definitions})
-    )
+    return audit.script(sorted(sources), uses, audit.below(statements, {name: printed[name] for name in definitions}))
 
 
 if __name__ == "__main__":

@@ -227,7 +227,10 @@ _FREE: dict[str, tuple[str, str]] = {
         "StartFromRest.six_millimetres",
         "Case study, $b=0.5$: released at rest at 6 mm every solution slips at once.",
     ),
-    "sticks-from-rest": ("StartFromRest.rest_inside", "Released at rest inside $S_0$ every solution sticks permanently."),
+    "sticks-from-rest": (
+        "StartFromRest.rest_inside",
+        "Released at rest inside $S_0$ every solution sticks permanently.",
+    ),
     "sticks-from-5-mm": (
         "StartFromRest.five_millimetres",
         "Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently.",
