@@ -36,7 +36,8 @@ REWORDED = {
     "motions next to it": "nearby motions",
     "is no whole number of turns": "does not last a whole number of periods",
     "not all motions tend to it: a free oscillation of the stuck pair stays": "a1 = 0, so not all motions tend to it: "
-    "a free oscillation of the stuck pair does not decay, and motions that slip may do so for thousands of periods",
+    "a free oscillation of the stuck pair does not decay, and motions that slip may do so for thousands of periods, "
+    "but each tends to one in which the bodies stick permanently",
 }
 """Parts of frozen sentences, as they are worded since."""
 

@@ -205,6 +205,8 @@ def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> R
         "a1 = 0, so not all motions tend to it: a free oscillation of the stuck pair does not decay, and motions that "
         "slip may do so for thousands of periods"
     )
+    if len(sines) == 1 and pair.a1 == 0 and load_margin(pair, sines[0].amplitude, sines[0].omega) > 0:
+        stays = f"{stays}, but each tends to one in which the bodies stick permanently"
     if known is not None and known.exception is not None:  # a1 = 0
         why = f"{stays}; others"
         if not entrained(drive):

@@ -161,7 +161,7 @@ def _gain() -> Expr:
 
 
 OPEN = (
-    "For $a_1=0$ and $U\\leqslant U_*$, whether every motion tends to one that sticks permanently.",
+    "For $a_1=0$ and $U=U_*$, whether every motion tends to one that sticks permanently.",
     "At which amplitudes between $U_*$ and $U_{**}$ a motion with two stops exists; at that of the example above there is none. Where one does, it is the only motion of the force's period for $a_1>0$, and for $a_1=0$ if $\\omega_1t_s\\notin 2\\pi\\mathbb Z$ (forced-periodic-response); for other $t_s$ without a damper there may be several.",
     "Motions that slip permanently and turn at other times than after each half period of the force are not treated except in this example: from which amplitude on they exist, with or without a damper, is open.",
 )
@@ -220,6 +220,15 @@ def _above_six_turns() -> arb:
         ),
         pace=equal(r"\Omega", sqrt(a2 / MASS), stick_frequency),
         harmonic=equal(r"U_n/U_*", 1 / cos(pi / (2 * multiple)), response.harmonic_amplitude),
+    ),
+    clause(
+        "undamped-approach",
+        r"""
+        For $a_1=0$ and $U<U_*$ every motion tends to one that sticks permanently, and the path of its slip is
+        bounded: $\int_0^\infty|\dot z|\,dt\leqslant N^2/\bigl(2b\,(1-U/U_*)\bigr)$, with $N^2/2$ its energy
+        distance from the stuck response at $t=0$.
+        """,
+        kernel="undamped-entrained",
     ),
     clause(
         "letters",

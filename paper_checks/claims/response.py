@@ -290,7 +290,16 @@ def forced_periodic_response() -> Case:
         r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
         limit=Formula("U_{**}", "->", 4 * b / pi, equals(response.resonant_non_stop_amplitude)),
     ),
-    open=("What happens at $U_1=U_{\\mathrm{res}}$.",),
+    clause(
+        "edge",
+        r"""
+        At $U_1=U_{\mathrm{res}}$ for such a sine every motion is bounded. For each $c\geqslant\frac{\pi b}{2m_2\omega_1}$ there
+        is one that slips permanently, with $v_1=\bigl(c+\frac{2b}{\pi m_1}t\bigr)\sin\omega_1t-\frac{\pi
+        b}{2m_2\omega_1}\cos\omega_1t$ and $\dot z>0$ for half a period, and half a period later is its own negative.
+        """,
+        kernel="resonance-edge resonance-edge-bounded",
+    ),
+    open=("What happens at $U_1=U_{\\mathrm{res}}$ for a force with other components beside that at $\\omega_1$.",),
 )
 def forced_resonance_bound() -> Case:
     """What friction can take out of a resonant oscillation at most."""

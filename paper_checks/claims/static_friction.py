@@ -43,8 +43,8 @@ def begins_fast() -> Evidence:
         """,
         kernel="jump-ill-posed",
     ),
+    clause("exists", r"A motion that keeps them exists from every state.", kernel="static-kept"),
     open=(
-        "That a motion which keeps its sticks exists from every state is not proved here.",
         "With a friction that falls from rest on with a finite slope, whether $t(E-E_{cr})$ keeps its limit is not decided here.",
     ),
 )

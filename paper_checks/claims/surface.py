@@ -112,7 +112,14 @@ def one_quadratic() -> Evidence:
         """,
         kernel="rotating-characteristic",
     ),
-    open=("That $X(0)<0$ makes the motion unstable is not proved here.",),
+    clause(
+        "unstable",
+        r"""
+        Where $X(0)<0$, the equations linearised about that motion, in axes that rotate with the force, have a solution
+        that grows like $e^{\lambda t}$ with a $\lambda>0$.
+        """,
+        kernel="rotating-unstable",
+    ),
 )
 def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""

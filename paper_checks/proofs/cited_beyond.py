@@ -69,6 +69,10 @@ BEYOND: dict[str, tuple[str, str]] = {
         r"With friction that depends on the speed, the characteristic function at 0 is "
         r"$X(0)=\frac{\omega^2}{2\rho|D|^2}\frac{d(U^2)}{d\rho}$.",
     ),
+    "rotating-unstable": (
+        "RotatingUnstable.repels",
+        r"Where $X(0)<0$, the equations linearised about the slip that rotates with the force have a solution that grows like $e^{\lambda t}$, $\lambda>0$.",
+    ),
     # friction that falls with the speed
     "falling-parts": (
         "FallingFriction.slips_part",
@@ -90,5 +94,14 @@ BEYOND: dict[str, tuple[str, str]] = {
     "static-sticks-at-last": (
         "StaticFriction.sticks_at_last",
         "With static friction above kinetic, by any amount, every free motion that keeps its sticks sticks permanently from some time on.",
+    ),
+    "static-kept": (
+        "SticksKept.sticks_kept",
+        "With static friction above kinetic there is, from every state, a free motion that keeps its sticks.",
+    ),
+    # a numerical method
+    "euler-law": (
+        "EulerLaw.euler_law",
+        r"Forward Euler with the step $h$ and a friction in $[-b,b]$ of the sign of the slip: $N(t)^2\leqslant N(0)^2+h\,t\,C(C+C')$, $C$ and $C'$ the speeds of its steps and of the motion in the energy norm.",
     ),
 }

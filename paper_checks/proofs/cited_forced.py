@@ -265,4 +265,20 @@ FORCED: dict[str, tuple[str, str]] = {
         "ToleranceRing.ring",
         "With $a_1>0$ and a bounded force every motion enters a tube around another one at some time, and stays; from then on it is in the ring of relative velocities.",
     ),
+    "undamped-entrained": (
+        "UndampedEntrainment.undamped_entrained",
+        r"With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response over $b\,(1-U/U_*)$.",
+    ),
+    "resonance-edge": (
+        "AtResonance.edge_family",
+        r"With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip permanently, one way for half a period and then the other way, in closed form.",
+    ),
+    "resonance-edge-bounded": (
+        "AtResonance.edge_bounded",
+        r"With $a_1=0$, every motion under $u=\frac{4b}{\pi}\sin\omega_1t$ is bounded.",
+    ),
+    "controlled-approach": (
+        "Approach.controlled_approach",
+        r"With a damper $a_1(t)$ between two positive bounds and a bounded force every motion tends to each that is bounded.",
+    ),
 }

@@ -43,7 +43,7 @@ Proof.
 Qed.
 
 (** dv2 cannot stay near c > 0 *)
-Lemma no_gap U x v1 v2 s x' v1' v2' s' c d K B T : forced U x v1 v2 s -> forced U x' v1' v2' s' ->
+Lemma no_gap U x v1 v2 s U' x' v1' v2' s' c d K B T : forced U x v1 v2 s -> forced U' x' v1' v2' s' ->
   0 < c -> 0 < K -> 0 <= T -> (forall t, 0 <= t -> Rabs (v2 t) <= B) -> (forall t, 0 <= t -> Rabs (v2' t) <= B) ->
   (forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= K * (t - r)) ->
   d <= c / 4 -> d < b / m2 * (c / (8 * K)) ->
@@ -110,12 +110,14 @@ Proof.
   pose proof (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr) as L2. apply Rabs_inv in L2. apply Rabs_le. lra.
 Qed.
 
-(** *** Two bounded motions under one bounded force *)
+(** *** Two bounded motions under one bounded force; their damper may be larger than a1, by [more] of the time *)
 Section Two.
-Variables U x v1 v2 s x' v1' v2' s' : R -> R.
-Variables G B : R.
-Hypotheses (H : forced U x v1 v2 s) (H' : forced U x' v1' v2' s') (HG : 0 <= G)
+Variables U x v1 v2 s U' x' v1' v2' s' more : R -> R.
+Variables G B A : R.
+Hypotheses (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s') (HG : 0 <= G)
+  (More : forall t, 0 <= t -> 0 <= more t <= A /\ rderiv (fun r => U r - U' r) t (- (more t * (v1 t - v1' t))))
   (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r))
+  (LU' : forall r t, 0 <= r <= t -> Rabs (U' t - U' r) <= G * (t - r))
   (Bd : forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B)
   (Bd' : forall t, 0 <= t -> Rabs (x' t) <= B /\ Rabs (v1' t) <= B /\ Rabs (v2' t) <= B).
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
@@ -132,9 +134,25 @@ Proof.
   assert (0 <= / m1 * ((a2 + a1) * B + b + G)); [|unfold K, speed; lra]. apply Rmult_le_pos; [lra|]. nra.
 Qed.
 
-(** the energy distance does not increase *)
+(** the energy distance falls by what the dampers take at least *)
+Lemma D_dini t : 0 <= t -> dini_le D t (- (a1 * p t ^ 2)).
+Proof.
+  intros Ht e He. destruct (More t Ht) as (Hm & Rm).
+  destruct (moves_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' t _ Ht Rm e He) as (d & Hd & Q).
+  exists d; split; auto. intros h Hh. specialize (Q h Hh).
+  change (D (t + h) - D t <= (- (more t * p t) * p t - a1 * p t ^ 2 + e) * h) in Q.
+  assert (0 <= more t * p t ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
+  assert ((- (more t * p t) * p t - a1 * p t ^ 2 + e) * h <= (- (a1 * p t ^ 2) + e) * h); [|lra].
+  apply Rmult_le_compat_r; [lra|]. nra.
+Qed.
+Let D_cont : cont D. Proof. exact (moves_cD m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). Qed.
+(** so it does not increase *)
 Lemma D_mono r t : 0 <= r <= t -> D t <= D r.
-Proof. intros Hr. exact (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 Ha Hb _ _ _ _ _ _ _ _ _ r t H H' Hr). Qed.
+Proof.
+  intros Hr. apply dini_mono; auto. intros u Hu e He. destruct (D_dini u ltac:(lra) e He) as (d & Hd & Q).
+  exists d; split; auto. intros h Hh. specialize (Q h Hh). eapply Rle_trans; [exact Q|]. apply Rmult_le_compat_r; [lra|].
+  assert (0 <= a1 * p u ^ 2) by (apply Rmult_le_pos; [auto|apply pow2_ge_0]). lra.
+Qed.
 (** and is not negative *)
 Lemma D_pos t : 0 <= D t.
 Proof. apply energy_pos; auto. Qed.
@@ -142,7 +160,7 @@ Proof. apply energy_pos; auto. Qed.
 (** dv1 is Lipschitz *)
 Lemma p_lip r t : 0 <= r <= t -> Rabs (p t - p r) <= 2 * K * (t - r).
 Proof.
-  intros Hr. pose proof (v1_lip _ _ _ _ _ G B H LU Bd r t Hr) as L. pose proof (v1_lip _ _ _ _ _ G B H' LU Bd' r t Hr) as L'.
+  intros Hr. pose proof (v1_lip _ _ _ _ _ G B H LU Bd r t Hr) as L. pose proof (v1_lip _ _ _ _ _ G B H' LU' Bd' r t Hr) as L'.
   assert (0 <= b / m2 * (t - r)) by positive.
   apply Rabs_inv in L. apply Rabs_inv in L'. apply Rabs_le. unfold p, K. lra.
 Qed.
@@ -151,12 +169,8 @@ Qed.
 Lemma D_pays r t g : 0 <= r <= t -> 0 <= g -> (forall u, r <= u < t -> g <= p u ^ 2) ->
   D t - D r <= - (a1 * g) * (t - r).
 Proof.
-  intros Hr Hg Gp. apply dini_slope; auto. { exact (moves_cD m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
-  intros u Hu e He. assert (Z : rderiv (fun r => U r - U r) u 0) by (apply rderiv_ext with (fun _ => 0); [intros;
-    ring|apply rderiv_const]).
-  destruct (moves_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & Q).
-  exists d; split; auto. intros h Hh. specialize (Q h Hh).
-  change (D (u + h) - D u <= (0 * p u - a1 * p u ^ 2 + e) * h) in Q. specialize (Gp u Hu).
+  intros Hr Hg Gp. apply dini_slope; auto. intros u Hu e He. destruct (D_dini u ltac:(lra) e He) as (d & Hd & Q).
+  exists d; split; auto. intros h Hh. specialize (Q h Hh). specialize (Gp u Hu).
   assert (a1 * g * h <= a1 * p u ^ 2 * h) by (apply Rmult_le_compat_r; [lra|scale]). lra.
 Qed.
 
@@ -183,8 +197,9 @@ Proof.
   intros He. set (CP := (m1 + m2) * (2 * B + 1)). assert (HCP : 0 < CP) by positive.
   set (P := fun u => m1 * p u + m2 * q u).
   set (L := 8 * CP / (a2 * e)). assert (Hae : 0 < a2 * e) by nra. assert (HL : 0 < L) by positive.
-  set (n := a2 * e / (2 * (a2 * L + a1))). assert (Hn : 0 < n) by positive.
-  assert (En : n * (a2 * L + a1) = a2 * e / 2) by (unfold n; field; nra).
+  assert (HA : 0 <= A) by (destruct (More 0 ltac:(lra)); lra).
+  set (n := a2 * e / (2 * (a2 * L + (a1 + A)))). assert (Hn : 0 < n) by positive.
+  assert (En : n * (a2 * L + (a1 + A)) = a2 * e / 2) by (unfold n; field; nra).
   destruct (p_to_0 n Hn) as (T & HT & Small). exists T; split; auto. intros t Ht.
   pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs. pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H') as Cs'.
   assert (Cy : cont y) by (apply cont_minus; [apply (f_cx _ _ _ _ _ _ _ _ _ _ H)|apply (f_cx _ _ _ _ _ _ _ _ _ _ H')]).
@@ -193,14 +208,15 @@ Proof.
     [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H')| |].
     - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
     - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H'). }
-  assert (RP : forall u, 0 <= u -> rderiv P u (- (a2 * y u + a1 * p u))).
-  { intros u Hu. apply rderiv_ext with (fun r => ((m1 * v1 r + b * s r - U r) - (m1 * v1' r + b * s' r - U r)) +
+  assert (RP : forall u, 0 <= u -> rderiv P u (- (a2 * y u + (a1 + more u) * p u))).
+  { intros u Hu. apply rderiv_ext with (fun r => ((m1 * v1 r + b * s r - U r) - (m1 * v1' r + b * s' r - U' r) + (U r - U' r)) +
     ((m2 * v2 0 - b * s 0) - (m2 * v2' 0 - b * s' 0))).
     { intros r Hr. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H r ltac:(lra)).
       pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H' r ltac:(lra)). unfold P, p, q. lra. }
-    apply rderiv_eq with ((- (a2 * x u + a1 * v1 u) - - (a2 * x' u + a1 * v1' u)) + 0); [unfold y, p; ring|].
-    apply rderiv_plus; [|apply rderiv_const].
-      apply rderiv_minus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H)|apply (f_v1 _ _ _ _ _ _ _ _ _ _ H')]; auto. }
+    apply rderiv_eq with ((- (a2 * x u + a1 * v1 u) - - (a2 * x' u + a1 * v1' u) + - (more u * (v1 u - v1' u))) + 0);
+      [unfold y, p; ring|].
+    apply rderiv_plus; [|apply rderiv_const]. apply rderiv_plus; [|apply More; auto].
+    apply rderiv_minus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H)|apply (f_v1 _ _ _ _ _ _ _ _ _ _ H')]; auto. }
   assert (Ry : forall u, 0 <= u -> rderiv y u (p u)).
   { intros u Hu. apply rderiv_minus; [apply (f_x _ _ _ _ _ _ _ _ _ _ H)|apply (f_x _ _ _ _ _ _ _ _ _ _ H')]; auto. }
   assert (PB : forall u, 0 <= u -> - CP <= P u <= CP).
@@ -219,14 +235,16 @@ Proof.
       eapply rderiv_dini; [|apply rderiv_scal, RP; lra].
       pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. specialize (Yu r ltac:(lra)).
       assert (a2 * (e - n * L) <= a2 * (k * y r)) by scale.
-      assert (- (a1 * n) <= a1 * (k * p r)) by (destruct Hk; subst k; nra). lra. }
+      destruct (More r ltac:(lra)) as (Hm & _).
+      assert (- ((a1 + A) * n) <= (a1 + more r) * (k * p r)) by (assert (- n <= k * p r) by (destruct Hk; subst k; lra); nra).
+      lra. }
     replace (- (a2 * e / 2) * (t + L - t)) with (- (4 * CP)) in Q by (unfold L; field; split; lra).
     pose proof (PB t ltac:(lra)). pose proof (PB (t + L) ltac:(lra)). destruct Hk; subst k; lra. }
   pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). apply Rabs_le; lra.
 Qed.
 
 (** the distance of two bounded solutions tends to 0 *)
-Theorem approach_bounded e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+Theorem approach_dampers e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
   energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
 Proof.
   intros He. destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & Hl & Low & Lim).
@@ -267,18 +285,123 @@ Proof.
     destruct (cont_IVT _ T t Cq) as (u & Hu & Zu); [lra|lra|]. apply (NZ u); [lra|auto]. }
   assert (P'' : forall t, T <= t -> Rabs (v1 t - v1' t) <= c / 4) by (intros t Ht; apply P'; unfold T in Ht; lra).
   destruct (Rlt_dec 0 (v2 T - v2' T)) as [Pos|Neg].
-  - apply (no_gap _ _ _ _ _ _ _ _ _ c d K B T H H'); auto; try lra.
+  - apply (no_gap _ _ _ _ _ _ _ _ _ _ c d K B T H H'); auto; try lra.
     + intros; apply Bd; auto.
     + intros; apply Bd'; auto.
     + exact (w_lip _ _ _ _ _ G B H LU Bd).
     + intros t Ht. split; [|auto]. apply Near; auto. specialize (Sign t Ht). nra.
-  - apply (no_gap _ _ _ _ _ _ _ _ _ c d K B T H' H); auto; try lra.
+  - apply (no_gap _ _ _ _ _ _ _ _ _ _ c d K B T H' H); auto; try lra.
     + intros; apply Bd'; auto.
     + intros; apply Bd; auto.
-    + exact (w_lip _ _ _ _ _ G B H' LU Bd').
+    + exact (w_lip _ _ _ _ _ G B H' LU' Bd').
     + intros t Ht. split; [|rewrite Rabs_minus_sym; auto].
       apply Near; [pose proof (NZ T ltac:(lra)); specialize (Sign t Ht); nra|].
       specialize (Q t Ht). replace ((v2' t - v2 t) ^ 2) with ((v2 t - v2' t) ^ 2) by ring. auto.
 Qed.
 End Two.
+
+(** the same damper for both *)
+Corollary approach_bounded U x v1 v2 s x' v1' v2' s' G B : forced U x v1 v2 s -> forced U x' v1' v2' s' -> 0 <= G ->
+  (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
+  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
+  (forall t, 0 <= t -> Rabs (x' t) <= B /\ Rabs (v1' t) <= B /\ Rabs (v2' t) <= B) ->
+  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
+Proof.
+  intros H H' HG LU Bd Bd'. apply (approach_dampers U x v1 v2 s U x' v1' v2' s' (fun _ => 0) G B 0); auto.
+  intros t Ht. split; [lra|]. apply rderiv_eq with 0; [ring|].
+  apply rderiv_ext with (fun _ => 0); [intros; ring|apply rderiv_const].
+Qed.
 End Response.
+
+(** what stays within an energy distance of something bounded is bounded *)
+Definition reach m1 m2 a2 D := sqrt (2 * D / a2) + sqrt (2 * D / m1) + sqrt (2 * D / m2).
+Lemma beside m1 m2 a2 x v1 v2 x' v1' v2' B D : 0 < m1 -> 0 < m2 -> 0 < a2 ->
+  energy m1 m2 a2 (x - x') (v1 - v1') (v2 - v2') <= D -> Rabs x' <= B /\ Rabs v1' <= B /\ Rabs v2' <= B ->
+  Rabs x <= B + reach m1 m2 a2 D /\ Rabs v1 <= B + reach m1 m2 a2 D /\ Rabs v2 <= B + reach m1 m2 a2 D.
+Proof.
+  intros Hm1 Hm2 Ha2 Q (b1 & b2 & b3). unfold energy in Q. unfold reach.
+  pose proof (sqrt_pos (2 * D / a2)). pose proof (sqrt_pos (2 * D / m1)). pose proof (sqrt_pos (2 * D / m2)).
+  pose proof (pow2_ge_0 (x - x')). pose proof (pow2_ge_0 (v1 - v1')). pose proof (pow2_ge_0 (v2 - v2')).
+  assert (Near : forall m z z' y, 0 < m -> m * (z - z') ^ 2 <= 2 * D -> Rabs z' <= B -> sqrt (2 * D / m) <= y ->
+    Rabs z <= B + y).
+  { intros m z z' y Hm Hz Hz' Hy. replace z with (z' + (z - z')) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    apply Rplus_le_compat; auto. apply Rle_trans with (2 := Hy). rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt.
+    unfold Rsqr. undivide m. lra. }
+  repeat split; [apply (Near a2 _ x')|apply (Near m1 _ v1')|apply (Near m2 _ v2')]; auto; try lra; nra.
+Qed.
+
+(** *** A damper a(t) that is controlled in time *)
+Section Controlled.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+
+(** the damper is one more force, - a(t) v1, whose impulse V has in it *)
+Definition controlled (a u x v1 v2 s : R -> R) := exists V, forced m1 m2 0 a2 b V x v1 v2 s /\
+  forall t, 0 <= t -> rderiv V t (u t - a t * v1 t).
+
+(** where it never pushes, the flow is non-expansive *)
+Theorem controlled_contraction a u x v1 v2 s x' v1' v2' s' r t : (forall q, 0 <= q -> 0 <= a q) ->
+  controlled a u x v1 v2 s -> controlled a u x' v1' v2' s' -> 0 <= r <= t ->
+  energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy m1 m2 a2 (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
+Proof.
+  intros Pos (V & H & DV) (V' & H' & DV') Hr.
+  apply (dini_mono (fun q => energy m1 m2 a2 (x q - x' q) (v1 q - v1' q) (v2 q - v2' q))); auto.
+  { exact (moves_cD m1 m2 0 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
+  intros q Hq e He. destruct (moves_D_dini m1 m2 0 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' q _ ltac:(lra)
+    (rderiv_minus _ _ _ _ _ (DV q ltac:(lra)) (DV' q ltac:(lra))) e He) as (d & Hd & Q).
+  exists d; split; auto. intros h Hh. specialize (Q h Hh). eapply Rle_trans; [exact Q|]. apply Rmult_le_compat_r; [lra|].
+  assert (0 <= a q * (v1 q - v1' q) ^ 2) by (apply Rmult_le_pos; [apply Pos; lra|apply pow2_ge_0]). nra.
+Qed.
+
+(** as a motion with the constant damper a1, under a force with the rest of it *)
+Lemma controlled_constant a1 V x v1 v2 s : forced m1 m2 0 a2 b V x v1 v2 s ->
+  forced m1 m2 a1 a2 b (fun t => V t + a1 * x t) x v1 v2 s.
+Proof.
+  intros [L P N CU CX CV X Q W]. constructor; auto.
+  - apply cont_plus; auto using cont_scal.
+  - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + b * s r - V r - a1 * x r); [intros; ring|].
+    apply rderiv_eq with (- (a2 * x t + 0 * v1 t) - a1 * v1 t); [ring|]. apply rderiv_minus; auto using rderiv_scal.
+Qed.
+
+(** where it always takes and the force is bounded, every motion tends to each that is bounded *)
+Theorem controlled_approach a u x v1 v2 s x' v1' v2' s' a1 A G B : 0 < a1 -> 0 <= G ->
+  (forall t, 0 <= t -> a1 <= a t <= A /\ Rabs (u t) <= G) ->
+  controlled a u x v1 v2 s -> controlled a u x' v1' v2' s' ->
+  (forall t, 0 <= t -> Rabs (x' t) <= B /\ Rabs (v1' t) <= B /\ Rabs (v2' t) <= B) ->
+  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+    energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
+Proof.
+  intros Ha1 HG Hau C C' Bd'. assert (Pos : forall q, 0 <= q -> 0 <= a q) by (intros q Hq; destruct (Hau q Hq); lra).
+  set (D := fun t => energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)).
+  assert (Mono : forall t, 0 <= t -> D t <= D 0) by (intros t Ht; apply (controlled_contraction a u _ _ _ s _ _ _ s'); auto; lra).
+  destruct C as (V & H & DV), C' as (V' & H' & DV').
+  assert (B0 : 0 <= B) by (destruct (Bd' 0 ltac:(lra)) as (Q & _); pose proof (Rabs_pos (x' 0)); lra).
+  set (E := reach m1 m2 a2 (D 0)).
+  assert (E0 : 0 <= E) by (unfold E, reach; repeat apply Rplus_le_le_0_compat; apply sqrt_pos).
+  assert (Bd : forall t, 0 <= t -> Rabs (x t) <= B + E /\ Rabs (v1 t) <= B + E /\ Rabs (v2 t) <= B + E)
+    by (intros t Ht; apply (beside m1 m2 a2 _ _ _ (x' t) (v1' t) (v2' t) B (D 0)); auto; exact (Mono t Ht)).
+  assert (A0 : a1 <= A) by (destruct (Hau 0 ltac:(lra)); lra).
+  assert (Lip : forall W y w1 w2 z, forced m1 m2 0 a2 b W y w1 w2 z -> (forall t, 0 <= t -> rderiv W t (u t - a t * w1 t)) ->
+    (forall t, 0 <= t -> Rabs (w1 t) <= B + E) -> forall r t, 0 <= r <= t ->
+    Rabs ((W t + a1 * y t) - (W r + a1 * y r)) <= (G + A * (B + E)) * (t - r)).
+  { intros W y w1 w2 z HW DW Bw r t Hr. apply (lip_of_rderiv (fun q => W q + a1 * y q) (fun q => u q - (a q - a1) * w1 q)); auto.
+    - apply cont_plus; [apply (f_cU _ _ _ _ _ _ _ _ _ _ HW)|apply cont_scal, (f_cx _ _ _ _ _ _ _ _ _ _ HW)].
+    - intros q Hq. split.
+      + apply rderiv_eq with (u q - a q * w1 q + a1 * w1 q); [ring|]. apply rderiv_plus; auto.
+        apply rderiv_scal, (f_x _ _ _ _ _ _ _ _ _ _ HW); auto.
+      + destruct (Hau q Hq) as (Qa & Qu). unfold Rminus at 1. eapply Rle_trans; [apply Rabs_triang|].
+        apply Rplus_le_compat; auto. rewrite Rabs_Ropp, Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos.
+        rewrite Rabs_pos_eq; lra. }
+  assert (AB : 0 <= A * (B + E)) by (apply Rmult_le_pos; lra).
+  apply (approach_dampers m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ x v1 v2 s _ x' v1' v2' s' (fun t => a t - a1)
+    (G + A * (B + E)) (B + E) (A - a1) (controlled_constant a1 _ _ _ _ _ H) (controlled_constant a1 _ _ _ _ _ H')); auto.
+  - lra.
+  - intros t Ht. destruct (Hau t Ht). split; [lra|].
+    apply rderiv_eq with ((u t - a t * v1 t + a1 * v1 t) - (u t - a t * v1' t + a1 * v1' t)); [ring|].
+    apply rderiv_minus; apply rderiv_plus; auto; apply rderiv_scal;
+      [apply (f_x _ _ _ _ _ _ _ _ _ _ H)|apply (f_x _ _ _ _ _ _ _ _ _ _ H')]; auto.
+  - apply (Lip V x v1 v2 s); auto. intros t Ht. apply Bd; auto.
+  - apply (Lip V' x' v1' v2' s'); auto. intros t Ht. destruct (Bd' t Ht) as (_ & Q & _). lra.
+  - intros t Ht. destruct (Bd' t Ht) as (b1 & b2 & b3). repeat split; lra.
+Qed.
+End Controlled.

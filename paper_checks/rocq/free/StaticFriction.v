@@ -54,9 +54,10 @@ Definition least_slip e := (bs - bk) / (2 * load_rate e + (bs - bk) * sqrt (a2 /
 (** and what it costs at least *)
 Definition least_loss e := bk * ((m1 + m2) / (m1 * m2)) * (bs - bk) * least_slip e ^ 2 / 16.
 
-Section One.
+(** *** Any motion with both frictions, whether it keeps its sticks or not *)
+Section Moves.
 Variables x v1 v2 s : R -> R.
-Hypothesis H : jumping x v1 v2 s.
+Hypothesis H : two_frictions x v1 v2 s.
 Let w t := v1 t - v2 t.
 Let E t := energy (x t) (v1 t) (v2 t).
 Let ld t := stick_load (x t) (v1 t).
@@ -208,6 +209,40 @@ Proof.
 Qed.
 End Launch.
 
+(** something *)
+Lemma loss_pos : 0 < e0.
+Proof.
+  change (0 < bk * kap * (bs - bk) * h0 ^ 2 / 16). assert (0 < h0 ^ 2) by positive.
+  assert (0 < bk * kap * (bs - bk)) by positive. apply Rdiv_lt_0_compat; [positive|lra].
+Qed.
+(** in a time that is not nothing *)
+Lemma slip_pos : 0 < h0.
+Proof. exact H0. Qed.
+End Moves.
+
+(** *** A motion that keeps its sticks *)
+Section One.
+Variables x v1 v2 s : R -> R.
+Hypothesis H : jumping x v1 v2 s.
+Let H2 := j_two _ _ _ _ H.
+Let w t := v1 t - v2 t.
+Let E t := energy (x t) (v1 t) (v2 t).
+Let ld t := stick_load (x t) (v1 t).
+Let h0 := least_slip (E 0).
+Let e0 := least_loss (E 0).
+Let Kp : 0 < kap. Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
+Let H0 : 0 < h0 := slip_pos _ _ _ _ H2.
+Let e0_pos : 0 < e0 := loss_pos _ _ _ _ H2.
+Let falls r t : 0 <= r <= t -> E t <= E r := jumping_decreases _ _ _ _ H2 r t.
+Let back c k : 0 <= c -> v1 c = v2 c -> k = 1 \/ k = -1 -> bs <= k * ld c -> forall t, c <= t <= c + h0 -> 0 <= k * w t :=
+  not_back _ _ _ _ H2 c k.
+Let faster c k : 0 <= c -> k = 1 \/ k = -1 -> bs <= k * ld c -> forall p t, c <= p <= t -> t <= c + h0 -> 0 < k * w p ->
+  kap * ((bs - bk) / 2) * (t - p) <= k * w t := gains _ _ _ _ H2 c k.
+Let dearer c k : 0 <= c -> k = 1 \/ k = -1 -> bs <= k * ld c -> forall p, c <= p <= c + h0 / 2 -> 0 < k * w p ->
+  E (c + h0) <= E c - e0 := loses _ _ _ _ H2 c k.
+Let Cw : cont w.
+Proof. apply cont_minus; [apply (j_cv _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ (jumping_moves _ _ _ _ H2))]. Qed.
+
 (** where a stick can be left *)
 Lemma leaves c : 0 <= c -> v1 c = v2 c -> (forall d, 0 < d -> exists u, c < u < c + d /\ v1 u <> v2 u) ->
   exists k, (k = 1 \/ k = -1) /\ bs <= k * ld c.
@@ -230,21 +265,15 @@ Proof.
     pose proof (Rmin_l (d / 2) ((q - p) / 2)). pose proof (Rmin_r (d / 2) ((q - p) / 2)). split; [lra|apply Sl; lra]. }
   set (u := p + Rmin (h0 / 2) ((q - p) / 2)). assert (0 < Rmin (h0 / 2) ((q - p) / 2)) by positive.
   pose proof (Rmin_l (h0 / 2) ((q - p) / 2)). pose proof (Rmin_r (h0 / 2) ((q - p) / 2)). assert (Wu : 0 < k * w u).
-  { pose proof (not_back p k ltac:(lra) Mp' Hk' Edge u ltac:(unfold u; lra)). specialize (Sl u ltac:(unfold u; lra)).
+  { pose proof (back p k ltac:(lra) Mp' Hk' Edge u ltac:(unfold u; lra)). specialize (Sl u ltac:(unfold u; lra)).
     assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
   assert (Long : p + h0 < q).
-  { apply Rnot_le_lt. intros N. pose proof (gains p k ltac:(lra) Hk' Edge u q ltac:(unfold u; lra) N Wu) as G.
+  { apply Rnot_le_lt. intros N. pose proof (faster p k ltac:(lra) Hk' Edge u q ltac:(unfold u; lra) N Wu) as G.
     unfold w in G at 1. rewrite Mq in G. assert (0 < kap * ((bs - bk) / 2)) by nra. assert (0 < q - u) by (unfold u;
       lra).
     unfold w in *. nra. }
-  split; auto. pose proof (loses p k ltac:(lra) Hk' Edge u ltac:(unfold u; lra) Wu).
-  pose proof (jumping_decreases (p + h0) q ltac:(lra)). lra.
-Qed.
-
-Let e0_pos : 0 < e0.
-Proof.
-  change (0 < bk * kap * (bs - bk) * h0 ^ 2 / 16). assert (0 < h0 ^ 2) by positive.
-  assert (0 < bk * kap * (bs - bk)) by positive. apply Rdiv_lt_0_compat; [positive|lra].
+  split; auto. pose proof (dearer p k ltac:(lra) Hk' Edge u ltac:(unfold u; lra) Wu).
+  pose proof (falls (p + h0) q ltac:(lra)). lra.
 Qed.
 
 (** so there are at most E(0) / e0 of them *)
@@ -255,9 +284,9 @@ Proof.
   { induction n as [|n IH]; [simpl; lra|]. destruct (Sl n ltac:(lia)) as (Hp & _).
     specialize (IH ltac:(intros; apply Sl; lia) ltac:(intros; apply Or; lia)). rewrite S_INR.
     destruct (slip_costs _ _ (Sl n ltac:(lia))) as (_ & Co). destruct n as [|n].
-    - simpl in *. pose proof (jumping_decreases 0 (p O) ltac:(lra)). lra.
+    - simpl in *. pose proof (falls 0 (p O) ltac:(lra)). lra.
     - specialize (Or n ltac:(lia)). destruct (Sl n ltac:(lia)) as (Hp' & _).
-      pose proof (jumping_decreases (q n) (p (S n)) ltac:(lra)). lra. }
+      pose proof (falls (q n) (p (S n)) ltac:(lra)). lra. }
   assert (Ep : forall t, 0 <= E t) by (intros; apply energy_pos; auto). destruct n; [|specialize (Ep (q n)); lra].
   simpl. rewrite Rmult_0_l. apply Ep.
 Qed.
@@ -265,7 +294,7 @@ Qed.
 (** it meets again after any time *)
 Lemma jumping_contact T : 0 <= T -> exists t, T <= t /\ v1 t = v2 t.
 Proof.
-  intros HT. destruct (moves_contact _ _ _ _ _ Hm1 Hm2 Ha1 Ha2 Hk _ _ _ _ _ T jumping_moves HT) as (t & Ht & Z).
+  intros HT. destruct (moves_contact _ _ _ _ _ Hm1 Hm2 Ha1 Ha2 Hk _ _ _ _ _ T (jumping_moves _ _ _ _ H2) HT) as (t & Ht & Z).
   exists t. split; [lra|auto].
 Qed.
 
@@ -285,10 +314,10 @@ Proof.
       apply Classical_Prop.NNPP. intros Wu. apply Nu. exists u. split; auto. unfold w in Wu. lra. }
     destruct (leaves l ltac:(lra) ltac:(unfold w in Wl; lra) Out) as (k & Hk' & Edge).
     destruct (Out (h0 / 2)) as (u & Hu & Nu); [lra|]. apply No. exists (l + h0). split; [lra|].
-    pose proof (jumping_decreases c l ltac:(lra)). assert (Wu : 0 < k * w u).
-    { pose proof (not_back l k ltac:(lra) ltac:(unfold w in Wl; lra) Hk' Edge u ltac:(lra)).
+    pose proof (falls c l ltac:(lra)). assert (Wu : 0 < k * w u).
+    { pose proof (back l k ltac:(lra) ltac:(unfold w in Wl; lra) Hk' Edge u ltac:(lra)).
       assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
-    pose proof (loses l k ltac:(lra) Hk' Edge u ltac:(lra) Wu). lra.
+    pose proof (dearer l k ltac:(lra) Hk' Edge u ltac:(lra) Wu). lra.
 Qed.
 
 (** *** Every motion sticks for ever from some time on *)
@@ -296,7 +325,7 @@ Theorem sticks_at_last : exists T, 0 <= T /\ forall t, T <= t -> v1 t = v2 t.
 Proof.
   assert (Q : forall n T, 0 <= T -> E T <= INR n * e0 -> exists T, 0 <= T /\ forall t, T <= t -> v1 t = v2 t).
   { induction n as [|n IH]; intros T HT En; destruct (jumping_contact T HT) as (c & Hc & Meet);
-    pose proof (jumping_decreases T c ltac:(lra)) as D;
+    pose proof (falls T c ltac:(lra)) as D;
     (destruct (stuck_or_dearer c ltac:(lra) Meet) as [St|(t & Ht & Et)]; [exists c; split; [lra|auto]|]).
     - exfalso. simpl in En. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E, energy in *.
       lra.
