@@ -122,6 +122,11 @@ def off_the_place() -> Steps:
             kernel="controlled-contraction",
         ),
         clause(
+            "controlled-approach",
+            r"If $0<\alpha\leqslant a_1(t)\leqslant A$ besides and the force is bounded, every motion tends to each one that is bounded, in the energy norm.",
+            kernel="controlled-approach",
+        ),
+        clause(
             "place",
             r"The position $x_2$ does not: a motion that differs only in $x_2(0)$ keeps that difference permanently,",
             kernel="displacement-unseen forced-well-posed",
@@ -133,7 +138,7 @@ def off_the_place() -> Steps:
         ),
     ),
     open=(
-        "Under a controlled damper, whether any two motions approach each other: that is shown for a constant $a_1>0$. With a damper whose force on body 1 does not fall with speed the flow is still non-expansive (friction-in-any-direction). A damper that depends on position, and a force that depends on the motion, are not treated.",
+        "With a damper whose force on body 1 does not fall with speed the flow is still non-expansive (friction-in-any-direction). A damper that depends on position, and a force that depends on the motion, are not treated.",
     ),
 )
 def damping_for_tracking() -> Case:

@@ -124,7 +124,7 @@ FORCED: dict[str, tuple[str, str]] = {
         "every motion tend to the velocity of the reference, and to its place but for the constant.",
     ),
     "controlled-contraction": (
-        "Tracking.controlled_contraction",
+        "Approach.controlled_contraction",
         r"Under any force, and a damper $a_1(t)\geqslant 0$ that varies in time, the flow is non-expansive in the energy norm.",
     ),
     "keeps-offset": (

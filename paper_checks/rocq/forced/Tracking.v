@@ -1,6 +1,4 @@
-(** Tracking with a damper: the velocities, and the place of body 1, tend to the reference;
-  and a damper that is controlled
-    in time does not move two motions apart. *)
+(** Tracking with a damper: the velocities, and the place of body 1, tend to the reference. *)
 From InertialPair Require Import Dini Pair Pursuit Forced BoundedMotions.
 
 Section Tracking.
@@ -32,25 +30,5 @@ Proof.
   assert (Q : forall y, mu * y ^ 2 <= mu * e ^ 2 -> Rabs y <= e).
   { intros y Hy. apply Rmult_le_reg_l in Hy; [|lra]. apply Rabs_le, sq_le_abs; lra. }
   replace (x t - (r t + (x0 - r 0))) with (x t - (x0 + r t - r 0)) by ring. repeat split; apply Q; nra.
-Qed.
-
-(** A damper c t >= 0 that varies in time, with the impulse D of its force: no two motions under one force move apart.
-  *)
-Theorem controlled_contraction c U D x v1 v2 s D' x' v1' v2' s' r t : (forall u, 0 <= u -> 0 <= c u) ->
-  (forall u, 0 <= u -> rderiv D u (c u * v1 u)) -> (forall u, 0 <= u -> rderiv D' u (c u * v1' u)) ->
-  forced m1 m2 0 a2 b (fun u => U u - D u) x v1 v2 s -> forced m1 m2 0 a2 b (fun u => U u - D' u) x' v1' v2' s' ->
-  0 <= r <= t ->
-  energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy m1 m2 a2 (x r - x' r) (v1 r - v1' r) (v2 r -
-    v2' r).
-Proof.
-  intros C DD DD' H H' Hr.
-  apply (dini_mono (fun u => energy m1 m2 a2 (x u - x' u) (v1 u - v1' u) (v2 u - v2' u))); auto.
-  { exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
-  intros u Hu e He. assert (Z : rderiv (fun q => U q - D q - (U q - D' q)) u (- (c u * (v1 u - v1' u)))).
-  { apply rderiv_ext with (fun q => D' q - D q); [intros; ring|].
-    apply rderiv_eq with (c u * v1' u - c u * v1 u); [ring|]. apply rderiv_minus; [apply DD'|apply DD]; lra. }
-  destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) Z e He) as (d & Hd & K).
-  exists d. split; auto. intros h Hh. specialize (K h Hh). pose proof (C u ltac:(lra)).
-    pose proof (pow2_ge_0 (v1 u - v1' u)). assert (0 <= c u * (v1 u - v1' u) ^ 2 * h) by positive. nra.
 Qed.
 End Tracking.
