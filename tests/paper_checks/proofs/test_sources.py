@@ -62,4 +62,6 @@ def test_the_readme_names_definitions_that_are_there():
     names = re.findall(r"^\| `([A-Z]\w+)\.(\w+)", (FOLDER / "README.md").read_text("utf-8"), re.MULTILINE)
     assert len(names) > 15
     texts = read()
-    assert [one for one in names if not re.search(rf"(?:Definition|Fixpoint|Record) {one[1]}\b", texts[one[0]].text)] == []
+    assert [
+        one for one in names if not re.search(rf"(?:Definition|Fixpoint|Record) {one[1]}\b", texts[one[0]].text)
+    ] == []
