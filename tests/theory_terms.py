@@ -8,7 +8,7 @@ from gallina import term
 from theory import energy, excursion, filippov, forced, forced_control, merging, near_critical, return_map, scaling
 from theory import forced_response as response
 from theory.closed_forms import DampingRegime, rate, rates, solution
-from theory.model import driven_equation, driving_equation, free_system
+from theory.model import case_study_closed_form, driven_equation, driving_equation, free_system
 from theory.symbols import (
     E0,
     a1,
@@ -43,7 +43,7 @@ LETTERS = {one: one.name for one in (m1, m2, a1, a2, b, t)} | {
     return_map.gap: "d",
     return_map.push: "u",
 }
-ALONG = LETTERS | {x1: "(x t)", v1: "(v1 t)", v2: "(v2 t)", acceleration1: "a", acceleration2: "a'"}
+ALONG = LETTERS | {x1: "(x t)", v1: "(v1 t)", v2: "(v2 t)", acceleration1: "a", acceleration2: "a'", u: "(u t)"}
 STICK = LETTERS | {rate: "(omega m1 m2 a2)", x1_0: "x0", v1_0: "v0"}
 FORCED = LETTERS | {
     response.omega: "om",
@@ -78,8 +78,11 @@ def _pair() -> Iterator[tuple[str, Terms]]:
     pieces = (f"{force} * s t) t {part}" for force, part in zip(friction[:2], smooth[:2], strict=True))
     last = f"{friction[2]} * s t = m2 * v2 0 - {friction[2]} * s 0 + {smooth[2]} * t"
     yield "tie_solution", (f"0 < {guard}", f"{guard} < 0", *pieces, last)
-    signs = (term(one.subs(u, 0), ALONG) for one in (driving_equation(), driven_equation()))
+    signs = (term(one, ALONG) for one in (driving_equation(), driven_equation()))
     yield "tie_switching", tuple(f"{one} = 0" for one in signs)
+    first, second = (term(one, ALONG) for one in case_study_closed_form())
+    yield "tie_case_study", (f"a = {first}", f"a' = {second}")
+    yield "tie_load", (f"ModeAtContact.load m1 m2 a1 a2 u x v1 t = {term(forced.load(), ALONG)}",)
     stick = solution("stick", DampingRegime.UNDAMPED)
     yield from _equal(
         LETTERS,

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from paper_checks.claims import signum, transfers
+from paper_checks.claims import transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
 from theory import forced
@@ -86,11 +86,11 @@ def target_or_set_point() -> Case:
         Not judged: a statement about the literature. What it presupposes was checked: that such control exists, and
         that a set-point is the simpler task. From rest every set-point can be reached, in no less than
         $2\sqrt{m_2D/b}$, and held; a target trajectory can be followed exactly if it never requires more acceleration
-        than $b/m_2$. At exactly $b/m_2$ this holds under Coulomb's law, but not under (3)–(4); below it, under both.
+        than $b/m_2$. At exactly $b/m_2$ this holds under Coulomb's law, but not under (3)–(4); below it, under both: see
+        trackable-references and minimum-transfer-time.
         """,
-        transfers.followed().as_support(),
-        transfers.least_time().as_support(),
-        signum.stuck_below_the_limit().as_support(),
+        transfers.gentle().as_support(),
+        transfers.stuck_force().as_support(),
     )
 
 
@@ -116,6 +116,7 @@ def target_or_set_point() -> Case:
     clause(
         "literal",
         r"Under (3)–(4) a pair that sticks follows exactly those of them with $|\ddot x_{\mathrm{ref}}|<b/m_2$ at almost all times.",
+        kernel="literal-reference",
     ),
     clause(
         "sticks",
@@ -144,7 +145,6 @@ def trackable_references() -> Case:
     """Friction is the only force on body 2."""
     return because(
         "Body 2 can follow exactly the references that require no more force than the interface can transmit. A pair that sticks follows each of them, under an explicit force.",
-        carried("literal", signum.stuck_below_the_limit()),
         carried("force", transfers.stuck_force()),
     )
 
@@ -178,6 +178,7 @@ def trackable_references() -> Case:
     clause(
         "literal",
         r"(3)–(4) do not have that motion (sgn-three-valued); under them a stuck pair achieves it in every longer time.",
+        kernel="literal-reference literal-transfer",
     ),
     clause(
         "stuck",
@@ -256,7 +257,6 @@ def minimum_transfer_time() -> Case:
     """A bound for every control, and what attaining it costs."""
     return because(
         "The minimum time is set by the interface alone, whatever the force. The force amplitude needed is another matter: if body 1 slips ahead of body 2 in the first half, and both have the same velocity at half time, less is needed than if the pair sticks all the way.",
-        carried("literal", signum.stuck_below_the_limit()),
         carried("weak", transfers.weak_force()),
         derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),
     )

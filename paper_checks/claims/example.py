@@ -98,6 +98,16 @@ def example_eigenfrequency() -> Case:
             lambda: _reduced(1).subs(acceleration1, PULL),
         ),
     ),
+    correction=(
+        clause(
+            "corrected",
+            r"""
+            (3)–(4) reduce to (11) and, where $\dot z\neq 0$ or $|x_1|<b/100$, to (12). At $\dot z=0$ with
+            $|x_1|>b/100$, (4) gives $\ddot x_2=0$; with $|x_1|=b/100$, $\ddot x_2=\ddot x_1/2$.
+            """,
+            kernel="case-study-reduction",
+        ),
+    ),
 )
 def example_reduction() -> Case:
     """Derive (11) and (12) with the stiction bracket left open, and find where (12) follows."""
@@ -125,7 +135,8 @@ def example_reduction() -> Case:
                 (literal[1], "<", 0),
             ),
         ),
-        correction(
+        carried(
+            "corrected",
             identity("(11) is (3), for every value $s$ of $\\mathrm{sgn}(\\dot z)$", derived[0], printed[0]),
             identity("(12) is (4) where the second bracket is 1", derived[1].subs(bracket_sign, -1), printed[1]),
             identity(
@@ -143,14 +154,13 @@ def example_reduction() -> Case:
                 (1 + bracket_sign) * acceleration1 / 2,
             ),
             prove(
-                "in stick $|\\ddot x_1|<b$ exactly where $|x_1|<b/100$",
+                "in stick $|\\ddot x_1|<b$ exactly where $|x_1|<b/100$, and $|\\ddot x_1|=b$ where $|x_1|=b/100$",
                 [sp.Eq(acceleration, literal[0])],
-                sp.Equivalent(Abs(acceleration) < b, 100 * Abs(x1) < b),
+                And(
+                    sp.Equivalent(Abs(acceleration) < b, 100 * Abs(x1) < b),
+                    sp.Equivalent(sp.Eq(Abs(acceleration), b), sp.Eq(100 * Abs(x1), b)),
+                ),
             ),
-            text=r"""
-            (3)–(4) reduce to (11) and, where $\dot z\neq 0$ or $|x_1|<b/100$, to (12). At $\dot z=0$ with
-            $|x_1|>b/100$, (4) gives $\ddot x_2=0$; with $|x_1|=b/100$, $\ddot x_2=\ddot x_1/2$.
-            """,
         ),
         derivation=(
             "With $s=\\mathrm{sgn}(\\dot z)$ and $\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$, (3) and (4) become",

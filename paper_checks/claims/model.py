@@ -13,7 +13,7 @@ from paper_checks.claims.filippov import (
     stick_region,
 )
 from paper_checks.claims.points import EDGE, EXAMPLE_PAIR, INSIDE, START_AT_6MM
-from paper_checks.claims.signum import agree, none_under_control, under_a_force
+from paper_checks.claims.signum import under_a_force
 from paper_checks.claims.words import *
 from theory.model import (
     RELATIVE_SIGN,
@@ -110,7 +110,11 @@ def is_mode(name: str) -> Evidence:
             $\ddot x_1$.
             """,
         ),
-        clause("instants", r"The free system is in these two branches at isolated instants only."),
+        clause(
+            "instants",
+            r"The free system is in these two branches at isolated instants only.",
+            kernel="edges-isolated switching-iff filippov-iff",
+        ),
         *under_a_force(),
     ),
 )
@@ -154,16 +158,6 @@ def modes_from_closed_form() -> Case:
             *(is_mode(name) for name in ("stick", "slip+", "slip-")),
             *(spurious_branch(name) for name in SPURIOUS),
         ),
-        carried(
-            "instants",
-            argument(
-                "Both branches leave $\\dot z=0$ at once, and the edge is met at isolated instants.",
-                stick_region(),
-                *leaves_the_surface(),
-            ),
-        ),
-        carried("forced", agree()),
-        carried("none", none_under_control()),
     )
 
 

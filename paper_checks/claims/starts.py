@@ -13,7 +13,6 @@ from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.capture import energy_decreases, leaves_above_critical
 from paper_checks.claims.energy import in_every_mode
-from paper_checks.claims.filippov import equivalent
 from paper_checks.claims.itineraries import (
     ARGUMENT,
     largest_relative_speed,
@@ -91,6 +90,7 @@ def point_of(scene: Scene) -> Point:
         clause(
             "literal",
             r"Of (11)–(12) as printed that is true, and of one of their solutions only. Without the bracket of (4) they have at least two from this start: the stuck $x_1=0.006\cos 10t$ that the paper shows, and one that slips at once. (3)–(4) and Coulomb's law have the second only:",
+            kernel="two-solutions-from-6-mm",
         ),
         clause(
             "from-rest",
@@ -151,12 +151,12 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
         counterexample(
             "The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero. The motion that slips at once solves (11)–(12) too, and it is the only one of (3)–(4).",
             *two_solutions(),
+            kernel.step("two-solutions-from-6-mm"),
             *witnesses,
         ),
         stuck_for_ever("(11), (12) read literally: sticks permanently, with 0.6 N > b", solved(literally(scene))),
         carried("from-rest", argument(FROM_REST, *_from_rest(scene))),
         carried("slips", argument(" ".join(ARGUMENT), *witnesses)),
-        carried("literal", equivalent(), *two_solutions()),
         derivation=ARGUMENT,
         figure="start-at-6mm",
     )

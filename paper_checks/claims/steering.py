@@ -2,7 +2,7 @@
 
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Scene, State
-from paper_checks.claims import contraction, response, signum, tolerance, transfers
+from paper_checks.claims import contraction, response, tolerance, transfers
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
 from paper_checks.decide import kernel
@@ -27,6 +27,7 @@ APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}
         The moved passive body has an unbounded motion space, and with it such an underactuated system could be
         controlled, the motion variables of interest being $(x_2,\dot x_2)$,
         """,
+        kernel="literal-transfer literal-reference",
     ),
     clause(
         "source",
@@ -47,7 +48,10 @@ def driven_body_steered() -> Case:
         Coulomb's law (in exactly the minimum time by a stuck pair: under the latter only). All energy comes from that
         force: damper and interface only dissipate.
         """,
-        carried("unbounded", signum.stuck_below_the_limit(), transfers.least_time()),
+        reading(
+            "could be controlled, the motion variables of interest being $(x_2,\\dot x_2)$",
+            "some force takes $(x_2,\\dot x_2)$ from $(y,0)$ to $(y+D,0)$ in each time $T>2\\sqrt{m_2|D|/b}$, for all $y$ and $D$, and, from $v_1=v_2$, along each $\\dot x_2(t)$ with $|\\ddot x_2|<b/m_2$ at almost every time",
+        ),
         carried("source", contraction.energy_rate()),
     )
 

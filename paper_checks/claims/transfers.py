@@ -54,40 +54,6 @@ def followed() -> Evidence:
 
 
 @cache
-def spread() -> Evidence:
-    """The farthest place: full acceleration first."""
-    return argument(
-        r"""
-        $x_2(T)-x_2(0)-v_2(0)T=\int_0^T(T-t)\,\dot v_2\,dt$ with $|\dot v_2|\leqslant b/m_2$ and a given integral is
-        largest where all that is positive comes first. Its switch is at $T/2+m_2\Delta v_2/2b$.
-        """,
-        gentle(),
-        identity(
-            r"so the position is $s$ away from $\frac T2(v_2(0)+v_2(T))$",
-            control.spread(),
-            b / (4 * m2) * (control.duration**2 - (m2 * control.velocity_gain / b) ** 2),
-        ),
-    )
-
-
-@cache
-def least_time() -> Evidence:
-    """From rest to rest."""
-    turn = control.least_time() / 2
-    return argument(
-        r"With $v_2=0$ at both ends $D\leqslant bT^2/4m_2$. The stuck motion with $\ddot x=b/m_2$, then $-b/m_2$, attains it.",
-        spread(),
-        followed(),
-        identity(
-            r"both halves meet at half the time: position and velocity",
-            Matrix([control.bang(True) - control.bang(False), diff(control.bang(True) + control.bang(False), t)]).subs(
-                t, turn
-            ),
-        ),
-    )
-
-
-@cache
 def nothing_breaks() -> Evidence:
     """A weak force does not break the pair within half a turn."""
     share = Symbol("c", real=True)

@@ -10,28 +10,13 @@ from __future__ import annotations
 from paper_checks.proofs.cited_beyond import BEYOND
 from paper_checks.proofs.cited_forced import FORCED
 from paper_checks.proofs.cited_merging import MERGING
+from paper_checks.proofs.cited_switching import SWITCHING
 
 _FREE: dict[str, tuple[str, str]] = {
     # Section III, every solution
     "well-posed": (
         "WellPosed.well_posed",
         "From every initial state there is exactly one solution, with or without damping.",
-    ),
-    "filippov-iff": (
-        "Filippov.filippov_iff",
-        "A solution is what Filippov calls one: absolutely continuous, and in the differential inclusion at almost all times.",
-    ),
-    "switching-iff": (
-        "Switching.switching_iff",
-        "The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.",
-    ),
-    "momentum-balance": (
-        "Switching.momentum_balance",
-        "Every solution of (3), (4) without a control has $m_1\\dot v_1+a_1v_1+a_2x_1+m_2\\dot v_2=0$ at almost all times: the forces between the bodies add up to nothing.",
-    ),
-    "filippov-well-posed": (
-        "Filippov.filippov_well_posed",
-        "From every initial state there is exactly one Filippov solution, with or without damping.",
     ),
     "contraction": ("Pair.contraction", "The flow is non-expansive in the energy norm, with or without damping."),
     "uniqueness": ("Pair.unique", "Two solutions that meet coincide from then on, with or without damping."),
@@ -317,4 +302,4 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
 }
 
-CITED = _FREE | MERGING | FORCED | BEYOND
+CITED = _FREE | SWITCHING | MERGING | FORCED | BEYOND

@@ -103,7 +103,8 @@ def _by_reason(finding: Finding, about: Subject, used: set[Evidence]) -> Steps:
     steps = [item for item in finding.evidence if item.about is about and item not in below and item not in used]
     if about is Subject.COUNTEREXAMPLE:
         return tuple(steps)
-    return (replace(argument(finding.reason, *steps), about=about),) if steps else ()
+    carrying = any(not step.supports for step in steps)
+    return (replace(argument(finding.reason, *steps), about=about),) if carrying else ()
 
 
 def judged(finding: Finding, found: Sequence[Proof]) -> Finding:

@@ -1,6 +1,6 @@
 (** Almost everywhere, without measure theory: null sets by covers, absolute continuity by lists of intervals.
     An absolutely continuous function with a derivative >= 0 outside a null set does not decrease. *)
-From Coq Require Import List.
+From Coq Require Import List Cantor.
 From InertialPair Require Import Dini.
 Import ListNotations.
 
@@ -231,3 +231,124 @@ Proof.
     + induction n as [|n IH]; [unfold h; simpl; lra|]. rewrite tech5. unfold h at 3 4. simpl pow in *. lra.
     + assert (0 < (1 / 2) ^ S n) by positive. nra.
 Qed.
+
+(** *** Null sets *)
+(** of two one *)
+Lemma null_or N P : null N -> null P -> null (fun t => N t \/ P t).
+Proof.
+  intros HN HP e He. destruct (HN (e / 2) ltac:(lra)) as (a & b & Ab & Ac & As).
+  destruct (HP (e / 2) ltac:(lra)) as (c & d & Cb & Cc & Cs).
+  set (mix := fun (f g : nat -> R) n => if Nat.even n then f (Nat.div2 n) else g (Nat.div2 n)).
+  assert (Even : forall f g n, mix f g (2 * n)%nat = f n).
+  { intros f g n. unfold mix. rewrite Nat.even_mul, Nat.div2_double. auto. }
+  assert (Odd : forall f g n, mix f g (S (2 * n)) = g n).
+  { intros f g n. unfold mix. rewrite Nat.even_succ, <- Nat.negb_even, Nat.even_mul, Nat.div2_succ_double. auto. }
+  assert (Le : forall i, mix a c i <= mix b d i) by (intros i; unfold mix; destruct Nat.even; auto).
+  exists (mix a c), (mix b d). split; [auto|split].
+  - intros t [Nt|Pt].
+    + destruct (Ac t Nt) as (n & Hn). exists (2 * n)%nat. rewrite !Even. auto.
+    + destruct (Cc t Pt) as (n & Hn). exists (S (2 * n)). rewrite !Odd. auto.
+  - intros n. set (g := fun i => mix b d i - mix a c i).
+    assert (Twice : forall m, sum_f_R0 g (S (2 * m)) = sum_f_R0 (fun i => b i - a i) m + sum_f_R0 (fun i => d i - c i)
+      m).
+    { induction m as [|m IH].
+      - unfold g. simpl. unfold mix; simpl. ring.
+      - replace (S (2 * S m)) with (S (S (S (2 * m)))) by lia. rewrite (tech5 g (S (S (2 * m)))),
+        (tech5 g (S (2 * m))), IH. rewrite !tech5. unfold g.
+        replace (S (S (2 * m))) with (2 * S m)%nat by lia. rewrite !Even, !Odd. ring. }
+    assert (Grow : forall m k, sum_f_R0 g m <= sum_f_R0 g (m + k)).
+    { intros m. induction k as [|k IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r, tech5.
+      specialize (Le (S (m + k))). unfold g at 3. lra. }
+    pose proof (Grow n (S n)) as G. replace (n + S n)%nat with (S (2 * n)) in G by lia. rewrite Twice in G.
+    specialize (As n). specialize (Cs n). lra.
+Qed.
+
+(** times before each of which there are none for a while *)
+Lemma null_first (E : R -> Prop) :
+  (forall t, E t -> 0 <= t /\ exists d, 0 < d /\ forall r, t - d < r < t -> ~ E r) -> null E.
+Proof.
+  intros Iso.
+  (* every cell [k w, (k + 1) w) of every width w = 1 / (i + 1) is given a point: its first time, if it has one *)
+  set (low := fun n => INR (snd (of_nat n)) / (INR (fst (of_nat n)) + 1)).
+  set (high := fun n => (INR (snd (of_nat n)) + 1) / (INR (fst (of_nat n)) + 1)).
+  set (A := fun n r => r = - high n \/ (E (- r) /\ low n <= - r < high n)).
+  assert (Pos : forall n, 0 < INR (fst (of_nat n)) + 1) by (intros n; pose proof (pos_INR (fst (of_nat n))); lra).
+  assert (Lh : forall n, low n < high n).
+  { intros n. unfold low, high. apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; auto|lra]. }
+  assert (Bound : forall n, bound (A n)).
+  { intros n. exists (- low n). intros r [->|(_ & Hr)]; [specialize (Lh n); lra|lra]. }
+  assert (Some : forall n, exists r, A n r) by (intros n; exists (- high n); left; auto).
+  set (p := fun n => - proj1_sig (completeness (A n) (Bound n) (Some n))).
+  assert (In : forall t, E t -> exists n, t = p n).
+  { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & No). destruct (nfloor_ex (1 / d)) as (i & Hi); [positive|].
+    pose proof (pos_INR i) as Pi. destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [positive|].
+    set (n := to_nat (i, k)). exists n. assert (Ln : low n * (INR i + 1) = INR k).
+    { unfold low, n. rewrite cancel_of_to. simpl. field. lra. }
+    assert (Hn : high n * (INR i + 1) = INR k + 1).
+    { unfold high, n. rewrite cancel_of_to. simpl. field. lra. }
+    assert (Wd : 1 < d * (INR i + 1)).
+    { assert (Q : d * (1 / d) = 1) by (field; lra). rewrite <- Q at 1. scale. }
+    assert (In : low n <= t < high n) by (split; nra).
+    unfold p. destruct completeness as (c & Ub & Lub). simpl. apply Rle_antisym.
+    + cut (c <= - t); [lra|]. apply Lub. intros r [->|(Er & Hr)]; [lra|]. apply Rnot_lt_le. intros Lt.
+      apply (No (- r)); [nra|auto].
+    + cut (- t <= c); [lra|]. apply Ub. right. rewrite Ropp_involutive. auto. }
+  intros e He. destruct (null_points p e He) as (a & b & Ab & Ac & As). exists a, b. auto.
+Qed.
+
+(** *** Almost all times of [0, oo) *)
+Definition almost (P : R -> Prop) := forall T, 0 <= T -> exists N, null N /\ forall t, 0 <= t <= T -> ~ N t -> P t.
+
+Lemma almost_and P Q : almost P -> almost Q -> almost (fun t => P t /\ Q t).
+Proof.
+  intros A B T HT. destruct (A T HT) as (N & HN & F), (B T HT) as (N' & HN' & G).
+  exists (fun t => N t \/ N' t). split; [apply null_or; auto|]. intros t Ht No. split; [apply F|apply G]; auto.
+Qed.
+Lemma almost_impl (P Q : R -> Prop) : (forall t, 0 <= t -> P t -> Q t) -> almost P -> almost Q.
+Proof. intros I A T HT. destruct (A T HT) as (N & HN & F). exists N. split; auto. intros t Ht No. apply I; [lra|auto]. Qed.
+(** almost all times of a set have others of it just before *)
+Lemma almost_crowded (E : R -> Prop) : almost (fun t => E t -> forall d, 0 < d -> exists r, t - d < r < t /\ E r).
+Proof.
+  intros T HT. exists (fun t => 0 <= t /\ E t /\ exists d, 0 < d /\ forall r, t - d < r < t -> ~ E r). split.
+  - apply null_first. intros t (Ht & Et & d & Hd & No). split; [auto|]. exists d. split; [auto|]. intros r Hr (_ & Er & _).
+    exact (No r Hr Er).
+  - intros t Ht No Et d Hd. apply Classical_Prop.NNPP. intros F. apply No. repeat split; [lra|auto|]. exists d.
+    split; [auto|]. intros r Hr Er. apply F. eauto.
+Qed.
+(** almost all zeros are no simple ones *)
+Lemma almost_no_simple_zero f : almost (fun t => f t = 0 -> forall l, is_derive f t l -> l = 0).
+Proof.
+  apply (almost_impl _ _) with (2 := almost_crowded (fun t => f t = 0)). intros t _ Cr Z l D.
+  destruct (Req_dec l 0) as [|Nl]; auto. exfalso. apply is_derive_Reals in D.
+  destruct (D (Rabs l) (Rabs_pos_lt l Nl)) as ((d & Hd) & K). simpl in K. destruct (Cr Z d Hd) as (r & Hr & Zr).
+  specialize (K (r - t) ltac:(lra)). replace (t + (r - t)) with r in K by ring.
+  specialize (K ltac:(apply Rabs_def1; lra)). rewrite Z, Zr in K. replace ((0 - 0) / (r - t) - l) with (- l) in K
+    by (field; lra). rewrite Rabs_Ropp in K. lra.
+Qed.
+(** a single time is none of them *)
+Lemma almost_not c : almost (fun t => t <> c).
+Proof.
+  apply (almost_impl (fun t => t = c -> forall d, 0 < d -> exists r, t - d < r < t /\ r = c));
+    [|apply (almost_crowded (fun t => t = c))].
+  intros t _ Cr Z. destruct (Cr Z 1) as (r & Hr & ->); lra.
+Qed.
+Lemma almost_later : almost (fun t => 0 < t).
+Proof. apply (almost_impl (fun t => t <> 0)); [intros; lra|apply almost_not]. Qed.
+(** until each time there are some at which it holds *)
+Lemma almost_some P T : 0 < T -> almost P -> exists t, 0 <= t <= T /\ P t.
+Proof.
+  intros HT A. apply Classical_Prop.NNPP. intros No. destruct (A T ltac:(lra)) as (N & HN & F).
+  pose proof (ac_grows (fun t => -1 * t) (fun _ => 0) N 0 T (ac_linear (-1)) HN ltac:(lra)) as G.
+  cut (-1 * 0 <= -1 * T); [lra|]. apply G. intros t Ht Nt. exfalso. apply No. exists t. auto.
+Qed.
+(** of what is equal from 0 on *)
+Lemma ac_ext f g : (forall t, 0 <= t -> f t = g t) -> ac f -> ac g.
+Proof.
+  intros E F T HT e He. destruct (F T HT e He) as (d & Hd & K). exists d; split; auto. intros l Ch L.
+  replace (moves g l) with (moves f l); [auto|]. assert (G : forall l lo, 0 <= lo -> chain l lo T ->
+    moves f l = moves g l).
+  { clear - E. induction l as [|(p, q) l IH]; simpl; auto. intros lo Hlo (Hp & Ch). rewrite (IH q), !E; auto; lra. }
+  apply (G l 0); auto; lra.
+Qed.
+Lemma ac_const c : ac (fun _ => c).
+Proof. apply ac_lip. intros T HT. exists 0. split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra. Qed.

@@ -1,207 +1,218 @@
-(** The paper's equations (3), (4) without a control, which switch between the two modes by three-valued signs:
-    absolutely continuous functions obey them at almost all times exactly if they are a solution in Filippov's sense.
-    Isolated times, such as the simple zeros of a function, are a null set. *)
-From Coq Require Import Cantor.
-From InertialPair Require Import Dini Pair AlmostEverywhere Filippov.
+(** The paper's equations (3), (4), which switch between the two modes by three-valued signs: absolutely continuous
+    functions obey them at almost all times exactly if they are a motion of Coulomb's law (in Filippov's sense) that
+    at almost all times of a stick asks for less than all of the friction. Without a force every motion does. *)
+From InertialPair Require Import Dini Pair Stick Forced ForcedExistence ModeAtContact AlmostEverywhere Filippov.
 
-(** *** Null sets *)
-(** of two one *)
-Lemma null_or N P : null N -> null P -> null (fun t => N t \/ P t).
-Proof.
-  intros HN HP e He. destruct (HN (e / 2) ltac:(lra)) as (a & b & Ab & Ac & As).
-  destruct (HP (e / 2) ltac:(lra)) as (c & d & Cb & Cc & Cs).
-  set (mix := fun (f g : nat -> R) n => if Nat.even n then f (Nat.div2 n) else g (Nat.div2 n)).
-  assert (Even : forall f g n, mix f g (2 * n)%nat = f n).
-  { intros f g n. unfold mix. rewrite Nat.even_mul, Nat.div2_double. auto. }
-  assert (Odd : forall f g n, mix f g (S (2 * n)) = g n).
-  { intros f g n. unfold mix. rewrite Nat.even_succ, <- Nat.negb_even, Nat.even_mul, Nat.div2_succ_double. auto. }
-  assert (Le : forall i, mix a c i <= mix b d i) by (intros i; unfold mix; destruct Nat.even; auto).
-  exists (mix a c), (mix b d). split; [auto|split].
-  - intros t [Nt|Pt].
-    + destruct (Ac t Nt) as (n & Hn). exists (2 * n)%nat. rewrite !Even. auto.
-    + destruct (Cc t Pt) as (n & Hn). exists (S (2 * n)). rewrite !Odd. auto.
-  - intros n. set (g := fun i => mix b d i - mix a c i).
-    assert (Twice : forall m, sum_f_R0 g (S (2 * m)) = sum_f_R0 (fun i => b i - a i) m + sum_f_R0 (fun i => d i - c i)
-      m).
-    { induction m as [|m IH].
-      - unfold g. simpl. unfold mix; simpl. ring.
-      - replace (S (2 * S m)) with (S (S (S (2 * m)))) by lia. rewrite (tech5 g (S (S (2 * m)))),
-        (tech5 g (S (2 * m))), IH. rewrite !tech5. unfold g.
-        replace (S (S (2 * m))) with (2 * S m)%nat by lia. rewrite !Even, !Odd. ring. }
-    assert (Grow : forall m k, sum_f_R0 g m <= sum_f_R0 g (m + k)).
-    { intros m. induction k as [|k IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r, tech5.
-      specialize (Le (S (m + k))). unfold g at 3. lra. }
-    pose proof (Grow n (S n)) as G. replace (n + S n)%nat with (S (2 * n)) in G by lia. rewrite Twice in G.
-    specialize (As n). specialize (Cs n). lra.
-Qed.
-
-(** isolated times *)
-Lemma null_isolated (E : R -> Prop) :
-  (forall t, E t -> 0 <= t /\ exists d, 0 < d /\ forall r, t - d < r < t + d -> E r -> r = t) -> null E.
-Proof.
-  intros Iso.
-  (* every cell [k w, (k + 1) w) of every width w = 1 / (i + 1) is given a point,
-    which is its time if it has only one *)
-  set (low := fun n => INR (snd (of_nat n)) / (INR (fst (of_nat n)) + 1)).
-  set (high := fun n => (INR (snd (of_nat n)) + 1) / (INR (fst (of_nat n)) + 1)).
-  set (A := fun n r => r = low n \/ (E r /\ low n <= r < high n)).
-  assert (Pos : forall n, 0 < INR (fst (of_nat n)) + 1) by (intros n; pose proof (pos_INR (fst (of_nat n))); lra).
-  assert (Lh : forall n, low n < high n).
-  { intros n. unfold low, high. apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; auto|lra]. }
-  assert (Bound : forall n, bound (A n)).
-  { intros n. exists (high n). intros r [->|(_ & Hr)]; [apply Rlt_le; auto|lra]. }
-  assert (Some : forall n, exists r, A n r) by (intros n; exists (low n); left; auto).
-  set (p := fun n => proj1_sig (completeness (A n) (Bound n) (Some n))).
-  assert (In : forall t, E t -> exists n, t = p n).
-  { intros t Et. destruct (Iso t Et) as (Ht & d & Hd & Only). destruct (nfloor_ex (1 / d)) as (i & Hi); [positive|].
-    pose proof (pos_INR i) as Pi. destruct (nfloor_ex (t * (INR i + 1))) as (k & Hk); [positive|].
-    set (n := to_nat (i, k)). exists n. assert (Ln : low n * (INR i + 1) = INR k).
-    { unfold low, n. rewrite cancel_of_to. simpl. field. lra. }
-    assert (Hn : high n * (INR i + 1) = INR k + 1).
-    { unfold high, n. rewrite cancel_of_to. simpl. field. lra. }
-    assert (Wd : 1 < d * (INR i + 1)).
-    { assert (Q : d * (1 / d) = 1) by (field; lra). rewrite <- Q at 1. scale. }
-    assert (In : low n <= t < high n) by (split; nra).
-    symmetry. unfold p. destruct completeness as (c & Ub & Lub). simpl. apply Rle_antisym.
-    + apply Lub. intros r [->|(Er & Hr)]; [lra|]. rewrite (Only r); auto; [lra|]. nra.
-    + apply Ub. right. auto. }
-  intros e He. destruct (null_points p e He) as (a & b & Ab & Ac & As). exists a, b. auto.
-Qed.
-
-(** the simple zeros of a function *)
-Lemma null_simple_zeros f : null (fun t => 0 <= t /\ f t = 0 /\ exists l, l <> 0 /\ is_derive f t l).
-Proof.
-  apply null_isolated. intros t (Ht & Z & l & Nl & D). split; auto. apply is_derive_Reals in D.
-  destruct (D (Rabs l) (Rabs_pos_lt l Nl)) as ((d & Hd) & K). simpl in K. exists d. split; auto.
-    intros r Hr (_ & Zr & _).
-  destruct (Req_dec r t) as [|N]; auto. exfalso. specialize (K (r - t) ltac:(lra)). replace (t + (r - t)) with r in K
-    by ring.
-  specialize (K ltac:(apply Rabs_def1; lra)). rewrite Z, Zr in K. replace ((0 - 0) / (r - t) - l) with (- l) in K
-    by (field; lra).
-  rewrite Rabs_Ropp in K. lra.
-Qed.
-
-(** *** The equations *)
 (** the three-valued sign, eq. (1) *)
 Definition sgn r := if Rlt_dec 0 r then 1 else if Rlt_dec r 0 then -1 else 0.
+Lemma sgn_cases r : (0 < r /\ sgn r = 1) \/ (r < 0 /\ sgn r = -1) \/ (r = 0 /\ sgn r = 0).
+Proof. unfold sgn. destruct (Rlt_dec 0 r); [auto|]. destruct (Rlt_dec r 0); [auto|]. right; right. split; lra. Qed.
 
 Section Switching.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
-(** eqs. (3) and (4) at one time, without a control: a and a' are the accelerations of the bodies *)
-Definition switched (x v1 v2 : R -> R) t := exists a a' : R, is_derive x t (v1 t) /\ is_derive v1 t a /\
+(** eqs. (3) and (4) at one time: a and a' are the accelerations of the bodies *)
+Definition switched (u x v1 v2 : R -> R) t := exists a a' : R, is_derive x t (v1 t) /\ is_derive v1 t a /\
   is_derive v2 t a' /\ (m1 + m2 * (1 - Rabs (sgn (v1 t - v2 t)))) * a + a1 * v1 t + a2 * x t + b * sgn (v1 t - v2 t)
-  = 0 /\
+  = u t /\
   m2 * a' = m2 * a * ((1 - Rabs (sgn (v1 t - v2 t))) / 2 * (1 - sgn (Rabs a - b / m2))) + b * sgn (v1 t - v2 t).
 
 (** a solution of (3), (4): absolutely continuous, the equations met at almost all times *)
-Definition switching x v1 v2 := ac x /\ ac v1 /\ ac v2 /\
-  forall T, 0 <= T -> exists N, null N /\ forall t, 0 <= t <= T -> ~ N t -> switched x v1 v2 t.
+Definition switching u x v1 v2 := ac x /\ ac v1 /\ ac v2 /\ almost (switched u x v1 v2).
 
-(** the simple zeros of the relative velocity *)
-Let turns (v1 v2 : R -> R) t := 0 <= t /\ v1 t - v2 t = 0 /\ exists l, l <> 0 /\ is_derive (fun u => v1 u - v2 u) t l.
+Let load := load m1 m2 a1 a2.
+Let filippov := filippov m1 m2 a1 a2 b.
 
-(** where the relative velocity has no simple zero, equal velocities have equal rates *)
-Lemma same_rates v1 v2 t (a a' : R) : ~ turns v1 v2 t -> 0 <= t -> v1 t = v2 t -> is_derive v1 t a ->
-  is_derive v2 t a' -> a = a'.
+(** at almost all times of a stick both bodies have one rate *)
+Lemma same_rates v1 v2 : almost (fun t => v1 t = v2 t -> forall a a' : R, is_derive v1 t a -> is_derive v2 t a' -> a = a').
 Proof.
-  intros No Ht Ev D1 D2. destruct (Req_dec a a') as [|Ne]; auto. exfalso. apply No. split; [auto|]. split; [lra|].
-  exists (a - a'). split; [lra|]. exact (is_derive_minus v1 v2 t a a' D1 D2).
+  apply (almost_impl _ _) with (2 := almost_no_simple_zero (fun t => v1 t - v2 t)). intros t _ No E a a' D D'.
+  cut (a - a' = 0); [lra|]. apply No; [lra|]. exact (is_derive_minus v1 v2 t a a' D D').
 Qed.
 
-(** the signs *)
-Lemma sgn_cases r : (0 < r /\ sgn r = 1) \/ (r < 0 /\ sgn r = -1) \/ (r = 0 /\ sgn r = 0).
-Proof. unfold sgn. destruct (Rlt_dec 0 r); [auto|]. destruct (Rlt_dec r 0); [auto|]. right; right. split; lra. Qed.
-
-(** Every solution of (3), (4) is Filippov's. *)
-Lemma switching_filippov x v1 v2 : switching x v1 v2 -> filippov m1 m2 a1 a2 b x v1 v2.
+(** (3), (4) at such a time, and Coulomb's law: both are the same with a load below b *)
+Lemma switched_iff (u x v1 v2 : R -> R) t : (v1 t = v2 t -> forall a a' : R, is_derive v1 t a -> is_derive v2 t a' -> a = a') ->
+  (switched u x v1 v2 t <-> included m1 m2 a1 a2 b u x v1 v2 t /\ (v1 t = v2 t -> Rabs (load u x v1 t) < b)).
 Proof.
-  intros (Ax & A1 & A2 & In). split; [auto|split; [auto|split; [auto|]]]. intros T HT.
-    destruct (In T HT) as (N & HN & Sw).
-  exists (fun t => N t \/ turns v1 v2 t). split;
-    [apply null_or; [auto|apply (null_simple_zeros (fun u => v1 u - v2 u))]|].
-  intros t Ht No. destruct (Sw t Ht) as (a & a' & Dx & D1 & D2 & E3 & E4); [auto|].
-  assert (Hbm : 0 < b / m2) by positive.
-  destruct (sgn_cases (v1 t - v2 t)) as [(W & S)|[(W & S)|(W & S)]]; rewrite S in E3, E4.
-  - rewrite Rabs_R1 in E3, E4. exists 1. repeat (split; [lra|]). split; [auto|split].
-    + replace ((- a2 * x t - a1 * v1 t - b * 1) / m1) with a by (apply Rmult_eq_reg_l with m1;
-      [field_simplify; lra|lra]); auto.
-    + replace (b * 1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
-  - rewrite Rabs_left in E3, E4 by lra. exists (-1). repeat (split; [lra|]). split; [auto|split].
-    + replace ((- a2 * x t - a1 * v1 t - b * -1) / m1) with a by (apply Rmult_eq_reg_l with m1;
-      [field_simplify; lra|lra]); auto.
-    + replace (b * -1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
-  - rewrite Rabs_R0 in E3, E4. assert (Eq : a = a').
-    { apply (same_rates v1 v2 t); [intros Tu; apply No; auto|lra|lra|auto|auto]. }
-    subst a'. assert (Small : Rabs a < b / m2).
-    { destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; [exfalso|lra|exfalso];
-        rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra. }
-    apply Rabs_def2 in Small. assert (Bk : -1 <= m2 / b * a <= 1).
-    { assert (0 < m2 / b) by positive. assert (m2 / b * (b / m2) = 1) by (field; lra). nra. }
-    exists (m2 / b * a). split; [lra|]. split; [lra|]. split; [lra|]. split; [auto|split].
-    + replace ((- a2 * x t - a1 * v1 t - b * (m2 / b * a)) / m1) with a; auto.
-      apply Rmult_eq_reg_l with m1; [field_simplify; lra|lra].
-    + replace (b * (m2 / b * a) / m2) with a by (field; lra). auto.
+  intros Same. assert (Hbm : 0 < b / m2) by positive. split.
+  - intros (a & a' & Dx & D1 & D2 & E3 & E4).
+    destruct (sgn_cases (v1 t - v2 t)) as [(W & S)|[(W & S)|(W & S)]]; rewrite S in E3, E4.
+    + rewrite Rabs_R1 in E3, E4. split; [|intros; lra]. exists 1. repeat (split; [lra|]). split; [auto|split].
+      * replace ((u t - a2 * x t - a1 * v1 t - b * 1) / m1) with a by (rewrite <- E3; field; lra); auto.
+      * replace (b * 1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
+    + rewrite Rabs_left in E3, E4 by lra. split; [|intros; lra]. exists (-1). repeat (split; [lra|]). split; [auto|split].
+      * replace ((u t - a2 * x t - a1 * v1 t - b * -1) / m1) with a by (rewrite <- E3; field; lra); auto.
+      * replace (b * -1 / m2) with a' by (apply Rmult_eq_reg_l with m2; [field_simplify; lra|lra]); auto.
+    + rewrite Rabs_R0 in E3, E4. assert (Eq : a = a') by (apply Same; auto; lra). subst a'.
+      assert (Small : Rabs a < b / m2).
+      { destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; [exfalso|lra|exfalso];
+          rewrite Z in E4; assert (a = 0) as -> by nra; rewrite Rabs_R0 in L; lra. }
+      apply Rabs_def2 in Small. assert (m2 * (b / m2) = b) by (field; lra).
+      assert (Ld : load u x v1 t = m2 * a) by (unfold load, ModeAtContact.load; rewrite <- E3; field; lra).
+      split; [|intros _; rewrite Ld; apply Rabs_def1; nra]. exists (m2 * a / b).
+      split; [split; undivide b; nra|]. split; [lra|]. split; [lra|]. split; [auto|split].
+      * replace ((u t - a2 * x t - a1 * v1 t - b * (m2 * a / b)) / m1) with a; auto. rewrite <- E3. field; lra.
+      * replace (b * (m2 * a / b) / m2) with a by (field; lra). auto.
+  - intros ((g & Hg & Gp & Gn & Dx & D1 & D2) & Small).
+    set (a := (u t - a2 * x t - a1 * v1 t - b * g) / m1) in *. exists a, (b * g / m2).
+    split; [auto|split; [auto|split; [auto|]]].
+    destruct (sgn_cases (v1 t - v2 t)) as [(W & S)|[(W & S)|(W & S)]]; rewrite S.
+    + assert (g = 1) by (apply Gp; lra). subst g. rewrite Rabs_R1. unfold a. split; field; lra.
+    + assert (g = -1) by (apply Gn; lra). subst g. rewrite (Rabs_left (-1)) by lra. unfold a. split; field; lra.
+    + rewrite Rabs_R0. assert (Eq : a = b * g / m2) by (apply Same; auto; lra).
+      assert (E3 : (m1 + m2) * a + a1 * v1 t + a2 * x t = u t).
+      { rewrite Rmult_plus_distr_r. rewrite Eq at 2. unfold a. field; lra. }
+      assert (Ld : load u x v1 t = m2 * a) by (unfold load, ModeAtContact.load; rewrite <- E3; field; lra).
+      specialize (Small ltac:(lra)). rewrite Ld in Small. apply Rabs_def2 in Small.
+      assert (Sm : Rabs a < b / m2) by (assert (m2 * (b / m2) = b) by (field; lra); apply Rabs_def1; nra).
+      destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; try lra. rewrite Z. split; [lra|].
+      rewrite <- Eq. field.
 Qed.
 
-(** Every solution of Filippov's is one of (3), (4): only at the edges of the sliding region friction has nothing left
-    in a stick, and the pair is there at isolated times. *)
-Lemma filippov_switching x v1 v2 : filippov m1 m2 a1 a2 b x v1 v2 -> switching x v1 v2.
+(** Under any force: the solutions of (3), (4) are Coulomb's with |load| < b at almost all times of a stick. *)
+Theorem forced_switching_iff u x v1 v2 : switching u x v1 v2 <->
+  filippov u x v1 v2 /\ almost (fun t => v1 t = v2 t -> Rabs (load u x v1 t) < b).
 Proof.
-  intros (Ax & A1 & A2 & In). split; [auto|split; [auto|split; [auto|]]]. intros T HT.
-    destruct (In T HT) as (N & HN & Sw).
-  assert (Hbm : 0 < b / m2) by positive. set (M := m1 + m2).
-    assert (HM : 0 < M) by positive.
-  set (simple := fun f t => 0 <= t /\ f t = 0 /\ exists l, l <> 0 /\ is_derive f t l).
-  set (load := fun k u => a2 * x u + a1 * v1 u + k * (b * M / m2)).
-    set (speed := fun k u => v1 u + k * (a1 * b / (a2 * m2))).
-  exists (fun t => N t \/ turns v1 v2 t \/ (simple (load 1) t \/ simple (load (-1)) t) \/
-    (simple (speed 1) t \/ simple (speed (-1)) t)).
-  split.
-  { repeat apply null_or; auto; apply null_simple_zeros. }
-  intros t Ht No. destruct (Sw t Ht) as (g & Hg & Gp & Gn & Dx & D1 & D2); [auto|].
-  set (a := (- a2 * x t - a1 * v1 t - b * g) / m1) in *.
-  assert (Ux : Derive (fun u => x u) t = v1 t) by (apply is_derive_unique, Dx).
-  assert (U1 : Derive (fun u => v1 u) t = a) by (apply is_derive_unique, D1). exists a, (b * g / m2). split;
-    [auto|split; [auto|split; [auto|]]].
-  destruct (sgn_cases (v1 t - v2 t)) as [(W & S)|[(W & S)|(W & S)]]; rewrite S.
-  - assert (g = 1) by (apply Gp; lra). subst g. rewrite Rabs_R1. unfold a. split; field; lra.
-  - assert (g = -1) by (apply Gn; lra). subst g. rewrite (Rabs_left (-1)) by lra. unfold a. split; field; lra.
-  - rewrite Rabs_R0. assert (Eq : a = b * g / m2).
-    { apply (same_rates v1 v2 t); [intros Tu; apply No; auto|lra|lra|auto|auto]. }
-    assert (E3 : M * a + a1 * v1 t + a2 * x t = 0).
-    { unfold M. rewrite Rmult_plus_distr_r. rewrite Eq at 2. unfold a. field; lra. }
-    assert (Edge : forall k, k = 1 \/ k = -1 -> g <> k).
-    { intros k Hk ->. assert (Ea : a = k * (b / m2)) by (rewrite Eq; field; lra).
-      assert (Zl : load k t = 0) by (unfold load; rewrite Ea in E3; unfold M in *; lra).
-      assert (Dl : is_derive (load k) t (a2 * v1 t + a1 * a)).
-      { unfold load. auto_derive; [repeat split; eexists; eauto|]. rewrite Ux, U1. ring. }
-      assert (Ds : is_derive (speed k) t a).
-      { unfold speed. auto_derive; [eexists; eauto|]. rewrite U1. ring. }
-      apply No. right; right. destruct (Req_dec (a2 * v1 t + a1 * a) 0) as [Z|Nz].
-      - right. assert (simple (speed k) t); [|destruct Hk; subst k; auto]. split; [lra|]. split.
-        + unfold speed. rewrite Ea in Z. apply Rmult_eq_reg_l with a2; [|lra]. rewrite Rmult_0_r, <- Z. field; lra.
-        + exists a. split; auto. rewrite Ea. destruct Hk; subst k; lra.
-      - left. assert (simple (load k) t); [|destruct Hk; subst k; auto]. split; [lra|]. split; [auto|]. eauto. }
-    assert (Small : Rabs a < b / m2).
-    { pose proof (Edge 1 ltac:(auto)). pose proof (Edge (-1) ltac:(auto)). rewrite Eq.
-      replace (b * g / m2) with (g * (b / m2)) by (field; lra). apply Rabs_def1; nra. }
-    destruct (sgn_cases (Rabs a - b / m2)) as [(L & Z)|[(L & Z)|(L & Z)]]; try lra. rewrite Z. split.
-    + unfold M in E3. lra.
-    + rewrite <- Eq. field.
+  assert (I : almost (switched u x v1 v2) <-> almost (included m1 m2 a1 a2 b u x v1 v2) /\
+    almost (fun t => v1 t = v2 t -> Rabs (load u x v1 t) < b)).
+  { pose proof (same_rates v1 v2) as Sr. split.
+    - intros A. pose proof (almost_and _ _ Sr A) as B. split; revert B; apply almost_impl; intros t _ (S & W);
+        apply (switched_iff u x v1 v2 t S); auto.
+    - intros (A & B). pose proof (almost_and _ _ Sr (almost_and _ _ A B)) as C. revert C. apply almost_impl.
+      intros t _ (S & W). apply (switched_iff u x v1 v2 t S); auto. }
+  unfold switching, filippov, Filippov.filippov. rewrite I. tauto.
 Qed.
 
-(** The solutions of the paper's equations (3), (4) without a control are Filippov's, and only they. *)
-Theorem switching_iff x v1 v2 : switching x v1 v2 <-> filippov m1 m2 a1 a2 b x v1 v2.
-Proof. split; [apply switching_filippov|apply filippov_switching]. Qed.
-
-(** The forces on the two bodies that Newton's law finds behind the motion add up to nothing at almost all times. *)
-Theorem momentum_balance x v1 v2 T : switching x v1 v2 -> 0 <= T -> exists N, null N /\ forall t, 0 <= t <= T -> ~ N t ->
-  exists a a' : R, is_derive v1 t a /\ is_derive v2 t a' /\ m1 * a + a1 * v1 t + a2 * x t + m2 * a' = 0.
+(** at almost all times of a stick of Coulomb's law the load is what body 2 is given, and no more than b *)
+Lemma stuck_at u x v1 v2 : filippov u x v1 v2 -> almost (fun t => v1 t = v2 t -> exists a : R, is_derive x t (v1 t) /\
+  is_derive v1 t a /\ is_derive v2 t a /\ load u x v1 t = m2 * a /\ Rabs (m2 * a) <= b).
 Proof.
-  intros H HT. destruct (switching_filippov x v1 v2 H) as (_ & _ & _ & In). destruct (In T HT) as (N & HN & Sw).
-  exists N. split; auto. intros t Ht No. destruct (Sw t Ht No) as (g & _ & _ & _ & _ & D1 & D2).
-  eexists. eexists. split; [exact D1|]. split; [exact D2|]. field. lra.
+  intros (_ & _ & _ & In). apply (almost_impl _ _) with (2 := almost_and _ _ (same_rates v1 v2) In).
+  intros t _ (Same & g & Hg & _ & _ & Dx & D1 & D2) E. pose proof (Same E _ _ D1 D2) as Q. exists (b * g / m2).
+  rewrite Q in D1. split; [auto|split; [auto|split; [auto|split]]].
+  - unfold load, ModeAtContact.load. apply Rmult_eq_reg_r with ((m1 + m2) / m2); [|apply Rgt_not_eq, Rdiv_lt_0_compat; lra].
+    transitivity (m1 * (b * g / m2) + b * g); [rewrite <- Q|]; field; lra.
+  - replace (m2 * (b * g / m2)) with (b * g) by (field; lra). apply Rabs_le. split; nra.
+Qed.
+Lemma load_within u x v1 v2 : filippov u x v1 v2 -> almost (fun t => v1 t = v2 t -> Rabs (load u x v1 t) <= b).
+Proof.
+  intros F. generalize (stuck_at _ _ _ _ F). apply almost_impl. intros t _ S E.
+  destruct (S E) as (a & _ & _ & _ & -> & Le). exact Le.
+Qed.
+
+(** So they have a solution from a start exactly if the motion of Coulomb's law from there has |load| = b at almost no
+    time of a stick; and every solution is that motion. *)
+Theorem literal_solutions u U x v1 v2 s : integral_of u U -> almost (continuous u) -> forced m1 m2 a1 a2 b U x v1 v2 s ->
+  ((exists x' v1' v2', switching u x' v1' v2' /\ x' 0 = x 0 /\ v1' 0 = v1 0 /\ v2' 0 = v2 0) <->
+    almost (fun t => v1 t = v2 t -> Rabs (load u x v1 t) <> b)) /\
+  forall x' v1' v2', switching u x' v1' v2' -> x' 0 = x 0 -> v1' 0 = v1 0 -> v2' 0 = v2 0 ->
+    forall t, 0 <= t -> x' t = x t /\ v1' t = v1 t /\ v2' t = v2 t.
+Proof.
+  intros HU Cu H.
+  assert (Only : forall x' v1' v2', switching u x' v1' v2' -> x' 0 = x 0 -> v1' 0 = v1 0 -> v2' 0 = v2 0 ->
+    forall t, 0 <= t -> x' t = x t /\ v1' t = v1 t /\ v2' t = v2 t).
+  { intros x' v1' v2' Sw X V W t Ht. apply forced_switching_iff in Sw.
+    apply (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U x' v1' v2' _ x v1 v2 s 0
+      (filippov_forced m1 m2 a1 a2 b Hm1 Hm2 Hb u U _ _ _ HU (proj1 Sw)) H); auto; lra. }
+  split; [|exact Only]. pose proof (forced_filippov m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb u U x v1 v2 s HU H Cu) as F. split.
+  - intros (x' & v1' & v2' & Sw & X & V & W). pose proof (Only x' v1' v2' Sw X V W) as Eq.
+    apply forced_switching_iff in Sw. revert Sw. intros (_ & L). revert L. apply almost_impl. intros t Ht L E.
+    destruct (Eq t Ht) as (Ex & Ev & Ew). unfold load, ModeAtContact.load in *. rewrite Ex, Ev, Ew in L. specialize (L E). lra.
+  - intros N. exists x, v1, v2. split; [|auto]. apply forced_switching_iff. split; [auto|].
+    apply (almost_impl _ _) with (2 := almost_and _ _ N (load_within _ _ _ _ F)). intros t _ (Ne & Le) E.
+    specialize (Ne E). specialize (Le E). lra.
+Qed.
+
+(** Without a force the load of a stick is at an edge at almost no time. *)
+Theorem switching_iff x v1 v2 : switching (fun _ => 0) x v1 v2 <-> filippov (fun _ => 0) x v1 v2.
+Proof.
+  rewrite forced_switching_iff. split; [tauto|]. intros F. split; [auto|].
+  set (p := fun k t => a2 * x t + a1 * v1 t + k * (b * (m1 + m2) / m2)). set (q := fun k t => v1 t + k * (a1 * b / (a2 * m2))).
+  pose proof (almost_and _ _ (almost_no_simple_zero (p 1)) (almost_no_simple_zero (q 1))) as N1.
+  pose proof (almost_and _ _ (almost_no_simple_zero (p (-1))) (almost_no_simple_zero (q (-1)))) as N2.
+  apply (almost_impl _ _) with (2 := almost_and _ _ (almost_and _ _ N1 N2) (stuck_at _ _ _ _ F)).
+  intros t _ (((P1 & Q1) & P2 & Q2) & St) E. destruct (St E) as (a & Dx & D1 & _ & Ld & Bd).
+  destruct (Rle_lt_or_eq_dec _ _ Bd) as [|Ed]; [rewrite Ld; auto|]. exfalso.
+  assert (exists k, (k = 1 \/ k = -1) /\ m2 * a = k * b) as (k & Hk & Ea).
+  { unfold Rabs in Ed. destruct (Rcase_abs (m2 * a)); [exists (-1)|exists 1]; split; auto; lra. }
+  assert (Ux : Derive (fun r => x r) t = v1 t) by (apply is_derive_unique, Dx).
+  assert (Uv : Derive (fun r => v1 r) t = a) by (apply is_derive_unique, D1).
+  assert (Dp : is_derive (p k) t (a2 * v1 t + a1 * a)).
+  { unfold p. auto_derive; [repeat split; eexists; eauto|]. rewrite Ux, Uv. ring. }
+  assert (Dq : is_derive (q k) t a) by (unfold q; auto_derive; [eexists; eauto|rewrite Uv; ring]).
+  assert (Zp : p k t = 0).
+  { unfold p. apply Rmult_eq_reg_l with (m2 / (m1 + m2)); [|apply Rgt_not_eq, Rdiv_lt_0_compat; lra].
+    transitivity (k * b - load (fun _ => 0) x v1 t); [unfold load, ModeAtContact.load; field; lra|rewrite Ld, Ea; ring]. }
+  assert (a2 * v1 t + a1 * a = 0) as Z by (destruct Hk; subst k; [apply P1|apply P2]; auto).
+  assert (Zq : q k t = 0).
+  { unfold q. apply Rmult_eq_reg_l with a2; [|lra]. rewrite Rmult_0_r, <- Z.
+    replace a with (k * b / m2) by (rewrite <- Ea; field; lra). field. lra. }
+  assert (a = 0) by (destruct Hk; subst k; [apply Q1|apply Q2]; auto). subst a. destruct Hk; subst k; nra.
+Qed.
+
+(** Newton's law behind such a motion: the forces between the bodies add up to nothing at almost all times. *)
+Theorem momentum_balance u x v1 v2 : switching u x v1 v2 -> almost (fun t => exists a a' : R,
+  is_derive v1 t a /\ is_derive v2 t a' /\ m1 * a + a1 * v1 t + a2 * x t + m2 * a' = u t).
+Proof.
+  intros H. apply forced_switching_iff in H. destruct H as ((_ & _ & _ & In) & _). revert In. apply almost_impl.
+  intros t _ (g & _ & _ & _ & _ & D1 & D2). eexists. eexists. split; [exact D1|]. split; [exact D2|]. field. lra.
+Qed.
+
+(** With sgn (0) = 0 in place of the interval Coulomb's law has no solution from a stick inside S0 with a load. *)
+Theorem no_solution_inside x0 v0 : 0 < Rabs (a2 * x0 + a1 * v0) < b * (m1 + m2) / m2 -> ~ exists x v1 v2,
+  ac x /\ ac v1 /\ ac v2 /\ x 0 = x0 /\ v1 0 = v0 /\ v2 0 = v0 /\ almost (fun t => is_derive x t (v1 t) /\
+    is_derive v1 t ((- a2 * x t - a1 * v1 t - b * sgn (v1 t - v2 t)) / m1) /\ is_derive v2 t (b * sgn (v1 t - v2 t) / m2)).
+Proof.
+  intros P0 (x & v1 & v2 & Ax & A1 & A2 & X0 & V0 & W0 & D). set (p := fun t => a2 * x t + a1 * v1 t).
+  assert (F : filippov (fun _ => 0) x v1 v2).
+  { repeat (split; [auto|]). revert D. apply almost_impl. intros t _ (Dx & D1 & D2). exists (sgn (v1 t - v2 t)).
+    replace (0 - a2 * x t) with (- a2 * x t) by ring.
+    split; [|split; [|split; [|auto]]]; intros; destruct (sgn_cases (v1 t - v2 t)) as [Q|[Q|Q]]; lra. }
+  pose proof (filippov_forced m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ (proj1 no_force) F) as H.
+  assert (Cp : cont p) by (apply cont_plus; apply cont_scal, cont_ac; auto).
+  destruct (Cp 0 (Rle_refl 0) (Rabs (p 0))) as (d & Hd & K); [unfold p; rewrite X0, V0; lra|].
+  destruct (sticks_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 (fun _ => 0) (fun _ => 0) x v1 v2 _ 0 1 H (Rle_refl 0) Rlt_0_1
+    (fun t _ => rderiv_const 0 t)) as (d' & Hd' & St); [|lra| |].
+  - intros e He. exists 1. split; [lra|]. intros h _. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra.
+  - unfold ModeAtContact.load. rewrite X0, V0. replace (m2 * (0 - a2 * x0 - a1 * v0) / (m1 + m2)) with (- (m2 / (m1 + m2)) *
+      (a2 * x0 + a1 * v0)) by (field; lra). rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (m2 / _)) by (apply Rlt_le; positive).
+    replace b with (m2 / (m1 + m2) * (b * (m1 + m2) / m2)) by (field; lra). apply Rmult_lt_compat_l; [positive|lra].
+  - destruct (almost_some _ (Rmin d d' / 2) ltac:(assert (0 < Rmin d d') by (apply Rmin_glb_lt; auto); lra)
+      (almost_and _ _ D (stuck_at _ _ _ _ F))) as (t & Ht & (_ & _ & D2) & S).
+    pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). assert (0 < Rmin d d') by (apply Rmin_glb_lt; auto).
+    specialize (St t ltac:(lra)). destruct (S St) as (a & _ & _ & D2' & Ld & _).
+    pose proof (eq_trans (eq_sym (is_derive_unique _ _ _ D2)) (is_derive_unique _ _ _ D2')) as Ea.
+    destruct (sgn_cases (v1 t - v2 t)) as [(Q & _)|[(Q & _)|(_ & Q)]]; try lra. rewrite Q in Ea.
+    specialize (K t ltac:(lra) ltac:(rewrite Rminus_0_r, Rabs_pos_eq; lra)).
+    replace (p t) with (- ((m1 + m2) / m2) * load (fun _ => 0) x v1 t) in K by (unfold p, load, ModeAtContact.load; field; lra).
+    rewrite Ld, <- Ea in K. replace (- ((m1 + m2) / m2) * (m2 * (b * 0 / m2)) - p 0) with (- p 0) in K by (field; lra).
+    rewrite Rabs_Ropp in K. lra.
 Qed.
 End Switching.
+
+(** At u = 1 + 50 t^2 the pair of the example, from rest at 0, holds the load b for ever: (3), (4) have no solution. *)
+Theorem no_solution_under_control : ~ exists x v1 v2, switching 1 1 0 200 (1 / 2) (fun t => 1 + 50 * t ^ 2) x v1 v2 /\
+  x 0 = 0 /\ v1 0 = 0 /\ v2 0 = 0.
+Proof.
+  intros (y & w1 & w2 & Sw). set (U := fun t => t + 50 / 3 * t ^ 3). set (u := fun t => 1 + 50 * t ^ 2) in *.
+  assert (DU : forall t, is_derive U t (u t)) by (intros t; unfold U, u; auto_derive; auto; field).
+  assert (Cu : forall t, continuous u t).
+  { intros t. apply (ex_derive_continuous u). unfold u. auto_derive. auto. }
+  assert (CU : cont U) by exact (cont_of_derive U _ DU).
+  assert (Dx : forall t, is_derive (fun t => t ^ 2 / 4) t (t / 2)) by (intros t; auto_derive; auto; field).
+  assert (Dv : forall t, is_derive (fun t => t / 2) t (1 / 2)) by (intros t; auto_derive; auto; field).
+  assert (H : forced 1 1 0 200 (1 / 2) U (fun t => t ^ 2 / 4) (fun t => t / 2) (fun t => t / 2) (fun t => t)).
+  { constructor; [|intros t _ L; exfalso; lra|intros t _ L; exfalso; lra|auto|exact (cont_of_derive _ _ Dx)|
+      exact (cont_of_derive _ _ Dv)|intros t _; apply rderiv_of_derive, Dx| |intros; lra].
+    - intros r t Hr. rewrite Rabs_pos_eq; lra.
+    - intros t _. apply rderiv_of_derive. unfold U. auto_derive; auto. field. }
+  assert (Cu' : cont u) by (apply cont_of_derive with (fun t => 100 * t); intros t; unfold u; auto_derive; auto; ring).
+  assert (HU : integral_of u U).
+  { split; [apply (ac_of_rderiv U u CU Cu'); intros t _; apply rderiv_of_derive, DU|].
+    apply (almost_impl (fun t => 0 < t)); auto using almost_later. }
+  destruct (literal_solutions 1 1 0 200 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) u U _ _ _ _ HU
+    ltac:(apply (almost_impl (fun t => 0 < t)); auto using almost_later) H) as ((N & _) & _).
+  destruct (almost_some _ 1 Rlt_0_1 (N ltac:(exists y, w1, w2; destruct Sw as (S & X & V & W); split; [exact S|lra])))
+    as (t & _ & Q). apply Q; [auto|]. unfold ModeAtContact.load, u. rewrite Rabs_pos_eq; field_simplify; lra.
+Qed.

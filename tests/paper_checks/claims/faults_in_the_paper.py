@@ -18,7 +18,6 @@ from .faults import (
     crossing_contact,
     doubled,
     entry,
-    failing,
     halved,
     inwards_missed,
     negated,
@@ -39,12 +38,11 @@ FAULTS = {
         "filippov.contraction_terms": entry(1, lambda one: -one),
         "filippov._share": doubled,
         "signum.transversality": negated,
-        "signum.held_at_the_limit": doubled,
         "signum.residual": lambda _: lambda found: (found.x1,),
-        "signum.spurious_branch": failing,
+        "signum.INSIDE": lambda _: START_AT_6MM,
     },
     "modes-from-closed-form": {
-        "theory.forced.load": doubled,
+        "model.branch_named": lambda one: lambda name: one("stick" if name == "half adhesion" else name),
         "model.START_AT_6MM": lambda _: INSIDE,
         "model.EDGE": lambda _: INSIDE,
         "model.mode_equations": other_sign,
@@ -263,13 +261,12 @@ FAULTS = {
     "two-descriptions": {
         "discussion.APART": lambda apart: 2 * apart,
         "discussion.START_AT_6MM": lambda _: INSIDE,
-        "discussion.phi": other_sign,
-        "discussion.sliding_field": doubled,
         "filippov.contraction_rate": negated,
     },
     "acceleration-bound": {
         "discussion.START_AT_6MM": lambda _: INSIDE,
         "discussion.load_threshold": doubled,
+        "discussion.branch_named": lambda one: lambda name: one("stick" if name == "broken adhesion" else name),
     },
     "one-active-one-passive": {
         "theory.forced_control.strongest": doubled,
@@ -281,7 +278,6 @@ FAULTS = {
         "theory.forced.contraction_rate": negated,
     },
     "target-or-set-point": {
-        "theory.forced_control.least_time": halved,
         "theory.forced_control.stuck_force": negated,
     },
     "force-as-reference-or-disturbance": {
@@ -291,7 +287,6 @@ FAULTS = {
     },
     "driven-body-steered": {
         "theory.forced.energy_rate": plus(b),
-        "theory.forced_control.spread": doubled,
     },
     "damping-for-tracking": {
         "steering.PLACE": lambda place: place + 1,

@@ -10,7 +10,6 @@ from .faults import (
     confused,
     doubled,
     entry,
-    failing,
     halved,
     negated,
     plus,
@@ -110,12 +109,10 @@ FAULTS = {
     },
     "trackable-references": {
         "theory.forced_control.stuck_force": negated,
-        "signum.spurious_branch": failing,
     },
     "minimum-transfer-time": {
         "theory.forced_control.switching_cosines": entry(0, lambda one: one / 2),
         "theory.forced_control.pressed": doubled,
-        "signum.prove": confused(">", ">=", 0),
     },
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
