@@ -10,7 +10,6 @@ from paper_checks.claims.filippov import (
     edge_is_isolated,
     spurious_branch,
     spurious_branches_leave,
-    stick_region,
 )
 from paper_checks.claims.points import EDGE, EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.signum import under_a_force

@@ -2,7 +2,7 @@
 
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Scene, State
-from paper_checks.claims import contraction, response, tolerance, transfers
+from paper_checks.claims import contraction, response, tolerance
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
 from paper_checks.decide import kernel

@@ -18,6 +18,7 @@ from .faults import (
     crossing_contact,
     doubled,
     entry,
+    failing,
     halved,
     inwards_missed,
     negated,
