@@ -36,7 +36,7 @@ STRENGTHS = {
 DERIVED = "How the paper's results follow from the equations of motion, line by line, and which check accepted each line: `derivation`."
 EXPLORE = (
     "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and the "
-    'long-run behaviour; on a second tab, the pair on a surface, seen from above.</p>\n<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
+    'long-run behaviour.</p>\n<p><a class="go" href="explore.html">Explore the pair</a></p>'
 )
 POSITIVE = "$m_1,m_2,a_2,b>0$."
 FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."

@@ -20,7 +20,7 @@ from paper_checks.report.mathematics import font
 from paper_checks.report.mathematics.prose import plain
 from paper_checks.running.runner import Row
 
-STYLE, SCRIPT, EXPLORE = "pages/report.css", "pages/report.js", "pages/explore.html"
+STYLE, SCRIPT, EXPLORE = "pages/report.css", "pages/report.js", "explore.html"
 
 
 def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:
