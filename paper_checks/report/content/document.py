@@ -1,4 +1,4 @@
-"""The whole report as data: what the pages write, and of which paper is a selection."""
+"""The whole report as data: what the page shows, and of which paper is a selection."""
 
 from __future__ import annotations
 
@@ -12,18 +12,25 @@ from paper_checks.report.content.story import story
 from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
-ROWS, ROWS_TITLE = "rows", "All claims and theorems"
+ROWS = "rows"
+"""The anchor of the list of claims."""
 
 
 @dataclass(frozen=True)
 class Document:
-    """A report: what a reader meets first, the rows with their stories, and chapters, each a page of its own in HTML."""
+    """A report: what a reader meets first, the rows with their stories, and chapters, which a page shows folded."""
 
     title: str
     front: tuple[Section, ...]
     rows: tuple[Row, ...]
     chapters: tuple[Section, ...]
     stories: Mapping[str, tuple[Block, ...]] = field(default_factory=dict)
+
+    @property
+    def anchors(self) -> tuple[str, ...]:
+        """Return all that a link can point to."""
+        chapters = (anchor for one in self.chapters for anchor in blocks.anchors(one))
+        return (*(one.id for one in self.front), ROWS, *(row.claim.id for row in self.rows), *chapters)
 
     @property
     def pictures(self) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ from paper_checks.running import kept, plain
 from paper_checks.running.runner import Row
 from paper_checks.store import Store, all_sources, digest, version
 
-DRAWN_WITH = ("matplotlib", "latex2mathml", "fonttools")
+DRAWN_WITH = ("matplotlib", "math-core", "jinja2", "fonttools")
 Files = Mapping[str, bytes]
 """The files of one form by name, the main one last."""
 

@@ -28,7 +28,7 @@ from paper_checks.running.runner import Context
 
 QUICK = ("energy-rate", "stiction-bracket", "vector-fields")
 ROOT = Path(kept.__file__).parents[2]
-SHOWN_WITH = {"matplotlib", "rich", "latex2mathml", "platformdirs"}
+SHOWN_WITH = {"matplotlib", "rich", "math-core", "jinja2", "platformdirs"}
 
 
 @pytest.fixture
