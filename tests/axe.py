@@ -1,6 +1,6 @@
 """The accessibility checker axe-core on reports in headless Chromium, light and dark, wide and narrow, all unfolded.
 
-`python tests/axe.py axe.min.js FILE.html ...` checks each file; it exits with 1 if it finds something moderate or worse.
+`python tests/axe.py axe.min.js FILE.html ...` checks each file; it exits with 1 if something is moderate or worse.
 The checker comes from npm: the continuous integration runs it where npm can fetch it.
 """
 
