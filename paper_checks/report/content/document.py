@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from paper_checks.claims import source
-from paper_checks.report.content import blocks, derivation, kernel, notation, opening, shared, trust
-from paper_checks.report.content.blocks import Block, Section
-from paper_checks.report.content.story import story
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.report.content import blocks, derivation, kernel, notation, opening, shared, story, trust
+from paper_checks.report.content.blocks import Section
 from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
@@ -18,13 +18,13 @@ ROWS = "rows"
 
 @dataclass(frozen=True)
 class Document:
-    """A report: what a reader meets first, the rows with their stories, and chapters, which a page shows folded."""
+    """A report: what a reader meets first, the claims, and chapters; `common` names the steps that stand in a chapter."""
 
     title: str
     front: tuple[Section, ...]
     rows: tuple[Row, ...]
     chapters: tuple[Section, ...]
-    stories: Mapping[str, tuple[Block, ...]] = field(default_factory=dict)
+    common: Mapping[Evidence, str]
 
     @property
     def anchors(self) -> tuple[str, ...]:
@@ -34,18 +34,13 @@ class Document:
 
     @property
     def pictures(self) -> tuple[str, ...]:
-        """Return the names of its figures, each once, in their order."""
-        everything = [
-            *(one.blocks for one in self.front),
-            *self.stories.values(),
-            *(one.blocks for one in self.chapters),
-        ]
-        return tuple(dict.fromkeys(picture.name for some in everything for picture in blocks.pictures(some)))
+        """Return the names of its figures, each once."""
+        sections = (name for one in (*self.front, *self.chapters) for name in one.pictures)
+        return tuple(dict.fromkeys([*sections, *filter(None, map(story.figure, self.rows))]))
 
 
 def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Sequence[str] = ()) -> Document:
     """Return the report on these rows, with `chapters` among its own, and `answers` for who asks how fast it is."""
-    elsewhere = frozenset(anchor for chapter in chapters for anchor in blocks.anchors(chapter))
     common = shared.names(rows)
     asked = opening.questions(rows, answers)
     after = (
@@ -63,5 +58,5 @@ def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Seq
         opening.front(rows),
         tuple(rows),
         (*(one for one in after if one.blocks), trust.section(rows), notation.section(), trust.provenance()),
-        {row.claim.id: story(row, common, elsewhere) for row in rows},
+        common,
     )

@@ -14,10 +14,9 @@ from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.explore import motion
 from paper_checks.proofs.cited import CITED
 from paper_checks.report.content import derivation
-from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.content.blocks import Block, Cards, Heading, Paragraph, Picture, Points, Section, Table
 from paper_checks.report.content.phrases import formula, headline, in_short, kind, picture, place
 from paper_checks.report.content.trust import LAW
 from paper_checks.running.runner import Row
@@ -34,10 +33,6 @@ STRENGTHS = {
 }
 """Kinds of steps, from the strongest; together they are all that can settle a claim."""
 DERIVED = "How the paper's results follow from the equations of motion, line by line, and which check accepted each line: `derivation`."
-EXPLORE = (
-    "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and the "
-    'long-run behaviour.</p>\n<p><a class="go" href="explore.html">Explore the pair</a></p>'
-)
 POSITIVE = "$m_1,m_2,a_2,b>0$."
 FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."
 DRIVEN = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless stated otherwise."
@@ -113,10 +108,8 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
             "The pair",
             (
                 Paragraph(MODEL),
-                Markup(motion.section()),
                 Paragraph(headline(rows)),
                 *(Paragraph(one) for one in (DERIVED,) if derivation.is_whole(rows)),
-                Markup(EXPLORE),
             ),
         ),
         Section("refuted", "What fails", tuple(_refuted(rows))),

@@ -1,22 +1,17 @@
-"""What stands behind a row: the statement, the decisive step, why, then all steps, folded."""
+"""What is told of a claim: its decisive step, what is true instead, its figure, and all its steps in two tables."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
-from itertools import chain
+from collections.abc import Iterator, Mapping
 
 from paper_checks.decide import kernel
 from paper_checks.decide.exhibit import ENGINE as EXHIBITED
 from paper_checks.decide.kernel import PROVED
-from paper_checks.drawing.captions import caption
-from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
-from paper_checks.report.content import derivation, notation, shared, under_a_force
-from paper_checks.report.content.blocks import Block, Code, Folded, Paragraph, Points, Table
-from paper_checks.report.content.opening import hypotheses
-from paper_checks.report.content.phrases import picture, place
+from paper_checks.report.content import shared, under_a_force
+from paper_checks.report.content.blocks import Block, Paragraph, Points, Table
 from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
@@ -27,55 +22,15 @@ LONG = 60
 _SLOT = re.compile("«([a-z0-9_]+)»([.,;:]?)")
 
 
-def story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str] = ()) -> tuple[Block, ...]:
-    """Return what a row tells, as blocks; `common` names steps that stand elsewhere, `elsewhere` are anchors of chapters."""
-    return tuple(_story(row, common, elsewhere))
-
-
-def _story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str]) -> Iterator[Block]:
-    finding = row.finding
-    yield from _statement(row)
-    if not row.as_recorded:
-        yield Paragraph(f"This differs from the verdict on record, {row.claim.recorded.value}.", "Attention", True)
-    if text := _decisive(row):
-        yield Paragraph(text, "Decisive step", True)
-    texts: dict[str, list[str | None]] = {
-        "Why": [finding.reason],
-        "Counterexample": [finding.counterexample],
-        "What is true": _corrected(row),
-        "Missing for a proof": [finding.missing],
-    }
-    for label, parts in texts.items():
-        yield from (Paragraph(text, label if text is parts[0] else "") for text in parts if text)
-    yield from (Paragraph(text, "Open") for text in row.open)
-    yield from _picture(row, elsewhere)
-    if symbols := notation.used([row.claim.statement, *filter(None, chain(*texts.values()))], row.claim.id):
-        yield Folded("Symbols", (notation.table(symbols, "", anchored=False),))
-    yield from derivation.story(row)
-    yield from _folded(row, common)
-    yield Code(f"python -m paper_checks run {row.claim.id}")
-
-
-def _statement(row: Row) -> Iterator[Block]:
-    """Yield what is claimed; a theorem as a textbook has it, its hypotheses first and each part by itself."""
-    if row.claim.kind is Kind.CLAIM:
-        yield Paragraph(row.claim.statement, f"The paper says {place(row.claim)}")
-        return
-    yield Paragraph(hypotheses(row.claim.id), "Hypotheses")
-    several = len(row.claim.clauses) > 1
-    for number, clause in enumerate(row.claim.clauses, start=1):
-        yield Paragraph(displayed(clause), f"({number}) {clause.id.replace('-', ' ')}" if several else "Theorem")
-
-
-def _corrected(row: Row) -> list[str | None]:
+def corrected(row: Row) -> list[str]:
     """Return the nearest true statement, a paragraph for each clause that ends a sentence; none where nothing is corrected."""
     if row.finding.corrected != row.claim.corrected:
-        return [row.finding.corrected]
+        return [row.finding.corrected or ""]
     paragraphs = [""]
     for clause in row.claim.correction:
         paragraphs[-1] += " " * bool(paragraphs[-1]) + displayed(clause)
         paragraphs += [""] * clause.text.endswith(".")
-    return [*paragraphs]
+    return [*filter(None, paragraphs)]
 
 
 def displayed(clause: Clause) -> str:
@@ -86,15 +41,6 @@ def displayed(clause: Clause) -> str:
         return f"$${formula}{sign}$$" if len(formula) > LONG else f"${formula}${sign}"
 
     return _SLOT.sub(shown, clause.text)
-
-
-def _picture(row: Row, elsewhere: Collection[str]) -> Iterator[Block]:
-    """Yield the row's figure, or where a chapter shows it."""
-    figure, anchor = under_a_force.PICTURED.get(row.claim.id, (row.finding.figure, ""))
-    if figure and anchor in elsewhere:
-        yield Paragraph(f"{caption(figure)[0]}, drawn under `{anchor}`.", "Picture")
-    elif figure:
-        yield picture(figure)
 
 
 def decisive(row: Row) -> Evidence | None:
@@ -120,7 +66,7 @@ def _weight_of_proof(step: Evidence) -> tuple[bool, bool]:
     return step.kind is EvidenceKind.KERNEL, step.kind is EvidenceKind.ARGUMENT
 
 
-def _decisive(row: Row) -> str | None:
+def decided_by(row: Row) -> str | None:
     """Return what is said of the decisive step; None where nothing is established."""
     step = decisive(row)
     if step is not None:
@@ -141,8 +87,13 @@ def _told(step: Evidence) -> str:
     return f"{statement}{value} ({step.kind.value}: {cases})."
 
 
-def _folded(row: Row, common: Mapping[Evidence, str]) -> Iterator[Block]:
-    """Yield the clauses, the steps and the derivation, as far as there are any."""
+def figure(row: Row) -> str | None:
+    """Return the name of a claim's figure."""
+    return under_a_force.PICTURED.get(row.claim.id, row.finding.figure)
+
+
+def steps(row: Row, common: Mapping[Evidence, str]) -> tuple[str, tuple[Block, ...]]:
+    """Return the clauses, the steps and the derivation with a title; `common` names steps that stand elsewhere."""
     steps = list(shared.of_row(row))
     own = [step for step in steps if shared.plain(step) not in common]
     numbers = {step: str(number) for number, step in enumerate(own, start=1)}
@@ -164,10 +115,9 @@ def _folded(row: Row, common: Mapping[Evidence, str]) -> Iterator[Block]:
         )
     if row.finding.derivation:
         inside += [Paragraph("Derivation:"), Points(row.finding.derivation, numbered=True)]
-    if inside:
-        what = "1 step" if len(steps) == 1 else f"{len(steps)} steps"
-        derivation = ", with the derivation" if row.finding.derivation else ""
-        yield Folded(f"All {what}{derivation}" if steps else "Derivation", tuple(inside))
+    what = "1 step" if len(steps) == 1 else f"{len(steps)} steps"
+    derivation = ", with the derivation" if row.finding.derivation else ""
+    return f"All {what}{derivation}" if steps else "Derivation", tuple(inside)
 
 
 def _clause(proof: Proof, names: Mapping[Evidence, str]) -> tuple[str, ...]:

@@ -45,14 +45,14 @@ def figures() -> Figures:
 
 
 PICTURED = {
-    "entrainment-threshold": ("thresholds-over-frequency", "regimes-under-a-sine"),
-    "forced-resonance-bound": ("resonance", "at-resonance"),
-    "trackable-references": ("tracked-reference", "what-body-2-can-follow"),
-    "minimum-transfer-time": ("fastest-transfer", "the-fastest-transfer"),
-    "tolerance-ring": ("tolerance-ring-of-a-scene", "the-ring"),
-    "ring-of-tolerance": ("tolerance-ring-of-a-scene", "the-ring"),
+    "entrainment-threshold": "thresholds-over-frequency",
+    "forced-resonance-bound": "resonance",
+    "trackable-references": "tracked-reference",
+    "minimum-transfer-time": "fastest-transfer",
+    "tolerance-ring": "tolerance-ring-of-a-scene",
+    "ring-of-tolerance": "tolerance-ring-of-a-scene",
 }
-"""By a claim's id: the figure of it that the chapter shows, and the anchor under which it does."""
+"""The figure of the chapter that a claim shows too, by the claim's id."""
 DRAWINGS: Figures = {
     "thresholds-over-frequency": drawing.thresholds_over_frequency,
     "resonance": drawing.resonance,

@@ -9,11 +9,10 @@ from html import escape
 from jinja2 import Environment
 from markupsafe import Markup
 
-from paper_checks.explore import page
-from paper_checks.report.content import phrases
+from paper_checks.explore import motion, page
+from paper_checks.report.content import derivation, opening, phrases, story
 from paper_checks.report.content.blocks import Block
 from paper_checks.report.content.document import Document
-from paper_checks.report.formats import colours
 from paper_checks.report.formats.texts import Texts, templates
 from paper_checks.report.mathematics import prose
 
@@ -26,12 +25,14 @@ def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:
 
     Everything but the SVG is escaped; a figure that is absent is said to be.
     """
-    drawn = {name: colours.themed(figures[name]) for name in report.pictures if name in figures}
+    drawn = {name: figures[name] for name in report.pictures if name in figures}
     text = _pages(Texts(report.anchors, prose.html, _code), drawn).get_template("report.html")
     return {
         **{f"figures/{name}.svg": svg for name, svg in drawn.items()},
         EXPLORE: page.page(row.claim.id for row in report.rows),
-        FRONT: text.render(report=report, say=phrases),
+        FRONT: text.render(
+            report=report, say=phrases, story=story, derivation=derivation, opening=opening, motion=motion.section()
+        ),
     }
 
 

@@ -7,7 +7,6 @@ from chromium import asked
 
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import html, vector
-from paper_checks.report.output.finished import placed
 
 OPENED = "example-stiction-never-violated"
 
@@ -16,7 +15,9 @@ OPENED = "example-stiction-never-violated"
 def found(rows, figures, tmp_path_factory) -> dict:
     folder = tmp_path_factory.mktemp("pages")
     pages = html.render(document(rows), {name: vector.svg(draw()) for name, draw in figures.items()})
-    placed(folder, {name: text.encode() for name, text in pages.items()})
+    for name, text in pages.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
     question = Path(__file__).with_name("in_browser.js")
     answer = asked(pages[html.FRONT], question, folder, "--window-size=500,900", OPENED=OPENED)
     assert "error" not in answer, answer

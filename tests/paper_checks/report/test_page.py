@@ -1,4 +1,4 @@
-"""What the pages are made of: dark colours, notation, what stands first, provenance, the kernel's words."""
+"""What the page is made of: what stands first, provenance, the kernel's words."""
 
 from pathlib import Path
 
