@@ -44,6 +44,7 @@ def in_mathml(translator: Any, node: Any) -> None:
 
     is_block = node.tagname == "math_block"
     formula = LatexToMathML().convert_with_local_state(node.astext(), displaystyle=is_block)
+    formula = formula.replace(' accent="true"', "")  # a dot would touch its letter
     translator.body.append(f"<p>{formula}</p>" if is_block else formula)
     raise SkipNode
 
