@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from paper_checks.claims import source
+from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import Evidence
 from paper_checks.report.content import blocks, derivation, kernel, notation, opening, shared, story, trust
 from paper_checks.report.content.blocks import Section
@@ -14,6 +15,12 @@ from paper_checks.running.runner import Row
 TITLE = f"{source.TITLE}: its claims, checked"
 ROWS = "rows"
 """The anchor of the list of claims."""
+OF_THE_PAGE = {
+    "new": "New beyond the paper",
+    "not-judged": "Statements not judged",
+    "questions": "Frequent questions",
+}
+"""Chapters that paper has not; each is a template of its own."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +32,7 @@ class Document:
     rows: tuple[Row, ...]
     chapters: tuple[Section, ...]
     common: Mapping[Evidence, str]
+    answers: tuple[str, ...] = ()
 
     @property
     def anchors(self) -> tuple[str, ...]:
@@ -42,21 +50,18 @@ class Document:
 def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Sequence[str] = ()) -> Document:
     """Return the report on these rows, with `chapters` among its own, and `answers` for who asks how fast it is."""
     common = shared.names(rows)
-    asked = opening.questions(rows, answers)
+    told = {"questions", *(row.finding.verdict.value for row in rows)}
+    told |= {"new"} if any(row.claim.kind is Kind.THEOREM for row in rows) else set()
     after = (
         derivation.section(rows),
-        opening.new(rows),
-        opening.not_judged(rows),
+        *(Section(name, title, ()) for name, title in OF_THE_PAGE.items() if name in told),
         opening.still_open(rows),
-        asked,
         *chapters,
         kernel.section(rows),
         shared.section(rows, common),
+        trust.section(rows),
+        notation.section(),
+        trust.provenance(),
     )
-    return Document(
-        TITLE,
-        opening.front(rows),
-        tuple(rows),
-        (*(one for one in after if one.blocks), trust.section(rows), notation.section(), trust.provenance()),
-        common,
-    )
+    shown = tuple(one for one in after if one.blocks or one.id in OF_THE_PAGE)
+    return Document(TITLE, opening.front(rows), tuple(rows), shown, common, tuple(answers))

@@ -80,6 +80,12 @@ def picture(name: str) -> Picture:
     return Picture(name, text, title)
 
 
+def theorems(claim: Claim) -> str:
+    """Return the theorems of the kernel that a claim names, with commas between them."""
+    clauses = (*claim.clauses, *claim.correction)
+    return ", ".join(dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel))
+
+
 def speaker(claim: Claim) -> str:
     """Return who says the statement, and where."""
     return f"The paper {place(claim)}" if claim.kind is Kind.CLAIM else f"Theorem, {claim.where}"

@@ -9,8 +9,10 @@ from html import escape
 from jinja2 import Environment
 from markupsafe import Markup
 
+from paper_checks.claims import source
 from paper_checks.explore import motion, page
-from paper_checks.report.content import derivation, opening, phrases, story
+from paper_checks.proofs.cited import CITED
+from paper_checks.report.content import derivation, opening, phrases, story, trust
 from paper_checks.report.content.blocks import Block
 from paper_checks.report.content.document import Document
 from paper_checks.report.formats.texts import Texts, templates
@@ -31,7 +33,15 @@ def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:
         **{f"figures/{name}.svg": svg for name, svg in drawn.items()},
         EXPLORE: page.page(row.claim.id for row in report.rows),
         FRONT: text.render(
-            report=report, say=phrases, story=story, derivation=derivation, opening=opening, motion=motion.section()
+            report=report,
+            motion=motion.section(),
+            cited=CITED,
+            say=phrases,
+            story=story,
+            derivation=derivation,
+            opening=opening,
+            trust=trust,
+            source=source,
         ),
     }
 

@@ -103,6 +103,7 @@ def test_hostile_texts_are_escaped(files):
         assert "<script>alert" not in text
         assert "<b>100%" not in text
     assert "&lt;script&gt;alert" in files[html.FRONT]
+    assert "&amp;lt;" not in files[html.FRONT]  # nor escaped twice
 
 
 def test_a_figure_that_fails_costs_only_itself(figures):
