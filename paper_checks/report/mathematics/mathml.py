@@ -76,10 +76,11 @@ def _said(node: ElementTree.Element) -> str:  # noqa: PLR0911  one return for ea
             return (", " if node.tag == "mtr" else "; ").join(parts)
     if not parts:
         return _SIGNS.get(node.text or "", node.text or "")
-    after = ["", *(child.tag == "mfrac" for child in node)]
-    return "".join(
-        " " * bool(fraction and re.match(r"[\w√(]", part)) + part for fraction, part in zip(after, parts, strict=False)
-    )
+    for before, part in enumerate(parts[1:]):  # what ends with a fraction, a root or a word is no part of what follows
+        wide = r"[\w√(]" if node[before].tag == "mfrac" else r"[\w√]"
+        apart = re.search(r"/|√|_\w+$", parts[before]) and re.match(wide, part)
+        parts[before] += " " * bool(apart)
+    return "".join(parts)
 
 
 def _whole(text: str) -> str:
