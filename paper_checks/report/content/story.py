@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from itertools import count
 
 from paper_checks.decide import kernel
 from paper_checks.decide.exhibit import ENGINE as EXHIBITED
-from paper_checks.decide.kernel import PROVED
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
 from paper_checks.report.content import shared, under_a_force
-from paper_checks.report.content.blocks import Block, Paragraph, Points, Table
 from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
@@ -92,45 +91,30 @@ def figure(row: Row) -> str | None:
     return under_a_force.PICTURED.get(row.claim.id, row.finding.figure)
 
 
-def steps(row: Row, common: Mapping[Evidence, str]) -> tuple[str, tuple[Block, ...]]:
-    """Return the clauses, the steps and the derivation with a title; `common` names steps that stand elsewhere."""
-    steps = list(shared.of_row(row))
-    own = [step for step in steps if shared.plain(step) not in common]
-    numbers = {step: str(number) for number, step in enumerate(own, start=1)}
-    names = {step: common.get(shared.plain(step)) or numbers[step] for step in steps}
-    inside: list[Block] = []
-    if shown := [proof for proof in row.proofs if proof.steps or proof.kernel or proof.bindings]:
-        head = ("clause", "what it says", "established by", "steps")
-        inside.append(Table(head, tuple(_clause(proof, names) for proof in shown), "Clauses that the verdict rests on"))
-    if own:
-        lines = (
-            (names[one], *shared.cells(one, (names[below] for below in one.rests_on if below in names))) for one in own
-        )
-        inside.append(Table(shared.HEAD[:-1], tuple(lines), "Steps, each after those it rests on"))
-    if elsewhere := [f"`{names[step]}`" for step in steps if step not in numbers]:
-        inside.append(
-            Paragraph(
-                f"{', '.join(dict.fromkeys(elsewhere))}.", "Steps that several claims use, and theorems of the kernel"
-            )
-        )
-    if row.finding.derivation:
-        inside += [Paragraph("Derivation:"), Points(row.finding.derivation, numbered=True)]
-    what = "1 step" if len(steps) == 1 else f"{len(steps)} steps"
-    derivation = ", with the derivation" if row.finding.derivation else ""
-    return f"All {what}{derivation}" if steps else "Derivation", tuple(inside)
+def names(row: Row, common: Mapping[Evidence, str]) -> dict[Evidence, str]:
+    """Return the name of each step of a claim: its own are numbered, `common` names those that stand elsewhere."""
+    number, found = count(1), {}
+    for step in shared.of_row(row):
+        found[step] = common.get(shared.plain(step)) or str(next(number))
+    return found
 
 
-def _clause(proof: Proof, names: Mapping[Evidence, str]) -> tuple[str, ...]:
-    by = proof.established_by.value if proof.established_by else "open"
-    status = "" if proof.kernel_status in (None, PROVED) else f", kernel {proof.kernel_status}"
-    direct = [names[step] for step in (*proof.kernel, *proof.steps, *proof.bindings) if step in names]
-    below = [names[step] for step in _reasoned(proof, names) if step in names]
-    steps = ", ".join(f"`{name}`" for name in dict.fromkeys([*direct, *below]))
-    return proof.clause.id, proof.clause.shown, f"{by}{status}", steps or "–"
+def own(named: Mapping[Evidence, str]) -> list[tuple[str, ...]]:
+    """Return the cells of a claim's own steps."""
+    return [
+        (name, *shared.cells(step, (named[below] for below in step.rests_on if below in named)))
+        for step, name in named.items()
+        if name.isdigit()
+    ]
 
 
-def _reasoned(proof: Proof, names: Mapping[Evidence, str]) -> Iterator[Evidence]:
-    """Yield what an inference that is not listed rests on: it is the row's own reason."""
-    for step in proof.steps:
-        if step not in names:
-            yield from step.rests_on
+def clauses(row: Row) -> list[Proof]:
+    """Return the clauses that have steps."""
+    return [one for one in row.proofs if one.steps or one.kernel or one.bindings]
+
+
+def steps_of(proof: Proof, named: Mapping[Evidence, str]) -> str:
+    """Return the names of a clause's steps; for an inference that is not listed, the claim's own reason, of what it rests on."""
+    direct = (*proof.kernel, *proof.steps, *proof.bindings)
+    below = (step for one in proof.steps if one not in named for step in one.rests_on)
+    return ", ".join(dict.fromkeys(f"`{named[step]}`" for step in (*direct, *below) if step in named)) or "–"

@@ -12,7 +12,7 @@ from markupsafe import Markup
 from paper_checks.claims import source
 from paper_checks.explore import motion, page
 from paper_checks.proofs.cited import CITED
-from paper_checks.report.content import derivation, opening, phrases, story, trust
+from paper_checks.report.content import derivation, opening, phrases, shared, story, trust
 from paper_checks.report.content.blocks import Block
 from paper_checks.report.content.document import Document
 from paper_checks.report.formats.texts import Texts, templates
@@ -40,6 +40,7 @@ def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:
             story=story,
             derivation=derivation,
             opening=opening,
+            shared=shared,
             trust=trust,
             source=source,
         ),
