@@ -32,7 +32,7 @@ TABLE = Table(
 BLOCKS = {
     "heading": Heading("A & B", "place"),
     "paragraph": Paragraph("It is <b>.", "Why", marked=True),
-    "points": Points(("one", "two")),
+    "points": Points(("`one`", "two")),
     "numbered": Points(("one",), numbered=True),
     "table": TABLE,
     "picture": Picture("sine", "A wave.", "Sine"),
@@ -40,6 +40,7 @@ BLOCKS = {
     "cards": Cards((("One", "first", Picture("lost", "")), ("Two", "second", Picture("lost", "")))),
     "code": Code("a < b"),
     "line": Line(7, "Add $a$.", "Checked.", True, "line-7"),
+    "two-formulas": Line(9, "Solve.$$a$$$$b$$", "Checked.", True),
     "failed-line": Line(8, "Add.", "Failed: no.", False),
     "folded": Folded("More", (Paragraph("Inside."),), "more"),
 }
@@ -73,6 +74,19 @@ def page(rows):
     others = [replace(rows[0], claim=one) for one in (claim, replace(rows[0].claim, id="critical-energy"))]
     others += [replace(rows[0], claim=opinion, finding=left, proofs=())]
     return html.render(document([*rows, *others], answers=["It is fast."]), {})[html.FRONT]
+
+
+def lines_of(text):
+    """The lines of the tables in a piece of a page, their cells as text."""
+    lines = (
+        re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", one, re.DOTALL) for one in re.findall("<tr.*?</tr>", text, re.DOTALL)
+    )
+    return [[normal(unescape(re.sub("<[^>]+>", "", cell))) for cell in line] for line in lines]
+
+
+def chapter(page, name):
+    """The lines of the table of a chapter."""
+    return lines_of(page.partition(f'<details class="chapter" id="{name}">')[2].partition("</details>")[0])
 
 
 def told(page, name):
@@ -112,6 +126,26 @@ def test_each_label_has_its_own_text(page):
     assert "<summary>All 3 steps</summary>" in article
 
 
+def test_all_steps_of_a_claim_its_figure_and_its_derivation_are_there(page, rows):
+    article = page.partition('<details class="claim" id="example-stiction-never-violated"')[2].partition("</article>")[
+        0
+    ]
+    assert "The figure sine was not drawn." in article
+    lines = lines_of(article)
+    assert ["clause", "what it says", "established by", "steps"] in lines
+    (whole,) = [line for line in lines if line[0] == "counterexample"]
+    assert whole[2] == "enclosure"
+    assert re.fullmatch(r"S?\d+(, S?\d+)*", whole[3])
+    elsewhere = re.search("theorems of the kernel.</strong>(.*?)</p>", article)[1]
+    assert elsewhere.count("<code>") == int(re.search(r"All (\d+) steps", article)[1])
+    assert article.partition("<p>Derivation:</p>")[2].count("<li>") == len(rows[1].finding.derivation)
+    assert re.search(r"<li>With <(math|span)", article)
+    own = page.partition('<details class="claim" id="rate-one-over-t"')[2].partition("</article>")[0]
+    head, step = lines_of(own)[-2:]
+    assert head == ["step", "kind", "checked statement", "result"]
+    assert [step[0], step[1], step[3]] == ["1", "propertyhypothesis", "passed500 cases"]
+
+
 def test_the_list_of_claims_is_what_the_filters_ask_for(page, rows):
     for row in rows:
         given = re.search(rf'id="{row.claim.id}" ([^>]*)>', page)[1]
@@ -120,16 +154,6 @@ def test_the_list_of_claims_is_what_the_filters_ask_for(page, rows):
         summary = page.partition(f'id="{row.claim.id}" ')[2].partition("</summary>")[0]
         assert f'<span class="badge {row.finding.verdict.value}">{row.finding.verdict.value}</span>' in summary
         assert f"<small>{phrases.kind(row)}" in summary
-
-
-def chapter(page, name):
-    """The lines of the table of a chapter, their cells as text."""
-    inside = page.partition(f'<details class="chapter" id="{name}">')[2].partition("</details>")[0]
-    lines = (
-        re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", line, re.DOTALL)
-        for line in re.findall("<tr>.*?</tr>", inside, re.DOTALL)
-    )
-    return [[normal(unescape(re.sub("<[^>]+>", "", cell))) for cell in line] for line in lines]
 
 
 def test_the_chapters_of_the_page(page):
