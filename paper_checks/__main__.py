@@ -1,5 +1,5 @@
 # PYTHON_ARGCOMPLETE_OK
-"""The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`, `plant`, `sign`, `source`."""
+"""The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`, `plant`, `source`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,6 @@ from numerics.exits import (
 )
 from numerics.shown import console
 from paper_checks.report.output import command_line
-from paper_checks.running import early
 
 if TYPE_CHECKING:
     from paper_checks.evidence.claim import Claim
@@ -35,7 +34,7 @@ if TYPE_CHECKING:
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
 
 SCRIPT = "inertial-pair-checks"
-COMMANDS = ("run", "list", "report", "explore", "plant", "sign", "source")
+COMMANDS = ("run", "list", "report", "explore", "plant", "source")
 USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
 EPILOGUE = (
     "Exit codes: 0 every verdict is as recorded; 1 a verdict differs; 2 usage; "
@@ -46,7 +45,7 @@ EPILOGUE = (
 def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> int:
     """Run a command and return the exit code.
 
-    As a program, verdicts come from the user's cache and from several processes; called from Python, from this process.
+    As a program, verdicts come from several processes; called from Python, from this one.
     """
     open_streams()
     words = list(sys.argv[1:] if arguments is None else arguments)
@@ -109,7 +108,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog=EPILOGUE,
     )
     parser.add_argument("--version", action=Version, nargs=0, help="print the version and exit")
-    commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant,sign,source}")
+    commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant,source}")
     run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
     run.add_argument("ids", nargs="*", metavar="ID", help="claims to check (see list); default: all")
     run.add_argument("--json", action="store_true", help="print a JSON list")
@@ -135,11 +134,6 @@ def _parser() -> argparse.ArgumentParser:
     )
     plant.add_argument("ids", nargs="*", metavar="ID", help="claims to test; default: all")
     plant.set_defaults(command=_plant)
-    sign = commands.add_parser(
-        "sign", help="show sentences beside their kernel theorems; record by key that they say the same"
-    )
-    sign.add_argument("keys", nargs="*", metavar="KEY", help="pairs to record; default: show those not yet recorded")
-    sign.set_defaults(command=_sign)
     source = commands.add_parser("source", help="check whether a file is the text of the paper that was checked")
     source.add_argument("file", type=path, metavar="FILE")
     source.set_defaults(command=_source)
@@ -148,9 +142,6 @@ def _parser() -> argparse.ArgumentParser:
             "--seed", type=_seed, default=0, metavar="N", help="seed of the random test points; default: %(default)s"
         )
         command.add_argument("--jobs", type=_number, metavar="N", help="number of processes; default: one per core")
-        command.add_argument(
-            "--fresh", action="store_true", help="recompute everything; use no cached verdict or figure"
-        )
         command.add_argument("--debug", action="store_true", help="print the traceback of a check that fails")
     return parser
 
@@ -171,7 +162,6 @@ def _seed(text: str) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    early.begin_for(options)
     from paper_checks.running.runner import exit_code
 
     claims = _chosen(options.ids)
@@ -191,19 +181,16 @@ def _run(options: argparse.Namespace) -> int:
 
 def _list(options: argparse.Namespace) -> int:
     from paper_checks.claims import CLAIMS
-    from paper_checks.running import rows
-    from paper_checks.running.kept import Kept
 
-    found = rows.kept(CLAIMS, Kept(seed=0)) if options.program else {}
     if options.json:
         from paper_checks.report.formats import json
 
-        sys.stdout.write(json.render_claims(CLAIMS, found))
+        sys.stdout.write(json.render_claims(CLAIMS))
     else:
         from paper_checks.report.formats.terminal import print_claims
 
         # in a pipe no line is broken: grep reads lines
-        print_claims(console(None if sys.stdout.isatty() else 1000), CLAIMS, found)
+        print_claims(console(None if sys.stdout.isatty() else 1000), CLAIMS)
     return 0
 
 
@@ -222,18 +209,10 @@ def _plant(options: argparse.Namespace) -> int:
     return 0 if turned == len(found) else 1
 
 
-def _sign(options: argparse.Namespace) -> int:
-    from paper_checks.claims import CLAIMS
-    from paper_checks.running import signing
-
-    return signing.sign(CLAIMS, options.keys)
-
-
 def _report(options: argparse.Namespace) -> int:
     if (wrong := wrong_folder(options.out)) is not None:
         _complain(f"the report cannot be written: {wrong} with --out")
         return USAGE
-    early.begin_for(options)
     claims = _chosen(options.ids)
     if claims is None:
         return USAGE
@@ -280,17 +259,14 @@ def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     from numerics.files import cache_refused
     from numerics.tasks import available_cores
     from paper_checks.report.formats.progress import progress
-    from paper_checks.running import rows
-    from paper_checks.running.kept import Kept
+    from paper_checks.running.rows import rows
     from paper_checks.running.runner import Context
 
-    manner = rows.Manner(options.jobs or (available_cores() if options.program else 1))
-    if options.program:
-        if refused := cache_refused():
-            _complain(refused)
-        manner = rows.Manner(manner.jobs, Kept(options.seed), options.fresh)
+    if options.program and (refused := cache_refused()):
+        _complain(refused)
+    jobs = options.jobs or (available_cores() if options.program else 1)
     with progress(len(claims)) as shown:
-        return rows.rows(claims, Context(options.seed, options.debug), manner, shown)
+        return rows(claims, Context(options.seed, options.debug), jobs, shown)
 
 
 def _complain(message: str) -> None:

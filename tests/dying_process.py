@@ -4,14 +4,12 @@ import os
 
 from numerics.trade.recorded import Trade
 from paper_checks.report.output import parts
-from paper_checks.running import workers
-from paper_checks.running.plain import Plain
-from paper_checks.running.runner import Context
+from paper_checks.running import rows
 
 
-def dies_of_energy_rate(name: str, context: Context) -> Plain:
+def dies_of_energy_rate(name, given):
     """Decide a row, and end without a word when asked for the row `energy-rate`."""
-    return os._exit(7) if name == "energy-rate" else workers.decided(name, context)
+    return os._exit(7) if name == "energy-rate" else rows.found(name, given)
 
 
 def dies_of_two_bodies(part: parts.Part, trade: Trade) -> parts.Made:

@@ -1,6 +1,6 @@
-"""`python -m paper_checks.proofs [check | pin | list | F.v [--out DIR]]`: compile the proofs and compare the statements with
-the recorded ones; record the statements; list the theorems; check a proof file written by `python -m numerics solve --proof
-F.v`, or write it with all files that it requires into an empty folder, where plain coqc checks it."""
+"""`python -m paper_checks.proofs [check | audit | list | F.v [--out DIR]]`: compile the proofs and compare what the kernel says
+of every cited theorem with the record, `rocq/Audit.out`; write the record; list the theorems; check a proof file written by
+`python -m numerics solve --proof F.v`, or write it with all files that it requires into an empty folder for plain coqc."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from pathlib import Path
 
 from numerics.exits import USAGE, OneLineParser, refuse
 from paper_checks import atomic
-from paper_checks.proofs import cited, library, submitted
-from paper_checks.proofs.pins import PINS, Pin, Pins, pinned, written
+from paper_checks.proofs import audit, graph, kernel, library, submitted
+from paper_checks.proofs.sources import AUDIT, FOLDER, read
 
 
 def main() -> int:
-    """Run a command; 0 if all is proved (as pinned), 1 if something is not, 2 for bad usage, 3 without the kernel."""
+    """Run a command; 0 if all is proved (as on record), 1 if something is not, 2 for bad usage, 3 without the kernel."""
     parser = OneLineParser(prog="python -m paper_checks.proofs", description=__doc__)
     parser.add_argument(
-        "command", nargs="?", default="check", help="check, pin, list, or a proof file (its name ends in .v)"
+        "command", nargs="?", default="check", help="check, audit, list, or a proof file (its name ends in .v)"
     )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="files compiled in parallel (2)")
     out = (
@@ -26,19 +26,21 @@ def main() -> int:
     )
     parser.add_argument("--out", type=Path, metavar="DIR", help=out)
     options = parser.parse_args()
-    if options.out and not options.command.endswith(".v"):
+    path = Path(options.command)
+    if options.out and path.suffix != ".v":
         parser.error(f"--out is for a proof file, whose name ends in .v, not for {options.command}")
-    if options.command.endswith(".v"):
-        return (
-            _write(Path(options.command), options.out) if options.out else _judge(Path(options.command), options.jobs)
-        )
-    if options.command not in ("check", "pin", "list"):
-        parser.error(f"{options.command!r} is not check, pin, list or a proof file, whose name ends in .v")
+    if path.suffix == ".v":
+        return _write(path, options.out) if options.out else _judge(path, options.jobs)
+    if options.command not in ("check", "audit", "list"):
+        parser.error(f"{options.command!r} is not check, audit, list or a proof file, whose name ends in .v")
     if options.command == "list":
-        for one, (name, sentence) in cited.CITED.items():
+        for one, (name, sentence) in audit.register().items():
             print(f"{one:28} {name:34} {sentence}")
         return 0
-    return _pin(options.jobs) if options.command == "pin" else _check(options.jobs)
+    if reason := kernel.why_not():
+        print(reason, file=sys.stderr)
+        return 3
+    return _audit(options.jobs) if options.command == "audit" else _check(options.jobs)
 
 
 def _write(path: Path, folder: Path) -> int:
@@ -56,71 +58,73 @@ def _write(path: Path, folder: Path) -> int:
 def _judge(path: Path, jobs: int) -> int:
     began = time.monotonic()
     try:
-        found = submitted.judged(path, jobs=jobs)
+        judged = submitted.judged(path, jobs=jobs)
     except (OSError, UnicodeDecodeError) as error:
         return refuse(f"cannot read {path}: {getattr(error, 'strerror', None) or 'it is not UTF-8 text'}", USAGE)
-    if found.holds is None:
-        print(f"unchecked: {found.reason}", file=sys.stderr)
+    if judged.holds is None:
+        print(f"unchecked: {judged.reason}", file=sys.stderr)
         return 3
-    if not found.holds:
-        print(f"refused: {found.reason}", file=sys.stderr)
+    if not judged.holds:
+        print(f"refused: {judged.reason}", file=sys.stderr)
         return 1
-    print(f"accepted: {found.reason}; {time.monotonic() - began:.1f} s")
+    print(f"accepted: {judged.reason}; {time.monotonic() - began:.1f} s")
     return 0
 
 
-def _progress(done: int, total: int, name: str) -> None:
-    print(f"{done:3}/{total} {name}", file=sys.stderr)
+def _progress(done: int, total: int) -> None:
+    if sys.stderr.isatty() and total:
+        print(f"compiling Coq proofs {done}/{total}", end="\r" if done < total else "\n", file=sys.stderr)
 
 
 def _check(jobs: int) -> int:
     began = time.monotonic()
-    built = library.build(_progress if sys.stderr.isatty() else None, jobs)
-    if not built.ran:
-        print(built.kernel, file=sys.stderr)
-        return 3
-    proved = sum(one.holds is True for one in built.theorems.values())
-    print(f"{built.kernel}: {proved} of {len(built.theorems)} theorems proved as pinned, ", end="")
-    print(f"{built.compiled_anew} files compiled, {time.monotonic() - began:.1f} s")
-    for problem in built.problems:
-        print(problem, file=sys.stderr)
-    return 1 if built.problems else 0
-
-
-def _pin(jobs: int) -> int:
-    """Pin what the kernel prints now; refuses while anything is wrong that a pin cannot mend."""
-    from paper_checks.proofs import ties
-
-    told = {tie.name: tie.words for tie in ties.ties()}
-    atomic.write(PINS, written(Pins(pinned().theorems, pinned().definitions, told, {})))
-    pinned.cache_clear()
-    library.names.cache_clear()
-    built = library.build(_progress, jobs)
-    if not built.ran:
-        print(built.kernel, file=sys.stderr)
-        return 3
-    broken = [line for line in built.problems if "pinned" not in line]
-    theorems = built.theorems.values()
-    if broken or not all(one.statement for one in theorems):
-        print("\n".join(["not pinned:", *broken]), file=sys.stderr)
-        return 1
-    atomic.write(
-        PINS,
-        written(
-            Pins(
-                {one.id: Pin(one.statement, tuple(one.definitions), one.uses) for one in theorems},
-                {name: text for one in theorems for name, text in one.definitions.items()},
-                told,
-                {one.id: _named(one) for one in theorems if one.id.startswith("tie-")},
-            )
-        ),
+    proved = library.prove(audit.register(), _progress, jobs)
+    problems = [one.problem for one in proved.values() if one.problem]
+    print(
+        f"{library.kernel_name()}: {len(proved) - len(problems)} of {len(proved)} theorems proved as recorded", end=""
     )
-    print(f"{len(theorems)} theorems pinned")
+    print(f", {time.monotonic() - began:.1f} s")
+    version = library.kernel_name()
+    if problems and kernel.TESTED_VERSION not in version:
+        problems.append(f"this is {version}, the proofs are written for {kernel.TESTED_VERSION}: that may be all")
+    for problem in dict.fromkeys(problems):
+        print(problem, file=sys.stderr)
+    return 1 if problems else 0
+
+
+def _audit(jobs: int) -> int:
+    """Ask the kernel about all that is cited, some minutes, and write question and answer: a change is read in the diff."""
+    sources = read()
+    compiled = kernel.compile_files(sources, sources, _progress, jobs)
+    try:
+        if compiled.broken:
+            raise RuntimeError("\n".join(compiled.broken.values()))
+        text = script(compiled)
+        answer = audit.answered(compiled, text, jobs)
+        wrong = {axiom for theorem in audit.read(answer).theorems.values() for axiom in theorem.axioms}
+        if wrong := {axiom for axiom in wrong if not audit.allowed(axiom)}:
+            raise RuntimeError(f"a theorem rests on {', '.join(sorted(wrong))}, which nobody has proved")
+    except RuntimeError as error:
+        print(f"not written: {error}", file=sys.stderr)
+        return 1
+    atomic.write(FOLDER / f"{AUDIT}.v", text)
+    atomic.write(FOLDER / f"{AUDIT}.out", answer)
+    print(f"{len(audit.register())} theorems in {AUDIT}.out: read what has changed")
     return 0
 
 
-def _named(tie: library.Proved) -> tuple[str, ...]:
-    return tuple(name for name in tie.definitions if name in tie.statement)
+def script(compiled: kernel.Compiled) -> str:
+    """The text of `Audit.v`: what each theorem uses and the definitions of its statement as they are now."""
+    references, definitions = graph.references(compiled.folders)
+    ids = {name: one for one, (name, _) in audit.register().items()}
+    uses = {
+        one: sorted(ids[other] for other in graph.nearest(name, ids, references))
+        for name, one in sorted(ids.items(), key=lambda item: item[1])
+    }
+    printed, _ = audit.asked(compiled, [list(ids)], sorted(definitions))
+    statements = "\n".join(printed[name] for name in ids)
+    sources = read()
+    return audit.script(sorted(sources), uses, audit.below(statements, {name: printed[name] for name in definitions}))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 "Solution" is the absolutely continuous solution of the equations of motion with set-valued friction, from any start;
 without a word about damping it is the paper's free system with a1 = 0. The statements themselves are printed by the kernel
-and pinned in `pins.json`; a sentence here is for the reader and carries nothing.
+and are on record in `rocq/Audit.out`; a sentence here is for the reader and carries nothing.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from paper_checks.proofs.cited_merging import MERGING
 _FREE: dict[str, tuple[str, str]] = {
     # Section III, every solution
     "well-posed": (
-        "Existence.well_posed",
+        "WellPosed.well_posed",
         "From every initial state there is exactly one solution, with or without damping.",
     ),
     "filippov-iff": (
@@ -48,7 +48,7 @@ _FREE: dict[str, tuple[str, str]] = {
         "Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time.",
     ),
     "ellipse-stable": ("Stick.ellipse_stable", "The energy distance of a solution to a stuck motion never grows."),
-    "energy-limit": ("Limit.limit_not_above", "The limit of the energy is at most $E_{cr}$."),
+    "energy-limit": ("EnergyLimit.limit_not_above", "The limit of the energy is at most $E_{cr}$."),
     "convergence": ("Dichotomy.convergence", "Every solution tends to one stuck motion."),
     "dichotomy": (
         "Dichotomy.dichotomy",
@@ -56,15 +56,21 @@ _FREE: dict[str, tuple[str, str]] = {
         "the critical one.",
     ),
     "displacement-paid": (
-        "Corollaries.displacement_paid",
+        "DisplacementLimit.displacement_paid",
         r"$b\,|z(t)-z(r)|\leqslant E(r)-E(t)$ for the relative displacement $z=x_1-x_2$ and $r\leqslant t$, with or without damping.",
     ),
-    "displacement-limit": ("Corollaries.displacement_limit", "The relative displacement $x_1-x_2$ has a limit."),
-    "sticks-iff": ("Cross.sticks_iff", "On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$."),
+    "displacement-limit": ("DisplacementLimit.displacement_limit", "The relative displacement $x_1-x_2$ has a limit."),
+    "sticks-iff": (
+        "AfterOneSlip.sticks_iff",
+        "On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$.",
+    ),
     # one slip, one stick
-    "follow": ("Slip.follow", "A solution that meets the start of an explicit arc that satisfies the law follows it."),
+    "follow": (
+        "FollowArc.follow",
+        "A solution that meets the start of an explicit arc that satisfies the law follows it.",
+    ),
     "slip-arc": (
-        "Gap.slip",
+        "SlipFromGap.slip",
         r"From the right exit ray with the exit speed $h$ of an angle every solution slips up to that angle, and ends where the closed form says.",
     ),
     "stick-arc": (
@@ -72,20 +78,20 @@ _FREE: dict[str, tuple[str, str]] = {
         "On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, at a time in closed form.",
     ),
     "cycle": (
-        "Orbit.cycle",
+        "ExitOrbit.cycle",
         r"From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ to the other ray: one slip and one stick, with the return map $y'=h^2-r\,c^2$.",
     ),
     "exits": (
-        "Orbit.exits",
+        "ExitOrbit.exits",
         "From a ray with slip angle up to $\\pi$ and $r\\,c^2<h^2$ the exits of a solution follow the orbit of the return map.",
     ),
-    "exit-energy": ("Orbit.exit_energy", r"Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$."),
+    "exit-energy": ("ExitOrbit.exit_energy", r"Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$."),
     "cycle-time": (
-        "Orbit.cycle_time",
+        "ExitOrbit.cycle_time",
         r"With slip angle up to $\pi$ and $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $6\sqrt w/\Omega$.",
     ),
     "cycle-time-sharp": (
-        "Time.cycle_time_sharp",
+        "CycleTime.cycle_time_sharp",
         r"With $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where "
         r"$h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$.",
     ),
@@ -93,57 +99,57 @@ _FREE: dict[str, tuple[str, str]] = {
         "Excursion.h_increases",
         r"$h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed.",
     ),
-    "depth-upper": ("Rate.depth_upper", r"The depth of an excursion is at most $\tfrac{3}{2}h^2$."),
+    "depth-upper": ("ReturnMap.depth_upper", r"The depth of an excursion is at most $\tfrac{3}{2}h^2$."),
     "depth-lower": (
-        "Rate.depth_lower",
+        "ReturnMap.depth_lower",
         r"The depth of an excursion is at least $\tfrac{3}{2}(\sin\varphi/\varphi)^6h^2$.",
     ),
-    "return-map-rate": ("Rate.sharp", r"Along the return map $n\,y_n\to 4/(9r)$."),
+    "return-map-rate": ("ReturnMap.sharp", r"Along the return map $n\,y_n\to 4/(9r)$."),
     # slowly to E_cr
     "never-merges": (
-        "Sharp.never_merges",
+        "SharpRate.never_merges",
         r"From an exit ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the energy stays above $E_{cr}$ at all later times.",
     ),
     "no-merging-from-S0": (
-        "Law.no_merging_from_S0",
+        "SharpLaw.no_merging_from_S0",
         "From $S_0$ slightly above $E_{cr}$ a solution never merges, tends to one critical motion and obeys the sharp law.",
     ),
     "sharp-law": (
-        "Law.sharp_law",
+        "SharpLaw.sharp_law",
         r"$t\,(E-E_{cr})\to E_{cr}\tfrac{4\pi}{9}\tfrac{m_1}{m_2}\sqrt{M/a_2}$ for every solution that never "
         "merges.",
     ),
     "trichotomy": (
-        "Law.trichotomy",
+        "SharpLaw.trichotomy",
         "Every solution merges in finite time, or tends to one critical motion and obeys the sharp law.",
     ),
     "two-sided-rate": (
-        "Law.two_sided",
+        "SharpLaw.two_sided",
         r"Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the upper one where $6\sqrt{w_0}<\pi$.",
     ),
     "one-over-t": (
-        "Paper.one_over_t",
+        "OneOverT.one_over_t",
         r"From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.",
     ),
     "settling-time": (
-        "Uniform.settles",
+        "UniformRate.settles",
         "For each level above $E_{cr}$ there is one time after which every solution that starts below another level is below it.",
     ),
     "uniform-upper-rate": (
-        "Uniform.uniform_upper",
+        "UniformRate.uniform_upper",
         r"$E/E_{cr}-1\leqslant c/t$ with one $c$ for all solutions that start below a level and never merge.",
     ),
     "no-uniform-lower-rate": (
-        "Uniform.no_lower_constant",
+        "UniformRate.no_lower_constant",
         r"From every energy above $E_{cr}$ some solutions never merge and are arbitrarily close to $E_{cr}$ from the time $\sqrt{2E(0)m_2}/b$ on.",
     ),
     "exit-and-entry-times": (
-        "Paper.times",
+        "OneOverT.times",
         r"For every solution that never merges: entries and exits alternate; stays on $S_0$ tend to $\pi/\Omega$, "
         "slips to 0.",
     ),
     "exits-near-endpoints": (
-        "Ends.exits_near_endpoints",
+        "ExitPlaces.exits_near_endpoints",
         "A solution that never merges leaves $S_0$ exactly at its end points; the positions of its entries tend to them, and all "
         "velocities there to 0.",
     ),
@@ -152,37 +158,49 @@ _FREE: dict[str, tuple[str, str]] = {
         "The excess energy of a solution that never merges is eventually above every decaying exponential.",
     ),
     "stick-slip-for-ever": (
-        "Perpetual.stick_slip_for_ever",
+        "EndlessStickSlip.stick_slip_for_ever",
         "For all $m_1,m_2,a_2,b>0$ there is a solution that sticks and slips in turn without end.",
     ),
     # the surface, the sliding region and the case study, for solutions
-    "rate-above": ("Surface.rate_above", r"While $v_1>v_2$ the relative velocity has the rate $\Phi_+\cdot n_S$."),
-    "rate-below": ("Surface.rate_below", r"While $v_1<v_2$ the relative velocity has the rate $\Phi_-\cdot n_S$."),
-    "transversal-beyond": ("Surface.transversal_beyond", "On $S$ beyond $S_0$ both rates have the sign of $-x_1$."),
+    "rate-above": (
+        "SwitchingSurface.rate_above",
+        r"While $v_1>v_2$ the relative velocity has the rate $\Phi_+\cdot n_S$.",
+    ),
+    "rate-below": (
+        "SwitchingSurface.rate_below",
+        r"While $v_1<v_2$ the relative velocity has the rate $\Phi_-\cdot n_S$.",
+    ),
+    "transversal-beyond": (
+        "SwitchingSurface.transversal_beyond",
+        "On $S$ beyond $S_0$ both rates have the sign of $-x_1$.",
+    ),
     "transversal-inside": (
-        "Surface.transversal_inside",
+        "SwitchingSurface.transversal_inside",
         "Both fields point back to $S$ exactly in the interior of $S_0$, back or along it exactly on $S_0$.",
     ),
     "slips-beyond": (
-        "Surface.slips_beyond",
+        "SwitchingSurface.slips_beyond",
         "At a contact beyond $S_0$ every solution slips at once, with the sign of $-x_1$.",
     ),
     "slips-on-ray": (
-        "Surface.slips_on_ray",
+        "SwitchingSurface.slips_on_ray",
         "On an edge of $S_0$, moving outwards, every solution slips at once, inwards.",
     ),
-    "sticks-inside": ("Surface.sticks_inside", "On $S_0$, but for the exit rays, every solution sticks for a while."),
+    "sticks-inside": (
+        "SwitchingSurface.sticks_inside",
+        "On $S_0$, but for the exit rays, every solution sticks for a while.",
+    ),
     "arc-to-ray": (
-        "Law.to_ray",
+        "SharpLaw.to_ray",
         "On $S_0$ above $E_{cr}$ every solution sticks until it reaches one of the two exit rays.",
     ),
     "arc-to-left-ray": (
-        "Law.to_ray_left",
+        "SharpLaw.to_ray_left",
         "On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, "
         "at the same level.",
     ),
     "ellipse-iff": (
-        "Surface.ellipse_iff",
+        "SwitchingSurface.ellipse_iff",
         "An ellipse on $S$ is a solution exactly if its energy is at most $E_{cr}$.",
     ),
     "return-alternatives": (
@@ -202,16 +220,19 @@ _FREE: dict[str, tuple[str, str]] = {
         "Body 2 changes its velocity by at most $b/m_2$ times the time, whatever the force.",
     ),
     "slips-from-rest": (
-        "Example.slips_from_rest",
+        "StartFromRest.slips_from_rest",
         "Case study, $b=0.5$: released at rest at $x_1>5$ mm every solution slips at once.",
     ),
     "slips-from-6-mm": (
-        "Example.six_millimetres",
+        "StartFromRest.six_millimetres",
         "Case study, $b=0.5$: released at rest at 6 mm every solution slips at once.",
     ),
-    "sticks-from-rest": ("Example.rest_inside", "Released at rest inside $S_0$ every solution sticks permanently."),
+    "sticks-from-rest": (
+        "StartFromRest.rest_inside",
+        "Released at rest inside $S_0$ every solution sticks permanently.",
+    ),
     "sticks-from-5-mm": (
-        "Example.five_millimetres",
+        "StartFromRest.five_millimetres",
         "Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently.",
     ),
     # one motion
@@ -220,7 +241,7 @@ _FREE: dict[str, tuple[str, str]] = {
         "The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds on their times, positions and velocities.",
     ),
     "first-adhesion": (
-        "Adhesion.first_adhesion",
+        "FirstAdhesion.first_adhesion",
         "The scene of Fig. 5: every solution sticks from 4.549769479... s to 4.579537997... s, not before, slips until "
         "4.771754480... s, including 4.7 s, and sticks again.",
     ),

@@ -16,60 +16,60 @@ FORCED: dict[str, tuple[str, str]] = {
         "Under any force the flow is non-expansive in the energy norm.",
     ),
     "varying-contraction": (
-        "Varying.varying_contraction",
+        "VaryingFriction.varying_contraction",
         "With friction constant on each of finitely many pieces of time the flow under a force is non-expansive in the energy norm.",
     ),
     "varying-well-posed": (
-        "Varying.varying_well_posed",
+        "VaryingFriction.varying_well_posed",
         "With friction constant on each of finitely many pieces of time there is exactly one motion from every initial state.",
     ),
     "varying-energy-rate": (
-        "Pieces.varying_energy_rate",
+        "PiecewiseFriction.varying_energy_rate",
         "With friction constant on each of finitely many pieces of time $\\dot E=u\\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.",
     ),
     "varying-input-to-state": (
-        "Pieces.varying_input_to_state",
+        "PiecewiseFriction.varying_input_to_state",
         r"With friction constant on each of finitely many pieces of time, under two forces: $N(t)\leqslant N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.",
     ),
     "mode-stick": (
-        "Mode.sticks_at",
+        "ModeAtContact.sticks_at",
         r"At a contact with $|\Lambda|<b$, where $u$ is continuous from the right, the pair sticks for a while.",
     ),
     "mode-slip": (
-        "Mode.slips_at",
+        "ModeAtContact.slips_at",
         r"At a contact with $|\Lambda|>b$, where $u$ is continuous from the right, it slips at once, with the sign of the load $\Lambda$.",
     ),
     "mode-tie": (
-        "Mode.tie_rule",
+        "ModeAtContact.tie_rule",
         r"At a contact with $\Lambda=\pm b$, under a smooth force, the first nonzero derivative of the excess of the force over that which keeps the load at $\pm b$ decides.",
     ),
     "mode-marginal": (
-        "Rule.marginal",
+        "RuleOfModes.marginal",
         r"Where all these derivatives are 0 and the force is analytic, the pair sticks at the load $\pm b$, with "
         "the acceleration of the slip.",
     ),
     "slip-rate": (
-        "Rule.slip_rate",
+        "RuleOfModes.slip_rate",
         r"In slip the rate of the relative velocity is given by the load in excess of $\pm b$.",
     ),
     "stuck-load": (
-        "Rule.stuck_load",
+        "RuleOfModes.stuck_load",
         r"While stuck body 2 has the acceleration $\Lambda/m_2$, and $|\Lambda|\leqslant b$.",
     ),
     "jump-moves-strip": (
-        "Rule.jump_moves_strip",
+        "RuleOfModes.jump_moves_strip",
         r"The state is continuous whatever the force does; a jump of the force moves the strip $|\Lambda|\leqslant b$.",
     ),
     "damper-breaks": (
-        "Rule.damper_breaks",
+        "RuleOfModes.damper_breaks",
         "A free pair, stuck at $x_1=0$ with $v_1>0$, slips at once if $a_1>b(m_1+m_2)/(m_2v_1)$.",
     ),
     "no-zeno": (
-        "Zeno.no_zeno",
+        "FinitelyManyModes.no_zeno",
         "Under a piecewise analytic force every bounded time interval has finitely many mode changes.",
     ),
     "no-zeno-varying": (
-        "Zeno.no_zeno_varying",
+        "FinitelyManyModes.no_zeno_varying",
         "Under a piecewise analytic force and with friction constant on each of finitely many pieces of time every bounded time interval has finitely many mode changes.",
     ),
     "scenes-analytic": (
@@ -96,25 +96,25 @@ FORCED: dict[str, tuple[str, str]] = {
         r"The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained.",
     ),
     "entrained-iff": (
-        "Entrain.entrained_iff",
+        "Entrainment.entrained_iff",
         "The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most $U_*$.",
     ),
     "stuck-iff": (
-        "Entrain.stuck_iff",
+        "Entrainment.stuck_iff",
         "With $a_1>0$ some solution sticks permanently under a sinusoidal force exactly if its amplitude is at most "
         "$U_*$.",
     ),
     "third-harmonic": (
-        "Entrain.third_harmonic",
+        "Entrainment.third_harmonic",
         r"With $a_1=0$ and $\Omega=3\omega$ a stuck motion exists above $U_*$.",
     ),
-    "forced-bounded": ("Bounded.bounded", "With $a_1>0$ every motion under a bounded force is bounded."),
+    "forced-bounded": ("BoundedMotions.bounded", "With $a_1>0$ every motion under a bounded force is bounded."),
     "forced-approach": (
-        "Bounded.approach",
+        "BoundedMotions.approach",
         "With $a_1>0$ any two motions under one bounded force approach each other.",
     ),
     "periodic-response": (
-        "Periodic.response",
+        "PeriodicMotion.response",
         "With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts every motion.",
     ),
     "drift": ("Drift.drift", "The position of body 2 changes by the integral of its velocity."),
@@ -123,11 +123,11 @@ FORCED: dict[str, tuple[str, str]] = {
         "With $a_1>0$, if the force changes its sign after half a period, so does the periodic response, and body 2 returns.",
     ),
     "entrains": (
-        "Sync.entrains",
+        "ForcedCapture.entrains",
         "With $a_1>0$ every motion tends to the stuck response to a sinusoidal force of amplitude up to $U_*$.",
     ),
     "synchronises": (
-        "Sync.synchronises",
+        "ForcedCapture.synchronises",
         "With $a_1>0$ every motion under a sinusoidal force of amplitude below $U_*$ sticks permanently after a finite time.",
     ),
     "arc-begins": (
@@ -148,33 +148,33 @@ FORCED: dict[str, tuple[str, str]] = {
         "from $U_{**}$ on, if $A>0$ and its relative velocity keeps its sign at $U_{**}$.",
     ),
     "nonstop-by-halves": (
-        "Halves.by_halves_iff",
+        "HalfPeriod.by_halves_iff",
         "A motion with the force's period that slips one way for half of it and then the other way exists exactly where one "
         "exists that also repeats with the opposite sign.",
     ),
     "nonstop-by-halves-needs": (
-        "Halves.by_halves_needs",
+        "HalfPeriod.by_halves_needs",
         r"Below $U_{**}$ no motion with the force's period slips one way for half of it and then the other way, whatever the relative velocity does at $U_{**}$, if it leaves the turn there ($A>0$).",
     ),
     "nonstop-undamped": (
-        "Undamped.undamped_iff",
+        "NonstopUndamped.undamped_iff",
         "$a_1=0$: the theorem nonstop-iff with $U_{**}$ in closed form, off the resonances of body 1.",
     ),
     "nonstop-above-resonance": (
-        "Undamped.above_resonance",
+        "NonstopUndamped.above_resonance",
         r"$a_1=0$ and $\omega$ above body 1's own frequency: the motion of nonstop-iff exists exactly from $U_{**}$ on, without a "
         "condition.",
     ),
     "nonstop-damped": (
-        "Damped.damped_iff",
+        "NonstopDamped.damped_iff",
         "$a_1>0$, $a_1^2<4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form.",
     ),
     "nonstop-overdamped": (
-        "Overdamped.overdamped_iff",
+        "NonstopOverdamped.overdamped_iff",
         "$a_1^2>4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form, by two exponentials.",
     ),
     "nonstop-attracts": (
-        "Damped.nonstop_attracts",
+        "NonstopDamped.nonstop_attracts",
         "With $a_1>0$ a motion of nonstop-iff attracts every motion under its force.",
     ),
     "two-stop-exists": (
@@ -188,36 +188,36 @@ FORCED: dict[str, tuple[str, str]] = {
         r"$bt_s/m_2$ of velocity in the slip, and has $|\Lambda|\leqslant b$ in the stick.",
     ),
     "stuck-transfer-amplitude": (
-        "Transfer.stuck_amplitude",
+        "LeastTimeTransfer.stuck_amplitude",
         "The amplitude of the force of the fastest stuck transfer over $D$ from $x_1=0$.",
     ),
     "arrival-needs": (
-        "Transfer.arrival_needs",
+        "LeastTimeTransfer.arrival_needs",
         r"To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, a force needs an amplitude of at least $b+\beta\tau/g(\tau)$, where $g$ is body "
         r"1's impulse response and $g'\geqslant 0$ up to $\tau$.",
     ),
     "least-amplitude": (
-        "Arrival.least_amplitude",
+        "LeastAmplitude.least_amplitude",
         r"To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.",
     ),
     "least-amplitude-undamped": (
-        "Arrival.least_amplitude_undamped",
+        "LeastAmplitude.least_amplitude_undamped",
         r"$a_1=0$, $\theta=\omega_1\tau\leqslant\pi/2$: to bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+m_1\beta\,\theta/\sin\theta$.",
     ),
     "rest-to-rest": (
-        "Arrival.rest_to_rest",
+        "LeastAmplitude.rest_to_rest",
         "With that amplitude both bodies can be at rest then, if the stuck pair can brake with it in the second half.",
     ),
     "ring-factor": (
-        "Relative.ring_factor",
+        "RelativeMotion.ring_factor",
         r"$|v_1-v_2|\leqslant\sqrt\kappa\,N$, $\kappa=(m_1+m_2)/(m_1m_2)$, and no smaller factor suffices.",
     ),
     "displacement-unseen": (
-        "Relative.displacement_unseen",
+        "RelativeMotion.displacement_unseen",
         "A shift of the initial position of body 2 shifts the relative displacement by as much at all times.",
     ),
     "tolerance-ring": (
-        "Ring.ring",
+        "ToleranceRing.ring",
         "With $a_1>0$ and a bounded force every motion enters a tube around another one at some time, and stays; from then on it is in the ring of relative velocities.",
     ),
 }

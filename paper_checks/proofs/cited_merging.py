@@ -4,68 +4,71 @@ from __future__ import annotations
 
 MERGING: dict[str, tuple[str, str]] = {
     "merges-iff": (
-        "Merge.merges_iff",
+        "FirstLanding.merges_iff",
         r"From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ at all later times exactly if $r\,c^2<h^2$.",
     ),
-    "turning-point": ("Turning.root", r"The turning function has one zero $\varphi^*$ in $(0,\pi]$."),
+    "turning-point": ("TurningFunction.root", r"The turning function has one zero $\varphi^*$ in $(0,\pi]$."),
     "merging-threshold": (
-        "Turning.threshold",
+        "TurningFunction.threshold",
         r"$h^2>r\,c^2$ at all slip angles below $2\pi$ exactly if $m_1/m_2>-\cos 2\varphi^*$; else not at $2\varphi^*$.",
     ),
     "critical-mass-ratio-digits": (
-        "Critical.decimals",
+        "CriticalRatioDigits.decimals",
         r"The critical mass ratio $-\cos 2\varphi^*$ up to $2\cdot 10^{-14}$, and $\varphi^*$ up to $10^{-15}$.",
     ),
     "gap-slip": (
-        "Gap.gap_slip",
+        "SlipFromGap.gap_slip",
         "A slip from $S$ with a gap and the initial speed of an angle, in closed form up to that angle, where it ends.",
     ),
     "crossing": (
-        "Gap.crossing",
+        "SlipFromGap.crossing",
         "A slip that ends beyond the other end of $S_0$ is followed by one of the other sign.",
     ),
     "re-entry": (
-        "Cross.reentry",
+        "AfterOneSlip.reentry",
         "A slip from $S$ with a gap and the initial speed of an angle that ends in $S_0$ sticks there permanently exactly if its energy is not above $E_{cr}$.",
     ),
     "first-slip": (
-        "Cross.first_slip",
+        "AfterOneSlip.first_slip",
         r"From $S_0$ above $E_{cr}$: stick, one slip, and merging there exactly if $h^2\leqslant r\,c^2$.",
     ),
     "ray-crossing": (
-        "Cross.ray_crossing",
+        "AfterOneSlip.ray_crossing",
         "From a ray with the exit speed of an angle whose depth is above $2/q$ the pair crosses $S$ and slips on with the other sign.",
     ),
     "no-first-merging": (
-        "Alternation.no_first_merging",
+        "AlternatingSlips.no_first_merging",
         r"If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ above $E_{cr}$ merges at the end of its first slip.",
     ),
     "alternation": (
-        "Alternation.alternation",
+        "AlternatingSlips.alternation",
         r"Where the longest slip from a ray that ends in $S_0$ has an angle $2\varphi_c\geqslant 4\pi/3$: a crossing slip at least that long is followed by one of at most $2\pi-2\varphi_c$, and a crossing slip of at most that by one at least as long as the longest.",
     ),
-    "margin": ("Margin.margin", "The one numerical inequality of the merging set, enclosed in balls by the kernel."),
+    "margin": (
+        "ShortSlipMargin.margin",
+        "The one numerical inequality of the merging set, enclosed in balls by the kernel.",
+    ),
     "kappa-large": (
-        "Kappa.kappa_large",
+        "KappaBound.kappa_large",
         r"Where merging is possible, the longest slip that ends in $S_0$ is longer than the angle $4\pi/3$.",
     ),
     "first-re-entry": (
-        "Return.returns",
+        "ReturnToS0.returns",
         "From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips, for "
         "every mass ratio.",
     ),
     "merging-set": (
-        "Merging.merging_set",
+        "MergingEnergies.merging_set",
         r"For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the "
         "energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, "
         "at the first re-entry, after any number of crossings.",
     ),
     "no-low-level": (
-        "Levels.no_low_level",
+        "LevelAfterSlip.no_low_level",
         r"For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and initial speed, ends at or below $E_{cr}$.",
     ),
     "heavy-never-merges": (
-        "Heavy.heavy_never_merges",
+        "MergingByMassRatio.heavy_never_merges",
         r"For $m_1/m_2>-\cos 2\varphi^*$: no solution that has touched $S$ above $E_{cr}$ ever merges, after "
         "whatever number of slips.",
     ),

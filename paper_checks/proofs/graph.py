@@ -26,21 +26,20 @@ _STATEMENTS = {"prf", "def", "rec", "ind", "proj", "constr", "ax", "var"}
 
 def references(folders: Mapping[str, Path]) -> tuple[Graph, frozenset[str]]:
     """The graph of all compiled files, given the folder of each; and which of its names are definitions."""
-    found: dict[str, set[str]] = {}
+    uses: dict[str, set[str]] = {}
     definitions: set[str] = set()
     in_modules: dict[str, str] = {}
     for file, folder in folders.items():
-        definitions |= _read((folder / f"{file}.glob").read_text("utf-8"), file, found, in_modules)
+        definitions |= _read((folder / f"{file}.glob").read_text("utf-8"), file, uses, in_modules)
 
     def meant(name: str) -> str:
-        return name if name in found else in_modules.get(name.rsplit(".", maxsplit=1)[-1], name)
+        return name if name in uses else in_modules.get(name.rsplit(".", maxsplit=1)[-1], name)
 
-    return {name: frozenset(map(meant, used - {name})) for name, used in found.items()}, frozenset(definitions)
+    return {name: frozenset(map(meant, used - {name})) for name, used in uses.items()}, frozenset(definitions)
 
 
-def _read(record: str, file: str, found: dict[str, set[str]], in_modules: dict[str, str]) -> set[str]:
-    places: list[int] = []
-    names: list[str] = []
+def _read(record: str, file: str, uses: dict[str, set[str]], in_modules: dict[str, str]) -> set[str]:
+    statements: list[tuple[int, str]] = []
     used: list[tuple[int, str]] = []
     definitions: set[str] = set()
     for line in record.splitlines():
@@ -48,45 +47,30 @@ def _read(record: str, file: str, found: dict[str, set[str]], in_modules: dict[s
             place, other, path, name = match.groups()
             used.append((int(place), f"{other}.{name}" if path == "<>" else f"{other}.{path}.{name}"))
         elif (match := _STATEMENT.match(line)) and match[1] in _STATEMENTS:
-            places.append(int(match[2]))
-            names.append(f"{file}.{match[4]}" if match[3] == "<>" else f"{file}.{match[3]}.{match[4]}")
+            name = f"{file}.{match[4]}" if match[3] == "<>" else f"{file}.{match[3]}.{match[4]}"
+            statements.append((int(match[2]), name))
             if match[1] != "var" and match[3] != "<>":  # what a functor has is nothing until it is applied
-                in_modules[match[4]] = names[-1]
+                in_modules[match[4]] = name
             elif match[1] in _DEFINITIONS:
-                definitions.add(names[-1])
-    order = sorted(range(len(places)), key=places.__getitem__)
-    starts = [places[one] for one in order]
-    for name in names:
-        found.setdefault(name, set())
+                definitions.add(name)
+    statements.sort()
+    for _, name in statements:
+        uses.setdefault(name, set())
     for place, other in used:
-        if (index := bisect.bisect_right(starts, place) - 1) >= 0:
-            found[names[order[index]]].add(other)
+        if (index := bisect.bisect_right(statements, (place, chr(0x10FFFF))) - 1) >= 0:
+            uses[statements[index][1]].add(other)
     return definitions
-
-
-def everything_below(name: str, graph: Graph) -> frozenset[str]:
-    """All that a proof rests on at any depth, without itself."""
-    found: set[str] = set()
-    waiting = list(graph.get(name, ()))
-    while waiting:
-        one = waiting.pop()
-        if one not in found:
-            found.add(one)
-            waiting += graph.get(one, ())
-    return frozenset(found - {name})
 
 
 def nearest(name: str, wanted: Iterable[str], graph: Graph) -> tuple[str, ...]:
     """Those of `wanted` that a proof uses itself or through proofs that are not wanted."""
-    stops, seen, found = frozenset(wanted) - {name}, {name}, set()
-    waiting = list(graph.get(name, ()))
+    stops, seen = frozenset(wanted) - {name}, {name}
+    waiting, reached = list(graph.get(name, ())), set()
     while waiting:
         one = waiting.pop()
-        if one in seen:
-            continue
-        seen.add(one)
         if one in stops:
-            found.add(one)
-        else:
+            reached.add(one)
+        elif one not in seen:
+            seen.add(one)
             waiting += graph.get(one, ())
-    return tuple(sorted(found))
+    return tuple(sorted(reached))

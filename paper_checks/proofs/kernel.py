@@ -10,34 +10,33 @@ import os
 import shutil
 import subprocess
 import tempfile
-import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
 from numerics import files
-from paper_checks.proofs.sources import LIBRARY, Source, all_required, digest, in_order, keys
-
-try:
-    import fcntl
-except ImportError:  # not a POSIX system
-    fcntl = None  # type: ignore[assignment]
+from paper_checks.proofs.sources import LIBRARY, Source, digest, keys, needed
 
 PACKAGES = "coq libcoq-coquelicot libcoq-interval"
 TESTED_VERSION = "8.16"
 _LIBRARIES = ("Coquelicot", "Interval")
-_FOLDERS = 400  # how many are kept, beside those of the last day: five whole libraries
+_FOLDERS = 500  # how many are kept, beside those of the last day: five whole libraries
 _PATIENCE = 900  # seconds for one file; the longest takes less than a tenth of that
 
-Progress = Callable[[int, int, str], None]
-"""Called with the number of files done, that of all files, and the name of the last one; (0, 0, why) while waiting."""
+Progress = Callable[[int, int], None]
+"""Called with the number of files done, and that of all files that have to be compiled."""
+
+
+def why_not() -> str:
+    """Why the kernel cannot run, in one line; empty if it can."""
+    return _missing(os.environ.get("PATH")) or _cannot_keep()
 
 
 @cache
-def why_not(search_path: str | None) -> str:
-    """Why the kernel cannot run with this PATH, in one line; empty if it can."""
+def _missing(search_path: str | None) -> str:
     coqc = shutil.which("coqc", path=search_path)
     if coqc is None:
         return f"kernel not run: coqc is not installed (Debian: {PACKAGES})"
@@ -49,20 +48,24 @@ def why_not(search_path: str | None) -> str:
     return f"kernel not run: {' and '.join(missing)} not installed (Debian: {PACKAGES})" if missing else ""
 
 
-def cannot_keep(store: Path) -> str:
-    """Why nothing that is compiled can be kept in a store, in one line; empty if it can."""
-    if store == cache_folder() and files.cache_refused():
+def _cannot_keep() -> str:
+    if files.cache_refused():
         return (
             "kernel not run: the user's cache is not used, as others can change it; its folder must be the user's alone"
         )
     try:
-        files.make_private(store)
-        with tempfile.TemporaryFile(dir=store) as file:
+        files.make_private(cache_folder())
+        with tempfile.TemporaryFile(dir=cache_folder()) as file:
             file.write(b"a full disk refuses this")
     except OSError as error:  # the folder itself is not named: a report says the same everywhere
         remedy = "set XDG_CACHE_HOME to a folder that can"
         return f"kernel not run: the user's cache cannot be written ({error.strerror}); {remedy}"
     return ""
+
+
+def cache_folder() -> Path:
+    """Where compiled proofs are kept: `inertial-pair/proofs` in the user's cache."""
+    return files.cache_folder() / "proofs"
 
 
 @cache
@@ -82,150 +85,113 @@ def identity(search_path: str | None) -> str:
     return f"{version(search_path)} {digest(sorted(sizes))}"
 
 
-def cache_folder() -> Path:
-    """Where compiled proofs are kept: `inertial-pair/proofs` in the user's cache."""
-    return files.cache_folder() / "proofs"
-
-
-@contextmanager
-def locked(store: Path, progress: Progress | None = None) -> Iterator[None]:
-    """Let one process at a time compile into a store, where the system can: a second one waits, says so, and finds all done."""
-    files.make_private(store)
-    with (store / "lock").open("wb") as file:
-        if fcntl is not None:
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                if progress:
-                    progress(0, 0, "waiting for another process that compiles the proofs")
-                fcntl.flock(file, fcntl.LOCK_EX)
-        yield
-        files.forget_unused(store, _FOLDERS)
-
-
 @dataclass
 class Compiled:
     """What compiling has come to: the folder of each file that compiles, and one line for each that does not."""
 
     folders: dict[str, Path] = field(default_factory=dict)
     broken: dict[str, str] = field(default_factory=dict)
-    anew: int = 0
-    """How many files were not in the cache."""
 
     def arguments(self) -> list[str]:
         """The compiler's options that make every compiled file known."""
         return [word for folder in self.folders.values() for word in ("-Q", str(folder), LIBRARY)]
 
 
-def compile_all(
+def compile_files(
+    wanted: Iterable[str],
     sources: Mapping[str, Source],
     progress: Progress | None = None,
     jobs: int = 2,
     store: Path | None = None,
 ) -> Compiled:
-    """Compile the files in the order of their requirements, `jobs` at a time; what the store holds is taken from it.
+    """Compile files and what they rest on, `jobs` at a time, those first on which most rests; what is kept is not compiled.
 
     A file that fails does not stop those that do not rest on it. On an interrupt the compilers that run are ended.
     """
-    store = cache_folder() if store is None else store
+    store = store or cache_folder()
     files.make_private(store)
-    named = keys(sources, identity(os.environ.get("PATH")))
-    found = Compiled()
-    waiting = list(in_order(sources))
-    running: list[_Run] = []
-
-    def settled(name: str) -> bool:
-        return all(one in found.folders for one in sources[name].requires)
-
-    try:
+    order = needed(wanted, sources)
+    named = keys({name: sources[name] for name in order}, identity(os.environ.get("PATH")))
+    weights = _weights(order, sources)
+    compiled, running = Compiled(), dict[Future[str], str]()
+    missing = [name for name in order if not (store / named[name] / f"{name}.vo").exists()]
+    for name in set(order) - set(missing):
+        compiled.folders[name] = store / named[name]
+        with suppress(OSError):  # another process has forgotten it
+            os.utime(compiled.folders[name])
+    waiting = sorted(missing, key=weights.__getitem__, reverse=True)
+    with ThreadPoolExecutor(jobs) as pool, _ending() as processes:
         while waiting or running:
-            for name in list(waiting):
-                lost = [one for one in sources[name].requires if one in found.broken]
-                if lost:
-                    found.broken[name] = f"{name}.v rests on {lost[0]}.v, which does not compile"
-                elif settled(name) and (store / named[name] / f"{name}.vo").exists():
-                    found.folders[name] = store / named[name]
-                    os.utime(found.folders[name])
-                elif settled(name) and len(running) < jobs:
-                    running.append(_Run(sources, name, store, named))
+            for name in tuple(waiting):
+                below = sources[name].requires
+                if lost := [one for one in below if one in compiled.broken]:
+                    compiled.broken[name] = f"{name}.v rests on {lost[0]}.v, which does not compile"
+                elif len(running) < jobs and all(one in compiled.folders for one in below):
+                    arguments = compiled.arguments()
+                    run = pool.submit(_coqc, sources[name], store / named[name], arguments, processes)
+                    running[run] = name
                 else:
                     continue
                 waiting.remove(name)
-                if progress is not None and (name in found.folders or name in found.broken):
-                    progress(len(found.folders) + len(found.broken), len(sources), name)
-            for run in [one for one in running if one.finished()]:
-                running.remove(run)
-                _take(run, found)
-                if progress is not None:
-                    progress(len(found.folders) + len(found.broken), len(sources), run.source.name)
-            if running:
-                time.sleep(0.02)
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                name = running.pop(future)
+                if complaint := future.result():
+                    compiled.broken[name] = complaint
+                else:
+                    compiled.folders[name] = store / named[name]
+            if progress:
+                progress(len(missing) - len(waiting) - len(running), len(missing))
+    files.forget_unused(store, _FOLDERS)
+    return compiled
+
+
+def _weights(order: tuple[str, ...], sources: Mapping[str, Source]) -> dict[str, int]:
+    """How much text waits for each file: its own, and that of the longest chain of files that rest on it."""
+    weights = {name: len(sources[name].text) for name in order}
+    for name in reversed(order):
+        for required in sources[name].requires:
+            weights[required] = max(weights[required], len(sources[required].text) + weights[name])
+    return weights
+
+
+@contextmanager
+def _ending() -> Iterator[set[subprocess.Popen[str]]]:
+    """Yield a set for processes; whatever ends the block, an interrupt among it, ends those that are in it."""
+    processes: set[subprocess.Popen[str]] = set()
+    try:
+        yield processes
     finally:
-        for run in running:
-            run.end()
-    return found
+        for process in tuple(processes):
+            process.kill()
 
 
-def _take(run: _Run, found: Compiled) -> None:
-    found.anew += 1
-    complaint = run.keep()
-    if complaint:
-        found.broken[run.source.name] = complaint
-    else:
-        found.folders[run.source.name] = run.kept
-
-
-class _Run:
-    """One file being compiled, in a temporary folder beside the kept ones."""
-
-    def __init__(self, sources: Mapping[str, Source], name: str, store: Path, named: Mapping[str, str]) -> None:
-        self.source = sources[name]
-        self.kept = store / named[name]
-        self._began = time.monotonic()
-        self._folder = Path(tempfile.mkdtemp(prefix=".compiling-", dir=store))
-        (self._folder / f"{name}.v").write_text(self.source.text, "utf-8")
-        below = [
-            word for one in sorted(all_required(name, sources)) for word in ("-Q", str(store / named[one]), LIBRARY)
-        ]
-        command = ["coqc", "-q", "-w", "none", *below, "-Q", ".", LIBRARY, f"{name}.v"]
-        self._errors = (self._folder / "errors").open("w+", encoding="utf-8")
+def _coqc(source: Source, kept: Path, arguments: list[str], processes: set[subprocess.Popen[str]]) -> str:
+    """Compile one file into the folder where it is kept; return in one line what is wrong with it."""
+    with tempfile.TemporaryDirectory(prefix=".compiling-", dir=kept.parent, ignore_cleanup_errors=True) as folder:
+        Path(folder, f"{source.name}.v").write_text(source.text, "utf-8")
+        command = ["coqc", "-q", "-w", "none", *arguments, "-Q", ".", LIBRARY, f"{source.name}.v"]
+        # a session of its own: Ctrl-C in the terminal reaches us, and we end it
+        process = subprocess.Popen(
+            command,
+            cwd=folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            encoding="utf-8",
+            start_new_session=True,
+        )
+        processes.add(process)
         try:
-            # a session of its own: Ctrl-C in the terminal reaches us, and we end it
-            self._process = subprocess.Popen(
-                command, cwd=self._folder, stdout=subprocess.DEVNULL, stderr=self._errors, start_new_session=True
-            )
-        except BaseException:  # an interrupt while it starts: nobody else knows the folder yet
-            self._errors.close()
-            shutil.rmtree(self._folder, ignore_errors=True)
-            raise
-
-    def finished(self) -> bool:
-        """Whether the compiler has ended; one that takes far too long is ended."""
-        if self._process.poll() is None and time.monotonic() - self._began > _PATIENCE:
-            self._process.kill()
-            self._process.wait()
-        return self._process.poll() is not None
-
-    def keep(self) -> str:
-        """Give the folder its lasting name if the file compiled; otherwise say in one line what is wrong with it."""
-        self._errors.seek(0)
-        errors = self._errors.read()
-        self._errors.close()
-        if self._process.returncode:
-            shutil.rmtree(self._folder, ignore_errors=True)
-            return complaint(self.source, errors)
-        try:
-            self._folder.rename(self.kept)
-        except OSError:  # another process was quicker; its result is the same
-            shutil.rmtree(self._folder, ignore_errors=True)
-        return "" if self.kept.is_dir() else f"{self.source.name}.v: its folder in the cache cannot be written"
-
-    def end(self) -> None:
-        """End the compiler and leave nothing behind."""
-        self._process.kill()
-        self._process.wait()
-        self._errors.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+            _, errors = process.communicate(timeout=_PATIENCE)
+        except subprocess.TimeoutExpired:
+            errors = f"after {_PATIENCE} s it was ended"
+        finally:
+            process.kill()
+            processes.discard(process)
+        if process.wait():
+            return complaint(source, errors)
+        with suppress(OSError):  # another process was quicker; its result is the same
+            Path(folder).rename(kept)
+    return "" if kept.is_dir() else f"{source.name}.v: its folder in the cache cannot be written"
 
 
 def complaint(source: Source, errors: str) -> str:

@@ -1,24 +1,18 @@
-"""The whole: compile the files, ask the kernel, compare with the pins, and say of each cited theorem what it stands on."""
+"""What the kernel says of cited theorems: their files are compiled, and its answers compared with those on record."""
 
 from __future__ import annotations
 
-import json
 import os
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import asdict, dataclass, field
-from functools import cache
+from dataclasses import dataclass
 from pathlib import Path
 
-from paper_checks.proofs import graph, kernel, questions, signed, tied
-from paper_checks.proofs.cited import CITED
+from paper_checks.proofs import audit, kernel
+from paper_checks.proofs.audit import recorded, register
 from paper_checks.proofs.kernel import Compiled, Progress
-from paper_checks.proofs.pins import Pin, Pins, pinned
-from paper_checks.proofs.sources import FOLDER, Source, all_required, digest, keys, read
-from paper_checks.proofs.tied import TIES
-from paper_checks.store import Store
+from paper_checks.proofs.sources import AUDIT, FOLDER, read
 
 
 @dataclass(frozen=True)
@@ -31,9 +25,7 @@ class Proved:
     sentence: str
     """What it proves, for a reader."""
     statement: str
-    """What the kernel prints; without the kernel, what is pinned."""
-    definitions: Mapping[str, str]
-    """Each definition that the statement rests on, at any depth, as printed (or pinned)."""
+    """What the kernel prints, as it is on record; empty where it is not."""
     uses: tuple[str, ...]
     """Ids of the cited theorems that its proof rests on directly, or through lemmas that are not cited."""
     ties: tuple[str, ...]
@@ -41,86 +33,40 @@ class Proved:
     axioms: tuple[str, ...]
     """All axioms that its proof may rest on; empty without the kernel."""
     holds: bool | None
-    """True: the kernel accepts the pinned statement. None: the kernel was not run. False: `problem` says why."""
+    """True: the kernel accepts the statement on record. None: the kernel was not run. False: `problem` says why."""
     problem: str = ""
 
-    @property
-    def file(self) -> str:
-        """The proof file."""
-        return f"{self.name.split('.')[0]}.v"
+
+_known: dict[str, Proved] = {}
+_REPORT: ContextVar[Progress | None] = ContextVar("report", default=None)
 
 
-@dataclass(frozen=True)
-class Built:
-    """All cited theorems, and everything that is wrong with the proofs, one line each."""
-
-    kernel: str
-    """The kernel's version, or why it was not run."""
-    ran: bool
-    theorems: Mapping[str, Proved]
-    problems: tuple[str, ...] = ()
-    compiled_anew: int = 0
-
-    def theorem(self, name: str) -> Proved:
-        """A cited theorem by its id. Raises KeyError for an id that is not in the register."""
-        return self.theorems[name]
-
-    def ties(self, name: str) -> tuple[Proved, ...]:
-        """The ties of a theorem's definitions to `theory/`: where one does not hold, it is a theorem about something else."""
-        return tuple(self.theorems[one] for one in self.theorems[name].ties)
-
-
-@dataclass(frozen=True)
-class _Facts:
-    """What compiling and asking has found; kept in the cache under the keys of all files."""
-
-    printed: dict[str, str] = field(default_factory=dict)
-    axioms: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    references: dict[str, tuple[str, ...]] = field(default_factory=dict)
-
-
-def build(progress: Progress | None = None, jobs: int = 2, store: Path | None = None, folder: Path = FOLDER) -> Built:
-    """Compile what is not in the cache and say what is proved.
-
-    Without the kernel no theorem holds or fails: each is reported from its pin, with the reason in `kernel`. A proof that
-    is broken, a statement that is not the pinned one, an axiom that is not allowed and anything admitted come out as
-    problems, by name; nothing is raised for them.
-    """
-    pins = pinned()
-    store = kernel.cache_folder() if store is None else store
-    if reason := kernel.why_not(os.environ.get("PATH")) or kernel.cannot_keep(store):
-        return _not_run(reason, pins)
-    with kernel.locked(store, progress):
-        sources, unwritten = _sources(folder, store)
-        compiled, untied = tied.compiled(sources, progress, jobs, store)
-        facts, silence = _answers(compiled, sources, store)
-    broken = compiled.broken | untied | unwritten
-    theorems = {one: _judged(one, broken, facts, pins) for one in names()}
-    problems = [line for source in sources.values() for line in source.unproved()]
-    problems += [*broken.values(), *silence]
-    problems += [proved.problem for proved in theorems.values() if not proved.holds]
-    version = kernel.version(os.environ.get("PATH")).split()[0]
-    if problems and not version.startswith(kernel.TESTED_VERSION):
-        problems.append(f"this is Coq {version}, the proofs are written for {kernel.TESTED_VERSION}: that may be all")
-    return Built(f"Coq {version}", True, theorems, tuple(dict.fromkeys(problems)), compiled.anew)
-
-
-@cache
 def theorem(name: str) -> Proved:
-    """A cited theorem by its id; builds on first use. Raises KeyError for an id that is not in the register.
+    """A cited theorem by its id; asks the kernel on first use. Raises KeyError for an id that is not in the register.
 
     >>> theorem("contraction").name
     'Pair.contraction'
     """
-    return _built().theorem(name)
+    if name not in _known:
+        prepare([name])
+    return _known[name]
 
 
-_REPORT: ContextVar[Progress | None] = ContextVar("report", default=None)
+def prepare(ids: Iterable[str], jobs: int = 2) -> Mapping[str, Proved]:
+    """Ask the kernel once about theorems, those that they use and their ties; return all that is known."""
+    if missing := [one for one in ids if one not in _known]:
+        know(prove(missing, _REPORT.get(), jobs))
+    return _known
+
+
+def know(proved: Mapping[str, Proved]) -> None:
+    """Take over what another process has found."""
+    _known.update(proved)
 
 
 @contextmanager
 def reported(progress: Progress) -> Iterator[None]:
-    """Report to `progress` while a check inside compiles the proofs, which it does only if it cites a theorem."""
+    """Report to `progress` while a check inside compiles proofs, which it does only if it cites a theorem."""
     token = _REPORT.set(progress)
     try:
         yield
@@ -128,126 +74,104 @@ def reported(progress: Progress) -> Iterator[None]:
         _REPORT.reset(token)
 
 
-@cache
-def _built() -> Built:
-    return build(_REPORT.get())
+def kernel_name() -> str:
+    """The kernel and its version, or why it is not run."""
+    return kernel.why_not() or f"Coq {kernel.version(os.environ.get('PATH')).split()[0]}"
 
 
-@cache
-def names() -> dict[str, str]:
-    """The kernel's name of every cited theorem, the ties among them, by id."""
-    ties = {name.replace("_", "-"): f"{TIES}.{name}" for name in pinned().ties}
-    return {one: name for one, (name, _sentence) in CITED.items()} | ties
+def prove(
+    ids: Iterable[str],
+    progress: Progress | None = None,
+    jobs: int = 2,
+    store: Path | None = None,
+    folder: Path = FOLDER,
+) -> dict[str, Proved]:
+    """Compile what theorems, those that they use and their ties need, and say of each what the kernel says.
+
+    Without the kernel none holds or fails: each is reported from the record, with the reason as its problem. A proof that
+    is broken, an answer that is not the one on record and an axiom that is not allowed come out as problems, by name.
+    """
+    wanted = _with_what_they_need(ids)
+    if reason := kernel.why_not():
+        return {one: _proved(one, None, reason) for one in wanted}
+    sources = read(folder)
+    files = dict.fromkeys(_file(one) for one in wanted)
+    compiled = kernel.compile_files([one for one in files if one in sources], sources, progress, jobs, store)
+    problems = {one: why for one in wanted if (why := _not_compiled(one, compiled))}
+    problems |= _differing([one for one in wanted if one not in problems], compiled)
+    return {one: _proved(one, one not in problems, problems.get(one, "")) for one in wanted}
 
 
-def _sources(folder: Path, store: Path) -> tuple[dict[str, Source], dict[str, str]]:
-    found, (text, problem) = read(folder), tied.text(store)
-    found[TIES] = Source(TIES, text)
-    return found, {TIES: problem} if problem else {}
-
-
-def _answers(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> tuple[_Facts, tuple[str, ...]]:
-    """The facts; or none, and why: a file of the cache that was damaged after it was compiled."""
-    try:
-        return _facts(compiled, sources, store), ()
-    except RuntimeError as error:
-        return _Facts(), (f"{error}; remove {store} and try again",)
-
-
-def _facts(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> _Facts:
-    """Ask the kernel about all that compiled, or take its answers from the cache."""
-    named = keys(sources, kernel.identity(os.environ.get("PATH")))
-    asked = {one: name for one, name in names().items() if name.split(".")[0] in compiled.folders}
-    wording = [Path(one).read_text("utf-8") for one in (questions.__file__, graph.__file__, __file__)]
-    title = digest([*wording, *sorted(asked.values()), *(named[file] for file in sorted(compiled.folders))])
-    kept = Store("answers", title, store)
-    if body := kept.get("answers.json"):
-        return _Facts(**json.loads(body))
-    references, definitions = graph.references(compiled.folders)
-    present = [name for name in asked.values() if name in references]
-    by_integers = [name for name in present if _by_intervals(name.split(".")[0], sources)]
-    plain = [name for name in present if name not in by_integers]
-    answers = questions.ask(compiled, present, sorted(definitions), [plain, by_integers])
-    facts = _Facts(
-        dict(answers.printed),
-        dict(answers.axioms),
-        {name: graph.nearest(name, present, references) for name in present},
-    )
-    kept.put("answers.json", json.dumps(asdict(facts)).encode())
-    return facts
-
-
-def _by_intervals(file: str, sources: Mapping[str, Source]) -> bool:
-    """Whether a file rests on the tactic for interval arithmetic, which computes with machine integers."""
-    return any(
-        "From Interval Require Import Tactic" in sources[one].text for one in {file, *all_required(file, sources)}
-    )
-
-
-def _judged(one: str, broken: Mapping[str, str], facts: _Facts, pins: Pins) -> Proved:
-    name = names()[one]
-    if name not in facts.printed:
-        why = broken.get(name) or broken.get(name.split(".")[0]) or f"there is no {name}"
-        return _proved(one, pins.theorems.get(one), {}, (), False, why if why.startswith(name) else f"{name}: {why}")
-    statement = facts.printed[name]
-    definitions = definitions_of(statement, facts.printed)
-    ids = {kernel_name: other for other, kernel_name in names().items()}
-    pin = Pin(statement, tuple(definitions), tuple(sorted(ids[other] for other in facts.references[name])))
-    axioms = tuple(facts.axioms[name])
-    problem = _problem(name, pin, definitions, axioms, pins, one)
-    return _proved(one, pin, definitions, axioms, not problem, problem)
-
-
-def _problem(
-    name: str, found: Pin, definitions: Mapping[str, str], axioms: tuple[str, ...], pins: Pins, one: str
-) -> str:
-    if wrong := [axiom for axiom in axioms if not questions.allowed(axiom)]:
-        return f"{name} rests on {', '.join(wrong)}, which nobody has proved"
-    if one not in pins.theorems:
-        return f"{name} is not pinned; python -m paper_checks.proofs pin writes what it says into pins.json"
-    if found.statement != pins.theorems[one].statement:
-        return f"{name} does not say what is pinned"
-    changed = [other for other, text in definitions.items() if pins.definitions.get(other) != text]
-    if changed:
-        return f"{name} rests on {changed[0]}, which is not defined as pinned"
-    return _unsigned(one, found, definitions)
-
-
-def _unsigned(one: str, pin: Pin, definitions: Mapping[str, str]) -> str:
-    """Say that the sentence of a cited theorem was not read beside what is pinned; of a tie nobody reads one."""
-    if one not in CITED or signed.is_signed(one, signed.of_theorem(CITED[one][1], pin.statement, definitions)):
-        return ""
-    return f"{names()[one]} and its sentence were not signed together: python -m paper_checks sign {one}"
-
-
-def definitions_of(text: str, printed: Mapping[str, str]) -> dict[str, str]:
-    """The definitions of this library that a printed text names, and those that they name, in alphabetical order."""
-    found: dict[str, str] = {}
-    waiting = [text]
+def _with_what_they_need(ids: Iterable[str]) -> tuple[str, ...]:
+    wanted: dict[str, None] = {}
+    waiting = list(ids)
     while waiting:
-        for name in re.findall(r"\b[A-Z]\w*\.\w+'*", waiting.pop()):
-            if name in printed and name not in found:
-                found[name] = printed[name]
-                waiting.append(printed[name])
-    return dict(sorted(found.items()))
+        one = waiting.pop()
+        if one not in register():
+            raise KeyError(one)
+        if one not in wanted:
+            wanted[one] = None
+            known = recorded().theorems.get(one)
+            waiting += (*(known.uses if known else ()), *recorded().ties_of(one))
+    return tuple(sorted(wanted))
 
 
-def _not_run(reason: str, pins: Pins) -> Built:
-    def proved(one: str) -> Proved:
-        pin = pins.theorems.get(one)
-        definitions = {name: pins.definitions[name] for name in pin.definitions} if pin else {}
-        problem = _unsigned(one, pin, definitions) if pin else ""
-        return _proved(one, pin, definitions, (), False if problem else None, problem or reason)
-
-    theorems = {one: proved(one) for one in names()}
-    return Built(reason, False, theorems, tuple(one.problem for one in theorems.values() if one.holds is False))
+def _file(one: str) -> str:
+    return register()[one][0].split(".")[0]
 
 
-def _proved(
-    one: str, pin: Pin | None, definitions: Mapping[str, str], axioms: tuple[str, ...], holds: bool | None, problem: str
-) -> Proved:
-    name = names()[one]
-    sentence = CITED[one][1] if one in CITED else pinned().ties[name.split(".")[1]]
-    statement, uses = (pin.statement, pin.uses) if pin else ("", ())
-    tied = [tie for tie, defined in pinned().tied.items() if set(defined) & set(definitions)]
-    return Proved(one, name, sentence, statement, definitions, uses, tuple(sorted(tied)), axioms, holds, problem)
+def _not_compiled(one: str, compiled: Compiled) -> str:
+    name, file = register()[one][0], _file(one)
+    if file in compiled.folders:
+        return ""
+    why = compiled.broken.get(file, f"there is no {file}.v")
+    return why if why.startswith(name) else f"{name}: {why}"
+
+
+def _differing(ids: Sequence[str], compiled: Compiled) -> dict[str, str]:
+    """Say what is wrong with what the kernel prints of theorems; nothing of those about which it prints what is on record.
+
+    It is asked about all at once; where its answer cannot be right for one of them, about both halves.
+    """
+    if not ids:
+        return {}
+    groups: dict[tuple[str, ...], list[str]] = {}
+    for one in ids:
+        record = recorded().theorems.get(one)
+        groups.setdefault(record.axioms if record else (one,), []).append(register()[one][0])
+    definitions = sorted({name for one in ids for name in recorded().definitions_of.get(one, ())})
+    present = [name for name in definitions if name.split(".")[0] in compiled.folders]
+    try:
+        printed, behind = audit.asked(compiled, groups.values(), present)
+        whole = all(set(behind[name]) <= set(axioms) for axioms, names in groups.items() for name in names)
+    except RuntimeError as error:
+        if len(ids) == 1:
+            return {ids[0]: f"{register()[ids[0]][0]}: {error}"}
+        whole = False
+    if not whole and len(ids) > 1:
+        half = len(ids) // 2
+        return _differing(ids[:half], compiled) | _differing(ids[half:], compiled)
+    return {one: why for one in ids if (why := difference(one, printed, behind[register()[one][0]]))}
+
+
+def difference(one: str, printed: Mapping[str, str], axioms: Iterable[str]) -> str:
+    """What is wrong with what the kernel prints of a theorem and its definitions, and with its axioms; empty if nothing is."""
+    name, record = register()[one][0], recorded().theorems.get(one)
+    if wrong := [axiom for axiom in axioms if not audit.allowed(axiom)]:
+        return f"{name} rests on {', '.join(wrong)}, which nobody has proved"
+    if record is None:
+        return f"{name} is not in {AUDIT}.out: python -m paper_checks.proofs audit asks about it"
+    if more := set(axioms) - set(record.axioms):
+        return f"{name} rests on {', '.join(sorted(more))}, more than in {AUDIT}.out"
+    if printed[name] != record.statement:
+        return f"{name} does not say what is in {AUDIT}.out"
+    changed = [other for other, text in recorded().definitions_of[one].items() if printed.get(other) != text]
+    return f"{name} rests on {changed[0]}, which is not defined as in {AUDIT}.out" if changed else ""
+
+
+def _proved(one: str, holds: bool | None, problem: str) -> Proved:
+    (name, sentence), record = register()[one], recorded().theorems.get(one)
+    if record is None:
+        return Proved(one, name, sentence, "", (), (), (), holds, problem)
+    axioms = record.axioms if holds else ()
+    return Proved(one, name, sentence, record.statement, record.uses, recorded().ties_of(one), axioms, holds, problem)

@@ -7,13 +7,13 @@ it rests.
 
 from __future__ import annotations
 
-import os
+import re
 import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
-from paper_checks.proofs import kernel, questions
-from paper_checks.proofs.sources import LIBRARY, Source, all_required, in_order, read
+from paper_checks.proofs import audit, kernel
+from paper_checks.proofs.sources import LIBRARY, Source, needed, read
 
 NAME = "Submitted"
 """What the file is called while it is judged, whatever its own name is."""
@@ -35,6 +35,7 @@ _TOLD = _NUMBERS | {
 }
 
 
+_VALUE = re.compile(r"\s*= (.*?)(?:%\w+)?\s*: .*", re.DOTALL)
 VERDICT = "Verdict"
 _VERDICT = f"""(** What the kernel has accepted, in the words of Trajectory.v, and the axioms that it rests on. *)
 From Coq Require Import Reals.
@@ -57,18 +58,12 @@ class Judged:
 def judged(path: Path, store: Path | None = None, jobs: int = 2) -> Judged:
     """Compile a file with all that it rests on, and ask what its theorem says. Raises OSError, ValueError for no text."""
     file = Source(NAME, path.read_text("utf-8"))
-    store = kernel.cache_folder() if store is None else store
-    if reason := kernel.why_not(os.environ.get("PATH")) or kernel.cannot_keep(store):
+    if reason := kernel.why_not():
         return Judged(None, reason)
     library = read()
     if missing := [one for one in file.requires if one not in library]:
         return Judged(False, f"it requires {missing[0]}, which is not a file of the library")
-    if unproved := file.unproved():
-        return Judged(False, unproved[0])
-    needed = {one: library[one] for one in all_required(NAME, library | {NAME: file})}
-    with kernel.locked(store):
-        kernel.compile_all(needed, None, jobs, store)
-    compiled = kernel.compile_all(needed | {NAME: file}, None, 1, store)
+    compiled = kernel.compile_files([NAME], library | {NAME: file}, None, jobs, store)
     if compiled.broken:
         return Judged(False, next(iter(compiled.broken.values())))
     return _asked(compiled)
@@ -83,8 +78,7 @@ def write(path: Path, folder: Path) -> str:
     folder.mkdir(parents=True, exist_ok=True)
     if any(folder.iterdir()):
         raise ValueError(f"{folder} is not empty: name a new folder")
-    needed = all_required(VERDICT, sources) | {VERDICT}
-    names = [f"{one}.v" for one in in_order(sources) if one in needed]
+    names = [f"{one}.v" for one in needed([VERDICT], sources)]
     for name in names:
         (folder / name).write_text(sources[name.removesuffix(".v")].text, "utf-8")
     (folder / "_CoqProject").write_text("\n".join([f"-Q . {LIBRARY}", *names, ""]), "utf-8")
@@ -92,12 +86,17 @@ def write(path: Path, folder: Path) -> str:
 
 
 def _asked(compiled: kernel.Compiled) -> Judged:
+    lines = [f"Definition taken : {_STATEMENT} := {NAME}.trajectory."]
+    lines += [audit.titled("taken", "Print Assumptions taken.")]
+    lines += ["From Coq Require Import QArith."]  # from here on rational numbers are printed as decimals
+    lines += [audit.titled(name, f"Eval cbv in {term}.") for name, term in _TOLD.items()]
     try:
-        axioms, told = questions.taken(compiled, f"{NAME}.trajectory", _STATEMENT, _TOLD)
+        answers = audit.run(compiled, lines)
     except RuntimeError as error:
         return Judged(False, f"its `trajectory` is no theorem of `the_scene`, `the_events` and `the_ending`: {error}")
-    if beyond := sorted(set(axioms) - questions.CLASSICAL_REALS):
+    if beyond := sorted(set(audit.axioms(answers.pop("taken"))) - audit.CLASSICAL_REALS):
         return Judged(False, f"its theorem rests on {', '.join(beyond)}, beyond the classical reals")
+    told = {name: _VALUE.sub(r"\1", answer) for name, answer in answers.items()}
     numbers = ", ".join(f"{one} = {told[one]}" for one in _NUMBERS)
     changes = f", and {told['later']} changes of force or friction" if told["later"] != "0" else ""
     force = "" if told["terms"] == "0" else ", under a force"

@@ -11,7 +11,6 @@ from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, argument, closure, weakest
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.running import signing
 
 SETTLED = (Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED)
 
@@ -75,7 +74,7 @@ def proofs(claim: Claim, finding: Finding) -> tuple[Proof, ...]:
         steps = named.get(clause.id) or _by_reason(finding, about, used)
         theorems = tuple(kernel.step(name) for name in clause.kernel)
         formulas = (one.evidence() for one in clause.formulas.values())
-        bindings = (*formulas, *signing.bindings(claim, clause), *chapter.bindings(claim, clause))
+        bindings = (*formulas, *chapter.bindings(claim, clause))
         quoted = about is Subject.CLAIM and finding.counterexample is not None
         found.append(Proof(clause, about, steps, theorems, tuple(_about(one, about) for one in bindings), quoted))
     return tuple(found)

@@ -1,94 +1,78 @@
-"""The rows of claims, from where they come quickest: the cache, or a run of their checks in several processes."""
+"""The rows of claims: the kernel is asked about their theorems, their checks are run here or in several processes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+import time
+from collections.abc import Iterator, Mapping, Sequence
 
+from paper_checks.claims import claim_named
 from paper_checks.evidence.claim import Claim
-from paper_checks.proofs.library import build, reported
-from paper_checks.running import early, plain, runner
-from paper_checks.running.kept import Kept
-from paper_checks.running.runner import Context
+from paper_checks.evidence.finding import Finding
+from paper_checks.proofs import library
+from paper_checks.proofs.library import Proved
+from paper_checks.running import processes
+from paper_checks.running.runner import Context, Row, decide, failed, row
 
 
 class Progress:
     """Shows nothing; base class of those that do."""
 
-    def compiled(self, done: int, total: int, name: str) -> None:
-        """Show how many proof files are compiled; (0, 0, why) while waiting."""
+    def compiled(self, done: int, total: int) -> None:
+        """Show how many proof files are compiled."""
 
     def begun(self, claim: Claim) -> None:
         """Show which claim is being checked."""
 
-    def found(self, row: runner.Row) -> None:
+    def found(self, row: Row) -> None:
         """Show the verdict of a claim."""
 
 
-@dataclass(frozen=True)
-class Manner:
-    """How rows are come by; what they say does not depend on it."""
+def rows(claims: Sequence[Claim], context: Context, jobs: int = 1, progress: Progress | None = None) -> list[Row]:
+    """Return a row for each claim, in the claims' order; what it says does not depend on the number of processes.
 
-    jobs: int = 1
-    """Processes that decide rows; with one, it is this process, and what a test has planted in it reaches the checks."""
-    store: Kept | None = None
-    """Where rows are kept, if they are."""
-    fresh: bool = False
-    """Whether no row is taken from there."""
-
-
-def rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Progress) -> list[runner.Row]:
-    """Return a row for each claim, in the claims' order."""
-    found: dict[str, runner.Row] = {}
-    for row in _rows(claims, context, manner, progress):
-        found[row.claim.id] = row
-        progress.found(row)
+    With one, it is this process, and what a test has planted in it reaches the checks.
+    """
+    shown = progress or Progress()
+    found: dict[str, Row] = {}
+    with library.reported(shown.compiled):
+        known = library.prepare(theorems(claims), jobs)
+        several = min(jobs, len(claims)) > 1
+        for claim, finding, seconds in (
+            _in_processes(claims, context, jobs, known) if several else _here(claims, context, shown)
+        ):
+            found[claim.id] = row(claim, finding, seconds)
+            shown.found(found[claim.id])
     return [found[claim.id] for claim in claims]
 
 
-def kept(claims: Sequence[Claim], store: Kept) -> dict[str, runner.Row]:
-    """Return by id the rows that are kept, deciding none."""
-    return {claim.id: one for claim in claims if (one := _kept(claim, store))}
+def theorems(claims: Sequence[Claim]) -> tuple[str, ...]:
+    """Return the ids of the kernel's theorems that the clauses name."""
+    clauses = (clause for claim in claims for clause in (*claim.clauses, *claim.correction))
+    return tuple(dict.fromkeys(name for clause in clauses for name in clause.kernel))
 
 
-def _kept(claim: Claim, store: Kept) -> runner.Row | None:
-    one = store.row(claim.id)
-    try:
-        return plain.row(claim, one) if one else None
-    except ValueError:  # of other clauses, or of steps that do not carry it: nothing of ours wrote that
-        return None
-
-
-def _rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Progress) -> Iterator[runner.Row]:
-    store = manner.store
-    missing = []
+def _here(claims: Sequence[Claim], context: Context, shown: Progress) -> Iterator[tuple[Claim, Finding, float]]:
     for claim in claims:
-        kept = _kept(claim, store) if store and not manner.fresh else None
-        if kept:
-            yield kept
-        else:
-            missing.append(claim)
-    for row in _decided(missing, context, manner.jobs, progress):
-        if store:
-            store.keep(plain.plain(row))
-        yield row
-    if store:
-        store.forget_old()
+        shown.begun(claim)
+        yield claim, *_decided(claim, context)
 
 
-def _decided(claims: Sequence[Claim], context: Context, jobs: int, progress: Progress) -> Iterator[runner.Row]:
-    """Decide claims: one after the other here, or in processes."""
-    if min(jobs, len(claims)) < 2:
-        for claim in claims:
-            progress.begun(claim)
-            with reported(progress.compiled):
-                row = runner.run([claim], context)[0]
-            yield row
-        return
-    from paper_checks.running import workers
-
-    early.begin()
-    build(progress.compiled, jobs)  # once, before the processes ask for it
+def _in_processes(
+    claims: Sequence[Claim], context: Context, jobs: int, known: Mapping[str, Proved]
+) -> Iterator[tuple[Claim, Finding, float]]:
     named = {claim.id: claim for claim in claims}
-    for one in workers.found(claims, context, jobs):
-        yield plain.row(named[one.claim], one) if isinstance(one, plain.Plain) else one
+    for name, answer in processes.answers(list(named), jobs, found, (context, known)):
+        lost = failed(RuntimeError("its process ended without an answer")), 0.0
+        yield named[name], *(lost if isinstance(answer, processes.Ended) else answer)
+
+
+def found(name: str, given: tuple[Context, Mapping[str, Proved]]) -> tuple[Finding, float]:
+    """Decide a claim, in a process of its own, and say how many seconds that took."""
+    context, known = given
+    library.know(known)
+    return _decided(claim_named(name), context)
+
+
+def _decided(claim: Claim, context: Context) -> tuple[Finding, float]:
+    begin = time.perf_counter()
+    return decide(claim, context), time.perf_counter() - begin

@@ -1,10 +1,10 @@
-"""Decides claims in their order; one that fails takes nothing with it."""
+"""Decides a claim; one that fails takes nothing with it."""
 
 from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from textwrap import shorten
 
@@ -59,29 +59,15 @@ class Row:
         return self.finding.verdict is self.claim.recorded
 
 
-def run(
-    claims: Iterable[Claim],
-    context: Context,
-    progress: Callable[[Claim], None] | None = None,
-) -> list[Row]:
-    """Decide each claim; `progress` is told of each before it is run."""
-    rows = []
-    for claim in claims:
-        if progress:
-            progress(claim)
-        begin = time.perf_counter()
-        rows.append(row(claim, decide(claim, context), begin))
-    return rows
-
-
-def row(claim: Claim, finding: Finding, begun: float) -> Row:
+def row(claim: Claim, finding: Finding, seconds: float) -> Row:
     """Join a claim with what was found about it: its formulas and the kernel's theorems may turn the finding."""
+    begin = time.perf_counter() - seconds
     try:
         found = proofs(claim, finding)
         finding = judged(finding, found)
     except Exception as error:  # noqa: BLE001  a formula's failure is that row's verdict
         found, finding = (), failed(error)
-    return Row(claim, finding, time.perf_counter() - begun, found)
+    return Row(claim, finding, time.perf_counter() - begin, found)
 
 
 def decide(claim: Claim, context: Context) -> Finding:

@@ -9,8 +9,9 @@ import pytest
 
 from paper_checks.claims import in_order
 from paper_checks.evidence.finding import Verdict
-from paper_checks.running import runner
 from paper_checks.running.planting import planted
+from paper_checks.running.rows import rows
+from paper_checks.running.runner import Context
 
 TEXT = (Path(__file__).resolve().parents[2] / "CONTRIBUTING.md").read_text("utf-8")
 BLOCKS = re.findall(r"^```python\n# (\S+)\.py\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
@@ -28,7 +29,7 @@ def example(monkeypatch):
 
 def test_the_example_s_row_holds_and_each_fault_in_its_formula_turns_it(example):
     claims = in_order(vars(example).values())
-    (row,) = runner.run(claims, runner.Context())
+    (row,) = rows(claims, Context())
     assert row.finding.verdict is Verdict.HOLDS
     assert row.established_by.value == "argument"
     faults = list(planted(claims))

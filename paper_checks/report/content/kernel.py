@@ -1,6 +1,6 @@
 """What the proof kernel was asked: the notion of solution, the definitions that statements use, and the statements.
 
-Statements and definitions are those that are pinned, as the kernel prints them, in lines of fixed width.
+Statements and definitions are those on record, as the kernel prints them, in lines of fixed width.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from paper_checks.decide import kernel
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
-from paper_checks.proofs.pins import pinned
+from paper_checks.proofs.audit import recorded
 from paper_checks.report.content.blocks import Block, Code, Folded, Heading, Paragraph, Section
 from paper_checks.running.runner import Row
 
@@ -51,12 +51,12 @@ WORDS = {
     "Cycle.o1": "$\\omega_1$, the frequency of body 1 alone.",
     "Cycle.ray": "The velocity on a ray whose excess energy is $q\\,u^2$.",
     "Cycle.on_ray": "At the time $t$ the pair is on the ray of side $k$, with that velocity.",
-    "Rate.hh": "$h$ at the angle $2p$.",
-    "Rate.depth": "$c$ at the angle $2p$: the depth of a slip.",
+    "ReturnMap.hh": "$h$ at the angle $2p$.",
+    "ReturnMap.depth": "$c$ at the angle $2p$: the depth of a slip.",
     "Filippov.filippov": "Absolutely continuous, and in the inclusion at almost every time.",
     "Filippov.included": "The velocity is in the inclusion.",
-    "Law.small": "The relative excess $w=E/E_{cr}-1$ of an energy is small.",
-    "Mode.load": "$\\Lambda$, the friction force on body 2 that sticking needs.",
+    "SharpLaw.small": "The relative excess $w=E/E_{cr}-1$ of an energy is small.",
+    "ModeAtContact.load": "$\\Lambda$, the friction force on body 2 that sticking needs.",
 }
 """The definitions that a reader meets first, in words; all others are shown without."""
 _APPLIED = re.compile(r"\b([A-Z]\w*\.\w+)((?: [\w']+)+)")
@@ -71,8 +71,8 @@ def theorems(rows: Sequence[Row]) -> dict[str, Evidence]:
 
 
 def _known(rows: Sequence[Row]) -> dict[str, Evidence]:
-    """Return those of the theorems whose statements are pinned."""
-    return {name: step for name, step in theorems(rows).items() if name in pinned().theorems}
+    """Return those of the theorems whose statements are on record."""
+    return {name: step for name, step in theorems(rows).items() if name in recorded().theorems}
 
 
 def notion(rows: Sequence[Row]) -> tuple[Block, ...]:
@@ -90,8 +90,8 @@ def section(rows: Sequence[Row]) -> Section:
             users.setdefault(name, []).append(row.claim.id)
     if not found:
         return Section(ID, TITLE, ())
-    notion = pinned().theorems[SAME]
-    used = Counter(notion.definitions) + Counter(one for name in found for one in pinned().theorems[name].definitions)
+    notion = recorded().theorems[SAME]
+    used = Counter(one for name in (SAME, *found) for one in recorded().definitions_of[name])
     others = tuple(block for name in sorted(used) if name not in WORDS for block in _definition(name))
     return Section(
         ID,
@@ -116,18 +116,18 @@ def _definition(name: str) -> Iterator[Block]:
     yield Heading(f"`{name}`", f"definition-{name}")
     if name in WORDS:
         yield Paragraph(WORDS[name])
-    yield Code(pinned().definitions[name])
+    yield Code(recorded().definitions[name])
 
 
 def _theorem(name: str, step: Evidence, users: Iterable[str]) -> Iterator[Block]:
-    pin = pinned().theorems[name]
+    known = recorded().theorems[name]
     yield Heading(f"`{name}`", f"theorem-{name}")
     yield Paragraph(step.statement.partition("): ")[2] or step.statement)
-    special = [f"`{one}` with ${letter}=0$" for one, letter in zeros(pin.statement)]
-    yield Code(pin.statement)
+    special = [f"`{one}` with ${letter}=0$" for one, letter in zeros(known.statement)]
+    yield Code(known.statement)
     if special:
         yield Paragraph(f"It assumes {', '.join(special)}.", "Read")
-    rests = f" It uses {', '.join(f'`{one}`' for one in pin.uses)}." if pin.uses else ""
+    rests = f" It uses {', '.join(f'`{one}`' for one in known.uses)}." if known.uses else ""
     yield Paragraph(f"Claims: {', '.join(f'`{one}`' for one in users)}.{rests}")
 
 
@@ -139,7 +139,7 @@ def zeros(statement: str) -> list[tuple[str, str]]:
     """
     found = []
     for name, given in _APPLIED.findall(statement):
-        head = _NAMED.match(pinned().definitions.get(name, ""))
+        head = _NAMED.match(recorded().definitions.get(name, ""))
         letters = re.findall(r"[\w']+", re.sub(r":[^)]*", "", head[1])) if head else []
         places = zip(given.split(), letters, strict=False)
         found += [(name, re.sub(r"(\d+)$", r"_\1", letter)) for value, letter in places if value == "0"]

@@ -25,7 +25,7 @@ TRUST, PROVENANCE = "trust", "provenance"
 GUARANTEES = {
     EvidenceKind.KERNEL: (
         "A theorem was proved line by line, and the small kernel of the proof assistant Coq accepted every line.",
-        "the kernel, its axioms of the real numbers, and that the theorem says what the claim says: its statement is pinned, its "
+        "the kernel, its axioms of the real numbers, and that the theorem says what the claim says: its statement is on record, its "
         "definitions are tied to the formulas of this report",
     ),
     EvidenceKind.SMT: (
@@ -82,7 +82,7 @@ def section(rows: Sequence[Row]) -> Section:
             Paragraph("How the checks are tested:"),
             Points(tuple(_guards(rows))),
             Paragraph("To check everything again:"),
-            Code("python -m paper_checks run --fresh"),
+            Code("python -m paper_checks run"),
         ),
     )
 

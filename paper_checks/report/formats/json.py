@@ -18,14 +18,9 @@ def render(rows: Iterable[Row]) -> str:
     return _text([_row(row) for row in rows])
 
 
-def render_claims(claims: Iterable[Claim], found: Mapping[str, Row]) -> str:
-    """Return the claims with the verdicts on record, and what those rest on where a row of the claim is known."""
-    return _text(
-        [
-            _claim(claim) | {"recorded": claim.recorded.value, "established_by": _established_by(found.get(claim.id))}
-            for claim in claims
-        ]
-    )
+def render_claims(claims: Iterable[Claim]) -> str:
+    """Return the claims with the verdicts on record."""
+    return _text([_claim(claim) | {"recorded": claim.recorded.value} for claim in claims])
 
 
 def _established_by(row: Row | None) -> str | None:

@@ -14,9 +14,9 @@ from paper_checks.running.rows import Progress
 from paper_checks.running.runner import Row
 
 
-def compiling(done: int, total: int, name: str) -> str:
-    """Return the text while Coq proofs are compiled, or why that waits."""
-    return f"compiling Coq proofs {done}/{total}" if total else name
+def compiling(done: int, total: int) -> str:
+    """Return the text while Coq proofs are compiled."""
+    return f"compiling Coq proofs {done}/{total}"
 
 
 class OnTerminal(Progress):
@@ -26,9 +26,9 @@ class OnTerminal(Progress):
         """Add one bar to what rich shows."""
         self._shown, self._bar = shown, shown.add_task("", total=total)
 
-    def compiled(self, done: int, total: int, name: str) -> None:
+    def compiled(self, done: int, total: int) -> None:
         """Show the number of compiled files beside the bar."""
-        self._shown.update(self._bar, description=compiling(done, total, name))
+        self._shown.update(self._bar, description=compiling(done, total))
 
     def begun(self, claim: Claim) -> None:
         """Show the claim beside the bar."""
@@ -48,9 +48,9 @@ class OnPipe(Progress):
         """Take the function that shows a message, and the number of claims."""
         self._say, self._total, self._done = say, total, 0
 
-    def compiled(self, done: int, total: int, name: str) -> None:
+    def compiled(self, done: int, total: int) -> None:
         """Say how many proof files are compiled."""
-        self._say(compiling(done, total, name))
+        self._say(compiling(done, total))
 
     def begun(self, claim: Claim) -> None:
         """Say which claim is being checked."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from textwrap import shorten
 
@@ -85,16 +85,13 @@ def _no_kernel(rows: Sequence[Row]) -> str:
     return mark + why if said else ""
 
 
-def print_claims(console: Console, claims: Sequence[Claim], found: Mapping[str, Row]) -> None:
-    """Print the claims with the verdict on record, what it rests on where the row is known, and the place in the paper."""
-    table = _empty_table("claim", "recorded", "established by")
+def print_claims(console: Console, claims: Sequence[Claim]) -> None:
+    """Print the claims with the verdict on record and the place in the paper."""
+    table = _empty_table("claim", "recorded")
     table.add_column("where")
     for claim in claims:
-        by = kind(found[claim.id]) if claim.id in found else "–"
-        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), _cut(claim.where))
+        table.add_row(Text(claim.id), _coloured(claim.recorded), _cut(claim.where))
     console.print(table)
-    if len(found) < len(claims):
-        _say(console, "–: not checked here yet; `python -m paper_checks` checks all claims")
 
 
 def _empty_table(*titles: str) -> Table:

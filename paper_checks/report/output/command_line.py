@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from numerics.trade.recorded import Trade
     from paper_checks.evidence.claim import Claim
-    from paper_checks.report.output.finished import Files
+    from paper_checks.report.output.files import Files
     from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used.
@@ -89,26 +89,13 @@ def report(
 
 
 def _written(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, complaints: list[str]) -> list[Path]:
-    """Write each form, as it was made before or anew, and return the main files. Raises OSError, ToolMissingError."""
-    from paper_checks.report.output.finished import Finished, name_of, placed
+    """Write each form, and return the main files. Raises OSError, ToolMissingError."""
+    from paper_checks.report.output.files import placed
 
-    kept = Finished(options.trade) if options.program else None
-    names = {form: name_of(rows, form) for form in options.format}
-    found = {form: kept.files(name) if kept and not options.fresh else None for form, name in names.items()}
-    files = {form: one for form, one in found.items() if one is not None}
-    if wanted := [form for form in names if form not in files]:
-        for form, made in _made(options, rows, trade, wanted, complaints):
-            files[form] = made
-            if kept and not complaints:
-                kept.keep(names[form], made)
-    if kept:
-        kept.forget_old()
-    return [placed(options.out, files[form]) for form in names]
+    return [placed(options.out, made) for made in _made(options, rows, trade, complaints)]
 
 
-def _made(
-    options: argparse.Namespace, rows: Sequence[Row], trade: Trade, wanted: Sequence[str], complaints: list[str]
-) -> Iterator[tuple[str, Files]]:
+def _made(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, complaints: list[str]) -> Iterator[Files]:
     """Yield the files of each form that is wanted; why a figure was not drawn is added to the complaints."""
     from numerics.tasks import available_cores
     from paper_checks.claims import CLAIMS
@@ -121,7 +108,7 @@ def _made(
     )
     from paper_checks.report.output.pictures import drawn, shown
 
-    report, figures = document(rows), parts.figures(trade)
+    wanted, report, figures = options.format, document(rows), parts.figures(trade)
     whole = "html" in wanted and len(rows) == len(CLAIMS)  # chapters are pages only
     chapters = tuple(map(parts.Chapter, parts.chapters(trade))) if whole else ()
     drawings = dict.fromkeys(
@@ -143,7 +130,7 @@ def _made(
             name: found.get(parts.Drawing(name, kind)) or drawn(figures, name, kind)
             for name in files.shown_in(form, report)
         }
-        yield form, files.made(form, report, shown(pictures, complaints))
+        yield files.made(form, report, shown(pictures, complaints))
 
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
+from paper_checks import atomic
 from paper_checks.report.content import paper
 from paper_checks.report.content.document import Document
 from paper_checks.report.formats import html, latex
-from paper_checks.report.output.finished import Files
 
+Files = Mapping[str, bytes]
+"""The files of one form by name, the main one last."""
 FIGURES_OF = {"html": "svg", "latex": "pdf", "pdf": "pdf"}
 """In which form a form of the report takes its figures."""
 
@@ -32,3 +35,10 @@ def made(form: str, report: Document, figures: Mapping[str, bytes]) -> Files:
     drawn = {names[one]: content for one, content in figures.items()}
     text = latex.render(report, names)
     return {"report.pdf": latex.pdf(text, drawn)} if form == "pdf" else {**drawn, "report.tex": text.encode()}
+
+
+def placed(folder: Path, files: Files) -> Path:
+    """Write files into a folder; return the last one, which is the main one. Raises OSError."""
+    for name, content in files.items():
+        atomic.write(folder / name, content)
+    return folder / name

@@ -17,7 +17,7 @@ from paper_checks.report.output.pictures import Undrawn, drawn
 from paper_checks.running import processes
 
 LONGEST = ("euler-convergence", "work-precision")
-"""Figures that take longest, the longest first: it stands at the end, as processes begin at both ends."""
+"""Figures that take longest, the longest first: they are begun first."""
 
 
 @dataclass(frozen=True)
@@ -56,14 +56,14 @@ def made(parts: Sequence[Part], trade: Trade, jobs: int = 1) -> Iterator[tuple[P
         yield from ((part, _made(part, trade)) for part in parts)
         return
     for part, answer in processes.answers(sorted(parts, key=_place), jobs, _made, trade):
-        yield part, _here(part, trade, answer) if isinstance(answer, processes.Ended) else answer
+        yield part, _here(part, trade) if isinstance(answer, processes.Ended) else answer
 
 
 def _place(part: Part) -> int:
-    """Return where a part stands among those that wait: chapters first."""
+    """Return where a part stands among those that wait: chapters first, then the longest figures."""
     if isinstance(part, Chapter):
-        return -1
-    return len(LONGEST) - LONGEST.index(part.name) if part.name in LONGEST else 0
+        return 0
+    return 1 + LONGEST.index(part.name) if part.name in LONGEST else 1 + len(LONGEST)
 
 
 def _made(part: Part, trade: Trade) -> Made:
@@ -72,8 +72,8 @@ def _made(part: Part, trade: Trade) -> Made:
     return drawn(figures(trade), part.name, part.form)
 
 
-def _here(part: Part, trade: Trade, ended: processes.Ended) -> Made:
+def _here(part: Part, trade: Trade) -> Made:
     """Return what stands for a part whose process ended: a chapter made here, which then says what is wrong with it."""
     if isinstance(part, Chapter):
         return _made(part, trade)
-    return Undrawn(f"the figure {part.name} was not drawn: its process ended with exit code {ended.exit_code}")
+    return Undrawn(f"the figure {part.name} was not drawn: its process ended")

@@ -441,3 +441,28 @@ Proof.
   - assert (a <= F t + k * (E t - l)); [|lra]. apply Lub. intros y (u & Hu & ->). apply Nest; auto.
   - assert (F t - k * (E t - l) <= a); [|lra]. apply Ub. exists t; auto.
 Qed.
+
+(** a derivative is a right derivative *)
+Lemma rderiv_of_derive f t l : is_derive f t l -> rderiv f t l.
+Proof.
+  intros H. apply is_derive_Reals in H. intros e He. destruct (H e He) as (d & K).
+  exists d; split; [apply cond_pos|]. intros h Hh.
+  assert (Q : Rabs ((f (t + h) - f t) / h - l) < e). { apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
+  replace (f (t + h) - f t - l * h) with (((f (t + h) - f t) / h - l) * h) by (field; lra).
+  rewrite Rabs_mult, (Rabs_pos_eq h) by lra. scale.
+Qed.
+
+(** continuity of the library is continuity here *)
+Lemma cont_of_continuity f : continuity f -> cont f.
+Proof.
+  intros C t _ e He. destruct (C t e He) as (d & Hd & K). exists d; split; auto. intros u _ Hu.
+  destruct (Req_dec u t) as [->|N]. { rewrite Rminus_diag_eq, Rabs_R0; auto. }
+  apply K. split; [split; [exact I|auto]|exact Hu].
+Qed.
+
+(** a differentiable function is continuous *)
+Lemma cont_of_derive f f' : (forall t, is_derive f t (f' t)) -> cont f.
+Proof.
+  intros H. apply cont_of_continuity. intros t. apply derivable_continuous_pt.
+  exists (f' t). apply is_derive_Reals, H.
+Qed.

@@ -1,6 +1,6 @@
 (** Motions under a force, put together from arcs: what starts on a smooth arc that obeys the law of friction runs
     along it; the mirror image of a motion; motions that repeat with the opposite sign. *)
-From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence.
 
 (** a right derivative sees only what comes next *)
 Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.

@@ -1,6 +1,6 @@
 (** The pair under a force on body 1: solutions, contraction, uniqueness, energy, what body 2 can follow, least time.
     The force enters through its impulse U (U' = u from the right): any continuous U is allowed, so jumps of u are. *)
-From InertialPair Require Import Dini Pair Stick Chase.
+From InertialPair Require Import Dini Pair Stick Pursuit.
 
 (** right derivatives are unique *)
 Lemma rderiv_unique f t l k : rderiv f t l -> rderiv f t k -> l = k.

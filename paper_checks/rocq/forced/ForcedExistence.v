@@ -3,7 +3,7 @@
     than c when c is changed, and P is then the fixed point of a Picard iteration. The impulse U of the force cancels
     in the difference of two iterates, and enters the first step only: so the constant C grows with t, and each bound
     is taken until t. *)
-From InertialPair Require Import Dini Pair Stick Chase Forced.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced.
 
 (** a continuous function is bounded up to each time *)
 Lemma cont_bounded f t : cont f -> 0 <= t -> exists B, forall u, 0 <= u <= t -> Rabs (f u) <= B.

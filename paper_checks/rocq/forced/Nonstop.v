@@ -6,7 +6,8 @@
     the sinusoid minus b times k, where k is its response to the push 1 of that kind: k and its speed change sign over
       half a period. What is left to choose is the phase; v1 = v2 at the turn fixes one part of the response,
       and v1 > v2 afterwards asks at least so much of the other. *)
-From InertialPair Require Import Dini Pair Stick Limit Chase Forced ForcedExistence Response Bounded Arcs.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Pursuit Forced ForcedExistence Approach BoundedMotions
+  Arcs.
 
 (** the impulse of F sin (om t + phi) *)
 Definition wave F om phi t := F / om * (cos phi - cos (om * t + phi)).

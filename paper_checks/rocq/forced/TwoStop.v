@@ -2,7 +2,7 @@
     and the two parts of the force solve a linear system: the load is b at the exit, v1 = v2 again at the end of the
     slip, and the state has changed sign after half a period. A solution of it is such a motion exactly if v1 > v2 in
     the slip and the load stays within b in the stick. *)
-From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Entrain Arcs Nonstop Rule.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Entrainment Arcs Nonstop RuleOfModes.
 
 Section TwoStop.
 Variables m1 m2 a1 a2 b om F phi ts : R.
@@ -95,7 +95,7 @@ Proof.
   { intros t Ht. pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H 0 t ltac:(lra) ltac:(lra)) as Q.
     rewrite (Clock t) in Q by lra. lra. }
   assert (Load : forall t, ts <= t < T -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b).
-  { intros t Ht. apply (Rule.stuck_load m1 m2 a1 a2 b Hm1 Hm2 Hb (wave F om phi) u x v1 v2 s H t (T - t)); try lra.
+  { intros t Ht. apply (RuleOfModes.stuck_load m1 m2 a1 a2 b Hm1 Hm2 Hb (wave F om phi) u x v1 v2 s H t (T - t)); try lra.
     - apply rderiv_wave; auto.
     - intros r Hr. apply St. lra. }
   split; [|split; [auto|split; [|exact Load]]].

@@ -1,8 +1,8 @@
 (** Sentences of Sections III and V that follow at once: after each stay off S either S0 or a crossing, the places of
     exits and entries, the decay slower than every exponential, and synchronisation for all parameters. *)
-From InertialPair Require Import Dini Pair Stick Limit Dichotomy Viscous Excursion Rate Slip Cycle Orbit Sharp Law
-  Paper.
-From InertialPair Require Import Return Surface.
+From InertialPair Require Import Dini Pair Stick EnergyLimit Dichotomy Viscous Excursion ReturnMap FollowArc Cycle
+  ExitOrbit SharpRate SharpLaw OneOverT.
+From InertialPair Require Import ReturnToS0 SwitchingSurface.
 
 Section Free.
 Variables m1 m2 a2 b : R.

@@ -1,6 +1,6 @@
 (** One cycle: slip from an exit ray, landing inside the strip, stick along an ellipse to the opposite ray. *)
 From Coq Require Import Nsatz.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Slip.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc.
 
 Section Cycle.
 Variables m1 m2 a2 b : R.

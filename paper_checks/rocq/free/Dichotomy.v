@@ -1,5 +1,5 @@
 (** Every solution tends to one stuck motion; it merges with it in finite time or it is on the critical ellipse. *)
-From InertialPair Require Import Dini Pair Stick Limit.
+From InertialPair Require Import Dini Pair Stick EnergyLimit.
 
 Section Dichotomy.
 Variables m1 m2 a2 b : R.

@@ -1,7 +1,7 @@
 (** After a crossing: every short slip that ends in S0 stays above E_cr; so does the first re-entry after any number
     of crossings. *)
-From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Gap Alternate Cross
-  Alternation Margin.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
+  SlipFromGap AlternatingAngles AfterOneSlip AlternatingSlips ShortSlipMargin.
 
 (** p <= pi - pc gives q >= 1/(1 + (pi - p) k), so the margin holds *)
 Lemma short_margin q pc p : 0 < q -> PI / 2 < pc < PI -> depth pc = 2 / q -> 0 < p <= PI - pc ->

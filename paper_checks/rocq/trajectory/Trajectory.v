@@ -4,7 +4,7 @@
 From Coq Require Import QArith Qreals List Bool.
 From Interval.Real Require Import Xreal.
 From Interval.Interval Require Import Interval.
-From InertialPair Require Import Dini Pair Chase Forced ForcedExistence Arcs Varying Waves.
+From InertialPair Require Import Dini Pair Pursuit Forced ForcedExistence Arcs VaryingFriction Waves.
 Import ListNotations.
 
 (** *** Statements *)

@@ -17,6 +17,7 @@ from paper_checks.report.content import blocks, derivation
 from paper_checks.report.formats import markdown
 from paper_checks.running import runner
 from paper_checks.running.planting import faults
+from paper_checks.running.rows import rows
 from paper_checks.running.runner import Context
 
 DOCS = Path(__file__).resolve().parents[3] / "docs"
@@ -68,7 +69,7 @@ def test_a_factor_in_theory_turns_a_line(monkeypatch, module, name):
 
 
 def row_of(name):
-    return runner.run([claim_named(name)], Context())[0]
+    return rows([claim_named(name)], Context())[0]
 
 
 def shown(row):

@@ -11,7 +11,6 @@ from paper_checks.evidence.claim import Claim, because, claim, correction, count
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, reading, weakest
 from paper_checks.evidence.finding import Finding, InvalidFindingError, Verdict, carried, conclude
-from paper_checks.proofs import signed
 from paper_checks.proofs.library import Proved
 from paper_checks.running.graph import Proof, established_by, proofs
 from paper_checks.running.runner import exit_code, row
@@ -272,10 +271,9 @@ PASSED = {name: passed for passed, name in kernel.STATUS.items()}
 @pytest.fixture
 def theorems(monkeypatch):
     """Plant how the theorem of a row stands, and those that it is tied to or uses."""
-    monkeypatch.setattr(signed, "is_signed", lambda *_: True)
 
     def plant(status, ties=(), uses=(), others=kernel.PROVED):
-        other = Proved("", "Law.sharp_law", "It is so.", "forall x, x = x", {}, (), (), (), PASSED[others])
+        other = Proved("", "SharpLaw.sharp_law", "It is so.", "forall x, x = x", (), (), (), PASSED[others])
         top = replace(other, uses=uses, ties=ties, holds=PASSED[status])
         monkeypatch.setattr(kernel, "theorem", lambda name: replace(top if name == "sharp-law" else other, id=name))
         kernel.step.cache_clear()

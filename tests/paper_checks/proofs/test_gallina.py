@@ -1,7 +1,6 @@
 import pytest
 import sympy as sp
-
-from paper_checks.proofs.gallina import term
+from gallina import term
 
 x, y = sp.symbols("x y", positive=True)
 NAMES = {x: "x", y: "(f y)"}

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from paper_checks.proofs import kernel, library
-from paper_checks.proofs.sources import Source, all_required, in_order
+from paper_checks.proofs import kernel
+from paper_checks.proofs.sources import Source, needed, read
 
 TIES = ["tie_critical_energy", "tie_non_stop_damped"]
 THEOREM = re.compile(r"^Theorem .*? Qed\.\n", re.MULTILINE | re.DOTALL)
@@ -19,22 +19,19 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("needs_kernel")]
 
 @pytest.fixture(scope="session")
 def compiled():
-    store = kernel.cache_folder()
-    with kernel.locked(store):
-        sources, _ = library._sources(library.FOLDER, store)
-        assert not kernel.compile_all(sources, store=store).broken
+    sources = read()
+    assert not kernel.compile_files(sources, sources).broken
     return sources
 
 
 def first_broken(changed, sources, store):
     """What breaks first when a file is replaced: itself, or a file that rests on it."""
     sources = sources | {changed.name: changed}
-    for name in in_order(sources):
-        below = all_required(name, sources) | {name}
-        if changed.name in below:
-            found = kernel.compile_all({one: sources[one] for one in below}, store=store)
-            if found.broken:
-                return found.broken[name]
+    for name in needed(sources, sources):
+        if changed.name in needed([name], sources):
+            outcome = kernel.compile_files([name], sources, store=store)
+            if outcome.broken:
+                return outcome.broken[name]
     return None
 
 
@@ -61,16 +58,21 @@ def tie_name(block):
 @pytest.mark.parametrize("some", [TIES, pytest.param((), marks=pytest.mark.long)], ids=["some", "all"])
 def test_a_tie_to_a_wrong_expression_is_not_proved(compiled, store, some):
     """Twice the theory's side of one tie, with the ties that its proof uses."""
-    ties = compiled[library.TIES].text
-    blocks = {tie_name(block): block for block in THEOREM.findall(ties)}
-    assert len(blocks) > 20
-    for name in some or sorted(blocks.keys() - {"tie_solution", "tie_captive", "tie_stick_rotation"}):
+    texts = {
+        tie_name(block): source.text
+        for source in compiled.values()
+        if source.name.endswith("Ties")
+        for block in THEOREM.findall(source.text)
+    }
+    assert len(texts) > 20
+    for name in some or sorted(texts.keys() - {"tie_solution", "tie_captive", "tie_stick_rotation", "tie_forced"}):
+        blocks = {tie_name(one): one for one in THEOREM.findall(texts[name])}
         wanted = [name]
         for one in wanted:
             wanted += [other for other in blocks if other not in wanted and re.search(rf"\b{other}\b", blocks[one])]
-        kept = [made_wrong(block) if one == name else block for one, block in blocks.items() if one in wanted]
-        text = THEOREM.sub("", ties) + "".join(kept)
-        assert first_broken(Source("Wrong", text), compiled, store).startswith(f"Wrong.{name} ")
+        kept = [made_wrong(text) if one == name else text for one, text in blocks.items() if one in wanted]
+        wrong = Source("Wrong", THEOREM.sub("", texts[name]) + "".join(kept))
+        assert first_broken(wrong, compiled, store).startswith(f"Wrong.{name} ")
 
 
 def made_wrong(block):

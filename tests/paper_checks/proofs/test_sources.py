@@ -1,6 +1,8 @@
+import re
+
 import pytest
 
-from paper_checks.proofs.sources import FOLDER, LIBRARY, Source, all_required, in_order, keys, read, without_comments
+from paper_checks.proofs.sources import AUDIT, FOLDER, LIBRARY, Source, keys, needed, read
 
 LOW = Source("Low", "Lemma one : True.\nProof. exact I. Qed.\n")
 HIGH = Source("High", "From InertialPair Require Import\n  Low.\nTheorem two : True.\nProof. exact one. Qed.\n")
@@ -10,20 +12,9 @@ def named(*sources):
     return {source.name: source for source in sources}
 
 
-def test_comments_go_and_lines_stay():
-    assert without_comments("a (* b (* c *)\n d *) e\nf") == "a \n e\nf"
-
-
-def test_what_stands_between_marks_in_quotes_is_no_comment():
-    text = 'Definition a := "(*".\nUnset Guard Checking.\nDefinition b := "*)".'
-    assert without_comments(text) == text
-    assert without_comments('(* "*)" *) c') == " c"
-    assert Source("False", text).unproved() == ("False.a: Unset Guard Checking stands where a proof is needed",)
-
-
-def test_files_come_after_what_they_require():
-    assert in_order(named(HIGH, LOW)) == ("Low", "High")
-    assert all_required("High", named(HIGH, LOW)) == {"Low"}
+def test_files_come_after_what_they_require_and_with_nothing_else():
+    assert needed(["High"], named(HIGH, LOW)) == ("Low", "High")
+    assert needed(["Low"], named(HIGH, LOW)) == ("Low",)
 
 
 @pytest.mark.parametrize(
@@ -35,7 +26,7 @@ def test_files_come_after_what_they_require():
 )
 def test_an_order_that_cannot_be_is_refused_in_one_line(sources, said):
     with pytest.raises(ValueError, match=said):
-        in_order(sources)
+        needed(sources, sources)
 
 
 def test_a_change_changes_the_keys_of_all_above_and_of_none_below():
@@ -49,28 +40,28 @@ def test_a_change_changes_the_keys_of_all_above_and_of_none_below():
     assert set(keys(named(LOW, HIGH), "9").values()).isdisjoint(before.values())
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("Lemma one : False.\nProof. Admitted.", "Low.one: Admitted"),
-        ("Lemma one : False.\nProof. admit. Qed.", "Low.one: admit"),
-        ("Axiom two : False.", "Low.two: Axiom"),
-        ("Parameter three : nat.", "Low.three: Parameter"),
-        ("Lemma one : True.\nProof. exact I. Qed.\nUnset Guard Checking.", "Low.one: Unset Guard Checking"),
-    ],
-)
-def test_what_is_not_proved_is_named(text, said):
-    assert [line.startswith(said) for line in Source("Low", text).unproved()] == [True]
-    assert not Source("Low", f"(* {text} *)").unproved()
-
-
-def test_the_shipped_files_assume_nothing():
-    sources = read()
-    assert len(sources) > 30
-    assert not [line for source in sources.values() for line in source.unproved()]
-
-
 def test_the_project_file_names_every_file_once():
-    named = [path.relative_to(FOLDER).as_posix() for path in sorted(FOLDER.rglob("*.v"))]
-    assert (FOLDER / "_CoqProject").read_text("utf-8").split() == ["-R", ".", LIBRARY, *named]
-    assert len(read()) == len(named)
+    names = [path.relative_to(FOLDER).as_posix() for path in sorted(FOLDER.rglob("*.v")) if path.stem != AUDIT]
+    project = (FOLDER / "_CoqProject").read_text("utf-8").split()
+    assert project == ["-R", ".", LIBRARY, "-arg", "-w", "-arg", "none", *names]
+    assert len(read()) == len(names)
+
+
+ORDER = ["analysis", "pair", "forced", "surface", "free", "trajectory"]
+
+
+def test_each_folder_rests_on_those_before_it():
+    """As the README of the proofs draws it."""
+    folders = {path.stem: ORDER.index(path.parent.name) for path in FOLDER.rglob("*.v") if path.stem != AUDIT}
+    edges = [(name, required) for name, source in read().items() for required in source.requires]
+    assert [edge for edge in edges if folders[edge[1]] > folders[edge[0]]] == []
+    assert re.findall(r"^\| `(\w+)/` \|", (FOLDER / "README.md").read_text("utf-8"), re.MULTILINE) == ORDER
+
+
+def test_the_readme_names_definitions_that_are_there():
+    names = re.findall(r"^\| `([A-Z]\w+)\.(\w+)", (FOLDER / "README.md").read_text("utf-8"), re.MULTILINE)
+    assert len(names) > 15
+    texts = read()
+    assert [
+        one for one in names if not re.search(rf"(?:Definition|Fixpoint|Record) {one[1]}\b", texts[one[0]].text)
+    ] == []

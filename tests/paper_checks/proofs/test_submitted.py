@@ -12,7 +12,7 @@ from numerics.trajectory import theorem as writer
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs import submitted
 from paper_checks.proofs.__main__ import main
-from paper_checks.proofs.questions import CLASSICAL_REALS
+from paper_checks.proofs.audit import CLASSICAL_REALS
 from paper_checks.proofs.sources import FOLDER
 from paper_checks.proofs.submitted import judged
 
@@ -152,11 +152,15 @@ def test_nothing_false_is_accepted(judge, written, what, pattern, new):
 @pytest.mark.parametrize(
     ("pattern", "new", "said"),
     [
-        (r"Proof\. exact .*", "Admitted.\n", "Admitted stands where a proof is needed"),
-        (r"Lemma accepted :\s+(.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
+        (r"Proof\. exact .*", "Admitted.\n", "its theorem rests on Submitted.trajectory, beyond"),
+        (
+            r"Lemma accepted :\s+(.*?)\.\nProof.*?Qed\.",
+            r"Parameter accepted : \1.",
+            "on Submitted.accepted, beyond",
+        ),
         (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
         (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
-        (r"Theorem trajectory.*", HIDDEN, "Unset Guard Checking stands where"),
+        (r"Theorem trajectory.*", HIDDEN, "is assumed to be guarded"),
         (
             r"Require Import Waves Trajectory",
             "Require Import Waves Trajectory Nowhere",
@@ -172,7 +176,8 @@ def test_a_file_that_proves_less_is_refused(judge, pattern, new, said):
 
 @pytest.mark.parametrize("axiom", ["ProofIrrelevance.proof_irrelevance", "PrimInt63.add"])
 def test_an_axiom_beyond_the_classical_reals_is_not_accepted(monkeypatch, axiom):
-    monkeypatch.setattr(submitted.questions, "taken", lambda *_: ((*CLASSICAL_REALS, axiom), {}))
+    taken = "Axioms:\n" + "".join(f"{one} : Prop\n" for one in (*CLASSICAL_REALS, axiom))
+    monkeypatch.setattr(submitted.audit, "run", lambda *_: {"taken": taken})
     assert f"rests on {axiom}" in submitted._asked(None).reason
 
 

@@ -18,7 +18,6 @@ from paper_checks.report.formats.latex import shares
 from paper_checks.report.output import pictures
 from paper_checks.report.output.files import made, shown_in
 from paper_checks.running import rows as running
-from paper_checks.running.kept import Kept
 from paper_checks.running.runner import Context, Row
 
 TEX = pytest.mark.skipif(not shutil.which("pdflatex"), reason="pdflatex is not installed")
@@ -110,7 +109,7 @@ def properties(pdf):
 @TEX
 @pytest.mark.slow
 def test_the_whole_report_is_a_paper():
-    report = document(running.rows(CLAIMS, Context(), running.Manner(1, Kept(0)), running.Progress()))
+    report = document(running.rows(CLAIMS, Context()))
     files = {name: f"figures/{name}.pdf" for name in shown_in("pdf", report)}
     source = latex.render(report, files)
     pdf, log = latex.typeset(source, {file: pictures.drawn(FIGURES, name, "pdf") for name, file in files.items()})

@@ -9,7 +9,7 @@ from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.proofs.pins import pinned
+from paper_checks.proofs.audit import recorded
 from paper_checks.report.content import kernel, opening, trust
 from paper_checks.report.content.blocks import Cards
 from paper_checks.running.runner import Row
@@ -48,7 +48,7 @@ def test_the_numbers_of_the_first_page_are_computed():
 @pytest.mark.parametrize("claim", [one for one in CLAIMS if one.kind is Kind.THEOREM], ids=lambda claim: claim.id)
 def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(claim):
     """What a theorem of the free pair assumes is read off from its statements: 0 in the damper's place."""
-    statements = [pinned().theorems[name].statement for one in claim.clauses for name in one.kernel]
+    statements = [recorded().theorems[name].statement for one in claim.clauses for name in one.kernel]
     zeros = [dict(kernel.zeros(text)) for text in statements if "Pair.solution" in text]
     if opening.hypotheses(claim.id) == opening.FREE:
         assert all(one == {"Pair.solution": "a_1"} for one in zeros)

@@ -5,8 +5,9 @@ from dataclasses import replace
 from paper_checks.evidence.claim import Claim, because
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.evidence.finding import Verdict
+from paper_checks.running import rows as running
 from paper_checks.running.failing import lowest
-from paper_checks.running.runner import Context, run
+from paper_checks.running.runner import Context
 
 GOOD = Evidence(EvidenceKind.EXACT, "sympy", "the field is as printed", True)
 CAUSE = Evidence(EvidenceKind.EXACT, "sympy", "the energy falls", False, value="difference 2 at b = 1")
@@ -23,7 +24,7 @@ def claims(**cases):
 
 
 def rows(**cases):
-    return run(claims(**cases), Context())
+    return running.rows(claims(**cases), Context())
 
 
 def test_the_lowest_failing_step_comes_first_with_all_claims_that_it_turns():
@@ -49,7 +50,7 @@ def test_what_a_claim_raises_is_told_with_the_place_where_it_was_raised():
         exec(compile("breaks()", "energy.py", "exec"), {"__name__": "theory.energy", "breaks": breaks})
 
     broken = [Claim(name, "III", "w", "s.", Verdict.HOLDS, case=breaks_in_a_claim) for name in ("a", "b")]
-    (found,) = lowest(run(broken, Context()))
+    (found,) = lowest(running.rows(broken, Context()))
     assert found.statement == "theory.energy.<module> raised ZeroDivisionError: no width"
     assert found.claims == ("a", "b")
 

@@ -7,7 +7,8 @@ from paper_checks.evidence.claim import Claim, because
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.running.runner import Context, Row, decide, exit_code, run
+from paper_checks.running.rows import Progress, rows
+from paper_checks.running.runner import Context, Row, decide, exit_code
 
 PASSED = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
 
@@ -47,8 +48,9 @@ def test_each_claim_is_decided_whatever_becomes_of_the_others(debug, capsys):
         claim("tool", raising(ToolMissingError("z3 is not installed"))),
         claim("nothing"),
     ]
-    told = []
-    found = run(claims, Context(seed=7, debug=debug), told.append)
+    told, shown = [], Progress()
+    shown.begun = told.append
+    found = rows(claims, Context(seed=7, debug=debug), 1, shown)
     assert [row.claim for row in found] == told == claims
     assert all(row.seconds >= 0 for row in found)
     bad, fine, missing = Verdict.UNDECIDED, Verdict.HOLDS, Verdict.UNCHECKED

@@ -1,0 +1,1749 @@
+(** Every theorem that a claim cites: its id, what it says in words, and which others it uses; then the kernel's own answer.
+    Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs BeforeContact BoundedMotions Consequences CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EndlessStickSlip EnergyLimit Entrainment Excursion ExitOrbit ExitPlaces FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped OneOverT Pair PairTies PeriodicMotion PiecewiseFriction Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Trajectory TransferTies TurningFunction TwoStop UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
+Open Scope R_scope.
+Set Printing Width 110.
+Set Printing Depth 1000.
+
+
+Goal True. idtac "== alternation
+Where the longest slip from a ray that ends in $S_0$ has an angle $2\varphi_c\geqslant 4\pi/3$: a crossing slip at least that long is followed by one of at most $2\pi-2\varphi_c$, and a crossing slip of at most that by one at least as long as the longest.
+uses: crossing, h-increases". Abort.
+Check @AlternatingSlips.alternation.
+Print Assumptions AlternatingSlips.alternation.
+
+Goal True. idtac "== antiperiodic
+Under a force that repeats with the opposite sign, a motion whose state does so once does so from then on.
+uses: forced-contraction". Abort.
+Check @Arcs.antiperiodic.
+Print Assumptions Arcs.antiperiodic.
+
+Goal True. idtac "== arc-begins
+A smooth arc that satisfies the friction law under a force is the beginning of a motion under that force.
+uses: no other". Abort.
+Check @Arcs.arc_begins.
+Print Assumptions Arcs.arc_begins.
+
+Goal True. idtac "== arc-to-left-ray
+On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, at the same level.
+uses: stick-arc". Abort.
+Check @SharpLaw.to_ray_left.
+Print Assumptions SharpLaw.to_ray_left.
+
+Goal True. idtac "== arc-to-ray
+On $S_0$ above $E_{cr}$ every solution sticks until it reaches one of the two exit rays.
+uses: arc-to-left-ray". Abort.
+Check @SharpLaw.to_ray.
+Print Assumptions SharpLaw.to_ray.
+
+Goal True. idtac "== arrival-needs
+To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, a force needs an amplitude of at least $b+\beta\tau/g(\tau)$, where $g$ is body 1's impulse response and $g'\geqslant 0$ up to $\tau$.
+uses: driven-acceleration". Abort.
+Check @LeastTimeTransfer.arrival_needs.
+Print Assumptions LeastTimeTransfer.arrival_needs.
+
+Goal True. idtac "== bounded-stay
+A stay off $S$ lasts at most $2\sqrt{2Em_2}/b$.
+uses: no other". Abort.
+Check @Pair.dwell.
+Print Assumptions Pair.dwell.
+
+Goal True. idtac "== captive-merges
+Once its energy is below the captive level, a solution sticks permanently after a bounded time.
+uses: captive-sticks, contact, energy-decreases". Abort.
+Check @Viscous.captive_merges.
+Print Assumptions Viscous.captive_merges.
+
+Goal True. idtac "== captive-sticks
+On $S$ below the captive level the pair sticks permanently.
+uses: energy-decreases". Abort.
+Check @Viscous.captive_sticks.
+Print Assumptions Viscous.captive_sticks.
+
+Goal True. idtac "== capture
+A solution on $S$ with energy up to $E_{cr}$ moves along its ellipse permanently.
+uses: ellipse-solution, uniqueness". Abort.
+Check @Stick.capture.
+Print Assumptions Stick.capture.
+
+Goal True. idtac "== contact
+Every solution meets $S$ in every time window of length $2\sqrt{2Em_2}/b$, so infinitely often.
+uses: no other". Abort.
+Check @Stick.contact.
+Print Assumptions Stick.contact.
+
+Goal True. idtac "== contraction
+The flow is non-expansive in the energy norm, with or without damping.
+uses: no other". Abort.
+Check @Pair.contraction.
+Print Assumptions Pair.contraction.
+
+Goal True. idtac "== convergence
+Every solution tends to one stuck motion.
+uses: contact, ellipse-stable, energy-decreases, energy-limit, energy-rate". Abort.
+Check @Dichotomy.convergence.
+Print Assumptions Dichotomy.convergence.
+
+Goal True. idtac "== critical-mass-ratio-digits
+The critical mass ratio $-\cos 2\varphi^*$ up to $2\cdot 10^{-14}$, and $\varphi^*$ up to $10^{-15}$.
+uses: no other". Abort.
+Check @CriticalRatioDigits.decimals.
+Print Assumptions CriticalRatioDigits.decimals.
+
+Goal True. idtac "== crossing
+A slip that ends beyond the other end of $S_0$ is followed by one of the other sign.
+uses: gap-slip, h-increases". Abort.
+Check @SlipFromGap.crossing.
+Print Assumptions SlipFromGap.crossing.
+
+Goal True. idtac "== cycle
+From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ to the other ray: one slip and one stick, with the return map $y'=h^2-r\,c^2$.
+uses: gap-slip, h-increases, slip-arc, stick-arc, turning-point". Abort.
+Check @ExitOrbit.cycle.
+Print Assumptions ExitOrbit.cycle.
+
+Goal True. idtac "== cycle-time
+With slip angle up to $\pi$ and $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $6\sqrt w/\Omega$.
+uses: depth-upper, h-increases, turning-point". Abort.
+Check @ExitOrbit.cycle_time.
+Print Assumptions ExitOrbit.cycle_time.
+
+Goal True. idtac "== cycle-time-sharp
+With $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where $h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$.
+uses: depth-upper, h-increases, turning-point". Abort.
+Check @CycleTime.cycle_time_sharp.
+Print Assumptions CycleTime.cycle_time_sharp.
+
+Goal True. idtac "== damper-breaks
+A free pair, stuck at $x_1=0$ with $v_1>0$, slips at once if $a_1>b(m_1+m_2)/(m_2v_1)$.
+uses: free-case, mode-slip". Abort.
+Check @RuleOfModes.damper_breaks.
+Print Assumptions RuleOfModes.damper_breaks.
+
+Goal True. idtac "== depth-lower
+The depth of an excursion is at least $\tfrac{3}{2}(\sin\varphi/\varphi)^6h^2$.
+uses: no other". Abort.
+Check @ReturnMap.depth_lower.
+Print Assumptions ReturnMap.depth_lower.
+
+Goal True. idtac "== depth-upper
+The depth of an excursion is at most $\tfrac{3}{2}h^2$.
+uses: no other". Abort.
+Check @ReturnMap.depth_upper.
+Print Assumptions ReturnMap.depth_upper.
+
+Goal True. idtac "== dichotomy
+Every solution merges in finite time with an ellipse, or stays above $E_{cr}$ and tends to one motion on the critical one.
+uses: convergence, merging". Abort.
+Check @Dichotomy.dichotomy.
+Print Assumptions Dichotomy.dichotomy.
+
+Goal True. idtac "== displacement-limit
+The relative displacement $x_1-x_2$ has a limit.
+uses: displacement-paid, energy-decreases". Abort.
+Check @DisplacementLimit.displacement_limit.
+Print Assumptions DisplacementLimit.displacement_limit.
+
+Goal True. idtac "== displacement-paid
+$b\,|z(t)-z(r)|\leqslant E(r)-E(t)$ for the relative displacement $z=x_1-x_2$ and $r\leqslant t$, with or without damping.
+uses: energy-rate". Abort.
+Check @DisplacementLimit.displacement_paid.
+Print Assumptions DisplacementLimit.displacement_paid.
+
+Goal True. idtac "== displacement-unseen
+A shift of the initial position of body 2 shifts the relative displacement by as much at all times.
+uses: forced-contraction". Abort.
+Check @RelativeMotion.displacement_unseen.
+Print Assumptions RelativeMotion.displacement_unseen.
+
+Goal True. idtac "== drift
+The position of body 2 changes by the integral of its velocity.
+uses: no other". Abort.
+Check @Drift.drift.
+Print Assumptions Drift.drift.
+
+Goal True. idtac "== driven-acceleration
+Body 2 changes its velocity by at most $b/m_2$ times the time, whatever the force.
+uses: no other". Abort.
+Check @Forced.only_gentle.
+Print Assumptions Forced.only_gentle.
+
+Goal True. idtac "== ellipse-iff
+An ellipse on $S$ is a solution exactly if its energy is at most $E_{cr}$.
+uses: ellipse-solution, sticks-iff". Abort.
+Check @SwitchingSurface.ellipse_iff.
+Print Assumptions SwitchingSurface.ellipse_iff.
+
+Goal True. idtac "== ellipse-solution
+Every ellipse on $S$ with energy up to $E_{cr}$ is a solution: the stuck pair.
+uses: no other". Abort.
+Check @Stick.ellipse_solution.
+Print Assumptions Stick.ellipse_solution.
+
+Goal True. idtac "== ellipse-stable
+The energy distance of a solution to a stuck motion never grows.
+uses: contraction, ellipse-solution". Abort.
+Check @Stick.ellipse_stable.
+Print Assumptions Stick.ellipse_stable.
+
+Goal True. idtac "== energy-decreases
+The energy never increases, with or without damping.
+uses: no other". Abort.
+Check @Pair.energy_decreases.
+Print Assumptions Pair.energy_decreases.
+
+Goal True. idtac "== energy-limit
+The limit of the energy is at most $E_{cr}$.
+uses: contact, energy-decreases, energy-rate". Abort.
+Check @EnergyLimit.limit_not_above.
+Print Assumptions EnergyLimit.limit_not_above.
+
+Goal True. idtac "== energy-rate
+$\dot E=-b|v_1-v_2|-a_1v_1^2$ at every time, from the right.
+uses: no other". Abort.
+Check @Pair.energy_rate.
+Print Assumptions Pair.energy_rate.
+
+Goal True. idtac "== entrained-iff
+The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most $U_*$.
+uses: driven-acceleration". Abort.
+Check @Entrainment.entrained_iff.
+Print Assumptions Entrainment.entrained_iff.
+
+Goal True. idtac "== entrains
+With $a_1>0$ every motion tends to the stuck response to a sinusoidal force of amplitude up to $U_*$.
+uses: forced-approach". Abort.
+Check @ForcedCapture.entrains.
+Print Assumptions ForcedCapture.entrains.
+
+Goal True. idtac "== exit-and-entry-times
+For every solution that never merges: entries and exits alternate; stays on $S_0$ tend to $\pi/\Omega$, slips to 0.
+uses: arc-to-ray, contact, cycle, cycle-time, depth-lower, depth-upper, energy-decreases, energy-limit, exits, first-re-entry, h-increases, turning-point". Abort.
+Check @OneOverT.times.
+Print Assumptions OneOverT.times.
+
+Goal True. idtac "== exit-energy
+Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$.
+uses: exits". Abort.
+Check @ExitOrbit.exit_energy.
+Print Assumptions ExitOrbit.exit_energy.
+
+Goal True. idtac "== exits
+From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the exits of a solution follow the orbit of the return map.
+uses: cycle, h-increases, turning-point". Abort.
+Check @ExitOrbit.exits.
+Print Assumptions ExitOrbit.exits.
+
+Goal True. idtac "== exits-near-endpoints
+A solution that never merges leaves $S_0$ exactly at its end points; the positions of its entries tend to them, and all velocities there to 0.
+uses: energy-decreases, energy-limit, exit-and-entry-times, sticks-inside". Abort.
+Check @ExitPlaces.exits_near_endpoints.
+Print Assumptions ExitPlaces.exits_near_endpoints.
+
+Goal True. idtac "== falling-parts
+Where friction falls with speed at a constant slope, the difference of two slips has an exponentially growing mode, whatever the damper of body 1.
+uses: no other". Abort.
+Check @FallingFriction.slips_part.
+Print Assumptions FallingFriction.slips_part.
+
+Goal True. idtac "== filippov-iff
+A solution is what Filippov calls one: absolutely continuous, and in the differential inclusion at almost all times.
+uses: free-case, no-zeno". Abort.
+Check @Filippov.filippov_iff.
+Print Assumptions Filippov.filippov_iff.
+
+Goal True. idtac "== filippov-well-posed
+From every initial state there is exactly one Filippov solution, with or without damping.
+uses: free-case, no-zeno, well-posed". Abort.
+Check @Filippov.filippov_well_posed.
+Print Assumptions Filippov.filippov_well_posed.
+
+Goal True. idtac "== first-adhesion
+The scene of Fig. 5: every solution sticks from 4.549769479... s to 4.579537997... s, not before, slips until 4.771754480... s, including 4.7 s, and sticks again.
+uses: free-case, trajectory-velocities". Abort.
+Check @FirstAdhesion.first_adhesion.
+Print Assumptions FirstAdhesion.first_adhesion.
+
+Goal True. idtac "== first-re-entry
+From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips, for every mass ratio.
+uses: crossing, energy-decreases, gap-slip, h-increases". Abort.
+Check @ReturnToS0.returns.
+Print Assumptions ReturnToS0.returns.
+
+Goal True. idtac "== first-slip
+From $S_0$ above $E_{cr}$: stick, one slip, and merging there exactly if $h^2\leqslant r\,c^2$.
+uses: arc-to-ray, gap-slip, sticks-iff". Abort.
+Check @AfterOneSlip.first_slip.
+Print Assumptions AfterOneSlip.first_slip.
+
+Goal True. idtac "== follow
+A solution that meets the start of an explicit arc that satisfies the law follows it.
+uses: follow-forced-arc, free-case". Abort.
+Check @FollowArc.follow.
+Print Assumptions FollowArc.follow.
+
+Goal True. idtac "== follow-forced-arc
+A motion under a force that meets the start of such an arc, at any time, follows it.
+uses: arc-begins, forced-contraction". Abort.
+Check @Arcs.follow_arc.
+Print Assumptions Arcs.follow_arc.
+
+Goal True. idtac "== forced-approach
+With $a_1>0$ any two motions under one bounded force approach each other.
+uses: driven-acceleration, forced-bounded, forced-contraction". Abort.
+Check @BoundedMotions.approach.
+Print Assumptions BoundedMotions.approach.
+
+Goal True. idtac "== forced-bounded
+With $a_1>0$ every motion under a bounded force is bounded.
+uses: no other". Abort.
+Check @BoundedMotions.bounded.
+Print Assumptions BoundedMotions.bounded.
+
+Goal True. idtac "== forced-contraction
+Under any force the flow is non-expansive in the energy norm.
+uses: no other". Abort.
+Check @Forced.forced_contraction.
+Print Assumptions Forced.forced_contraction.
+
+Goal True. idtac "== forced-energy-rate
+$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$.
+uses: no other". Abort.
+Check @Forced.forced_energy_rate.
+Print Assumptions Forced.forced_energy_rate.
+
+Goal True. idtac "== forced-well-posed
+Under any force with a continuous impulse there is exactly one solution from every initial state.
+uses: forced-contraction". Abort.
+Check @ForcedExistence.forced_well_posed.
+Print Assumptions ForcedExistence.forced_well_posed.
+
+Goal True. idtac "== free-case
+Without a force the forced system is the free system.
+uses: no other". Abort.
+Check @Forced.free_case.
+Print Assumptions Forced.free_case.
+
+Goal True. idtac "== gap-slip
+A slip from $S$ with a gap and the initial speed of an angle, in closed form up to that angle, where it ends.
+uses: follow, h-increases". Abort.
+Check @SlipFromGap.gap_slip.
+Print Assumptions SlipFromGap.gap_slip.
+
+Goal True. idtac "== h-increases
+$h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed.
+uses: no other". Abort.
+Check @Excursion.h_increases.
+Print Assumptions Excursion.h_increases.
+
+Goal True. idtac "== heavy-never-merges
+For $m_1/m_2>-\cos 2\varphi^*$: no solution that has touched $S$ above $E_{cr}$ ever merges, after whatever number of slips.
+uses: arc-to-ray, energy-decreases, first-re-entry, gap-slip, h-increases, no-low-level, no-merging-from-S0, sticks-iff". Abort.
+Check @MergingByMassRatio.heavy_never_merges.
+Print Assumptions MergingByMassRatio.heavy_never_merges.
+
+Goal True. idtac "== inclusion-contraction
+The flow of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, is non-expansive in the energy norm.
+uses: inclusion-defects". Abort.
+Check @MonotoneInclusion.contracts.
+Print Assumptions MonotoneInclusion.contracts.
+
+Goal True. idtac "== inclusion-defects
+Two motions of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, separate by at most the integral of the norm of their defects.
+uses: no other". Abort.
+Check @MonotoneInclusion.defects_add.
+Print Assumptions MonotoneInclusion.defects_add.
+
+Goal True. idtac "== inclusion-synchronises
+Any force that brakes: the path of the slip is at most $E(0)/\beta$ long, what moves no faster has a limit at most $E/\beta$ away, and a slip that cannot jump tends to 0.
+uses: no other". Abort.
+Check @MonotoneInclusion.brakes_synchronise.
+Print Assumptions MonotoneInclusion.brakes_synchronise.
+
+Goal True. idtac "== input-to-state
+Under two continuous forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.
+uses: no other". Abort.
+Check @Forced.input_to_state_integral.
+Print Assumptions Forced.input_to_state_integral.
+
+Goal True. idtac "== jump-ill-posed
+With two coefficients of friction and $a_1=0$ a stick with a load between them can end at each of a continuum of times.
+uses: free-case, slips-beyond". Abort.
+Check @FallingFriction.sticks_left_at_will.
+Print Assumptions FallingFriction.sticks_left_at_will.
+
+Goal True. idtac "== jump-moves-strip
+The state is continuous whatever the force does; a jump of the force moves the strip $|\Lambda|\leqslant b$.
+uses: no other". Abort.
+Check @RuleOfModes.jump_moves_strip.
+Print Assumptions RuleOfModes.jump_moves_strip.
+
+Goal True. idtac "== kappa-large
+Where merging is possible, the longest slip that ends in $S_0$ is longer than the angle $4\pi/3$.
+uses: turning-point". Abort.
+Check @KappaBound.kappa_large.
+Print Assumptions KappaBound.kappa_large.
+
+Goal True. idtac "== least-amplitude
+To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.
+uses: arc-begins, arrival-needs, follow-forced-arc". Abort.
+Check @LeastAmplitude.least_amplitude.
+Print Assumptions LeastAmplitude.least_amplitude.
+
+Goal True. idtac "== least-amplitude-undamped
+$a_1=0$, $\theta=\omega_1\tau\leqslant\pi/2$: to bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+m_1\beta\,\theta/\sin\theta$.
+uses: least-amplitude". Abort.
+Check @LeastAmplitude.least_amplitude_undamped.
+Print Assumptions LeastAmplitude.least_amplitude_undamped.
+
+Goal True. idtac "== least-time
+From rest to rest over $D$ takes at least $2\sqrt{m_2D/b}$, whatever the force.
+uses: reach". Abort.
+Check @Forced.least_time.
+Print Assumptions Forced.least_time.
+
+Goal True. idtac "== least-time-attained
+The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained.
+uses: no other". Abort.
+Check @Forced.least_time_attained.
+Print Assumptions Forced.least_time_attained.
+
+Goal True. idtac "== margin
+The one numerical inequality of the merging set, enclosed in balls by the kernel.
+uses: no other". Abort.
+Check @ShortSlipMargin.margin.
+Print Assumptions ShortSlipMargin.margin.
+
+Goal True. idtac "== merges-iff
+From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ at all later times exactly if $r\,c^2<h^2$.
+uses: arc-to-ray, gap-slip, never-merges, sticks-iff". Abort.
+Check @FirstLanding.merges_iff.
+Print Assumptions FirstLanding.merges_iff.
+
+Goal True. idtac "== merging
+Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time.
+uses: capture, contact, energy-decreases". Abort.
+Check @Stick.merging.
+Print Assumptions Stick.merging.
+
+Goal True. idtac "== merging-set
+For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, at the first re-entry, after any number of crossings.
+uses: alternation, arc-to-ray, depth-upper, first-re-entry, gap-slip, h-increases, kappa-large, margin, merging-threshold, re-entry, sticks-iff, turning-point". Abort.
+Check @MergingEnergies.merging_set.
+Print Assumptions MergingEnergies.merging_set.
+
+Goal True. idtac "== merging-threshold
+$h^2>r\,c^2$ at all slip angles below $2\pi$ exactly if $m_1/m_2>-\cos 2\varphi^*$; else not at $2\varphi^*$.
+uses: turning-point". Abort.
+Check @TurningFunction.threshold.
+Print Assumptions TurningFunction.threshold.
+
+Goal True. idtac "== mode-marginal
+Where all these derivatives are 0 and the force is analytic, the pair sticks at the load $\pm b$, with the acceleration of the slip.
+uses: follow-forced-arc". Abort.
+Check @RuleOfModes.marginal.
+Print Assumptions RuleOfModes.marginal.
+
+Goal True. idtac "== mode-slip
+At a contact with $|\Lambda|>b$, where $u$ is continuous from the right, it slips at once, with the sign of the load $\Lambda$.
+uses: no other". Abort.
+Check @ModeAtContact.slips_at.
+Print Assumptions ModeAtContact.slips_at.
+
+Goal True. idtac "== mode-stick
+At a contact with $|\Lambda|<b$, where $u$ is continuous from the right, the pair sticks for a while.
+uses: no other". Abort.
+Check @ModeAtContact.sticks_at.
+Print Assumptions ModeAtContact.sticks_at.
+
+Goal True. idtac "== mode-tie
+At a contact with $\Lambda=\pm b$, under a smooth force, the first nonzero derivative of the excess of the force over that which keeps the load at $\pm b$ decides.
+uses: no other". Abort.
+Check @ModeAtContact.tie_rule.
+Print Assumptions ModeAtContact.tie_rule.
+
+Goal True. idtac "== must-stick
+At a time at which body 2 accelerates by less than $b/m_2$, $v_1=v_2$.
+uses: no other". Abort.
+Check @Forced.must_stick.
+Print Assumptions Forced.must_stick.
+
+Goal True. idtac "== never-merges
+From an exit ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the energy stays above $E_{cr}$ at all later times.
+uses: cycle-time, depth-lower, energy-decreases, exit-energy, h-increases, turning-point". Abort.
+Check @SharpRate.never_merges.
+Print Assumptions SharpRate.never_merges.
+
+Goal True. idtac "== no-drift
+With $a_1>0$, if the force changes its sign after half a period, so does the periodic response, and body 2 returns.
+uses: forced-approach". Abort.
+Check @Drift.no_drift.
+Print Assumptions Drift.no_drift.
+
+Goal True. idtac "== no-first-merging
+If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ above $E_{cr}$ merges at the end of its first slip.
+uses: depth-upper, first-slip, h-increases, merging-threshold, turning-point". Abort.
+Check @AlternatingSlips.no_first_merging.
+Print Assumptions AlternatingSlips.no_first_merging.
+
+Goal True. idtac "== no-low-level
+For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and initial speed, ends at or below $E_{cr}$.
+uses: merging-threshold". Abort.
+Check @LevelAfterSlip.no_low_level.
+Print Assumptions LevelAfterSlip.no_low_level.
+
+Goal True. idtac "== no-merging-from-S0
+From $S_0$ slightly above $E_{cr}$ a solution never merges, tends to one critical motion and obeys the sharp law.
+uses: arc-to-ray, cycle-time, depth-lower, depth-upper, dichotomy, energy-decreases, exit-energy, h-increases, never-merges, return-map-rate, turning-point". Abort.
+Check @SharpLaw.no_merging_from_S0.
+Print Assumptions SharpLaw.no_merging_from_S0.
+
+Goal True. idtac "== no-uniform-lower-rate
+From every energy above $E_{cr}$ some solutions never merge and are arbitrarily close to $E_{cr}$ from the time $\sqrt{2E(0)m_2}/b$ on.
+uses: arc-begins, energy-decreases, free-case, no-merging-from-S0". Abort.
+Check @UniformRate.no_lower_constant.
+Print Assumptions UniformRate.no_lower_constant.
+
+Goal True. idtac "== no-zeno
+Under a piecewise analytic force every bounded time interval has finitely many mode changes.
+uses: mode-slip, mode-stick". Abort.
+Check @FinitelyManyModes.no_zeno.
+Print Assumptions FinitelyManyModes.no_zeno.
+
+Goal True. idtac "== no-zeno-varying
+Under a piecewise analytic force and with friction constant on each of finitely many pieces of time every bounded time interval has finitely many mode changes.
+uses: no-zeno". Abort.
+Check @FinitelyManyModes.no_zeno_varying.
+Print Assumptions FinitelyManyModes.no_zeno_varying.
+
+Goal True. idtac "== nonstop-above-resonance
+$a_1=0$ and $\omega$ above body 1's own frequency: the motion of nonstop-iff exists exactly from $U_{**}$ on, without a condition.
+uses: nonstop-undamped". Abort.
+Check @NonstopUndamped.above_resonance.
+Print Assumptions NonstopUndamped.above_resonance.
+
+Goal True. idtac "== nonstop-attracts
+With $a_1>0$ a motion of nonstop-iff attracts every motion under its force.
+uses: forced-approach". Abort.
+Check @NonstopDamped.nonstop_attracts.
+Print Assumptions NonstopDamped.nonstop_attracts.
+
+Goal True. idtac "== nonstop-by-halves
+A motion with the force's period that slips one way for half of it and then the other way exists exactly where one exists that also repeats with the opposite sign.
+uses: no other". Abort.
+Check @HalfPeriod.by_halves_iff.
+Print Assumptions HalfPeriod.by_halves_iff.
+
+Goal True. idtac "== nonstop-by-halves-needs
+Below $U_{**}$ no motion with the force's period slips one way for half of it and then the other way, whatever the relative velocity does at $U_{**}$, if it leaves the turn there ($A>0$).
+uses: no other". Abort.
+Check @HalfPeriod.by_halves_needs.
+Print Assumptions HalfPeriod.by_halves_needs.
+
+Goal True. idtac "== nonstop-damped
+$a_1>0$, $a_1^2<4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form.
+uses: nonstop-iff". Abort.
+Check @NonstopDamped.damped_iff.
+Print Assumptions NonstopDamped.damped_iff.
+
+Goal True. idtac "== nonstop-iff
+$a_1\geqslant 0$: a motion that slips one way for half a period, and then is its own negative, exists exactly from $U_{**}$ on, if $A>0$ and its relative velocity keeps its sign at $U_{**}$.
+uses: antiperiodic, arc-begins". Abort.
+Check @Nonstop.nonstop_iff.
+Print Assumptions Nonstop.nonstop_iff.
+
+Goal True. idtac "== nonstop-overdamped
+$a_1^2>4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form, by two exponentials.
+uses: nonstop-iff". Abort.
+Check @NonstopOverdamped.overdamped_iff.
+Print Assumptions NonstopOverdamped.overdamped_iff.
+
+Goal True. idtac "== nonstop-undamped
+$a_1=0$: the theorem nonstop-iff with $U_{**}$ in closed form, off the resonances of body 1.
+uses: nonstop-iff". Abort.
+Check @NonstopUndamped.undamped_iff.
+Print Assumptions NonstopUndamped.undamped_iff.
+
+Goal True. idtac "== one-body
+While stuck the pair moves as one damped body.
+uses: no other". Abort.
+Check @Viscous.one_body.
+Print Assumptions Viscous.one_body.
+
+Goal True. idtac "== one-over-t
+From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.
+uses: two-sided-rate". Abort.
+Check @OneOverT.one_over_t.
+Print Assumptions OneOverT.one_over_t.
+
+Goal True. idtac "== pair-inclusion
+The pair under a force is the case with one direction.
+uses: no other". Abort.
+Check @FrictionSystems.pair_is_an_inclusion.
+Print Assumptions FrictionSystems.pair_is_an_inclusion.
+
+Goal True. idtac "== periodic-response
+With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts every motion.
+uses: forced-approach, forced-bounded, forced-contraction". Abort.
+Check @PeriodicMotion.response.
+Print Assumptions PeriodicMotion.response.
+
+Goal True. idtac "== plane-landing
+In slip, $G=b|s|+\Lambda\cdot s$ has the rate $-\kappa(b^2-|\Lambda|^2)+\dot\Lambda\cdot s$.
+uses: no other". Abort.
+Check @RoundFriction.landing_rate.
+Print Assumptions RoundFriction.landing_rate.
+
+Goal True. idtac "== plane-stuck-energies
+On a stuck ellipse the load stays within isotropic friction always up to $E_{cr}$, never beyond $2E_{cr}$; on a line exactly up to the first, on a circle exactly up to the second.
+uses: plane-stuck-iff". Abort.
+Check @RoundFriction.stuck_energies.
+Print Assumptions RoundFriction.stuck_energies.
+
+Goal True. idtac "== plane-stuck-iff
+On a stuck ellipse the load stays within isotropic friction permanently exactly if the semi-major axis is at most $L$.
+uses: no other". Abort.
+Check @RoundFriction.stuck_iff.
+Print Assumptions RoundFriction.stuck_iff.
+
+Goal True. idtac "== rate-above
+While $v_1>v_2$ the relative velocity has the rate $\Phi_+\cdot n_S$.
+uses: no other". Abort.
+Check @SwitchingSurface.rate_above.
+Print Assumptions SwitchingSurface.rate_above.
+
+Goal True. idtac "== rate-below
+While $v_1<v_2$ the relative velocity has the rate $\Phi_-\cdot n_S$.
+uses: no other". Abort.
+Check @SwitchingSurface.rate_below.
+Print Assumptions SwitchingSurface.rate_below.
+
+Goal True. idtac "== ray-crossing
+From a ray with the exit speed of an angle whose depth is above $2/q$ the pair crosses $S$ and slips on with the other sign.
+uses: crossing". Abort.
+Check @AfterOneSlip.ray_crossing.
+Print Assumptions AfterOneSlip.ray_crossing.
+
+Goal True. idtac "== re-entry
+A slip from $S$ with a gap and the initial speed of an angle that ends in $S_0$ sticks there permanently exactly if its energy is not above $E_{cr}$.
+uses: arc-to-ray, capture, gap-slip, sticks-iff". Abort.
+Check @AfterOneSlip.reentry.
+Print Assumptions AfterOneSlip.reentry.
+
+Goal True. idtac "== reach
+A bound on the position of body 2 at a time, whatever the force.
+uses: driven-acceleration". Abort.
+Check @Forced.reach.
+Print Assumptions Forced.reach.
+
+Goal True. idtac "== rest-to-rest
+With that amplitude both bodies can be at rest then, if the stuck pair can brake with it in the second half.
+uses: arc-begins, follow-forced-arc". Abort.
+Check @LeastAmplitude.rest_to_rest.
+Print Assumptions LeastAmplitude.rest_to_rest.
+
+Goal True. idtac "== return-alternatives
+From $v_1<v_2$ every solution reaches $S_0$, or $S$ beyond its left edge, from where it passes into $v_1>v_2$ at once.
+uses: contact, rate-below, slips-beyond, transversal-beyond". Abort.
+Check @Consequences.return_alternatives.
+Print Assumptions Consequences.return_alternatives.
+
+Goal True. idtac "== return-alternatives-mirror
+From $v_1>v_2$ every solution reaches $S_0$, or $S$ beyond its right edge, from where it passes into $v_1<v_2$ at once.
+uses: return-alternatives". Abort.
+Check @Consequences.return_alternatives_mirror.
+Print Assumptions Consequences.return_alternatives_mirror.
+
+Goal True. idtac "== return-map-rate
+Along the return map $n\,y_n\to 4/(9r)$.
+uses: depth-lower, depth-upper, h-increases". Abort.
+Check @ReturnMap.sharp.
+Print Assumptions ReturnMap.sharp.
+
+Goal True. idtac "== ring-factor
+$|v_1-v_2|\leqslant\sqrt\kappa\,N$, $\kappa=(m_1+m_2)/(m_1m_2)$, and no smaller factor suffices.
+uses: no other". Abort.
+Check @RelativeMotion.ring_factor.
+Print Assumptions RelativeMotion.ring_factor.
+
+Goal True. idtac "== rotating-characteristic
+With friction that depends on the speed, the characteristic function at 0 is $X(0)=\frac{\omega^2}{2\rho|D|^2}\frac{d(U^2)}{d\rho}$.
+uses: no other". Abort.
+Check @RotatingForce.characteristic_at_zero.
+Print Assumptions RotatingForce.characteristic_at_zero.
+
+Goal True. idtac "== rotating-motion
+Under a rotating force there is a motion with a friction of constant size and the constant speed $\rho$ of slip that solves a quadratic.
+uses: no other". Abort.
+Check @RotatingForce.circular_motion.
+Print Assumptions RotatingForce.circular_motion.
+
+Goal True. idtac "== rotating-threshold
+Unless $a_1=0$ and body 1 alone is in resonance: the equation of rotating-motion has a stuck circle up to $U^*$, and exactly above it one positive speed of slip under the friction $b$.
+uses: no other". Abort.
+Check @RotatingForce.one_threshold.
+Print Assumptions RotatingForce.one_threshold.
+
+Goal True. idtac "== scenes-analytic
+Piecewise polynomials plus sinusoids are piecewise analytic.
+uses: no other". Abort.
+Check @Analytic.scenes_are_analytic.
+Print Assumptions Analytic.scenes_are_analytic.
+
+Goal True. idtac "== settling-time
+For each level above $E_{cr}$ there is one time after which every solution that starts below another level is below it.
+uses: contact, energy-decreases, energy-rate". Abort.
+Check @UniformRate.settles.
+Print Assumptions UniformRate.settles.
+
+Goal True. idtac "== sharp-law
+$t\,(E-E_{cr})\to E_{cr}\tfrac{4\pi}{9}\tfrac{m_1}{m_2}\sqrt{M/a_2}$ for every solution that never merges.
+uses: contact, energy-decreases, energy-limit, first-re-entry, no-merging-from-S0". Abort.
+Check @SharpLaw.sharp_law.
+Print Assumptions SharpLaw.sharp_law.
+
+Goal True. idtac "== slip-arc
+From the right exit ray with the exit speed $h$ of an angle every solution slips up to that angle, and ends where the closed form says.
+uses: gap-slip". Abort.
+Check @SlipFromGap.slip.
+Print Assumptions SlipFromGap.slip.
+
+Goal True. idtac "== slip-rate
+In slip the rate of the relative velocity is given by the load in excess of $\pm b$.
+uses: no other". Abort.
+Check @RuleOfModes.slip_rate.
+Print Assumptions RuleOfModes.slip_rate.
+
+Goal True. idtac "== slips-beyond
+At a contact beyond $S_0$ every solution slips at once, with the sign of $-x_1$.
+uses: gap-slip, h-increases". Abort.
+Check @SwitchingSurface.slips_beyond.
+Print Assumptions SwitchingSurface.slips_beyond.
+
+Goal True. idtac "== slips-from-6-mm
+Case study, $b=0.5$: released at rest at 6 mm every solution slips at once.
+uses: slips-from-rest". Abort.
+Check @StartFromRest.six_millimetres.
+Print Assumptions StartFromRest.six_millimetres.
+
+Goal True. idtac "== slips-from-rest
+Case study, $b=0.5$: released at rest at $x_1>5$ mm every solution slips at once.
+uses: slips-beyond". Abort.
+Check @StartFromRest.slips_from_rest.
+Print Assumptions StartFromRest.slips_from_rest.
+
+Goal True. idtac "== slips-on-ray
+On an edge of $S_0$, moving outwards, every solution slips at once, inwards.
+uses: gap-slip, sticks-iff". Abort.
+Check @SwitchingSurface.slips_on_ray.
+Print Assumptions SwitchingSurface.slips_on_ray.
+
+Goal True. idtac "== slower-than-exponential
+The excess energy of a solution that never merges is eventually above every decaying exponential.
+uses: sharp-law". Abort.
+Check @Consequences.slower_than_exponential.
+Print Assumptions Consequences.slower_than_exponential.
+
+Goal True. idtac "== static-few-slips
+With static friction above kinetic, where sticks are kept, a free motion has at most $E(0)/e_0$ such slips, $e_0>0$ explicit.
+uses: static-slip-costs". Abort.
+Check @StaticFriction.few_slips.
+Print Assumptions StaticFriction.few_slips.
+
+Goal True. idtac "== static-slip-costs
+With static friction above kinetic, where sticks are kept, every slip of a free motion from a contact to the next lasts longer than a fixed time and dissipates at least a fixed energy, both given by $E(0)$.
+uses: no other". Abort.
+Check @StaticFriction.slip_costs.
+Print Assumptions StaticFriction.slip_costs.
+
+Goal True. idtac "== static-sticks-at-last
+With static friction above kinetic, by any amount, every free motion that keeps its sticks sticks permanently from some time on.
+uses: no other". Abort.
+Check @StaticFriction.sticks_at_last.
+Print Assumptions StaticFriction.sticks_at_last.
+
+Goal True. idtac "== stick-arc
+On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, at a time in closed form.
+uses: follow". Abort.
+Check @Cycle.stick.
+Print Assumptions Cycle.stick.
+
+Goal True. idtac "== stick-slip-for-ever
+For all $m_1,m_2,a_2,b>0$ there is a solution that sticks and slips in turn without end.
+uses: exit-and-entry-times, no-merging-from-S0, well-posed". Abort.
+Check @EndlessStickSlip.stick_slip_for_ever.
+Print Assumptions EndlessStickSlip.stick_slip_for_ever.
+
+Goal True. idtac "== sticks-from-5-mm
+Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently.
+uses: sticks-from-rest". Abort.
+Check @StartFromRest.five_millimetres.
+Print Assumptions StartFromRest.five_millimetres.
+
+Goal True. idtac "== sticks-from-rest
+Released at rest inside $S_0$ every solution sticks permanently.
+uses: sticks-iff". Abort.
+Check @StartFromRest.rest_inside.
+Print Assumptions StartFromRest.rest_inside.
+
+Goal True. idtac "== sticks-iff
+On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$.
+uses: capture, energy-decreases, energy-limit, energy-rate". Abort.
+Check @AfterOneSlip.sticks_iff.
+Print Assumptions AfterOneSlip.sticks_iff.
+
+Goal True. idtac "== sticks-inside
+On $S_0$, but for the exit rays, every solution sticks for a while.
+uses: arc-to-ray, sticks-iff". Abort.
+Check @SwitchingSurface.sticks_inside.
+Print Assumptions SwitchingSurface.sticks_inside.
+
+Goal True. idtac "== stuck-iff
+With $a_1>0$ some solution sticks permanently under a sinusoidal force exactly if its amplitude is at most $U_*$.
+uses: driven-acceleration, forced-approach". Abort.
+Check @Entrainment.stuck_iff.
+Print Assumptions Entrainment.stuck_iff.
+
+Goal True. idtac "== stuck-load
+While stuck body 2 has the acceleration $\Lambda/m_2$, and $|\Lambda|\leqslant b$.
+uses: driven-acceleration". Abort.
+Check @RuleOfModes.stuck_load.
+Print Assumptions RuleOfModes.stuck_load.
+
+Goal True. idtac "== stuck-transfer-amplitude
+The amplitude of the force of the fastest stuck transfer over $D$ from $x_1=0$.
+uses: no other". Abort.
+Check @LeastTimeTransfer.stuck_amplitude.
+Print Assumptions LeastTimeTransfer.stuck_amplitude.
+
+Goal True. idtac "== switching-iff
+The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.
+uses: no other". Abort.
+Check @Switching.switching_iff.
+Print Assumptions Switching.switching_iff.
+
+Goal True. idtac "== synchronisation
+$v_1-v_2\to 0$ for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$ and from every start.
+uses: convergence, viscous-rest". Abort.
+Check @Consequences.relative_velocity_vanishes.
+Print Assumptions Consequences.relative_velocity_vanishes.
+
+Goal True. idtac "== synchronises
+With $a_1>0$ every motion under a sinusoidal force of amplitude below $U_*$ sticks permanently after a finite time.
+uses: entrains". Abort.
+Check @ForcedCapture.synchronises.
+Print Assumptions ForcedCapture.synchronises.
+
+Goal True. idtac "== system-contraction
+The flow of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$, $C$ monotone and friction bounded, is non-expansive in the energy norm.
+uses: inclusion-contraction". Abort.
+Check @FrictionSystems.system_contracts.
+Print Assumptions FrictionSystems.system_contracts.
+
+Goal True. idtac "== system-defects
+Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone, under two forces separate by at most the integral of the norm of $M^{-1}(u-\tilde u)$.
+uses: inclusion-defects". Abort.
+Check @FrictionSystems.system_defects.
+Print Assumptions FrictionSystems.system_defects.
+
+Goal True. idtac "== system-parts
+Where the dampers supply a power of at most $c|v|^2$, as friction that falls with speed does, two motions separate at most like $e^{ct}$.
+uses: no other". Abort.
+Check @FrictionSystems.system_parts.
+Print Assumptions FrictionSystems.system_parts.
+
+Goal True. idtac "== system-synchronises
+Without a force, $M,K\geqslant 0$ and dissipative dampers, any bounded friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the displacement converges, and $Bq'\to 0$ where $|Bq'|$ is Lipschitz.
+uses: inclusion-synchronises". Abort.
+Check @FrictionSystems.system_synchronises.
+Print Assumptions FrictionSystems.system_synchronises.
+
+Goal True. idtac "== third-harmonic
+With $a_1=0$ and $\Omega=3\omega$ a stuck motion exists above $U_*$.
+uses: no other". Abort.
+Check @Entrainment.third_harmonic.
+Print Assumptions Entrainment.third_harmonic.
+
+Goal True. idtac "== tie-captive
+With damping: the level whose ellipse lies in the sliding region.
+uses: no other". Abort.
+Check @PairTies.tie_captive.
+Print Assumptions PairTies.tie_captive.
+
+Goal True. idtac "== tie-critical-energy
+The critical energy.
+uses: no other". Abort.
+Check @PairTies.tie_critical_energy.
+Print Assumptions PairTies.tie_critical_energy.
+
+Goal True. idtac "== tie-critical-mass-ratio
+The critical mass ratio by the zero of the turning function.
+uses: no other". Abort.
+Check @SlipTies.tie_critical_mass_ratio.
+Print Assumptions SlipTies.tie_critical_mass_ratio.
+
+Goal True. idtac "== tie-depth
+The depth of an excursion.
+uses: no other". Abort.
+Check @SlipTies.tie_depth.
+Print Assumptions SlipTies.tie_depth.
+
+Goal True. idtac "== tie-dwell-time
+The longest stay off $S$.
+uses: no other". Abort.
+Check @PairTies.tie_dwell_time.
+Print Assumptions PairTies.tie_dwell_time.
+
+Goal True. idtac "== tie-energy
+The energy.
+uses: no other". Abort.
+Check @PairTies.tie_energy.
+Print Assumptions PairTies.tie_energy.
+
+Goal True. idtac "== tie-entrained-amplitude
+$U_*$, the amplitude up to which the stuck response is a motion.
+uses: no other". Abort.
+Check @ThresholdTies.tie_entrained_amplitude.
+Print Assumptions ThresholdTies.tie_entrained_amplitude.
+
+Goal True. idtac "== tie-forced
+A motion under a force obeys the equations of the theory, with impulses of friction and of the force.
+uses: no other". Abort.
+Check @ForcedTies.tie_forced.
+Print Assumptions ForcedTies.tie_forced.
+
+Goal True. idtac "== tie-gap-driven
+Slip from $S$ at the gap $d$: driven (driven: of body 2).
+uses: no other". Abort.
+Check @SlipTies.tie_gap_driven.
+Print Assumptions SlipTies.tie_gap_driven.
+
+Goal True. idtac "== tie-gap-place
+Slip from $S$ at the gap $d$: place (driven: of body 2).
+uses: no other". Abort.
+Check @SlipTies.tie_gap_place.
+Print Assumptions SlipTies.tie_gap_place.
+
+Goal True. idtac "== tie-gap-speed
+Slip from $S$ at the gap $d$: speed (driven: of body 2).
+uses: no other". Abort.
+Check @SlipTies.tie_gap_speed.
+Print Assumptions SlipTies.tie_gap_speed.
+
+Goal True. idtac "== tie-h
+$h$: the push whose slip has the angle $\theta$.
+uses: no other". Abort.
+Check @SlipTies.tie_h.
+Print Assumptions SlipTies.tie_h.
+
+Goal True. idtac "== tie-half-angle-h
+The same in the half angle.
+uses: no other". Abort.
+Check @SlipTies.tie_half_angle_h.
+Print Assumptions SlipTies.tie_half_angle_h.
+
+Goal True. idtac "== tie-half-time
+Half the least time of a transfer.
+uses: no other". Abort.
+Check @TransferTies.tie_half_time.
+Print Assumptions TransferTies.tie_half_time.
+
+Goal True. idtac "== tie-half-width
+The half width $L$ of the sliding region.
+uses: no other". Abort.
+Check @PairTies.tie_half_width.
+Print Assumptions PairTies.tie_half_width.
+
+Goal True. idtac "== tie-least-amplitude
+The least amplitude with which body 2 arrives in the least time, by body 1's impulse response.
+uses: least-amplitude". Abort.
+Check @TransferTies.tie_least_amplitude.
+Print Assumptions TransferTies.tie_least_amplitude.
+
+Goal True. idtac "== tie-least-amplitude-undamped
+The same without a damper, by the angle that body 1 turns in half of that time.
+uses: least-amplitude-undamped". Abort.
+Check @TransferTies.tie_least_amplitude_undamped.
+Print Assumptions TransferTies.tie_least_amplitude_undamped.
+
+Goal True. idtac "== tie-leave
+The size of the part out of phase with which it leaves by an edge.
+uses: no other". Abort.
+Check @ThresholdTies.tie_leave.
+Print Assumptions ThresholdTies.tie_leave.
+
+Goal True. idtac "== tie-level
+The energy level at the end of a slip from the gap $d$.
+uses: tie-depth, tie-half-angle-h". Abort.
+Check @SlipTies.tie_level.
+Print Assumptions SlipTies.tie_level.
+
+Goal True. idtac "== tie-non-stop-amplitude
+$U_{**}$, the amplitude that slip without a stop needs, by the response to the square wave.
+uses: no other". Abort.
+Check @ThresholdTies.tie_non_stop_amplitude.
+Print Assumptions ThresholdTies.tie_non_stop_amplitude.
+
+Goal True. idtac "== tie-non-stop-damped
+The same with a damper that lets body 1 swing.
+uses: tie-non-stop-amplitude". Abort.
+Check @ThresholdTies.tie_non_stop_damped.
+Print Assumptions ThresholdTies.tie_non_stop_damped.
+
+Goal True. idtac "== tie-non-stop-undamped
+The same without a damper, in closed form.
+uses: no other". Abort.
+Check @ThresholdTies.tie_non_stop_undamped.
+Print Assumptions ThresholdTies.tie_non_stop_undamped.
+
+Goal True. idtac "== tie-push
+The push whose slip from the gap $d$ has the half angle $\varphi$.
+uses: tie-half-angle-h". Abort.
+Check @SlipTies.tie_push.
+Print Assumptions SlipTies.tie_push.
+
+Goal True. idtac "== tie-rate
+The constant of the sharp law, in units of the critical energy.
+uses: no other". Abort.
+Check @SlipTies.tie_rate.
+Print Assumptions SlipTies.tie_rate.
+
+Goal True. idtac "== tie-rate-above
+The rate of the relative velocity above $S$: the field's normal component.
+uses: no other". Abort.
+Check @SwitchingSurfaceTies.tie_rate_above.
+Print Assumptions SwitchingSurfaceTies.tie_rate_above.
+
+Goal True. idtac "== tie-rate-below
+The rate of the relative velocity below $S$: the field's normal component.
+uses: no other". Abort.
+Check @SwitchingSurfaceTies.tie_rate_below.
+Print Assumptions SwitchingSurfaceTies.tie_rate_below.
+
+Goal True. idtac "== tie-ratio
+$h/c$ in the half angle.
+uses: no other". Abort.
+Check @SlipTies.tie_ratio.
+Print Assumptions SlipTies.tie_ratio.
+
+Goal True. idtac "== tie-ray
+The speed on an exit ray: $h$, in units of $L\Omega\sqrt q$.
+uses: no other". Abort.
+Check @SlipTies.tie_ray.
+Print Assumptions SlipTies.tie_ray.
+
+Goal True. idtac "== tie-return-map
+The return map, in the half angle.
+uses: tie-depth, tie-half-angle-h". Abort.
+Check @SlipTies.tie_return_map.
+Print Assumptions SlipTies.tie_return_map.
+
+Goal True. idtac "== tie-slip-driven
+Slip from the ray: driven (driven: of body 2).
+uses: no other". Abort.
+Check @SlipTies.tie_slip_driven.
+Print Assumptions SlipTies.tie_slip_driven.
+
+Goal True. idtac "== tie-slip-frequency
+The frequency of slip.
+uses: no other". Abort.
+Check @SlipTies.tie_slip_frequency.
+Print Assumptions SlipTies.tie_slip_frequency.
+
+Goal True. idtac "== tie-slip-place
+Slip from the ray: place (driven: of body 2).
+uses: no other". Abort.
+Check @SlipTies.tie_slip_place.
+Print Assumptions SlipTies.tie_slip_place.
+
+Goal True. idtac "== tie-slip-speed
+Slip from the ray: speed (driven: of body 2).
+uses: no other". Abort.
+Check @SlipTies.tie_slip_speed.
+Print Assumptions SlipTies.tie_slip_speed.
+
+Goal True. idtac "== tie-slip-time
+The duration of an excursion.
+uses: no other". Abort.
+Check @SlipTies.tie_slip_time.
+Print Assumptions SlipTies.tie_slip_time.
+
+Goal True. idtac "== tie-solution
+A solution obeys the equations of motion of the theory, with an impulse that follows the sign of its guard.
+uses: no other". Abort.
+Check @PairTies.tie_solution.
+Print Assumptions PairTies.tie_solution.
+
+Goal True. idtac "== tie-stick-frequency
+The frequency of stick.
+uses: no other". Abort.
+Check @PairTies.tie_stick_frequency.
+Print Assumptions PairTies.tie_stick_frequency.
+
+Goal True. idtac "== tie-stick-place
+Stick: the place of both bodies.
+uses: no other". Abort.
+Check @PairTies.tie_stick_place.
+Print Assumptions PairTies.tie_stick_place.
+
+Goal True. idtac "== tie-stick-rotation
+The stick between two excursions, as the difference of two arc cosines.
+uses: no other". Abort.
+Check @SlipTies.tie_stick_rotation.
+Print Assumptions SlipTies.tie_stick_rotation.
+
+Goal True. idtac "== tie-stick-speed
+Stick: the speed of both bodies.
+uses: no other". Abort.
+Check @PairTies.tie_stick_speed.
+Print Assumptions PairTies.tie_stick_speed.
+
+Goal True. idtac "== tie-stuck-amplitude
+The amplitude of the fastest stuck transfer.
+uses: stuck-transfer-amplitude". Abort.
+Check @TransferTies.tie_stuck_amplitude.
+Print Assumptions TransferTies.tie_stuck_amplitude.
+
+Goal True. idtac "== tie-stuck-force
+The force of the fastest stuck transfer: that of the stuck pair along it.
+uses: no other". Abort.
+Check @TransferTies.tie_stuck_force.
+Print Assumptions TransferTies.tie_stuck_force.
+
+Goal True. idtac "== tie-switching
+Equations (3) and (4) of the paper at one time, without a control.
+uses: no other". Abort.
+Check @SwitchingTies.tie_switching.
+Print Assumptions SwitchingTies.tie_switching.
+
+Goal True. idtac "== tie-turn
+The part in phase of a motion that never stops.
+uses: no other". Abort.
+Check @ThresholdTies.tie_turn.
+Print Assumptions ThresholdTies.tie_turn.
+
+Goal True. idtac "== tie-turn-place
+The place of body 1 where the square wave turns.
+uses: no other". Abort.
+Check @ThresholdTies.tie_turn_place.
+Print Assumptions ThresholdTies.tie_turn_place.
+
+Goal True. idtac "== tie-turn-speed
+Its velocity there.
+uses: no other". Abort.
+Check @ThresholdTies.tie_turn_speed.
+Print Assumptions ThresholdTies.tie_turn_speed.
+
+Goal True. idtac "== tie-turning-function
+The function whose zero is where $h/c$ turns.
+uses: no other". Abort.
+Check @SlipTies.tie_turning_function.
+Print Assumptions SlipTies.tie_turning_function.
+
+Goal True. idtac "== tolerance-ring
+With $a_1>0$ and a bounded force every motion enters a tube around another one at some time, and stays; from then on it is in the ring of relative velocities.
+uses: forced-approach, forced-contraction, ring-factor". Abort.
+Check @ToleranceRing.ring.
+Print Assumptions ToleranceRing.ring.
+
+Goal True. idtac "== trackable
+From some initial state of body 1 some force makes body 2 follow a velocity exactly if that is $b/m_2$-Lipschitz.
+uses: driven-acceleration". Abort.
+Check @Forced.trackable_iff.
+Print Assumptions Forced.trackable_iff.
+
+Goal True. idtac "== trajectory-velocities
+The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds on their times, positions and velocities.
+uses: follow-forced-arc, forced-contraction". Abort.
+Check @Velocities.trajectory.
+Print Assumptions Velocities.trajectory.
+
+Goal True. idtac "== transversal-beyond
+On $S$ beyond $S_0$ both rates have the sign of $-x_1$.
+uses: no other". Abort.
+Check @SwitchingSurface.transversal_beyond.
+Print Assumptions SwitchingSurface.transversal_beyond.
+
+Goal True. idtac "== transversal-inside
+Both fields point back to $S$ exactly in the interior of $S_0$, back or along it exactly on $S_0$.
+uses: no other". Abort.
+Check @SwitchingSurface.transversal_inside.
+Print Assumptions SwitchingSurface.transversal_inside.
+
+Goal True. idtac "== trichotomy
+Every solution merges in finite time, or tends to one critical motion and obeys the sharp law.
+uses: dichotomy, sharp-law". Abort.
+Check @SharpLaw.trichotomy.
+Print Assumptions SharpLaw.trichotomy.
+
+Goal True. idtac "== turning-point
+The turning function has one zero $\varphi^*$ in $(0,\pi]$.
+uses: no other". Abort.
+Check @TurningFunction.root.
+Print Assumptions TurningFunction.root.
+
+Goal True. idtac "== two-sided-rate
+Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the upper one where $6\sqrt{w_0}<\pi$.
+uses: arc-to-ray, cycle-time, depth-lower, depth-upper, energy-decreases, exit-energy, h-increases, never-merges, turning-point". Abort.
+Check @SharpLaw.two_sided.
+Print Assumptions SharpLaw.two_sided.
+
+Goal True. idtac "== two-stop-exists
+A slip and a stick whose ends meet, and meet with the opposite sign after half a period, are a periodic motion if $v_1>v_2$ in the slip and $|\Lambda|\leqslant b$ in the stick.
+uses: antiperiodic, arc-begins, follow-forced-arc". Abort.
+Check @TwoStop.two_stop_exists.
+Print Assumptions TwoStop.two_stop_exists.
+
+Goal True. idtac "== two-stop-needs
+A motion that slips and sticks once in each half period, and is its own negative after it, leaves stick at $\Lambda=b$, gains $bt_s/m_2$ of velocity in the slip, and has $|\Lambda|\leqslant b$ in the stick.
+uses: stuck-load". Abort.
+Check @TwoStop.two_stop_needs.
+Print Assumptions TwoStop.two_stop_needs.
+
+Goal True. idtac "== uniform-upper-rate
+$E/E_{cr}-1\leqslant c/t$ with one $c$ for all solutions that start below a level and never merge.
+uses: contact, crossing, energy-decreases, gap-slip, h-increases, settling-time, two-sided-rate". Abort.
+Check @UniformRate.uniform_upper.
+Print Assumptions UniformRate.uniform_upper.
+
+Goal True. idtac "== uniqueness
+Two solutions that meet coincide from then on, with or without damping.
+uses: contraction". Abort.
+Check @Pair.unique.
+Print Assumptions Pair.unique.
+
+Goal True. idtac "== varying-contraction
+With friction constant on each of finitely many pieces of time the flow under a force is non-expansive in the energy norm.
+uses: forced-contraction". Abort.
+Check @VaryingFriction.varying_contraction.
+Print Assumptions VaryingFriction.varying_contraction.
+
+Goal True. idtac "== varying-energy-rate
+With friction constant on each of finitely many pieces of time $\dot E=u\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.
+uses: forced-energy-rate". Abort.
+Check @PiecewiseFriction.varying_energy_rate.
+Print Assumptions PiecewiseFriction.varying_energy_rate.
+
+Goal True. idtac "== varying-input-to-state
+With friction constant on each of finitely many pieces of time, under two forces: $N(t)\leqslant N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.
+uses: no other". Abort.
+Check @PiecewiseFriction.varying_input_to_state.
+Print Assumptions PiecewiseFriction.varying_input_to_state.
+
+Goal True. idtac "== varying-well-posed
+With friction constant on each of finitely many pieces of time there is exactly one motion from every initial state.
+uses: varying-contraction". Abort.
+Check @VaryingFriction.varying_well_posed.
+Print Assumptions VaryingFriction.varying_well_posed.
+
+Goal True. idtac "== viscous-decay
+With $a_1>0$: $E(t)\leqslant 3E(0)\,e^{-kt}$, with one $k>0$ for all initial energies below a level.
+uses: energy-decreases, energy-rate". Abort.
+Check @Viscous.decay.
+Print Assumptions Viscous.decay.
+
+Goal True. idtac "== viscous-rest
+With $a_1>0$: one time after which every solution that starts below a level sticks permanently.
+uses: captive-merges, energy-decreases, viscous-decay". Abort.
+Check @Viscous.rest.
+Print Assumptions Viscous.rest.
+
+Goal True. idtac "== well-posed
+From every initial state there is exactly one solution, with or without damping.
+uses: forced-well-posed, free-case". Abort.
+Check @WellPosed.well_posed.
+Print Assumptions WellPosed.well_posed.
+
+Goal True. idtac "== AlmostEverywhere.ac". Abort.
+Print AlmostEverywhere.ac.
+
+Goal True. idtac "== AlmostEverywhere.chain". Abort.
+Print AlmostEverywhere.chain.
+
+Goal True. idtac "== AlmostEverywhere.lengths". Abort.
+Print AlmostEverywhere.lengths.
+
+Goal True. idtac "== AlmostEverywhere.moves". Abort.
+Print AlmostEverywhere.moves.
+
+Goal True. idtac "== AlmostEverywhere.null". Abort.
+Print AlmostEverywhere.null.
+
+Goal True. idtac "== Analytic.analytic_at". Abort.
+Print Analytic.analytic_at.
+
+Goal True. idtac "== Analytic.by_pieces". Abort.
+Print Analytic.by_pieces.
+
+Goal True. idtac "== Analytic.piece". Abort.
+Print Analytic.piece.
+
+Goal True. idtac "== Analytic.piecewise_analytic". Abort.
+Print Analytic.piecewise_analytic.
+
+Goal True. idtac "== Arcs.forced_arc". Abort.
+Print Arcs.forced_arc.
+
+Goal True. idtac "== CriticalRatioDigits.hi". Abort.
+Print CriticalRatioDigits.hi.
+
+Goal True. idtac "== CriticalRatioDigits.lo". Abort.
+Print CriticalRatioDigits.lo.
+
+Goal True. idtac "== Cycle.amp". Abort.
+Print Cycle.amp.
+
+Goal True. idtac "== Cycle.o1". Abort.
+Print Cycle.o1.
+
+Goal True. idtac "== Cycle.on_ray". Abort.
+Print Cycle.on_ray.
+
+Goal True. idtac "== Cycle.ray". Abort.
+Print Cycle.ray.
+
+Goal True. idtac "== Dini.cont". Abort.
+Print Dini.cont.
+
+Goal True. idtac "== Dini.little". Abort.
+Print Dini.little.
+
+Goal True. idtac "== Dini.rderiv". Abort.
+Print Dini.rderiv.
+
+Goal True. idtac "== Entrainment.Fstar". Abort.
+Print Entrainment.Fstar.
+
+Goal True. idtac "== Entrainment.Z". Abort.
+Print Entrainment.Z.
+
+Goal True. idtac "== Entrainment.cA". Abort.
+Print Entrainment.cA.
+
+Goal True. idtac "== Entrainment.cB". Abort.
+Print Entrainment.cB.
+
+Goal True. idtac "== Entrainment.drive". Abort.
+Print Entrainment.drive.
+
+Goal True. idtac "== Entrainment.rV". Abort.
+Print Entrainment.rV.
+
+Goal True. idtac "== Entrainment.rX". Abort.
+Print Entrainment.rX.
+
+Goal True. idtac "== Excursion.h". Abort.
+Print Excursion.h.
+
+Goal True. idtac "== ExitOrbit.cyc". Abort.
+Print ExitOrbit.cyc.
+
+Goal True. idtac "== ExitOrbit.half". Abort.
+Print ExitOrbit.half.
+
+Goal True. idtac "== ExitOrbit.next". Abort.
+Print ExitOrbit.next.
+
+Goal True. idtac "== ExitOrbit.ok". Abort.
+Print ExitOrbit.ok.
+
+Goal True. idtac "== ExitOrbit.orb". Abort.
+Print ExitOrbit.orb.
+
+Goal True. idtac "== ExitOrbit.tim". Abort.
+Print ExitOrbit.tim.
+
+Goal True. idtac "== Filippov.filippov". Abort.
+Print Filippov.filippov.
+
+Goal True. idtac "== Filippov.included". Abort.
+Print Filippov.included.
+
+Goal True. idtac "== FollowArc.arc". Abort.
+Print FollowArc.arc.
+
+Goal True. idtac "== Forced.bang". Abort.
+Print Forced.bang.
+
+Goal True. idtac "== Forced.forced". Abort.
+Print Forced.forced.
+
+Goal True. idtac "== Forced.push". Abort.
+Print Forced.push.
+
+Goal True. idtac "== Forced.run". Abort.
+Print Forced.run.
+
+Goal True. idtac "== Forced.side". Abort.
+Print Forced.side.
+
+Goal True. idtac "== FrictionSystems.dampers". Abort.
+Print FrictionSystems.dampers.
+
+Goal True. idtac "== FrictionSystems.flow". Abort.
+Print FrictionSystems.flow.
+
+Goal True. idtac "== FrictionSystems.impulse". Abort.
+Print FrictionSystems.impulse.
+
+Goal True. idtac "== FrictionSystems.inclusion". Abort.
+Print FrictionSystems.inclusion.
+
+Goal True. idtac "== FrictionSystems.mechanical". Abort.
+Print FrictionSystems.mechanical.
+
+Goal True. idtac "== FrictionSystems.moves". Abort.
+Print FrictionSystems.moves.
+
+Goal True. idtac "== FrictionSystems.pair_flow". Abort.
+Print FrictionSystems.pair_flow.
+
+Goal True. idtac "== FrictionSystems.pair_friction". Abort.
+Print FrictionSystems.pair_friction.
+
+Goal True. idtac "== FrictionSystems.pair_ip". Abort.
+Print FrictionSystems.pair_ip.
+
+Goal True. idtac "== FrictionSystems.state_ip". Abort.
+Print FrictionSystems.state_ip.
+
+Goal True. idtac "== HalfPeriod.by_halves". Abort.
+Print HalfPeriod.by_halves.
+
+Goal True. idtac "== LeastAmplitude.arrives". Abort.
+Print LeastAmplitude.arrives.
+
+Goal True. idtac "== LeastTimeTransfer.half_time". Abort.
+Print LeastTimeTransfer.half_time.
+
+Goal True. idtac "== LeastTimeTransfer.stuck_force". Abort.
+Print LeastTimeTransfer.stuck_force.
+
+Goal True. idtac "== ModeAtContact.beyond". Abort.
+Print ModeAtContact.beyond.
+
+Goal True. idtac "== ModeAtContact.load". Abort.
+Print ModeAtContact.load.
+
+Goal True. idtac "== Modes.finitely_many_modes". Abort.
+Print Modes.finitely_many_modes.
+
+Goal True. idtac "== Modes.one_mode". Abort.
+Print Modes.one_mode.
+
+Goal True. idtac "== MonotoneInclusion.brakes". Abort.
+Print MonotoneInclusion.brakes.
+
+Goal True. idtac "== MonotoneInclusion.drags". Abort.
+Print MonotoneInclusion.drags.
+
+Goal True. idtac "== MonotoneInclusion.driven". Abort.
+Print MonotoneInclusion.driven.
+
+Goal True. idtac "== MonotoneInclusion.inner". Abort.
+Print MonotoneInclusion.inner.
+
+Goal True. idtac "== MonotoneInclusion.monotone". Abort.
+Print MonotoneInclusion.monotone.
+
+Goal True. idtac "== MonotoneInclusion.motion". Abort.
+Print MonotoneInclusion.motion.
+
+Goal True. idtac "== MonotoneInclusion.norm". Abort.
+Print MonotoneInclusion.norm.
+
+Goal True. idtac "== MonotoneInclusion.vcont". Abort.
+Print MonotoneInclusion.vcont.
+
+Goal True. idtac "== MonotoneInclusion.vderiv". Abort.
+Print MonotoneInclusion.vderiv.
+
+Goal True. idtac "== MonotoneInclusion.vlittle". Abort.
+Print MonotoneInclusion.vlittle.
+
+Goal True. idtac "== Nonstop.Fslip". Abort.
+Print Nonstop.Fslip.
+
+Goal True. idtac "== Nonstop.Z1". Abort.
+Print Nonstop.Z1.
+
+Goal True. idtac "== Nonstop.leave". Abort.
+Print Nonstop.leave.
+
+Goal True. idtac "== Nonstop.nonstop". Abort.
+Print Nonstop.nonstop.
+
+Goal True. idtac "== Nonstop.slipping". Abort.
+Print Nonstop.slipping.
+
+Goal True. idtac "== Nonstop.turn". Abort.
+Print Nonstop.turn.
+
+Goal True. idtac "== Nonstop.wave". Abort.
+Print Nonstop.wave.
+
+Goal True. idtac "== NonstopDamped.Fslip_damped". Abort.
+Print NonstopDamped.Fslip_damped.
+
+Goal True. idtac "== NonstopDamped.damped_swing'". Abort.
+Print NonstopDamped.damped_swing'.
+
+Goal True. idtac "== NonstopDamped.ring_frequency". Abort.
+Print NonstopDamped.ring_frequency.
+
+Goal True. idtac "== NonstopDamped.turn_place". Abort.
+Print NonstopDamped.turn_place.
+
+Goal True. idtac "== NonstopDamped.turn_speed". Abort.
+Print NonstopDamped.turn_speed.
+
+Goal True. idtac "== NonstopDamped.weight". Abort.
+Print NonstopDamped.weight.
+
+Goal True. idtac "== NonstopOverdamped.creep". Abort.
+Print NonstopOverdamped.creep.
+
+Goal True. idtac "== NonstopOverdamped.creep'". Abort.
+Print NonstopOverdamped.creep'.
+
+Goal True. idtac "== NonstopOverdamped.fast". Abort.
+Print NonstopOverdamped.fast.
+
+Goal True. idtac "== NonstopOverdamped.part". Abort.
+Print NonstopOverdamped.part.
+
+Goal True. idtac "== NonstopOverdamped.slow". Abort.
+Print NonstopOverdamped.slow.
+
+Goal True. idtac "== NonstopUndamped.Fslip_undamped". Abort.
+Print NonstopUndamped.Fslip_undamped.
+
+Goal True. idtac "== NonstopUndamped.swing'". Abort.
+Print NonstopUndamped.swing'.
+
+Goal True. idtac "== Pair.energy". Abort.
+Print Pair.energy.
+
+Goal True. idtac "== Pair.solution". Abort.
+Print Pair.solution.
+
+Goal True. idtac "== PiecewiseFriction.friction". Abort.
+Print PiecewiseFriction.friction.
+
+Goal True. idtac "== Pursuit.integral". Abort.
+Print Pursuit.integral.
+
+Goal True. idtac "== ReturnMap.depth". Abort.
+Print ReturnMap.depth.
+
+Goal True. idtac "== ReturnMap.hh". Abort.
+Print ReturnMap.hh.
+
+Goal True. idtac "== ReturnToS0.contact_after". Abort.
+Print ReturnToS0.contact_after.
+
+Goal True. idtac "== ReturnToS0.first_reentry". Abort.
+Print ReturnToS0.first_reentry.
+
+Goal True. idtac "== RotatingForce.Ustar_plane". Abort.
+Print RotatingForce.Ustar_plane.
+
+Goal True. idtac "== RotatingForce.X0". Abort.
+Print RotatingForce.X0.
+
+Goal True. idtac "== RotatingForce.balance". Abort.
+Print RotatingForce.balance.
+
+Goal True. idtac "== RotatingForce.circular". Abort.
+Print RotatingForce.circular.
+
+Goal True. idtac "== RotatingForce.force2". Abort.
+Print RotatingForce.force2.
+
+Goal True. idtac "== RotatingForce.g_a". Abort.
+Print RotatingForce.g_a.
+
+Goal True. idtac "== RotatingForce.g_s". Abort.
+Print RotatingForce.g_s.
+
+Goal True. idtac "== RotatingForce.stiffness". Abort.
+Print RotatingForce.stiffness.
+
+Goal True. idtac "== RoundFriction.ellipse". Abort.
+Print RoundFriction.ellipse.
+
+Goal True. idtac "== RoundFriction.semi_major_square". Abort.
+Print RoundFriction.semi_major_square.
+
+Goal True. idtac "== SharpLaw.small". Abort.
+Print SharpLaw.small.
+
+Goal True. idtac "== SharpRate.rate". Abort.
+Print SharpRate.rate.
+
+Goal True. idtac "== SlipFromGap.G1". Abort.
+Print SlipFromGap.G1.
+
+Goal True. idtac "== SlipFromGap.G2". Abort.
+Print SlipFromGap.G2.
+
+Goal True. idtac "== SlipFromGap.Gx". Abort.
+Print SlipFromGap.Gx.
+
+Goal True. idtac "== SlipFromGap.at_gap". Abort.
+Print SlipFromGap.at_gap.
+
+Goal True. idtac "== SlipFromGap.ct". Abort.
+Print SlipFromGap.ct.
+
+Goal True. idtac "== SlipFromGap.level". Abort.
+Print SlipFromGap.level.
+
+Goal True. idtac "== SlipFromGap.push". Abort.
+Print SlipFromGap.push.
+
+Goal True. idtac "== StaticFriction.jumping". Abort.
+Print StaticFriction.jumping.
+
+Goal True. idtac "== StaticFriction.least_loss". Abort.
+Print StaticFriction.least_loss.
+
+Goal True. idtac "== StaticFriction.least_slip". Abort.
+Print StaticFriction.least_slip.
+
+Goal True. idtac "== StaticFriction.load_rate". Abort.
+Print StaticFriction.load_rate.
+
+Goal True. idtac "== StaticFriction.one_slip". Abort.
+Print StaticFriction.one_slip.
+
+Goal True. idtac "== StaticFriction.stick_load". Abort.
+Print StaticFriction.stick_load.
+
+Goal True. idtac "== StaticFriction.two_frictions". Abort.
+Print StaticFriction.two_frictions.
+
+Goal True. idtac "== Stick.Ecr". Abort.
+Print Stick.Ecr.
+
+Goal True. idtac "== Stick.L". Abort.
+Print Stick.L.
+
+Goal True. idtac "== Stick.V". Abort.
+Print Stick.V.
+
+Goal True. idtac "== Stick.X". Abort.
+Print Stick.X.
+
+Goal True. idtac "== Stick.omega". Abort.
+Print Stick.omega.
+
+Goal True. idtac "== Switching.sgn". Abort.
+Print Switching.sgn.
+
+Goal True. idtac "== Switching.switched". Abort.
+Print Switching.switched.
+
+Goal True. idtac "== Switching.switching". Abort.
+Print Switching.switching.
+
+Goal True. idtac "== SwitchingSurface.normal_rate". Abort.
+Print SwitchingSurface.normal_rate.
+
+Goal True. idtac "== Trajectory.ending". Abort.
+Print Trajectory.ending.
+
+Goal True. idtac "== Trajectory.event". Abort.
+Print Trajectory.event.
+
+Goal True. idtac "== Trajectory.force_at". Abort.
+Print Trajectory.force_at.
+
+Goal True. idtac "== Trajectory.in_R". Abort.
+Print Trajectory.in_R.
+
+Goal True. idtac "== Trajectory.in_mode". Abort.
+Print Trajectory.in_mode.
+
+Goal True. idtac "== Trajectory.last_friction". Abort.
+Print Trajectory.last_friction.
+
+Goal True. idtac "== Trajectory.mode". Abort.
+Print Trajectory.mode.
+
+Goal True. idtac "== Trajectory.motion". Abort.
+Print Trajectory.motion.
+
+Goal True. idtac "== Trajectory.pieces". Abort.
+Print Trajectory.pieces.
+
+Goal True. idtac "== Trajectory.scene". Abort.
+Print Trajectory.scene.
+
+Goal True. idtac "== Trajectory.spell". Abort.
+Print Trajectory.spell.
+
+Goal True. idtac "== Trajectory.unfolds". Abort.
+Print Trajectory.unfolds.
+
+Goal True. idtac "== Trajectory.within". Abort.
+Print Trajectory.within.
+
+Goal True. idtac "== TurningFunction.K". Abort.
+Print TurningFunction.K.
+
+Goal True. idtac "== TurningFunction.ratio". Abort.
+Print TurningFunction.ratio.
+
+Goal True. idtac "== TwoStop.slips". Abort.
+Print TwoStop.slips.
+
+Goal True. idtac "== TwoStop.sticks". Abort.
+Print TwoStop.sticks.
+
+Goal True. idtac "== TwoStop.two_stop". Abort.
+Print TwoStop.two_stop.
+
+Goal True. idtac "== VaryingFriction.sound". Abort.
+Print VaryingFriction.sound.
+
+Goal True. idtac "== VaryingFriction.varying". Abort.
+Print VaryingFriction.varying.
+
+Goal True. idtac "== Velocities.the_ending". Abort.
+Print Velocities.the_ending.
+
+Goal True. idtac "== Velocities.the_events". Abort.
+Print Velocities.the_events.
+
+Goal True. idtac "== Velocities.the_scene". Abort.
+Print Velocities.the_scene.
+
+Goal True. idtac "== Viscous.captive". Abort.
+Print Viscous.captive.
+
+Goal True. idtac "== Waves.arith". Abort.
+Print Waves.arith.
+
+Goal True. idtac "== Waves.fade". Abort.
+Print Waves.fade.
+
+Goal True. idtac "== Waves.pval". Abort.
+Print Waves.pval.
+
+Goal True. idtac "== Waves.real". Abort.
+Print Waves.real.
+
+Goal True. idtac "== Waves.steady". Abort.
+Print Waves.steady.
+
+Goal True. idtac "== Waves.sval". Abort.
+Print Waves.sval.
+
+Goal True. idtac "== Waves.tone". Abort.
+Print Waves.tone.
+
+Goal True. idtac "== Waves.tval". Abort.
+Print Waves.tval.

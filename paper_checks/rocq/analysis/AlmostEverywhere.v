@@ -1,0 +1,233 @@
+(** Almost everywhere, without measure theory: null sets by covers, absolute continuity by lists of intervals.
+    An absolutely continuous function with a derivative >= 0 outside a null set does not decrease. *)
+From Coq Require Import List.
+From InertialPair Require Import Dini.
+Import ListNotations.
+
+(** covered by open intervals of any small total length *)
+Definition null (N : R -> Prop) := forall e, 0 < e -> exists a b : nat -> R, (forall n, a n <= b n) /\
+  (forall t, N t -> exists n, a n < t < b n) /\ forall n, sum_f_R0 (fun i => b i - a i) n <= e.
+
+(** intervals from lo to hi, in order and without overlap *)
+Fixpoint chain (l : list (R * R)) lo hi :=
+  match l with [] => lo <= hi | (p, q) :: l => lo <= p <= q /\ chain l q hi end.
+(** how long they are together *)
+Fixpoint lengths (l : list (R * R)) := match l with [] => 0 | (p, q) :: l => q - p + lengths l end.
+(** how much f changes on them *)
+Fixpoint moves (f : R -> R) (l : list (R * R)) := match l with [] => 0 | (p, q) ::
+  l => Rabs (f q - f p) + moves f l end.
+
+(** absolutely continuous on every [0, T] *)
+Definition ac (f : R -> R) := forall T, 0 <= T -> forall e, 0 < e -> exists d, 0 < d /\
+  forall l, chain l 0 T -> lengths l <= d -> moves f l <= e.
+
+(** *** Chains *)
+Lemma chain_le l : forall lo hi, chain l lo hi -> lo <= hi.
+Proof. induction l as [|(p, q) l IH]; simpl; auto. intros lo hi (H & C). specialize (IH q hi C). lra. Qed.
+(** a longer way *)
+Lemma chain_on l : forall lo hi hi', chain l lo hi -> hi <= hi' -> chain l lo hi'.
+Proof. induction l as [|(p, q) l IH]; simpl; [intros; lra|]. intros lo hi hi' (H & C) L. split; eauto. Qed.
+(** an earlier start *)
+Lemma chain_from l lo lo' hi : chain l lo hi -> lo' <= lo -> chain l lo' hi.
+Proof. destruct l as [|(p, q) l]; simpl; [intros; lra|]. intros (H & C) L. split; [lra|auto]. Qed.
+(** one more interval *)
+Lemma chain_snoc l r c : r <= c -> forall lo, chain l lo r -> chain (l ++ [(r, c)]) lo c.
+Proof. intros Hr. induction l as [|(p, q) l IH]; simpl; intros lo C; [lra|]. destruct C. split; auto. Qed.
+(** its length *)
+Lemma lengths_snoc l r c : lengths (l ++ [(r, c)]) = lengths l + (c - r).
+Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
+(** its change *)
+Lemma moves_snoc f l r c : moves f (l ++ [(r, c)]) = moves f l + Rabs (f c - f r).
+Proof. induction l as [|(p, q) l IH]; simpl; [ring|rewrite IH; ring]. Qed.
+
+(** *** What is absolutely continuous *)
+Lemma ac_plus f g : ac f -> ac g -> ac (fun t => f t + g t).
+Proof.
+  intros F G T HT e He. destruct (F T HT (e / 2)) as (d1 & H1 & K1); [lra|].
+    destruct (G T HT (e / 2)) as (d2 & H2 & K2); [lra|].
+  smaller d1 d2. intros l C L. specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
+  cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear. induction l as [|(p, q) l IH]; simpl;
+    [lra|].
+  replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring.
+    pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
+Qed.
+(** a multiple *)
+Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
+Proof.
+  intros F T HT e He. pose proof (Rabs_pos c). destruct (F T HT (e / (Rabs c + 1))) as (d & Hd & K).
+  { positive. }
+  exists d; split; auto. intros l C L. specialize (K l C L).
+  replace (moves (fun t => c * f t) l) with (Rabs c * moves f l).
+  - apply Rmult_le_compat_l with (r := Rabs c) in K; auto. apply Rle_trans with (1 := K).
+    assert (0 < e / (Rabs c + 1)) by positive.
+    replace e with ((Rabs c + 1) * (e / (Rabs c + 1))) at 2 by (field; lra). nra.
+  - clear. induction l as [|(p, q) l IH]; simpl; [ring|]. rewrite <- IH. rewrite <- Rmult_minus_distr_l, Rabs_mult.
+    ring.
+Qed.
+(** Lipschitz functions, the constant depending on T *)
+Lemma ac_lip f : (forall T, 0 <= T -> exists K, 0 <= K /\ forall r t, 0 <= r <= t -> t <= T ->
+  Rabs (f t - f r) <= K * (t - r)) -> ac f.
+Proof.
+  intros L T HT e He. destruct (L T HT) as (K & HK & Q). exists (e / (K + 1)); split; [positive|]. intros l C Ln.
+  assert (Mv : moves f l <= K * lengths l).
+  { assert (G : forall l lo, 0 <= lo -> chain l lo T -> moves f l <= K * lengths l).
+    { clear l C Ln. induction l as [|(p, q) l IH]; simpl; intros lo Hlo C; [lra|]. destruct C as (Hp & C).
+      pose proof (chain_le _ _ _ C). specialize (IH q ltac:(lra) C). specialize (Q p q ltac:(lra) ltac:(lra)). lra. }
+    apply (G l 0); auto; lra. }
+  assert (0 < e / (K + 1)) by positive. apply Rle_trans with (K * (e / (K + 1))).
+  - apply Rle_trans with (1 := Mv). scale.
+  - replace e with ((K + 1) * (e / (K + 1))) at 2 by (field; lra). nra.
+Qed.
+(** linear functions *)
+Lemma ac_linear k : ac (fun t => k * t).
+Proof.
+  apply ac_lip. intros T HT. exists (Rabs k). split; [apply Rabs_pos|]. intros r t Hr _.
+  rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq (t - r)); lra.
+Qed.
+(** they are continuous *)
+Lemma cont_ac f : ac f -> cont f.
+Proof.
+  intros F t Ht e He. destruct (F (t + 1) ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
+  exists (Rmin d 1); split; [positive|]. intros s Hs Hd1. pose proof (Rmin_l d 1).
+    pose proof (Rmin_r d 1).
+  apply Rabs_def2 in Hd1. destruct (Rle_dec s t).
+  - specialize (K [(s, t)]). simpl in K. rewrite Rabs_minus_sym. specialize (K ltac:(lra) ltac:(lra)). lra.
+  - specialize (K [(t, s)]). simpl in K. specialize (K ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+(** *** The theorem *)
+(** t moved into [a, b] *)
+Definition clamp a b t := Rmax a (Rmin t b).
+(** it grows with t *)
+Lemma clamp_grows a b r t : r <= t -> clamp a b r <= clamp a b t.
+Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
+(** at most by b - a *)
+Lemma clamp_range a b r t : a <= b -> clamp a b t - clamp a b r <= b - a.
+Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
+(** inside it is t *)
+Lemma clamp_inside a b t : a < t < b -> clamp a b t = t.
+Proof. intros. unfold clamp, Rmax, Rmin. repeat destruct Rle_dec; lra. Qed.
+
+Section Grows.
+Variables (f f' : R -> R) (N : R -> Prop) (p q : R).
+Hypotheses (F : ac f) (HN : null N) (Hp : 0 <= p <= q).
+Hypothesis D : forall t, p <= t <= q -> ~ N t -> is_derive f t (f' t) /\ 0 <= f' t.
+
+(** near a point with a derivative >= 0 *)
+Lemma hardly_falls t e : 0 < e -> is_derive f t (f' t) -> 0 <= f' t ->
+  exists d, 0 < d /\ forall r c, t - d < r <= t -> t <= c < t + d -> - e * (c - r) <= f c - f r.
+Proof.
+  intros He Df Pf. apply is_derive_Reals in Df. destruct (Df e He) as ((d & Hd) & K). simpl in K. exists d; split; auto.
+  assert (Q : forall h, h <> 0 -> Rabs h < d -> Rabs (f (t + h) - f t - f' t * h) <= e * Rabs h).
+  { intros h Hh Hh'. specialize (K h Hh Hh'). replace (f (t + h) - f t - f' t * h)
+    with (((f (t + h) - f t) / h - f' t) * h) by (field; auto). rewrite Rabs_mult. scale. }
+  intros r c Hr Hc. assert (A : - e * (c - t) <= f c - f t).
+  { destruct (Req_dec c t) as [->|]; [lra|]. specialize (Q (c - t) ltac:(lra)). rewrite (Rabs_pos_eq (c - t)) in Q
+    by lra. replace (t + (c - t)) with c in Q by ring. specialize (Q ltac:(lra)). apply Rabs_inv in Q. nra. }
+  assert (B : - e * (t - r) <= f t - f r).
+  { destruct (Req_dec r t) as [->|]; [lra|]. specialize (Q (r - t) ltac:(lra)). rewrite (Rabs_left (r - t)) in Q by lra.
+    replace (t + (r - t)) with r in Q by ring. specialize (Q ltac:(lra)). apply Rabs_inv in Q. nra. }
+  lra.
+Qed.
+
+(** An absolutely continuous function with a derivative >= 0 almost everywhere does not decrease. *)
+Theorem ac_grows : f p <= f q.
+Proof.
+  apply Rnot_lt_le. intros Lt. set (e := (f p - f q) / (2 * (q - p + 1))). assert (He : 0 < e) by positive.
+  destruct (F q ltac:(lra) e He) as (d & Hd & K). destruct (HN d Hd) as (a & b & Hab & Cov & Sm).
+  set (La := fun n t => sum_f_R0 (fun i => clamp (a i) (b i) t) n).
+  assert (LaG : forall n r t, r <= t -> La n r <= La n t).
+  { intros n r t Hr. apply sum_Rle. intros i _. apply clamp_grows; auto. }
+  assert (LaN : forall n m r t, r <= t -> La n t - La n r <= La (n + m)%nat t - La (n + m)%nat r).
+  { intros n m r t Hr. induction m as [|m IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r. unfold La in *.
+    simpl. pose proof (clamp_grows (a (S (n + m))) (b (S (n + m))) r t Hr). lra. }
+  assert (LaI : forall n r t, a n < r -> r <= t -> t < b n -> t - r <= La n t - La n r).
+  { intros n r t Hr Ht Hb. destruct n as [|n]; unfold La; simpl.
+    - rewrite !clamp_inside by lra. lra.
+    - rewrite !(clamp_inside (a (S n)) (b (S n))) by lra.
+      pose proof (sum_Rle (fun i => clamp (a i) (b i) r) (fun i => clamp (a i) (b i) t) n
+        (fun i _ => clamp_grows (a i) (b i) r t Ht)). lra. }
+  assert (LaS : forall n, La n q - La n p <= d).
+  { intros n. apply Rle_trans with (2 := Sm n). unfold La. rewrite <- minus_sum. apply sum_Rle. intros i _.
+    apply clamp_range; auto. }
+  assert (LaJ : forall n m r t, r <= t -> La n t - La n r <= La (Nat.max n m) t - La (Nat.max n m) r /\
+    La m t - La m r <= La (Nat.max n m) t - La (Nat.max n m) r).
+  { intros n m r t Hr. split.
+    - replace (Nat.max n m) with (n + (Nat.max n m - n))%nat by lia. apply LaN; auto.
+    - replace (Nat.max n m) with (m + (Nat.max n m - m))%nat by lia. apply LaN; auto. }
+  set (P := fun r => exists l n, chain l p r /\ lengths l <= La n r - La n p /\ - e * (r - p) - moves f l <= f r - f p).
+  assert (Step : forall r c, p <= r <= c -> (- e * (c - r) <= f c - f r \/ exists n, a n < r /\ c < b n) -> P r -> P c).
+  { intros r c Hr [Q|(n & Hn & Hn')] (l & m & Ch & Ln & Mv).
+    - exists l, m. split; [apply chain_on with r; auto; lra|]. split; [|lra]. pose proof (LaG m r c). lra.
+    - exists (l ++ [(r, c)]), (Nat.max n m). split; [apply chain_snoc; auto; lra|]. rewrite lengths_snoc, moves_snoc.
+      destruct (LaJ n m r c ltac:(lra)) as (J1 & _). destruct (LaJ n m p r ltac:(lra)) as (_ & J2).
+      pose proof (LaI n r c Hn ltac:(lra) Hn'). split; [lra|]. pose proof (Rle_abs (- (f c - f r))) as A.
+      rewrite Rabs_Ropp in A. nra. }
+  assert (Near : forall c, p <= c <= q -> exists h, 0 < h /\ forall r t, c - h < r <= c -> c <= t < c + h ->
+    - e * (t - r) <= f t - f r \/ exists n, a n < r /\ t < b n).
+  { intros c Hc. destruct (Classical_Prop.classic (N c)) as [Nc|Nc].
+    - destruct (Cov c Nc) as (n & Hn). exists (Rmin (c - a n) (b n - c)). split; [positive|].
+      intros r t Hr Ht. right. exists n. pose proof (Rmin_l (c - a n) (b n - c)).
+        pose proof (Rmin_r (c - a n) (b n - c)).
+      lra.
+    - destruct (D c Hc Nc) as (Df & Pf). destruct (hardly_falls c e He Df Pf) as (h & Hh & Q). exists h; split; auto.
+      }
+  assert (Pq : P q).
+  { apply (onward P p q); [lra| | | |lra].
+    - exists [], O. simpl. repeat split; lra.
+    - intros c Hc All. destruct (Near c ltac:(lra)) as (h & Hh & Q).
+      destruct (just_before p c h) as (r & Hr & Hr'); [lra|auto|]. apply (Step r c); [lra| |apply All; lra].
+      apply Q; lra.
+    - intros c Hc Pc. destruct (Near c ltac:(lra)) as (h & Hh & Q). exists h; split; auto. intros r Hr.
+      apply (Step c r); auto; [lra|]. apply Q; lra. }
+  destruct Pq as (l & n & Ch & Ln & Mv). pose proof (LaS n).
+  specialize (K l (chain_from l p 0 q Ch ltac:(lra)) ltac:(lra)).
+  assert (e * (2 * (q - p + 1)) = f p - f q) by (unfold e; field; lra). nra.
+Qed.
+End Grows.
+
+(** bounds of the derivative almost everywhere are bounds of the slope *)
+Corollary ac_slope f N p q lo hi : ac f -> null N -> 0 <= p <= q ->
+  (forall t, p <= t <= q -> ~ N t -> exists l, is_derive f t l /\ lo <= l <= hi) ->
+  lo * (q - p) <= f q - f p <= hi * (q - p).
+Proof.
+  intros F HN Hp D.
+  assert (G : forall k m, (forall t, p <= t <= q -> ~ N t -> exists l, is_derive f t l /\ 0 <= k * l + m) ->
+    k * f p + m * p <= k * f q + m * q).
+  { intros k m E. apply (ac_grows (fun t => k * f t + m * t) (fun t => k * Derive f t + m) N p q); auto.
+    - apply ac_plus; [apply ac_scal; auto|apply ac_linear].
+    - intros t Ht Nt. destruct (E t Ht Nt) as (l & Dl & Hl). rewrite (is_derive_unique _ _ _ Dl). split; auto.
+      apply (is_derive_plus (fun t => k * f t) (fun t => m * t)).
+      + apply (is_derive_scal f t k l Dl).
+      + auto_derive; auto; ring. }
+  split.
+  - cut (1 * f p + - lo * p <= 1 * f q + - lo * q); [lra|]. apply G. intros t Ht Nt. destruct (D t Ht Nt) as (l & Dl
+    & Hl). exists l. split; auto; lra.
+  - cut (-1 * f p + hi * p <= -1 * f q + hi * q); [lra|]. apply G. intros t Ht Nt.
+    destruct (D t Ht Nt) as (l & Dl & Hl). exists l. split; auto; lra.
+Qed.
+
+(** a derivative that is continuous almost everywhere is a right derivative everywhere *)
+Corollary ac_rderiv f g t : ac f -> cont g -> 0 <= t ->
+  (forall T, 0 <= T -> exists N, null N /\ forall u, 0 <= u <= T -> ~ N u -> is_derive f u (g u)) -> rderiv f t (g t).
+Proof.
+  intros F G Ht D e He. destruct (D (t + 1) ltac:(lra)) as (N & HN & Dn). destruct (G t Ht e He) as (d & Hd & K).
+  exists (Rmin d 1); split; [positive|]. intros h Hh. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
+  destruct (ac_slope f N t (t + h) (g t - e) (g t + e)) as (A & B); auto; [lra| |].
+  - intros u Hu Nu. exists (g u). split; [apply Dn; auto; lra|]. specialize (K u ltac:(lra)).
+    assert (Q : Rabs (u - t) < d) by (rewrite Rabs_pos_eq; lra). specialize (K Q). apply Rabs_def2 in K. lra.
+  - apply Rabs_le. replace (t + h - t) with h in * by ring. lra.
+Qed.
+
+(** the times of a sequence *)
+Lemma null_points (p : nat -> R) : null (fun t => exists n, t = p n).
+Proof.
+  intros e He. set (h := fun n : nat => e / 2 * (1 / 2) ^ S n).
+  assert (Hh : forall n, 0 < h n) by (intros n; apply Rmult_lt_0_compat; [lra|positive]).
+  exists (fun n => p n - h n), (fun n => p n + h n). split; [|split].
+  - intros n. specialize (Hh n). lra.
+  - intros t (n & ->). exists n. specialize (Hh n). lra.
+  - intros n. apply Rle_trans with (e * (1 - (1 / 2) ^ S n)).
+    + induction n as [|n IH]; [unfold h; simpl; lra|]. rewrite tech5. unfold h at 3 4. simpl pow in *. lra.
+    + assert (0 < (1 / 2) ^ S n) by positive. nra.
+Qed.

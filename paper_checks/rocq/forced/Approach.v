@@ -1,0 +1,284 @@
+(** a1 > 0: two bounded solutions under the same Lipschitz impulse (bounded force) approach each other in the energy
+    norm. Their distance D falls to a limit l. Damping makes dv1 -> 0, then dx -> 0 (else the momentum runs away), so
+    dv2 tends to +-c with c^2 = 2 l / m2. If c > 0, the relative velocity of one pair stays c above the other's; each
+    time that it crosses 0 both friction forces are at opposite limits for a while, and this costs a fixed part of
+    dv2: so it crosses a last time, and then one body 2 is pulled to one side for ever. *)
+From InertialPair Require Import Dini Pair Stick Pursuit Forced.
+
+(** the last time at which a continuous function is not negative *)
+Lemma last_nonneg w r t : cont w -> 0 <= r <= t -> 0 <= w r -> w t < 0 ->
+  exists p, r <= p < t /\ 0 <= w p /\ forall u, p < u <= t -> w u < 0.
+Proof.
+  intros C Hr Wr Wt. destruct (completeness (fun u => r <= u <= t /\ 0 <= w u)) as (p & U & L).
+  { exists t. intros u Hu; lra. } { exists r; split; lra. }
+  assert (Hp : r <= p <= t). { split; [apply U; split; lra|]. apply L. intros u Hu; lra. } assert (Wp : 0 <= w p).
+  { destruct (Rle_dec 0 (w p)) as [|N]; auto. exfalso. destruct (C p ltac:(lra) (- w p)) as (d & Hd & K); [lra|].
+    cut (p <= p - d / 2); [lra|]. apply L. intros u (Hu & Wu). destruct (Rle_dec u (p - d / 2)) as [|N']; auto. exfalso.
+    assert (u <= p) by (apply U; auto). specialize (K u ltac:(lra)).
+    assert (Q : Rabs (u - p) < d) by (apply Rabs_def1; lra). specialize (K Q). apply Rabs_def2 in K. lra. }
+  exists p. split; [split; [lra|]|].
+  - destruct (Req_dec p t) as [E|]; [rewrite E in Wp; lra|lra].
+  - split; auto. intros u Hu. destruct (Rlt_dec (w u) 0) as [|N]; auto. exfalso. assert (u <= p); [|lra]. apply U.
+    split; lra.
+Qed.
+
+Section Response.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let energy := energy m1 m2 a2.
+Let forced := forced m1 m2 a1 a2 b.
+Let Ha : 0 <= a1. Proof. lra. Qed.
+
+(** a bounded pair is not pulled to one side for ever *)
+Lemma no_pull U x v1 v2 s T B k : forced U x v1 v2 s -> 0 <= T -> (forall t, 0 <= t -> Rabs (v2 t) <= B) ->
+  k = 1 \/ k = -1 ->
+  ~ (forall t, T <= t -> 0 < k * (v1 t - v2 t)).
+Proof.
+  intros H HT HB Hk O. pose proof (HB T HT) as B0. pose proof (Rabs_pos (v2 T)).
+  assert (Hbm : 0 < m2 / b) by positive. set (t := T + m2 / b * (2 * B + 1)). assert (Ht : T <= t) by (unfold t; nra).
+  pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H T t k ltac:(lra) Hk ltac:(intros; apply O; lra)) as S.
+  pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H T t HT ltac:(lra)) as V. rewrite S in V.
+  replace (b / m2 * (k * (t - T))) with (k * (2 * B + 1)) in V by (unfold t; field; lra).
+  pose proof (HB t ltac:(lra)) as B1. apply Rabs_inv in B0. apply Rabs_inv in B1. destruct Hk; subst k; lra.
+Qed.
+
+(** dv2 cannot stay near c > 0 *)
+Lemma no_gap U x v1 v2 s x' v1' v2' s' c d K B T : forced U x v1 v2 s -> forced U x' v1' v2' s' ->
+  0 < c -> 0 < K -> 0 <= T -> (forall t, 0 <= t -> Rabs (v2 t) <= B) -> (forall t, 0 <= t -> Rabs (v2' t) <= B) ->
+  (forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= K * (t - r)) ->
+  d <= c / 4 -> d < b / m2 * (c / (8 * K)) ->
+  (forall t, T <= t -> c - d <= v2 t - v2' t <= c + d /\ Rabs (v1 t - v1' t) <= c / 4) -> False.
+Proof.
+  intros H H' Hc HK HT B1 B2 L Hd Hd' G. set (w := fun t => v1 t - v2 t). set (w' := fun t => v1' t - v2' t).
+  assert (Gap : forall t, T <= t -> w t <= w' t - c / 2).
+  { intros t Ht. destruct (G t Ht) as (Q & P). apply Rabs_inv in P. unfold w, w'. lra. }
+  assert (Cw : cont w) by (apply (lip_cont w K); [lra|exact L]).
+  assert (NoCross : forall r t, T <= r <= t -> 0 <= w r -> 0 < w' t).
+  { intros r t Hr Wr. destruct (Rlt_dec 0 (w' t)) as [|N]; auto. exfalso. pose proof (Gap t ltac:(lra)).
+    destruct (last_nonneg w r t Cw ltac:(lra) Wr ltac:(lra)) as (p & Hp & Wp & Neg).
+    set (g := c / (8 * K)). assert (Hg : 0 < g) by positive.
+      assert (Eg : K * g = c / 8) by (unfold g; field; lra).
+    pose proof (L p t ltac:(lra)) as Lpt. fold (w t) (w p) in Lpt. apply Rabs_inv in Lpt.
+    assert (Hpt : p + 2 * g <= t). { destruct (Rle_dec (p + 2 * g) t) as [|N']; auto. exfalso.
+      assert (K * (t - p) <= K * (2 * g)) by scale. lra. }
+    assert (In : forall u, p + g <= u < p + 2 * g -> w u < 0 /\ 0 < w' u).
+    { intros u Hu. split; [apply Neg; lra|]. pose proof (Gap u ltac:(lra)). pose proof (L p u ltac:(lra)) as Q.
+      fold (w u) (w p) in Q. apply Rabs_inv in Q. assert (K * (u - p) <= K * (2 * g)) by scale. lra. }
+    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H (p + g) (p + 2 * g) (-1) ltac:(lra) ltac:(auto) ltac:(intros u Hu;
+      destruct (In u Hu); unfold w in *; lra)) as S.
+    pose proof (moves_impulse m1 m2 a1 a2 b _ _ _ _ _ _ H' (p + g) (p + 2 * g) 1 ltac:(lra) ltac:(auto) ltac:(intros u Hu;
+      destruct (In u Hu); unfold w' in *; lra)) as S'.
+    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H (p + g) (p + 2 * g) ltac:(lra) ltac:(lra)) as V.
+    pose proof (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H' (p + g) (p + 2 * g) ltac:(lra) ltac:(lra)) as V'.
+    rewrite S in V. rewrite S' in V'. destruct (G (p + g) ltac:(lra)) as (Q1 & _).
+      destruct (G (p + 2 * g) ltac:(lra)) as (Q2 & _).
+    fold g in Hd'. replace (p + 2 * g - (p + g)) with g in V, V' by ring. lra. }
+  destruct (Classical_Prop.classic (exists r, T <= r /\ 0 <= w r)) as [(r & Hr & Wr)|No].
+  - apply (no_pull _ _ _ _ _ r B 1 H' ltac:(lra) B2 ltac:(auto)). intros t Ht. rewrite Rmult_1_l.
+    apply (NoCross r t); auto.
+  - apply (no_pull _ _ _ _ _ T B (-1) H HT B1 ltac:(auto)). intros t Ht.
+    destruct (Rlt_dec (w t) 0) as [|N]; [unfold w in *; lra|]. exfalso. apply No. exists t; split; lra.
+Qed.
+
+(** a bounded motion under a bounded force has a Lipschitz relative velocity *)
+Definition speed B G := / m1 * ((a2 + a1) * B + b + G) + b / m2.
+(** as has body 1, of a constant that is less by what friction gives body 2 *)
+Lemma v1_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
+  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
+  forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= (speed B G - b / m2) * (t - r).
+Proof.
+  intros H LU Bd r t Hr. assert (Im : 0 < / m1) by positive.
+  set (g := fun u => m1 * v1 u + b * s u - U u). pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs.
+  assert (Lg : Rabs (g t - g r) <= (a2 + a1) * B * (t - r)).
+  { apply (lip_of_rderiv g (fun u => - (a2 * x u + a1 * v1 u))); auto.
+    - unfold g. pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
+      apply cont_minus; auto; apply cont_plus; apply cont_scal; auto.
+    - intros u Hu. split; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); auto|]. destruct (Bd u Hu) as (B1 & B2 & _).
+      rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|]. pose proof (abs_scal a2 _ _ ltac:(lra) B1).
+      pose proof (abs_scal a1 _ _ Ha B2). lra. }
+  pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as L1. pose proof (LU r t Hr) as L2.
+  replace (v1 t - v1 r) with (/ m1 * (g t - g r - b * (s t - s r) + (U t - U r))) by (unfold g; field; lra).
+  replace ((speed B G - b / m2) * (t - r)) with (/ m1 * (((a2 + a1) * B + b + G) * (t - r))) by (unfold speed; ring).
+  apply abs_scal; [lra|]. apply Rabs_inv in Lg. apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le. split; nra.
+Qed.
+(** the relative velocity of a bounded motion is Lipschitz *)
+Lemma w_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
+  (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
+  forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= speed B G * (t - r).
+Proof.
+  intros H LU Bd r t Hr. pose proof (v1_lip U x v1 v2 s G B H LU Bd r t Hr) as L1. apply Rabs_inv in L1.
+  pose proof (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr) as L2. apply Rabs_inv in L2. apply Rabs_le. lra.
+Qed.
+
+(** *** Two bounded motions under one bounded force *)
+Section Two.
+Variables U x v1 v2 s x' v1' v2' s' : R -> R.
+Variables G B : R.
+Hypotheses (H : forced U x v1 v2 s) (H' : forced U x' v1' v2' s') (HG : 0 <= G)
+  (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r))
+  (Bd : forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B)
+  (Bd' : forall t, 0 <= t -> Rabs (x' t) <= B /\ Rabs (v1' t) <= B /\ Rabs (v2' t) <= B).
+Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
+Let y t := x t - x' t.
+Let p t := v1 t - v1' t.
+Let q t := v2 t - v2' t.
+Let K := speed B G.
+
+Let HB : 0 <= B.
+Proof. destruct (Bd 0 (Rle_refl 0)) as (Q & _). pose proof (Rabs_pos (x 0)). lra. Qed.
+Let HK : 0 < K.
+Proof.
+  assert (0 < b / m2) by positive. assert (0 < / m1) by positive.
+  assert (0 <= / m1 * ((a2 + a1) * B + b + G)); [|unfold K, speed; lra]. apply Rmult_le_pos; [lra|]. nra.
+Qed.
+
+(** the energy distance does not increase *)
+Lemma D_mono r t : 0 <= r <= t -> D t <= D r.
+Proof. intros Hr. exact (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 Ha Hb _ _ _ _ _ _ _ _ _ r t H H' Hr). Qed.
+(** and is not negative *)
+Lemma D_pos t : 0 <= D t.
+Proof. apply energy_pos; auto. Qed.
+
+(** dv1 is Lipschitz *)
+Lemma p_lip r t : 0 <= r <= t -> Rabs (p t - p r) <= 2 * K * (t - r).
+Proof.
+  intros Hr. pose proof (v1_lip _ _ _ _ _ G B H LU Bd r t Hr) as L. pose proof (v1_lip _ _ _ _ _ G B H' LU Bd' r t Hr) as L'.
+  assert (0 <= b / m2 * (t - r)) by positive.
+  apply Rabs_inv in L. apply Rabs_inv in L'. apply Rabs_le. unfold p, K. lra.
+Qed.
+
+(** D pays for dv1^2 *)
+Lemma D_pays r t g : 0 <= r <= t -> 0 <= g -> (forall u, r <= u < t -> g <= p u ^ 2) ->
+  D t - D r <= - (a1 * g) * (t - r).
+Proof.
+  intros Hr Hg Gp. apply dini_slope; auto. { exact (moves_cD m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H'). }
+  intros u Hu e He. assert (Z : rderiv (fun r => U r - U r) u 0) by (apply rderiv_ext with (fun _ => 0); [intros;
+    ring|apply rderiv_const]).
+  destruct (moves_D_dini m1 m2 a1 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & Q).
+  exists d; split; auto. intros h Hh. specialize (Q h Hh).
+  change (D (u + h) - D u <= (0 * p u - a1 * p u ^ 2 + e) * h) in Q. specialize (Gp u Hu).
+  assert (a1 * g * h <= a1 * p u ^ 2 * h) by (apply Rmult_le_compat_r; [lra|scale]). lra.
+Qed.
+
+(** dv1 -> 0 *)
+Lemma p_to_0 e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (p t) <= e.
+Proof.
+  intros He. destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & _ & Low & Lim).
+  set (g := e / (2 * (2 * K))). assert (Hg : 0 < g) by positive.
+  set (cost := a1 * (e / 2) ^ 2 * g). assert (Hcost : 0 < cost) by (unfold cost; apply Rmult_lt_0_compat;
+    [apply Rmult_lt_0_compat; nra|auto]).
+  destruct (Lim (cost / 2)) as (T & HT & Up); [lra|]. exists T; split; auto. intros t Ht.
+  destruct (Rle_dec (Rabs (p t)) e) as [|N]; auto. exfalso.
+  assert (Q : D (t + g) - D t <= - (a1 * (e / 2) ^ 2) * (t + g - t)).
+  { apply D_pays; [lra|positive|]. intros u Hu. pose proof (p_lip t u ltac:(lra)) as Lu.
+    assert (2 * K * (u - t) <= 2 * K * g) by scale. assert (2 * K * g = e / 2) by (unfold g; field; lra).
+    apply Rabs_inv in Lu. unfold Rabs in N. destruct (Rcase_abs (p t)); nra. }
+  pose proof (Low (t + g) ltac:(lra)). specialize (Up t Ht). replace (t + g - t) with g in Q by ring.
+    unfold cost in *. lra.
+Qed.
+
+(** dx -> 0: else the momentum m1 dv1 + m2 dv2 would leave every bound *)
+Lemma y_to_0 e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (y t) <= e.
+Proof.
+  intros He. set (CP := (m1 + m2) * (2 * B + 1)). assert (HCP : 0 < CP) by positive.
+  set (P := fun u => m1 * p u + m2 * q u).
+  set (L := 8 * CP / (a2 * e)). assert (Hae : 0 < a2 * e) by nra. assert (HL : 0 < L) by positive.
+  set (n := a2 * e / (2 * (a2 * L + a1))). assert (Hn : 0 < n) by positive.
+  assert (En : n * (a2 * L + a1) = a2 * e / 2) by (unfold n; field; nra).
+  destruct (p_to_0 n Hn) as (T & HT & Small). exists T; split; auto. intros t Ht.
+  pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs. pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H') as Cs'.
+  assert (Cy : cont y) by (apply cont_minus; [apply (f_cx _ _ _ _ _ _ _ _ _ _ H)|apply (f_cx _ _ _ _ _ _ _ _ _ _ H')]).
+  assert (CPc : cont P).
+  { apply cont_plus; apply cont_scal, cont_minus;
+    [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|apply (f_cv _ _ _ _ _ _ _ _ _ _ H')| |].
+    - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H).
+    - exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H'). }
+  assert (RP : forall u, 0 <= u -> rderiv P u (- (a2 * y u + a1 * p u))).
+  { intros u Hu. apply rderiv_ext with (fun r => ((m1 * v1 r + b * s r - U r) - (m1 * v1' r + b * s' r - U r)) +
+    ((m2 * v2 0 - b * s 0) - (m2 * v2' 0 - b * s' 0))).
+    { intros r Hr. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H r ltac:(lra)).
+      pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H' r ltac:(lra)). unfold P, p, q. lra. }
+    apply rderiv_eq with ((- (a2 * x u + a1 * v1 u) - - (a2 * x' u + a1 * v1' u)) + 0); [unfold y, p; ring|].
+    apply rderiv_plus; [|apply rderiv_const].
+      apply rderiv_minus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H)|apply (f_v1 _ _ _ _ _ _ _ _ _ _ H')]; auto. }
+  assert (Ry : forall u, 0 <= u -> rderiv y u (p u)).
+  { intros u Hu. apply rderiv_minus; [apply (f_x _ _ _ _ _ _ _ _ _ _ H)|apply (f_x _ _ _ _ _ _ _ _ _ _ H')]; auto. }
+  assert (PB : forall u, 0 <= u -> - CP <= P u <= CP).
+  { intros u Hu. destruct (Bd u Hu) as (_ & B1 & B2), (Bd' u Hu) as (_ & B1' & B2'). unfold P, p, q, CP.
+    apply Rabs_inv in B1. apply Rabs_inv in B2. apply Rabs_inv in B1'. apply Rabs_inv in B2'. split; nra. }
+  assert (Key : forall k, k = 1 \/ k = -1 -> k * y t <= e).
+  { intros k Hk. destruct (Rle_dec (k * y t) e) as [|N]; auto. exfalso.
+    assert (Yu : forall u, t <= u <= t + L -> e - n * L <= k * y u).
+    { intros u Hu. assert (Q : - k * y u - - k * y t <= n * (u - t)).
+      { apply (dini_slope (fun r => - k * y r)); [apply cont_scal; auto|lra|]. intros r Hr.
+        eapply rderiv_dini; [|apply rderiv_scal, Ry; lra].
+        pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. destruct Hk; subst k; lra. }
+      assert (n * (u - t) <= n * L) by scale. lra. }
+    assert (Q : k * P (t + L) - k * P t <= - (a2 * e / 2) * (t + L - t)).
+    { apply (dini_slope (fun r => k * P r)); [apply cont_scal; auto|lra|]. intros r Hr.
+      eapply rderiv_dini; [|apply rderiv_scal, RP; lra].
+      pose proof (Small r ltac:(lra)) as S. apply Rabs_inv in S. specialize (Yu r ltac:(lra)).
+      assert (a2 * (e - n * L) <= a2 * (k * y r)) by scale.
+      assert (- (a1 * n) <= a1 * (k * p r)) by (destruct Hk; subst k; nra). lra. }
+    replace (- (a2 * e / 2) * (t + L - t)) with (- (4 * CP)) in Q by (unfold L; field; split; lra).
+    pose proof (PB t ltac:(lra)). pose proof (PB (t + L) ltac:(lra)). destruct Hk; subst k; lra. }
+  pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). apply Rabs_le; lra.
+Qed.
+
+(** the distance of two bounded solutions tends to 0 *)
+Theorem approach_bounded e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+  energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
+Proof.
+  intros He. destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & Hl & Low & Lim).
+  destruct (Req_dec l 0) as [L0|L0]. { destruct (Lim e He) as (T & HT & Q). exists T; split; auto. intros t Ht.
+    specialize (Q t Ht). unfold D in Q. lra. }
+  exfalso. set (c := sqrt (2 * l / m2)). assert (Hq : 0 < 2 * l / m2) by positive. assert (Hc : 0 < c) by positive.
+    assert (Ec : m2 * (c * c) = 2 * l) by (unfold c; rewrite sqrt_sqrt by lra; field; lra).
+  assert (Hcost : 0 < b / m2 * (c / (8 * K))) by positive. set (d := Rmin (c / 4) (b / m2 * (c / (8 * K)) / 2)).
+  assert (d1 : d <= c / 4) by apply Rmin_l. assert (d2 : d <= b / m2 * (c / (8 * K)) / 2) by apply Rmin_r.
+  assert (Hd : 0 < d) by positive. assert (Hcd0 : 0 < c * d) by positive.
+  assert (Hcc : 0 < c * c) by positive. assert (dc : c * d <= c * c / 4) by nra.
+  assert (Hcd : 0 < m2 * (c * d)) by positive. set (g := m2 * (c * d) / 2).
+  assert (Ey : 0 < g / a2) by (apply Rdiv_lt_0_compat; unfold g; lra).
+    assert (Ep : 0 < g / m1) by (apply Rdiv_lt_0_compat; unfold g; lra).
+  destruct (y_to_0 (sqrt (g / a2))) as (T1 & HT1 & Y); [positive|].
+  destruct (p_to_0 (sqrt (g / m1))) as (T2 & HT2 & P); [positive|].
+  destruct (p_to_0 (c / 4)) as (T3 & HT3 & P'); [lra|]. destruct (Lim g) as (T4 & HT4 & Up); [unfold g; lra|].
+  set (T := T1 + T2 + T3 + T4). assert (HT : 0 <= T) by positive.
+  assert (Q : forall t, T <= t -> - (c * d) <= (v2 t - v2' t) ^ 2 - c * c <= c * d).
+  { intros t Ht. specialize (Y t ltac:(unfold T in *; lra)). specialize (P t ltac:(unfold T in *; lra)).
+    specialize (Up t ltac:(unfold T in *; lra)).
+    specialize (Low t ltac:(lra)). unfold D, energy, Pair.energy in Up, Low.
+    assert (SqB : forall m z, 0 < m -> 0 < g / m -> Rabs z <= sqrt (g / m) -> 0 <= m * z ^ 2 <= g).
+    { intros m z Hm Hgm Hz. split; [positive|].
+      replace g with (m * (sqrt (g / m) * sqrt (g / m))) by (rewrite sqrt_sqrt by lra; field; lra).
+      apply Rmult_le_compat_l; [lra|]. apply Rabs_inv in Hz. nra. }
+    pose proof (SqB a2 _ Ha2 Ey Y) as S1. pose proof (SqB m1 _ Hm1 Ep P) as S2. unfold y in S1. unfold p in S2. set (z := (v2 t - v2' t) ^ 2) in *.
+    split; apply Rmult_le_reg_l with m2; auto; unfold g in *; lra. }
+  assert (Near : forall z, 0 < z -> - (c * d) <= z ^ 2 - c * c <= c * d ->
+    c - d <= z <= c + d) by (intros z Hz Hzz; split; [destruct (Rle_dec (c - d) z); auto; exfalso;
+    assert (z * z < (c - d) * (c - d)) by nra; nra|destruct (Rle_dec z (c + d)); auto; exfalso;
+    assert ((c + d) * (c + d) < z * z) by nra; nra]).
+  assert (NZ : forall t, T <= t -> v2 t - v2' t <> 0). { intros t Ht E. specialize (Q t Ht). rewrite E in Q. lra. }
+  assert (Cq : cont (fun t => v2 t - v2' t)).
+  { apply cont_minus; [exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H')]. }
+  assert (Sign : forall t, T <= t -> 0 < (v2 T - v2' T) * (v2 t - v2' t)).
+  { intros t Ht. destruct (Rlt_dec 0 ((v2 T - v2' T) * (v2 t - v2' t))) as [|N]; auto. exfalso.
+    destruct (cont_IVT _ T t Cq) as (u & Hu & Zu); [lra|lra|]. apply (NZ u); [lra|auto]. }
+  assert (P'' : forall t, T <= t -> Rabs (v1 t - v1' t) <= c / 4) by (intros t Ht; apply P'; unfold T in Ht; lra).
+  destruct (Rlt_dec 0 (v2 T - v2' T)) as [Pos|Neg].
+  - apply (no_gap _ _ _ _ _ _ _ _ _ c d K B T H H'); auto; try lra.
+    + intros; apply Bd; auto.
+    + intros; apply Bd'; auto.
+    + exact (w_lip _ _ _ _ _ G B H LU Bd).
+    + intros t Ht. split; [|auto]. apply Near; auto. specialize (Sign t Ht). nra.
+  - apply (no_gap _ _ _ _ _ _ _ _ _ c d K B T H' H); auto; try lra.
+    + intros; apply Bd'; auto.
+    + intros; apply Bd; auto.
+    + exact (w_lip _ _ _ _ _ G B H' LU Bd').
+    + intros t Ht. split; [|rewrite Rabs_minus_sym; auto].
+      apply Near; [pose proof (NZ T ltac:(lra)); specialize (Sign t Ht); nra|].
+      specialize (Q t Ht). replace ((v2' t - v2 t) ^ 2) with ((v2 t - v2' t) ^ 2) by ring. auto.
+Qed.
+End Two.
+End Response.

@@ -1,0 +1,233 @@
+(** A sinusoidal force u = F sin (om t): the stuck periodic response, and when it exists. *)
+From InertialPair Require Import Dini Pair Stick Pursuit Forced EnergyLimit BoundedMotions.
+
+Section Entrain.
+Variables m1 m2 a1 a2 b F om : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 <= F) (Hom : 0 < om).
+Let M := m1 + m2.
+(** the square of the pair's dynamic stiffness at om *)
+Definition Z := (a2 - (m1 + m2) * om ^ 2) ^ 2 + (a1 * om) ^ 2.
+Hypothesis HZ : 0 < Z.
+(** beta |a2 - M om^2 + i a1 om| / om^2 *)
+Definition Fstar := b / m2 * sqrt Z / om ^ 2.
+(** the response's part in phase *)
+Definition cA := F * (a2 - (m1 + m2) * om ^ 2) / Z.
+(** and out of phase *)
+Definition cB := - F * a1 * om / Z.
+(** the stuck response: its place *)
+Definition rX t := cA * sin (om * t) + cB * cos (om * t).
+(** and its speed *)
+Definition rV t := om * (cA * cos (om * t) - cB * sin (om * t)).
+(** the impulse of F sin (om t) *)
+Definition drive t := F / om * (1 - cos (om * t)).
+
+(** the place has the speed as its derivative *)
+Lemma derive_rX t : is_derive rX t (rV t).
+Proof. unfold rX, rV. auto_derive; auto. ring. Qed.
+(** the speed's derivative *)
+Lemma derive_rV t : is_derive rV t (- om ^ 2 * rX t).
+Proof. unfold rX, rV. auto_derive; auto. ring. Qed.
+(** the impulse has the force as its derivative *)
+Lemma derive_drive t : is_derive drive t (F * sin (om * t)).
+Proof. unfold drive. auto_derive; auto. field; lra. Qed.
+
+(** the stuck pair is one oscillator of mass M *)
+Lemma balance t : M * (- om ^ 2 * rX t) + a1 * rV t + a2 * rX t = F * sin (om * t).
+Proof. unfold rX, rV, cA, cB, M. pose proof HZ as Q. unfold Z in *. field. lra. Qed.
+
+(** the response's amplitude is F over the stiffness *)
+Lemma amplitude : cA ^ 2 + cB ^ 2 = (F / sqrt Z) ^ 2.
+Proof.
+  assert (Sz : sqrt Z ^ 2 = Z) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra). pose proof (sqrt_lt_R0 Z HZ).
+  replace ((F / sqrt Z) ^ 2) with (F ^ 2 / Z) by (rewrite <- Sz at 1; field; lra).
+  replace (F ^ 2 / Z) with (F ^ 2 * Z / Z ^ 2) by (field; lra). unfold cA, cB.
+  transitivity (F ^ 2 * ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (a1 * om) ^ 2) / Z ^ 2); [field; lra|reflexivity].
+Qed.
+
+(** so the place is bounded by it *)
+Lemma rX_bound t : Rabs (rX t) <= F / sqrt Z.
+Proof.
+  pose proof (sqrt_lt_R0 Z HZ). assert (Rp : 0 <= F / sqrt Z) by positive.
+  apply Rabs_le, sq_le_abs; auto. rewrite <- amplitude. unfold rX. pose proof (sin2_cos2 (om * t)) as SC.
+    unfold Rsqr in SC.
+  set (c := cos (om * t)) in *. set (n := sin (om * t)) in *. pose proof (pow2_ge_0 (cA * c - cB * n)).
+  replace (cA ^ 2 + cB ^ 2) with ((cA ^ 2 + cB ^ 2) * (n * n + c * c)) by (rewrite SC; ring). nra.
+Qed.
+
+(** F <= F* says that body 2 can be accelerated so *)
+Lemma Fstar_load : F <= Fstar <-> om ^ 2 * (F / sqrt Z) <= b / m2.
+Proof.
+  pose proof (sqrt_lt_R0 Z HZ). assert (0 < om ^ 2) by nra.
+    assert (Q : 0 < om ^ 2 / sqrt Z) by positive.
+  replace (om ^ 2 * (F / sqrt Z)) with (om ^ 2 / sqrt Z * F) by (field; lra).
+  replace (b / m2) with (om ^ 2 / sqrt Z * Fstar) by (unfold Fstar; field; lra).
+  split; intros K; [scale|apply Rmult_le_reg_l with (1 := Q); auto].
+Qed.
+
+(** the impulse of a force up to F is F-Lipschitz *)
+Lemma drive_lip r t : 0 <= r <= t -> Rabs (drive t - drive r) <= F * (t - r).
+Proof.
+  intros Hr. apply (lip_of_rderiv drive (fun t => F * sin (om * t))); auto.
+  - eapply cont_of_derive; intros; apply derive_drive.
+  - intros u _. split; [apply rderiv_of_derive, derive_drive|]. rewrite <- (Rmult_1_r F) at 2.
+    apply abs_scal; auto. apply Rabs_le, SIN_bound.
+Qed.
+
+(** the stuck response is a solution, if friction is strong enough for it *)
+Lemma response f : 0 < f -> om ^ 2 * (F / sqrt Z) <= f / m2 ->
+  forced m1 m2 a1 a2 f drive rX rV rV (fun t => m2 / f * rV t).
+Proof.
+  intros Hf Q. assert (CV : cont rV) by (eapply cont_of_derive; intros; apply derive_rV). apply stuck_forced; auto.
+  - eapply cont_of_derive; intros; apply derive_drive.
+  - eapply cont_of_derive; intros; apply derive_rX.
+  - intros; apply rderiv_of_derive, derive_rX.
+  - intros t Ht. apply rderiv_eq with (M * (- om ^ 2 * rX t) - F * sin (om * t)); [rewrite <- balance; ring|].
+    apply rderiv_minus; [apply rderiv_scal|]; apply rderiv_of_derive; [apply derive_rV|apply derive_drive].
+  - intros r t Hr. apply (lip_of_rderiv rV (fun t => - om ^ 2 * rX t)); auto.
+    intros u _. split; [apply rderiv_of_derive, derive_rV|]. rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (om ^ 2)) by nra.
+    eapply Rle_trans; [|exact Q]. apply Rmult_le_compat_l; [nra|apply rX_bound].
+Qed.
+(** F <= F* is enough *)
+Theorem entrained : F <= Fstar -> forced m1 m2 a1 a2 b drive rX rV rV (fun t => m2 / b * rV t).
+Proof. intros HS. apply response; [auto|apply Fstar_load, HS]. Qed.
+
+(** the velocity of the stuck response is b/m2-Lipschitz only if F <= F* *)
+Lemma gentle_needs : (forall r t, 0 <= r <= t -> Rabs (rV t - rV r) <= b / m2 * (t - r)) -> F <= Fstar.
+Proof.
+  intros L. destruct (Req_dec F 0) as [Z0|NZ].
+  { rewrite Z0. unfold Fstar. pose proof (sqrt_lt_R0 Z HZ). apply Rmult_le_pos; [positive|].
+    apply Rlt_le, Rinv_0_lt_compat; nra. }
+  apply Fstar_load. set (R := F / sqrt Z).
+    assert (HR : 0 < R) by positive.
+  destruct (polar cB cA R om 0 HR Hom) as (t & Ht & C & S). { rewrite Rplus_comm. apply amplitude. }
+  assert (X : rX t = R). { unfold rX. rewrite <- C, <- S. pose proof (sin2_cos2 (om * t)) as Q. unfold Rsqr in Q.
+    replace (R * sin (om * t) * sin (om * t) + R * cos (om * t) * cos (om * t)) with (R * (sin (om * t) * sin (om
+      * t) + cos (om * t) * cos (om * t))) by ring.
+    rewrite Q; ring. }
+  pose proof (lip_rderiv rV _ t _ L Ht (rderiv_of_derive _ _ _ (derive_rV t))) as B. rewrite X in B.
+  rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by positive; lra). lra.
+Qed.
+
+(** a stuck solution needs the friction it asks for, at the peak as well *)
+Theorem entrained_iff : (exists s, forced m1 m2 a1 a2 b drive rX rV rV s) <-> F <= Fstar.
+Proof.
+  split.
+  - intros (s & H). apply gentle_needs. intros r t Hr. apply (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr).
+  - intros HS. eexists. apply entrained, HS.
+Qed.
+
+(** the speed has the force's period *)
+Lemma rV_period n t : rV (t + INR n * (2 * PI / om)) = rV t.
+Proof. unfold rV. replace (om * (t + INR n * (2 * PI / om))) with (om * t + 2 * INR n * PI) by (field; lra).
+  rewrite cos_period, sin_period. auto. Qed.
+
+(** a1 > 0: under F > F* nothing sticks for ever. With more friction a stuck motion and the stuck response are motions
+    of one pair and approach each other; so the response inherits the Lipschitz constant b/m2 of the motion. *)
+Theorem stuck_for_ever x v1 v2 s : 0 < a1 -> forced m1 m2 a1 a2 b drive x v1 v2 s -> (forall t, 0 <= t ->
+  v1 t = v2 t) -> F <= Fstar.
+Proof.
+  intros Ha H St. set (K := om ^ 2 * (F / sqrt Z)). assert (HK : 0 <= K) by positive.
+  set (f := b + m2 * K). assert (Hf : 0 < f) by (unfold f; nra).
+  assert (Ef : f / m2 = b / m2 + K) by (unfold f; field; lra). assert (0 < b / m2) by positive.
+  assert (Lv : forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= b / m2 * (t - r)).
+  { intros r t Hr. rewrite (St t), (St r) by lra. apply (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ r t H Hr). }
+  assert (H' : forced m1 m2 a1 a2 f drive x v1 v1 (fun t => m2 / f * v1 t)).
+  { apply stuck_forced; auto; try apply H.
+    - intros t Ht. exact (stuck_needs m1 m2 a1 a2 b _ _ _ _ _ t H St Ht).
+    - intros r t Hr. eapply Rle_trans; [apply Lv; auto|]. scale. }
+  apply gentle_needs. intros r t Hr. apply le_epsilon. intros d Hd.
+  destruct (approach m1 m2 a1 a2 f Hm1 Hm2 Ha Ha2 Hf _ _ _ _ _ _ _ _ _ F H' (response f Hf ltac:(fold K; lra)) HF drive_lip
+    (m1 * (d / 2) ^ 2 / 2)) as (T & HT & Q); [assert (0 < (d / 2) ^ 2) by positive; nra|].
+  assert (Near : forall u, T <= u -> Rabs (v1 u - rV u) <= d / 2).
+  { intros u Hu. specialize (Q u Hu). unfold energy in Q. apply Rabs_le, sq_le_abs; [lra|].
+    pose proof (Rmult_le_pos a2 _ (Rlt_le _ _ Ha2) (pow2_ge_0 (x u - rX u))).
+    pose proof (Rmult_le_pos m2 _ (Rlt_le _ _ Hm2) (pow2_ge_0 (v1 u - rV u))). apply Rmult_le_reg_l with m1; lra. }
+  assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by positive.
+  destruct (nat_above T (2 * PI / om) Pp) as (n & Hn).
+  rewrite <- (rV_period n t), <- (rV_period n r). set (p := INR n * (2 * PI / om)) in *.
+  pose proof (Near (t + p) ltac:(lra)) as N1. pose proof (Near (r + p) ltac:(lra)) as N2.
+    pose proof (Lv (r + p) (t + p) ltac:(lra)) as L.
+  replace (t + p - (r + p)) with (t - r) in L by ring. apply Rabs_inv in N1. apply Rabs_inv in N2.
+    apply Rabs_inv in L. apply Rabs_le. lra.
+Qed.
+
+(** a1 > 0: a permanently stuck motion exists iff F <= F* *)
+Corollary stuck_iff : 0 < a1 -> (exists x v1 v2 s, forced m1 m2 a1 a2 b drive x v1 v2 s /\ forall t, 0 <= t ->
+  v1 t = v2 t) <-> F <= Fstar.
+Proof.
+  intros Ha. split.
+  - intros (x & v1 & v2 & s & H & St). exact (stuck_for_ever x v1 v2 s Ha H St).
+  - intros HS. exists rX, rV, rV, (fun t => m2 / b * rV t). split; [apply entrained; auto|auto].
+Qed.
+End Entrain.
+
+(** a1 = 0 is different: with Omega = 3 om a free oscillation of three times the frequency lowers the peak of the
+    acceleration, and the pair sticks for ever, with the period of the force, up to (2 / sqrt 3) F*. *)
+Section Third.
+Variables m1 m2 b om : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Hb : 0 < b) (Hom : 0 < om).
+Let M := m1 + m2.
+Let a2 := 9 * M * om ^ 2.
+Let c := 2 / sqrt 3 * (b / m2) / om ^ 2.
+(** the response with a free third harmonic: its place *)
+Definition tX t := c * (sin (om * t) + / 54 * sin (3 * (om * t))).
+(** its speed *)
+Definition tV t := c * om * (cos (om * t) + / 18 * cos (3 * (om * t))).
+(** its acceleration *)
+Definition tA t := - om ^ 2 * (c * (sin (om * t) + / 6 * sin (3 * (om * t)))).
+
+(** the triple angle *)
+Lemma sin_3 y : sin (3 * y) = 3 * sin y - 4 * sin y ^ 3.
+Proof.
+  replace (3 * y) with (2 * y + y) by ring. rewrite sin_plus, sin_2a, cos_2a_sin.
+  pose proof (sin2_cos2 y) as Q. unfold Rsqr in Q.
+  replace (2 * sin y * cos y * cos y) with (2 * sin y * (1 - sin y * sin y)) by (rewrite <- Q; ring). ring.
+Qed.
+
+(** the third harmonic flattens the peak to sqrt 3/2 *)
+Lemma peak y : -1 <= y <= 1 -> Rabs (y + / 6 * (3 * y - 4 * y ^ 3)) <= sqrt 3 / 2.
+Proof.
+  intros Hy. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
+    assert (P : 1 <= sqrt 3) by (rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
+  set (q := sqrt 3) in *. assert (A : forall z, -1 <= z <= 1 -> z + / 6 * (3 * z - 4 * z ^ 3) <= q / 2).
+  { intros z Hz. assert (E : q / 2 - (z + / 6 * (3 * z - 4 * z ^ 3)) = 2 / 3 * ((z - q / 2) ^ 2 * (z + q))).
+    { transitivity (2 / 3 * (z ^ 3 - 3 / 4 * (q * q) * z + (q * q) * q / 4)); [rewrite S; field|field]. }
+    pose proof (pow2_ge_0 (z - q / 2)). assert (0 <= (z - q / 2) ^ 2 * (z + q)) by positive. lra. }
+  pose proof (A y Hy). pose proof (A (- y) ltac:(lra)) as B. replace ((- y) ^ 3) with (- y ^ 3) in B by ring.
+    apply Rabs_le. lra.
+Qed.
+
+(** so it allows a larger force than F* *)
+Theorem third_harmonic : exists F U x v s, Fstar m1 m2 0 a2 b om < F /\ F = 2 / sqrt 3 * Fstar m1 m2 0 a2 b om /\
+  (forall t, 0 <= t -> rderiv U t (F * sin (om * t))) /\ forced m1 m2 0 a2 b U x v v s /\
+  forall t, x (t + 2 * PI / om) = x t /\ v (t + 2 * PI / om) = v t.
+Proof.
+  assert (S3 : 0 < sqrt 3) by positive. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
+  assert (Hk : 0 < b / m2) by positive. assert (O2 : 0 < om ^ 2) by nra.
+    assert (Mp : 0 < M) by positive.
+  assert (FS : Fstar m1 m2 0 a2 b om = 8 * M * (b / m2)).
+  { unfold Fstar, Z. replace ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (0 * om) ^ 2) with ((8 * M * om ^ 2) ^ 2) by (unfold
+    a2, M; ring). rewrite sqrt_pow2 by nra. field. lra. }
+  assert (D1 : forall t, is_derive tX t (tV t)). { intros t. unfold tX, tV. auto_derive; auto. field. }
+  assert (D2 : forall t, is_derive tV t (tA t)). { intros t. unfold tV, tA. auto_derive; auto. field. }
+  assert (B : forall t, Rabs (tA t) <= b / m2).
+  { intros t. unfold tA, c. pose proof (peak (sin (om * t)) ltac:(pose proof (SIN_bound (om * t)); lra)) as P.
+    rewrite <- sin_3 in P. set (q := sin (om * t) + / 6 * sin (3 * (om * t))) in *.
+    replace (- om ^ 2 * (2 / sqrt 3 * (b / m2) / om ^ 2 * q)) with (- (2 / sqrt 3 * (b / m2) * q)) by (field;
+      lra). rewrite Rabs_Ropp.
+    replace (b / m2) with (2 / sqrt 3 * (b / m2) * (sqrt 3 / 2)) at 2 by (field; lra). apply abs_scal; auto.
+    apply Rlt_le, Rmult_lt_0_compat; auto. positive. }
+  destruct (trackable_smooth m1 m2 0 a2 b Hm2 Hb 0 tX tV tA D1 D2 B) as (U & HU & RU).
+  assert (T0 : tX 0 = 0). { unfold tX. rewrite !Rmult_0_r, sin_0. ring. }
+  exists (2 / sqrt 3 * Fstar m1 m2 0 a2 b om), U, (fun t => 0 + tX t - tX 0), tV, (fun t => m2 / b * tV t).
+  assert (S2 : sqrt 3 < 2). { rewrite <- (sqrt_pow2 2) by lra. apply sqrt_lt_1_alt. lra. } split.
+  { rewrite FS. apply Rmult_lt_reg_l with (sqrt 3); auto.
+    replace (sqrt 3 * (2 / sqrt 3 * (8 * M * (b / m2)))) with (2 * (8 * M * (b / m2))) by (field; lra).
+    apply Rmult_lt_compat_r; auto. positive. }
+  split; [auto|]. split; [|split; [exact HU|]].
+  - intros t Ht. eapply rderiv_eq; [|apply (RU t Ht)]. rewrite T0, FS. unfold tA, tX, a2, c, M. field. lra.
+  - intros t. assert (E1 : om * (t + 2 * PI / om) = om * t + 2 * INR 1 * PI) by (simpl; field; lra).
+    assert (E3 : 3 * (om * (t + 2 * PI / om)) = 3 * (om * t) + 2 * INR 3 * PI) by (simpl; field; lra).
+    unfold tX, tV. rewrite E3, E1, !sin_period, !cos_period. auto.
+Qed.
+End Third.

@@ -1,0 +1,98 @@
+(** Events do not accumulate: under a force that is analytic by pieces, and a friction that is constant by pieces, a
+    motion changes its mode finitely often in bounded time. After any time one mode lasts for a while, by the rule of
+    `ModeAtContact.v`; before any time, too, by `BeforeContact.v`. *)
+From Coq Require Import List.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced Approach BoundedMotions Arcs VaryingFriction
+  ModeAtContact Analytic Modes BeforeContact.
+
+Section Zeno.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Variables U u x v1 v2 s : R -> R.
+Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (DU : forall t, 0 <= t -> rderiv U t (u t)).
+Let M := m1 + m2.
+Let kap := M / (m1 * m2).
+Let w t := v1 t - v2 t.
+Let load := load m1 m2 a1 a2 u x v1.
+
+Let Cw : cont w := cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H.
+
+(** *** After a time *)
+
+(** one mode lasts *)
+Lemma mode_after t0 g d0 : 0 <= t0 -> 0 < d0 -> analytic_at g t0 -> (forall r, t0 <= r < t0 + d0 -> u r = g r) ->
+  exists d, 0 < d /\ one_mode v1 v2 t0 (t0 + d).
+Proof.
+  intros Ht Hd0 A E. destruct (Req_dec (v1 t0) (v2 t0)) as [Meet|Apart].
+  2: { destruct (apart_nearby v1 v2 t0 Cw Ht Apart) as (d & Hd & K). exists d. split; auto.
+    apply no_zero_one_sign; [exact Cw|lra|]. intros t Hr. apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
+  assert (Cu : forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 <= h < d -> Rabs (u (t0 + h) - u t0) <= e).
+  { intros e He. destruct (analytic_continuous g t0 A e He) as (d & Hd & K). smaller d d0. intros h Hh.
+    rewrite !E by lra. apply Rlt_le, K. replace (t0 + h - t0) with h by ring. rewrite Rabs_pos_eq; lra. }
+  assert (Edge : forall k, k = 1 \/ k = -1 -> k * load t0 = b -> exists d, 0 < d /\ one_mode v1 v2 t0 (t0 + d)).
+  { intros k Hk Tie. assert (Same : forall t, t0 <= t < t0 + d0 ->
+      beyond m1 m2 a1 a2 b u x v1 t0 k t = beyond m1 m2 a1 a2 b g x v1 t0 k t) by (intros t Hr; unfold beyond;
+        rewrite E; auto).
+    assert (Z : beyond m1 m2 a1 a2 b g x v1 t0 k t0 = 0).
+    { rewrite <- Same by lra. replace (beyond m1 m2 a1 a2 b u x v1 t0 k t0) with (M / m2 * (k * load t0 - b))
+        by (unfold beyond, load, ModeAtContact.load, M; field; lra). rewrite Tie. ring. }
+    destruct (analytic_one_way _ t0 1 (or_introl eq_refl) (analytic_beyond m1 m2 a1 a2 b g x v1 t0 k Hm2 A)) as (d1 &
+      Hd1 & Way).
+    set (d := Rmin d0 d1). assert (d <= d0) by apply Rmin_l. assert (d <= d1) by apply Rmin_r.
+    assert (Hd : 0 < d) by positive. destruct Way as [Up|Down].
+    - destruct (slips_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht Hd ltac:(intros; apply DU;
+      lra) Meet k Hk Tie) as (d' & Hd' & Slip); [|exists d'; eauto using one_sided].
+      intros t Hr. rewrite Same by lra. specialize (Up (t - t0) ltac:(lra)). rewrite Z in Up.
+      replace (t0 + 1 * (t - t0)) with t in Up by ring. exact Up.
+    - destruct (sticks_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht Hd ltac:(intros; apply DU;
+      lra) Cu Meet k Hk Tie) as (d' & Hd' & Stick); [|exists d'; split; [auto|left; intros; apply Stick; lra]].
+      intros r t Hr Ht'. rewrite !Same by lra. specialize (Down (r - t0) (t - t0) ltac:(lra) ltac:(lra)).
+      replace (t0 + 1 * (t - t0)) with t in Down by ring. replace (t0 + 1 * (r - t0)) with r in Down by ring.
+      exact Down. }
+  assert (Beyond : forall k, k = 1 \/ k = -1 -> b <= k * load t0 -> exists d, 0 < d /\ one_mode v1 v2 t0 (t0 + d)).
+  { intros k Hk Le. destruct (Req_dec (k * load t0) b) as [Tie|N].
+    - exact (Edge k Hk Tie).
+    - destruct (slips_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d0 H Ht Hd0 ltac:(intros; apply DU; lra)
+        Cu Meet k Hk) as (d & Hd & Slip); [unfold load in *; lra|exists d; eauto using one_sided]. }
+  destruct (Rle_dec b (load t0)) as [Up|]; [apply (Beyond 1); [auto|lra]|].
+  destruct (Rle_dec (load t0) (- b)) as [Lo|]; [apply (Beyond (-1)); [auto|lra]|].
+  destruct (sticks_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 U u x v1 v2 s t0 d0 H Ht Hd0 ltac:(intros; apply DU; lra) Cu Meet)
+    as (d & Hd & Stick); [fold load; apply Rabs_def1; lra|]. exists d. split; auto. left. intros t Hr. apply Stick. lra.
+Qed.
+End Zeno.
+
+(** *** No accumulation: one friction *)
+Theorem no_zeno m1 m2 a1 a2 b U u x v1 v2 s T : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->
+  forced m1 m2 a1 a2 b U x v1 v2 s -> (forall t, 0 <= t -> rderiv U t (u t)) -> piecewise_analytic u -> 0 <= T ->
+  finitely_many_modes v1 v2 0 T.
+Proof.
+  intros Hm1 Hm2 Ha1 Ha2 Hb H DU A HT. apply modes_by_compactness; auto; intros t Ht.
+  - destruct (A t ltac:(lra)) as (f & g & d & Hd & _ & Ag & Eg & _).
+    exact (mode_after m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s H DU t g d ltac:(lra) Hd Ag Eg).
+  - destruct (A t ltac:(lra)) as (f & g & d & Hd & Af & _ & _ & Ef). destruct (Req_dec (v1 t) (v2 t)) as [Meet|Apart].
+    + exact (mode_before m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s H DU t ltac:(lra) Meet f d Hd Af Ef).
+    + pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
+      destruct (apart_nearby v1 v2 t Cw ltac:(lra) Apart) as (d' & Hd' & K). smaller d' t.
+      apply no_zero_one_sign; [exact Cw|lra|]. intros r Hr. apply K; [lra|]. rewrite Rabs_left; lra.
+Qed.
+
+(** *** The same with a friction that is constant by pieces *)
+
+Theorem no_zeno_varying m1 m2 a1 a2 b pieces : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b -> sound pieces ->
+  forall U u x v1 v2 T, varying m1 m2 a1 a2 pieces b U x v1 v2 -> (forall t, 0 <= t -> rderiv U t (u t)) ->
+  piecewise_analytic u -> 0 <= T -> finitely_many_modes v1 v2 0 T.
+Proof.
+  intros Hm1 Hm2 Ha1 Ha2 Hb. induction pieces as [|(b1, T1) later IH]; intros So U u x v1 v2 T H DU A HT.
+  - destruct H as (s & H). exact (no_zeno m1 m2 a1 a2 b U u x v1 v2 s T Hm1 Hm2 Ha1 Ha2 Hb H DU A HT).
+  - destruct (So (b1, T1) (or_introl eq_refl)) as (Hb1 & HT1). simpl in Hb1, HT1.
+    destruct H as ((y & w1 & w2 & s & F & E) & H).
+    assert (First : forall q, 0 <= q <= T1 -> finitely_many_modes v1 v2 0 q).
+    { intros q Hq. apply (modes_equal v1 v2 w1 w2); [intros t Ht; apply E; lra|].
+      exact (no_zeno m1 m2 a1 a2 b1 U u y w1 w2 s q Hm1 Hm2 Ha1 Ha2 Hb1 F DU A ltac:(lra)). }
+    destruct (Rle_dec T T1) as [Le|N]; [apply First; lra|]. apply (modes_concat v1 v2 0 T1); [apply First; lra|].
+    replace T1 with (T1 + 0) by ring. replace T with (T1 + (T - T1)) by ring. apply modes_later.
+    apply (IH (fun z Hz => So z (or_intror Hz)) (fun t => U (T1 + t)) (fun t => u (T1 + t)) (fun t => x (T1 + t)));
+      auto; try lra.
+    + intros t Ht. apply rderiv_earlier, DU. lra.
+    + apply piecewise_later; auto.
+Qed.

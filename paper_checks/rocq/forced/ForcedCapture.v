@@ -1,0 +1,129 @@
+(** Capture under a force: once the friction that sticking needs stays below b by a margin, the pair sticks after a
+    bounded time and for ever. Then: a1 > 0, F < F*: every motion under F sin (om t) sticks for ever and tends to the
+    response. *)
+From InertialPair Require Import Dini Pair Stick Pursuit Forced EnergyLimit Entrainment Approach BoundedMotions.
+
+Section Catch.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let kap := M / (m1 * m2).
+Variables U u x v1 v2 s : R -> R.
+Variables T g : R.
+Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (HU : forall t, 0 <= t -> rderiv U t (u t)) (HT : 0 <= T) (Hg : 0 < g)
+  (Load : forall t, T <= t -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b - g).
+Let w t := v1 t - v2 t.
+
+(** the rate is positive *)
+Lemma kap_pos : 0 < kap.
+Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
+
+(** off contact |w| falls at the rate kappa g at least *)
+Lemma slip_falls t k : T <= t -> k = 1 \/ k = -1 -> 0 < k * w t -> dini_le (fun r => k * w r) t (- (kap * g)).
+Proof.
+  intros Ht Hk Hw. assert (Mp : 0 < M) by positive. assert (Kp : 0 < kap) by positive.
+  pose proof (q_slip m1 m2 a1 a2 b _ U x v1 v2 s H t ltac:(lra) k Hk Hw) as S. pose proof (Load t Ht) as L.
+  eapply rderiv_dini; [|apply rderiv_scal, (moves_rate m1 m2 a1 a2 b Hm1 Hm2 _ U x v1 v2 s H t (u t) k ltac:(lra) (HU t
+    ltac:(lra)) S)].
+  fold M. fold kap. set (l := m2 * (u t - a2 * x t - a1 * v1 t) / M) in *. apply Rabs_inv in L.
+  replace (k * (kap * (l - b * k))) with (kap * (k * l - b)) by (destruct Hk; subst k; ring).
+  rewrite <- Ropp_mult_distr_r_reverse. apply Rmult_le_compat_l; [lra|]. destruct Hk; subst k; lra.
+Qed.
+
+(** the relative velocity is continuous *)
+Lemma cont_w : cont w.
+Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H)]. Qed.
+
+(** while it slips, |v1 - v2| falls at least at a fixed rate *)
+Theorem catch t : T + Rabs (w T) / (kap * g) <= t -> v1 t = v2 t.
+Proof.
+  intros Ht. pose proof kap_pos as Kp. assert (Kg : 0 < kap * g) by nra. pose proof (Rabs_pos (w T)) as Wp.
+  set (tau := Rabs (w T) / (kap * g)) in *.
+    assert (Htau : 0 <= tau) by positive.
+  assert (Key : forall k, k = 1 \/ k = -1 -> k * w t <= 0).
+  { intros k Hk. assert (Ck : cont (fun r => k * w r)) by (apply cont_scal, cont_w).
+    destruct (Classical_Prop.classic (exists r, T <= r <= t /\ k * w r <= 0)) as [(r & Hr & Wr)|No].
+    - apply le_epsilon. intros e He. rewrite Rplus_0_l. replace t with (r + (t - r)) by ring.
+      apply (barrier (fun q => k * w (r + q))); [apply (cont_shift (fun q => k * w q)); auto;
+        lra|rewrite Rplus_0_r; lra| |lra].
+      intros q Hq Wq. pose proof (slip_falls (r + q) k ltac:(lra) Hk ltac:(lra)) as D. intros e' He'.
+        destruct (D e' He') as (d & Hd & K).
+      exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rplus_assoc in K. nra.
+    - destruct (Rle_dec (k * w t) 0) as [|N]; auto. exfalso.
+      assert (Pos : forall r, T <= r <= t -> 0 < k * w r). { intros r Hr. destruct (Rlt_dec 0 (k * w r)); auto.
+        exfalso. apply No. exists r; split; lra. }
+      assert (Q : k * w t - k * w T <= - (kap * g) * (t - T)).
+      { apply (dini_slope (fun r => k * w r)); auto; [lra|]. intros r Hr. apply slip_falls; auto; [lra|].
+        apply Pos; lra. }
+      assert (k * w T <= Rabs (w T)). { pose proof (Rle_abs (w T)). pose proof (Rle_abs (- w T)) as Q'.
+        rewrite Rabs_Ropp in Q'. destruct Hk; subst k; lra. }
+      assert (kap * g * tau = Rabs (w T)) by (unfold tau; field; lra).
+        assert (kap * g * tau <= kap * g * (t - T)) by scale. lra. }
+  pose proof (Key 1 ltac:(auto)). pose proof (Key (-1) ltac:(auto)). unfold w in *. lra.
+Qed.
+End Catch.
+
+Section Sync.
+Variables m1 m2 a1 a2 b F om : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 <= F) (Hom : 0 < om).
+Let M := m1 + m2.
+
+(** the dynamic stiffness is positive *)
+Lemma Z_pos : 0 < Z m1 m2 a1 a2 om.
+Proof. unfold Z. assert (0 < a1 * om) by positive.
+  pose proof (pow2_ge_0 (a2 - (m1 + m2) * om ^ 2)). assert (0 < (a1 * om) ^ 2) by nra. lra. Qed.
+
+(** every motion tends to the stuck response, F <= F* *)
+Theorem entrains x v1 v2 s : F <= Fstar m1 m2 a1 a2 b om -> forced m1 m2 a1 a2 b (drive F om) x v1 v2 s ->
+  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+  energy m1 m2 a2 (x t - rX m1 m2 a1 a2 F om t) (v1 t - rV m1 m2 a1 a2 F om t) (v2 t - rV m1 m2 a1 a2 F om t) <= e.
+Proof.
+  intros HS H. pose proof Z_pos as HZ.
+  exact (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ F H (entrained m1 m2 a1 a2 b F om Hm2 Hb HF
+    Hom HZ HS) HF (drive_lip F om HF Hom)).
+Qed.
+
+(** and for F < F* it sticks for ever *)
+Theorem synchronises x v1 v2 s : F < Fstar m1 m2 a1 a2 b om -> forced m1 m2 a1 a2 b (drive F om) x v1 v2 s ->
+  exists T, 0 <= T /\ forall t, T <= t -> v1 t = v2 t.
+Proof.
+  intros HS H. pose proof Z_pos as HZ. pose proof (sqrt_lt_R0 _ HZ) as Sz. assert (O2 : 0 < om ^ 2) by nra.
+    assert (Mp : 0 < M) by positive.
+  set (R0 := F / sqrt (Z m1 m2 a1 a2 om)).
+    assert (Q : 0 < om ^ 2 / sqrt (Z m1 m2 a1 a2 om)) by positive.
+  assert (Bl : om ^ 2 * R0 < b / m2).
+  { replace (om ^ 2 * R0) with (om ^ 2 / sqrt (Z m1 m2 a1 a2 om) * F) by (unfold R0; field; lra).
+    replace (b / m2) with (om ^ 2 / sqrt (Z m1 m2 a1 a2 om) * Fstar m1 m2 a1 a2 b om) by (unfold Fstar; field;
+      lra). scale. }
+  apply Rmult_lt_compat_l with (r := m2) in Bl; auto. replace (m2 * (b / m2)) with b in Bl by (field; lra).
+  set (g := (b - m2 * (om ^ 2 * R0)) / 2). assert (Hg : 0 < g) by (unfold g; lra).
+  set (d := M * g / m2 / (a1 + a2)). assert (Hd : 0 < d) by (unfold d; repeat apply Rdiv_lt_0_compat; nra).
+  set (e := Rmin a2 m1 * d ^ 2 / 2). assert (Hmin : 0 < Rmin a2 m1) by positive.
+    assert (He : 0 < e) by (unfold e; assert (0 < d ^ 2) by nra; nra).
+  destruct (entrains x v1 v2 s ltac:(lra) H e He) as (T & HT & Near).
+  exists (T + Rabs (v1 T - v2 T) / (M / (m1 * m2) * g)). split.
+  { assert (0 < M / (m1 * m2) * g) by positive. assert (0 <= Rabs (v1 T - v2 T) / (M / (m1 * m2) * g)); [|lra].
+      apply Rmult_le_pos; [apply Rabs_pos|positive]. }
+  apply (catch m1 m2 a1 a2 b Hm1 Hm2 (drive F om) (fun t => F * sin (om * t)) x v1 v2 s T g H); auto.
+  { intros; apply rderiv_of_derive, derive_drive; auto. }
+  intros t Ht. cbv beta. fold M. specialize (Near t Ht). unfold energy in Near.
+  set (y := x t - rX m1 m2 a1 a2 F om t) in *. set (p := v1 t - rV m1 m2 a1 a2 F om t) in *.
+  assert (Bd : Rabs y <= d /\ Rabs p <= d).
+  { pose proof (Rmin_l a2 m1). pose proof (Rmin_r a2 m1). pose proof (pow2_ge_0 y). pose proof (pow2_ge_0 p).
+    pose proof (pow2_ge_0 (v2 t - rV m1 m2 a1 a2 F om t)).
+    assert (Sq : forall m z, Rmin a2 m1 <= m -> 0 <= z ^ 2 -> m * z ^ 2 <= 2 * e -> Rabs z <= d).
+    { intros m z Hm Hz Hz'. apply Rabs_le, sq_le_abs; [lra|]. apply Rmult_le_reg_l with (Rmin a2 m1); auto.
+      apply Rle_trans with (m * z ^ 2); [scale|]. unfold e in Hz'. lra. }
+    split; [apply (Sq a2)|apply (Sq m1)]; auto; nra. }
+  destruct Bd as (By & Bp).
+  pose proof (balance m1 m2 a1 a2 F om HZ t) as Ba. pose proof (rX_bound m1 m2 a1 a2 F om HF HZ t) as BX. fold R0 in BX.
+  replace (m2 * (F * sin (om * t) - a2 * x t - a1 * v1 t) / M) with (- (m2 * (om ^ 2 * rX m1 m2 a1 a2 F om t) + m2
+    / M * (a2 * y + a1 * p))) by (rewrite <- Ba; unfold y, p, M; field; lra).
+  rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|].
+  pose proof (abs_scal m2 _ _ ltac:(lra) (abs_scal (om ^ 2) _ _ ltac:(lra) BX)) as N1.
+  assert (N2 : Rabs (m2 / M * (a2 * y + a1 * p)) <= m2 / M * ((a1 + a2) * d)).
+  { apply abs_scal; [positive|]. eapply Rle_trans; [apply Rabs_triang|].
+    pose proof (abs_scal a2 _ _ ltac:(lra) By). pose proof (abs_scal a1 _ _ ltac:(lra) Bp). lra. }
+  replace (m2 / M * ((a1 + a2) * d)) with g in N2 by (unfold d; field; lra). unfold g in *. lra.
+Qed.
+End Sync.

@@ -1,0 +1,536 @@
+(** Free motions in closed form: from one event to the next the state is a wave. When a wave is positive,
+    its first root, and what a motion does until then: a slip up to its next contact, a stick up to its edge.
+    Damping may be below, at or beyond its critical value. *)
+From Coq Require Import List.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs.
+
+(** *** Waves *)
+(** the cosine and the sine of a frequency whose square is d, which need not be positive: cos (w u) and sin (w u) / w,
+    cosh (w u) and sinh (w u) / w, or 1 and u *)
+Definition cosine d u :=
+  if Rlt_dec 0 d then cos (sqrt (Rabs d) * u) else if Rlt_dec d 0 then cosh (sqrt (Rabs d) * u) else 1.
+(** the sine *)
+Definition sine d u :=
+  if Rlt_dec 0 d then sin (sqrt (Rabs d) * u) / sqrt (Rabs d)
+  else if Rlt_dec d 0 then sinh (sqrt (Rabs d) * u) / sqrt (Rabs d) else u.
+
+(** the frequency *)
+Lemma frequency_sq d : d <> 0 -> 0 < sqrt (Rabs d) /\ sqrt (Rabs d) * sqrt (Rabs d) = Rabs d.
+Proof. intros N. pose proof (Rabs_pos_lt d N). split; [positive|apply sqrt_sqrt; lra]. Qed.
+(** the derivative of the cosine *)
+Lemma derive_cosine d u : is_derive (cosine d) u (- (d * sine d u)).
+Proof.
+  unfold cosine, sine. destruct (Rlt_dec 0 d) as [P|P]; [|destruct (Rlt_dec d 0) as [N|N]].
+  - destruct (frequency_sq d ltac:(lra)) as (W & E). rewrite (Rabs_pos_eq d) in * by lra. set (w := sqrt d) in *.
+    clearbody w. subst d. auto_derive; auto. field; lra.
+  - destruct (frequency_sq d ltac:(lra)) as (W & E). rewrite (Rabs_left d) in * by lra. set (w := sqrt (- d)) in *.
+    clearbody w. replace d with (- (w * w)) by lra. unfold cosh, sinh. auto_derive; auto. field; lra.
+  - assert (d = 0) as -> by lra. auto_derive; auto. ring.
+Qed.
+(** and of the sine *)
+Lemma derive_sine d u : is_derive (sine d) u (cosine d u).
+Proof.
+  unfold cosine, sine. destruct (Rlt_dec 0 d) as [P|P]; [|destruct (Rlt_dec d 0) as [N|N]].
+  1, 2: destruct (frequency_sq d ltac:(lra)) as (W & _); unfold cosh, sinh; auto_derive; auto; field; lra.
+  auto_derive; auto.
+Qed.
+(** the cosine now *)
+Lemma cosine_0 d : cosine d 0 = 1.
+Proof. unfold cosine, cosh. repeat destruct Rlt_dec; rewrite ?Rmult_0_r, ?Ropp_0, ?exp_0, ?cos_0; lra. Qed.
+(** the sine now *)
+Lemma sine_0 d : sine d 0 = 0.
+Proof.
+  unfold sine, sinh. repeat destruct Rlt_dec; auto; destruct (frequency_sq d ltac:(lra));
+    rewrite Rmult_0_r, ?Ropp_0, ?exp_0, ?sin_0; field; lra.
+Qed.
+
+Set Implicit Arguments.
+(** what is computed with: real numbers, or intervals of them *)
+Record arith (T : Type) := Arith { zero : T; add : T -> T -> T; sub : T -> T -> T; mul : T -> T -> T; div : T -> T -> T;
+  neg : T -> T; sin_of : T -> T; cos_of : T -> T }.
+(** real numbers *)
+Definition real := Arith 0 Rplus Rminus Rmult Rdiv Ropp sin cos.
+
+(** t -> (in_sine + rise_sine t) sin (turn t + phase) + (in_cosine + rise_cosine t) cos (turn t + phase) *)
+Record tone (T : Type) := Tone { in_sine : T; in_cosine : T; rise_sine : T; rise_cosine : T; turn : T; phase : T }.
+(** a force, or what answers to it: a polynomial of t - from, and tones *)
+Record steady (T : Type) := Steady { from : T; poly : list T; tones : list (tone T) }.
+(** u -> still + drift u + exp (- decay u) (even cosine u + odd sine u) + answer (clock + u) *)
+Record wave (T : Type) := Wave { still : T; drift : T; even : T; odd : T; decay : T; square : T; clock : T;
+  answer : steady T }.
+(** the numbers of a pair under a force: both masses and their sum, damper, spring, friction; decay and square of the free
+    swing of body 1 and of both; how each answers to the force, and the force *)
+Record kit (T : Type) := Kit { k1 : T; k2 : T; kM : T; ka1 : T; ka2 : T; kb : T; slow1 : T; stiff1 : T; slowM : T;
+  stiffM : T; answer1 : steady T; answerM : steady T; force : steady T }.
+Unset Implicit Arguments.
+
+Section Computed.
+Context {T : Type} (A : arith T).
+Local Notation "x + y" := (add A x y).
+Local Notation "x - y" := (sub A x y).
+Local Notation "x * y" := (mul A x y).
+Local Notation "x / y" := (div A x y).
+Local Notation "- x" := (neg A x).
+
+(** the value of a polynomial *)
+Definition pval l u := fold_right (fun c r => c + u * r) (zero A) l.
+(** of a tone *)
+Definition tval z t := let a := turn z * t + phase z in
+  (in_sine z + rise_sine z * t) * sin_of A a + (in_cosine z + rise_cosine z * t) * cos_of A a.
+(** of both *)
+Definition sval y t := fold_right (fun z r => tval z t + r) (pval (poly y) (t - from y)) (tones y).
+(** the sum of two polynomials *)
+Fixpoint padd l k := match l, k with c :: l, d :: k => c + d :: padd l k | nil, k => k | l, nil => l end.
+(** derivatives *)
+Fixpoint dpoly l := match l with c :: (_ :: _) as l => padd l (zero A :: dpoly l) | _ => nil end.
+(** of a tone *)
+Definition dtone z := Tone (rise_sine z - in_cosine z * turn z) (rise_cosine z + in_sine z * turn z)
+  (- (rise_cosine z * turn z)) (rise_sine z * turn z) (turn z) (phase z).
+(** of both *)
+Definition dsteady y := Steady (from y) (dpoly (poly y)) (map dtone (tones y)).
+(** with all coefficients changed *)
+Definition scaled f (y : steady T) := Steady (from y) (map f (poly y))
+  (map (fun z => Tone (f (in_sine z)) (f (in_cosine z)) (f (rise_sine z)) (f (rise_cosine z)) (turn z) (phase z))
+    (tones y)).
+(** the sign times the number *)
+Definition signed (k : bool) x := if k then x else - x.
+
+(** the derivative of a wave is a wave *)
+Definition sloped f := Wave (drift f) (zero A) (odd f - decay f * even f)
+  (- (square f * even f) - decay f * odd f) (decay f) (square f) (clock f) (dsteady (answer f)).
+(** a mass on spring and damper about the place c, from the state (x, v) at the time t *)
+Definition swing g d c y t x v := let z := x - c - sval y t in
+  Wave c (zero A) z (v - sval (dsteady y) t + g * z) g d t y.
+
+Variable K : kit T.
+(** body 1 in a slip with v1 - v2 of the sign k *)
+Definition slide k := swing (slow1 K) (stiff1 K) (- (signed k (kb K) / ka2 K)) (answer1 K).
+(** body 2's velocity in it *)
+Definition drive k v2 u := v2 + signed k (kb K) / k2 K * u.
+(** k (v1 - v2) *)
+Definition guard_of k f v2 := let f := sloped f in
+  Wave (- signed k v2) (- (kb K / k2 K)) (signed k (even f)) (signed k (odd f)) (decay f) (square f) (clock f)
+    (scaled (signed k) (answer f)).
+(** of a state *)
+Definition guard k t x v1 v2 := guard_of k (slide k t x v1) v2.
+(** both bodies in a stick *)
+Definition stuck := swing (slowM K) (stiffM K) (zero A) (answerM K).
+(** what friction has left towards the side k *)
+Definition grip_of k f := let f := sloped (sloped f) in
+  Wave (kb K / k2 K) (zero A) (- signed k (even f)) (- signed k (odd f)) (decay f) (square f) (clock f)
+    (scaled (fun c => - signed k c) (answer f)).
+(** of a state *)
+Definition grip k t x v := grip_of k (stuck t x v).
+(** the place where a stick ends towards k at the time t with the velocity v *)
+Definition edge k t v := (sval (force K) t - signed k (kb K * kM K / k2 K) - ka1 K * v) / ka2 K.
+(** not negative: under a constant force a stick from (x, v) never comes to an edge *)
+Definition spare t x v := let y := ka2 K * x - sval (force K) t in let l := kb K * kM K / k2 K in
+  l * l - (y * y / ka2 K + kM K * (v * v)) * (ka2 K + ka1 K * ka1 K / kM K).
+End Computed.
+Notation slope := (sloped real).
+
+(** derivatives are unique *)
+Lemma is_derive_unique_at (f : R -> R) u k l : is_derive f u k -> is_derive f u l -> k = l.
+Proof. intros D E. rewrite <- (is_derive_unique f u k D). apply is_derive_unique, E. Qed.
+(** a sign *)
+Definition sign (k : bool) := if k then 1 else -1.
+Lemma signed_real k x : signed real k x = sign k * x.
+Proof. destruct k; simpl; ring. Qed.
+
+(** the value of a wave *)
+Definition val f u := still f + drift f * u +
+  exp (- (decay f * u)) * (even f * cosine (square f) u + odd f * sine (square f) u) + sval real (answer f) (clock f + u).
+
+Lemma pval_cons c l u : pval real (c :: l) u = c + u * pval real l u. Proof. reflexivity. Qed.
+(** a sum of polynomials *)
+Lemma pval_padd l : forall k u, pval real (padd real l k) u = pval real l u + pval real k u.
+Proof.
+  induction l as [|c l IH]; intros [|d k] u; cbn [padd]; rewrite ?pval_cons, ?IH; unfold pval; simpl; ring.
+Qed.
+(** the derivative of a polynomial *)
+Lemma derive_pval l u : is_derive (pval real l) u (pval real (dpoly real l) u).
+Proof.
+  induction l as [|c l IH].
+  - apply (is_derive_ext (fun _ => 0)); [auto|]. apply (is_derive_const 0 u).
+  - replace (pval real (dpoly real (c :: l)) u) with (pval real l u + u * pval real (dpoly real l) u).
+    + apply (is_derive_ext (fun t => c + t * pval real l t)); [auto|].
+      assert (E : Derive (fun t => pval real l t) u = pval real (dpoly real l) u) by (apply is_derive_unique, IH).
+      auto_derive; [eexists; eauto|]. rewrite E. ring.
+    + destruct l as [|d l]; [simpl; ring|]. change (dpoly real (c :: d :: l)) with
+        (padd real (d :: l) (0 :: dpoly real (d :: l))). rewrite pval_padd, (pval_cons 0). ring.
+Qed.
+(** the derivative of an answer *)
+Lemma derive_sval y t : is_derive (sval real y) t (sval real (dsteady real y) t).
+Proof.
+  destruct y as [t0 l zs]. induction zs as [|z zs IH]; unfold sval in *; cbn [answer tones poly from dsteady map] in *.
+  - cbn [fold_right]. rewrite <- (Rmult_1_l (pval _ (dpoly real l) _)).
+    apply (is_derive_comp (pval real l) (fun t => t - t0)); [apply derive_pval|]. auto_derive; auto; ring.
+  - cbn [fold_right]. apply (is_derive_plus (tval real z)); [|exact IH]. unfold tval, dtone; simpl. auto_derive; auto. ring.
+Qed.
+(** that of a scaled one *)
+Lemma sval_scaled c y t : sval real (scaled (fun r => c * r) y) t = c * sval real y t.
+Proof.
+  destruct y as [t0 l zs]. unfold sval, scaled; cbn [tones poly from]. induction zs as [|z zs IH]; cbn [fold_right map].
+  - induction l as [|d l IH]; cbn [map]; rewrite ?pval_cons, ?IH; unfold pval; simpl; ring.
+  - rewrite IH. unfold tval; simpl. ring.
+Qed.
+(** only the values of the coefficients matter *)
+Lemma scaled_ext {T} (f g : T -> T) y : (forall c, f c = g c) -> scaled f y = scaled g y.
+Proof.
+  intros E. unfold scaled. f_equal; apply map_ext; [auto|]. intros z. rewrite !E. auto.
+Qed.
+
+(** the derivative of a wave *)
+Lemma derive_val f (u : R) : is_derive (val f) u (val (slope f) u).
+Proof.
+  pose proof (derive_cosine (square f) u) as C. pose proof (derive_sine (square f) u) as S.
+  pose proof (derive_sval (answer f) (clock f + u)) as D.
+  assert (EC : Derive (fun t => cosine (square f) t) u = - (square f * sine (square f) u)).
+  { apply is_derive_unique, C. }
+  assert (ES : Derive (fun t => sine (square f) t) u = cosine (square f) u) by (apply is_derive_unique, S).
+  assert (ED : Derive (fun t => sval real (answer f) t) (clock f + u) = sval real (dsteady real (answer f)) (clock f + u)).
+  { apply is_derive_unique, D. }
+  unfold val, sloped; cbn [still drift even odd decay square clock answer]. cbn [add sub mul neg zero real].
+  auto_derive; [repeat split; eexists; eauto|]. rewrite EC, ES, ED. ring.
+Qed.
+
+(** its value now *)
+Lemma val_0 f : val f 0 = still f + even f + sval real (answer f) (clock f).
+Proof. unfold val. rewrite !Rmult_0_r, Ropp_0, exp_0, cosine_0, sine_0, (Rplus_0_r (clock f)). ring. Qed.
+
+(** *** Positive on an interval *)
+(** the mean value theorem *)
+Lemma val_mean f p q : p < q -> exists c, p < c < q /\ val f q - val f p = val (slope f) c * (q - p).
+Proof.
+  intros Hp. destruct (MVT_cor2 (val f) (val (slope f)) p q Hp) as (c & E & Hc).
+  - intros c _. apply is_derive_Reals, derive_val.
+  - exists c; auto.
+Qed.
+
+Section Positive.
+Variables (f : wave R) (p q : R).
+Hypotheses (Hp : 0 < val f p) (Hq : 0 < val f q).
+
+(** a rising one, from its start *)
+Lemma rising_positive : (forall u, p <= u <= q -> 0 <= val (slope f) u) -> forall u, p <= u <= q -> 0 < val f u.
+Proof.
+  intros S u Hu. destruct (Req_dec u p) as [->|]; auto. destruct (val_mean f p u ltac:(lra)) as (c & Hc & E).
+  specialize (S c ltac:(lra)). nra.
+Qed.
+(** a falling one, from its end *)
+Lemma falling_positive : (forall u, p <= u <= q -> val (slope f) u <= 0) -> forall u, p <= u <= q -> 0 < val f u.
+Proof.
+  intros S u Hu. destruct (Req_dec u q) as [->|]; auto. destruct (val_mean f u q ltac:(lra)) as (c & Hc & E).
+  specialize (S c ltac:(lra)). nra.
+Qed.
+(** a convex one that rises at first, from its start *)
+Lemma convex_positive : 0 <= val (slope f) p -> (forall u, p <= u <= q -> 0 <= val (slope (slope f)) u) ->
+  forall u, p <= u <= q -> 0 < val f u.
+Proof.
+  intros Z S. apply rising_positive. intros u Hu. destruct (Req_dec u p) as [->|]; auto.
+  destruct (val_mean (slope f) p u ltac:(lra)) as (c & Hc & E). specialize (S c ltac:(lra)). nra.
+Qed.
+(** a concave one, from both *)
+Lemma concave_positive : (forall u, p <= u <= q -> val (slope (slope f)) u <= 0) -> forall u, p <= u <= q ->
+  0 < val f u.
+Proof.
+  intros S u Hu. destruct (Rlt_dec 0 (val f u)); auto. exfalso.
+  assert (u <> p) by (intros ->; lra). assert (u <> q) by (intros ->; lra).
+  destruct (val_mean f p u ltac:(lra)) as (c & Hc & E). destruct (val_mean f u q ltac:(lra)) as (d & Hd & F).
+  destruct (val_mean (slope f) c d ltac:(lra)) as (e & He & G). specialize (S e ltac:(lra)).
+  assert (val (slope f) c < 0) by nra. assert (0 < val (slope f) d) by nra. nra.
+Qed.
+End Positive.
+
+(** from 0 on, if it rises at first *)
+Lemma leaves_zero f d : 0 <= val f 0 -> (forall u, 0 <= u <= d -> 0 < val (slope f) u) -> forall u, 0 < u <= d ->
+  0 < val f u.
+Proof.
+  intros Z S u Hu. destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & E). specialize (S c ltac:(lra)). nra.
+Qed.
+
+(** the first root of a wave that is positive for a while *)
+Lemma wave_root f lo hi : 0 < lo <= hi -> (forall u, 0 < u <= lo -> 0 < val f u) -> val f hi <= 0 ->
+  exists tau, lo < tau <= hi /\ val f tau = 0 /\ forall u, 0 < u < tau -> 0 < val f u.
+Proof.
+  intros Hl P N. pose proof (P lo ltac:(lra)) as Pl.
+  destruct (first_zero (val f) lo hi) as (tau & Ht & Z & B); [|lra|nra|lra|].
+  { apply cont_of_derive with (val (slope f)), derive_val. }
+  exists tau. split; [lra|]. split; [auto|]. intros u Hu. destruct (Rle_dec u lo); [apply P; lra|].
+  specialize (B u ltac:(lra)). nra.
+Qed.
+
+(** *** The two kinds of motion *)
+(** the rate at which the free swing of a mass m decays *)
+Definition fade (m a1 : R) := a1 / (2 * m).
+
+(** the mass m answers so to the force *)
+Definition answers m a1 a2 y f := forall t,
+  m * sval real (dsteady real (dsteady real y)) t + a1 * sval real (dsteady real y) t + a2 * sval real y t =
+    sval real f t.
+
+Section Motion.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Variables y1 yM push : steady R.
+Hypotheses (Hy1 : answers m1 a1 a2 y1 push) (HyM : answers M a1 a2 yM push).
+
+(** the numbers of the pair *)
+Definition real_kit := Kit m1 m2 (m1 + m2) a1 a2 b (fade m1 a1) (a2 / m1 - fade m1 a1 * fade m1 a1)
+  (fade (m1 + m2) a1) (a2 / (m1 + m2) - fade (m1 + m2) a1 * fade (m1 + m2) a1) y1 yM push.
+Let K := real_kit.
+(** the free swing of the mass m *)
+Definition swings m := swing real (fade m a1) (a2 / m - fade m a1 * fade m a1).
+
+(** a swing starts at x *)
+Lemma swing_start g d c y t x v : val (swing real g d c y t x v) 0 = x.
+Proof. rewrite val_0. unfold swing; simpl. ring. Qed.
+(** with the speed v *)
+Lemma swing_speed g d c y t x v : val (slope (swing real g d c y t x v)) 0 = v.
+Proof. rewrite val_0. unfold sloped, swing; simpl. ring. Qed.
+(** and obeys the law of motion *)
+Lemma swing_law m c y t x v u : 0 < m -> answers m a1 a2 y push -> m * val (slope (slope (swings m c y t x v))) u
+  = sval real push (t + u) + a2 * (c - val (swings m c y t x v) u) - a1 * val (slope (swings m c y t x v)) u.
+Proof.
+  intros Hm Y. rewrite <- (Y (t + u)). unfold val, sloped, swings, swing; simpl.
+  set (d := a2 / m - fade m a1 * fade m a1) in *.
+  set (g := fade m a1) in *. assert (E2 : a2 = m * (d + g * g)) by (unfold d; field; lra).
+  assert (E1 : a1 = 2 * m * g) by (unfold g, fade; field; lra). clearbody d g. rewrite E1, E2. ring.
+Qed.
+
+Lemma val_guard k t x v1 v2 u :
+  val (guard real K k t x v1 v2) u = sign k * (val (slope (slide real K k t x v1)) u - drive real K k v2 u).
+Proof.
+  unfold guard, guard_of, drive. set (f := slope (slide real K k t x v1)). assert (S : still f = 0) by reflexivity.
+  assert (D : drift f = 0) by reflexivity. assert (C : clock f = t) by reflexivity. clearbody f.
+  unfold val; cbn [still drift even odd decay square clock answer]. rewrite S, D, C.
+  rewrite (scaled_ext _ (fun r => sign k * r)), sval_scaled by (intros; apply signed_real).
+  rewrite !signed_real. simpl. destruct k; simpl; field; lra.
+Qed.
+Lemma val_grip k t x v u : val (grip real K k t x v) u = b / m2 - sign k * val (slope (slope (stuck real K t x v))) u.
+Proof.
+  unfold grip, grip_of. set (f := slope (slope (stuck real K t x v))). assert (S : still f = 0) by reflexivity.
+  assert (D : drift f = 0) by reflexivity. assert (C : clock f = t) by reflexivity. clearbody f.
+  unfold val; cbn [still drift even odd decay square clock answer]. rewrite S, D, C.
+  rewrite (scaled_ext _ (fun r => - sign k * r)), sval_scaled by (intros; rewrite signed_real; simpl; ring).
+  rewrite !signed_real. simpl. ring.
+Qed.
+
+(** the laws of motion *)
+Lemma slide_law k t x v u : m1 * val (slope (slope (slide real K k t x v))) u =
+  sval real push (t + u) - a2 * val (slide real K k t x v) u - a1 * val (slope (slide real K k t x v)) u - sign k * b.
+Proof.
+  change (slide real K k t x v) with (swings m1 (- (signed real k b / a2)) y1 t x v).
+  rewrite (swing_law m1) by auto. rewrite signed_real. field; lra.
+Qed.
+(** of a stick *)
+Lemma stuck_law t x v u : M * val (slope (slope (stuck real K t x v))) u =
+  sval real push (t + u) - a2 * val (stuck real K t x v) u - a1 * val (slope (stuck real K t x v)) u.
+Proof.
+  assert (HM : 0 < M) by positive. change (stuck real K t x v) with (swings M 0 yM t x v).
+  rewrite (swing_law M) by auto. ring.
+Qed.
+(** the starts *)
+Lemma slide_start k t x v : val (slide real K k t x v) 0 = x /\ val (slope (slide real K k t x v)) 0 = v.
+Proof. unfold slide. split; [apply swing_start|apply swing_speed]. Qed.
+(** of a stick *)
+Lemma stuck_start t x v : val (stuck real K t x v) 0 = x /\ val (slope (stuck real K t x v)) 0 = v.
+Proof. unfold stuck. split; [apply swing_start|apply swing_speed]. Qed.
+
+(** at a contact it is 0 *)
+Lemma guard_touch k t x v : val (guard real K k t x v v) 0 = 0.
+Proof. rewrite val_guard. unfold slide, drive. rewrite swing_speed. simpl. ring. Qed.
+(** how it starts *)
+Lemma guard_slope k t x v1 v2 : m1 * val (slope (guard real K k t x v1 v2)) 0
+  = - (sign k * (a2 * x + a1 * v1 - sval real push t)) - b * M / m2.
+Proof.
+  assert (L := slide_law k t x v1 0). destruct (slide_start k t x v1) as (E0 & E1). rewrite E0, E1, Rplus_0_r in L.
+  replace (val (slope (guard real K k t x v1 v2)) 0) with
+    (sign k * val (slope (slope (slide real K k t x v1))) 0 - b / m2).
+  - rewrite Rmult_minus_distr_l, <- Rmult_assoc, (Rmult_comm m1), Rmult_assoc, L.
+    unfold M. destruct k; simpl; field; lra.
+  - apply (is_derive_unique_at (val (guard real K k t x v1 v2)) 0); [|apply derive_val].
+    apply (is_derive_ext (fun u => sign k * (val (slope (slide real K k t x v1)) u - drive real K k v2 u))).
+    { intros u. symmetry. apply val_guard. }
+    assert (E : Derive (fun u => val (slope (slide real K k t x v1)) u) 0 =
+      val (slope (slope (slide real K k t x v1))) 0) by (apply is_derive_unique, derive_val).
+    unfold drive; simpl. auto_derive; [eexists; apply derive_val|]. rewrite E, signed_real.
+    destruct k; simpl; field; lra.
+Qed.
+(** on the edge towards k it starts at 0 with slope 0 *)
+Lemma guard_edge k t x v : a2 * x + a1 * v - sval real push t = - (sign k * (b * M / m2)) ->
+  val (slope (guard real K k t x v v)) 0 = 0.
+Proof.
+  intros E. pose proof (guard_slope k t x v v) as S. rewrite E in S. apply Rmult_eq_reg_l with m1; [|lra].
+  rewrite S. destruct k; simpl; field; lra.
+Qed.
+
+(** there friction has nothing left for a stick *)
+Lemma grip_edge k t x v : a2 * x + a1 * v - sval real push t = - (sign k * (b * M / m2)) ->
+  val (grip real K k t x v) 0 = 0.
+Proof.
+  intros E. assert (HM : 0 < M) by positive. pose proof (stuck_law t x v 0) as L.
+  destruct (stuck_start t x v) as (E0 & E1). rewrite val_grip. rewrite E0, E1, Rplus_0_r in L.
+  set (acc := val (slope (slope (stuck real K t x v))) 0) in *. assert (acc = sign k * (b / m2)) as ->.
+  - apply Rmult_eq_reg_l with M; [|lra]. rewrite L. replace (sval real push t - a2 * x - a1 * v)
+      with (- (a2 * x + a1 * v - sval real push t)) by ring. rewrite E. field. lra.
+  - destruct k; simpl; ring.
+Qed.
+
+(** the energy about the place of rest never grows, and with it no stick comes to an edge that is beyond its reach *)
+Lemma grip_held k t x v u : (forall r, sval real push r = sval real push t) -> 0 <= spare real K t x v -> 0 <= u ->
+  0 <= val (grip real K k t x v) u.
+Proof.
+  intros C S Hu. assert (HM : 0 < M) by positive. set (c := sval real push t) in *.
+  set (X := stuck real K t x v). set (Y := fun r => a2 * val X r - c).
+  set (E := fun r => Y r * Y r / a2 + M * (val (slope X) r * val (slope X) r)).
+  assert (A : forall r, val (slope (slope X)) r = - (Y r + a1 * val (slope X) r) / M).
+  { intros r. apply Rmult_eq_reg_l with M; [|lra]. unfold Y, X. rewrite stuck_law, C. field; lra. }
+  assert (D : E u <= E 0).
+  { assert (D : forall r, is_derive E r (- (2 * a1) * (val (slope X) r * val (slope X) r))).
+    { intros r. unfold E, Y. assert (E0 : Derive (fun u => val X u) r = val (slope X) r).
+      { apply is_derive_unique, derive_val. }
+      assert (E1 : Derive (fun u => val (slope X) u) r = val (slope (slope X)) r).
+      { apply is_derive_unique, derive_val. }
+      auto_derive; [repeat split; eexists; apply derive_val|]. rewrite E0, E1, A. unfold Y. field; lra. }
+    apply (rderiv_mono E 0 u (fun r => - (2 * a1) * (val (slope X) r * val (slope X) r))); [|lra|].
+    - eapply cont_of_derive. exact D.
+    - intros r _. split; [apply rderiv_of_derive, D|nra]. }
+  destruct (stuck_start t x v) as (X0 & V0). unfold E, Y in D. unfold X in D. rewrite X0, V0 in D.
+  unfold spare, K, real_kit in S; cbn [add sub mul div real ka1 ka2 kM kb k2 force] in S. fold c M in S. fold X in D.
+  rewrite val_grip, A. fold (Y u) in D. set (y := Y u) in *. set (w := val (slope X) u) in *. set (l := b * M / m2) in *.
+  assert (Hl : 0 < l) by positive. assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
+  { assert (0 <= (a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)).
+    { apply Rmult_le_pos; [exact (Rle_0_sqr _)|apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto]. }
+    assert (0 <= a1 * a1 / M) by positive. apply Rle_trans with ((y * y / a2 + M * (w * w)) * (a2 + a1 * a1 / M)).
+    - apply Rminus_le_0. replace (_ - _) with ((a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)); [auto|].
+      field; lra.
+    - eapply Rle_trans; [apply Rmult_le_compat_r; [lra|exact D]|]. lra. }
+  assert (- l <= y + a1 * w <= l) as B by (split; nra).
+  replace (b / m2 - sign k * (- (y + a1 * w) / M)) with ((l + sign k * (y + a1 * w)) / M) by (unfold l; field; lra).
+  apply Rmult_le_pos; [destruct k; simpl; lra|positive].
+Qed.
+(** a place whose velocity is that of an arc *)
+Lemma same_way y v X V t0 T : cont y -> 0 <= t0 -> 0 <= T -> (forall t, 0 <= t -> rderiv y t (v t)) ->
+  (forall u, is_derive X u (V u)) -> (forall u, 0 <= u <= T -> v (t0 + u) = V u) -> y (t0 + T) = y t0 + (X T - X 0).
+Proof.
+  intros C Ht HT Y D E. assert (Q : forall c, c * (y (t0 + T) - X T) <= c * (y (t0 + 0) - X 0)).
+  { intros c. apply (dini_mono (fun u => c * (y (t0 + u) - X u))); [|lra|].
+    - apply cont_scal, cont_minus; [apply cont_shift; auto|]. exact (cont_of_derive X V D).
+    - intros r Hr. apply rderiv_dini with (c * (v (t0 + r) - V r)); [rewrite E by lra; lra|].
+      apply rderiv_scal, rderiv_minus; [apply rderiv_earlier, Y; lra|apply rderiv_of_derive, D]. }
+  pose proof (Q 1). pose proof (Q (-1)). rewrite Rplus_0_r in *. lra.
+Qed.
+
+(** From lo to hi the motion runs along every arc on which it starts. *)
+Definition obeys lo hi (x v1 v2 : R -> R) := forall t0 T X V1 V2 g, lo <= t0 -> 0 <= T -> t0 + T <= hi ->
+  forced_arc m1 m2 a1 a2 b T (fun u => sval real push (t0 + u)) X V1 V2 g -> x t0 = X 0 -> v1 t0 = V1 0 ->
+  v2 t0 = V2 0 -> forall u, 0 <= u <= T -> x (t0 + u) = X u /\ v1 (t0 + u) = V1 u /\ v2 (t0 + u) = V2 u.
+
+Section Along.
+Variables x v1 v2 : R -> R.
+Variables first final : R.
+Hypothesis H : obeys first final x v1 v2.
+Variable t0 : R.
+Hypothesis Ht0 : first <= t0.
+Let guard k := guard real K k t0 (x t0) (v1 t0) (v2 t0).
+Let grip k := grip real K k t0 (x t0) (v1 t0).
+Let slide k := slide real K k t0 (x t0) (v1 t0).
+Let stuck := stuck real K t0 (x t0) (v1 t0).
+
+(** as long as the guard is not negative, a motion slips *)
+Theorem slip_phase k T : 0 <= T -> t0 + T <= final -> (forall u, 0 <= u < T -> 0 <= val (guard k) u) ->
+  forall u, 0 <= u <= T -> x (t0 + u) = val (slide k) u /\ v1 (t0 + u) = val (slope (slide k)) u /\
+  v2 (t0 + u) = drive real K k (v2 t0) u.
+Proof.
+  intros HT HF G.
+  apply (H t0 T (val (slide k)) (val (slope (slide k))) (drive real K k (v2 t0)) (fun _ => sign k)); auto.
+  - constructor.
+    + intros t. apply derive_val.
+    + intros t. replace ((sval real push (t0 + t) - a2 * val (slide k) t - a1 * val (slope (slide k)) t - b * sign k) / m1)
+        with (val (slope (slope (slide k))) t); [apply derive_val|].
+      apply Rmult_eq_reg_l with m1; [|lra]. unfold slide. rewrite slide_law. field; lra.
+    + intros t. unfold drive; simpl. rewrite signed_real. auto_derive; auto. field; lra.
+    + intros t Ht. specialize (G t Ht). unfold guard in G. rewrite val_guard in G. fold (slide k) in G.
+      destruct k; simpl in G |- *; (split; [lra|split; intros; lra]).
+  - symmetry. apply slide_start.
+  - symmetry. apply slide_start.
+  - unfold drive; simpl. ring.
+Qed.
+
+(** as long as friction holds, a motion sticks *)
+Theorem stick_phase T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 ->
+  (forall u, 0 <= u < T -> 0 <= val (grip true) u /\ 0 <= val (grip false) u) ->
+  forall u, 0 <= u <= T -> x (t0 + u) = val stuck u /\ v1 (t0 + u) = val (slope stuck) u /\
+  v2 (t0 + u) = val (slope stuck) u.
+Proof.
+  intros HT HF Ev G. assert (HM : 0 < M) by positive. pose proof (stuck_law t0 (x t0) (v1 t0)) as L. fold stuck in L.
+  apply (H t0 T (val stuck) (val (slope stuck)) (val (slope stuck)) (fun t => m2 / b * val (slope (slope stuck)) t)); auto.
+  - constructor.
+    + intros t. apply derive_val.
+    + intros t. replace ((sval real push (t0 + t) - a2 * val stuck t - a1 * val (slope stuck) t
+        - b * (m2 / b * val (slope (slope stuck)) t)) / m1) with (val (slope (slope stuck)) t); [apply derive_val|].
+      apply Rmult_eq_reg_l with m1; [|lra]. specialize (L t). unfold M in L. field_simplify; lra.
+    + intros t. replace (b * (m2 / b * val (slope (slope stuck)) t) / m2) with (val (slope (slope stuck)) t)
+        by (field; lra). apply derive_val.
+    + intros t Ht. specialize (G t Ht). unfold grip in G. rewrite !val_grip in G. fold stuck in G. simpl in G.
+      split; [|split; intros; lra].
+      assert (0 < m2 / b) by positive. assert (E : m2 / b * (b / m2) = 1) by (field; lra). nra.
+  - symmetry. apply stuck_start.
+  - symmetry. apply stuck_start.
+  - rewrite <- Ev. symmetry. apply stuck_start.
+Qed.
+
+(** *** Phases with their ends *)
+(** The slip to the next contact: the guard is positive until lo and not positive at hi. *)
+Theorem slip_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> 0 <= val (guard k) 0 ->
+  (forall u, 0 < u <= lo -> 0 < val (guard k) u) -> val (guard k) hi <= 0 -> exists u, lo < u <= hi /\
+  (forall r, 0 < r < u -> 0 < sign k * (v1 (t0 + r) - v2 (t0 + r))) /\ v1 (t0 + u) = v2 (t0 + u) /\
+  x (t0 + u) = val (slide k) u /\ v1 (t0 + u) = val (slope (slide k)) u /\
+  forall r, 0 <= r <= u -> v2 (t0 + r) = drive real K k (v2 t0) r.
+Proof.
+  intros Hl HF Z P N. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
+  assert (Nn : forall r, 0 <= r < u -> 0 <= val (guard k) r).
+  { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, Q; lra. }
+  assert (F := slip_phase k u ltac:(lra) ltac:(lra) Nn). exists u. split; [lra|].
+  assert (D : forall r, 0 <= r <= u -> sign k * (v1 (t0 + r) - v2 (t0 + r)) = val (guard k) r).
+  { intros r Hr. destruct (F r Hr) as (_ & -> & ->). unfold guard. rewrite val_guard. auto. }
+  split; [|split].
+  - intros r Hr. rewrite D by lra. apply Q; lra.
+  - pose proof (D u ltac:(lra)) as Du. rewrite E in Du. destruct k; simpl in Du; lra.
+  - repeat (split; [apply F; lra|]). intros r Hr. apply F; auto.
+Qed.
+
+(** The stick to the edge towards k: friction has something left on both sides until lo, on the other one until hi, and
+    nothing left on this one at hi. *)
+Theorem stick_until k lo hi : 0 < lo <= hi -> t0 + hi <= final -> v1 t0 = v2 t0 -> 0 <= val (grip k) 0 ->
+  (forall u, 0 < u <= lo -> 0 < val (grip k) u) -> (forall u, 0 <= u <= hi -> 0 <= val (grip (negb k)) u) ->
+  val (grip k) hi <= 0 -> exists u, lo < u <= hi /\ (forall r, 0 <= r <= u -> v1 (t0 + r) = v2 (t0 + r)) /\
+  a2 * x (t0 + u) + a1 * v1 (t0 + u) - sval real push (t0 + u) = - (sign k * (b * M / m2)) /\
+  x (t0 + u) = val stuck u /\ forall r, 0 <= r <= u -> v1 (t0 + r) = val (slope stuck) r.
+Proof.
+  intros Hl HF Ev Z P O N. assert (HM : 0 < M) by positive. destruct (wave_root _ lo hi Hl P N) as (u & Hu & E & Q).
+  assert (Nn : forall r, 0 <= r < u -> 0 <= val (grip k) r).
+  { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, Q; lra. }
+  assert (Both : forall r, 0 <= r < u -> 0 <= val (grip true) r /\ 0 <= val (grip false) r).
+  { intros r Hr. specialize (O r ltac:(lra)). specialize (Nn r Hr). destruct k; auto. }
+  assert (F := stick_phase u ltac:(lra) ltac:(lra) Ev Both). exists u. split; [lra|].
+  destruct (F u ltac:(lra)) as (Fx & F1 & _). split; [|split; [|split; [auto|]]].
+  - intros r Hr. destruct (F r Hr) as (_ & -> & ->). auto.
+  - rewrite Fx, F1. unfold grip in E. rewrite val_grip in E. fold stuck in E.
+    pose proof (stuck_law t0 (x t0) (v1 t0) u) as L. fold stuck in L. set (acc := val (slope (slope stuck)) u) in *.
+    replace (sign k * (b * M / m2)) with (M * (sign k * (b / m2))) by (field; lra).
+    replace (sign k * (b / m2)) with (sign k * (sign k * acc)) by (f_equal; lra). destruct k; simpl; lra.
+  - intros r Hr. apply F; auto.
+Qed.
+
+(** A stick under a constant force, below the level that friction holds, is for ever. *)
+Theorem stick_for_ever T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 -> (forall t, sval real push t = sval real push t0) ->
+  0 <= spare real K t0 (x t0) (v1 t0) -> v1 (t0 + T) = v2 (t0 + T).
+Proof.
+  intros HT HF Ev C S. destruct (stick_phase T HT HF Ev) with (u := T) as (_ & -> & ->); auto; [|lra].
+  intros u Hu. split; apply grip_held; auto; lra.
+Qed.
+End Along.
+End Motion.

@@ -1,0 +1,151 @@
+(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and which slips from S0 merge where
+    they land. *)
+From InertialPair Require Import Dini Pair Stick EnergyLimit Excursion ReturnMap TurningFunction FollowArc Cycle
+  ExitOrbit SharpRate SharpLaw SlipFromGap AlternatingAngles.
+
+Section Cross.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let q := m1 / M.
+Let r := m2 / M.
+Let om := omega m1 m2 a2.
+Let o1 := o1 m1 a2.
+Let L := L m1 m2 a2 b.
+Let Ecr := Ecr m1 m2 a2 b.
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
+Let sticks t := forall u, 0 <= u -> v1 (t + u) = v2 (t + u).
+
+Let q0 : 0 < q. Proof. apply q_pos; auto. Qed.
+Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
+Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
+Let O0 : 0 < o1. Proof. apply o1_pos; auto. Qed.
+Let Emono t u : 0 <= t <= u -> E u <= E t.
+Proof. apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H). Qed.
+
+Let Eq_pos y : 0 < y -> 0 < Ecr * (q * y).
+Proof. intros. apply Rmult_lt_0_compat; [exact E0|]. apply Rmult_lt_0_compat; [exact q0|auto]. Qed.
+Let level_le y : Ecr * (1 + q * y) <= Ecr <-> y <= 0.
+Proof.
+  split; intros Q.
+  - destruct (Rle_dec y 0) as [|n]; auto. exfalso. pose proof (Eq_pos y ltac:(lra)). lra.
+  - destruct (Req_dec y 0) as [->|]; [lra|]. pose proof (Eq_pos (- y) ltac:(lra)). lra.
+Qed.
+
+(** On S: it sticks for ever exactly if E <= E_cr (stuck, E is constant, and its limit is at most E_cr). *)
+Theorem sticks_iff t : 0 <= t -> v1 t = v2 t -> (sticks t <-> E t <= Ecr).
+Proof.
+  intros Ht Ev. split.
+  - intros S. assert (C : forall T, t <= T -> E T - E t = 0 * (T - t)).
+    { intros T HT. apply rderiv_line; [exact (moves_cE m1 m2 0 a2 b Hm2 _ _ x v1 v2 s H)|lra|]. intros u Hu.
+      eapply rderiv_eq; [|exact (energy_rate m1 m2 0 a2 b Hm1 Hm2 x v1 v2 s H u ltac:(lra))].
+      specialize (S (u - t) ltac:(lra)). replace (t + (u - t)) with u in S by ring. rewrite S.
+      replace (v2 u - v2 u) with 0 by ring. rewrite Rabs_R0. ring. }
+    destruct (dichotomy_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [(T & HT & HE)|(_ & Lim)];
+      [fold Ecr in HE|fold Ecr in Lim].
+    + destruct (Rle_dec t T) as [n|n].
+      * specialize (C T n). unfold E in *. lra.
+      * pose proof (Emono T t ltac:(lra)). unfold E in *. lra.
+    + destruct (Rle_dec (E t) Ecr) as [|n]; auto. exfalso. destruct (Lim ((E t - Ecr) / 2) ltac:(lra)) as (T & HT & K).
+      pose proof (Rmax_l T t). pose proof (Rmax_r T t). specialize (K (Rmax T t) ltac:(lra)).
+        pose proof (C (Rmax T t) ltac:(lra)). unfold E in *. lra.
+  - intros HE u Hu. destruct (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t H Ht Ev HE u Hu) as (_ & A & B).
+    rewrite A, B. auto.
+Qed.
+
+(** Re-entry: D = depth + d <= 2/q. It lands in S0 at the level y'; it sticks there for ever exactly if y' <= 0,
+    and otherwise it sticks until a ray with the push sqrt y'. *)
+Theorem reentry k t0 d p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
+  at_gap m1 m2 a2 b k d (push d p) x v1 v2 t0 -> depth p + d <= 2 / q ->
+  let t1 := t0 + 2 * p / o1 in let y := level m1 m2 p d in
+  (forall t, t0 < t < t1 -> k * v1 t < k * v2 t) /\ v1 t1 = v2 t1 /\ - L <= x t1 <= L /\ E t1 = Ecr * (1 + q * y) /\
+  (sticks t1 <-> y <= 0) /\
+  (y <= 0 -> forall u, 0 <= u -> x (t1 + u) = X m1 m2 a2 (x t1) (v1 t1) u /\
+    v1 (t1 + u) = V m1 m2 a2 (x t1) (v1 t1) u /\ v2 (t1 + u) = V m1 m2 a2 (x t1) (v1 t1) u) /\
+  (0 < y -> Ecr < E t1 /\ exists k' t2, (k' = 1 \/ k' = -1) /\ t1 <= t2 < t1 + PI / om /\
+     on_ray m1 m2 a2 b k' (sqrt y) x v1 v2 t2 /\ forall t, t1 <= t <= t2 -> v1 t = v2 t).
+Proof.
+  intros Hk Ht Hd Hp HG HD t1 y. assert (T0 : 0 < 2 * p / o1) by positive.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & En).
+  fold o1 t1 in Sg, A, B, C, En. fold M in A. fold q L in A. fold M in En. fold q Ecr y in En.
+  assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra). pose proof (depth_pos p Hp) as Dp.
+    set (D := depth p + d) in *.
+  assert (QD : 0 < q * D <= 2). { split; [apply Rmult_lt_0_compat; unfold D; lra|].
+    replace 2 with (q * (2 / q)) by (field; lra). scale. }
+  assert (Hx : - L <= x t1 <= L). { assert (- L <= k * x t1 <= L) by (rewrite A; split; nra).
+    destruct Hk; subst k; lra. }
+  change (E t1 = Ecr * (1 + q * y)) in En. assert (T1 : 0 <= t1) by (unfold t1; lra).
+  assert (Iff : E t1 <= Ecr <-> y <= 0) by (rewrite En; apply level_le).
+  repeat (split; [auto; fail|]). split; [rewrite sticks_iff; auto|]. split.
+  - intros Y. apply (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H); auto. fold Ecr. apply Iff; auto.
+  - intros Y. split. { destruct (Rlt_dec Ecr (E t1)) as [|n]; auto. exfalso. apply Rnot_lt_le in n.
+    apply Iff in n. lra. }
+    destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t1 (sqrt y)) as (k' & t2 & A1 & A2 & A3 & A4); auto.
+    + positive.
+    + change (E t1 = Ecr * (1 + q * sqrt y ^ 2)). rewrite En. do 2 f_equal.
+      replace (sqrt y ^ 2) with (sqrt y * sqrt y) by ring. rewrite sqrt_sqrt by lra. auto.
+    + exists k', t2. repeat (split; [auto; fail|]). intros t Hu. apply A4; auto.
+Qed.
+
+(** From a ray, every p in (0, PI): the first contact is at t1, and it sticks for ever from there exactly if hh^2 <= r
+    depth^2; that implies depth <= 2/q, that is, a landing inside S0. *)
+Theorem merges_at_first_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI ->
+  on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
+  let t1 := t0 + 2 * p / o1 in
+  (forall t, t0 < t < t1 -> k * v1 t < k * v2 t) /\ v1 t1 = v2 t1 /\ k * x t1 = L * (1 - q * depth p) /\
+  E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2)) /\
+  (sticks t1 <-> hh p ^ 2 <= r * depth p ^ 2) /\ (hh p ^ 2 <= r * depth p ^ 2 -> depth p <= 2 / q).
+Proof.
+  intros Hk Ht Hp HR t1. apply ray_gap in HR. rewrite <- push_0 in HR.
+    assert (T0 : 0 < 2 * p / o1) by positive.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 0 p Hk H Ht (Rle_refl 0) Hp HR) as (_ & Sg & A & B &
+    C & En).
+  fold o1 t1 in Sg, A, B, C, En. rewrite Rplus_0_r in A, B, C. rewrite level_0 in En by auto. fold M in A, En.
+    fold q L in A. fold q r Ecr in En.
+  assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra).
+    change (E t1 = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2))) in En.
+  set (y := hh p ^ 2 - r * depth p ^ 2) in *.
+  assert (Iff : E t1 <= Ecr <-> hh p ^ 2 <= r * depth p ^ 2) by (rewrite En, level_le; unfold y; split; intros; lra).
+  repeat (split; [auto; fail|]). split; [rewrite sticks_iff; auto; unfold t1; lra|].
+  (* E <= E_cr on S forces the place into [-L, L] *)
+  intros Q. apply Iff in Q. unfold E in Q. rewrite <- Ev in Q.
+    apply (on_surface_inside m1 m2 a2 b Hm1 Hm2 Ha2 Hb) in Q. fold L in Q.
+  assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N. undivide q. nra.
+Qed.
+
+(** From S0 above E_cr: stuck up to a ray at t1, then one slip up to t2, and the same equivalence. *)
+Theorem first_slip t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L -> 0 < p < PI ->
+  E t0 = Ecr * (1 + q * hh p ^ 2) ->
+  exists t1 t2, t0 <= t1 /\ t1 < t2 /\ (forall t, t0 <= t <= t1 -> v1 t = v2 t) /\ (forall t, t1 < t < t2 ->
+    v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
+    (sticks t2 <-> hh p ^ 2 <= r * depth p ^ 2).
+Proof.
+  intros Ht Ev Hx Hp En. destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En)
+    as (k & t1 & Hk & T1 & HR & St).
+  destruct (merges_at_first_landing k t1 p Hk ltac:(lra) Hp HR) as (Sg & Ev2 & _ & _ & Iff & _).
+  assert (T0 : 0 < 2 * p / o1) by positive.
+  exists t1, (t1 + 2 * p / o1). split; [lra|]. split; [lra|]. split; [intros; apply St; auto|]. split; [|auto].
+  intros t Hu Q. specialize (Sg t Hu). rewrite Q in Sg. lra.
+Qed.
+
+(** From a ray with depth > 2/q: it crosses S beyond the other end and slips on with the other sign. *)
+Theorem ray_crossing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
+  2 / q < depth p ->
+  let t1 := t0 + 2 * p / o1 in let d := depth p - 2 / q in let u := 2 * p - hh p in
+  0 < d /\ (forall t, t0 < t < t1 -> k * v1 t < k * v2 t) /\
+  k * x t1 = - L * (1 + q * d) /\ k * x t1 < - L /\ at_gap m1 m2 a2 b (- k) d u x v1 v2 t1 /\
+  exists p', 0 < p' < PI /\ push d p' = u /\ (forall p2, 0 < p2 < PI -> push d p2 = u -> p2 = p') /\
+    (forall t, t1 < t < t1 + 2 * p' / o1 -> k * v2 t < k * v1 t) /\ v1 (t1 + 2 * p' / o1) = v2 (t1 + 2 * p' / o1).
+Proof.
+  intros Hk Ht Hp HR HD t1 d u. apply ray_gap in HR. rewrite <- push_0 in HR.
+  destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 0 p Hk H Ht (Rle_refl 0) Hp HR) as (A & B & C & _ & F).
+  { fold M. fold q. lra. }
+  fold M in A, C, F. fold q o1 in A, B, C, F. fold t1 in B, C, F. rewrite Rplus_0_r in A, C, F. fold d in A, C, F.
+  rewrite (push_0 p) in C, F. fold u in C, F.
+  assert (P : k * x t1 = - L * (1 + q * d)). { destruct C as (C & _). fold M in C. fold q L in C. lra. }
+  assert (0 < L * (q * d)) by positive.
+  repeat (split; [auto; fail|]). split; [rewrite P; lra|]. split; [exact C|exact F].
+Qed.
+End Cross.

@@ -1,0 +1,76 @@
+(** Long and short slips alternate, for solutions; a short slip that ends in S0 stays above E_cr if 1 - 2 h k < q
+    h^2. *)
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
+  MergingAngles SlipFromGap AlternatingAngles AfterOneSlip.
+
+(** (c), the algebra: the level is a quadratic in D; its least value is positive if 1 - 2 h k < q h^2 *)
+Lemma level_pos m1 m2 p d : 0 < m1 -> 0 < m2 -> 1 - 2 * hh p * ct p < m1 / (m1 + m2) * hh p ^ 2 -> 0 < level m1 m2 p d.
+Proof.
+  intros H1 H2 Hc. assert (Q : 0 < m1 / (m1 + m2)) by positive. unfold level. cbv zeta.
+  set (q := m1 / (m1 + m2)) in *. set (D := depth p + d). set (h := hh p) in *. set (k := ct p) in *. clearbody q D h k.
+  assert (W : 0 < k ^ 2 + q) by (pose proof (pow2_ge_0 k); lra). apply Rmult_lt_reg_l with (k ^ 2 + q); auto.
+  replace ((k ^ 2 + q) * (h ^ 2 - 2 * (1 - h * k) * D + (k ^ 2 + q) * D ^ 2))
+    with (((k ^ 2 + q) * D - (1 - h * k)) ^ 2 + (q * h ^ 2 - (1 - 2 * h * k))) by ring.
+  pose proof (pow2_ge_0 ((k ^ 2 + q) * D - (1 - h * k))). lra.
+Qed.
+
+(** A slip that crosses is followed by one of the other kind: after p >= pc comes p' <= pi - pc,
+  after p <= pi - pc comes p' >= pc. *)
+Theorem alternation m1 m2 a2 b x v1 v2 s k t0 d p pc : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> let q := m1 / (m1 + m2) in
+  PI / 2 < pc < PI -> depth pc = 2 / q -> / sqrt 3 <= - ct pc ->
+  k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
+  at_gap m1 m2 a2 b k d (push d p) x v1 v2 t0 -> 2 / q < depth p + d ->
+  let t1 := t0 + 2 * p / o1 m1 a2 in let d' := depth p + d - 2 / q in
+  exists p', 0 < p' < PI /\ 0 < d' /\ at_gap m1 m2 a2 b (- k) d' (push d' p') x v1 v2 t1 /\
+    (pc <= p -> p' <= PI - pc) /\ (p <= PI - pc -> pc <= p').
+Proof.
+  intros H1 H2 Ha Hb q Hpc Dc HK Hk H Ht Hd Hp HG HD t1 d'. assert (Q : 0 < q) by (apply q_pos; auto).
+  destruct (crossing m1 m2 a2 b H1 H2 Ha Hb k x v1 v2 s t0 d p Hk H Ht Hd Hp HG HD) as (D0 & _ & G & _ & p' & Hp'
+    & E & _).
+  fold q d' in D0, G, E. fold t1 in G. rewrite <- E in G. exists p'. repeat (split; [auto; fail|]).
+  assert (HP : 0 <= Pf pc) by (apply P_sign; auto). split; intros I.
+  - exact (long_to_short q pc Hpc Dc d p p' HP Hd (conj I (proj2 Hp)) Hp' E).
+  - exact (short_to_long q pc Q Hpc Dc d p p' HP (conj (proj1 Hp) I) (Rlt_le _ _ HD) Hp' E).
+Qed.
+
+(** from a ray only a long slip crosses *)
+Lemma crosses_long q p pc : 0 < pc < PI -> depth pc = 2 / q -> 0 < p < PI -> (2 / q < depth p <-> pc < p).
+Proof.
+  intros Hpc Dc Hp. rewrite <- Dc. split; intros Q.
+  - destruct (Rlt_dec pc p) as [|n]; auto. exfalso. destruct (Req_dec p pc) as [->|]; [lra|].
+    pose proof (depth_incr p pc ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+  - apply depth_incr; lra.
+Qed.
+
+(** pc exists, between pi/2 and pi *)
+Lemma pc_ex q : 0 < q < 1 -> exists pc, PI / 2 < pc < PI /\ depth pc = 2 / q.
+Proof.
+  intros Hq. pose proof PI2_3_2. set (F := fun p => q * (sin p - p * cos p) - sin p).
+  destruct (cont_IVT F (PI / 2) PI) as (z & Hz & Z).
+  - apply cont_of_derive with (fun p => q * (p * sin p) - cos p). intros t. unfold F. auto_derive; auto. ring.
+  - lra.
+  - unfold F. rewrite sin_PI2, cos_PI2, sin_PI, cos_PI. assert (0 < (1 - q) * (q * PI)) by positive. lra.
+  - exists z. assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI, cos_PI in Z.
+    assert (0 < q * PI) by positive. lra. }
+    assert (z <> PI / 2). { intros ->. unfold F in Z. rewrite sin_PI2, cos_PI2 in Z. lra. }
+    split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)). unfold F in Z. unfold depth.
+    replace (sin z - z * cos z) with (sin z / q); [field; lra|]. apply Rmult_eq_reg_l with q; [|lra].
+      replace (q * (sin z / q)) with (sin z) by (field; lra). lra.
+Qed.
+
+(** m1/m2 > - cos (2 phi* ): from S0 nothing sticks for ever at the end of the first slip *)
+Theorem no_first_merging : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2 a2 b, 0 < m1 -> 0 < m2 -> 0 < a2 ->
+  0 < b ->
+  - cos (2 * ps) < m1 / m2 -> forall x v1 v2 s t0 p, solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
+  - L m1 m2 a2 b <= x t0 <= L m1 m2 a2 b -> 0 < p < PI ->
+    energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2) ->
+  exists t1 t2, t0 <= t1 /\ t1 < t2 /\ (forall t, t0 <= t <= t1 -> v1 t = v2 t) /\ (forall t, t1 < t < t2 ->
+    v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
+    ~ forall u, 0 <= u -> v1 (t2 + u) = v2 (t2 + u).
+Proof.
+  destruct merging_angles as (ps & Hps & Z & Main). exists ps. split; [auto|]. split; [auto|].
+  intros m1 m2 a2 b H1 H2 Ha Hb Hr x v1 v2 s t0 p H Ht Ev Hx Hp En. destruct (Main m1 m2 H1 H2) as (None & _).
+  destruct (first_slip m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t0 p Ht Ev Hx Hp En) as (t1 & t2 & B1 & B2 & B3 & B4 &
+    B5 & B6).
+  exists t1, t2. repeat (split; [auto; fail|]). rewrite B6. apply None; auto.
+Qed.

@@ -1,0 +1,34 @@
+(** A solution runs along any smooth arc that obeys the law of friction, as under a force ([follow_arc]); and the mirror
+    image of a solution is one. *)
+From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs.
+
+Section Arc.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+
+(** A smooth arc on all of R that obeys the law of friction on [0, T): g is a selection of the set-valued sign. *)
+Record arc (T : R) (X V1 V2 g : R -> R) : Prop := {
+  a_x : forall t, is_derive X t (V1 t);
+  a_v1 : forall t, is_derive V1 t (- (a2 * X t + b * g t) / m1);
+  a_v2 : forall t, is_derive V2 t (b * g t / m2);
+  a_law : forall t, 0 <= t < T -> -1 <= g t <= 1 /\ (V2 t < V1 t -> g t = 1) /\ (V1 t < V2 t -> g t = -1) }.
+
+(** Uniqueness on an interval: from a common state at t0 every solution runs along the arc until t0 + T. *)
+Theorem follow x v1 v2 s X V1 V2 g T t0 : solution m1 m2 0 a2 b x v1 v2 s -> arc T X V1 V2 g -> 0 <= t0 ->
+  x t0 = X 0 -> v1 t0 = V1 0 -> v2 t0 = V2 0 ->
+  forall u, 0 <= u <= T -> x (t0 + u) = X u /\ v1 (t0 + u) = V1 u /\ v2 (t0 + u) = V2 u.
+Proof.
+  intros H [AX AV AW Law] Ht E0 E1 E2 u Hu. apply free_case in H.
+  assert (A : forced_arc m1 m2 0 a2 b T (fun _ => 0) X V1 V2 g).
+  { constructor; auto. intros t. replace ((0 - a2 * X t - 0 * V1 t - b * g t) / m1) with (- (a2 * X t + b * g t) /
+    m1) by (field; lra). apply AV. }
+  apply (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s X V1 V2 g T t0);
+    auto; [lra|].
+  intros t _. apply rderiv_const.
+Qed.
+
+(** The mirror image of a solution is a solution. *)
+Lemma mirror x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
+  solution m1 m2 0 a2 b (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
+Proof. apply solution_mirror. Qed.
+End Arc.

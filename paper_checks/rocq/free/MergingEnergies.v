@@ -1,0 +1,120 @@
+(** Who merges from S0 when it first meets S after it left S0, and who at the first re-entry of S0,
+    after any number of crossings: exactly the energies of one and the same closed interval above E_cr,
+    whose ends are the two roots of hh = sqrt r depth. *)
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap TurningFunction FollowArc Cycle ExitOrbit
+  SharpRate MergingAngles AfterOneSlip AlternatingSlips KappaBound ReturnToS0 MergingByMassRatio MergingIff.
+
+Section Roots.
+Variable ps : R.
+Hypotheses (Hps : 0 < ps < PI) (Z : K ps = 0).
+
+(** before its zero K is positive, and after it negative *)
+Lemma turning_signs : (forall u, 0 < u < ps -> 0 < K u) /\ (forall u, ps < u <= PI -> K u < 0).
+Proof.
+  destruct root as (p0 & Hp0 & _ & Le & Ri). assert (p0 = ps) as ->; [|auto].
+  destruct (Rtotal_order ps p0) as [Lt|[|Gt]]; auto; [specialize (Le ps ltac:(lra))|specialize (Ri ps ltac:(lra))]; lra.
+Qed.
+
+(** a root of hh = g depth has the ratio g *)
+Lemma ratio_of p g : 0 < p < PI -> (hh p = g * depth p <-> ratio p = g).
+Proof.
+  intros Hp. pose proof (depth_pos p Hp). unfold ratio. split; intros E; [rewrite E; field; lra|]. rewrite <- E. field.
+    lra.
+Qed.
+
+(** on either side of the zero of K there is one root at most *)
+Lemma one_root p p' : 0 < p -> p <= p' -> p' < PI -> p' <= ps \/ ps <= p -> ratio p = ratio p' -> p = p'.
+Proof.
+  intros H0 Le H1 Side E. destruct turning_signs as (Pos & Neg). destruct (Req_dec p p') as [|N]; auto. exfalso.
+  destruct (ratio_step p p' H0 ltac:(lra) H1) as (Falls & Rises). destruct Side.
+  - pose proof (Falls ltac:(intros; apply Pos; lra)). lra.
+  - pose proof (Rises ltac:(intros; apply Neg; lra)). lra.
+Qed.
+
+(** at the critical mass ratio the zero of K is a root *)
+Lemma critical_root m1 m2 : 0 < m1 -> 0 < m2 -> m1 / m2 = - cos (2 * ps) -> ratio ps = sqrt (m2 / (m1 + m2)).
+Proof.
+  intros H1 H2 E. destruct (ratio_share ps m1 m2 Hps Z H1 H2) as (_ & Q). rewrite E in Q.
+  replace (m2 / (m1 + m2)) with (ratio ps ^ 2) by lra. rewrite sqrt_pow2; [auto|].
+  apply Rlt_le, Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto.
+Qed.
+End Roots.
+
+(** One theorem: for m1/m2 above the critical mass ratio hh = sqrt r depth has no root in (0, pi); up to it, two,
+    which are one at the critical ratio. From S0 above E_cr a motion sticks up to an exit ray at te,
+    slips up to its first contact t1, and re-enters S0 first at t: it sticks for ever from t1 on, and so from t on,
+    exactly if its energy is between those of both roots. If t1 is outside S0, a crossing,
+    it does not stick for ever from t on. *)
+Theorem merging_set : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 ->
+  let root p := 0 < p < PI /\ hh p = sqrt (m2 / (m1 + m2)) * depth p in
+  (- cos (2 * ps) < m1 / m2 -> forall p, ~ root p) /\
+  (m1 / m2 <= - cos (2 * ps) -> exists pl pu, pl <= ps <= pu /\ (forall p, root p <-> p = pl \/ p = pu) /\
+    (m1 / m2 < - cos (2 * ps) -> pl < ps < pu) /\ (m1 / m2 = - cos (2 * ps) -> pl = pu) /\
+    forall a2 b, 0 < a2 -> 0 < b ->
+    let level p := Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2) in
+    Ecr m1 m2 a2 b < level pl /\ (pl < pu -> level pl < level pu) /\
+    forall x v1 v2 s t0, solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
+      - L m1 m2 a2 b <= x t0 <= L m1 m2 a2 b ->
+    let E0 := energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) in Ecr m1 m2 a2 b < E0 ->
+    exists te t1 t, t0 <= te < t1 /\ t1 <= t /\
+      (forall t', t0 <= t' <= te -> v1 t' = v2 t' /\ - L m1 m2 a2 b <= x t' <= L m1 m2 a2 b) /\
+      (forall t', te < t' < t1 -> v1 t' <> v2 t') /\ v1 t1 = v2 t1 /\ first_reentry (L m1 m2 a2 b) x v1 v2 te t /\
+      ((forall u, 0 <= u -> v1 (t1 + u) = v2 (t1 + u)) <-> level pl <= E0 <= level pu) /\
+      ((forall u, 0 <= u -> v1 (t + u) = v2 (t + u)) <-> level pl <= E0 <= level pu) /\
+      (~ (- L m1 m2 a2 b <= x t1 <= L m1 m2 a2 b) -> ~ forall u, 0 <= u -> v1 (t + u) = v2 (t + u))).
+Proof.
+  destruct merging_angles as (ps & Hps & Z & Main). exists ps. split; [auto|]. split; [auto|]. intros m1 m2 H1 H2 root.
+  destruct (Main m1 m2 H1 H2) as (None & Some). set (r := m2 / (m1 + m2)) in *.
+  assert (R0 : 0 < r) by positive. split.
+  { intros Hr p (Hp & E). apply (None Hr p Hp). rewrite E, Rpow_mult_distr, pow2_sqrt by lra. lra. }
+  intros Hr. destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & A5 & A6 & A7 & A8). clear None Some. exists pl, pu.
+  assert (Rl : ratio pl = sqrt r) by (apply ratio_of; auto; lra).
+  assert (Ru : ratio pu = sqrt r) by (apply ratio_of; auto; lra).
+  assert (Only : forall p, root p -> p = pl \/ p = pu).
+  { intros p (Hp & E). apply ratio_of in E; auto. destruct (Rle_dec p ps); [left|right].
+    - destruct (Rle_dec p pl); [|symmetry]; apply (one_root ps Hps Z); lra.
+    - destruct (Rle_dec p pu); [|symmetry]; apply (one_root ps Hps Z); lra. }
+  split; [lra|]. split.
+  { intros p. split; [apply Only|]. intros [->| ->]; split; auto; lra. }
+  split; [exact A7|]. split.
+  { intros Eq. pose proof (critical_root ps Hps Z m1 m2 H1 H2 Eq) as Rs. fold r in Rs.
+    transitivity ps; [|symmetry]; [|symmetry]; apply (one_root ps Hps Z); lra. }
+  intros a2 b Ha Hb level. pose proof (q_pos m1 m2 H1 H2) as Q0. pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0.
+  set (q := m1 / (m1 + m2)) in *. set (Ec := Ecr m1 m2 a2 b) in *.
+  assert (Inc : forall p p', 0 < p < PI -> 0 < p' < PI -> p < p' -> level p < level p').
+  { intros p p' Hp Hp' Lt. pose proof (hh_incr p p' ltac:(lra) Lt ltac:(lra)). pose proof (hh_pos p Hp). unfold level.
+    apply Rmult_lt_compat_l; auto. apply Rplus_lt_compat_l, Rmult_lt_compat_l; auto. nra. }
+  assert (Le : forall p p', 0 < p < PI -> 0 < p' < PI -> (level p <= level p' <-> p <= p')).
+  { intros p p' Hp Hp'. split; intros Q.
+    - destruct (Rle_dec p p') as [|n]; auto. pose proof (Inc p' p Hp' Hp ltac:(lra)). lra.
+    - destruct (Req_dec p p') as [->|]; [lra|]. apply Rlt_le, Inc; auto; lra. }
+  split.
+  { unfold level. pose proof (pow_lt _ 2 (hh_pos pl ltac:(lra))) as P.
+    pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ Q0 P)). lra. }
+  split; [intros; apply Inc; lra|]. intros x v1 v2 s t0 H Ht Ev Hx En0 HE.
+  destruct (round m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t0 (conj Ht (conj Ev (conj Hx HE))))
+    as (k & te & p & t & Hk & Te & Hp & En & St & HR & F & Tt).
+  destruct (merges_at_first_landing m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H k te p Hk ltac:(lra) Hp HR)
+    as (Sg & Ev1 & Ex & _ & Iff & Dp).
+  assert (T0 : 0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]). assert (Q : 0 < q < 1).
+  { split; [auto|]. unfold q. undivide (m1 + m2). lra. }
+  destruct (pc_ex q Q) as (pc & Hpc & Dc). pose proof (kappa_large m1 m2 ps pc H1 H2 Hps Z Hr Hpc Dc) as HK.
+  pose proof (first_reentry_iff m1 m2 a2 b H1 H2 Ha Hb pc Hpc Dc (Rlt_le _ _ HK) x v1 v2 s H k te t p Hk ltac:(lra) Hp
+    HR F) as Iff'.
+  assert (Between : hh p ^ 2 <= r * depth p ^ 2 <-> level pl <= En0 <= level pu).
+  { rewrite (A8 p Hp). unfold En0. rewrite En. change (Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2)) with (level p).
+    rewrite !Le by lra. tauto. }
+  exists te, (te + 2 * p / o1 m1 a2), t. split; [lra|]. split; [lra|]. split; [exact St|]. split;
+    [|split; [auto|split]].
+  - intros t' Ht' E. specialize (Sg t' Ht'). rewrite E in Sg. lra.
+  - exact F.
+  - rewrite <- Between. split; [exact Iff|]. split; [exact Iff'|]. intros Out Q'. apply Iff' in Q'. apply Out.
+    specialize (Dp Q'). pose proof (L_pos m1 m2 a2 b H1 H2 Ha Hb) as L0. pose proof (depth_pos p Hp).
+    assert (0 < q * depth p <= 2).
+    { split; [apply Rmult_lt_0_compat; auto|]. replace 2 with (q * (2 / q)) by (field; lra).
+      apply Rmult_le_compat_l; [lra|auto]. }
+    assert (- L m1 m2 a2 b <= k * x (te + 2 * p / o1 m1 a2) <= L m1 m2 a2 b).
+    { rewrite Ex. change (m1 / (m1 + m2)) with q. set (z := q * depth p) in *.
+      assert (0 <= L m1 m2 a2 b * z) by positive. assert (L m1 m2 a2 b * z <= L m1 m2 a2 b * 2) by scale. lra. }
+    destruct Hk; subst k; lra.
+Qed.

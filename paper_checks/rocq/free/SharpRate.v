@@ -1,0 +1,272 @@
+(** From one exit on: E > E_cr for ever, the exits obey the return map, and t (E - E_cr) tends to the sharp constant. *)
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle ExitOrbit.
+
+(** the inverse of a root *)
+Lemma root_inv M a : 0 < M -> 0 < a -> / sqrt (a / M) = sqrt (M / a).
+Proof.
+  intros HM Ha. assert (P : 0 < sqrt (a / M)) by positive.
+  apply Rmult_eq_reg_r with (sqrt (a / M)); [|lra]. rewrite Rinv_l by lra.
+    rewrite <- sqrt_mult_alt by positive.
+  replace (M / a * (a / M)) with 1 by (field; lra). rewrite sqrt_1; auto.
+Qed.
+
+Section Sharp.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Let M := m1 + m2.
+Let q := m1 / M.
+Let r := m2 / M.
+Let om := omega m1 m2 a2.
+Let Ecr := Ecr m1 m2 a2 b.
+Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
+(** the sharp constant *)
+Definition rate := 4 * PI / 9 * (m1 / m2) * sqrt ((m1 + m2) / a2).
+
+Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
+Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
+Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
+(** E_cr is positive *)
+Lemma Ecr_pos : 0 < Ecr.
+Proof. unfold Ecr. rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. Qed.
+(** the energy never increases *)
+Lemma E_falls u t : 0 <= u <= t -> E t <= E u.
+Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H u t). Qed.
+
+Section FromRay.
+Variables k t0 p : R.
+Hypotheses (Hk : k = 1 \/ k = -1) (Ht : 0 <= t0) (Hp : ok m1 m2 p) (HR : on_ray m1 m2 a2 b k (hh p) x v1 v2 t0).
+Let ph := orb m1 m2 p.
+Let y n := hh (ph n) ^ 2.
+Let tm := tim m1 m2 a2 t0 p.
+Let cy n := cyc m1 m2 a2 (ph n).
+
+(** every half angle of the orbit is one of short excursions above E_cr *)
+Lemma ph_ok n : ok m1 m2 (ph n). Proof. apply orb_ok; auto. Qed.
+(** below pi *)
+Lemma ph_pi n : 0 < ph n < PI. Proof. exact (ok_pi m1 m2 _ (ph_ok n)). Qed.
+(** the return map *)
+Lemma y_step n : y (S n) = y n - r * depth (ph n) ^ 2.
+Proof. exact (proj2 (next_ok m1 m2 Hm1 Hm2 (ph n) (ph_ok n))). Qed.
+(** one cycle more *)
+Lemma tm_S n : tm (S n) = tm n + cy n. Proof. reflexivity. Qed.
+(** the exit times do not decrease *)
+Lemma tm_up n : tm n <= tm (S n). Proof. apply tim_mono; auto. Qed.
+(** they are not before the first *)
+Lemma tm_from n : t0 <= tm n. Proof. apply tim_start; auto. Qed.
+(** the energy at the exits *)
+Lemma exit_level n : E (tm n) = Ecr * (1 + q * y n).
+Proof. exact (exit_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n). Qed.
+(** the levels are positive *)
+Lemma y_plus n : 0 < y n. Proof. apply pow_lt, hh_pos, ph_pi. Qed.
+
+(** they tend to 0 *)
+Theorem level_to_zero : is_lim_seq y 0. Proof. exact (y_to_zero r r_pos ph ph_pi y_step). Qed.
+(** at the rate of the return map *)
+Theorem level_rate : is_lim_seq (fun n => INR n * y n) (4 / (9 * r)). Proof.
+  exact (ReturnMap.sharp r r_pos ph ph_pi y_step). Qed.
+
+(** cycle times *)
+Theorem cycle_limit : is_lim_seq (fun n => tm (S n) - tm n) (PI / om).
+Proof.
+  apply is_lim_seq_ext with cy. { intros n. rewrite tm_S. ring. }
+  assert (Z : is_lim_seq (fun n => 6 * sqrt q * sqrt (y n)) 0).
+  { replace (Finite 0) with (Rbar_mult (6 * sqrt q) (sqrt 0)) by (simpl; rewrite sqrt_0; f_equal; ring).
+    apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply level_to_zero]. apply continuity_pt_sqrt; lra. }
+  assert (Q : forall n, Rabs (om * cy n - PI) <= 6 * sqrt q * sqrt (y n)).
+  { intros n. unfold y. rewrite <- Rsqr_pow2, sqrt_Rsqr by (apply Rlt_le, hh_pos, ph_pi).
+    exact (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)). }
+  apply is_lim_seq_ext with (fun n => / om * (om * cy n)). { intros n; field; lra. }
+  replace (Finite (PI / om)) with (Rbar_mult (/ om) PI) by (simpl; f_equal; field; lra). apply is_lim_seq_scal_l.
+  apply is_lim_seq_le_le with (fun n => PI - 6 * sqrt q * sqrt (y n)) (fun n => PI + 6 * sqrt q * sqrt (y n)).
+  - intros n. pose proof (Q n) as W. apply Rabs_inv in W. lra.
+  - replace (Finite PI) with (Finite (PI - 0)) by (f_equal; ring).
+    apply is_lim_seq_minus'; [apply is_lim_seq_const|auto].
+  - replace (Finite PI) with (Finite (PI + 0)) by (f_equal; ring).
+    apply is_lim_seq_plus'; [apply is_lim_seq_const|auto].
+Qed.
+(** the cycle time tends to pi/Omega *)
+Lemma cy_limit : is_lim_seq cy (PI / om).
+Proof. apply is_lim_seq_ext with (fun n => tm (S n) - tm n); [|apply cycle_limit]. intros n. rewrite tm_S. ring. Qed.
+
+(** the slips get short, the sticks tend to a half period: the sequence of times of Section III *)
+Theorem slip_time : is_lim_seq (fun n => 2 * ph n / o1 m1 a2) 0.
+Proof.
+  pose proof (o1_pos m1 a2 Hm1 Ha2). apply is_lim_seq_ext with (fun n => 2 / o1 m1 a2 * ph n). { intros n; field; lra. }
+  replace (Finite 0) with (Rbar_mult (2 / o1 m1 a2) 0) by (simpl; f_equal; ring).
+  apply is_lim_seq_scal_l. exact (phi_to_zero r r_pos ph ph_pi y_step).
+Qed.
+(** so the stick tends to pi/Omega *)
+Theorem stick_time : is_lim_seq (fun n => tm (S n) - (tm n + 2 * ph n / o1 m1 a2)) (PI / om).
+Proof.
+  apply is_lim_seq_ext with (fun n => tm (S n) - tm n - 2 * ph n / o1 m1 a2). { intros n; ring. }
+  replace (Finite (PI / om)) with (Finite (PI / om - 0)) by (f_equal; ring).
+    apply is_lim_seq_minus'; [apply cycle_limit|apply slip_time].
+Qed.
+
+(** the exit times are sums of cycle times *)
+Lemma tm_sum n : tm (S n) = t0 + sum_f_R0 cy n.
+Proof. induction n; [reflexivity|]. rewrite tm_S, IHn. simpl sum_f_R0. ring. Qed.
+(** so the n-th exit time over n tends to pi/Omega *)
+Theorem time_rate : is_lim_seq (fun n => tm n / INR n) (PI / om).
+Proof.
+  assert (C : is_lim_seq (fun n => sum_f_R0 cy (pred n) / INR n) (PI / om)).
+  { apply is_lim_seq_Reals. apply Cesaro_1. apply is_lim_seq_Reals. apply cy_limit. }
+  assert (Z : is_lim_seq (fun n => t0 * / INR n) 0).
+  { replace (Finite 0) with (Rbar_mult t0 0) by (simpl; f_equal; ring). apply is_lim_seq_scal_l.
+    assert (Q := is_lim_seq_inv _ _ is_lim_seq_INR). simpl in Q. apply Q. discriminate. }
+  replace (Finite (PI / om)) with (Finite (0 + PI / om)) by (f_equal; ring).
+  apply is_lim_seq_ext_loc with (fun n => t0 * / INR n + sum_f_R0 cy (pred n) / INR n); [|apply is_lim_seq_plus'; auto].
+  exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite tm_sum. simpl pred. field.
+    apply not_0_INR; discriminate.
+Qed.
+(** they tend to infinity *)
+Lemma tm_inf : is_lim_seq tm p_infty.
+Proof.
+  apply is_lim_seq_ext_loc with (fun n => INR n * (tm n / INR n)).
+  { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
+  apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|].
+  apply is_Rbar_mult_p_infty_pos. simpl. apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
+Qed.
+(** and exceed every time *)
+Lemma tm_above B : exists n, B < tm n.
+Proof. pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T B) as (n & K). exists n. apply K; auto. Qed.
+
+(** *** No merging: E > E_cr at every time *)
+Theorem never_merges t : 0 <= t -> Ecr < E t.
+Proof.
+  intros Hu. destruct (tm_above t) as (n & Hn). pose proof (E_falls t (tm n) ltac:(lra)) as F. rewrite exit_level in F.
+  pose proof Ecr_pos. pose proof (y_plus n).
+    assert (0 < Ecr * (q * y n)) by positive. lra.
+Qed.
+
+(** every time is in one cycle *)
+Lemma bracket N j t : tm N <= t -> t < tm (N + j) -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
+Proof.
+  induction j; intros HN Hj. { rewrite Nat.add_0_r in Hj. lra. } destruct (Rle_dec (tm (N + j)) t) as [G|G].
+  - exists (N + j)%nat. split; [lia|]. rewrite Nat.add_succ_r in Hj. lra.
+  - apply IHj; lra.
+Qed.
+(** every later time lies in some cycle *)
+Lemma in_cycle N t : tm N <= t -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
+Proof.
+  intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto.
+  assert (Mo : forall i j, tm i <= tm (j + i)). { intros i j. induction j; [change (0 + i)%nat with i; lra|].
+    change (S j + i)%nat with (S (j + i)). pose proof (tm_up (j + i)). lra. }
+  pose proof (Mo n N). lra.
+Qed.
+
+(** *** The sharp law in the time *)
+Theorem sharp_from_ray : is_lim (fun t => t * (E t - Ecr)) p_infty (Ecr * rate).
+Proof.
+  pose proof Ecr_pos as E0. set (K := PI / om * (4 / (9 * r))). assert (G : is_lim_seq (fun n => tm n * y n) K).
+  { apply is_lim_seq_ext_loc with (fun n => tm n / INR n * (INR n * y n)).
+    { exists 1%nat. intros n Hn. field. apply not_0_INR. lia. }
+    apply is_lim_seq_mult'; [apply time_rate|apply level_rate]. }
+  assert (Up : is_lim_seq (fun n => tm (S n) * y n) K).
+  { apply is_lim_seq_ext with (fun n => tm n * y n + cy n * y n). { intros n. rewrite tm_S. ring. }
+    replace (Finite K) with (Finite (K + PI / om * 0)) by (f_equal; ring).
+    apply is_lim_seq_plus'; auto. apply is_lim_seq_mult'; [apply cy_limit|apply level_to_zero]. }
+  assert (Lo : is_lim_seq (fun n => tm n * y (S n)) K).
+  { apply is_lim_seq_ext with (fun n => tm (S n) * y (S n) - cy n * y (S n)). { intros n. rewrite tm_S. ring. }
+    replace (Finite K) with (Finite (K - PI / om * 0)) by (f_equal; ring).
+    apply is_lim_seq_minus'; [apply (is_lim_seq_incr_1 (fun n => tm n * y n)); auto|].
+    apply is_lim_seq_mult'; [apply cy_limit|apply (is_lim_seq_incr_1 y); apply level_to_zero]. }
+  assert (EK : Ecr * rate = Ecr * q * K).
+  { unfold rate, K. rewrite <- root_inv by lra. fold M. change (sqrt (a2 / M)) with om. unfold q, r.
+    assert (0 < M) by positive. assert (om <> 0) by lra. field. repeat split; lra. }
+  rewrite EK. apply is_lim_spec. intros eps. simpl. assert (C0 : 0 < Ecr * q) by positive.
+  assert (He : 0 < eps / (Ecr * q)) by (apply Rdiv_lt_0_compat; [apply cond_pos|auto]).
+  apply is_lim_seq_spec in Up. apply is_lim_seq_spec in Lo.
+  destruct (Up (mkposreal _ He)) as (N1 & K1). destruct (Lo (mkposreal _ He)) as (N2 & K2). simpl in K1, K2.
+  exists (tm (Nat.max N1 N2)). intros t Hlt. destruct (in_cycle (Nat.max N1 N2) t ltac:(lra)) as (n & Hn & Hb1 & Hb2).
+  specialize (K1 n ltac:(lia)). specialize (K2 n ltac:(lia)). pose proof (tm_from n) as T0.
+    pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1.
+  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
+    rewrite exit_level in F1, F2.
+  apply Rabs_def2 in K1. apply Rabs_def2 in K2. assert (B1 : t * (E t - Ecr) <= Ecr * q * (tm (S n) * y n)).
+  { apply Rle_trans with (t * (Ecr * q * y n)); [scale|].
+    replace (Ecr * q * (tm (S n) * y n)) with (tm (S n) * (Ecr * q * y n)) by ring. apply Rmult_le_compat_r; auto.
+      apply Rlt_le, Rmult_lt_0_compat; auto. }
+  assert (B2 : Ecr * q * (tm n * y (S n)) <= t * (E t - Ecr)).
+  { apply Rle_trans with (t * (Ecr * q * y (S n))); [|scale].
+    replace (Ecr * q * (tm n * y (S n))) with (tm n * (Ecr * q * y (S n))) by ring. apply Rmult_le_compat_r; auto.
+      apply Rlt_le, Rmult_lt_0_compat; auto. }
+  assert (EE : Ecr * q * (eps / (Ecr * q)) = eps) by (field; lra). apply Rabs_def1.
+  - assert (Ecr * q * (tm (S n) * y n - K) < Ecr * q * (eps / (Ecr * q))) by scale. lra.
+  - assert (Ecr * q * (- (eps / (Ecr * q))) < Ecr * q * (tm n * y (S n) - K)) by scale. lra.
+Qed.
+(** *** Explicit bounds in the time, from the exit at t0 *)
+Let del := 6 * sqrt q * hh p.
+Let kap := 9 / 4 * r.
+(** levels are at most the first one *)
+Lemma y_below n : y n <= y 0.
+Proof. induction n; [lra|]. pose proof (ReturnMap.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
+(** each cycle time is between these *)
+Lemma cy_bounds n : PI - del <= om * cy n <= PI + del.
+Proof.
+  pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q. fold M in Q. fold q om in Q.
+  assert (Hh : hh (ph n) <= hh p).
+  { pose proof (y_below n) as Y. unfold y in Y. simpl ph in Y. pose proof (hh_pos _ (ph_pi n)).
+    pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra. }
+  pose proof (sqrt_pos q). assert (6 * sqrt q * hh (ph n) <= del) by (unfold del; apply Rmult_le_compat_l; lra).
+    unfold cy. lra.
+Qed.
+(** so are the exit times *)
+Lemma tm_bounds n : INR n * (PI - del) <= om * (tm n - t0) <= INR n * (PI + del).
+Proof.
+  induction n. { change (tm 0) with t0. simpl INR. lra. } rewrite S_INR, tm_S. pose proof (cy_bounds n). lra.
+Qed.
+(** the levels fall no faster than this *)
+Lemma y_lower n : kap * y 0 < 1 -> / y n <= / y 0 + INR n * (kap / (1 - kap * y 0)).
+Proof.
+  intros Sm. assert (K0 : 0 < kap) by (unfold kap; lra). induction n. { simpl INR. lra. }
+  pose proof (y_below n) as Yb. pose proof (y_plus n) as Yp.
+    assert (Yk : kap * y n <= kap * y 0) by scale.
+  assert (D : / y (S n) - / y n <= kap / (1 - kap * y n)).
+  { apply (ReturnMap.d_upper r r_pos ph ph_pi y_step n). change (kap * y n < 1). lra. }
+  assert (kap / (1 - kap * y n) <= kap / (1 - kap * y 0)). { apply Rmult_le_compat_l; [lra|].
+    apply Rinv_le_contravar; lra. }
+  rewrite S_INR. lra.
+Qed.
+
+(** both bounds at any time, by the cycle it lies in *)
+Theorem two_sided_ray t : t0 <= t ->
+  / y 0 + kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= / ((E t / Ecr - 1) / q) /\
+  (del < PI -> kap * y 0 < 1 -> / ((E t / Ecr - 1) / q) <= / y 0 + kap / (1 - kap * y 0) * (om * (t - t0) / (PI -
+    del) + 1)).
+Proof.
+  intros Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0. pose proof PI_RGT_0 as P0.
+  pose proof (tm_from n) as T0. pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1.
+  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
+    rewrite exit_level in F1, F2.
+  set (yt := (E t / Ecr - 1) / q).
+  assert (EY : E t = Ecr * (1 + q * yt)) by (unfold yt; field; lra). rewrite EY in F1, F2.
+  apply Rmult_le_reg_l in F1; auto. apply Rmult_le_reg_l in F2; auto.
+  assert (G1 : yt <= y n) by (apply Rmult_le_reg_l with q; [auto|lra]).
+    assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
+  assert (I1 : / y n <= / yt) by (apply Rinv_le_contravar; lra).
+    assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra).
+  pose proof (hh_pos _ (ph_pi 0)) as H0. change (ph 0) with p in H0. pose proof (sqrt_pos q).
+    pose proof (sinc_pos _ (ph_pi 0)) as S0. change (ph 0) with p in S0.
+  assert (D0 : 0 <= del) by (unfold del; apply Rmult_le_pos; lra). pose proof (tm_bounds n) as (Tl & _).
+    pose proof (tm_bounds (S n)) as (_ & Tu). rewrite S_INR in Tu.
+  split.
+  - pose proof (ReturnMap.y_bound r r_pos ph ph_pi y_step n) as Yb.
+    change (/ y 0 + INR n * (kap * (sin p / p) ^ 12) <= / y n) in Yb.
+    assert (N : om * (t - t0) / (PI + del) - 1 <= INR n).
+    { assert (om * (t - t0) / (PI + del) <= INR n + 1); [|lra]. undivide (PI + del).
+      assert (om * (t - t0) <= om * (tm (S n) - t0)) by scale. lra. }
+    assert (0 <= kap * (sin p / p) ^ 12). { apply Rmult_le_pos; [unfold kap; lra|]. apply pow_le; lra. }
+    assert (kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= kap * (sin p / p) ^ 12 * INR n) by scale. lra.
+  - intros Hd Sm. pose proof (y_lower (S n) Sm) as Yb. rewrite S_INR in Yb.
+    assert (N : INR n <= om * (t - t0) / (PI - del)).
+    { undivide (PI - del). assert (om * (tm n - t0) <= om * (t - t0)) by scale. lra. }
+    assert (0 <= kap / (1 - kap * y 0)). { apply Rmult_le_pos; [unfold kap; lra|].
+      apply Rlt_le, Rinv_0_lt_compat; lra. }
+    assert (kap / (1 - kap * y 0) * (INR n + 1) <= kap / (1 - kap * y 0) * (om * (t - t0) / (PI - del) + 1)) by
+      (apply Rmult_le_compat_l; lra). lra.
+Qed.
+End FromRay.
+End Sharp.

@@ -1,0 +1,237 @@
+(** M q'' + C q' + K q + B^T f = u with the friction f in d psi (B q'), as an instance of `Inclusion`: bodies in any
+  number
+    of directions, chains, a surface; the dampers C may be any monotone ones. M^-1 is written as an operator of its own.
+      *)
+From InertialPair Require Import Dini Pair Stick Forced MonotoneInclusion.
+
+Section Systems.
+Context {V W : ModuleSpace R_AbsRing}.
+Variables (dot : V -> V -> R) (dotw : W -> W -> R) (M Mi C K : V -> V) (B : V -> W) (Bt : W -> V).
+
+(** the matrices of a system: K and M symmetric, 0 <= K, 0 <= M = Mi^-1, Bt the transpose of B *)
+Record mechanical : Prop := {
+  k_form : inner (fun v w => dot (K v) w);
+  m_form : inner (fun v w => dot (M v) w);
+  dot_inner : inner dot;
+  dotw_inner : inner dotw;
+  m_inverse : forall f w, dot (M (Mi f)) w = dot f w;
+  b_transposed : forall f v, dot (Bt f) v = dotw f (B v) }.
+Hypothesis S : mechanical.
+(** dampers that part two states at most at the rate c: a friction that falls with the speed is one, too *)
+Definition dampers c := forall v w, - (c * dot (M (minus v w)) (minus v w)) <= dot (minus (C v) (C w)) (minus v w).
+
+(** twice the energy, as an inner product of the states (q, q') *)
+Definition state_ip (y z : V * V) := dot (K (fst y)) (fst z) + dot (M (snd y)) (snd z).
+Definition flow (y : V * V) : V * V := (snd y, Mi (opp (plus (K (fst y)) (C (snd y))))).
+Definition impulse (I : R -> V) t : V * V := (zero, Mi (I t)).
+
+(** motions, with the impulses U of the force and F of friction *)
+Definition moves (U : R -> V) (F : R -> W) (q v : R -> V) :=
+  driven state_ip flow (impulse U) (impulse (fun t => Bt (F t))) (fun t => (q t, v t)).
+Definition inclusion (psi : W -> R) U F q v := moves U F q v /\ forall t, 0 <= t -> drags dotw psi F (B (v t)) t.
+
+Lemma state_inner : inner state_ip.
+Proof.
+  destruct S as [Ks Ms _ _ _ _]. unfold state_ip. constructor.
+  - intros y z. rewrite (ip_sym _ Ks), (ip_sym _ Ms). auto.
+  - intros (q, v) (p, w) (o, u). pose proof (ip_plus _ Ks q p o) as Q. pose proof (ip_plus _ Ms v w u) as Q'. cbv beta
+    in Q, Q'.
+    change (dot (K (plus q p)) o + dot (M (plus v w)) u = dot (K q) o + dot (M v) u + (dot (K p) o + dot (M w) u)). lra.
+  - intros c (q, v) (p, w). pose proof (ip_scal _ Ks c q p) as Q. pose proof (ip_scal _ Ms c v w) as Q'. cbv beta in Q,
+    Q'. change (dot (K (scal c q)) p + dot (M (scal c v)) w = c * (dot (K q) p + dot (M v) w)). lra.
+  - intros y. pose proof (ip_pos _ Ks (fst y)). pose proof (ip_pos _ Ms (snd y)). lra.
+Qed.
+
+(** the power of an impulse of friction is the one that it has at the contact *)
+Lemma friction_work F t u (z : V * V) : state_ip (minus (impulse (fun t => Bt (F t)) u) (impulse (fun t => Bt (F t)) t))
+  z = dotw (minus (F u) (F t)) (B (snd z)).
+Proof.
+  rewrite (ip_minus _ state_inner). unfold state_ip, impulse; simpl. rewrite !(m_inverse S), !(b_transposed S).
+  rewrite (ip_minus _ (dotw_inner S)). ring.
+Qed.
+Lemma b_minus f v w : dotw f (B (minus v w)) = dotw f (minus (B v) (B w)).
+Proof.
+  rewrite <- (b_transposed S), (ip_sym _ (dot_inner S)), (ip_minus _ (dot_inner S)), !(ip_sym _ (dot_inner S) _ (Bt f)),
+    !(b_transposed S), (ip_sym _ (dotw_inner S) f (minus _ _)), (ip_minus _ (dotw_inner S)), !(ip_sym _ (dotw_inner S) _
+      f). ring.
+Qed.
+
+(** springs are neutral *)
+Lemma flow_rate c : 0 <= c -> dampers c ->
+  forall y z, state_ip (minus (flow y) (flow z)) (minus y z) <= c * state_ip (minus y z) (minus y z).
+Proof.
+  intros Hc Da (q, v) (p, w). pose proof (Da v w) as T. pose proof (ip_pos _ (k_form S) (minus q p)) as Kp. cbv beta in
+    Kp.
+  assert (Kc : 0 <= c * dot (K (minus q p)) (minus q p)) by positive.
+  rewrite (ip_minus _ state_inner). unfold state_ip, flow; simpl.
+  rewrite !(m_inverse S), !(ip_opp _ (dot_inner S)), !(ip_plus _ (dot_inner S)). rewrite (ip_minus _ (dot_inner S)) in
+    T.
+  change (snd (minus (q, v) (p, w))) with (minus v w). change (fst (minus (q, v) (p, w))) with (minus q p).
+  set (dv := minus v w) in *. set (dq := minus q p).
+  assert (Q : dot (K v) dq - dot (K w) dq = dot (K q) dv - dot (K p) dv).
+  { pose proof (ip_minus _ (k_form S) v w dq) as Q1. pose proof (ip_minus _ (k_form S) q p dv) as Q2. cbv beta in Q1,
+    Q2. fold dv in Q1. fold dq in Q2. rewrite <- Q1, <- Q2. apply (ip_sym _ (k_form S)). }
+  change (plus q (opp p)) with dq. change (plus v (opp w)) with dv. fold dq in Kc. lra.
+Qed.
+Lemma flow_monotone : dampers 0 -> monotone state_ip flow.
+Proof. intros Da y z. pose proof (flow_rate 0 (Rle_refl 0) Da y z) as Q. rewrite Rmult_0_l in Q. exact Q. Qed.
+
+(** so it is an inclusion in the space of states, with phi (q, q') = psi (B q') *)
+Theorem inclusion_motion psi U F q v : inclusion psi U F q v ->
+  motion state_ip flow (fun y => psi (B (snd y))) (impulse U) (impulse (fun t => Bt (F t))) (fun t => (q t, v t)).
+Proof.
+  intros (H & L). split; [exact H|]. intros t Ht z e He. destruct (L t Ht (B (snd z)) e He) as (d & Hd & Q).
+  exists d; split; auto. intros h Hh. rewrite friction_work. change (snd (minus z (q t, v t))) with (minus (snd z) (v
+    t)).
+  rewrite b_minus. apply Q; auto.
+Qed.
+
+(** T1: two motions never part by more than the impulse of the difference of their forces *)
+Theorem system_defects psi U F q v U' F' q' v' d J r t : dampers 0 -> inclusion psi U F q v -> inclusion psi U' F' q' v'
+  ->
+  (forall u, 0 <= u -> vderiv state_ip (fun r => minus (impulse U r) (impulse U' r)) u (d u)) -> cont J ->
+  (forall u, 0 <= u -> rderiv J u (norm state_ip (d u))) -> 0 <= r <= t ->
+  norm state_ip (minus (q t, v t) (q' t, v' t)) <= norm state_ip (minus (q r, v r) (q' r, v' r)) + (J t - J r).
+Proof.
+  intros Da H H' Hd CJ HJ Hr. exact (defects_add state_ip state_inner flow _ _ _ _ _ _ _ (flow_monotone Da)
+    (inclusion_motion _ _ _ _ _ H) (inclusion_motion _ _ _ _ _ H') d J r t Hd CJ HJ Hr).
+Qed.
+
+(** under one force they never part *)
+Theorem system_contracts psi U F q v F' q' v' r t : dampers 0 -> inclusion psi U F q v -> inclusion psi U F' q' v' -> 0
+  <= r <= t ->
+  norm state_ip (minus (q t, v t) (q' t, v' t)) <= norm state_ip (minus (q r, v r) (q' r, v' r)).
+Proof.
+  intros Da H H' Hr. exact (contracts state_ip state_inner flow _ _ _ _ _ _ r t (flow_monotone Da)
+    (inclusion_motion _ _ _ _ _ H) (inclusion_motion _ _ _ _ _ H') Hr).
+Qed.
+
+(** S1: where the dampers give at most at the rate c, they part at most at this rate *)
+Theorem system_parts c psi U F q v F' q' v' t : 0 <= c -> dampers c -> inclusion psi U F q v -> inclusion psi U F' q' v'
+  ->
+  0 <= t -> norm state_ip (minus (q t, v t) (q' t, v' t)) <= exp (c * t) * norm state_ip (minus (q 0, v 0) (q' 0, v'
+    0)).
+Proof.
+  intros Hc Da H H' Ht. exact (parts_at_most state_ip state_inner c flow _ _ _ _ _ _ t Hc (flow_rate c Hc Da)
+    (inclusion_motion _ _ _ _ _ H) (inclusion_motion _ _ _ _ _ H') Ht).
+Qed.
+
+(** T2: whatever brakes with a power of at least beta |B q'| synchronises, unique or not *)
+Theorem system_synchronises F q v beta J : (forall w, 0 <= dot (C w) w) -> 0 < beta -> moves (fun _ => zero) F q v ->
+  (forall t, 0 <= t -> brakes dotw (beta * norm dotw (B (v t))) F (B (v t)) t) ->
+  cont J -> (forall t, 0 <= t -> rderiv J t (norm dotw (B (v t)))) ->
+  (forall t, 0 <= t -> beta * (J t - J 0) <= state_ip (q 0, v 0) (q 0, v 0) / 2) /\
+  (forall z, (forall r t, 0 <= r <= t -> Rabs (z t - z r) <= J t - J r) -> exists zl,
+    (forall t, 0 <= t -> beta * Rabs (z t - zl) <= state_ip (q t, v t) (q t, v t) / 2) /\
+    forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e) /\
+  (forall k, 0 < k -> (forall r t, 0 <= r <= t -> Rabs (norm dotw (B (v t)) - norm dotw (B (v r))) <= k * (t - r)) ->
+    forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm dotw (B (v t)) <= e).
+Proof.
+  intros Di Hb H Br CJ HJ.
+  apply (brakes_synchronise state_ip state_inner flow (impulse (fun t => Bt (F t))) (fun t => (q t, v t)) beta
+    (fun t => norm dotw (B (v t)))); auto.
+  - intros (p, w). pose proof (Di w). unfold state_ip, flow; simpl. rewrite (m_inverse S), (ip_opp _ (dot_inner S)),
+      (ip_plus _ (dot_inner S)). pose proof (ip_sym _ (k_form S) w p) as Q. cbv beta in Q. rewrite Q. lra.
+  - destruct H as [L Co Ra]. constructor; auto. intros t Ht e He. destruct (Ra t Ht e He) as (d & Hd & Q). exists d;
+    split; auto.
+    intros h Hh. eapply Rle_trans; [|apply (Q h Hh)]. apply (norm_by _ state_inner); [apply norm_pos|]. intros w.
+    eapply Rle_trans; [|apply (cauchy _ state_inner)]. apply Req_le.
+    rewrite !(ip_minus _ state_inner). unfold impulse. ring.
+  - intros t Ht. apply norm_pos.
+  - intros t Ht e He. destruct (Br t Ht e He) as (d & Hd & Q). exists d; split; auto. intros h Hh. rewrite
+    friction_work. apply Q; auto.
+Qed.
+End Systems.
+
+(** *** The pair is the instance with one direction *)
+Section OnePair.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+(** states (x, v1, v2) *)
+Definition pair_ip (y z : R * R * R) := a2 * (fst (fst y) * fst (fst z)) + m1 * (snd (fst y) * snd (fst z)) + m2 * (snd
+  y * snd z).
+Definition pair_flow (y : R * R * R) := (snd (fst y), - (a2 * fst (fst y) + a1 * snd (fst y)) / m1, 0).
+Definition pair_friction (y : R * R * R) := b * Rabs (snd (fst y) - snd y).
+
+Lemma pair_inner : inner pair_ip.
+Proof.
+  unfold pair_ip. constructor.
+  - intros. ring.
+  - intros. unfold plus; simpl. unfold plus; simpl. ring.
+  - intros c y z. change (a2 * (c * fst (fst y) * fst (fst z)) + m1 * (c * snd (fst y) * snd (fst z)) + m2 * (c * snd y
+    * snd z) = c * (a2 * (fst (fst y) * fst (fst z)) + m1 * (snd (fst y) * snd (fst z)) + m2 * (snd y * snd z))). ring.
+  - intros y. pose proof (Rle_0_sqr (fst (fst y))) as P1. pose proof (Rle_0_sqr (snd (fst y))) as P2.
+    pose proof (Rle_0_sqr (snd y)) as P3. unfold Rsqr in *. repeat apply Rplus_le_le_0_compat; apply Rmult_le_pos; auto;
+      lra.
+Qed.
+Let Y := prod_ModuleSpace R_AbsRing (prod_ModuleSpace R_AbsRing R_ModuleSpace R_ModuleSpace) R_ModuleSpace.
+Lemma pair_minus f g k f' g' k' : @minus Y (f, g, k) (f', g', k') = (f - f', g - g', k - k').
+Proof. reflexivity. Qed.
+Lemma pair_plus f g k f' g' k' : @plus Y (f, g, k) (f', g', k') = (f + f', g + g', k + k').
+Proof. reflexivity. Qed.
+Lemma pair_scal c f g k : @scal R_AbsRing Y c (f, g, k) = (c * f, c * g, c * k).
+Proof. reflexivity. Qed.
+(** small components, small norm *)
+Lemma pair_norm e f g k : 0 <= e -> Rabs f <= e -> Rabs g <= e -> Rabs k <= e -> norm pair_ip (f, g, k) <= (a2 + m1 + m2
+  + 1) * e.
+Proof.
+  intros He F G K. unfold norm. apply Rle_trans with (sqrt (((a2 + m1 + m2 + 1) * e) ^ 2)); [|rewrite sqrt_pow2; nra].
+  apply sqrt_le_1_alt. unfold pair_ip; simpl.
+  assert (Sq : forall u, Rabs u <= e -> u * u <= e * e) by (intros u Hu; apply Rabs_inv in Hu; nra).
+  apply Sq in F. apply Sq in G. apply Sq in K. assert (0 <= e * e) by nra.
+  apply Rle_trans with ((a2 + m1 + m2) * (e * e)); [nra|]. replace ((a2 + m1 + m2 + 1) * e * ((a2 + m1 + m2 + 1) * e *
+    1)) with ((a2 + m1 + m2 + 1) * (a2 + m1 + m2 + 1) * (e * e)) by ring. apply Rmult_le_compat_r; nra.
+Qed.
+
+Theorem pair_is_an_inclusion U x v1 v2 s : forced m1 m2 a1 a2 b U x v1 v2 s ->
+  motion pair_ip pair_flow pair_friction (fun t => (0, U t / m1, 0)) (fun t => (0, b / m1 * s t, - (b / m2 * s t)))
+    (fun t => (x t, v1 t, v2 t)).
+Proof.
+  intros H. assert (N : 0 < a2 + m1 + m2 + 1) by lra. split; [constructor|].
+  - exists ((a2 + m1 + m2 + 1) * (b / m1 + b / m2)). intros r t Hr. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as
+    L. assert (B1 : 0 < b / m1) by positive. assert (B2 : 0 < b / m2) by positive.
+    rewrite Rmult_assoc, pair_minus. apply pair_norm; [nra|rewrite Rminus_diag_eq, Rabs_R0 by auto; nra| |].
+    + replace (b / m1 * s t - b / m1 * s r) with (b / m1 * (s t - s r)) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra.
+      nra.
+    + replace (- (b / m2 * s t) - - (b / m2 * s r)) with (- (b / m2 * (s t - s r))) by ring.
+      rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq by lra. nra.
+  - intros t Ht e He. assert (He' : 0 < e / (2 * (a2 + m1 + m2 + 1))) by positive.
+    destruct (f_cx _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1). destruct (f_cv _ _ _ _ _ _ _ _ _ _ H t Ht _ He')
+      as (d2 & H2 & K2).
+    destruct (moves_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t Ht _ He') as (d3 & H3 & K3).
+    exists (Rmin d1 (Rmin d2 d3)); split; [repeat apply Rmin_glb_lt; auto|]. intros u Hu Hd.
+    pose proof (Rmin_l d1 (Rmin d2 d3)). pose proof (Rmin_r d1 (Rmin d2 d3)). pose proof (Rmin_l d2 d3). pose proof
+      (Rmin_r d2 d3).
+    apply Rle_lt_trans with ((a2 + m1 + m2 + 1) * (e / (2 * (a2 + m1 + m2 + 1)))); [|replace (_ * _) with (e / 2) by
+      (field; lra); lra].
+    rewrite pair_minus. apply pair_norm; [lra|apply Rlt_le, K1; [auto|lra]|apply Rlt_le, K2; [auto|lra]|apply Rlt_le,
+      K3; [auto|lra]].
+  - intros t Ht e He. assert (He' : 0 < e / (a2 + m1 + m2 + 1)) by positive.
+    destruct (f_x _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1).
+    destruct (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht (e / (a2 + m1 + m2 + 1) * m1)) as (d2 & H2 & K2); [nra|].
+    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
+    replace (e * h) with ((a2 + m1 + m2 + 1) * (e / (a2 + m1 + m2 + 1) * h)) by (field; lra).
+    assert (0 <= e / (a2 + m1 + m2 + 1) * h) by nra.
+    unfold pair_flow; simpl fst; simpl snd. rewrite !pair_plus, !pair_minus, pair_scal, pair_minus. apply pair_norm;
+      auto.
+    + match type of K1 with Rabs ?a <= _ => match goal with |- Rabs ?c <= _ => replace c with a by ring end end. auto.
+    + apply Rmult_le_reg_l with m1; auto. rewrite <- (Rabs_pos_eq m1) at 1 by lra. rewrite <- Rabs_mult.
+      match type of K2 with Rabs ?a <= _ => match goal with |- Rabs ?c <= _ => replace c with a by (field; lra) end end.
+        lra.
+    + pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)) as W.
+      match goal with |- Rabs ?c <= _ => replace c with 0 by lra end. rewrite Rabs_R0. auto.
+  - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
+    destruct (friction_power s (v1 t - v2 t) t (fun k => q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k) (e / b)) as
+      (d & Hd & K); [positive|]. exists d; split; auto.
+    intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
+    destruct z as ((z1, z2), z3).
+    rewrite !pair_minus. unfold pair_ip, pair_friction; simpl. set (ds := s (t + h) - s t) in *.
+    match goal with |- ?a <= _ => replace a with (b * (ds * (z2 - z3)) - b * (ds * (v1 t - v2 t))) by (unfold ds; field;
+      lra) end.
+    assert (Q : ds * (z2 - z3) <= h * Rabs (z2 - z3)).
+    { pose proof (Rle_abs (ds * (z2 - z3))) as Q. rewrite Rabs_mult in Q. assert (Rabs ds <= h) by (apply Rabs_le; lra).
+      pose proof (Rabs_pos (z2 - z3)). nra. }
+    apply Rmult_le_compat_l with (r := b) in Q; [|lra]. assert (K' : b * (- (e / b * h)) <= b * (ds * (v1 t - v2 t) -
+      Rabs (v1 t - v2 t) * h)) by scale. replace (b * (- (e / b * h))) with (- (e * h)) in K' by (field; lra). lra.
+Qed.
+End OnePair.

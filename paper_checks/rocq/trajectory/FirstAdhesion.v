@@ -1,0 +1,89 @@
+(** The paper's Fig. 5 (m1 = m2 = 1, a2 = 200, b = 0.05, started at rest but for v1 = 0.15;
+    its events until t = 4.7 are those of Velocities.v): when the pair first sticks, for how long,
+    and that it slips at t = 4.7, where the paper has it stick. *)
+From Coq Require Import QArith Qreals List.
+From InertialPair Require Import Dini Pair Pursuit Forced WellPosed Waves Trajectory Velocities.
+Import ListNotations.
+
+(** slips at the head of a table: until they end the only contacts are those at their ends *)
+Lemma slips_first x v1 x2 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->
+  unfolds x v1 x2 v2 t (slips ++ later) e -> exists times,
+  Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= List.last times t) /\
+  (forall u, t < u <= List.last times t -> (v1 u = v2 u <-> In u times)) /\ unfolds x v1 x2 v2 (List.last times t) later e.
+Proof.
+  assert (Ll : forall r s (l : list R), List.last (r :: l) s = List.last l r).
+  { intros r s l. revert r s. induction l as [|y l IH]; intros r s; auto.
+    change (List.last (y :: l) s = List.last (y :: l) r). rewrite !IH. auto. }
+  induction slips as [|now slips IH]; intros t S U.
+  - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto].
+  - destruct U as (t1 & Ht1 & W & _ & _ & _ & Ev & Md & U).
+    destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & Ws & In1 & Co & U'). exists (t1 :: times).
+    rewrite Ll. split; [constructor; auto|]. assert (Le : t1 <= List.last times t1).
+    { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
+    split; [|split; auto].
+    + intros r [<-|Hr]; [lra|]. destruct (In1 r Hr); lra.
+    + intros u Hu. destruct (Rlt_dec t1 u).
+      * rewrite Co by lra. simpl. intuition. lra.
+      * destruct (Req_dec u t1) as [->|Ne]; [simpl; intuition|]. specialize (Md u ltac:(lra)).
+        specialize (S now (or_introl eq_refl)). split; intros Q.
+        { destruct (mode_until now) as [[|]|]; simpl in Md; [lra|lra|congruence]. }
+        { destruct Q as [->|Q]; [lra|]. destruct (In1 u Q); lra. }
+Qed.
+
+(** lists that are related element by element are of one length *)
+Lemma same_length {A B} (P : A -> B -> Prop) l k : Forall2 P l k -> length k = length l.
+Proof. induction 1; simpl; auto. Qed.
+
+(** among finitely many times is none in some part of every interval *)
+Lemma gap (l : list R) : forall p q, p < q -> exists u, p < u < q /\ ~ In u l.
+Proof.
+  induction l as [|r l IH]; intros p q Hp.
+  - exists ((p + q) / 2). split; [lra|auto].
+  - destruct (Rlt_dec p r) as [Pr|Pr].
+    + destruct (IH p (Rmin r q)) as (u & Hu & N); [apply Rmin_glb_lt; auto|]. pose proof (Rmin_l r q).
+      pose proof (Rmin_r r q). exists u. split; [lra|]. intros [->|I]; [lra|auto].
+    + destruct (IH p q Hp) as (u & Hu & N). exists u. split; [lra|]. intros [->|I]; [lra|auto].
+Qed.
+
+(** The first adhesion is at ta = 4.549769479..., not before: until then both velocities agree at 20 single instants
+    only. It lasts until tb = 4.579537997...; at 4.7 the pair slips, and adheres again from tc = 4.771754480... until
+    td = 4.911023717.... *)
+Theorem first_adhesion x v1 v2 s : solution 1 1 0 200 (5 / 100) x v1 v2 s -> x 0 = 0 -> v1 0 = 15 / 100 -> v2 0 = 0 ->
+  exists ta tb tc td contacts, 45497694797 / 10 ^ 10 <= ta <= 45497694798 / 10 ^ 10 /\
+  45795379975 / 10 ^ 10 <= tb <= 45795379977 / 10 ^ 10 /\ 47717544800 / 10 ^ 10 <= tc <= 47717544802 / 10 ^ 10 /\
+  49110237173 / 10 ^ 10 <= td <= 49110237174 / 10 ^ 10 /\
+  length contacts = 20%nat /\ (forall u, 0 <= u < ta -> (v1 u = v2 u <-> In u contacts)) /\
+  (forall p q, 0 <= p < q -> q <= ta -> exists u, p < u < q /\ v1 u <> v2 u) /\
+  (forall u, ta <= u <= tb -> v1 u = v2 u) /\ (forall u, tb < u < tc -> v1 u < v2 u) /\
+  (forall u, tc <= u <= td -> v1 u = v2 u).
+Proof.
+  intros H X0 V1 V2. assert (Mo : motion the_scene x v1 (integral v2) v2).
+  { pose proof (proj2 (free_case 1 1 0 200 (5 / 100) x v1 v2 s) H) as F.
+    assert (Cv : cont v2) by exact (moves_cv2 1 1 0 200 (5 / 100) Rlt_0_1 _ _ _ _ _ _ F).
+    exists (fun _ => 0). unfold the_scene; simpl. split; [apply cont_const|]. split.
+    - intros t _. apply rderiv_const.
+    - unfold Q2R; simpl. rewrite X0, V1, V2, integral_0. split; [exists s|].
+      + replace (1 * / 1) with 1 by field. replace (0 * / 1) with 0 by field. replace (200 * / 1) with 200 by field.
+        replace (1 * / 20) with (5 / 100) by field. exact F.
+      + split; [apply integral_cont; auto|]. split; [intros; apply integral_rderiv; auto|lra]. }
+  pose proof (trajectory x v1 (integral v2) v2 Mo) as U.
+  change the_events with (firstn 20 the_events ++ skipn 20 the_events) in U. apply slips_first in U.
+  2: { intros m Hm. simpl in Hm. repeat (destruct Hm as [<-|Hm]; [discriminate|]). contradiction. }
+  destruct U as (times & Ws & In1 & Co & U). assert (Ln : length times = 20%nat).
+  { pose proof (same_length _ _ _ Ws) as E. simpl in E. auto. }
+  assert (P : 0 <= List.last times 0).
+  { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
+  destruct U as (ta & Ha & Wa & _ & _ & _ & Ea & Ma & U). destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U).
+  destruct U as (tc & Hc & Wc & _ & _ & _ & Ec & Mc & U). destruct U as (td & Hd & Wd & _ & _ & _ & Ed & Md & _).
+  assert (Cs : forall u, 0 <= u < ta -> (v1 u = v2 u <-> In u times)).
+  { intros u Hu. destruct (Rle_dec u (List.last times 0)).
+    - destruct (Req_dec u 0) as [->|]; [|apply Co; lra]. split; [lra|]. intros Q. destruct (In1 _ Q); lra.
+    - specialize (Ma u ltac:(lra)). simpl in Ma. split; [lra|]. intros Q. destruct (In1 _ Q); lra. }
+  unfold within in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd. unfold Q2R in Wa, Wb, Wc, Wd. simpl in Wa, Wb, Wc, Wd.
+  exists ta, tb, tc, td, times. do 4 (split; [lra|]). split; [auto|]. split; [auto|]. split; [|split; [|split]].
+  - intros p q Hp Hq. destruct (gap times p q ltac:(lra)) as (u & Hu & N). exists u. split; [lra|].
+    rewrite Cs by lra. auto.
+  - intros u Hu. destruct (Req_dec u ta) as [->|]; auto. destruct (Req_dec u tb) as [->|]; auto. apply Mb; lra.
+  - intros u Hu. apply Mc; lra.
+  - intros u Hu. destruct (Req_dec u tc) as [->|]; auto. destruct (Req_dec u td) as [->|]; auto. apply Md; lra.
+Qed.

@@ -1,0 +1,182 @@
+"""What the kernel prints of the cited theorems is what is on record, and every kind of fault turns one by its name."""
+
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from paper_checks.proofs import __main__ as command
+from paper_checks.proofs import audit, cited, graph, kernel, library
+from paper_checks.proofs.audit import CLASSICAL_REALS, recorded, register
+from paper_checks.proofs.sources import AUDIT, FOLDER, read
+
+OUT = (FOLDER / f"{AUDIT}.out").read_text("utf-8")
+ONE, DIGITS = "contraction", "critical-mass-ratio-digits"
+
+
+@pytest.fixture
+def planted(monkeypatch):
+    """Read the record from another text."""
+
+    def plant(text):
+        there = audit.read(text)
+        for module in (audit, library):
+            monkeypatch.setattr(module, "recorded", lambda: there)
+        return there
+
+    return plant
+
+
+def test_the_record_has_every_theorem_and_its_sentence():
+    assert recorded().theorems.keys() == register().keys()
+    assert len({name for name, _ in register().values()}) == len(register()) > 200
+    for one, (_, sentence) in cited.CITED.items():
+        assert f"== {one}\n{sentence}\n" in OUT, f"the sentence of {one} is not the one on record"
+
+
+def test_nothing_on_record_rests_on_an_axiom_beyond_the_reals():
+    theorems = recorded().theorems
+    assert all(one.axioms and all(map(audit.allowed, one.axioms)) for one in theorems.values())
+    beyond = {name for name, one in theorems.items() if set(one.axioms) - CLASSICAL_REALS}
+    assert "margin" in beyond  # where intervals are computed
+    assert not {"sharp-law", "first-adhesion", "switching-iff", "filippov-iff"} & beyond
+
+
+def test_theorems_use_others_that_are_cited_and_no_theorem_itself():
+    def below(one, above=()):
+        assert one not in above
+        return {one}.union(*(below(other, (*above, one)) for other in recorded().theorems[one].uses))
+
+    assert set().union(*map(below, recorded().theorems)) == register().keys()
+    assert {"first-re-entry", "uniqueness"} <= below("sharp-law")
+    assert "follow-forced-arc" in recorded().theorems["trajectory-velocities"].uses  # by way of an applied functor
+
+
+def test_definitions_beneath_definitions_belong_to_a_statement():
+    printed = {"One.a": "fun x => Two.b x + Reals.R", "Two.b": "fun x => Three.c' x", "Three.c'": "0", "Four.d": "1"}
+    beneath = audit.below("forall x, One.a x = x", printed)
+    assert beneath == {one: printed[one] for one in ("One.a", "Three.c'", "Two.b")}
+
+
+def test_what_is_not_checked_counts_as_an_axiom_and_nothing_is_read_in_part():
+    told = "Axioms:\nClassical_Prop.classic : forall P : Prop,\n  P \\/ ~ P\nbad is assumed to be guarded.\n"
+    assert audit.axioms(told) == ("Classical_Prop.classic", "bad is assumed to be guarded.")
+    with pytest.raises(RuntimeError, match="in part only"):
+        audit.trimmed("MergingEnergies.merging_set", "MergingEnergies.merging_set\n     : forall t, v1 (...) = v2 t")
+
+
+def test_an_answer_that_is_not_the_one_on_record_is_named():
+    """A statement, a definition, and an axiom that is not allowed or not on record."""
+    name, known = register()["capture"][0], recorded().theorems["capture"]
+    printed = {name: known.statement} | recorded().definitions_of["capture"]
+
+    def problem(changed=(), axioms=known.axioms):
+        return library.difference("capture", printed | dict(changed), axioms)
+
+    assert problem() == ""
+    assert "does not say what is in Audit.out" in problem({name: "True"})
+    assert "Pair.energy, which is not defined as in Audit.out" in problem({"Pair.energy": "fun x => x"})
+    for wrong in ("CriticalRatioDigits.easy", "Classical_Prop.another", "bad is assumed to be guarded."):
+        assert f"rests on {wrong}, which nobody has proved" in problem(axioms=[*known.axioms, wrong])
+    assert "more than in Audit.out" in problem(axioms=[*known.axioms, "PrimInt63.add"])
+
+
+def test_without_the_kernel_nothing_is_proved_and_nothing_is_broken(monkeypatch, tmp_path, capsys):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr("sys.argv", ["paper_checks.proofs"])
+    theorems = library.prove(register())
+    assert {(one.holds, one.problem) for one in theorems.values()} == {(None, kernel.why_not())}
+    law = theorems["sharp-law"]
+    assert "is_lim" in law.statement
+    assert (law.axioms, "first-re-entry" in law.uses, "tie-rate" in law.ties) == ((), True, True)
+    assert (command.main(), capsys.readouterr().out) == (3, "")
+    with pytest.raises(KeyError):
+        library.prove(["no-such-theorem"])
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+def test_every_cited_theorem_is_proved_as_recorded(monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["paper_checks.proofs"])
+    assert command.main() == 0
+    assert f"{len(register())} of {len(register())} theorems proved as recorded" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+def test_the_audit_file_asks_about_what_is_cited_and_names_what_it_uses():
+    sources = read()
+    script = command.script(kernel.compile_files(sources, sources))
+    assert script == (FOLDER / f"{AUDIT}.v").read_text("utf-8"), "python -m paper_checks.proofs audit writes it"
+
+
+@pytest.mark.usefixtures("needs_kernel")
+@pytest.mark.parametrize(
+    ("true", "false", "said"),
+    [
+        ("", "", ""),
+        ("Rabs (v2 t - w2 t)", "Rabs (v2 t + w2 t)", ""),  # of another theorem
+        ("\\/ ~ P", "", ""),  # the text of an axiom: only names count
+    ],
+)
+def test_a_record_of_other_theorems_changes_nothing(planted, true, false, said):
+    planted(OUT.replace(true, false) if true else OUT)
+    assert library.prove([ONE])[ONE].problem == said
+
+
+@pytest.mark.usefixtures("needs_kernel")
+@pytest.mark.parametrize(
+    ("true", "false", "said"),
+    [
+        ("Pair.energy m1 m2 a2", "Pair.energy m2 m1 a2", "Pair.contraction does not say what is in Audit.out"),
+        ("m1 * v1 ^ 2", "m2 * v1 ^ 2", "Pair.contraction rests on Pair.energy, which is not defined as in Audit.out"),
+    ],
+)
+def test_a_changed_record_turns_the_theorem(planted, true, false, said):
+    assert true in OUT
+    planted(OUT.replace(true, false))
+    proved = library.prove([ONE])
+    assert (proved[ONE].holds, proved[ONE].problem) == (False, said)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+@pytest.mark.parametrize(
+    ("true", "false", "said"),
+    [
+        ("13 decimals", "13 decimals", ""),
+        ("interval", "idtac", "CriticalRatioDigits.decimals is not proved (line "),
+        ("Qed.", "Admitted.", "CriticalRatioDigits.decimals rests on "),
+        ("Theorem decimals", "Theorem digits", "CriticalRatioDigits.decimals: "),
+    ],
+)
+def test_a_damaged_file_is_reported_by_the_name_of_its_theorem_and_costs_no_other(tmp_path, store, true, false, said):
+    shutil.copytree(FOLDER, tmp_path / "rocq")
+    damaged = tmp_path / "rocq" / "free" / "CriticalRatioDigits.v"
+    damaged.write_text(damaged.read_text("utf-8").replace(true, false), "utf-8")
+    proved = library.prove([DIGITS, ONE], store=store, folder=tmp_path / "rocq")
+    assert bool(proved[DIGITS].problem) == bool(said)
+    assert proved[DIGITS].problem.startswith(said)
+    assert proved[ONE].holds is True
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+def test_the_kernel_itself_finds_the_same_lemmas_below_a_theorem(tmp_path):
+    sources = read()
+    compiled = kernel.compile_files(["Stick"], sources)
+    references, definitions = graph.references(compiled.folders)
+    name = "Stick.capture"
+    text = f"From InertialPair Require Stick.\nPrint Opaque Dependencies {name}.\n"
+    (tmp_path / "Ask.v").write_text(text, "utf-8")
+    ask = ["coqc", "-q", "-w", "none", *compiled.arguments(), "Ask.v"]
+    said = subprocess.run(ask, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    ours = set(compiled.folders)
+    seen = {one for one in re.findall(r"^ *(\w+\.\w+) :", said, re.MULTILINE) if one.split(".")[0] in ours}
+    below, waiting = set(), [name]
+    while waiting:
+        waiting += (more := references.get(waiting.pop(), frozenset()) - below)
+        below |= more
+    of_parts = {one for one in below if one.count(".") > 1 or one.startswith(("Pair.s_", "Pair.q_"))}
+    assert seen - {name} == {one for one in below if one in references} - definitions - of_parts - {name}
