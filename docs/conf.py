@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from latex2mathml.converter import convert
+from math_core import LatexToMathML
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -43,7 +43,8 @@ def in_mathml(translator: Any, node: Any) -> None:
     from docutils.nodes import SkipNode
 
     is_block = node.tagname == "math_block"
-    formula = convert(node.astext(), display="block" if is_block else "inline")
+    formula = LatexToMathML().convert_with_local_state(node.astext(), displaystyle=is_block)
+    formula = formula.replace(' accent="true"', "")  # a dot would touch its letter
     translator.body.append(f"<p>{formula}</p>" if is_block else formula)
     raise SkipNode
 

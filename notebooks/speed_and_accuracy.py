@@ -30,7 +30,7 @@ from numerics.trade.measure import trade
 from numerics.trade.recorded import recorded
 from paper_checks.report.content import speed
 from paper_checks.report.content.blocks import Picture
-from paper_checks.report.formats.html_blocks import HtmlWriter
+from paper_checks.report.formats.html import fragment
 
 # %% [markdown]
 # ## The recorded measurement
@@ -41,7 +41,7 @@ from paper_checks.report.formats.html_blocks import HtmlWriter
 # %%
 measured = recorded()
 chapter = speed.section(measured)
-HTML(HtmlWriter({}, {}).body([block for block in chapter.blocks if not isinstance(block, Picture)]))
+HTML(fragment([block for block in chapter.blocks if not isinstance(block, Picture)]))
 
 # %%
 speed.figures(measured)[speed.WORK_PRECISION]()

@@ -66,7 +66,8 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
     for module in (
         "sympy",
         "rich",
-        *(("matplotlib", "latex2mathml") if options.command in (_report, _explore) else ()),
+        "math_core",
+        *(("matplotlib", "jinja2") if options.command in (_report, _explore) else ()),
     ):
         if importlib.util.find_spec(module) is None:  # before anything is decided
             _complain(missing(module))

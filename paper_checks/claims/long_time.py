@@ -143,5 +143,4 @@ def long_time_expansion() -> Case:
             "$E(0)$ enters at the order $\\tau^{-2}$ only, through $K$: two trajectories differ by $C\\,(K_2-K_1)/\\tau^2$ in $w$.",
             "The error of $\\tau^{-1/2}$ in $K$ is $\\varepsilon=\\sqrt w$ to leading order: the next term of the time is $-\\varepsilon$.",
         ),
-        figure="long-time",
     )

@@ -248,7 +248,6 @@ def merging_bands() -> Case:
                 creeps_for_ever(),
             ),
         ),
-        figure="merging-bands",
     )
 
 

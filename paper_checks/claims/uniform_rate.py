@@ -217,7 +217,6 @@ def rate_with_error() -> Case:
             "$$\\frac{C}{w_n}+\\pi B\\ln\\frac{w_n}{w_0}=\\frac{C}{w_0}+\\tau_n+R_n,\\qquad R_n=\\sum_{k<n}(\\pi G_k-F_k).$$",
             "The bounds are uniform in $n$; they are loose for small $r=m_2/M$, where the law itself sets in late.",
         ),
-        figure="rate-with-error",
     )
 
 

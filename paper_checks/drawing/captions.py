@@ -25,8 +25,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "sharp-rate": (
         "The energy approaches its limit like 1/t",
-        "Top: $E-E_{cr}$ falls by one power of ten when $t$ grows by one. Bottom: $t(E-E_{cr})$, divided by the limit of the "
-        "theorem, tends to 1 from each start.",
+        "$t(E-E_{cr})$, divided by the limit that the theorem gives each pair, tends to 1.",
     ),
     "start-at-6mm": (
         "Fig. 4 (a), solved exactly and by forward Euler",
@@ -45,8 +44,8 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "relative-motion": (
         "Fig. 5 (b), solved exactly and by forward Euler",
-        "For each friction the relative motion ends near $\\dot z=0$; the close-up shows the many short slips on which the exact "
-        "solution and forward Euler differ.",
+        "For each friction the relative motion ends near $\\dot z=0$; the close-up shows the many short slips there, on which the exact "
+        "solution and forward Euler (pale) differ.",
     ),
     "itinerary-that-merges": (
         "Fig. 3 (a), a trajectory that merges",
@@ -77,11 +76,6 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Each point is a pair and an energy on the sliding region. Left of the dashed line nothing ever merges. In the coloured region the "
         "pair merges where it first meets $S$ after it left $S_0$; below it, it never merges; above it a later slip may merge.",
     ),
-    "merging-bands": (
-        "Speeds that merge come in bands",
-        "Coloured: speeds at $x_1=0$ from which the pair merges sooner or later; white: speeds from which it never does. Far up the bands "
-        "look equally spaced, which is not proved. Drawn in float64; the claim proves speeds in many of the bands.",
-    ),
     "merging-share": (
         "How many states merge",
         "For pairs up to the critical share $r^*$: just above $E_{cr}$ nearly all states merge; as the energy grows their share falls like $1/E$.",
@@ -89,14 +83,6 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     "rate-bounds": (
         "The 1/t law between two explicit bounds",
         "The excess energy at each exit, times the time and divided by the limit, stays in the blue band that theory gives.",
-    ),
-    "long-time": (
-        "The remainder after the logarithm",
-        "Without the logarithmic term, the remainder tends to one number for each start, the only trace of the initial state.",
-    ),
-    "rate-with-error": (
-        "The rest of the law stays within its bounds",
-        "The rest $R_n$ at the exits of three motions, and for each, dotted, the two bounds that its start fixes.",
     ),
     "uniform-rate": (
         "What the energy at the start fixes",
@@ -132,11 +118,6 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Fig. 1, drawn for the scene of Fig. 5 (a)",
         "Left: the relative motion about its limit; from the point on, in black, it stays inside the dashed ring. Right: its distance "
         "from the limit over time.",
-    ),
-    "jumping-force": (
-        "A continuum of periodic motions",
-        "Left: three periodic motions under one force, without a damper; every one in between is periodic, too. Right: the force jumps where they leave "
-        "their stick, and so do their loads, from inside the strip to outside.",
     ),
     "drift-against-asymmetry": (
         "An asymmetric force makes body 2 drift",

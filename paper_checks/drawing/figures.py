@@ -7,11 +7,11 @@ from paper_checks.drawing.euler_convergence import euler_convergence
 from paper_checks.drawing.excursions import excursion_curves, merging_window, return_map
 from paper_checks.drawing.force_needed import force_needed
 from paper_checks.drawing.itineraries import itinerary_that_creeps, itinerary_that_merges
-from paper_checks.drawing.merging import merging_bands, merging_interval, merging_share
+from paper_checks.drawing.merging import merging_interval, merging_share
 from paper_checks.drawing.model import two_bodies
 from paper_checks.drawing.past_the_line import rotating_force, static_friction, stuck_ellipses, two_motions
 from paper_checks.drawing.phase_portraits import relative_motion, start_at_6mm, start_with_speed
-from paper_checks.drawing.rates import long_time, rate_bounds_figure, rate_with_error, uniform_rate_figure
+from paper_checks.drawing.rates import rate_bounds_figure, uniform_rate_figure
 from paper_checks.drawing.relative_velocity import relative_velocity
 from paper_checks.drawing.sharp_rate import sharp_rate
 from paper_checks.drawing.style import Figures, house_style
@@ -34,11 +34,8 @@ DRAWINGS = (
     return_map,
     merging_window,
     merging_interval,
-    merging_bands,
     merging_share,
     rate_bounds_figure,
-    long_time,
-    rate_with_error,
     uniform_rate_figure,
     static_friction,
     two_motions,

@@ -31,6 +31,12 @@ MM = 1000.0
 """Millimetres in a metre."""
 BODY_1, BODY_2 = "#1b4f8f", "#c8641e"
 SLIDING = "#e4e4e4"
+FRICTIONS = (
+    ("velocities", "0.05", "#1b4f8f", "-"),
+    ("relative-motion-b02", "0.2", "#c8641e", "--"),
+    ("relative-motion-b05", "0.5", "#2e8b3d", "-."),
+)
+"""The scenes of Fig. 5 (b): name, b in N, colour, line."""
 MODE_COLOURS = {Mode.SLIP_PLUS: "#1f5fd0", Mode.SLIP_MINUS: "#cc2222", Mode.STICK: "black"}
 MARKERS = {EventKind.ENTRY: "o", EventKind.EXIT: "^", EventKind.CROSSING: "X"}
 _RC = {

@@ -37,16 +37,7 @@ def thresholds_over_frequency() -> Figure:
         ax.set_title(title)
         for rate, name in ((pair.a2 / pair.mass, r"$\Omega$"), (pair.a2 / pair.m1, r"$\omega_1$")):
             ax.axvline(float(rate) ** 0.5, color="#777777", lw=0.7, ls=":")
-            ax.annotate(
-                name,
-                (float(rate) ** 0.5, 1),
-                (-3, -3),
-                ax.get_xaxis_transform(),
-                "offset points",
-                ha="right",
-                va="top",
-                fontsize=9,
-            )
+            ax.text(float(rate) ** 0.5, 0.98, name, transform=ax.get_xaxis_transform(), ha="right", va="top")
     patches = [Patch(fc=colour, ec="black", lw=0.4, label=name) for name, colour in REGIME_COLOURS.items()]
     figure.legend(handles=[*patches, *figure.axes[0].lines[:3]], loc="outside lower center", ncols=3, frameon=False)
     return figure

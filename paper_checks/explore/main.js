@@ -5,7 +5,7 @@ const space = part("space"), strips = part("strips"), dark = matchMedia("(prefer
 const state = { solution: null, parts: [], reach: null, units: null };
 
 const player = playerOf(part, { until: () => state.solution.scene.until, next: (t) => nextStart(state.solution, t), show: drawAt });
-const controls = controlsOf(part("line"), () => { state.units = null; pressed(null); renew(); });
+const controls = controlsOf(root, () => { state.units = null; pressed(null); renew(); });
 const view = cameraOf(space, draw);
 
 /* The scene that the controls say. */
@@ -50,9 +50,9 @@ function tell() {
   strips.setAttribute("aria-label", `Velocities, load, itinerary and energy over time. ${title}. The table of motions below has the numbers.`);
 }
 
-/* Where a sentence is proved: a link, if the row's page stands beside this one. */
+/* Where a sentence is proved: a link, if the report beside this page has the claim. */
 function proofIn(row) {
-  const name = EXPLORE.beside.includes(row) ? Object.assign(document.createElement("a"), { href: `${row}.html` }) : document.createElement("code");
+  const name = EXPLORE.beside.includes(row) ? Object.assign(document.createElement("a"), { href: `report.html#${row}` }) : document.createElement("code");
   name.textContent = row;
   return ["See claim ", name, "."];
 }
@@ -123,12 +123,10 @@ strips.addEventListener("click", (event) => {
   const share = (event.offsetX - MARGIN.left) / (strips.clientWidth - MARGIN.left - MARGIN.right);
   player.jump(() => share * state.solution.scene.until);
 });
-new ResizeObserver(() => redraw()).observe(root);
+new ResizeObserver(draw).observe(root);
 part("body").hidden = false;
 load(root.querySelector("[data-scene]"));
 player.go(state.solution.scene.until);
-const surface = surfaceTab(), redraw = () => { draw(); surface.draw(); };
-dark.addEventListener("change", redraw);
-addEventListener("beforeprint", () => { root.classList.add("explore-print"); redraw(); });
-addEventListener("afterprint", () => { root.classList.remove("explore-print"); redraw(); });
-tabsOf(root.querySelector("[role=tablist]"), redraw);
+dark.addEventListener("change", draw);
+addEventListener("beforeprint", () => { root.classList.add("explore-print"); draw(); });
+addEventListener("afterprint", () => { root.classList.remove("explore-print"); draw(); });

@@ -24,28 +24,3 @@ function sceneFile({ ratio, zeta, X, V1, V2, until, constant, amplitude, omega, 
     "",
   ].join("\n");
 }
-
-/* The same of a pair on a surface; a force that stays where it is has no sine. */
-function surfaceFile({ ratio, zeta, X, V1, V2, until, size: most, angle, omega }) {
-  const list = (values) => `[${values.map((one) => `"${written(one)}"`).join(", ")}]`;
-  const sines = (axis) => `sines = [{ amplitude = "${written(most)}", omega = "${written(omega)}", phase = "${written(angle + (axis === "x" ? Math.PI / 2 : 0))}" }]`;
-  const steady = (axis) => `polynomial = ["${written(most * (axis === "x" ? Math.cos(angle) : Math.sin(angle)))}"]`;
-  const acting = (axis) => ["[[force]]", `axis = "${axis}"`, omega === 0 ? steady(axis) : sines(axis)];
-  return [
-    "[pair]",
-    `m1 = "${written(ratio)}"`,
-    "m2 = 1",
-    `a1 = "${written(2 * zeta * (1 + ratio))}"`,
-    `a2 = "${written(1 + ratio)}"`,
-    "b = 1",
-    'shape = "ellipsoid"',
-    "[initial]",
-    ...["x1", "x2"].map((name) => `${name} = ${list(X)}`),
-    `v1 = ${list(V1)}`,
-    `v2 = ${list(V2)}`,
-    "[run]",
-    `until = "${written(until)}"`,
-    ...(most ? [...acting("x"), ...acting("y")] : []),
-    "",
-  ].join("\n");
-}

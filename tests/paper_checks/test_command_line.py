@@ -76,11 +76,11 @@ def test_the_report_tells_some_rows_or_the_whole_and_complains(small, capsys, tm
     assert captured.err == "paper_checks: the figure lost is not known\n"
     planted(tmp_path)  # writes the file
     main(["report", "--out", str(tmp_path / "other"), "--trade", str(tmp_path / "planted.json")])
-    assert "Measured once: Abacus" in (tmp_path / "other" / "pages" / "speed-and-accuracy.html").read_text("utf-8")
+    assert "Measured once: Abacus" in (tmp_path / "other" / "report.html").read_text("utf-8")
     assert main(["report", "stiction-bracket", "--out", str(tmp_path)]) == 0
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert 'data-row="stiction-bracket"' in page
-    assert 'data-row="energy-rate"' not in page
+    assert 'id="stiction-bracket"' in page
+    assert 'id="energy-rate"' not in page
     assert "Speed and accuracy" not in page
 
 

@@ -80,13 +80,6 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Markup:
-    """What only a page can show, as HTML; paper has nothing in its place."""
-
-    html: str
-
-
-@dataclass(frozen=True)
 class Folded:
     """What is shown when a reader asks for it, and on paper is in small print; with an id, it can be pointed to there."""
 
@@ -95,7 +88,7 @@ class Folded:
     id: str = ""
 
 
-Block = Heading | Paragraph | Points | Table | Picture | Cards | Code | Line | Markup | Folded
+Block = Heading | Paragraph | Points | Table | Picture | Cards | Code | Line | Folded
 
 
 @dataclass(frozen=True)

@@ -1,60 +1,67 @@
-"""The whole report as data: what the pages write, and of which paper is a selection."""
+"""The whole report as data: what the page shows, and of which paper is a selection."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from paper_checks.claims import source
-from paper_checks.report.content import blocks, derivation, kernel, notation, opening, shared, trust
-from paper_checks.report.content.blocks import Block, Section
-from paper_checks.report.content.story import story
+from paper_checks.evidence.claim import Kind
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.report.content import blocks, derivation, kernel, notation, opening, shared, story, trust
+from paper_checks.report.content.blocks import Section
 from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
-ROWS, ROWS_TITLE = "rows", "All claims and theorems"
+ROWS = "rows"
+"""The anchor of the list of claims."""
+OF_THE_PAGE = {
+    "new": "New beyond the paper",
+    "not-judged": "Statements not judged",
+    "questions": "Frequent questions",
+}
+"""Chapters that paper has not; each is a template of its own."""
 
 
 @dataclass(frozen=True)
 class Document:
-    """A report: what a reader meets first, the rows with their stories, and chapters, each a page of its own in HTML."""
+    """A report: what a reader meets first, the claims, and chapters; `common` names the steps that stand in a chapter."""
 
     title: str
     front: tuple[Section, ...]
     rows: tuple[Row, ...]
     chapters: tuple[Section, ...]
-    stories: Mapping[str, tuple[Block, ...]] = field(default_factory=dict)
+    common: Mapping[Evidence, str]
+    answers: tuple[str, ...] = ()
+
+    @property
+    def anchors(self) -> tuple[str, ...]:
+        """Return all that a link can point to."""
+        chapters = (anchor for one in self.chapters for anchor in blocks.anchors(one))
+        return (*(one.id for one in self.front), ROWS, *(row.claim.id for row in self.rows), *chapters)
 
     @property
     def pictures(self) -> tuple[str, ...]:
-        """Return the names of its figures, each once, in their order."""
-        everything = [
-            *(one.blocks for one in self.front),
-            *self.stories.values(),
-            *(one.blocks for one in self.chapters),
-        ]
-        return tuple(dict.fromkeys(picture.name for some in everything for picture in blocks.pictures(some)))
+        """Return the names of its figures, each once."""
+        sections = (name for one in (*self.front, *self.chapters) for name in one.pictures)
+        return tuple(dict.fromkeys([*sections, *filter(None, map(story.figure, self.rows))]))
 
 
 def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Sequence[str] = ()) -> Document:
     """Return the report on these rows, with `chapters` among its own, and `answers` for who asks how fast it is."""
-    elsewhere = frozenset(anchor for chapter in chapters for anchor in blocks.anchors(chapter))
     common = shared.names(rows)
-    asked = opening.questions(rows, answers)
+    told = {"questions", *(row.finding.verdict.value for row in rows)}
+    told |= {"new"} if any(row.claim.kind is Kind.THEOREM for row in rows) else set()
     after = (
         derivation.section(rows),
-        opening.new(rows),
-        opening.not_judged(rows),
+        *(Section(name, title, ()) for name, title in OF_THE_PAGE.items() if name in told),
         opening.still_open(rows),
-        asked,
         *chapters,
         kernel.section(rows),
         shared.section(rows, common),
+        trust.section(rows),
+        notation.section(),
+        trust.provenance(),
     )
-    return Document(
-        TITLE,
-        opening.front(rows),
-        tuple(rows),
-        (*(one for one in after if one.blocks), trust.section(rows), notation.section(), trust.provenance()),
-        {row.claim.id: story(row, common, elsewhere) for row in rows},
-    )
+    shown = tuple(one for one in after if one.blocks or one.id in OF_THE_PAGE)
+    return Document(TITLE, opening.front(rows), tuple(rows), shown, common, tuple(answers))

@@ -9,17 +9,13 @@ from fractions import Fraction
 
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
-from paper_checks.claims import claim_named, source
 from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.explore import motion
-from paper_checks.proofs.cited import CITED
 from paper_checks.report.content import derivation
-from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
-from paper_checks.report.content.phrases import formula, headline, in_short, kind, picture, place
-from paper_checks.report.content.trust import LAW
+from paper_checks.report.content.blocks import Block, Cards, Heading, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.content.phrases import formula, headline, in_short, kind, picture
 from paper_checks.running.runner import Row
 
 MODEL = (
@@ -34,10 +30,6 @@ STRENGTHS = {
 }
 """Kinds of steps, from the strongest; together they are all that can settle a claim."""
 DERIVED = "How the paper's results follow from the equations of motion, line by line, and which check accepted each line: `derivation`."
-EXPLORE = (
-    "<p>Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and the "
-    'long-run behaviour; on a second tab, the pair on a surface, seen from above.</p>\n<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
-)
 POSITIVE = "$m_1,m_2,a_2,b>0$."
 FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."
 DRIVEN = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless stated otherwise."
@@ -85,17 +77,6 @@ NEW: dict[str, tuple[str, str, str]] = {
     ),
 }
 """Results beyond the paper that the first page shows, by their claims: figure, title, and a sentence with the claim's formulas."""
-ASKED = {
-    "synchronisation-time": "Do the bodies synchronise at 4.7 s?",
-    "critical-energy": "What is $E_{cr}$, and who proved it?",
-    "static-friction-stops-creeping": "What if static friction is above kinetic?",
-    "motions-on-a-surface": "What changes on a surface?",
-    "stuck-ellipses": "What replaces the critical energy there?",
-}
-"""What is often asked, by the claim that answers it."""
-NUMBERS = "Ball (interval) arithmetic proves every printed digit and the order of events. A number a ± r is such a ball: the exact value is proved to be within r of a. float64 numbers carry an error bound, which is tested and not proved; a surface is solved in balls."
-WITHOUT = "On two solvers, exact algebra, enclosures and written inferences, as its weakest step says: every claim of the paper is decided without the kernel, too, and then says that the kernel was not run. A theorem beyond the paper that needs the kernel is then unchecked, never passed. What each kind of step guarantees: `trust`."
-DRAWN = "`python -m numerics solve velocities --plot velocities.svg` solves its scene and draws it; `python -m numerics scenes` lists the others. What forward Euler computes instead: `euler-reproduces-figures`."
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
 
@@ -113,10 +94,8 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
             "The pair",
             (
                 Paragraph(MODEL),
-                Markup(motion.section()),
                 Paragraph(headline(rows)),
                 *(Paragraph(one) for one in (DERIVED,) if derivation.is_whole(rows)),
-                Markup(EXPLORE),
             ),
         ),
         Section("refuted", "What fails", tuple(_refuted(rows))),
@@ -189,90 +168,9 @@ def _sure(rows: Sequence[Row]) -> Iterator[Block]:
     )
 
 
-def questions(rows: Sequence[Row], answers: Sequence[str]) -> Section:
-    """Return what is often asked, in one table."""
-    lines = tuple(_questions({row.claim.id: row for row in rows}, answers))
-    return Section("questions", "Frequent questions", (Table(("question", "answer"), lines, ""),))
-
-
-def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[str, str]]:
-    if "sharp-rate-constant" in shown:
-        law = claim_named("sharp-rate-constant").clauses[0]
-        text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes no damper, $a_1=0$; no force, $u=0$; a constant $b>0$; and an energy above $E_{{cr}}$ at all times."
-        yield "Which theorem carries the 1/t law, and what does it assume?", text
-    if derivation.is_whole([*shown.values()]):
-        yield "How is $E_{cr}$ derived?", "An ellipse in a strip, in six lines: `derivation-critical-energy`."
-        yield (
-            "Where does $1/t$ come from, and what is assumed?",
-            "From the return map of a slip, in seven lines that begin with what is assumed: `derivation-rate`.",
-        )
-    if failed := [row for row in shown.values() if row.finding.verdict is Verdict.REFUTED]:
-        some = "; ".join(f"`{row.claim.id}`: {(row.finding.counterexample or '–').rstrip('.')}" for row in failed)
-        yield "Which claims fail, and what are the counterexamples?", f"{some}."
-    for name, question in ASKED.items():
-        if name in shown:
-            yield question, _answered(shown[name])
-    if "forced-contraction" in shown:
-        text = f"Theorem `uniqueness` of the kernel: {CITED['uniqueness'][1]} Under a force, with existence: `forced-contraction`."
-        yield "Is the motion from a start the only one, and where is that proved?", text
-    if any(row.kernel for row in shown.values()):
-        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, the axioms, and every statement: `kernel`. To list the claims that need it, type kernel into the search above the table of claims."
-        yield "What does the kernel prove, and with which axioms?", text
-        yield "What does `holds` rest on without the kernel?", WITHOUT
-    if any(row.open for row in shown.values()):
-        yield "What is not known?", "One list: `open`."
-    if any(row.claim.kind is Kind.THEOREM for row in shown.values()):
-        yield "What is new beyond the paper?", "One list: `new`."
-    yield "Which law of friction is used?", LAW
-    yield "How sure is a number of the solver?", NUMBERS
-    short = " By hand, in ten minutes: `critical-energy`, an ellipse in a strip." if "critical-energy" in shown else ""
-    yield (
-        "How do I check one claim again?",
-        f"Each claim's page ends with the command. How to install it: `provenance`.{short}",
-    )
-    yield "How do I draw Fig. 5 again?", DRAWN
-    if answers:
-        yield "How fast is it compared with heyoka?", " ".join(answers)
-    yield (
-        "Does the paper's version on arXiv say the same?",
-        f"Not known. {source.PREPRINT[:1].upper()}{source.PREPRINT[1:]}: see `provenance`.",
-    )
-
-
-def _answered(row: Row) -> str:
-    """Return what a row says in short, the paper's sentence where it holds as written, and where the proof is."""
-    holds = row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.HOLDS
-    said = f"The paper says {place(row.claim)}: {row.claim.statement} It holds. " if holds else ""
-    names = dict.fromkeys(name for one in (*row.claim.clauses, *row.claim.correction) for name in one.kernel)
-    kernel = f", in the kernel {', '.join(f'`{name}`' for name in names)}" if names else ""
-    return f"{said}{in_short(row)} Proof: `{row.claim.id}`{kernel}; weakest step: {kind(row)}."
-
-
-def new(rows: Sequence[Row]) -> Section:
-    """Return everything beyond the paper in one list: what it is, what it assumes, how it is established."""
-    lines = tuple(
-        (f"`{row.claim.id}`", in_short(row), hypotheses(row.claim.id), kind(row))
-        for row in rows
-        if row.claim.kind is Kind.THEOREM
-    )
-    table = Table(("theorem", "in a sentence", "assumes", "weakest step"), lines, "Theorems beyond the paper")
-    return Section("new", "New beyond the paper", (table,) if lines else ())
-
-
 def hypotheses(name: str) -> str:
     """Return what a theorem beyond the paper assumes besides what its statement says."""
     return ASSUMED.get(name, FREE)
-
-
-def not_judged(rows: Sequence[Row]) -> Section:
-    """Return the sentences of the paper that are not judged, each with the reason."""
-    lines = tuple(
-        (f"`{row.claim.id}`\n{row.claim.where}", row.claim.statement, row.finding.reason)
-        for row in rows
-        if row.finding.verdict is Verdict.NOT_JUDGED
-    )
-    table = Table(("statement", "the paper says", "why it is not judged"), lines, "Opinions, plans, and the literature")
-    return Section("not-judged", "Statements not judged", (table,) if lines else ())
 
 
 def still_open(rows: Sequence[Row]) -> Section:

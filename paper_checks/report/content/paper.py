@@ -12,7 +12,7 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content import kernel, opening, story
 from paper_checks.report.content.blocks import Block, Cards, Folded, Paragraph, Section
 from paper_checks.report.content.document import Document
-from paper_checks.report.content.phrases import COUNTED, in_short, kind
+from paper_checks.report.content.phrases import COUNTED, in_short, kind, theorems
 from paper_checks.running.runner import Row
 
 READ = (
@@ -83,9 +83,7 @@ def entry(row: Row) -> Folded:
 
 def place(row: Row) -> str:
     """Return where a claim stands in the paper, with its section, and the kind of its weakest check: of the kernel, its theorems."""
-    clauses = (*row.claim.clauses, *row.claim.correction)
-    names = dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel)
-    by = kind(row) + (f": {', '.join(names)}" if row.established_by is EvidenceKind.KERNEL else "")
+    by = kind(row) + (f": {theorems(row.claim)}" if row.established_by is EvidenceKind.KERNEL else "")
     where = f"{'eq. ' * row.claim.where.startswith('(')}{row.claim.where}"
     if not re.search(rf"\b{row.claim.section}\b", where, re.IGNORECASE):
         where = f"{row.claim.section}, {where}"

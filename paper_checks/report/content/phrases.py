@@ -12,6 +12,7 @@ from paper_checks.drawing.captions import caption
 from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content.blocks import Picture
+from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
@@ -80,6 +81,12 @@ def picture(name: str) -> Picture:
     return Picture(name, text, title)
 
 
+def theorems(claim: Claim) -> str:
+    """Return the theorems of the kernel that a claim names, with commas between them."""
+    clauses = (*claim.clauses, *claim.correction)
+    return ", ".join(dict.fromkeys(f"`{name}`" for clause in clauses for name in clause.kernel))
+
+
 def speaker(claim: Claim) -> str:
     """Return who says the statement, and where."""
     return f"The paper {place(claim)}" if claim.kind is Kind.CLAIM else f"Theorem, {claim.where}"
@@ -103,6 +110,12 @@ def kind(row: Row) -> str:
     """Return the weakest kind of step that the verdict needs, or a dash; and that the kernel was not run."""
     text = row.established_by.value if row.established_by else "–"
     return text if row.kernel in (None, PROVED) else f"{text} (kernel {row.kernel})"
+
+
+def kind_of(proof: Proof) -> str:
+    """Return what establishes a clause, and what the kernel says where it did not prove its theorems."""
+    by = proof.established_by.value if proof.established_by else "open"
+    return by if proof.kernel_status in (None, PROVED) else f"{by}, kernel {proof.kernel_status}"
 
 
 def in_short(row: Row) -> str:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from paper_checks.claims import source
+from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.report.content import citation
 from paper_checks.report.content.blocks import Code, Heading, Paragraph, Points, Section, Table
+from paper_checks.report.mathematics.prose import Span, pieces
 from paper_checks.running.runner import Row
 
 LAW = (
@@ -84,11 +87,26 @@ def section(rows: Sequence[Row]) -> Section:
     )
 
 
+_TYPED = re.compile(r"[=<>]|\\(?:leqslant|geqslant|leq?|geq?|neq?|to|in|notin|approx|sim)(?![A-Za-z])")
+
+
+def has_typed_relation(clause: Clause) -> bool:
+    """Return whether a relation stands in the text of a clause as LaTeX, beside the formulas that are decided."""
+    spans = pieces(re.sub("«[^»]*»", "", clause.text))
+    return any(_TYPED.search(text) for kind, text in spans if kind is not Span.PROSE)
+
+
 def _guards(rows: Sequence[Row]) -> Iterable[str]:
-    formulas = sum(len(clause.formulas) for row in rows for clause in (*row.claim.clauses, *row.claim.correction))
+    clauses = [clause for row in rows for clause in (*row.claim.clauses, *row.claim.correction)]
+    typed = [clause for clause in clauses if has_typed_relation(clause)]
+    alone = sum(not clause.kernel for clause in typed)
     yield (
-        f"The {formulas} formulas of the clauses are shown and decided from the same expressions. Mutation test: `python -m paper_checks plant` "
+        f"The {sum(len(clause.formulas) for clause in clauses)} formulas of the clauses are shown and decided from the same expressions. Mutation test: `python -m paper_checks plant` "
         "changes a sign, a factor, an exponent or a relation in each of them and says whether its claim fails."
+    )
+    yield (
+        f"{len(typed)} of the {len(clauses)} clauses also contain a relation that is typed, a condition as a rule; {alone} of them name no theorem of "
+        "the kernel. There only a reader can confirm that the sentence says what was checked: a misprint in such a relation is not detected."
     )
     yield "Every check is tested with a wrong statement, and must reject it."
     yield "The equations (`theory`) and the integrator (`numerics`) are independent of each other; their answers are compared."

@@ -19,7 +19,6 @@ from numerics.scene import Pair
 from numerics.scene.file import load_reference, load_scene
 from paper_checks.decide.enclosure import rounded
 from paper_checks.drawing import under_a_force as drawing
-from paper_checks.drawing.jumping_force import jumping_force
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Section, Table
 from paper_checks.report.content.phrases import formula, picture
@@ -46,15 +45,14 @@ def figures() -> Figures:
 
 
 PICTURED = {
-    "entrainment-threshold": ("thresholds-over-frequency", "regimes-under-a-sine"),
-    "forced-resonance-bound": ("resonance", "at-resonance"),
-    "trackable-references": ("tracked-reference", "what-body-2-can-follow"),
-    "minimum-transfer-time": ("fastest-transfer", "the-fastest-transfer"),
-    "tolerance-ring": ("tolerance-ring-of-a-scene", "the-ring"),
-    "ring-of-tolerance": ("tolerance-ring-of-a-scene", "the-ring"),
-    "forced-periodic-response": ("jumping-force", "a-force-that-jumps"),
+    "entrainment-threshold": "thresholds-over-frequency",
+    "forced-resonance-bound": "resonance",
+    "trackable-references": "tracked-reference",
+    "minimum-transfer-time": "fastest-transfer",
+    "tolerance-ring": "tolerance-ring-of-a-scene",
+    "ring-of-tolerance": "tolerance-ring-of-a-scene",
 }
-"""By a claim's id: the figure of it that the chapter shows, and the anchor under which it does."""
+"""The figure of the chapter that a claim shows too, by the claim's id."""
 DRAWINGS: Figures = {
     "thresholds-over-frequency": drawing.thresholds_over_frequency,
     "resonance": drawing.resonance,
@@ -62,7 +60,6 @@ DRAWINGS: Figures = {
     "fastest-transfer": drawing.transfer,
     "tolerance-ring-of-a-scene": drawing.tolerance_ring,
     "drift-against-asymmetry": drawing.drift_against_asymmetry,
-    "jumping-force": jumping_force,
 }
 
 
@@ -202,7 +199,6 @@ def _jump() -> Iterator[Block]:
         "(`forced-periodic-response`). Where it jumps there, all motions of a whole family may slip and stick at the same times, and none attracts another. Two of them keep the distance"
         + _formula("forced-periodic-response", "jump", "apart")
     )
-    yield picture("jumping-force")
 
 
 def _damping() -> Iterator[Block]:

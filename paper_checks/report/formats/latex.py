@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -12,76 +13,71 @@ from pathlib import Path
 
 from paper_checks.errors import ToolMissingError
 from paper_checks.report.content import blocks, citation, paper
+from paper_checks.report.content.blocks import Table
 from paper_checks.report.content.document import Document
-from paper_checks.report.formats.latex_blocks import LatexWriter
-from paper_checks.report.mathematics.prose import latex
+from paper_checks.report.formats.texts import Texts, templates
+from paper_checks.report.mathematics.prose import latex, plain
 
 REMEDY = "a PDF needs pdflatex on the PATH (TeX Live, or any other TeX); --format latex writes its source without it"
 SECONDS = 300
 """How long one pass of pdflatex may take; some take ten."""
 PASSES = 3
 """The contents take room in the second pass, so that their page numbers are right from the third on."""
-PREAMBLE = r"""\documentclass[10pt]{article}
-\usepackage[T1]{fontenc}
-\usepackage[utf8]{inputenc}
-\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
-\IfFileExists{microtype.sty}{\usepackage{microtype}}{}
-\usepackage[a4paper,margin=20mm]{geometry}
-\usepackage{amsmath,amssymb,array,graphicx,longtable}
-\usepackage[hidelinks,pdfcreator={},pdfproducer={}]{hyperref}
-\pdfinfoomitdate=1 \pdftrailerid{} \pdfsuppressptexinfo=-1
-\setlength{\emergencystretch}{3em}
-\setlength{\parindent}{0pt}
-\setlength{\parskip}{2pt plus 1pt}
-\widowpenalty=500 \clubpenalty=500
-\setcounter{tocdepth}{1}
-\newcommand{\room}[1]{\par\ifdim\pagetotal<\pagegoal\ifdim\dimexpr\pagetotal+#1\baselineskip>\pagegoal\newpage\fi\fi}
-\newcommand{\entry}{\small\par\addvspace{5pt plus 2pt}}
-\newcommand{\closer}{\setlength{\abovedisplayskip}{3pt plus 1pt}\setlength{\belowdisplayskip}{3pt plus 1pt}}
-\setlength{\LTpre}{4pt} \setlength{\LTpost}{4pt}
-\makeatletter
-\renewcommand{\section}{\@startsection{section}{1}{0pt}{-2.4ex plus -0.8ex}{0.9ex}{\normalfont\large\bfseries}}
-\renewcommand{\subsection}{\@startsection{subsection}{2}{0pt}{-1.8ex plus -0.6ex}{0.6ex}{\normalfont\normalsize\bfseries}}
-\renewcommand{\l@section}{\@dottedtocline{1}{0em}{1.8em}}
-\renewcommand{\@listi}{\leftmargin\leftmargini \topsep 2pt \parsep 0pt \itemsep 2pt}
-\let\@listI\@listi
-\g@addto@macro\normalsize{\closer} \g@addto@macro\small{\closer}
-\begingroup\catcode`'=\active \g@addto@macro\@noligs{\let'\textquotesingle}\endgroup
-\makeatother
-"""
+_BREAK = re.compile(r"(?<=[-.])|(?<=\\_)")
+"""Where code may be broken at the end of a line."""
+_COMMANDS = re.compile(r"\\[A-Za-z]+|[\s{}_^\\]")
+_WORDS = re.compile(r"[^\s-]+-?|$")
+ROW, WIDE = 70, 90
+"""Letters of displayed formulas that fit beside each other; letters of a table in one line of paper."""
 
 
 def render(report: Document, figures: Mapping[str, str]) -> str:
     """Return the source. `figures` maps a figure's name to the file, beside the source, that holds it."""
     before, *sections = paper.sections(report)
-    anchors = chain.from_iterable(map(blocks.anchors, sections))
-    writer = LatexWriter(figures, anchors, [one.id for one in sections])
-    body = [
-        PREAMBLE + _metadata(report),
-        r"\begin{document}",
-        rf"\begin{{center}}{{\Large {latex(report.title)}\par}}\medskip {_by()}\end{{center}}",
-        writer.body(before.blocks),
-        r"\tableofcontents",
-        *map(writer.section, sections),
-        r"\end{document}",
+    numbered = frozenset(one.id for one in sections)
+
+    def code(word: str, target: str | None) -> str:
+        """Return code that may be broken at its hyphens and dots; the anchor of a section is that section's number."""
+        if word in numbered:
+            return rf"Section~\ref{{{word}}}"
+        shown = latex(word).replace("--", "-{-}")  # two hyphens must not join to a dash
+        breakable = shown if " " in word else _BREAK.sub(r"\\allowbreak{}", shown)
+        return rf"\hyperref[{target}]{{\texttt{{{breakable}}}}}" if target else rf"\texttt{{{breakable}}}"
+
+    paper_of = templates(
+        block_start_string="<%",
+        block_end_string="%>",
+        variable_start_string="<<",
+        variable_end_string=">>",
+        comment_start_string="<#",
+        comment_end_string="#>",
+    )
+    text = Texts(chain.from_iterable(map(blocks.anchors, sections)), latex, code)
+    paper_of.filters |= {"text": text, "latex": latex, "shares": shares, "side_by_side": _side_by_side}
+    paper_of.globals |= {"files": figures, "of_package": citation.of_package}
+    return paper_of.get_template("report.tex").render(report=report, before=before, sections=sections)
+
+
+def shares(table: Table) -> list[float]:
+    """Return the share of each column of the width (dimensionless, their sum 1).
+
+    Each has room for its longest word; what is left goes by the length of its longest text.
+    """
+    columns = [
+        [plain(line) for cell in column for line in cell.split("\n")]
+        for column in zip(table.head, *table.rows, strict=True)
     ]
-    return "\n\n".join(body) + "\n"
+    least = [max(len(word) for line in column for word in _WORDS.findall(line)) / WIDE for column in columns]
+    wishes = [max(map(len, column)) for column in columns]
+    if (left := 1 - sum(least)) <= 0:
+        return [one / sum(least) for one in least]
+    return [one + left * wish / sum(wishes) for one, wish in zip(least, wishes, strict=True)]
 
 
-def _metadata(report: Document) -> str:
-    """Return the properties of the file: what a catalogue of documents shows."""
-    named = {
-        "pdftitle": report.title,
-        "pdfauthor": citation.of_package("Author"),
-        "pdfsubject": citation.of_package("Summary"),
-        "pdfkeywords": citation.of_package("Keywords").replace(",", ", "),
-        "pdflang": "en",
-    }
-    return rf"\hypersetup{{{','.join(f'{name}={{{latex(text)}}}' for name, text in named.items())}}}"
-
-
-def _by() -> str:
-    return latex(f"{citation.of_package('Author')}, version {citation.of_package('Version')}")
+def _side_by_side(text: str) -> str:
+    """Return a text with its displayed formulas in one row, where they fit beside each other."""
+    joined = text.replace("$$$$", r",\qquad ")
+    return joined if len(_COMMANDS.sub("", joined.partition("$$")[2])) <= ROW else text
 
 
 def pdf(source: str, figures: Mapping[str, bytes]) -> bytes:

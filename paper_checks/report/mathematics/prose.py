@@ -10,31 +10,23 @@ from collections.abc import Iterator
 from enum import Enum
 from html import escape
 
-from paper_checks.report.mathematics.mathml import UnreadableMathematicsError, mathml
-from paper_checks.report.mathematics.unicode import spoken
+from paper_checks.report.mathematics.mathml import UnreadableMathematicsError, mathml, spoken
 
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
 _MINUS = re.compile(r"(?<![\w.,)\]-])-(?=\d)")
 _BALL = re.compile(r"\[(?:([-+.\de]+) )?\+/- ([-+.\de]+)\]")
 """A ball as python-flint writes it: midpoint, which may be left out, and radius."""
-_OPENING, _CLOSING = re.compile(r"[(\[]+$"), re.compile(r"^[.,:;!?)\]]+")
+_IN_PLACE = re.compile(r'([(\[]*)(<span class="long">.*?</span>|<math.*?</math>)([.,:;!?)\]]*)', re.DOTALL)
+"""An inline formula with the brackets and the punctuation about it."""
 _LONG_NUMBER = re.compile(r"\d{24,}")
-_TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
-_TEX_ESCAPES = {
-    "\\": r"\textbackslash{}",
-    "~": r"\textasciitilde{}",
-    "^": r"\textasciicircum{}",
-    "<": r"\textless{}",
-    ">": r"\textgreater{}",
-    "|": r"\textbar{}",
-}
-_TEX_CHARACTERS = {
-    "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≈": r"\approx", "±": r"\pm", "∓": r"\mp", "×": r"\times",
-    "·": r"\cdot", "→": r"\to", "∞": r"\infty", "−": "-", "²": "^2", "³": "^3", "√": r"\surd",
-    "∈": r"\in", "π": r"\pi", "τ": r"\tau", "Ω": r"\Omega", "Φ": r"\Phi", "Δ": r"\Delta", "θ": r"\theta", "ζ": r"\zeta",
-}  # fmt: skip
-
-
+_TEX = str.maketrans({
+    "&": r"\&", "%": r"\%", "#": r"\#", "_": r"\_", "{": r"\{", "}": r"\}", "$": r"\$", "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
+    "≤": r"$\leq$", "≥": r"$\geq$", "≠": r"$\neq$", "≈": r"$\approx$", "±": r"$\pm$", "∓": r"$\mp$", "×": r"$\times$",
+    "·": r"$\cdot$", "→": r"$\to$", "∞": r"$\infty$", "−": "$-$", "²": "$^2$", "³": "$^3$", "√": r"$\surd$", "∈": r"$\in$",
+    "π": r"$\pi$", "τ": r"$\tau$", "Ω": r"$\Omega$", "Φ": r"$\Phi$", "Δ": r"$\Delta$", "θ": r"$\theta$", "ζ": r"$\zeta$",
+})  # fmt: skip
+"""What pdfTeX sets for a character that means something else to it, or for which its fonts have no glyph."""
 LONG = 36
 """Characters from which on an inline formula may be wider than its column, so that it has to be scrolled."""
 
@@ -71,25 +63,8 @@ def html(text: str) -> str:
 
     A formula keeps the brackets and the punctuation about it, so that no line begins with a comma.
     """
-    split = list(pieces(text))
-    written = [_html_piece(kind, content) for kind, content in split]
-    for index, (kind, _) in enumerate(split):
-        if kind is not Span.INLINE:
-            continue
-        opening, closing = "", ""
-        if index and split[index - 1][0] is Span.PROSE:
-            opening, written[index - 1] = _cut(_OPENING, written[index - 1])
-        if index + 1 < len(split) and split[index + 1][0] is Span.PROSE:
-            closing, written[index + 1] = _cut(_CLOSING, written[index + 1])
-        if opening or closing:
-            written[index] = f'<span class="glued">{opening}{written[index]}{closing}</span>'
-    return "".join(written)
-
-
-def _cut(mark: re.Pattern[str], text: str) -> tuple[str, str]:
-    """Return the marks at an end of a text, and the text without them."""
-    found = mark.search(text)
-    return (found[0], text[: found.start()] + text[found.end() :]) if found else ("", text)
+    written = "".join(_html_piece(kind, content) for kind, content in pieces(text))
+    return _IN_PLACE.sub(lambda one: f'<span class="glued">{one[0]}</span>' if one[1] or one[3] else one[0], written)
 
 
 def _html_piece(kind: Span, content: str) -> str:
@@ -115,20 +90,10 @@ def latex(text: str) -> str:
 
 
 def _latex_piece(kind: Span, content: str) -> str:
-    if kind is Span.PROSE:
-        escaped = _TEX_SPECIAL.sub(lambda match: _TEX_ESCAPES.get(match[0], "\\" + match[0]), content)
-        return _LONG_NUMBER.sub(_breakable, "".join(map(_latex_character, escaped)))
-    return f"${content}$" if kind is Span.INLINE else f"\\[{content}\\]"
-
-
-def _breakable(number: re.Match[str]) -> str:
-    return r"\allowbreak{}".join(re.findall(".{1,8}", number[0]))
-
-
-def _latex_character(character: str) -> str:
-    """Return the character as pdfTeX can set it; one that it has no glyph for is named, not dropped."""
-    if character in _TEX_CHARACTERS:
-        return f"${_TEX_CHARACTERS[character]}$"
-    if character < "\u0180" or character in "–—‘’“”…":
-        return character
-    return f"[U+{ord(character):04X}]"
+    if kind is not Span.PROSE:
+        return f"${content}$" if kind is Span.INLINE else f"\\[{content}\\]"
+    known = "".join(
+        one if ord(one) in _TEX or one < "\u0180" or one in "–—‘’“”…" else f"[U+{ord(one):04X}]" for one in content
+    )
+    breakable = _LONG_NUMBER.sub(lambda number: "\0".join(re.findall(".{1,8}", number[0])), known)
+    return breakable.translate(_TEX).replace("\0", r"\allowbreak{}")

@@ -15,14 +15,13 @@ PAPER = (
     "start-at-6mm",
     "start-with-speed",
     "velocities",
-    "relative-motion",
     "itinerary-that-merges",
     "itinerary-that-creeps",
 )
 UNIT = re.compile(r"\((mm|mm/s|s|J|N|dimensionless)\)$")
 WORDLESS = ("two-bodies",)
 """A drawing without axes."""
-DIRECT = ("force-needed", "merging-bands")
+DIRECT = ("force-needed",)
 """Their curves are named where they are."""
 
 
@@ -37,11 +36,11 @@ def test_axes_have_labels_with_units_and_a_legend(name):
     figure = FIGURES[name]()
     for axes in figure.axes:
         assert UNIT.search(axes.get_xlabel()), axes.get_xlabel()
-        assert UNIT.search(axes.get_ylabel()) or name == "merging-bands", axes.get_ylabel()
+        assert UNIT.search(axes.get_ylabel()), axes.get_ylabel()
     assert texts(figure) or name in DIRECT
 
 
-QUICK = ("force-needed", "long-time")
+QUICK = ("force-needed", "rate-bounds")
 """Drawn twice by the default run, as they take little; the `long` tests draw all of them twice."""
 
 
@@ -59,8 +58,7 @@ def test_bytes_depend_on_the_figure_alone(name, monkeypatch):
 
 @pytest.mark.parametrize("name", PAPER)
 def test_the_events_that_happen_are_in_the_legend_and_differ_by_shape(name):
-    scene = {"relative-motion": "relative-motion-b05"}.get(name, name)
-    happened = {kind.value for kind in solve(load_scene(scene)).event_kinds}
+    happened = {kind.value for kind in solve(load_scene(name)).event_kinds}
     assert happened <= texts(FIGURES[name]())
     assert len(set(MARKERS.values())) == len(EventKind)
 

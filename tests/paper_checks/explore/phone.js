@@ -3,12 +3,10 @@ const frame = Object.assign(document.createElement("iframe"), { width: 390, heig
 document.body.append(frame);
 await new Promise((done) => { frame.onload = done; });
 const inside = frame.contentDocument;
-const tab = [...inside.querySelectorAll("[role=tab]")].at(LAST ? -1 : 0);
-tab.click();
 await new Promise((done) => setTimeout(done, 50));
 const out = [...inside.querySelectorAll("#explore *")].filter((one) => one.getBoundingClientRect().right > 391);
 return [
   inside.documentElement.scrollWidth,
   out.filter((one) => !one.closest(".explore-wide")).map((one) => `${one.tagName}#${one.id}`),
-  inside.querySelector("[role=tabpanel]:not([hidden]) canvas").clientWidth,
+  inside.querySelector("canvas").clientWidth,
 ];

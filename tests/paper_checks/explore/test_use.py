@@ -26,7 +26,7 @@ def test_every_button_tells_what_becomes_of_its_scene(found):
     assert said["Sticks permanently"].startswith("Sticks permanently")
     assert said["Next to the critical orbit"].startswith("Creeps")
     assert found["pressed"] == 1
-    assert found["proof"] == [True, None, "critical-mass-ratio.html"]
+    assert found["proof"] == [True, None, "report.html#critical-mass-ratio"]
 
 
 def test_the_scene_that_it_writes_is_the_one_that_it_shows(found, tmp_path):
@@ -46,32 +46,9 @@ def test_sliders_and_fields_change_the_scene(found):
     assert found["literal"].startswith("Stuck by definition")
 
 
-def test_the_second_tab_is_reached_and_used_by_the_keyboard(found):
-    """Its tab, its scenes with what becomes of them, what is dragged, and what the arrow keys move."""
-    assert found["tabs"] == [["false", "true"], True, False, "explore-tab-above"]
-    for name, regime in found["above"]:
-        for word in ("merges", "sticks"):
-            if word in name:
-                assert regime.startswith(("Merges", "Sticks permanently")), name
-    said = dict(found["above"])
-    assert len(said) == 8
-    assert said["Ellipse: creeps"].startswith("Not merged yet")
-    assert "constant speed 4 L" in said["Rotating force: slips"]
-    assert found["dragged"] == ["0.5", "0.25", True]
-    assert found["scrolled"] == [False, "0.5", "0.25"]  # a finger away from every handle scrolls the page
-    assert found["taken"] == [True, "0.5", "0.35"]
-    assert found["pushed"] == pytest.approx([0.55, 0.25])
-    assert found["turned-force"] == pytest.approx(5)
-    assert [*map(float, found["thrown"])] == pytest.approx([0.5, 0.25, 1, -1], abs=0.05)
-    assert found["file"].startswith("[pair]\nm1")
-    assert found["mode"] in ("slip", "stick")
-    assert found["back"] == [False, True]
-
-
-@pytest.mark.parametrize("last", [False, True], ids=["line", "surface"])
-def test_nothing_overflows_on_a_phone(ask, whole, last):
+def test_nothing_overflows_on_a_phone(ask, whole):
     empty = "<!DOCTYPE html><html><body></body></html>"
-    width, out, picture = ask("phone", on=empty, WHOLE=whole, LAST=last)
+    width, out, picture = ask("phone", on=empty, WHOLE=whole)
     assert width <= 390
     assert out == []
     assert picture > 320

@@ -11,11 +11,10 @@ from paper_checks.drawing.figures import FIGURES
 from paper_checks.errors import ToolMissingError
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.report.content import citation, opening, paper
-from paper_checks.report.content.blocks import Folded, Markup, Picture, Table
+from paper_checks.report.content.blocks import Folded, Paragraph, Picture, Section, Table
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import latex
-from paper_checks.report.formats.latex_blocks import LatexWriter
-from paper_checks.report.formats.writer import shares
+from paper_checks.report.formats.latex import shares
 from paper_checks.report.output import pictures
 from paper_checks.report.output.files import made, shown_in
 from paper_checks.running import rows as running
@@ -72,10 +71,13 @@ def test_every_claim_is_printed_once_and_below_its_verdict(rows):
     assert sections[0].title == "Claims that are refuted"
 
 
-def test_what_only_a_page_can_show_is_left_out_and_a_section_is_a_number():
-    writer = LatexWriter({}, ["trust", "energy-rate"], ["trust"])
-    assert writer.body((Markup("<p>go</p>"), Picture("lost", "", "Lost"))) == "The figure lost was not drawn."
-    assert writer.text("See `trust`, energy-rate.").count(r"\ref{trust}") == 1
+SHOWN = Picture("lost", "", "Lost"), Paragraph("See `trust`, energy-rate.")
+
+
+def test_a_section_is_a_number_and_a_picture_that_is_absent_is_said_to_be(rows):
+    source = latex.render(replace(document(rows), front=(Section("model", "", SHOWN),)), {})
+    assert "The figure lost was not drawn." in source
+    assert source.count(r"See Section~\ref{trust}, \hyperref[energy-rate]{\texttt{energy") == 1
 
 
 def test_no_column_is_narrower_than_its_longest_word():
@@ -127,7 +129,7 @@ def test_the_whole_report_is_a_paper():
 @TEX
 def test_what_tex_refuses_is_said_with_the_end_of_its_log():
     with pytest.raises(RuntimeError, match="Undefined control sequence"):
-        latex.pdf(latex.PREAMBLE + r"\begin{document}\nosuchcommand\end{document}", {})
+        latex.pdf(r"\documentclass{article}\begin{document}\nosuchcommand\end{document}", {})
 
 
 def test_without_tex_the_remedy_is_named(monkeypatch):

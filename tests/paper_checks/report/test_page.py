@@ -1,4 +1,4 @@
-"""What the pages are made of: dark colours, notation, what stands first, provenance, the kernel's words."""
+"""What the page is made of: what stands first, provenance, the kernel's words."""
 
 from pathlib import Path
 
@@ -6,6 +6,7 @@ import pytest
 
 from paper_checks.claims import CLAIMS, claim_named
 from paper_checks.evidence.claim import Kind
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.proofs.audit import recorded
@@ -59,3 +60,11 @@ def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(clai
 def test_the_provenance_says_how_to_install_as_the_readme_does():
     readme = (Path(__file__).parents[3] / "README.md").read_text(encoding="utf-8")
     assert readme.partition("```sh\n")[2].partition("\n```")[0] == trust.INSTALL
+
+
+@pytest.mark.parametrize(
+    ("text", "typed"),
+    [("If $x>0$, «f».", True), ("For $t\\to\\infty$, «f».", True), ("«f» at $x_1$, and 2 > 1.", False)],
+)
+def test_a_relation_that_is_typed_beside_the_formulas_is_counted(text, typed):
+    assert trust.has_typed_relation(clause("part", text, f=Formula("a", "=", "b", decide=lambda _: None))) == typed

@@ -1,4 +1,4 @@
-"""The first page in headless Chromium, from disk: rows open in place, are searched for, pointed to, can be read."""
+"""The report in headless Chromium, from disk: claims open, are searched for, pointed to, can be read."""
 
 from pathlib import Path
 
@@ -16,29 +16,23 @@ OPENED = "example-stiction-never-violated"
 def found(rows, figures, tmp_path_factory) -> dict:
     folder = tmp_path_factory.mktemp("pages")
     pages = html.render(document(rows), {name: vector.svg(draw()) for name, draw in figures.items()})
-    placed(folder, {name: text.encode() for name, text in pages.items()})
-    question = Path(__file__).with_name("in_place.js")
+    for name, text in pages.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    question = Path(__file__).with_name("in_browser.js")
     answer = asked(pages[html.FRONT], question, folder, "--window-size=500,900", OPENED=OPENED)
     assert "error" not in answer, answer
     return answer
 
 
-def test_a_row_is_loaded_when_it_is_opened_and_not_before(found):
-    assert found["before"] == [0, "false"]
-    assert found["after"] == [0, "true", ""]
-    assert "Decisive step." in found["text"]
-    assert "Counterexample." in found["text"]
-    assert found["closed"] == [True, "false"]
-
-
-def test_its_links_and_pictures_work_from_where_it_is_shown(found):
-    assert found["links"]
-    assert all(link.startswith("file:///") and "/pages/" in link for link in found["links"])
+def test_a_claim_is_folded_until_it_is_opened(found):
+    assert found["closed"] == 0
+    assert found["opened"] == [True, True]
     assert found["images"]
     assert all(found["images"])
 
 
-def test_the_search_and_the_filters_find_rows(found, rows):
+def test_the_search_and_the_filters_find_claims(found, rows):
     some, none, every = found["searched"]
     assert some == ["example-stiction-never-violated", "stiction-bracket"]
     assert none == []
@@ -47,5 +41,11 @@ def test_the_search_and_the_filters_find_rows(found, rows):
     assert found["shown"] == f"{len(rows)} of {len(rows)} claims"
 
 
-def test_a_link_to_a_row_opens_it_whatever_was_searched_for(found):
-    assert found["targeted"] == [False, False]
+def test_a_link_opens_what_its_target_is_folded_in_whatever_was_searched_for(found):
+    assert found["targeted"] == [False, True]
+    assert found["again"]
+    assert found["folded"]
+
+
+def test_nothing_is_wider_than_a_phone(found):
+    assert found["wide"] <= 0
