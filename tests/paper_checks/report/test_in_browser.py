@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 from chromium import asked
-from paper_checks.report.output.finished import placed
 
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import html, vector
