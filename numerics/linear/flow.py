@@ -70,7 +70,9 @@ class Flow:
             self.rows, self.guards = [x1, x2], [[(0, 1, 1), (1, 1, -1)], [(0, 0, 1), (1, 0, -1)]][: 2 if cell else 1]
         if slips and cell:
             self.rows.append(_in_balls(self.mode.signal(FRICTION)))
-            of_state = [(k, d, c * f) for f, parts in zip(map(number, cell), self.guards) for k, d, c in parts]
+            of_state = [
+                (k, d, c * f) for f, parts in zip(map(number, cell), self.guards, strict=True) for k, d, c in parts
+            ]
             self.guards.append([(2, 0, 1), *of_state])
         guarded = [*self.mode.guards, *((Z, self.mode.friction) if cell else ())]
         self.guarded = list(map(_in_balls, guarded))

@@ -9,16 +9,15 @@ from functools import partial
 import numpy as np
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.compiled import can_compile, compiled
+from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.float64 import Float64
-from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.linear.batch import Columns, follow_rows
+from numerics.linear.batch import Columns, follow_many
 from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
-from numerics.scene import Friction, Scene
+from numerics.scene import Scene
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import STATE, Counts, Floats
 from numerics.trajectory.run import run_scene
@@ -35,24 +34,12 @@ _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
 
-def frictions_of(friction: Friction) -> Floats:
-    """Return the pieces of a friction without weakening as linear/batch.py reads them."""
-    pieces = [(*nearest(start), nearest(b)[0]) for start, b in friction.steps]
-    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan)]
-    return np.array([*first, *pieces])
-
-
-def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
-    """Solve rows by compiled code; the end of what is in doubt says UNKNOWN."""
-    compiled(follow_rows)(columns, literal, max_events, False, kept, ends)
-
-
 def form_ledgers(
     scene_of: Callable[[int], Scene], columns: Columns | None, how: tuple[bool, int], jobs: int | None, ends: Floats
 ) -> None:
     """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
     left_out = _without_ledger(ends)
-    rooms = 2 + (0 if columns is None else len(columns.frictions)) + ends[left_out, AT["events"]].astype(np.int64)
+    rooms = 2 + ends[left_out, AT["events"]].astype(np.int64)
     left_out = left_out[np.argsort(rooms, kind="stable")]  # those of about the same length together
     rooms.sort()
 
@@ -60,7 +47,7 @@ def form_ledgers(
         room = rooms[part][-1]
         for some in np.array_split(left_out[part], 1 + len(left_out[part]) * room * ROW // _MOST_NUMBERS):
             own = ends[some]
-            compiled(follow_rows)(given.part(some), *how, True, np.empty((len(some), room, ROW)), own)
+            follow_many(given.part(some), *how, True, np.empty((len(some), room, ROW)), own)
             held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
             ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
         return len(left_out[part])
