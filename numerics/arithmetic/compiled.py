@@ -14,7 +14,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from functools import cache
+from functools import cache, update_wrapper
 from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar
@@ -83,15 +83,12 @@ def _kept(function: Any) -> Any:
     """Return a function compiled by numba, which keeps it; what it calls is compiled, too, once for all callers."""
     import numba
 
-    options = {**_COMMON, **_OPTIONS.get(function, {})}
-    called = {name: _called(function.__globals__[name]) for name in _names(function)}
-    own = FunctionType(function.__code__, {**function.__globals__, **called}, function.__name__)
-    own.__module__, own.__qualname__, own.__doc__ = function.__module__, function.__qualname__, function.__doc__
     before = numba.config.CACHE_DIR
     folder = _folder(Path(before) / "inertial-pair" if before else cache_folder())
     numba.config.CACHE_DIR = str(folder)
     # where that folder cannot be written numba would take another, by the age of the entry's source alone
-    made = numba.njit(own, cache=os.access(folder, os.W_OK), **options)
+    options = {**_COMMON, **_OPTIONS.get(function, {}), "cache": os.access(folder, os.W_OK)}
+    made = numba.njit(_with_compiled(function), **options)
     numba.config.CACHE_DIR = before
     load, compile_for = made._cache.load_overload, made.compile
 
@@ -112,13 +109,12 @@ def _kept(function: Any) -> Any:
     return made
 
 
-def _names(function: Any) -> Iterator[str]:
-    """Yield the names of the registered functions that one calls."""
-    return (name for name in function.__code__.co_names if _is_registered(function.__globals__.get(name)))
-
-
-def _is_registered(one: Any) -> bool:
-    return isinstance(one, FunctionType) and one in _OPTIONS
+def _with_compiled(function: Any) -> Any:
+    """Return a function that calls what numba makes of registered ones."""
+    known = function.__globals__
+    called = [name for name in function.__code__.co_names if isinstance(known.get(name), FunctionType)]
+    compiled_ones = {name: _called(known[name]) for name in called if known[name] in _OPTIONS}
+    return update_wrapper(FunctionType(function.__code__, known | compiled_ones), function)
 
 
 @cache
@@ -128,9 +124,7 @@ def _called(function: Any) -> Any:
         return _kept(function)
     import numba
 
-    called = {name: _called(function.__globals__[name]) for name in _names(function)}
-    own = FunctionType(function.__code__, {**function.__globals__, **called}, function.__name__)
-    return numba.njit(own, **{**_INNER, **_OPTIONS[function]})
+    return numba.njit(_with_compiled(function), **{**_INNER, **_OPTIONS[function]})
 
 
 @cache

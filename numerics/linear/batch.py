@@ -9,7 +9,6 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with, compiled
 from numerics.linear.kernel import EVENT_LIMIT, OUT_OF_RANGE, Log, follow
@@ -25,20 +24,8 @@ _ROUNDINGS = 4.0
 """By so many is an entry of the matrices off that compiled code forms."""
 
 
-class Columns(NamedTuple):
-    """Rows of scenes as compiled code reads them, all numbers binary64.
-
-    `numbers` (n, 10): those of a scene in SI units (solver/batch.py). u = sum_k polynomial[:, k] t^k
-    + sum amplitude sin(omega t + phase), with `polynomial` (n, p) and `sines` (n, s, 3).
-    """
-
-    numbers: NDArray[np.float64]
-    polynomial: NDArray[np.float64]
-    sines: NDArray[np.float64]
-
-    def part(self, rows: Any) -> Columns:
-        """Return some of the rows."""
-        return Columns(self.numbers[rows], self.polynomial[rows], self.sines[rows])
+NUMBERS = 10
+"""So many of a scene stand in front of those of its force (solver/batch.py)."""
 
 
 class Work(NamedTuple):
@@ -55,9 +42,8 @@ class Work(NamedTuple):
     """The numbers of which the tables are made."""
 
 
-def work_for(given: Columns) -> Work:
+def work_for(terms: int, waves: int) -> Work:
     """Return room for rows of u and one friction number behind its polynomial."""
-    terms, waves = given.polynomial.shape[1], given.sines.shape[1]
     n, layout = FIRST + terms + 2 * waves + 1, Layout((terms, 0, 0, 0, 1), ((np.nan,) * waves, (), (), (), ()))
     tables, places = make_tables(1, n, most_terms(terms)), np.array([[0, 0, 0, 1, 0]])
     drive = Drive(places, np.zeros((1, 2)), np.zeros(terms + 1), np.zeros((waves, 3, 2)))
@@ -65,26 +51,26 @@ def work_for(given: Columns) -> Work:
     return Work(layout.blocks, make_rows(n), tables, drive, *arrays)
 
 
-def follow_many(given: Columns, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any) -> None:
+def follow_many(given: Any, terms: int, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any) -> None:
     """Solve rows of scenes; write start and first events of each to `kept` (n, k, ROW), its end to `ends` (n, END_ROW).
 
-    Each is solved in units that are powers of 2; tables are formed anew only where they change. Rows that are in doubt,
-    or out of range, are UNKNOWN at the end. With `has_ledger`, `kept` has room for all rows of each, and the end says
-    what was taken and given.
+    A row is NUMBERS of a scene in SI units, the coefficients of u in powers of t, so many `terms`, and amplitude, omega
+    and phase of each of its sines; all binary64. Each is solved in units that are powers of 2; tables are formed anew
+    only where they change. Rows that are in doubt, or out of range, are UNKNOWN at the end. With `has_ledger`, `kept`
+    is (1, k, ROW) with room for all rows of any scene, and the end says what was taken and given.
     """
-    compiled(follow_rows)(given, work_for(given), literal, max_events, has_ledger, kept, ends)
+    work = work_for(terms, (given.shape[1] - NUMBERS - terms) // 3)
+    compiled(follow_rows)(given, work, literal, max_events, has_ledger, kept, ends)
 
 
 @compilable_with(forceinline=False)
-def follow_rows(
-    given: Columns, work: Work, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any
-) -> None:
+def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any) -> None:
     """Solve rows of scenes (follow_many)."""
     drive, start, tables = work.drive, work.start, work.tables
-    for row in range(given.numbers.shape[0]):
-        bodies, units = put_bodies(given.numbers[row], start)
-        put_signals(given, row, units, work)
-        found, end, norm, longest = kept[row], ends[row], norm_of(bodies), drive.length[0, 0]
+    for row in range(given.shape[0]):
+        bodies, units = put_bodies(given[row], start)
+        put_signals(given[row], units, work)
+        found, end, norm, longest = kept[row % kept.shape[0]], ends[row], norm_of(bodies), drive.length[0, 0]
         if is_new(work.made_of, bodies, longest, work.omegas):
             clear(work.rows)
             put_rows(bodies, work.blocks, work.omegas, (0.0, 0.0), work.rows)
@@ -141,16 +127,15 @@ def differs(numbers: Any, k: int, number: float) -> bool:
 
 
 @compilable
-def put_signals(given: Columns, row: int, units: tuple[int, int, int], work: Work) -> None:
+def put_signals(numbers: Any, units: tuple[int, int, int], work: Work) -> None:
     """Write the length, the coefficients and the sines of a row."""
-    numbers, polynomial, sines = given
-    (mass, time, place), drive, terms = units, work.drive, polynomial.shape[1]
+    (mass, time, place), drive, terms = units, work.drive, work.drive.coefficients.shape[0] - 1
     force = mass + place - 2 * time
-    drive.length[0, 0] = math.ldexp(numbers[row, 8], -time)
+    drive.length[0, 0] = math.ldexp(numbers[8], -time)
     for k in range(terms):
-        drive.coefficients[k] = math.ldexp(polynomial[row, k], k * time - force)
-    drive.coefficients[terms] = math.ldexp(numbers[row, 3], -force)
-    for k in range(sines.shape[1]):
-        sine, (amplitude, omega, phase) = drive.sines[k], sines[row, k]
-        sine[0, 0], sine[1, 0], sine[2, 0] = math.ldexp(amplitude, -force), math.ldexp(omega, time), phase
-        work.omegas[FIRST + terms + 2 + 2 * k] = sine[1, 0]
+        drive.coefficients[k] = math.ldexp(numbers[NUMBERS + k], k * time - force)
+    drive.coefficients[terms] = math.ldexp(numbers[3], -force)
+    for k in range(drive.sines.shape[0]):
+        sine, first = drive.sines[k], NUMBERS + terms + 3 * k
+        sine[0, 0], sine[2, 0] = math.ldexp(numbers[first], -force), numbers[first + 2]
+        sine[1, 0] = work.omegas[FIRST + terms + 2 + 2 * k] = math.ldexp(numbers[first + 1], time)

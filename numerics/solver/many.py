@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
-from numerics.linear.batch import Columns, follow_many
+from numerics.linear.batch import follow_many
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
@@ -124,17 +124,14 @@ def solve_many(
         _fill(flat.reshape(*shape, len(arrays)), arrays)
     if not in_columns:
         return _solve_objects(arrays | objects, shape, terms, law, limits)
-    # each contiguous, as compiled code is made for a layout
-    parts = slice(len(SI)), slice(len(SI), len(SI) + terms), slice(len(SI) + terms, None)
-    numbers, polynomials, waves = (np.ascontiguousarray(flat[:, part]) for part in parts)
-    columns = Columns(numbers, polynomials, waves.reshape(len(flat), len(sines), 3))
-    how, scene_of = (law is Law.THREE_VALUED_SGN, max_events), partial(_scene_of_row, flat, terms, law)
+    how, scene_of = (terms, law is Law.THREE_VALUED_SGN, max_events), partial(_scene_of_row, flat, terms, law)
 
     def run(part: slice, kept: Floats, ends: Floats) -> None:
-        follow_many(columns.part(part), *how, False, kept, ends)
+        follow_many(flat[part], *how, False, kept, ends)
 
     kept, ends = _solved(scene_of, len(flat), limits, run)
-    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, columns, how, jobs))
+    numbers = np.ascontiguousarray(flat[:, : len(SI)])
+    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, flat, how, jobs))
 
 
 @overload
@@ -172,7 +169,7 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
         return solve_surfaces(given, *limits)
     numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
     kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
-    ledgers = partial(form_ledgers, given.__getitem__, None, (False, max_events), 1)
+    ledgers = partial(form_ledgers, given.__getitem__, None, (0, False, max_events), 1)
     return Batch(numbers, ends, kept, (len(given),), ledgers, [bool(one.wall.pieces) for one in given])
 
 

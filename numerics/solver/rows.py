@@ -13,7 +13,7 @@ from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.linear.batch import Columns, follow_many
+from numerics.linear.batch import follow_many
 from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
@@ -28,35 +28,29 @@ _CHUNK = 4096
 _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
 _TAKEN = AT["friction"]
-_MOST_NUMBERS = 4_000_000
-"""In rows that are kept at once for a ledger."""
 _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
 
 def form_ledgers(
-    scene_of: Callable[[int], Scene], columns: Columns | None, how: tuple[bool, int], jobs: int | None, ends: Floats
+    scene_of: Callable[[int], Scene], given: Floats | None, how: tuple[int, bool, int], jobs: int | None, ends: Floats
 ) -> None:
     """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
     left_out = _without_ledger(ends)
-    rooms = 2 + ends[left_out, AT["events"]].astype(np.int64)
-    left_out = left_out[np.argsort(rooms, kind="stable")]  # those of about the same length together
-    rooms.sort()
 
-    def form(given: Columns, part: slice) -> int:
-        room = rooms[part][-1]
-        for some in np.array_split(left_out[part], 1 + len(left_out[part]) * room * ROW // _MOST_NUMBERS):
-            own = ends[some]
-            follow_many(given.part(some), *how, True, np.empty((len(some), room, ROW)), own)
-            held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
-            ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
-        return len(left_out[part])
+    def form(rows: Floats, part: slice) -> int:
+        some = left_out[part]
+        own = ends[some]
+        follow_many(rows[some], *how, True, np.empty((1, 2 + int(own[:, AT["events"]].max()), ROW)), own)
+        held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
+        ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
+        return len(some)
 
-    if columns is not None and can_compile():
-        list(in_chunks(partial(form, columns), len(left_out), jobs))
+    if given is not None and can_compile():
+        list(in_chunks(partial(form, given), len(left_out), jobs))
     for row in _without_ledger(ends):
         scene = scene_of(int(row))
-        ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[1]).record)
+        ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[-1]).record)
 
 
 def _without_ledger(ends: Floats) -> Counts:

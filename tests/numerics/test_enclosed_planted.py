@@ -183,7 +183,7 @@ def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(we
         for mode, cell in cells:
             one, zero = arb(1), arb(0)
             at = At(mode, (order,) * 4, 0, zero, (one, one, zero, one - mode), one, zero, one, zero, cell)
-            flow, z = path.here(at)
+            flow = path.flow(at)
             g, apart = path.weight(at), np.array([1, 0, -1, 0])
             at = at._replace(place=1 / g) if g > 0 else at
             N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g**2) * np.outer(apart, apart)
@@ -279,5 +279,5 @@ def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
     path = EnclosedRun(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
-    flow, z = path.here(at)
+    flow = path.flow(at)
     assert all(one.margin > off * 8.999 for one in guards_of(path, at, path.motion(at).short(flow.reach)[0]))
