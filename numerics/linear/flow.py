@@ -30,6 +30,7 @@ FEW = 14
 """So many coefficients of a guard are scanned."""
 Parts = Sequence[tuple[int, int, arb | int]]
 """A sum of rows, of each the index, which derivative, and a factor."""
+_OF_SLIP: list[Parts] = [[(0, 1, 1), (1, 1, -1)], [(0, 0, 1), (1, 0, -1)]]
 _OF_STICK: list[Parts] = [[(2, 0, 1), (1, 0, -1)], [(2, 0, 1), (1, 0, 1)]]
 _SLOWEST = arb((1, -2_000))
 """The rate of what has none, 1/s."""
@@ -65,15 +66,11 @@ class Flow:
         self.reach = (REACH / self.fastest).lower()
         self.load, self.edge, _, self.belt = (_in_balls(sparse(row)) for row in self.mode.rows.others)
         x1, x2 = [(X1, arb(1))], [(X2, arb(1))]
-        self.rows, self.guards = [x1, self.load, self.edge], _OF_STICK
-        if slips:
-            self.rows, self.guards = [x1, x2], [[(0, 1, 1), (1, 1, -1)], [(0, 0, 1), (1, 0, -1)]][: 2 if cell else 1]
+        self.rows, self.guards = ([x1, x2], _OF_SLIP[:1]) if slips else ([x1, self.load, self.edge], _OF_STICK)
         if slips and cell:
             self.rows.append(_in_balls(self.mode.signal(FRICTION)))
-            of_state = [
-                (k, d, c * f) for f, parts in zip(map(number, cell), self.guards, strict=True) for k, d, c in parts
-            ]
-            self.guards.append([(2, 0, 1), *of_state])
+            of_state = ((k, d, c * f) for f, of in zip(map(number, cell), _OF_SLIP, strict=True) for k, d, c in of)
+            self.guards = [*_OF_SLIP, [(2, 0, 1), *of_state]]
         guarded = [*self.mode.guards, *((Z, self.mode.friction) if cell else ())]
         self.guarded = list(map(_in_balls, guarded))
         stiff = A[V1][X1]

@@ -96,19 +96,20 @@ def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Lo
 
 
 @compilable
+def off_at(start: Any, i: int) -> float:
+    """Return by how much a number of a start is off, its rounding included."""
+    return UNIT * abs(start[_X1 + i]) + start[_ERRORS + i]
+
+
+@compilable
 def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
-    norm = run.norm
+    norm, N = run.norm, 0.0
     run.counts[:] = 0
-    for i in range(STATE):
+    for i, root in enumerate((norm.root_a2, norm.root_m1, 0.0, norm.root_m2)):
         run.y[i] = start[_X1 + i]
-    x1, v1, x2, v2 = (
-        UNIT * abs(start[_X1]) + start[_ERRORS],
-        UNIT * abs(start[_X1 + 1]) + start[_ERRORS + 1],
-        UNIT * abs(start[_X1 + 2]) + start[_ERRORS + 2],
-        UNIT * abs(start[_X1 + 3]) + start[_ERRORS + 3],
-    )
-    N = norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2
+        N += root * off_at(start, i)
+    x1, x2 = off_at(start, 0), off_at(start, 2)
     run.clock[0, 0], run.clock[0, 1] = start[_LOCAL], start[_REST]
     run.clock[1, :] = 0.0
     now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 0, 0.0, 1e300, N, x1, x2, x1 + x2)

@@ -23,6 +23,7 @@ from typing import NamedTuple
 from flint import arb, ctx
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
@@ -167,7 +168,9 @@ class EnclosedPath:
 
     def evolved(self, at: At, local: arb) -> At:
         """Return the path at a later time in the piece, in the same mode."""
-        flow, t = self.flow(at), local - at.local
+        flow = self.flow(at)
+        with precision(2 * self.bits):
+            t = local - at.local
         is_near = flow.fastest * t.upper() <= 1.01 * REACH
         state = self.motion(at).state(t) if is_near else self.evolved_far(flow, self.here(at)[1], t)
         return self.settled(at, state, t)._replace(local=local, orders=AWAY)
