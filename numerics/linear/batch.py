@@ -37,9 +37,10 @@ class Work(NamedTuple):
     drive: Drive
     space: Any
     start: Any
-    omegas: Any
+    asked: Any
+    """(n + 5,) the numbers of which tables are made: the frequency of each sine at its cosine, then the rest."""
     made_of: Any
-    """The numbers of which the tables are made."""
+    """Those of which they were made last."""
 
 
 def work_for(terms: int, waves: int) -> Work:
@@ -47,7 +48,7 @@ def work_for(terms: int, waves: int) -> Work:
     n, layout = FIRST + terms + 2 * waves + 1, Layout((terms, 0, 0, 0, 1), ((np.nan,) * waves, (), (), (), ()))
     tables, places = make_tables(1, n, most_terms(terms)), np.array([[0, 0, 0, 1, 0]])
     drive = Drive(places, np.zeros((1, 2)), np.zeros(terms + 1), np.zeros((waves, 3, 2)))
-    arrays = space_for(tables), np.zeros(END_ROW), np.zeros(n), np.zeros(n + 5)
+    arrays = space_for(tables), np.zeros(END_ROW), np.zeros(n + 5), np.zeros(n + 5)
     return Work(layout.blocks, make_rows(n), tables, drive, *arrays)
 
 
@@ -71,9 +72,9 @@ def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledg
         bodies, units = put_bodies(given[row], start)
         put_signals(given[row], units, work)
         found, end, norm, longest = kept[row % kept.shape[0]], ends[row], norm_of(bodies), drive.length[0, 0]
-        if is_new(work.made_of, bodies, longest, work.omegas):
+        if is_new(work, bodies, longest):
             clear(work.rows)
-            put_rows(bodies, work.blocks, work.omegas, (0.0, 0.0), work.rows)
+            put_rows(bodies, work.blocks, work.asked[:-5], (0.0, 0.0), work.rows)
             form(tables, drive.places[0, 0], norm, work.blocks, work.rows, _ROUNDINGS, longest)
         problem, log = Problem(norm, drive, tables, literal), Log(found, end, max_events, False)
         how, count = follow(problem, work.space, start, -1.0, log)
@@ -109,21 +110,13 @@ def clear(rows: Rows) -> None:
 
 
 @compilable
-def is_new(made_of: Any, bodies: Bodies, longest: float, omegas: Any) -> bool:
-    """Return whether tables depend on other numbers than before, and write these."""
-    found = False
-    for k, number in enumerate((bodies.m1, bodies.a1, bodies.a2, bodies.share_2, longest)):
-        found = differs(made_of, k, number) or found
-    for k in range(omegas.shape[0]):
-        found = differs(made_of, 5 + k, omegas[k]) or found
+def is_new(work: Work, bodies: Bodies, longest: float) -> bool:
+    """Return whether tables depend on other numbers than before, and keep these."""
+    asked, made_of, found = work.asked, work.made_of, False
+    asked[-5], asked[-4], asked[-3], asked[-2], asked[-1] = bodies.m1, bodies.a1, bodies.a2, bodies.share_2, longest
+    for k in range(len(asked)):
+        found, made_of[k] = found or made_of[k] != asked[k], asked[k]
     return found
-
-
-@compilable
-def differs(numbers: Any, k: int, number: float) -> bool:
-    """Write a number, and return whether another one stood there."""
-    before, numbers[k] = numbers[k], number
-    return before != number
 
 
 @compilable
@@ -138,4 +131,4 @@ def put_signals(numbers: Any, units: tuple[int, int, int], work: Work) -> None:
     for k in range(drive.sines.shape[0]):
         sine, first = drive.sines[k], NUMBERS + terms + 3 * k
         sine[0, 0], sine[2, 0] = math.ldexp(numbers[first], -force), numbers[first + 2]
-        sine[1, 0] = work.omegas[FIRST + terms + 2 + 2 * k] = math.ldexp(numbers[first + 1], time)
+        sine[1, 0] = work.asked[FIRST + terms + 2 + 2 * k] = math.ldexp(numbers[first + 1], time)

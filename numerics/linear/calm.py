@@ -42,14 +42,9 @@ def step_over(run: Run, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
     if not (is_calm and (run.literal or rest_is_calm(run, now))):
         return now, Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
     if left > _MOST_STEPS * run.tables.steps[kind, STICK]:
-        return doubtful(now), Calm(True, step, calm.begun)
+        lost = Now(now.piece, 0, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
+        return lost, Calm(True, step, calm.begun)  # with an error beyond all range
     return long_step(run, now), Calm(True, step, calm.begun)
-
-
-@compilable
-def doubtful(now: Now) -> Now:
-    """Return where the run is, with an error beyond all range."""
-    return Now(now.piece, 0, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
 
 
 @compilable

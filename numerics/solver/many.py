@@ -313,12 +313,8 @@ def _fill(wide: Floats, arrays: dict[str, Floats]) -> None:
 
     Raises InvalidScene, naming the first number that is out of bounds.
     """
-    for column, array in enumerate(arrays.values()):
+    for column, (name, array) in enumerate(arrays.items()):
         wide[..., column] = array
-    least = np.array([_least(name) for name in arrays])
-    if wide.size and ((wide >= least) & (wide < np.inf)).all():
-        return
-    for name, array in arrays.items():
         wrong = ~((array >= _least(name)) & (array < np.inf))
         if wrong.any():
             first = tuple(int(i) for i in np.argwhere(wrong)[0])

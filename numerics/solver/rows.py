@@ -80,7 +80,7 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
         found = run_scene(scene, Ball(_DIGITS) if scene.friction.weakening else _FLOAT64, max_events)
     except (EventUndecided, OutOfRange) as error:
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
-        end[AT["mode"]] = end[AT["events"]] = end[AT["certain"]] = 0.0
+        end[AT["mode"]] = end[AT["events"]] = 0.0
         return
     rows, last = _in_floats(found) if scene.friction.weakening else (found.record.rows, found.record.end)
     at = [0, *np.flatnonzero(rows[:, AT["event"]])[: len(kept) - 1]]
