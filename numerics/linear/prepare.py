@@ -61,13 +61,6 @@ class Prepared(NamedTuple):
         """Return how many rows are given room for at first, with so many events at most."""
         return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * self.half_turns))
 
-    def part(self, piece: int, until: Fraction) -> Problem:
-        """Return the problem of one piece alone, up to a time in it (s)."""
-        drive = self.problem.drive
-        length = np.array([halves(until, self.units.time)])
-        alone = drive._replace(places=drive.places[piece : piece + 1], length=length)
-        return self.problem._replace(drive=alone)
-
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
     """Return x 2^-exponent as a float, and what its rounding left out. Raises OutOfRange."""
