@@ -71,7 +71,8 @@ class PlaneBatch(Ends):
 
 def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, dict[str, Any]]:
     """Return the answers of a scene, by the names of arrays."""
-    (row, scene), nothing = task, np.full(1, np.nan)
+    row, scene = task
+    found: dict[str, Any]
     try:
         run = solve_plane(scene, solve, max_events=max_events)
         with run.context():
@@ -86,15 +87,11 @@ def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[i
         ended = Status.EVENT_LIMIT if capped else Status.SEQUENCE_OPEN
         ended = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended
         found, events = {"status": ended, "message": str(error), "mode": "", "digits": 0}, []
-        t = late = energy = energy_off = nothing
+        t = late = energy = energy_off = np.full(1, np.nan)
         y = off = np.full((1, 4, scene.pair.axes), np.nan)
     modes = events[:keep]
-    found |= {
-        "events": len(events),
-        "event_mode": modes + [""] * (keep - len(modes)),
-        "energy_error": energy_off.flat[0],
-    }
-    found |= {"t": t[-1], "energy": energy.flat[0], "y": y[-1], "y_error": off[-1]}
+    found |= {"t": t[-1], "energy": energy.flat[0], "energy_error": energy_off.flat[0], "y": y[-1], "y_error": off[-1]}
+    found |= {"events": len(events), "event_mode": modes + [""] * (keep - len(modes))}
     for name, values in (("event_t", t), ("event_t_error", late), ("event_y", y), ("event_y_error", off)):
         found[name] = np.full((keep, *values.shape[1:]), np.nan)
         found[name][: len(modes)] = values[1 : len(modes) + 1]
