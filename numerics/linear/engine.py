@@ -112,7 +112,7 @@ def _from_exact(
     start = np.zeros(END_ROW)
     start[:ROW] = rows[-1]
     if is_cut:
-        start[AT["how"]], start[AT["events"]], start[AT["certain"]] = How.EVENT_LIMIT, most, 1.0
+        start[AT["how"]], start[AT["events"]] = How.EVENT_LIMIT, most
         return How.EVENT_LIMIT, rows, start
     start[AT["order"]], start[AT["jump"]] = min(last.order, _MOST_ORDER), 0.0
     how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))

@@ -42,7 +42,7 @@ MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
 _X1, _LATE, _ERRORS = (AT[name] for name in ("x1", "late", "x1_error"))
-_HOW, _EVENTS, _CERTAIN = (AT[name] for name in ("how", "events", "certain"))
+_HOW, _EVENTS = AT["how"], AT["events"]
 
 
 class Log(NamedTuple):
@@ -199,6 +199,6 @@ def close(run: Run, now: Now, how: int, log: Log) -> int:
         form_z(run, now.piece, now.mode, False)
         write(run, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
-    end[_HOW], end[_EVENTS], end[_CERTAIN] = how, counts[1], 1.0
-    end[_CERTAIN + 1 :] = math.nan
+    end[_HOW], end[_EVENTS] = how, counts[1]
+    end[_EVENTS + 1 :] = math.nan
     return int(counts[2]) + 1 if how == EVENT_LIMIT else int(counts[0])

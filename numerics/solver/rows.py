@@ -106,5 +106,5 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         taken = [found.ledger.friction, found.ledger.viscous]
         friction, viscous = (float(one.mid()) for one in taken)
         off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
-    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
+    table[-1, ROW:] = record.how, record.events, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
     return table[:-1, :ROW], table[-1]
