@@ -152,10 +152,9 @@ class Batch(Ends):
     @cached_property
     def status(self) -> Counts:
         """Return how each run ended, a Status."""
-        open_ones = (self._how == How.DOUBT) | ((self._how < How.EVENT_LIMIT) & ~self.certain)
         blank = (self._how < How.EVENT_LIMIT) & (self.digits == 0)
         ended = np.where(blank, int(Status.NO_RIGHT_DIGIT), self._how)
-        return np.where(open_ones, int(Status.SEQUENCE_OPEN), ended)
+        return np.where(self._how == How.DOUBT, int(Status.SEQUENCE_OPEN), ended)
 
     @cached_property
     def events(self) -> Counts:
@@ -170,7 +169,7 @@ class Batch(Ends):
     @cached_property
     def certain(self) -> Array:
         """Whether the bounds exclude any other sequence of events."""
-        return np.asarray((self._end("certain")[0] == 1.0) & (self._how != How.DOUBT))
+        return np.asarray(self._how < How.OUT_OF_RANGE)
 
     @cached_property
     def t(self) -> Floats:
