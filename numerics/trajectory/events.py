@@ -159,9 +159,12 @@ def energy_of(run: Rows, t: Array, y: Array) -> Array:
 def energy_in_floats(scene: Scene, t: Floats, y: Floats) -> Floats:
     """Return the same in binary64."""
     x1, *others = y
-    if scene.wall.pieces:
-        x1 = x1 - np.array([float(scene.wall(Fraction(one))) for one in t.tolist()])
-    return np.asarray(scene.pair.energy((x1, *others), float))
+    return np.asarray(scene.pair.energy((x1 - wall_in_floats(scene, t), *others), float))
+
+
+def wall_in_floats(scene: Scene, t: Floats) -> Floats:
+    """Return the displacement of the wall at times, m."""
+    return np.array([float(scene.wall(Fraction(one))) for one in t.tolist()]) if scene.wall.pieces else 0.0 * t
 
 
 def wall_at(run: Rows, t: Number, side: int = 1) -> Number:

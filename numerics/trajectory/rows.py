@@ -275,9 +275,7 @@ class Rows(Answer):
         return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
 
     def row_taken(self, rows: Counts, since: Array) -> Array:
-        """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J, (6, n)."""
-        if self.bounded:
-            return self.row_changes(rows, since, integrals=True)[FIRST + 4 :]
+        """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J; not in binary64."""
         return _columns([self.row_motion(row).taken(tau) for row, tau in zip(rows, since, strict=True)])
 
     @cached_property
@@ -287,12 +285,12 @@ class Rows(Answer):
         rest = self.row_column("local_rest") if self.bounded else 0.0 * local
         return local, rest, self.floats(self.row_states)
 
-    def row_changes(self, rows: Counts, since: Floats, *, integrals: bool = False) -> Floats:
-        """Return by how much the state changes from rows on for a time (s), what acts then, and what was TAKEN.
+    def row_changes(self, rows: Counts, since: Floats) -> Floats:
+        """Return by how much the state changes from rows on for a time (s), and what acts then, (8, n), in binary64.
 
-        In binary64, shape (14, n). What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
+        What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
         """
-        (local, rest, y), found, (modes, which) = self._begun, np.zeros((FIRST + 10, len(since))), self._modes
+        (local, rest, y), found, (modes, which) = self._begun, np.zeros((FIRST + 4, len(since))), self._modes
         for kind, chosen in _groups(modes, which[rows]):
             z = np.zeros((kind.size, len(chosen)))
             z[:FIRST] = y[:, rows[chosen]]
@@ -300,10 +298,8 @@ class Rows(Answer):
                 its = rows[chosen[own == one]]
                 z[FIRST:, own == one] = signals_at(modes[one], local[its], rest[its])
             top = int(np.frexp(since[chosen].max(initial=0.0))[1])
-            steps = steps_of(kind.pair, kind.layout, bool(kind.side), kind.cell, top)
-            changed, taken = steps.over(z, since[chosen], integrals)
-            found[:FIRST, chosen], found[FIRST + 4 :, chosen] = changed[:FIRST], taken
-            found[FIRST : FIRST + 4, chosen] = _acting(kind) @ (z + changed)
+            changed = steps_of(kind.pair, kind.layout, bool(kind.side), kind.cell, top).over(z, since[chosen])
+            found[:FIRST, chosen], found[FIRST:, chosen] = changed[:FIRST], _acting(kind) @ (z + changed)
         return found
 
 
