@@ -34,7 +34,6 @@ _TERMS = 14
 _SPARE_BITS = 24
 _BITS_PER_DOUBLING = 5
 """What a flow may lose each time that it is squared."""
-_DOUBLINGS = 6
 _STATE = tuple(((place, Fraction(1)),) for place in range(FIRST))
 _TURN = TwoFloats(6.283185307179586, 2.4492935982947064e-16)
 
@@ -141,19 +140,12 @@ class Moving:
     def _enclosed(self, function: Callable[[Motion, arb], Sequence[arb]], tau: Number) -> tuple[Number, ...]:
         """Return a function of the motion and of a time after its start, with the bits that squarings may lose.
 
-        Powers of the time lose more, as k! in the derivatives of a force of high degree: bits are doubled until what is
-        left is a rounding, or half of the bits of balls, or more bits are of no help.
+        A power of the time, as in the derivatives of a force of high degree, may lose them as often as it is high.
         """
         with precision(self.bits):
             since = as_ball(tau)
-        bits, before = self.bits + 2 * halvings(self.mode, since), arb("inf")
-        for _ in range(_DOUBLINGS):
-            with precision(bits):
-                found = function(self.mode.motion(*self.start), since)
-                off, size = max(one.rad() for one in found), max(abs(one.mid()) for one in (*found, *self.start[0]))
-                if off * 2 > before or off <= size * arb(2) ** -(self.bits // 2 if self.is_ball else mpmath.mp.prec):
-                    break
-            bits, before = 2 * bits, off
+        with precision(self.bits + 2 * self.mode.size * halvings(self.mode, since)):
+            found = function(self.mode.motion(*self.start), since)
         return tuple(+one if self.is_ball else self.arithmetic.number(exact_middle(one)) for one in found)
 
     def _state(self, motion: Motion, tau: arb) -> Sequence[arb]:
