@@ -5,6 +5,7 @@ Which row's segment holds a time, and the motion from that row's state (flow.py)
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -352,17 +353,15 @@ def require_times(t_eval: Any, until: Fraction) -> None:
         raise ValueError(f"t_eval = {shown(t_eval)} has more times than memory holds; give fewer at once") from None
     if given.ndim != 1:
         raise ValueError(f"t_eval = {shown(t_eval)} must be a sequence of times in seconds; give one such as [0, 0.5]")
-    last = float(min(until, Fraction(10**300)))
-    if given.dtype.kind in "fiu":  # all at once; only a wrong one is looked for exactly
+    last, listed = float(min(until, Fraction(10**300))), given.tolist()
+    if given.dtype.kind in "fiu":
         times = given.astype(float)
-        if ((times >= 0) & (times <= last)).all() and (times[1:] >= times[:-1]).all():
-            return
-    end, before = max(until, Fraction(last)), Fraction(0)  # type: Fraction, Any
-    for k, one in enumerate(t_eval):
-        point = one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]")
-        if isinstance(point, Fraction) and not 0 <= point <= end:
-            outside = f"t_eval[{k}] = {str(one)[:40]} s is outside the run, [0, {short(until)}] s"
-            raise ValueError(f"{outside}; give times within it, or a later until")
-        if type(point) is type(before) and point < before:
-            raise ValueError(f"t_eval[{k}] = {str(one)[:40]} s comes after a later time; put the times in order")
-        before = point
+    else:
+        exact = (one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]") for k, one in enumerate(listed))
+        times = np.array([float(one) if one <= 2 * last else math.inf for one in exact])
+    for k in np.flatnonzero(~((times >= 0) & (times <= last)))[:1]:
+        exact_time(listed[k], f"t_eval[{k}]")
+        outside = f"t_eval[{k}] = {str(listed[k])[:40]} s is outside the run, [0, {short(until)}] s"
+        raise ValueError(f"{outside}; give times within it, or a later until")
+    for k in np.flatnonzero(np.diff(times) < 0)[:1] + 1:
+        raise ValueError(f"t_eval[{k}] = {str(listed[k])[:40]} s comes after a later time; put the times in order")
