@@ -55,13 +55,13 @@ class CarriedDerivatives(NamedTuple):
 class Shift(NamedTuple):
     """How what ends a leg moves in time: by numbers of the carried point, (p,), with bounds on their errors.
 
-    `before` is the field y' on this side, `jump` that less the one on the other side.
+    `before` and `behind` are the fields y' on both sides; None where they are the same.
     """
 
     t: Array
     off: Array
     before: Array
-    jump: Array
+    behind: Array | None
 
 
 class Chain:
@@ -184,10 +184,12 @@ class Chain:
         t, moving, y = self._zeros(), +enclosed, +found.y
         for one in shifts:
             late = _widened(one.t, one.off)
-            t, moving, y = t + late, moving + np.outer(one.before, late), y + np.outer(one.jump, one.t)
+            t, moving = t + late, moving + np.outer(one.before, late)
+            if one.behind is not None:
+                y += np.outer(one.before - one.behind, one.t)
+                if not leg.begins_piece and self.legs[index - 1].side:  # a slip ends where both velocities are one
+                    moving[1], y[1] = moving[3], found.y[3] + (one.before[3] - one.behind[1]) * one.t
         if leg.is_event:
-            if not leg.begins_piece and self.legs[index - 1].side:
-                moving[1] = moving[3]  # a slip ends where both velocities are one
             self.t.append(t)
             self.y.append(moving)
             self.before.append(enclosed)
@@ -202,17 +204,16 @@ class Chain:
         by_state, moved, rate = self._of(leg).guard(end, after.side, *here, ended.y)
         off = ended.norm * norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
         off = off + (ended.far * abs(by_state[0] + by_state[2]) if not norm.root_a2 > 0 else 0)
-        jumps = leg.side or self.bodies.static != 1
-        jump = before - field(self._of(after).mode, *here) if jumps else 0 * before
-        return Shift(-moved / rate, off / abs(rate), before, jump)
+        behind = field(self._of(after).mode, *here) if leg.side or self.bodies.static != 1 else None
+        return Shift(-moved / rate, off / abs(rate), before, behind)
 
     def _by_jumps(self, index: int) -> list[Shift]:
         """Return how the starts move where a leg begins a piece."""
         found = []
-        for name, (before, after) in self._jumps(index).items():
+        for name, fields in self._jumps(index).items():
             t = self._zeros()
             t[self.column[name]] += 1
-            found.append(Shift(t, self._zeros(), before, before - after))
+            found.append(Shift(t, self._zeros(), *fields))
         return found
 
     def _jumps(self, index: int) -> dict[str, tuple[Array, Array]]:
