@@ -25,8 +25,6 @@ number = Ball.number
 SIGN_BITS = (20, 28, 44, 60, 92, 124)
 """In what precisions it is tried to see that nothing happens in a phase; the kernel takes `SPARE_SIGN_BITS` more."""
 SPARE_SIGN_BITS = 4
-DEPTH = 60
-"""How often an interval is halved for that."""
 PARTS = 1000
 """Into how many parts a phase is cut at most for that: a file has to be judged in minutes."""
 _STATE = tuple(((place, Fraction(1)),) for place in range(FIRST))
@@ -119,22 +117,21 @@ class Guard(NamedTuple):
         over = self.motion.over(u if isinstance(u, arb) else number(u))
         return [over.range(self.row, order) for order in range(3)]
 
-    def early(self, zeros: int, end: Fraction) -> Fraction:
-        """Return a time until which a guard is positive that is 0 at first, as are so many less one of its slopes."""
-        for _ in range(DEPTH):
-            if self.over(hull(Fraction(0), end))[zeros] > 0:
-                return end
-            end /= 2
-        raise Unseen
+    def lasts(self, zeros: int, end: Fraction) -> bool:
+        """Whether it is seen to be positive up to an end where it is: by its bounds, slope or bend, or by halves.
 
-    def stays(self, low: Fraction, high: Fraction) -> bool:
-        """Whether a guard that is positive at both ends is seen to be so between: by bounds, slope, bend or halves."""
-        waiting = [(low, high)]
+        At first it is 0, as are so many less one of its derivatives; or, of no zeros, positive.
+        """
+        waiting = [(Fraction(0), end)]
         for _ in range(PARTS):
             low, high = waiting.pop()
-            here, slope, bend = self.over(hull(low, high))
-            rises = bool(bend >= 0 and self.over(low)[1] >= 0)
-            if not (here > 0 or slope >= 0 or slope <= 0 or bend <= 0 or rises):
+            here, slope, bend = over = self.over(hull(low, high))
+            if zeros and not low:
+                seen = bool(over[zeros] > 0)
+            else:
+                rises = bend >= 0 and self.over(low)[1] >= 0
+                seen = bool(here > 0 or slope >= 0 or slope <= 0 or bend <= 0 or rises)
+            if not seen:
                 middle = (low + high) / 2
                 if not self(middle) > 0:
                     return False
@@ -207,8 +204,7 @@ class Box:
         program = self.program
         for bits in SIGN_BITS[SIGN_BITS.index(program.sign_bits) :]:
             with precision(bits):
-                begin = guard.early(zeros, end / 2) if zeros else Fraction(0)
-                if (not zeros or guard(begin) > 0) and guard.stays(begin, end):
+                if guard.lasts(zeros, end):
                     program.sign_bits = bits
                     return
         raise Unseen
