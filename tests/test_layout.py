@@ -146,7 +146,10 @@ def test_help_answers_without_heavy_imports(package):
     assert done.stderr.strip().splitlines()[-1] == "[]"
 
 
-OWN_PRECISION = {ROOT / "numerics" / "arithmetic" / "precision.py"}
+OWN_PRECISION = {
+    ROOT / "numerics" / "arithmetic" / "precision.py",
+    ROOT / "numerics" / "trajectory" / "closed_forms.py",  # intervals of a command, in a context of their own
+}
 HELD = re.compile(r"\b(precision|series_terms|mpmath_precision|context|fine|terms)\(")
 
 

@@ -15,27 +15,28 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
-from flint import arb
-
-from numerics.arithmetic.precision import precision
 from numerics.errors import NoProof
 from numerics.linear.modes import Mode
-from numerics.linear.pieces import pieces_of, polynomial_at
+from numerics.linear.pieces import polynomial_at
 from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
-from numerics.trajectory.export import arrays
-from numerics.trajectory.status import Status
-from numerics.trajectory.theorem_box import (
+from numerics.trajectory.closed_forms import (
+    INTERVALS,
     SPARE_SIGN_BITS,
-    Box,
-    Program,
+    Forms,
+    StateForms,
     Steady,
+    TheoremRun,
     TooCoarse,
     Unseen,
+    Value,
     ends_of,
     number,
     outward,
+    spells,
 )
+from numerics.trajectory.export import arrays
+from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
 SHOWN = 12
@@ -67,10 +68,9 @@ def theorem(trajectory: Trajectory) -> str:
     places = [SHOWN - (math.ceil(math.log10(size)) if size else 0) for size in greatest]
     times = table["t"][1:].tolist()
     for bits, renewing in TRIES:
+        writer = _Writer(scene, places, bits, renewing=renewing)
         try:
-            with precision(bits):
-                writer = _Writer(scene, places, bits, renewing=renewing)
-                return writer.text(trajectory, times)
+            return writer.text(trajectory, times)
         except TooCoarse as error:
             reason = f"{TRIES[-1][0]} bits are too few for {len(times)} events; shorten until"
             if isinstance(error, Unseen):
@@ -116,9 +116,9 @@ def _list(items: Iterable[str], between: str = ";\n  ") -> str:
     return f"[{between.join(items)}]"
 
 
-def _steady(given: Steady) -> str:
-    tones = _list((f"Tone {_written(*one)}" for one in given.tones), "; ")
-    return f"Steady {_written(given.since)} {_list(map(_written, given.polynomial), '; ')} {tones}"
+def _steady(force: Steady) -> str:
+    tones = _list((f"Tone {_written(*one)}" for one in force.tones), "; ")
+    return f"Steady {_written(force.since)} {_list(map(_written, force.polynomial), '; ')} {tones}"
 
 
 class _Writer:
@@ -130,25 +130,27 @@ class _Writer:
     def __init__(self, scene: Scene, places: list[int], most: int, *, renewing: bool) -> None:
         self.scene, self.most, self.renewing = scene, most, renewing
         self.places = dict(zip("txv", places, strict=True))
-        self.pieces, self.index, self.hints = pieces_of(scene), 0, list[str]()
-        self.program = Program(scene.pair, self.pieces[0], most)
+        self.spells, self.hints = list(spells(scene)), list[str]()
+        self.forms = Forms(scene.pair, most)
+        self._begin(0)
         at = scene.initial
-        self.run = Box.start(self.program, Fraction(0), (at.x1, at.v1, at.x2, at.v2), self._edge())
-        self.close: Box | None = None
+        self.run = TheoremRun.start(self.forms, (Fraction(0), at.x1, at.v1, at.x2, at.v2), self._edge())
+        self.close: TheoremRun | None = None
         self.radius, self.steps, self.fresh = Fraction(0), list[str](), self._size()
 
     def _begin(self, index: int) -> None:
-        """Begin a piece."""
+        """Begin a spell."""
         self.index = index
-        self.program.begin(self.pieces[index])
+        self.forms.begin(self.spells[index])
 
     def _edge(self) -> int:
         """Return k if the pair starts in contact on the edge towards k, as far as the kernel decides that; or 0."""
-        pair, at, piece = self.scene.pair, self.scene.initial, self.pieces[0]
-        if at.v1 != at.v2 or any(one.phase for one in piece.sines):
+        pair, at, force, friction = self.scene.pair, self.scene.initial, self.spells[0].force, self.spells[0].friction
+        if at.v1 != at.v2 or any(one.phase for one in force.tones):
             return 0
-        load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - polynomial_at(piece.polynomial, Fraction(0)))
-        return {-piece.b * pair.mass: 1, piece.b * pair.mass: -1}.get(load, 0)
+        pushed = polynomial_at(force.polynomial, -force.since) + sum(one.in_cosine for one in force.tones)
+        load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed)
+        return {-friction * pair.mass: 1, friction * pair.mass: -1}.get(load, 0)
 
     def text(self, trajectory: Trajectory, times: list[float]) -> str:
         """Return the file; the last of the times is the end."""
@@ -157,51 +159,45 @@ class _Writer:
             jump = event.cause == "jump"
             self._rest_before(time, event.before, jump=jump)
             if jump:
-                self._rest(event.before, self.pieces[self.index + 1].start, "Rest {bits} {until} {least} Breaks")
+                self._rest(event.before, self.spells[self.index + 1].since, "Rest {bits} {until} {least} Breaks")
                 self._begin(self.index + 1)
             else:
                 self._hit(event.before, event.before.sign or event.after.sign, time)
-            x1, v1, x2, _ = self.run.state
-            events.append(f"Event {_written(event.before)} {self._bounds((self.run.t, x1, x2, v1), 'txxv')}")
+            t, x1, v1, x2, _ = self.run.at
+            events.append(f"Event {_written(event.before)} {self._bounds((t, x1, x2, v1), 'txxv')}")
         self._rest_before(math.inf, last, jump=False)
         relative = self._rest(last, self.scene.until, "Last {bits} {least}")
-        ends = self._bounds((*self.run.state, relative), "xvxvv")
+        ends = self._bounds((*self.run.at[1:], relative), "xvxvv")
         ever = trajectory.status is Status.STUCK_FOR_EVER and self._for_ever()
         pair, at, table = self.scene.pair, self.scene.initial, ";\n  ".join(events)
-        forces = [Steady.force(self.scene.force.piece_at(one.start)) for one in self.pieces]
-        acting = [
-            f"(Spell {_written(one.start, one.b)} ({_steady(force)}))"
-            for one, force in zip(self.pieces, forces, strict=True)
-        ]
-        answers = [[_steady(one.answer(pair, mass)) for mass in (pair.m1, pair.mass)] for one in forces]
+        acting = [f"(Spell {_written(one.since, one.friction)} ({_steady(one.force)}))" for one in self.spells]
         return TEXT.format(
             scene=_written(pair.m1, pair.m2, pair.a1, pair.a2, at.x1, at.v1, at.x2, at.v2),
             first=acting[0],
             later=_list(acting[1:]),
             events=f"[\n  {table}]" if table else "[]",
             ending=f"Ending {_written(last, self.scene.until)} {ends} {_written(ever)}",
-            answers=_list(f"({alone}, {together})" for alone, together in answers),
+            answers=_list(f"({_steady(one.alone)}, {_steady(one.together)})" for one in self.spells),
             hints=";\n  ".join(self.hints),
             state=self.most + KERNEL_BITS,
-            sign=self.program.sign_bits + SPARE_SIGN_BITS,
+            sign=self.forms.sign_bits + SPARE_SIGN_BITS,
             depth=DEPTH,
         )
 
     def _rest_before(self, time: float, mode: Mode, *, jump: bool) -> None:
-        """Go through the pieces that end before a time; if there is a jump, the one that ends with it stays."""
-        ending = [one.start for one in self.pieces[self.index + 1 :] if one.start <= time]
-        for start in ending[: len(ending) - jump]:
-            if not (self.close and self._renewed(mode, start)):
-                self._rest(mode, start, "Rest {bits} {until} {least} Goes")
+        """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
+        ending = [one.since for one in self.spells[self.index + 1 :] if one.since <= time]
+        for since in ending[: len(ending) - jump]:
+            if not (self.close and self._renewed(mode, since)):
+                self._rest(mode, since, "Rest {bits} {until} {least} Goes")
             self._begin(self.index + 1)
 
     def _narrow(self) -> int:
         """Compute with no more bits than the state deserves; return with how many the kernel does."""
-        numbers = (self.run.t, *self.run.state)
-        known = min((one.rel_accuracy_bits() for one in numbers if not one.contains(0)), default=self.most)
-        bits = STEP_BITS * math.ceil((min(known, self.most) + SPARE_BITS) / STEP_BITS)
-        self.program.bits = min(self.program.bits, bits)
-        return self.program.bits + KERNEL_BITS
+        widths = [(float(one.delta.b), float(abs(one).b)) for one in self.run.at]
+        known = min((-math.log2(width / size) for width, size in widths if width and size), default=math.inf)
+        self.forms.narrow(STEP_BITS * math.ceil((min(known, self.most) + SPARE_BITS) / STEP_BITS))
+        return self.forms.bits + KERNEL_BITS
 
     def _hit(self, mode: Mode, k: int, time: float) -> None:
         """Go to the next event, with the motion that is close."""
@@ -209,75 +205,74 @@ class _Writer:
             now = self.run.time
             self._renewed(mode, Fraction(f"{(now + time) / 2:.{max(0, 2 - math.floor(math.log10(time - now)))}f}"))
         bits = self._narrow()
-        self.run, *between = self.run.hit(mode, k, time, self.places["t"])
-        self.hints.append(f"Hit {bits} {_written(*between, k > 0)}")
+        self.hints.append(f"Hit {bits} {_written(*self.run.hit(mode, k, time, self.places['t']), k > 0)}")
         if self.close:
-            self.close, low, high = self.close.hit(mode, k, time, self.places["t"])
+            low, high = self.close.hit(mode, k, time, self.places["t"])
             self.steps.append(f"({_written(mode)}, {_written(low)}, {_written(high)}, {_written(k > 0)})")
 
-    def _rest(self, mode: Mode, time: Fraction, hint: str) -> arb:
+    def _rest(self, mode: Mode, time: Fraction, hint: str) -> Value:
         """Go on in a mode to a time, and return v1 - v2 there."""
         bits = self._narrow()
-        self.run, least, relative = self.run.rest(mode, time)
+        least, relative = self.run.rest(mode, time)
         self.hints.append(hint.format(bits=bits, until=_written(time), least=_written(least)))
         self.close, self.radius, self.steps = None, Fraction(0), []
         return relative
 
-    def _norm(self, state: Iterable[arb]) -> arb:
-        """Return the energy norm of a difference, sqrt(J); of one in x2 it is 0."""
-        pair, (x1, v1, _, v2) = self.scene.pair, state
-        parts = (pair.a2, x1), (pair.m1, v1), (pair.m2, v2)
-        return sum((number(weight / 2) * one * one for weight, one in parts), arb(0)).abs_upper().sqrt()
+    def _norm(self, at: StateForms) -> Value:
+        """Return the energy norm of a difference, sqrt(J)."""
+        pair = self.scene.pair
+        parts = (pair.a2, at.x1), (pair.m1, at.v1), (pair.m2, at.v2)
+        return INTERVALS.sqrt(sum(number(weight) * one**2 for weight, one in parts) / 2)
 
     def _size(self) -> float:
         """Return how large the box is, and what rounding adds, in the energy norm."""
-        own = self._norm(one.rad() for one in self.run.state)
-        return float(2 * own + self._norm(self.run.state) * arb((1, -self.most)))
+        widths = StateForms(*(one.delta for one in self.run.at))
+        return float(self._norm(widths).b) + float(self._norm(self.run.at).b) * 2.0**-self.most
 
     def _renewed(self, mode: Mode, time: Fraction) -> bool:
         """Go on to a time and replace the box by a ball about a new motion; return whether that is possible there."""
-        bits, pair = self._narrow(), self.scene.pair
+        bits = self._narrow()
+        run, other = replace(self.run), replace(self.close or self.run)
         try:
-            run, least, _ = self.run.rest(mode, time)
-            other, enough, _ = (self.close or self.run).rest(mode, time)
+            least = max(one.rest(mode, time)[0] for one in (run, other))
         except TooCoarse:
             return False
-        x1, v1, _, v2 = other.state
-        places = 1 - math.floor(math.log10(min(float(2 * one.rad()) for one in (x1, v1, v2)) or 2.0**-self.most))
-        x1, v1, v2 = (sum(outward(one, places), Fraction(0)) / 2 for one in (x1, v1, v2))
-        centre = Box.start(self.program, time, (x1, v1, Fraction(0), v2))
-        away = self._norm(one - at for one, at in zip(other.state, centre.state, strict=True))
-        radius = self.radius + Fraction(f"{1.5 * float(away):.2e}")
-        arms = (arb(0, number(radius) * number(2 / weight).sqrt()) for weight in (pair.a2, pair.m1, pair.m2))
-        x1_box, v1_box, v2_box = (number(one) + arm for one, arm in zip((x1, v1, v2), arms, strict=True))
-        run = replace(run, state=(x1_box, v1_box, run.state[2], v2_box))
-        if not all(run.guard(mode, k)(Fraction(0)) > 0 for k in ends_of(mode)):
+        box = other.at.x1, other.at.v1, other.at.v2
+        places = 1 - math.floor(math.log10(min(float(one.delta.b) for one in box) or 2.0**-self.most))
+        x1, v1, v2 = (sum(outward(one, places), Fraction(0)) / 2 for one in box)
+        centre = TheoremRun.start(self.forms, (time, x1, v1, Fraction(0), v2))
+        away = self._norm(StateForms(*(one - at for one, at in zip(other.at, centre.at, strict=True))))
+        radius, pair = self.radius + Fraction(f"{1.25 * float(away.b):.2e}"), self.scene.pair
+        for name, weight in (("x1", pair.a2), ("v1", pair.m1), ("v2", pair.m2)):
+            arm = number(radius) * INTERVALS.sqrt(2 / number(weight)) * INTERVALS.mpf([-1, 1])
+            run.at = run.at._replace(**{name: getattr(centre.at, name) + arm})
+        if not all(run.guard(mode, k)(number(Fraction(0))) > 0 for k in ends_of(mode)):
             return False
         renews = f"(Renews {_list(self.steps, '; ')}\n    (Close {_written(time, x1, v1, v2, radius)}))"
-        self.hints.append(f"Rest {bits} {_written(time, max(least, enough))} {renews}")
+        self.hints.append(f"Rest {bits} {_written(time, least)} {renews}")
         self.run, self.close, self.radius, self.steps = run, centre, radius, []
         self.fresh = self._size()
         return True
 
     def _for_ever(self) -> bool:
         """Go on in a stick that does not end until its energy shows that; return whether that is shown."""
-        scene, force = self.scene, self.pieces[self.index]
-        if scene.changes_later or force.sines or any(force.polynomial[1:]):
+        scene, force = self.scene, self.spells[self.index].force
+        changes = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0)) >= scene.until
+        if changes or force.tones or any(force.polynomial[1:]):
             return False
         least = Fraction(f"{math.sqrt(scene.pair.mass / scene.pair.a2) / 8:.1g}")
         for doubling in range(DOUBLINGS if scene.pair.a1 else 1):
             left = least * 2**doubling
-            if self.run.moved(Mode.STICK, number(left)).sticks_for_ever():
+            if self.forms.spare(self.forms.moved(Mode.STICK, self.run.at, number(left))) > 0:
                 self._rest(Mode.STICK, scene.until + left, "Ever {bits} {until} {least}")
                 return True
         return False
 
-    def _bounds(self, balls: tuple[arb, ...], kinds: str) -> str:
-        """Return decimal bounds of each ball, a time, place or velocity; raises TooCoarse for one that is too wide."""
+    def _bounds(self, boxes: tuple[Value, ...], kinds: str) -> str:
+        """Return decimal bounds of each box, a time, place or velocity; raises TooCoarse for one that is too wide."""
         found = []
-        for ball, kind in zip(balls, kinds, strict=True):
-            margin = ball.rad() + arb(10) ** -(self.places[kind] + 3)  # the kernel's box is another one
-            low, high = outward(ball + arb(0, margin), self.places[kind])
+        for box, kind in zip(boxes, kinds, strict=True):
+            low, high = outward(box, self.places[kind])
             if high - low > 3 * Fraction(10) ** -self.places[kind]:
                 raise TooCoarse
             found.append(f"({decimal_text(low)}, {decimal_text(high)})")
