@@ -109,10 +109,6 @@ class Answer:
         found: Self = saved.load(file, cls)
         return found
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
-        return saved.unpickled, (type(self), self.scene, json.dumps(saved.run_of(self)))
-
     def __eq__(self, other: object) -> bool:
         """Return whether another trajectory answers the same scene with the same numbers."""
         # as texts: a bound of an open run may be no number, which equals nothing

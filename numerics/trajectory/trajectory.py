@@ -337,7 +337,7 @@ class Trajectory(Rows):
         """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
 
         `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
-        MP4 needs ffmpeg. A frame takes some 50 ms. Raises MissingTool, OSError, ValueError for other files or
+        MP4 needs ffmpeg. A frame takes some 80 ms. Raises MissingTool, OSError, ValueError for other files or
         numbers that are not above 0.
         """
         from numerics.trajectory.figures import animate

@@ -113,7 +113,7 @@ def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
     assert all(event.before is not event.after for event in run.events)
     curve = sampled(run)
     assert np.allclose(run.sol(curve.t[::37].tolist()).astype(float), curve.y[:, ::37], rtol=0, atol=1e-9)
-    assert np.isclose(curve.lost[0, -1], float(run.ledger.friction), rtol=1e-9)
+    assert np.isclose(curve.lost[0, -1], float(run.ledger.friction), rtol=1e-4)  # a sum over what is drawn
 
 
 def test_a_knot_adds_to_the_errors_whether_friction_bends_up_or_down_behind_it(monkeypatch):
