@@ -42,7 +42,7 @@ Exceptions:
     NotSettled          a long-time motion that was not found
     MissingTool         an optional package that is not installed
 
-`help(numerics.solve)` describes one of them in full. Import them by name: `from numerics import *` imports nothing.
+`help(numerics.solve)` describes one of them in full, and `numerics.__version__` is the version.
 """
 
 from __future__ import annotations
@@ -90,7 +90,6 @@ if TYPE_CHECKING:
     from numerics.trajectory.sensitivity import sensitivities as sensitivities
     from numerics.trajectory.trajectory import Trajectory as Trajectory
 
-# without __all__, in whose presence help() would print every method of every class here
 _NAMES = {
     "scene": "Force Friction Law Pair Piece Scene Signal Sine State Weakening",
     "scene.file": "load_reference load_scene scene_text",
@@ -116,10 +115,21 @@ _NAMES = {
 _HOMES = {name: f"numerics.{module}" for module, names in _NAMES.items() for name in names.split()}
 
 
+__all__ = sorted(_HOMES)  # noqa: PLE0605 - a list, of the names above
+
+
 def __getattr__(name: str) -> Any:
     """Import a public name when it is first asked for: `--help` needs none of them."""
+    if name == "__version__":
+        from numerics.exits import version
+
+        return version() or "0+source"
     if name not in _HOMES:
-        raise AttributeError(f"module 'numerics' has no attribute {name!r}; dir(numerics) lists those it has")
+        from difflib import get_close_matches
+
+        near = get_close_matches(name, _HOMES, n=1) or [one for one in _HOMES if one.lower() == name.lower()]
+        remedy = f"did you mean {near[0]}?" if near else "dir(numerics) lists those it has"
+        raise AttributeError(f"module 'numerics' has no attribute {name!r}; {remedy}")
     value = getattr(importlib.import_module(_HOMES[name]), name)
     globals()[name] = value
     return value

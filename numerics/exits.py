@@ -96,13 +96,19 @@ class Version(argparse.Action):
 
     def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
         """Print the version and exit."""
-        from importlib.metadata import PackageNotFoundError, version
-
-        try:
-            print(f"inertial-pair {version('inertial-pair')}")
-        except PackageNotFoundError:
-            print("inertial-pair, not installed (running from its sources)")
+        found = version()
+        print(f"inertial-pair {found}" if found else "inertial-pair, not installed (running from its sources)")
         parser.exit(OK)
+
+
+def version() -> str:
+    """Return the version of the installed package, "" where it runs from its sources."""
+    from importlib import metadata
+
+    try:
+        return metadata.version("inertial-pair")
+    except metadata.PackageNotFoundError:
+        return ""
 
 
 class OneLineParser(argparse.ArgumentParser):

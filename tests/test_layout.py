@@ -40,7 +40,7 @@ def test_imports_point_one_way(package):
 LAYERS = {
     "numerics": (
         ("errors",),
-        ("exits", "files", "tasks"),
+        ("exits", "files", "habits", "tasks"),
         ("shown",),
         ("scene",),
         ("arithmetic",),

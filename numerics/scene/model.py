@@ -10,9 +10,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields
 from enum import Enum
 from fractions import Fraction
-from typing import Any
+from inspect import signature
+from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
+from numerics.habits import helpful, right_word
 from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
 from numerics.scene.friction import Friction
 from numerics.scene.nonnegative import require_nonnegative
@@ -63,6 +65,7 @@ class Pair(ShortRepr):
     a1: Fraction
     b_static: Fraction | None
 
+    @helpful
     def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0, b_static: Exact | None = None) -> None:
         """Read every parameter as an exact decimal and check its bound."""
         is_fixed = isinstance(m2, str | float) and m2 in ("inf", math.inf)
@@ -145,6 +148,7 @@ class State(ShortRepr):
     x2: Fraction
     v2: Fraction
 
+    @helpful
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
@@ -196,6 +200,7 @@ class Scene(ShortRepr):
     _hash: int = field(init=False, repr=False, compare=False)
     """The hash of all of it, formed once: what is derived from a scene is cached by the scene."""
 
+    @helpful
     def __init__(
         self,
         pair: Pair,
@@ -262,6 +267,15 @@ class Scene(ShortRepr):
         """Return what pickles and copies are made of."""
         return Scene, tuple(getattr(self, one.name) for one in fields(self) if one.init)
 
+    def replace(self, **changes: Any) -> Scene:
+        """Return the scene with other parts, or with other numbers of its pair and its initial state.
+
+        >>> scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5)
+        >>> scene.replace(b="0.06", x1=1, until=3)
+        Scene(pair=Pair(m1=1, m2=1, a2=200, b=0.06), initial=State(x1=1, v1=0.15), until=3)
+        """
+        return replaced(self, changes, ("pair", "initial"))
+
     @property
     def pieces(self) -> dict[str, tuple[Piece, ...]]:
         """The pieces of each signal and of friction, by their names."""
@@ -315,6 +329,31 @@ class Scene(ShortRepr):
     def energy_excess(self) -> Fraction:
         """w = E/E_cr - 1 at t = 0, dimensionless, exact: permanent stick needs w <= 0 (free pair)."""
         return self.energy / self.pair.critical_energy - 1
+
+
+_S = TypeVar("_S")
+
+
+def replaced(scene: _S, changes: dict[str, Any], inner: tuple[str, ...]) -> _S:
+    """Return a scene with other parts; a number goes to the one of its `inner` parts that has it."""
+    owners = {key: name for name in inner for key in _parts(getattr(scene, name))}
+    own, new = _parts(scene), dict(changes)
+    for word in changes:
+        if word not in own and word not in owners:
+            raise TypeError(f"replace has no {word!r}: {right_word(word, [*own, *owners])}")
+    if "belt" in new:
+        new.setdefault("v2", 0)  # a belt gives body 2 its velocity
+    for name in inner:
+        given = {key: new.pop(key) for key in list(new) if key not in own and owners[key] == name}
+        if given:
+            part = new.get(name, own[name])
+            new[name] = type(part)(**_parts(part) | given)
+    return type(scene)(**own | new)
+
+
+def _parts(record: Any) -> dict[str, Any]:
+    """Return what a record is built of."""
+    return {name: getattr(record, name) for name in signature(type(record)).parameters}
 
 
 def require_plain(scene: Scene, what: str) -> None:

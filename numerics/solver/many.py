@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
+from numerics.habits import helpful
 from numerics.linear.batch import Columns
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
@@ -56,6 +57,7 @@ class _BatchLimits(NamedTuple):
         return self
 
 
+@helpful
 def solve_many(
     m1: ArrayLike,
     m2: ArrayLike,
@@ -151,6 +153,7 @@ def solve_scenes(scenes: Sequence[PlaneScene], **options: Any) -> PlaneBatch: ..
 def solve_scenes(scenes: Sequence[Scene], **options: Any) -> Batch: ...
 
 
+@helpful
 def solve_scenes(  # type: ignore[misc]  # the options are those below
     scenes: Sequence[Scene] | Sequence[PlaneScene],
     *,

@@ -12,6 +12,7 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
+from numerics.habits import helpful
 from numerics.scene import Scene
 from numerics.scene.decimals import require_digits, require_function, shown
 from numerics.scene.model import BUILD, require_kind
@@ -57,6 +58,7 @@ def solve(scene: PlaneScene, **options: Any) -> PlaneTrajectory: ...
 def solve(scene: Scene, **options: Any) -> Trajectory: ...
 
 
+@helpful
 def solve(  # type: ignore[misc]  # the options are those below
     scene: Scene | PlaneScene,
     *,

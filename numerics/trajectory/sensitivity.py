@@ -33,6 +33,7 @@ from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
+from numerics.habits import helpful
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.scene.decimals import shown
@@ -92,6 +93,7 @@ def sensitivities(trajectory: Trajectory, *, wrt: Sequence[str] | None = None) -
 def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right", wrt: Sequence[str] | None = None) -> Array: ...
 
 
+@helpful
 def sensitivities(
     trajectory: Trajectory, t: Any = None, side: Side = "right", wrt: Sequence[str] | None = None
 ) -> Sensitivity | Array:
