@@ -9,7 +9,8 @@ import re
 from collections.abc import Callable
 from typing import ParamSpec, TypeVar
 
-_P, _R = ParamSpec("_P"), TypeVar("_R")
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
 _PARAMETERS = {
     "k k1 c1 stiffness spring": "a2",
     "c d c2 damping damper viscosity": "a1",
@@ -19,7 +20,8 @@ _PARAMETERS = {
     "x position x0": "x1 x2",
     "v velocity v0": "v1 v2",
     "t_end t_span tspan tmax t_max tf T duration horizon end stop_time": "until",
-    "u f F forces": "force",
+    "u F forces": "force",
+    "f": "force omega",
     "state y0 initial_state ic x_0": "initial",
     "freq frequency w hz": "omega",
     "A amp height": "amplitude",
@@ -92,7 +94,7 @@ def right_word(word: str, known: list[str]) -> str:
     >>> right_word("k", ["m1", "m2", "a2", "b", "a1"]), right_word("rtol", ["digits"])[:22]
     ('write a2 (N/m)', 'no tolerance is needed')
     >>> right_word("m3", ["m1", "m2"]), right_word("colour", ["m1", "m2"])
-    ('did you mean m1 or m2?', 'it takes m1, m2')
+    ('did you mean m2 or m1?', 'it takes m1, m2')
     """
     for words in (word, word.lower()):
         meant = [one for one in _OTHERS.get(words, "").split() if one in known]

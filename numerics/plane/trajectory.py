@@ -46,8 +46,8 @@ class PlaneTrajectory(Answer):
     (('slip', 'stick'), 'stick', 'entry', (1,), None)
     >>> run.t.shape, run.y.shape, run.energy.shape, run.floats(run.y).dtype
     ((3,), (8, 3), (3,), dtype('float64'))
-    >>> float(run.end_time), len(run.final_state.x1), run.final_energy < 0.00107
-    (2.0, 2, True)
+    >>> float(run.end_time), run.final == run.final_state, len(run.initial.x1), run.final_energy < 0.00107
+    (2.0, True, 2, True)
     >>> run.sol([0.5, 1]).shape
     (8, 2)
     >>> run.events[0].kind.value, run.mode_at(0.001), run.mode_at([0, "1/3"]), run.scene.pair.axes
@@ -202,6 +202,21 @@ class PlaneTrajectory(Answer):
         from numerics.plane.pictures import animate
 
         return animate(self, file, duration, frames_per_second)
+
+    @property
+    def initial(self) -> PlaneState:
+        """Return the state at the start."""
+        return self._at(0)
+
+    def _shown(self) -> dict[str, Any]:
+        """Return what a summary says, by its names."""
+        return {
+            "message": self.message,
+            "arithmetic": f"{self.arithmetic.name}, {self.digits} right digits",
+            "events": len(self.events),
+            "t": f"[0, {self.end_time.str(6, radius=False)}] s",
+            "final mode": self.final_mode,
+        }
 
     def __repr__(self) -> str:
         """Return a short summary."""

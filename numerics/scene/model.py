@@ -10,15 +10,15 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields
 from enum import Enum
 from fractions import Fraction
-from inspect import signature
-from typing import Any, TypeVar
+from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.habits import helpful, right_word
+from numerics.habits import helpful
 from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
 from numerics.scene.friction import Friction
 from numerics.scene.nonnegative import require_nonnegative
 from numerics.scene.pieces import Piece, Signal
+from numerics.scene.replaced import replaced
 from numerics.scene.short_repr import ShortRepr
 
 
@@ -329,31 +329,6 @@ class Scene(ShortRepr):
     def energy_excess(self) -> Fraction:
         """w = E/E_cr - 1 at t = 0, dimensionless, exact: permanent stick needs w <= 0 (free pair)."""
         return self.energy / self.pair.critical_energy - 1
-
-
-_S = TypeVar("_S")
-
-
-def replaced(scene: _S, changes: dict[str, Any], inner: tuple[str, ...]) -> _S:
-    """Return a scene with other parts; a number goes to the one of its `inner` parts that has it."""
-    owners = {key: name for name in inner for key in _parts(getattr(scene, name))}
-    own, new = _parts(scene), dict(changes)
-    for word in changes:
-        if word not in own and word not in owners:
-            raise TypeError(f"replace has no {word!r}: {right_word(word, [*own, *owners])}")
-    if "belt" in new:
-        new.setdefault("v2", 0)  # a belt gives body 2 its velocity
-    for name in inner:
-        given = {key: new.pop(key) for key in list(new) if key not in own and owners[key] == name}
-        if given:
-            part = new.get(name, own[name])
-            new[name] = type(part)(**_parts(part) | given)
-    return type(scene)(**own | new)
-
-
-def _parts(record: Any) -> dict[str, Any]:
-    """Return what a record is built of."""
-    return {name: getattr(record, name) for name in signature(type(record)).parameters}
 
 
 def require_plain(scene: Scene, what: str) -> None:

@@ -20,8 +20,9 @@ from numerics.habits import helpful
 from numerics.scene import decimals
 from numerics.scene.decimals import Exact, exact_decimal, listed, put, short, shown
 from numerics.scene.friction import friction_pieces
-from numerics.scene.model import HORIZON, NO_FORCE, replaced
+from numerics.scene.model import HORIZON, NO_FORCE
 from numerics.scene.pieces import Force, require_all
+from numerics.scene.replaced import replaced
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")

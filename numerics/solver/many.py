@@ -153,8 +153,8 @@ def solve_scenes(scenes: Sequence[PlaneScene], **options: Any) -> PlaneBatch: ..
 def solve_scenes(scenes: Sequence[Scene], **options: Any) -> Batch: ...
 
 
-@helpful
-def solve_scenes(  # type: ignore[misc]  # the options are those below
+@helpful  # type: ignore[misc]  # the options are those below
+def solve_scenes(
     scenes: Sequence[Scene] | Sequence[PlaneScene],
     *,
     max_events: int = MAX_EVENTS,

@@ -58,8 +58,8 @@ def solve(scene: PlaneScene, **options: Any) -> PlaneTrajectory: ...
 def solve(scene: Scene, **options: Any) -> Trajectory: ...
 
 
-@helpful
-def solve(  # type: ignore[misc]  # the options are those below
+@helpful  # type: ignore[misc]  # the options are those below
+def solve(
     scene: Scene | PlaneScene,
     *,
     digits: int | None = None,

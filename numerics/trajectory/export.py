@@ -68,7 +68,7 @@ def right_digits(trajectory: Any) -> int:
     """Return the right digits that were asked for, else those of the error bounds, else the arithmetic's."""
     if trajectory.digits is not None:
         return int(trajectory.digits)
-    return int(trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits)
+    return int(trajectory.accuracy.digits if trajectory.bounded else trajectory.arithmetic.digits)
 
 
 def word(mode: Any) -> str:
