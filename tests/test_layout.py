@@ -41,7 +41,7 @@ LAYERS = {
     "numerics": (
         ("errors",),
         ("exits", "files", "habits", "tasks"),
-        ("shown",),
+        ("shown", "meter"),
         ("scene",),
         ("arithmetic",),
         ("linear",),

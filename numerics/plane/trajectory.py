@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.modes import EventKind
+from numerics.meter import metered
 from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
 from numerics.plane.motion import Leg, Motion
@@ -191,12 +192,14 @@ class PlaneTrajectory(Answer):
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
         return export.as_record(self)
 
+    @metered("drawing")
     def plot(self, kind: str = "above", ax: Any = None) -> Any:
         """Draw "above" (both bodies, m) or "relative" (v1 - v2, m/s) into matplotlib axes and return them."""
         from numerics.plane.pictures import draw
 
         return draw(self, kind, ax)
 
+    @metered("drawing")
     def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
         """Return a matplotlib animation of both bodies from above; see Trajectory.animate."""
         from numerics.plane.pictures import animate

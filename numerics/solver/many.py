@@ -22,6 +22,7 @@ from numerics.errors import InvalidScene
 from numerics.habits import helpful
 from numerics.linear.batch import Columns
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, How
+from numerics.meter import meter
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
@@ -178,7 +179,8 @@ def solve_scenes(
     if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
-        return solve_surfaces(given, *limits)
+        with meter("solving", limits.progress) as line:
+            return solve_surfaces(given, *limits._replace(progress=line))
     numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
     kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
     ledgers = partial(form_ledgers, given.__getitem__, None, (False, max_events), 1)
@@ -282,10 +284,11 @@ def _solved(
             solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row])
         return len(hows)
 
-    for some in in_chunks(solve, count, limits.jobs):
-        done += some
-        if limits.progress is not None:
-            limits.progress(done, count)
+    with meter("solving", limits.progress) as progress:
+        for some in in_chunks(solve, count, limits.jobs):
+            done += some
+            if progress is not None:
+                progress(done, count)
     return kept, ends
 
 

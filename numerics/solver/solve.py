@@ -13,6 +13,7 @@ from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from numerics.habits import helpful
+from numerics.meter import meter, shows
 from numerics.scene import Scene
 from numerics.scene.decimals import require_digits, require_function, shown
 from numerics.scene.model import BUILD, require_kind
@@ -122,10 +123,14 @@ def solve(
         require_function("progress", progress, "(events, fraction)")
     if t_eval is not None:
         require_times(t_eval, scene.until)
+    if progress is None and shows():
+        with meter("solving", ticks=False) as line:
+            asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": line}
+            return solve(scene, **asked, max_events=max_events, max_digits=max_digits)
     if isinstance(scene, PlaneScene):
         from numerics.plane.solve import solve_plane
 
-        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
+        asked = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
         return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
     limits = _Limits(max_events, max_digits, progress)
     found = _solve(scene, digits, arithmetic, limits)

@@ -17,6 +17,7 @@ from flint import arb
 from numerics.arithmetic.protocol import Number
 from numerics.errors import MissingTool
 from numerics.files import whole_file
+from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.plane import AXES
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
@@ -144,9 +145,14 @@ def as_csv(record: dict[str, Any]) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     final = {"from": record["final"]["mode"], "to": "", **record["final"]}
     rows = [{"from": "", "to": "", **_by_axes(row)} for row in (*record["events"], final)]
-    columns = [one for one in dict.fromkeys(key for row in rows for key in row) if one != "mode"]
+    return table([{key: one for key, one in row.items() if key != "mode"} for row in rows])
+
+
+def table(rows: list[dict[str, str]]) -> str:
+    """Return rows as CSV text whose header has the units."""
+    columns = list(dict.fromkeys(key for row in rows for key in row))
     buffer = io.StringIO()
-    writer = csv.DictWriter(buffer, columns, restval="", extrasaction="ignore", lineterminator="\n")
+    writer = csv.DictWriter(buffer, columns, restval="", lineterminator="\n")
     writer.writerow({name: f"{name} ({unit})" if (unit := unit_of(name)) else name for name in columns})
     writer.writerows(rows)
     return buffer.getvalue()
@@ -160,6 +166,37 @@ def _by_axes(row: dict[str, Any]) -> dict[str, str]:
         lists = zip(AXES, value, strict=False) if isinstance(value, list) else ()
         found |= {f"{name}_{axis}{key[len(name) :]}": one for axis, one in lists} or {key: value}
     return found
+
+
+def at_times(trajectory: Any) -> list[dict[str, str]]:
+    """Return time, mode, state and energy at the times t_eval, as decimal texts of right digits.
+
+    Those of a run in float64 have the digits that its bounds leave of the largest such number along the run.
+    """
+    digits, enclosed, states = right_digits(trajectory), is_enclosed(trajectory), trajectory.y
+    axes = AXES[: len(states) // len(STATE)]
+    names = [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else [*STATE]
+    numbers = dict(zip([*names, "energy"], [*states, trajectory.energy], strict=True))
+    sizes = {} if enclosed else _sizes(trajectory)
+    rows = []
+    with trajectory.context():
+        for k, (t, mode) in enumerate(zip(trajectory.t_eval, trajectory.mode_at(trajectory.t_eval), strict=True)):
+            row = {"t": decimal_text(exact_decimal(t, "t")), "mode": word(mode)}
+            for name, column in numbers.items():
+                if enclosed:
+                    row |= {name: with_radius(name, column[k], digits)[name]}
+                else:
+                    off = arb(sizes[name]) / 10**digits
+                    row[name] = right_digits_text(as_fraction(column[k]), off, MOST_DIGITS)
+            rows.append(row)
+    return rows
+
+
+def _sizes(trajectory: Any) -> dict[str, float]:
+    """Return the largest |position|, |velocity| and energy of a run in float64, by the names of its numbers."""
+    plain = trajectory.but(t_eval=None)
+    x, v, energy = (float(np.abs(one).max()) for one in (plain.y[::2], plain.y[1::2], plain.energy))
+    return {"x1": x, "x2": x, "v1": v, "v2": v, "energy": energy}
 
 
 def arrays(trajectory: Any) -> dict[str, Array]:

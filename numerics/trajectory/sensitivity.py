@@ -36,6 +36,7 @@ from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.habits import helpful
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
+from numerics.meter import metered
 from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
@@ -94,6 +95,7 @@ def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right", wrt: Seq
 
 
 @helpful
+@metered("derivatives")
 def sensitivities(
     trajectory: Trajectory, t: Any = None, side: Side = "right", wrt: Sequence[str] | None = None
 ) -> Sensitivity | Array:

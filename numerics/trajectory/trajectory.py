@@ -14,6 +14,7 @@ from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
+from numerics.meter import metered
 from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
@@ -315,12 +316,14 @@ class Trajectory(Rows):
             return ledger_of(self)
 
     # ------------------------------------------------------------------ pictures, text and files
+    @metered("drawing")
     def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
         from numerics.trajectory.figures import draw
 
         return draw(self, kind, ax)
 
+    @metered("drawing")
     def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
         """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
 
