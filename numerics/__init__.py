@@ -18,11 +18,13 @@ Solving:
     solve               one scene: its Trajectory, in the cheapest arithmetic that has the digits
     solve_many          many scenes given as arrays, on all cores: a Batch
     solve_scenes        many scenes given as a list, on a line or on a surface
+    bifurcation         their states once a period, and the diagram of them
     check               what every number of a run is really off by: solved again in balls
 Results:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
     PlaneTrajectory     the same for a scene on a surface
     Batch, PlaneBatch   final states of many runs as arrays, on a line and on a surface
+    Bifurcation         states once a period, of many scenes
     Mode                slip+, slip- or stick
     sensitivities       derivatives of a trajectory by every number of its scene
 Control through the interface:
@@ -82,6 +84,8 @@ if TYPE_CHECKING:
     from numerics.scene.plane import PlanePair as PlanePair
     from numerics.scene.plane import PlaneScene as PlaneScene
     from numerics.solver.batch import Batch as Batch
+    from numerics.solver.bifurcation import Bifurcation as Bifurcation
+    from numerics.solver.bifurcation import bifurcation as bifurcation
     from numerics.solver.check import check as check
     from numerics.solver.many import solve_many as solve_many
     from numerics.solver.many import solve_scenes as solve_scenes
@@ -98,6 +102,7 @@ _NAMES = {
     "solver.check": "check",
     "solver.many": "solve_many solve_scenes",
     "solver.batch": "Batch",
+    "solver.bifurcation": "Bifurcation bifurcation",
     "solver.plane_batch": "PlaneBatch",
     "trajectory.trajectory": "Trajectory",
     "plane.trajectory": "PlaneTrajectory",

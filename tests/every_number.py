@@ -49,7 +49,7 @@ NUMBERS = _names(
     final_state initial ledger reduced segments sol t t_events units y y_events"""
 )
 NO_NUMBERS_OF_A_BATCH = _names(
-    "ANSWERS certain digits ends event_mode inputs kept mode numbers plot shape status success"
+    "ANSWERS certain digits ends event_mode inputs kept mode numbers plot shape status success to_dataframe to_xarray"
 )
 NUMBERS_OF_A_BATCH = {"t", "y", "energy_excess", "dissipated", "event_t", "event_y", "events"}
 

@@ -91,9 +91,7 @@ _SOLVE = (
     ),
     _count("--max-events", 250_000, "stop after N events"),
     _WORKING,
-    _option(
-        "--times", "print the state at the times A, A + STEP, ... up to B (s), as CSV", type=times, metavar="A:B:STEP"
-    ),
+    _option("--times", "print the state at the times A to B (s), as CSV", type=times, metavar="A:B:STEP"),
     _switch("--all", "print all events on a terminal, not only the first and the last 20"),
     _switch("--explain", "print to stderr which arithmetic was used, and why"),
     _switch("--check", "print what every number is really off by: the scene is solved again in balls"),

@@ -86,6 +86,11 @@ class PlaneTrajectory(Answer):
             self.end_time, self.final_state = end
             self.digits: int = min(EXACT, self._right_digits())
 
+    def look_up_times(self) -> None:
+        """Raise ValueError for times in t_eval that are outside the run."""
+        for t in () if self.t_eval is None else self.t_eval:
+            self._time(t)
+
     @property
     def final_mode(self) -> str:
         """Return the mode at the end."""

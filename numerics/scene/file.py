@@ -105,7 +105,7 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
     if not name:
         raise InvalidScene(f"the name of the {what} is empty; give {form} or one of {shipped}")
     if name in known:
-        return _shipped(folder, name), ""
+        return _shipped(folder, name), str(_FOLDER / folder / name)
     near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
     remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
     return _content(name, what, remedy), name
@@ -136,9 +136,16 @@ def parse_scene(text: str, file: str = "") -> Scene:
     """
     tables, folder = _tables(text, "scene", file, _SCENE), Path(file).parent
     pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
+    listed_keys = [key for key, one in (*pair.items(), *initial.items()) if isinstance(one, list)]
     lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
     law = read_law(run.get("law", Law.FILIPPOV))
-    if not (lists or "shape" in pair or any("axis" in one for one in force)):
+    is_named = "shape" in pair or any("axis" in one for one in force)
+    if len(lists) == 1 and listed_keys[0] in pair and not is_named:
+        raise InvalidScene(
+            f"{listed_keys[0]} = {shown(pair[listed_keys[0]])} is a list; give one number on a line, arrays to "
+            'solve_many, and a pair on a surface also shape = "ellipsoid"'
+        )
+    if not (lists or is_named):
         on_bodies = _signals(tables, "force", folder, "body", (1, 2))
         changes = _read("friction", tables, lambda one: Friction([_friction_piece(one)]).pieces[0])
         friction = Friction(changes, Weakening(**tables["weakening"]) if "weakening" in tables else None)
@@ -203,6 +210,10 @@ def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) 
         # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
         tables = tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
     except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
+        if file.lower().endswith((".csv", ".txt", ".dat")):
+            raise InvalidScene(
+                f"{file!r} is a table, not a TOML {what}; name it as file = {file!r} in a [[force]] of a scene"
+            ) from None
         reason = " ".join(str(error).split())[:200]
         named = "standard input" if file == "-" else repr(file)
         raise InvalidScene(f"{f'{named} is ' if file else ''}not a TOML {what}: {reason}; correct that place") from None
@@ -249,8 +260,10 @@ def _friction_piece(table: dict[str, Any]) -> Any:
         raise InvalidScene("missing key b; give b, or polynomial and sines")
     if "b" not in table:
         return _piece(table)
-    if len(table) > 2:
-        raise InvalidScene("b stands beside polynomial or sines; leave out either")
+    if "polynomial" in table:
+        raise InvalidScene("b stands beside polynomial, whose first number it is; leave out either")
+    if "sines" in table:
+        return _piece({"polynomial": [table["b"]], **{key: one for key, one in table.items() if key != "b"}})
     return table["from"], table["b"]
 
 

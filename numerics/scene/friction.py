@@ -16,6 +16,7 @@ from numerics.scene.short_repr import ShortRepr
 
 MAX_POINTS = 1000
 _B = TypeVar("_B")
+_AT_REST = "that is the b of the pair; for more friction at rest give it b_static, for less begin at |w| = 1e-6"
 _TWO_COEFFICIENTS = (
     "friction at rest above that in slip, without a slope between them, is ill-posed: for a load between the two stick "
     "and slip are both solutions at every instant; take B continuous, however steep"
@@ -53,7 +54,7 @@ class Weakening(ShortRepr):
             if w < before:
                 raise InvalidScene(f"speed has |w| = {short(w)} after {short(before)}; give points in order of |w| > 0")
             if w == before:
-                why = f"a jump of B is ill-posed; give |w| > {short(w)}, however little" if w else _TWO_COEFFICIENTS
+                why = f"a jump of B is ill-posed; give |w| > {short(w)}, however little" if w else _AT_REST
                 raise InvalidScene(f"speed has a second B = {short(b)} at |w| = {short(w)}: {why}")
         for one, two in pairwise(places):
             if two[0] <= one[0]:

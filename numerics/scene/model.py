@@ -312,7 +312,10 @@ class Scene(ShortRepr):
     def require_one_b(self, what: str) -> None:
         """Raise InvalidScene, where only Coulomb friction is supported, if friction depends on the state."""
         if self.friction.weakening:
-            raise InvalidScene(f"{what} is not available for friction that depends on the state; leave [weakening] out")
+            raise InvalidScene(
+                f"{what} is not available for friction that depends on the state; "
+                "use solve with a late until, or leave [weakening] out"
+            )
 
     def require_filippov(self, what: str) -> None:
         """Raise InvalidScene for sgn(0) = 0 read literally: such a stick never ends, whatever friction it requires."""

@@ -27,7 +27,8 @@ from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
-from numerics.solver.batch import SI, Batch, near
+from numerics.solver.batch import Batch
+from numerics.solver.inputs import SI, inputs_of, near
 from numerics.solver.rows import form_ledgers, frictions_of, in_chunks, solve_columns, solve_one
 from numerics.trajectory.columns import Floats, room
 from numerics.trajectory.run import MAX_EVENTS
@@ -143,7 +144,7 @@ def solve_many(
         ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
 
     kept, ends = _solved(scene_of, len(flat), limits, run)
-    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, columns, how, jobs))
+    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, columns, how, jobs), more=arrays.copy)
 
 
 @overload
@@ -184,7 +185,8 @@ def solve_scenes(
     numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
     kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
     ledgers = partial(form_ledgers, given.__getitem__, None, (False, max_events), 1)
-    return Batch(numbers, ends, kept, (len(given),), ledgers, [bool(one.wall.pieces) for one in given])
+    walls = [bool(one.wall.pieces) for one in given]
+    return Batch(numbers, ends, kept, (len(given),), ledgers, walls, partial(inputs_of, given))
 
 
 def _of_one_kind(given: Any) -> Any:

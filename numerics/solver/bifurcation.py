@@ -1,0 +1,128 @@
+"""Stroboscopic points of many scenes: the states once a period, after the transient; drawn, a bifurcation diagram."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from numerics.errors import InvalidScene
+from numerics.habits import helpful
+from numerics.meter import meter
+from numerics.scene import Scene
+from numerics.scene.decimals import Exact, positive, require_whole
+from numerics.scene.model import require_kind
+from numerics.solver.inputs import inputs_of
+from numerics.solver.solve import solve
+from numerics.trajectory.columns import STATE, Array, Floats
+
+Progress = Callable[[int, int], None]
+
+
+class Bifurcation:
+    """States once a period: `t` (n, keep) s, `y` (4, n, keep), `inputs` by their names, `success` (n,).
+
+    Points of a run that did not succeed are nan.
+
+    >>> from numerics import Force, Pair, Scene, State
+    >>> base = Scene(Pair(1, 1, 200, "0.5", a1=1), State(), until=60)
+    >>> found = bifurcation([base.replace(force=Force.sine(one, 12)) for one in (2, 8, 14)], keep=20)
+    >>> found, found.y.shape, found.success.tolist()
+    (Bifurcation of 3 scenes, 20 points each; 3 succeeded, (4, 3, 20), [True, True, True])
+    >>> found.inputs["force[0].sines[0].amplitude"].tolist(), found.values("v1 - v2").shape, len(found)
+    ([2.0, 8.0, 14.0], (3, 20), 3)
+    >>> bool(np.ptp(found.values("v1"), axis=1).max() < 1e-3), found.t[0, -1], found.ANSWERS[0]
+    (True, 60.0, 'v1')
+    >>> found.shape, len(found.scenes)
+    ((3,), 3)
+    >>> found.plot("v1 - v2").get_xlabel()
+    'force[0].sines[0].amplitude (N)'
+    """
+
+    ANSWERS = ("v1", "v1 - v2", "x1 - x2", "x1", "v2", "x2")
+    """What can be drawn."""
+
+    def __init__(self, scenes: Sequence[Scene], t: Floats, y: Floats, success: Array) -> None:
+        """Keep the points of the scenes."""
+        self.scenes, self.t, self.y, self.success, self.shape = scenes, t, y, success, (len(scenes),)
+
+    def __len__(self) -> int:
+        """Return how many scenes there are."""
+        return len(self.scenes)
+
+    def __repr__(self) -> str:
+        """Return a short summary."""
+        return (
+            f"Bifurcation of {len(self)} scenes, {self.t.shape[1]} points each; {int(np.sum(self.success))} succeeded"
+        )
+
+    @property
+    def inputs(self) -> dict[str, Floats]:
+        """Return the numbers of the scenes by their names, (n,) each, SI units."""
+        return inputs_of(self.scenes)
+
+    def values(self, answer: str) -> Floats:
+        """Return x1, v1, x2, v2, "x1 - x2" or "v1 - v2" at the points, (n, keep)."""
+        one, *two = (self.y[STATE.index(name)] for name in answer.split(" - "))
+        return np.asarray(one - two[0] if two else one)
+
+    def plot(self, answer: str = "v1", along: Any = None, ax: Any = None) -> Any:
+        """Draw one of `ANSWERS` over the input that varies, or `along` (a name, or an array); return the axes.
+
+        Raises ValueError, MissingTool.
+        """
+        from numerics.solver.batch_picture import draw_bifurcation
+
+        return draw_bifurcation(self, answer, along, ax)
+
+
+@helpful
+def bifurcation(
+    scenes: Sequence[Scene], *, keep: int = 60, period: Exact | None = None, progress: Progress | None = None
+) -> Bifurcation:
+    """Solve scenes and return their states once a period, the last `keep` times before the end: a bifurcation diagram.
+
+    `period` in s; left out, 2 pi/omega of the sines that act on each scene. What comes before the last `keep` periods
+    is left to the transient, so `until` should be some hundred periods. Raises TypeError, InvalidScene (a scene without
+    a period, or with a shorter run), ValueError.
+
+    >>> from numerics import load_scene
+    >>> bifurcation([load_scene("forced-sine-stick-slip").replace(until=40)], keep=10)
+    Bifurcation of 1 scenes, 10 points each; 1 succeeded
+    """
+    require_whole("keep", keep, 1)
+    for one in scenes:
+        require_kind("bifurcation", one, Scene, "give a list of Scenes on a line")
+    t, y = np.full((len(scenes), keep), np.nan), np.full((4, len(scenes), keep), np.nan)
+    success = np.zeros(len(scenes), bool)
+    with meter("solving", progress) as told:
+        for k, scene in enumerate(scenes):
+            t[k] = _times(scene, keep, period)
+            run = solve(scene)
+            success[k] = run.success
+            if run.success:
+                y[:, k] = run.floats(run.sol(t[k]))
+            if told is not None:
+                told(k + 1, len(scenes))
+    return Bifurcation(list(scenes), t, y, success)
+
+
+def _times(scene: Scene, keep: int, period: Exact | None) -> Floats:
+    """Return the last times of a run that are whole periods before its end, s."""
+    length = float(positive(period, "period")) if period is not None else 2 * math.pi / float(_frequency(scene))
+    times = float(scene.until) - length * np.arange(keep - 1, -1, -1)
+    if times[0] < 0:
+        raise InvalidScene(f"until = {float(scene.until):g} s is shorter than {keep} periods of {length:g} s; raise it")
+    return np.asarray(times)
+
+
+def _frequency(scene: Scene) -> Fraction:
+    """Return the largest omega of which those of all sines are multiples, rad/s. Raises InvalidScene."""
+    found = [one.omega for pieces in scene.pieces.values() for piece in pieces for one in piece.sines]
+    if not found:
+        raise InvalidScene("no sine acts on this scene; give a period in seconds")
+    below = math.lcm(*(one.denominator for one in found))
+    return Fraction(math.gcd(*(int(one * below) for one in found)), below)
