@@ -37,7 +37,8 @@ def solve_scene(options: argparse.Namespace) -> int:
         trajectory: Any = solve(
             scene,
             digits=options.digits,
-            arithmetic=options.arithmetic or (None if options.digits or options.check else "ball"),
+            arithmetic=options.arithmetic
+            or (None if (options.digits or options.check) and not options.times else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
             progress=_progress(scene, options.max_events, say),
@@ -93,8 +94,8 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
         for other in others:
             if getattr(options, name) and getattr(options, other):
                 return f"--{name} {why}; leave --{other} out"
-    if options.times and options.arithmetic == "mpmath":
-        return "--times prints right digits, which mpmath does not know; leave --arithmetic out"
+    if options.times and options.arithmetic not in {None, "ball"}:
+        return "--times prints proved digits of balls; leave --arithmetic out"
     if options.npz is not None and options.npz.suffix != ".npz":
         return f"--npz {options.npz.name}: the name must end in .npz; for a table use --csv"
     return None

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from fractions import Fraction
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,15 +11,13 @@ import numpy as np
 from numerics.errors import InvalidScene, NumericsError
 from numerics.habits import helpful
 from numerics.meter import meter
-from numerics.scene import Scene
+from numerics.scene import Piece, Scene
 from numerics.scene.decimals import Exact, positive, require_whole
 from numerics.scene.model import require_kind
 from numerics.solver.inputs import inputs_of
 from numerics.solver.solve import solve
 from numerics.tasks import run_tasks
 from numerics.trajectory.columns import STATE, Array, Floats
-
-Progress = Callable[[int, int], None]
 
 
 class Bifurcation:
@@ -87,14 +84,13 @@ def bifurcation(
     keep: int = 60,
     period: Exact | None = None,
     jobs: int = 1,
-    progress: Progress | None = None,
 ) -> Bifurcation:
     """Solve scenes and return their states once a period, the last `keep` times before the end: a bifurcation diagram.
 
     `period` in s; left out, 2 pi/omega of the sines that act on each scene; times are multiples of it. What comes
-    before the last `keep` periods is left to the transient, so `until` should be some hundred periods. `jobs` processes need
-    joblib; a chaotic motion is solved in balls, in a second rather than a millisecond. Raises TypeError, InvalidScene
-    (a scene without a period, or with a shorter run), ValueError.
+    before the last `keep` periods is left to the transient, so `until` should be some hundred periods. `jobs`
+    processes need joblib; a chaotic motion is solved in balls, in a second rather than a millisecond. Raises TypeError,
+    InvalidScene (a scene without a period, or with a shorter run), ValueError.
 
     >>> from numerics import load_scene
     >>> bifurcation([load_scene("forced-sine-stick-slip").replace(until=40)], keep=10)
@@ -107,7 +103,7 @@ def bifurcation(
     t, y = np.full((len(scenes), keep), np.nan), np.full((4, len(scenes), keep), np.nan)
     success, done = np.zeros(len(scenes), bool), 0
     tasks = [(k, scene, _times(scene, keep, period)) for k, scene in enumerate(scenes)]
-    with meter("solving", progress) as told:
+    with meter("solving") as told:
         for k, success[k], points in run_tasks(_points, tasks, jobs=jobs):
             t[k], y[:, k], done = tasks[k][2], points, done + 1
             if told is not None:
@@ -126,18 +122,13 @@ def _points(task: tuple[int, Scene, Floats]) -> tuple[int, bool, Floats]:
 
 
 def _times(scene: Scene, keep: int, period: Exact | None) -> Floats:
-    """Return the last times of a run that are whole periods before its end, s."""
-    length = float(positive(period, "period")) if period is not None else 2 * math.pi / float(_frequency(scene))
+    """Return the last times of a run that are whole periods, s. Raises InvalidScene."""
+    sines = [one for pieces in scene.pieces.values() for piece in pieces for one in piece.sines]
+    if period is None and not sines:
+        raise InvalidScene("no sine acts on this scene; give a period in seconds")
+    omega = Piece(0, (), sines).frequency or 0  # of which all are multiples
+    length = 2 * math.pi / float(omega) if period is None else float(positive(period, "period"))
     times = length * (math.floor(float(scene.until) / length) - np.arange(keep - 1, -1, -1))
     if times[0] < 0:
         raise InvalidScene(f"until = {float(scene.until):g} s is shorter than {keep} periods of {length:g} s; raise it")
     return np.asarray(times)
-
-
-def _frequency(scene: Scene) -> Fraction:
-    """Return the largest omega of which those of all sines are multiples, rad/s. Raises InvalidScene."""
-    found = [one.omega for pieces in scene.pieces.values() for piece in pieces for one in piece.sines]
-    if not found:
-        raise InvalidScene("no sine acts on this scene; give a period in seconds")
-    below = math.lcm(*(one.denominator for one in found))
-    return Fraction(math.gcd(*(int(one * below) for one in found)), below)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,26 +14,11 @@ SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
 """The numbers of a scene, as the compiled engines take them (free/frame.py)."""
 _MOST_PIECES = 100
 """A signal of more pieces is a table of samples, which nobody varies one by one."""
-UNITS = {
-    "m1": "kg",
-    "m2": "kg",
-    "a1": "N s/m",
-    "a2": "N/m",
-    "b": "N",
-    "b_static": "N",
-    "until": "s",
-    "last_slope": "N s/m",
-    "x1": "m",
-    "v1": "m/s",
-    "x2": "m",
-    "v2": "m/s",
-    "from": "s",
-    "omega": "rad/s",
-    "phase": "rad",
-    "w": "m/s",
-    "c": "N",
-    "z": "m",
-}
+_UNITS = (
+    "m1: kg, m2: kg, a1: N s/m, a2: N/m, b: N, b_static: N, until: s, x1: m, v1: m/s, x2: m, v2: m/s, from: s, "
+    "omega: rad/s, phase: rad, last_slope: N s/m, w: m/s, c: N, z: m"
+)
+UNITS = dict(one.split(": ") for one in _UNITS.split(", "))
 _OF_SIGNALS = {"belt": "m/s", "wall": "m"}
 
 
@@ -45,14 +29,10 @@ def unit(name: str) -> str:
     ('N/m', 'N', 'm/s^2', 'rad/s')
     """
     last = name.rpartition(".")[2]
-    if last in UNITS:
-        return UNITS[last]
-    own, power = _OF_SIGNALS.get(name.partition("[")[0], "N"), re.fullmatch(r"polynomial\[(\d+)\]", last)
-    if power is None:
-        return own if last == "amplitude" else ""
-    order = int(power[1]) + (own == "m/s")
-    top = "m" if own == "m/s" else own
-    return top + (f"/s^{order}" if order > 1 else "/s" * order)
+    own, (key, _, order) = _OF_SIGNALS.get(name.partition("[")[0], "N"), last.rstrip("]").partition("[")
+    if key != "polynomial":
+        return own if last == "amplitude" else UNITS.get(last, "")
+    return own + ("" if order == "0" else "/s" if order == "1" else f"/s^{order}")
 
 
 def near(x: object) -> float:
@@ -67,11 +47,7 @@ def inputs_of(scenes: Sequence[Scene]) -> dict[str, Floats]:
     """Return the numbers that all of some scenes have, by their names, but for those of tables of samples."""
     tables = {name for one in scenes for name, some in one.pieces.items() if len(some) > _MOST_PIECES}
     found = [parameters(one) | {"until": one.until} for one in scenes]
-    names = dict.fromkeys(SI)
-    names |= dict.fromkeys(name for name in (found[0] if found else ()) if name.partition("[")[0] not in tables)
-    for one in found:
-        one.setdefault("m2", scenes[0].pair.m2)
-        one.setdefault("v2", scenes[0].initial.v2)
+    names = [name for name in (found[0] if found else ()) if name.partition("[")[0] not in tables]
     return {name: np.array([near(one[name]) for one in found]) for name in names if all(name in one for one in found)}
 
 

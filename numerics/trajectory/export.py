@@ -169,34 +169,21 @@ def _by_axes(row: dict[str, Any]) -> dict[str, str]:
 
 
 def at_times(trajectory: Any) -> list[dict[str, str]]:
-    """Return time, mode, state and energy at the times t_eval, as decimal texts of right digits.
-
-    Those of a run in float64 have the digits that its bounds leave of the largest such number along the run.
-    """
-    digits, enclosed, states = right_digits(trajectory), is_enclosed(trajectory), trajectory.y
-    axes = AXES[: len(states) // len(STATE)]
-    names = [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else [*STATE]
-    numbers = dict(zip([*names, "energy"], [*states, trajectory.energy], strict=True))
-    sizes = {} if enclosed else _sizes(trajectory)
+    """Return time, mode, state and energy of a run in balls at the times t_eval, as decimal texts of right digits."""
+    names, digits, times = [*_state_names(len(trajectory.y)), "energy"], right_digits(trajectory), trajectory.t_eval
     rows = []
     with trajectory.context():
-        for k, (t, mode) in enumerate(zip(trajectory.t_eval, trajectory.mode_at(trajectory.t_eval), strict=True)):
+        for t, mode, *numbers in zip(times, trajectory.mode_at(times), *trajectory.y, trajectory.energy, strict=True):
             row = {"t": decimal_text(exact_decimal(t, "t")), "mode": word(mode)}
-            for name, column in numbers.items():
-                if enclosed:
-                    row |= {name: with_radius(name, column[k], digits)[name]}
-                else:
-                    off = arb(sizes[name]) / 10**digits
-                    row[name] = right_digits_text(as_fraction(column[k]), off, MOST_DIGITS)
+            row |= {name: with_radius(name, x, digits)[name] for name, x in zip(names, numbers, strict=True)}
             rows.append(row)
     return rows
 
 
-def _sizes(trajectory: Any) -> dict[str, float]:
-    """Return the largest |position|, |velocity| and energy of a run in float64, by the names of its numbers."""
-    plain = trajectory.but(t_eval=None)
-    x, v, energy = (float(np.abs(one).max()) for one in (plain.y[::2], plain.y[1::2], plain.energy))
-    return {"x1": x, "x2": x, "v1": v, "v2": v, "energy": energy}
+def _state_names(rows: int) -> list[str]:
+    """Return the names of the rows of y: on a surface one for each axis."""
+    axes = AXES[: rows // len(STATE)]
+    return [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else [*STATE]
 
 
 def arrays(trajectory: Any) -> dict[str, Array]:
@@ -227,7 +214,6 @@ def dataframe(trajectory: Any) -> Any:
         raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
     asked, found = trajectory.t_eval, arrays(trajectory)
     modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
-    axes = AXES[: len(found["y"]) // len(STATE)]
-    names = [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else STATE
-    columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(zip(names, found["y"], strict=True))}
+    state = zip(_state_names(len(found["y"])), found["y"], strict=True)
+    columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
     return pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})
