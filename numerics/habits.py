@@ -104,4 +104,4 @@ def right_word(word: str, known: list[str]) -> str:
         if words in _ANSWERS:
             return _ANSWERS[words]
     near = difflib.get_close_matches(word, known, n=2, cutoff=0.5)
-    return f"did you mean {' or '.join(near)}?" if near else f"it takes {', '.join(known)}"
+    return f"did you mean {' or '.join(near)}?" if near else f"it takes {', '.join(known[:30])}"

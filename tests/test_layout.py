@@ -40,7 +40,8 @@ def test_imports_point_one_way(package):
 LAYERS = {
     "numerics": (
         ("errors",),
-        ("exits", "files", "habits", "tasks"),
+        ("habits",),
+        ("exits", "files", "tasks"),
         ("shown", "meter"),
         ("scene",),
         ("arithmetic",),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from itertools import chain, product
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from flint import arb, arb_poly
@@ -31,6 +31,9 @@ from numerics.trajectory import export, saved
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class PlaneTrajectory(Answer):
@@ -198,7 +201,7 @@ class PlaneTrajectory(Answer):
         return export.as_record(self)
 
     @metered("drawing")
-    def plot(self, kind: str = "above", ax: Any = None) -> Any:
+    def plot(self, kind: str = "above", ax: Axes | None = None) -> Axes:
         """Draw "above" (both bodies, m) or "relative" (v1 - v2, m/s) into matplotlib axes and return them."""
         from numerics.plane.pictures import draw
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from numerics.errors import InvalidScene
+from numerics.habits import right_word
 from numerics.scene import Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
 from numerics.scene.decimals import decimal_text, listed, shown
 from numerics.scene.friction import two_coefficients
@@ -193,13 +194,13 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().split("\n")
     names = lines[0].strip(' "#').lower()
     first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))
-    rows = [line.split(",") for line in lines[first:]]
-    if not rows:
+    rows = [line.replace('"', "").split(",") for line in lines[first:]]
+    if lines == [""] or not rows:
         raise InvalidScene(f"{shown(file)} holds no samples; give a line t, u for each")
     for number, row in enumerate(rows, first + 1):
-        if len(row) != 2:
-            line = shown(lines[number - 1])
-            raise InvalidScene(f"row {number} of {shown(file)}, {line}, is not a t and a u; write 0.5, 1.25")
+        if len(row) != 2 or ";" in lines[number - 1]:
+            line = f"row {number} of {shown(file)}, {shown(lines[number - 1])}"
+            raise InvalidScene(f"{line}, is not a t and a u; write 0.5, 1.25 with decimal points and one comma")
     t, u = zip(*rows, strict=True)
     return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
 
@@ -276,7 +277,7 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
         if key in _TWO_COEFFICIENTS:
             raise two_coefficients(key)
         if key not in known.split():
-            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; it takes {known}")
+            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; {right_word(key, known.split())}")
     for key in required:
         if key not in content:
             raise InvalidScene(f"{where}: missing key {key}; give it")

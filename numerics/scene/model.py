@@ -215,7 +215,9 @@ class Scene(ShortRepr):
     ) -> None:
         """Check the parts and read the horizon and the law."""
         parts = ((pair, Pair, "Pair(m1=..., m2=..., a2=..., b=...)"), (initial, State, "State(x1=..., v1=...)"))
-        signals = ((one, Signal, "Force.sine(amplitude, omega)") for one in (force, force_2, belt, wall))
+        signals = (
+            (one, Signal, "Force.sine(amplitude, omega) or Force.samples(t, u)") for one in (force, force_2, belt, wall)
+        )
         for part, kind, remedy in (*parts, *signals, (friction, Friction, "Friction([(start, b)])")):
             if not isinstance(part, kind):
                 given = f"{str(part)[:40]!r}, {type(part).__name__}"

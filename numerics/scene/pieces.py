@@ -192,7 +192,7 @@ class Signal(ShortRepr):
         if kind not in ("linear", "hold"):
             raise InvalidScene(f"kind = {shown(kind)} is not one of linear, hold; leave it out for the first")
         times, values = list(listed("t", t)), list(listed("u", u))
-        if len(times) != len(values):
+        if len(times) != len(values) or not times:
             raise InvalidScene(f"t has {len(times)} samples and u {len(values)}; give one of u for each of t")
         knots: list[tuple[Fraction, Fraction]] = []
         for row, (time, value) in enumerate(zip(times, values, strict=True), first_row):
@@ -240,7 +240,7 @@ class Signal(ShortRepr):
     def __add__(self, other: Signal) -> Signal:
         """Return the sum; it has the jumps of both."""
         if not isinstance(other, Signal):
-            return NotImplemented
+            raise TypeError(f"a signal and {shown(other)} do not add up; write Force.step(0, 3) for a constant of 3")
         starts = sorted({*self.starts, *other.starts})
         return Signal(_summed(*(one.piece_at(start).moved(start) for one in (self, other))) for start in starts)
 
@@ -271,7 +271,7 @@ class Signal(ShortRepr):
 
     def __sub__(self, other: Signal) -> Signal:
         """Return the difference; it has the jumps of both."""
-        return self + -other if isinstance(other, Signal) else NotImplemented
+        return self + -1 * other
 
 
 Force = Signal

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,6 +20,11 @@ from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 class Ends:
@@ -53,15 +58,15 @@ class Ends:
         spans = ((name, f"{np.nanmin(one):.6g} to {np.nanmax(one):.6g}") for name, one in rows.items() if np.size(one))
         return html_table(repr(self), spans)
 
-    def to_dataframe(self) -> Any:
+    def to_dataframe(self) -> DataFrame:
         """Return inputs and answers as a pandas DataFrame, a row for each scene. Raises MissingTool."""
         return dataframe(self)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Return inputs and answers as an xarray Dataset, axes named by the inputs along them. Raises MissingTool."""
         return dataset(self)
 
-    def plot(self, answer: str | None = None, along: Any = None, ax: Any = None) -> Any:
+    def plot(self, answer: str | None = None, along: Any = None, ax: Axes | None = None) -> Axes:
         """Draw one answer over the inputs that vary, one or the first two of them, and return the matplotlib axes.
 
         `answer`: one of `ANSWERS`, the first of them if left out; x1, v1, x2, v2 are those at the end. `along`: an

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,12 +12,15 @@ from numerics.errors import InvalidScene, NumericsError
 from numerics.habits import helpful
 from numerics.meter import meter
 from numerics.scene import Piece, Scene
-from numerics.scene.decimals import Exact, positive, require_whole
+from numerics.scene.decimals import Exact, listed, positive, require_whole
 from numerics.scene.model import require_kind
 from numerics.solver.inputs import inputs_of
 from numerics.solver.solve import solve
 from numerics.tasks import run_tasks
 from numerics.trajectory.columns import STATE, Array, Floats
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class Bifurcation:
@@ -67,7 +70,7 @@ class Bifurcation:
         one, *two = (self.y[STATE.index(name)] for name in answer.split(" - "))
         return np.asarray(one - two[0] if two else one)
 
-    def plot(self, answer: str = "v1", along: Any = None, ax: Any = None) -> Any:
+    def plot(self, answer: str = "v1", along: Any = None, ax: Axes | None = None) -> Axes:
         """Draw one of `ANSWERS` over the input that varies, or `along` (a name, or an array); return the axes.
 
         Raises ValueError, MissingTool.
@@ -97,6 +100,7 @@ def bifurcation(
     Bifurcation of 1 scenes, 10 points each; 1 succeeded
     """
     require_whole("keep", keep, 1)
+    scenes = list(listed("scenes", scenes))
     for one in scenes:
         require_kind("bifurcation", one, Scene, "give a list of Scenes on a line")
     require_whole("jobs", jobs, 1)
@@ -108,7 +112,7 @@ def bifurcation(
             t[k], y[:, k], done = tasks[k][2], points, done + 1
             if told is not None:
                 told(done, len(scenes))
-    return Bifurcation(list(scenes), t, y, success)
+    return Bifurcation(scenes, t, y, success)
 
 
 def _points(task: tuple[int, Scene, Floats]) -> tuple[int, bool, Floats]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from numerics.scene.short_repr import html_table
 from numerics.trajectory import export, saved
 from numerics.trajectory.columns import STATE, Floats
 from numerics.trajectory.status import Status
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 _AT_ASKED_TIMES = {"_asked_times", "_asked_states", "_points", "energy", "energy_excess"}
 """What depends on t_eval, and is made when it is looked at."""
@@ -119,7 +122,7 @@ class Answer:
             )
         return export.as_csv(export.as_record(self, truth))
 
-    def to_dataframe(self, times: Any = None) -> Any:
+    def to_dataframe(self, times: Any = None) -> DataFrame:
         """Return t, mode, the state and energies as a pandas DataFrame, in binary64. Raises MissingTool, ValueError.
 
         At `times` (s), or at start, events and end. As CSV: `run.to_dataframe(times).to_csv(file)`.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 from flint import arb
@@ -22,6 +22,9 @@ from numerics.trajectory.in_units import Reduced
 from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
@@ -317,7 +320,7 @@ class Trajectory(Rows):
 
     # ------------------------------------------------------------------ pictures, text and files
     @metered("drawing")
-    def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
+    def plot(self, kind: Kind = "velocities", ax: Axes | None = None) -> Axes:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
         from numerics.trajectory.figures import draw
 
