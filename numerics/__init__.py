@@ -130,11 +130,10 @@ def __getattr__(name: str) -> Any:
 
         return version() or "0+source"
     if name not in _HOMES:
-        from difflib import get_close_matches
+        from numerics.habits import right_word
 
-        near = get_close_matches(name, _HOMES, n=1) or [one for one in _HOMES if one.lower() == name.lower()]
-        remedy = f"did you mean {near[0]}?" if near else "dir(numerics) lists those it has"
-        raise AttributeError(f"module 'numerics' has no attribute {name!r}; {remedy}")
+        known = right_word(name, [*_HOMES]).replace("it takes", "it has")
+        raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
     value = getattr(importlib.import_module(_HOMES[name]), name)
     globals()[name] = value
     return value

@@ -16,7 +16,7 @@ _PARAMETERS = {
     "c d c2 damping damper viscosity": "a1",
     "m M mass masses": "m1 m2",
     "mu_s f_s Fs static b_s": "b_static",
-    "mu mu_k f_k F_c Fc N normal_force mu_d": "b",
+    "mu mu_k f_k F_c Fc N normal_force mu_d b_k b_kinetic": "b",
     "x position x0": "x1 x2",
     "v velocity v0": "v1 v2",
     "t_end t_span tspan tmax t_max tf T duration horizon end stop_time": "until",
@@ -36,7 +36,7 @@ _UNITS = {
     "a1": "N s/m",
     "a2": "N/m",
     "b": "N, the coefficient of friction times the normal force",
-    "b_static": "N",
+    "b_static": "N, the friction up to which a stick is kept; b is that in slip",
     "until": "s",
     "omega": "rad/s, 2 pi times the frequency in Hz",
 }

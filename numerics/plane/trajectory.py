@@ -229,13 +229,6 @@ class PlaneTrajectory(Answer):
             "final mode": self.final_mode,
         }
 
-    def __repr__(self) -> str:
-        """Return a short summary."""
-        return (
-            f"{self.message}; {self.arithmetic.name}, {self.digits} right digits, {len(self.events)} events, "
-            f"t in [0, {self.end_time.str(6, radius=False)}] s, {self.final_mode} at the end"
-        )
-
     def kept(self) -> dict[str, Any]:
         """Return what the run wrote, as what JSON holds."""
         motion = self.motion

@@ -16,7 +16,6 @@ from numerics.errors import InvalidScene
 from numerics.habits import right_word
 from numerics.scene import Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
 from numerics.scene.decimals import decimal_text, listed, shown
-from numerics.scene.friction import two_coefficients
 from numerics.scene.model import BUILD, read_law, require_kind
 from numerics.scene.plane import AXES, PlanePair, PlaneScene
 
@@ -40,7 +39,6 @@ _SINE = ("amplitude omega", "phase")
 _REPEATED = {"force", "friction", "belt", "wall", "reference"}
 """Tables of which there may be many."""
 _ON_A_LINE = ("weakening", "belt", "wall", "b_static", "body")
-_TWO_COEFFICIENTS = {"b_s", "b_k", "b_kinetic", "mu_s", "mu_k"}
 _FOLDER = resources.files("numerics") / "scene"
 
 
@@ -274,8 +272,6 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
     if not isinstance(content, dict):
         raise InvalidScene(f"{where} must be a table with the keys {known}, not {shown(content)}; give it its keys")
     for key in content:
-        if key in _TWO_COEFFICIENTS:
-            raise two_coefficients(key)
         if key not in known.split():
             raise InvalidScene(f"{where}: unknown key {key[:40]!r}; {right_word(key, known.split())}")
     for key in required:

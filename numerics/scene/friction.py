@@ -17,10 +17,6 @@ from numerics.scene.short_repr import ShortRepr
 MAX_POINTS = 1000
 _B = TypeVar("_B")
 _AT_REST = "that is the b of the pair; for more friction at rest give it b_static, for less begin at |w| = 1e-6"
-_TWO_COEFFICIENTS = (
-    "friction at rest above that in slip, without a slope between them, is ill-posed: for a load between the two stick "
-    "and slip are both solutions at every instant; take B continuous, however steep"
-)
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
@@ -112,13 +108,6 @@ class Friction(ShortRepr):
                 raise InvalidScene(f"b(t) varies from t = {short(one.start)} s on; this needs b by constant steps")
             found.append((one.start, one.constant))
         return tuple(found)
-
-
-def two_coefficients(key: str) -> InvalidScene:
-    """Return the error for a friction with one coefficient at rest and another one in slip."""
-    return InvalidScene(
-        f"{key}: {_TWO_COEFFICIENTS}, as [weakening] speed = [[|w|, B], ...], or write b_static in [pair]"
-    )
 
 
 def _points(given: Any, name: str, first: str, second: str) -> tuple[tuple[Fraction, Fraction], ...]:

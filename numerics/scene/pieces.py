@@ -260,10 +260,7 @@ class Signal(ShortRepr):
 
     def __truediv__(self, divisor: Exact) -> Signal:
         """Return the signal divided by an exact number."""
-        by = exact_decimal(divisor, "divisor")
-        if not by:
-            raise InvalidScene("divisor = 0 must not be 0; give another number")
-        return self * (1 / by)
+        return self * (1 / exact_decimal(divisor, "divisor"))
 
     def __neg__(self) -> Signal:
         """Return the opposite signal."""

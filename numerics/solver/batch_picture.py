@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -71,7 +72,7 @@ def along_of(batch: Any, along: Any) -> dict[str, Any]:
     changed = [*varying(given).items()][:2]
     if changed:
         return dict(changed)
-    return {"scene": np.arange(len(batch)).reshape(batch.shape)}
+    return {"scene": np.arange(math.prod(batch.shape)).reshape(batch.shape)}
 
 
 def _direction(given: Any) -> int | None:

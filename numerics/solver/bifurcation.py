@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from numerics.meter import meter
 from numerics.scene import Piece, Scene
 from numerics.scene.decimals import Exact, listed, positive, require_whole
 from numerics.scene.model import require_kind
+from numerics.scene.short_repr import ShortRepr
 from numerics.solver.inputs import inputs_of
 from numerics.solver.solve import solve
 from numerics.tasks import run_tasks
@@ -23,7 +25,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Bifurcation:
+@dataclass(frozen=True, eq=False, repr=False)
+class Bifurcation(ShortRepr):
     """States once a period: `t` (n, keep) s, `y` (4, n, keep), `inputs` by their names, `success` (n,).
 
     Points that a run did not reach are nan.
@@ -31,10 +34,12 @@ class Bifurcation:
     >>> from numerics import Force, Pair, Scene, State
     >>> base = Scene(Pair(1, 1, 200, "0.5", a1=1), State(), until=60)
     >>> found = bifurcation([base.replace(force=Force.sine(one, 12)) for one in (2, 8, 14)], keep=20)
-    >>> found, found.y.shape, found.success.tolist()
-    (Bifurcation of 3 scenes, 20 points each; 3 succeeded, (4, 3, 20), [True, True, True])
-    >>> found.inputs["force[0].sines[0].amplitude"].tolist(), found.values("v1 - v2").shape, len(found)
-    ([2.0, 8.0, 14.0], (3, 20), 3)
+    >>> found
+    Bifurcation(scenes=(Scene(...), Scene(...), Scene(...)), t=array of shape (3, 20), y=array of shape (4, 3, 20), ...)
+    >>> found.y.shape, found.success.tolist()
+    ((4, 3, 20), [True, True, True])
+    >>> found.inputs["force[0].sines[0].amplitude"].tolist(), found.values("v1 - v2").shape
+    ([2.0, 8.0, 14.0], (3, 20))
     >>> bool(np.ptp(found.values("v1"), axis=1).max() < 1e-3), found.t[0, -1].round(3).item(), found.ANSWERS[0]
     (True, 59.69, 'v1')
     >>> found.shape, len(found.scenes)
@@ -43,22 +48,17 @@ class Bifurcation:
     'force[0].sines[0].amplitude (N)'
     """
 
+    scenes: list[Scene]
+    t: Floats
+    y: Floats
+    success: Array
     ANSWERS = ("v1", "v1 - v2", "x1 - x2", "x1", "v2", "x2")
     """What can be drawn."""
 
-    def __init__(self, scenes: Sequence[Scene], t: Floats, y: Floats, success: Array) -> None:
-        """Keep the points of the scenes."""
-        self.scenes, self.t, self.y, self.success, self.shape = scenes, t, y, success, (len(scenes),)
-
-    def __len__(self) -> int:
-        """Return how many scenes there are."""
-        return len(self.scenes)
-
-    def __repr__(self) -> str:
-        """Return a short summary."""
-        return (
-            f"Bifurcation of {len(self)} scenes, {self.t.shape[1]} points each; {int(np.sum(self.success))} succeeded"
-        )
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Return (n,)."""
+        return self.success.shape
 
     @property
     def inputs(self) -> dict[str, Floats]:
@@ -96,8 +96,8 @@ def bifurcation(
     InvalidScene (a scene without a period, or with a shorter run), ValueError.
 
     >>> from numerics import load_scene
-    >>> bifurcation([load_scene("forced-sine-stick-slip").replace(until=40)], keep=10)
-    Bifurcation of 1 scenes, 10 points each; 1 succeeded
+    >>> bifurcation([load_scene("forced-sine-stick-slip").replace(until=40)], keep=10).y.shape
+    (4, 1, 10)
     """
     require_whole("keep", keep, 1)
     scenes = list(listed("scenes", scenes))

@@ -91,6 +91,10 @@ class Answer:
         """Return what a summary says, by its names."""
         raise NotImplementedError
 
+    def __repr__(self) -> str:
+        """Return a short summary, as SciPy's solutions have."""
+        return "\n".join(f"{name:>12}: {value}" for name, value in self._shown().items())
+
     def _repr_html_(self) -> str:
         """Return the summary as a table of a notebook."""
         return html_table(type(self).__name__, self._shown().items())

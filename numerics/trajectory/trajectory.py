@@ -358,10 +358,6 @@ class Trajectory(Rows):
             "final mode": self.final_mode.value,
         }
 
-    def __repr__(self) -> str:
-        """Return a short summary, as SciPy's solutions have."""
-        return "\n".join(f"{name:>12}: {value}" for name, value in self._shown().items())
-
     def kept(self) -> dict[str, Any]:
         """Return what the run wrote, as what JSON holds."""
         rows, end, how, *rest = self.record

@@ -125,7 +125,7 @@ solve velocites | did you mean velocities
 slove velocities | did you mean solve
 solve velocities --arithmetic flaot64 | did you mean float64
 track at-rest --reference s-curv | did you mean s-curve
-solve velocities --jsn | unrecognized arguments: --jsn; --help lists
+solve velocities --jsn | --jsn is not known: did you mean --json?
 solve velocities --npz= | the name is empty
 solve no-such-scene | one of those that `inertial-pair scenes` lists
 solve velocities --plot /proc/x.svg | cannot be written to
