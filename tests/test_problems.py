@@ -84,6 +84,7 @@ def test_newmarks_block_by_its_record():
             after = 0.0
         x, v = x + (v + after) / 2 * h, after
     assert float(solved("newmark-block").final.x1) == pytest.approx(x, abs=2e-6)
+    assert x == pytest.approx(-0.0518582, abs=2e-6)  # as docs/your_problem.md says
 
 
 def test_a_friction_damper_takes_as_much_of_each_half_swing():
