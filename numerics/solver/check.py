@@ -155,7 +155,7 @@ class _Number(NamedTuple):
 
 def _numbers(run: Trajectory) -> Iterator[_Number]:
     """Yield every number of a run: times and states of the events, then the end; in the context of a run in balls."""
-    known = run.accuracy if run.certain else None
+    known = run.accuracy if run.bounded and run.certain else None
     for k, row in enumerate(zip(run.event_times, *run.event_states, strict=True)):
         bounds = [None] * 5 if known is None else [known.t[k], *known.y[k]]
         yield from (_Number(name, k + 1, *pair) for name, *pair in zip(("t", *STATE), row, bounds, strict=True))

@@ -18,13 +18,16 @@ from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
+from numerics.habits import helpful
 from numerics.linear.batch import follow_many
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN
+from numerics.meter import meter
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
-from numerics.solver.batch import SI, Batch, near
+from numerics.solver.batch import Batch
+from numerics.solver.inputs import SI, inputs_of, near
 from numerics.solver.rows import form_ledgers, in_chunks, solve_one
 from numerics.trajectory.columns import Floats, room
 from numerics.trajectory.run import MAX_EVENTS
@@ -55,6 +58,7 @@ class _BatchLimits(NamedTuple):
         return self
 
 
+@helpful
 def solve_many(
     m1: ArrayLike,
     m2: ArrayLike,
@@ -131,7 +135,7 @@ def solve_many(
 
     kept, ends = _solved(scene_of, len(flat), limits, run)
     numbers = np.ascontiguousarray(flat[:, : len(SI)])
-    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, flat, how, jobs))
+    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, flat, how, jobs), more=arrays.copy)
 
 
 @overload
@@ -142,7 +146,8 @@ def solve_scenes(scenes: Sequence[PlaneScene], **options: Any) -> PlaneBatch: ..
 def solve_scenes(scenes: Sequence[Scene], **options: Any) -> Batch: ...
 
 
-def solve_scenes(  # type: ignore[misc]  # the options are those below
+@helpful  # type: ignore[misc]  # the options are those below
+def solve_scenes(
     scenes: Sequence[Scene] | Sequence[PlaneScene],
     *,
     max_events: int = MAX_EVENTS,
@@ -166,11 +171,13 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
-        return solve_surfaces(given, *limits)
+        with meter("solving", limits.progress) as line:
+            return solve_surfaces(given, *limits._replace(progress=line))
     numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
     kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
     ledgers = partial(form_ledgers, given.__getitem__, None, (0, False, max_events), 1)
-    return Batch(numbers, ends, kept, (len(given),), ledgers, [bool(one.wall.pieces) for one in given])
+    walls = [bool(one.wall.pieces) for one in given]
+    return Batch(numbers, ends, kept, (len(given),), ledgers, walls, partial(inputs_of, given))
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -260,10 +267,11 @@ def _solved(
             solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row])
         return len(hows)
 
-    for some in in_chunks(solve, count, limits.jobs):
-        done += some
-        if limits.progress is not None:
-            limits.progress(done, count)
+    with meter("solving", limits.progress) as progress:
+        for some in in_chunks(solve, count, limits.jobs):
+            done += some
+            if progress is not None:
+                progress(done, count)
     return kept, ends
 
 

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.plane.solve import solve_plane
 from numerics.scene.plane import AXES, PlaneScene
-from numerics.solver.batch import Ends, near
+from numerics.solver.batch import Ends
+from numerics.solver.inputs import near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
 from numerics.trajectory.columns import STATE, Floats, room

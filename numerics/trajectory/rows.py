@@ -26,7 +26,7 @@ from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.scene.decimals import short, shown
 from numerics.trajectory.answer import Answer
-from numerics.trajectory.columns import STATE, Array, Counts, Floats
+from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
 from numerics.trajectory.flow import Moving, signals_at, steps_of
 
 Side = Literal["left", "right"]
@@ -103,10 +103,14 @@ class Rows(Answer):
         return self._states[:, :-1]
 
     @property
-    def final_state(self) -> tuple[Number, Number, Number, Number]:
+    def final_state(self) -> Moment:
         """Return (x1, v1, x2, v2) at the end."""
-        x1, v1, x2, v2 = self._states[:, -1].tolist()
-        return x1, v1, x2, v2
+        return Moment(*self._states[:, -1].tolist())
+
+    @property
+    def initial(self) -> Moment:
+        """Return (x1, v1, x2, v2) at the start."""
+        return Moment(*self._states[:, 0].tolist())
 
     @cached_property
     def row_excess(self) -> Array | None:

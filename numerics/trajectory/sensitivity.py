@@ -33,8 +33,10 @@ from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
+from numerics.habits import helpful, right_word
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
+from numerics.meter import metered
 from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
@@ -92,6 +94,8 @@ def sensitivities(trajectory: Trajectory, *, wrt: Sequence[str] | None = None) -
 def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right", wrt: Sequence[str] | None = None) -> Array: ...
 
 
+@helpful
+@metered("derivatives")
 def sensitivities(
     trajectory: Trajectory, t: Any = None, side: Side = "right", wrt: Sequence[str] | None = None
 ) -> Sensitivity | Array:
@@ -162,9 +166,8 @@ def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]
         raise ValueError(f'wrt = {shown(wrt)} must be names of numbers of the scene, such as ["b", "m1"]')
     for name in names:
         if name not in known or names.count(name) > 1:
-            raise ValueError(
-                f"wrt names {shown(name)}, which is no number of this scene, or twice; see parameters(scene)"
-            )
+            why = "once each" if name in known else right_word(str(name), [*known])
+            raise ValueError(f"wrt names {shown(name)}, which is no number of this scene, or twice: {why}")
     return names
 
 

@@ -163,8 +163,8 @@ def test_a_scene_is_written_and_read_again():
     assert parse_scene(scene_text(JUMPING)).friction.weakening == BY_PLACE
 
 
-def test_two_coefficients_are_refused_with_the_reason():
-    with pytest.raises(InvalidScene, match="both solutions at every instant"):
+def test_two_coefficients_are_answered_by_those_of_the_pair():
+    with pytest.raises(InvalidScene, match=r"write b_static .N, the friction up to which a stick is kept"):
         parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
 
 
