@@ -50,6 +50,22 @@ class EulerRun:
         pull = float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1] - self.u
         return pull / (self.b * float(pair.mass / pair.m2))
 
+    @property
+    def chatter(self) -> int:
+        """Return how often sgn(v1 - v2) flips between consecutive steps whose loads lie in the sliding region."""
+        sign, inside = self.sign, np.abs(self.load) <= 1
+        return int(np.count_nonzero((sign[1:] * sign[:-1] < 0) & inside[1:] & inside[:-1]))
+
+    @property
+    def exact_contacts(self) -> int:
+        """Return at how many steps v1 = v2 holds exactly."""
+        return int(np.count_nonzero(self.y[1] == self.y[3]))
+
+    @property
+    def energy(self) -> Vector:
+        """Return E at every step, J."""
+        return np.asarray(self.scene.pair.energy(self.y, float))
+
 
 def march(
     y: Vector, u: Vector, b: Vector, step: float, literal: bool, m1: float, m2: float, a1: float, a2: float
