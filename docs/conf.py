@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import sys
 from pathlib import Path
@@ -9,7 +10,11 @@ from typing import Any
 
 from math_core import LatexToMathML
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent.parent), str(Path(__file__).resolve().parent)]
+
+from rendered import render  # noqa: E402
+
+from numerics.solver.inputs import unit  # noqa: E402
 
 project = "inertial-pair"
 author = "The inertial-pair authors"
@@ -49,10 +54,32 @@ def in_mathml(translator: Any, node: Any) -> None:
     raise SkipNode
 
 
-def as_rest(_app: Any, _what: str, _name: str, _object: Any, _options: Any, lines: list[str]) -> None:
-    """Turn a docstring, which is plain text, into reStructuredText: tables stay as they are, no letter is markup."""
-    blocks = "\n".join(lines).strip("\n").split("\n\n")
-    lines[:] = "\n\n".join(map(_block, blocks)).split("\n")
+def as_rest(_app: Any, what: str, _name: str, documented: Any, _options: Any, lines: list[str]) -> None:
+    """Turn a docstring, which is plain text, into reStructuredText: tables stay as they are, no letter is markup.
+
+    A function, or a class that users build, has a table of its parameters.
+    """
+    blocks = [_block(one) for one in "\n".join(lines).strip("\n").split("\n\n")]
+    if what in {"function", "method", "class"}:
+        blocks += _parameters(documented)
+    lines[:] = "\n\n".join(blocks).split("\n")
+
+
+def _parameters(documented: Any) -> list[str]:
+    """Return the table of the parameters of a function or a class, without those of two or fewer."""
+    try:
+        known = [one for name, one in inspect.signature(documented).parameters.items() if name not in {"self", "cls"}]
+    except (TypeError, ValueError):
+        return []
+    if len(known) < 3:
+        return []
+    rows = [("parameter", "type", "default", "unit")]
+    for one in known:
+        default = "" if one.default is one.empty else f"``{one.default!r}``"
+        kind = "" if one.annotation is one.empty else f"``{one.annotation}``"
+        rows.append((one.name, kind, default, unit(one.name)))
+    table = ("\n".join(f"   {'* -' if k == 0 else '  -'} {cell}" for k, cell in enumerate(row)) for row in rows)
+    return [".. list-table::\n   :header-rows: 1\n\n" + "\n".join(table)]
 
 
 def _block(block: str) -> str:
@@ -66,6 +93,7 @@ def _block(block: str) -> str:
 
 
 def setup(app: Any) -> None:
-    """Register both."""
+    """Register them, and run the notebooks before the pages are read."""
     app.add_html_math_renderer("mathml", inline_renderers=(in_mathml, None), block_renderers=(in_mathml, None))
     app.connect("autodoc-process-docstring", as_rest)
+    app.connect("builder-inited", lambda _: render())

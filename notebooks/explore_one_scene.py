@@ -184,7 +184,7 @@ on_edge, beyond = "0.005", "0.005000000000000000000001"
 print(f"the same binary64 number: {float(on_edge) == float(beyond)}\n")
 for position in (on_edge, beyond):
     run = solve(Scene(wide, State(x1=position), until=1), digits=20, arithmetic="ball")
-    print(f"x1(0) = {position} m, w = {float(run.final.w):.3g}: {run.message}")
+    print(f"x1(0) = {position} m, w = {float(run.reduced.final.w):.3g}: {run.message}")
     print("    " + ", ".join(mode.value for mode in run.modes))
 
 # %% [markdown]
@@ -239,8 +239,8 @@ print(
 )
 rounded = wide.energy([float(one) for one in enclosed.final_state], float) / float(wide.critical_energy) - 1
 with enclosed.arithmetic.context():
-    lost = enclosed.arithmetic.number(hair.energy_excess) - enclosed.final.w
-    formed = distance(rounded, enclosed.final.w).upper()
+    lost = enclosed.arithmetic.number(hair.energy_excess) - enclosed.reduced.final.w
+    formed = distance(rounded, enclosed.reduced.final.w).upper()
 print(f"w lost in 20 s, proved: {float(lost):.6e}")
 print(f"error of E/E_cr - 1, formed from the final state in float64: {float(formed):.1e}")
 

@@ -136,7 +136,7 @@ runs = {
 rows = [
     f"| {name} | {next(event.t for event in run.events if event.after is Mode.STICK).str(8, radius=False)} "
     f"| {first_exit(run).t.str(8, radius=False)} | {sum(event.before is Mode.STICK for event in run.events)} "
-    f"| {first_exit(run).reduced.w.str(6, radius=False)} | {run.final.w.str(6, radius=False)} |"
+    f"| {first_exit(run).reduced.w.str(6, radius=False)} | {run.reduced.final.w.str(6, radius=False)} |"
     for name, run in runs.items()
 ]
 head = "| | first adhesion (s) | it ends (s) | exits up to 5 s | $w$ at the first exit | $w$ at 5 s |"
@@ -165,7 +165,7 @@ FIGURES["itinerary-that-merges"]()
 # %%
 merging = solve(load_scene("itinerary-that-merges"), digits=20, arithmetic="ball")
 print(", ".join(mode.value for mode in merging.modes))
-print(f"w after the slip: {merging.final.w.str(12)}; {merging.message}")
+print(f"w after the slip: {merging.reduced.final.w.str(12)}; {merging.message}")
 
 # %% [markdown]
 # (a) The pair enters the sliding region once, with $w<0$, and stays on an orbit below $E_{cr}$.

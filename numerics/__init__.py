@@ -18,11 +18,13 @@ Solving:
     solve               one scene: its Trajectory, in the cheapest arithmetic that has the digits
     solve_many          many scenes given as arrays, on all cores: a Batch
     solve_scenes        many scenes given as a list, on a line or on a surface
+    bifurcation         their states once a period, and the diagram of them
     check               what every number of a run is really off by: solved again in balls
 Results:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
     PlaneTrajectory     the same for a scene on a surface
     Batch, PlaneBatch   final states of many runs as arrays, on a line and on a surface
+    Bifurcation         states once a period, of many scenes
     Mode                slip+, slip- or stick
     sensitivities       derivatives of a trajectory by every number of its scene
 Control through the interface:
@@ -42,7 +44,7 @@ Exceptions:
     NotSettled          a long-time motion that was not found
     MissingTool         an optional package that is not installed
 
-`help(numerics.solve)` describes one of them in full. Import them by name: `from numerics import *` imports nothing.
+`help(numerics.solve)` describes one of them in full, and `numerics.__version__` is the version.
 """
 
 from __future__ import annotations
@@ -82,6 +84,8 @@ if TYPE_CHECKING:
     from numerics.scene.plane import PlanePair as PlanePair
     from numerics.scene.plane import PlaneScene as PlaneScene
     from numerics.solver.batch import Batch as Batch
+    from numerics.solver.bifurcation import Bifurcation as Bifurcation
+    from numerics.solver.bifurcation import bifurcation as bifurcation
     from numerics.solver.check import check as check
     from numerics.solver.many import solve_many as solve_many
     from numerics.solver.many import solve_scenes as solve_scenes
@@ -90,7 +94,6 @@ if TYPE_CHECKING:
     from numerics.trajectory.sensitivity import sensitivities as sensitivities
     from numerics.trajectory.trajectory import Trajectory as Trajectory
 
-# without __all__, in whose presence help() would print every method of every class here
 _NAMES = {
     "scene": "Force Friction Law Pair Piece Scene Signal Sine State Weakening",
     "scene.file": "load_reference load_scene scene_text",
@@ -99,6 +102,7 @@ _NAMES = {
     "solver.check": "check",
     "solver.many": "solve_many solve_scenes",
     "solver.batch": "Batch",
+    "solver.bifurcation": "Bifurcation bifurcation",
     "solver.plane_batch": "PlaneBatch",
     "trajectory.trajectory": "Trajectory",
     "plane.trajectory": "PlaneTrajectory",
@@ -116,10 +120,20 @@ _NAMES = {
 _HOMES = {name: f"numerics.{module}" for module, names in _NAMES.items() for name in names.split()}
 
 
+__all__ = sorted(_HOMES)  # noqa: PLE0605 - a list, of the names above
+
+
 def __getattr__(name: str) -> Any:
     """Import a public name when it is first asked for: `--help` needs none of them."""
+    if name == "__version__":
+        from numerics.exits import version
+
+        return version() or "0+source"
     if name not in _HOMES:
-        raise AttributeError(f"module 'numerics' has no attribute {name!r}; dir(numerics) lists those it has")
+        from numerics.habits import right_word
+
+        known = right_word(name, [*_HOMES]).replace("it takes", "it has")
+        raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
     value = getattr(importlib.import_module(_HOMES[name]), name)
     globals()[name] = value
     return value

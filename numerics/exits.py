@@ -11,6 +11,8 @@ import tempfile
 from pathlib import Path
 from typing import Any, NoReturn
 
+from numerics.habits import right_word
+
 OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
 """Done; undecided, out of reach or a tool that is missing; bad usage or an invalid scene; stopped by the user."""
 FIGURES = (".svg", ".pdf", ".png")
@@ -21,6 +23,7 @@ def refuse(message: str, code: int) -> int:
     """Print one error line on stderr and return the exit code; a remedy names the flag, not the argument in Python."""
     said = re.sub(r"\bmax_(digits|events|steps)\b", r"--max-\1", " ".join(message.split()))
     said = re.sub(r'\barithmetic="(.+?)"', r"--arithmetic \1", said)
+    said = said.replace("give amplitude and omega", "give --amplitude and --omega").replace("digits=N", "--digits N")
     print(f"error: {said}", file=sys.stderr)
     return code
 
@@ -96,13 +99,19 @@ class Version(argparse.Action):
 
     def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
         """Print the version and exit."""
-        from importlib.metadata import PackageNotFoundError, version
-
-        try:
-            print(f"inertial-pair {version('inertial-pair')}")
-        except PackageNotFoundError:
-            print("inertial-pair, not installed (running from its sources)")
+        found = version()
+        print(f"inertial-pair {found}" if found else "inertial-pair, not installed (running from its sources)")
         parser.exit(OK)
+
+
+def version() -> str:
+    """Return the version of the installed package, "" where it runs from its sources."""
+    from importlib import metadata
+
+    try:
+        return metadata.version("inertial-pair")
+    except metadata.PackageNotFoundError:
+        return ""
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -116,6 +125,12 @@ class OneLineParser(argparse.ArgumentParser):
         super().__init__(*given, **named)
         self._negative_number_matcher = re.compile(r"-\.?\d")
 
+    def _flags(self) -> list[str]:
+        """Return the flags of all commands."""
+        commands = [one.choices for one in self._actions if isinstance(one, argparse._SubParsersAction)]
+        flags = (flag for some in commands for one in some.values() for flag in one._option_string_actions)
+        return sorted({f"--{flag.strip('-')}" for flag in flags})
+
     def error(self, message: str) -> NoReturn:
         """Print the one error line, with the nearest word for one that is mistyped, and exit with USAGE."""
         mistyped = re.search(r"invalid choice: '([^']*)' \(choose from (.*)\)", message)
@@ -124,6 +139,8 @@ class OneLineParser(argparse.ArgumentParser):
             message = f"{mistyped[1]!r} is not known; did you mean {near[0]}?" if near else message
         elif "not allowed with" in message:
             message += "; leave one of them out"
+        elif (unknown := re.match(r"unrecognized arguments: --([\w-]+)", message)) is not None:
+            message = f"--{unknown[1]} is not known: {right_word(unknown[1].replace('-', '_'), self._flags())}"
         elif message.startswith(("the following", "unrecognized")) or "expected" in message:
             message += "; --help lists the options"
         self.exit(refuse(message, USAGE))

@@ -49,7 +49,7 @@ NUMBERS = _names(
     final_state initial ledger reduced segments sol t t_events units y y_events"""
 )
 NO_NUMBERS_OF_A_BATCH = _names(
-    "ANSWERS certain digits ends event_mode inputs kept mode numbers plot shape status success"
+    "ANSWERS certain digits ends event_mode inputs kept mode numbers plot shape status success to_dataframe to_xarray"
 )
 NUMBERS_OF_A_BATCH = {"t", "y", "energy_excess", "dissipated", "event_t", "event_y", "events"}
 
@@ -197,8 +197,8 @@ def bounds_of(run: Any, times: Any) -> Bounds:
         "end_time": own.t[-1:],
         "final_state": own.y[:, -1],
         "final_energy": energies[-1:],
-        "final": reduced[-1],
-        "initial": reduced[0],
+        "final": own.y[:, -1],
+        "initial": own.y[:, 0],
         "end_numbers": np.concatenate(end),
         "dissipated": [run.accuracy.dissipated],
         "ledger": [taken] * 10,
@@ -348,7 +348,7 @@ def batch_held(batch: Batch, row: int, truth: Any) -> list[Compared]:
             truth.end_time,
         ),
         ("dissipated", batch.dissipated[row], batch.dissipated_error[row], truth.dissipated),
-        ("energy_excess", batch.energy_excess[row], batch.energy_excess_error[row], truth.final.w),
+        ("energy_excess", batch.energy_excess[row], batch.energy_excess_error[row], truth.reduced.final.w),
     ]
     named += [("y", *one) for one in zip(batch.y[:, row], batch.y_error[:, row], truth.final_state, strict=True)]
     found = batch.event_t[row, :count], batch.event_t_error[row, :count], times

@@ -14,7 +14,7 @@ from numerics.linear.kernel import Log, begin, follow
 from numerics.linear.ledger import ledger
 from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, END_ROW, ROW
-from numerics.linear.room import form_z, make_room
+from numerics.linear.room import form_z, run_of, space_for
 
 BOUNDS = [AT[name] for name in ("late", "x1_error", "v1_error", "x2_error", "v2_error")]
 STATE = [AT[name] for name in ("x1", "v1", "x2", "v2")]
@@ -51,10 +51,10 @@ def run(scene, by=NOTHING, most=60):
     start, rows, end = prepared.start.copy(), np.empty((500, ROW)), np.zeros(END_ROW)
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
-    how, count = compiled(follow)(prepared.problem, start, -1.0, Log(rows, end, most, True))
+    space = space_for(prepared.problem.tables)
+    how, count = compiled(follow)(prepared.problem, space, start, -1.0, Log(rows, end, most, True))
     if how < 3:
-        room = make_room(*prepared.problem.tables.rows.shape[3:])
-        compiled(ledger)(prepared.problem, room, rows, count - (how == 2), end, end[AT["friction"] :])
+        compiled(ledger)(prepared.problem, space, rows, count - (how == 2), end, end[AT["friction"] :])
     return Run(how, rows[:count], end, prepared)
 
 
@@ -110,11 +110,10 @@ def in_stick(scene, by):
 
 
 def begun(scene, mode=0, by=NOTHING):
-    """A problem, a room in which its start stands with z, and where the run is, in a mode of its first piece."""
+    """A run in which its start stands with z, and where it is, in a mode of its first piece."""
     prepared = prepare(scene)
-    problem, start = prepared.problem, prepared.start.copy()
-    room = make_room(*problem.tables.rows.shape[3:])
+    start, run = prepared.start.copy(), run_of(prepared.problem, space_for(prepared.problem.tables))
     start[AT["mode"]], start[AT["jump"]], start[BOUNDS[1:]] = mode, 0, by
-    now, _ = begin(problem, room, start)
-    form_z(problem, room, 0, mode, False)
-    return problem, room, now
+    now, _ = begin(run, start)
+    form_z(run, 0, mode, False)
+    return run, now

@@ -103,3 +103,12 @@ def test_a_user_s_program_is_typed_and_the_one_fault_in_it_is_seen(tmp_path):
     told, count = done.stdout.strip().splitlines()
     assert 'expression has type "str"' in told
     assert count.startswith("Found 1 error")
+
+
+def test_the_fit_of_the_page_finds_the_truth_within_its_uncertainty():
+    found = {}
+    exec(compile("\n".join(blocks("fit.md", "python")), "fit.md", "exec"), found)
+    off = (found["found"].x - [1.5, 1.2]) / found["error"]
+    assert abs(off).max() < 3
+    assert found["error"].max() < 0.02
+    assert found["sigma"] == pytest.approx(0.01, rel=0.2)

@@ -40,8 +40,9 @@ def test_imports_point_one_way(package):
 LAYERS = {
     "numerics": (
         ("errors",),
+        ("habits",),
         ("exits", "files", "tasks"),
-        ("shown",),
+        ("shown", "meter"),
         ("scene",),
         ("arithmetic",),
         ("linear",),

@@ -14,8 +14,9 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from functools import cache
+from functools import cache, update_wrapper
 from pathlib import Path
+from types import FunctionType
 from typing import Any, TypeVar
 
 from numerics.files import cache_folder, forget_unused, make_private
@@ -28,8 +29,6 @@ except ImportError:  # not a POSIX system
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _OPTIONS: dict[Any, dict[str, Any]] = {}
 """numba's options for each function that is registered."""
-_WAITING: list[Any] = []
-"""Functions that numba has not heard of yet."""
 _FOLDERS = ("arithmetic", "linear")
 """Where compilable functions are; of others numba itself notices a change."""
 _STATES = 8
@@ -40,6 +39,7 @@ _ONE_AT_A_TIME = threading.RLock()
 # Without `_nrt` numba does not count the references to arrays, which takes half of the time of short functions on many
 # of them; it refuses to compile a function that would have to.
 # Nor is an inner function called from outside: without wrappers for that a tenth less is compiled.
+_COMMON = {"nogil": True, "error_model": "numpy"}
 _INNER = {"error_model": "numpy", "forceinline": True, "no_cfunc_wrapper": True, "no_cpython_wrapper": True}
 
 
@@ -53,7 +53,6 @@ def compilable_with(*, makes_arrays: bool = False, **options: Any) -> Callable[[
 
     def register(function: _Function) -> _Function:
         _OPTIONS[function] = {**options, "_nrt": makes_arrays}
-        _WAITING.append(function)
         return function
 
     return register
@@ -81,18 +80,15 @@ def compiled(function: _Function) -> _Function:
 
 @cache
 def _kept(function: Any) -> Any:
+    """Return a function compiled by numba, which keeps it; what it calls is compiled, too, once for all callers."""
     import numba
-    from numba.extending import register_jitable
 
-    while _WAITING:
-        inner = _WAITING.pop()
-        register_jitable(**{**_INNER, **_OPTIONS[inner]})(inner)
-    options = {"nogil": True, "error_model": "numpy", **_OPTIONS.get(function, {})}
     before = numba.config.CACHE_DIR
     folder = _folder(Path(before) / "inertial-pair" if before else cache_folder())
     numba.config.CACHE_DIR = str(folder)
     # where that folder cannot be written numba would take another, by the age of the entry's source alone
-    made = numba.njit(function, cache=os.access(folder, os.W_OK), **options)
+    options = {**_COMMON, **_OPTIONS.get(function, {}), "cache": os.access(folder, os.W_OK)}
+    made = numba.njit(_with_compiled(function), **options)
     numba.config.CACHE_DIR = before
     load, compile_for = made._cache.load_overload, made.compile
 
@@ -111,6 +107,24 @@ def _kept(function: Any) -> Any:
 
     made._cache.load_overload, made.compile = loaded, compile_alone
     return made
+
+
+def _with_compiled(function: Any) -> Any:
+    """Return a function that calls what numba makes of registered ones."""
+    known = function.__globals__
+    called = [name for name in function.__code__.co_names if isinstance(known.get(name), FunctionType)]
+    compiled_ones = {name: _called(known[name]) for name in called if known[name] in _OPTIONS}
+    return update_wrapper(FunctionType(function.__code__, known | compiled_ones), function)
+
+
+@cache
+def _called(function: Any) -> Any:
+    """Return an inner function for numba; one that is not taken in whole is kept, as it stands for many."""
+    if not _OPTIONS[function].get("forceinline", True):
+        return _kept(function)
+    import numba
+
+    return numba.njit(_with_compiled(function), **{**_INNER, **_OPTIONS[function]})
 
 
 @cache

@@ -48,12 +48,6 @@ def put(numbers: Any, pair: TwoFloats) -> None:
 
 
 @compilable
-def negative(a: TwoFloats) -> TwoFloats:
-    """Return -a."""
-    return TwoFloats(-a.high, -a.low)
-
-
-@compilable
 def two_sum(a: float, b: float) -> TwoFloats:
     """Return a + b exactly."""
     total = a + b

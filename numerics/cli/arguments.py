@@ -11,6 +11,7 @@ from numerics.exits import OneLineParser, Version, path, program_name
 from numerics.scene.decimals import MOST_DIGITS
 from numerics.trade.command import measure_trade
 
+_MOST_TIMES = 1_000_000
 Option = tuple[str, dict[str, Any]]
 """A flag or positional argument, and its options for argparse."""
 
@@ -25,6 +26,21 @@ def positive(text: str, most: int = 999_999_999) -> int:
 def digits(text: str) -> int:
     """Return a number of digits of a flag."""
     return positive(text, MOST_DIGITS)
+
+
+def times(text: str) -> list[Any]:
+    """Return the times A, A + STEP, ... up to B of a flag A:B:STEP, exact."""
+    from numerics.errors import InvalidScene
+    from numerics.scene.decimals import exact_decimal
+
+    try:
+        start, end, step = (exact_decimal(one, "a time") for one in text.split(":"))
+    except (ValueError, InvalidScene):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be A:B:STEP in seconds, such as 0:5:0.01") from None
+    if not (0 <= start <= end and step > 0 and (end - start) / step < _MOST_TIMES):
+        most = f"at most {_MOST_TIMES} times"
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must have 0 <= A <= B, STEP > 0 and {most}")
+    return [start + k * step for k in range(int((end - start) / step) + 1)]
 
 
 def _option(name: str, what: str, **how: Any) -> Option:
@@ -75,6 +91,7 @@ _SOLVE = (
     ),
     _count("--max-events", 250_000, "stop after N events"),
     _WORKING,
+    _option("--times", "print the state at the times A to B (s), as CSV", type=times, metavar="A:B:STEP"),
     _switch("--all", "print all events on a terminal, not only the first and the last 20"),
     _switch("--explain", "print to stderr which arithmetic was used, and why"),
     _switch("--check", "print what every number is really off by: the scene is solved again in balls"),

@@ -37,11 +37,17 @@ def solve_scene(options: argparse.Namespace) -> int:
         trajectory: Any = solve(
             scene,
             digits=options.digits,
-            arithmetic=options.arithmetic or (None if options.digits or options.check else "ball"),
+            arithmetic=options.arithmetic
+            or (None if (options.digits or options.check) and not options.times else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
             progress=_progress(scene, options.max_events, say),
         )
+    if options.times:
+        try:
+            trajectory = trajectory.but(t_eval=options.times)
+        except ValueError as error:
+            return refuse(str(error).replace("t_eval", "--times"), USAGE)
     if options.explain:
         print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
     if options.check:
@@ -72,16 +78,24 @@ def _print_check(trajectory: Trajectory, options: argparse.Namespace) -> int:
     return OK if found.right else FAILED
 
 
+_NOT_TOGETHER = {
+    "times": (("plot", "proof", "check"), "prints rows, as CSV, JSON or an archive"),
+    "sensitivity": (("csv", "plot", "proof"), "needs --json, --npz or the table"),
+    "check": (("csv", "npz", "plot", "proof", "sensitivity"), "prints lines, or --json"),
+}
+"""What an option rules out, and why."""
+
+
 def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic == "float64" and options.digits is not None:
         return f"--digits {options.digits} needs ball or mpmath, not float64; leave one of both out"
-    for name in ("csv", "plot", "proof"):
-        if options.sensitivity and getattr(options, name):
-            return f"--sensitivity needs --json, --npz or the table; leave --{name} out"
-    for name in ("csv", "npz", "plot", "proof", "sensitivity"):
-        if options.check and getattr(options, name):
-            return f"--check prints lines, or --json; leave --{name} out"
+    for name, (others, why) in _NOT_TOGETHER.items():
+        for other in others:
+            if getattr(options, name) and getattr(options, other):
+                return f"--{name} {why}; leave --{other} out"
+    if options.times and options.arithmetic not in {None, "ball"}:
+        return "--times prints proved digits of balls; leave --arithmetic out"
     if options.npz is not None and options.npz.suffix != ".npz":
         return f"--npz {options.npz.name}: the name must end in .npz; for a table use --csv"
     return None
@@ -123,12 +137,16 @@ def _progress(scene: Any, most: int, say: Callable[[str], None]) -> Progress:
 def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:
     """Print a trajectory as JSON, as CSV or as a table, with its derivatives if they are wanted."""
     from numerics.solver.truth import record
-    from numerics.trajectory.export import as_csv
+    from numerics.trajectory.export import as_csv, at_times, table
 
-    if options.csv:
+    if options.times and not options.json:
+        print(table(at_times(trajectory)).rstrip("\n"))
+    elif options.csv:
         print(as_csv(record(trajectory)).rstrip("\n"))
     elif options.json:
         found = record(trajectory)
+        if options.times:
+            found["times"] = at_times(trajectory)
         if options.sensitivity:
             from numerics.trajectory.sensitivity import add_sensitivities
 
@@ -165,7 +183,7 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
             units = [unit_of(f"{name}_{axis}") for axis, _ in zip(AXES, value, strict=False)]
             value, unit = ", ".join(value), ", ".join(units if len(set(units)) > 1 else units[:1])
         lines.append(f"  {LABELS.get(name, name)} = {value} {unit}".rstrip())
-    return [*lines, f"{found['arithmetic']}, {found['digits']} digits"]
+    return [*lines, f"{found['arithmetic']}, at least {found['digits']} right digits"]
 
 
 def _of_a_line(events: list[dict[str, str]]) -> list[str]:

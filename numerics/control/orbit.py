@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import count, pairwise
+from itertools import count
 from typing import NamedTuple
 
 from flint import acb, acb_mat, arb, arb_mat
@@ -25,6 +25,7 @@ from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
+from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.variation import legs
 
@@ -171,10 +172,10 @@ class Box(Ball):
 
 def follow(
     drive: PeriodicDrive, begin: Fraction, start: Sequence[Fraction], most: int, radius: arb | int = 0
-) -> list[Passage]:
-    """Return the period after a time (s) of all motions within a radius of a start (x1, v1, v2); v1 = v2: stuck ones.
+) -> tuple[list[Passage], Trajectory]:
+    """Return the period after a time (s) of all motions within a radius of a start (x1, v1, v2), and as it was run.
 
-    Raises EventUndecided, NotSettled if there are more than `most` events.
+    From v1 = v2 these are stuck ones. Raises EventUndecided, NotSettled if there are more than `most` events.
     """
     scene = drive.one_period(begin, start, working_digits())
     run = run_scene(scene, Box(working_digits(), arb(radius)), most + 1)
@@ -185,10 +186,11 @@ def follow(
         )
     parts, t = passages(run), number(begin)
     ends = [*(one.start for one in parts[1:]), drive.period]
-    return [
+    found = [
         Passage(t + one.start, t + end, LinearMode.under(drive.pair, one.side, drive.piece), one.state)
         for one, end in zip(parts, ends, strict=True)
     ]
+    return found, run
 
 
 class Round(NamedTuple):
@@ -206,40 +208,13 @@ def one_round(
 
     Raises EventUndecided, too, unless it has events and comes back to the mode it begins in.
     """
-    parts = follow(drive, begin, start, most, radius)
+    parts, run = follow(drive, begin, start, most, radius)
     last = parts[-1]
     if len(parts) == 1 or parts[0].side != last.side or not last.end > last.start:
         raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
-    maps = [across(one, after) for one, after in pairwise(parts)]
-    return Round(parts, last.at(last.end), _product([*maps, _of_state(last.motion.flow(last.end - last.start))]))
-
-
-def across(one: Passage, after: Passage) -> arb_mat:
-    """Return the derivative of (x1, v1, v2) after the event that ends a passage by that at its start (saltation).
-
-    Both at fixed times: a later event lets the earlier mode act longer.
-    """
-    motion, behind = one.motion, after.motion
-    flow = motion.flow(one.end - one.start)
-    if one.side in {0, after.side}:
-        return _of_state(flow)  # at an exit both modes have the same accelerations
-    rates, others = motion.rate(flow * motion.begin), behind.rate(behind.begin)
-    closing = rates[V1, 0] - rates[V2, 0]
-    jump = arb_mat([[(rates[place, 0] - others[place, 0]) / closing] for place in STATE])
-    return _of_state(flow) - jump * (arb_mat([[0, 1, -1]]) * _of_state(flow))
-
-
-def _of_state(flow: arb_mat) -> arb_mat:
-    """Return the rows and columns of a flow that belong to (x1, v1, v2)."""
-    return arb_mat([[flow[row, column] for column in STATE] for row in STATE])
-
-
-def _product(maps: Sequence[arb_mat]) -> arb_mat:
-    """Return the last map after all others; in pairs, so that a radius grows by a factor a level, not one a map."""
-    while len(maps) > 1:
-        pairs = [after * before for before, after in zip(maps[::2], maps[1::2], strict=False)]
-        maps = [*pairs, *maps[2 * len(pairs) :]]
-    return maps[0]
+    chain = Chain(run.scene, legs(run), ("x1", "v1", "v2"))
+    x1, v1, _, v2 = chain.at(len(parts) - 1, last.end - last.start).tolist()
+    return Round(parts, last.at(last.end), arb_mat([x1, v1, v2]))
 
 
 def _eigenvalues(matrix: arb_mat) -> list[acb]:

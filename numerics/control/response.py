@@ -23,6 +23,7 @@ from numerics.control.search import MAX_EVENTS, search
 from numerics.control.stuck import entrained, others_stick, resonant_growth, stuck_motion, stuck_multipliers
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
+from numerics.habits import helpful
 from numerics.scene import Force, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
 from numerics.scene.model import BUILD, require_kind, require_plain
@@ -102,6 +103,7 @@ class Response(ShortRepr):
             return self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
 
 
+@helpful
 def response(
     scene: Scene | PlaneScene,
     *,

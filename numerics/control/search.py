@@ -50,7 +50,7 @@ def _found_from(drive: PeriodicDrive, begin: Fraction, at: State3, periods: int,
     The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
     """
     for _ in range(periods):
-        parts = follow(drive, begin, [rounded(one, _DIGITS) for one in at], most)
+        parts, _ = follow(drive, begin, [rounded(one, _DIGITS) for one in at], most)
         at = without_x2(parts[-1].at(parts[-1].end))
     if len(parts) == 1:
         raise undecided("has a period an event?", "none")

@@ -1,6 +1,6 @@
 """Many scenes in one compiled call, in float64: first events and ends out.
 
-In come rows of numbers, of one piece of force and the same pieces of friction.
+In come rows of numbers, of one piece of force and one friction number.
 """
 
 from __future__ import annotations
@@ -9,117 +9,87 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.arithmetic.pair import TwoFloats, negative, pair_of, plus, put, times
-from numerics.linear.kernel import EVENT_LIMIT, OUT_OF_RANGE, Log, follow_in
+from numerics.arithmetic.compiled import compilable, compilable_with, compiled
+from numerics.linear.kernel import EVENT_LIMIT, OUT_OF_RANGE, Log, follow
 from numerics.linear.ledger import ledger
-from numerics.linear.model import FIRST, FORCE, FRICTION, Bodies, Rows, make_rows, norm_of, put_rows
+from numerics.linear.model import FIRST, Bodies, Layout, Rows, make_rows, norm_of, put_rows
 from numerics.linear.record import AT, END_ROW, UNKNOWN, finish
-from numerics.linear.room import Drive, Problem, Room, make_room
-from numerics.linear.table import form, make_tables, most_terms
+from numerics.linear.room import Drive, Problem, space_for
+from numerics.linear.table import Tables, form, make_tables, most_terms
 
-_MODE, _JUMP, _PIECE, _LOCAL, _X1, _HOW = (AT[name] for name in ("mode", "jump", "piece", "local", "x1", "how"))
+_MODE, _JUMP, _X1, _HOW = (AT[name] for name in ("mode", "jump", "x1", "how"))
 _TAKEN = AT["friction"]
 _ROUNDINGS = 4.0
 """By so many is an entry of the matrices off that compiled code forms."""
 
 
-class Columns(NamedTuple):
-    """Rows of scenes as compiled code reads them, all numbers binary64.
-
-    `numbers` (n, 10): those of a scene in SI units (solver/batch.py). u = sum_k polynomial[:, k] t^k
-    + sum amplitude sin(omega t + phase), with `polynomial` (n, p) and `sines` (n, s, 3). `frictions` (k, 3), the same
-    for all rows: when a piece begins (s), the first one at 0, what its rounding left out, and its b (N); nan for the
-    row's own b. With more than one piece the polynomial is a constant at most.
-    """
-
-    numbers: NDArray[np.float64]
-    polynomial: NDArray[np.float64]
-    sines: NDArray[np.float64]
-    frictions: NDArray[np.float64]
-
-    def part(self, rows: Any) -> Columns:
-        """Return some of the rows."""
-        return Columns(self.numbers[rows], self.polynomial[rows], self.sines[rows], self.frictions)
+NUMBERS = 10
+"""So many of a scene stand in front of those of its force (solver/batch.py)."""
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
-def follow_rows(given: Columns, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any) -> None:
+class Work(NamedTuple):
+    """What compiled code solves one row after another in."""
+
+    blocks: Any
+    rows: Rows
+    tables: Tables
+    drive: Drive
+    space: Any
+    start: Any
+    asked: Any
+    """(n + 5,) the numbers of which tables are made: the frequency of each sine at its cosine, then the rest."""
+    made_of: Any
+    """Those of which they were made last."""
+
+
+def work_for(terms: int, waves: int) -> Work:
+    """Return room for rows of u and one friction number behind its polynomial."""
+    n, layout = FIRST + terms + 2 * waves + 1, Layout((terms, 0, 0, 0, 1), ((np.nan,) * waves, (), (), (), ()))
+    tables, places = make_tables(1, n, most_terms(terms)), np.array([[0, 0, 0, 1, 0]])
+    drive = Drive(places, np.zeros((1, 2)), np.zeros(terms + 1), np.zeros((waves, 3, 2)))
+    arrays = space_for(tables), np.zeros(END_ROW), np.zeros(n + 5), np.zeros(n + 5)
+    return Work(layout.blocks, make_rows(n), tables, drive, *arrays)
+
+
+def follow_many(given: Any, terms: int, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any) -> None:
     """Solve rows of scenes; write start and first events of each to `kept` (n, k, ROW), its end to `ends` (n, END_ROW).
 
-    Each is solved in units that are powers of 2; tables are formed anew only where they change. Rows that are in doubt,
-    or out of range, are UNKNOWN at the end. With `has_ledger`, `kept` has room for all rows of each, also those at
-    which a piece begins, and the end says what was taken and given.
+    A row is NUMBERS of a scene in SI units, the coefficients of u in powers of t, so many `terms`, and amplitude, omega
+    and phase of each of its sines; all binary64. Each is solved in units that are powers of 2; tables are formed anew
+    only where they change. Rows that are in doubt, or out of range, are UNKNOWN at the end. With `has_ledger`, `kept`
+    is (1, k, ROW) with room for all rows of any scene, and the end says what was taken and given.
     """
-    numbers, polynomial, sines, frictions = given
-    terms, waves, pieces = polynomial.shape[1], sines.shape[1], frictions.shape[0]
-    blocks, n = blocks_of(terms, waves), FIRST + terms + 2 * waves + 1
-    tables, room = make_tables(1, n, most_terms(terms)), make_room(n, most_terms(terms))
-    rows = make_rows(n)
-    whole, start, omegas, made_of = make_drive(terms, waves, pieces), np.zeros(END_ROW), np.zeros(n), np.zeros(n + 5)
-    for row in range(numbers.shape[0]):
-        bodies, units = put_bodies(numbers[row], start)
-        count, longest = put_pieces(given, row, units, whole)
-        how, found, end, norm = OUT_OF_RANGE, kept[row], ends[row], norm_of(bodies)
-        for k in range(waves):
-            omegas[FIRST + terms + 1 + 2 * k + 1] = whole.sines[k, 1, 0]
-        if count > 0:
-            if is_new(made_of, bodies, longest, omegas):
-                clear(rows)
-                put_rows(bodies, blocks, omegas, (0.0, 0.0), rows)
-                form(tables, 0, norm, blocks, rows, _ROUNDINGS, longest)
-            log = Log(found, end, max_events, has_ledger)
-            how, count = follow_row(Problem(norm, whole, tables, literal), count, room, start, log)
+    work = work_for(terms, (given.shape[1] - NUMBERS - terms) // 3)
+    compiled(follow_rows)(given, work, literal, max_events, has_ledger, kept, ends)
+
+
+@compilable_with(forceinline=False)
+def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledger: bool, kept: Any, ends: Any) -> None:
+    """Solve rows of scenes (follow_many)."""
+    drive, start, tables = work.drive, work.start, work.tables
+    for row in range(given.shape[0]):
+        bodies, units = put_bodies(given[row], start)
+        put_signals(given[row], units, work)
+        found, end, norm, longest = kept[row % kept.shape[0]], ends[row], norm_of(bodies), drive.length[0, 0]
+        if is_new(work, bodies, longest):
+            clear(work.rows)
+            put_rows(bodies, work.blocks, work.asked[:-5], (0.0, 0.0), work.rows)
+            form(tables, drive.places[0, 0], norm, work.blocks, work.rows, _ROUNDINGS, longest)
+        problem, log = Problem(norm, drive, tables, literal), Log(found, end, max_events, False)
+        how, count = follow(problem, work.space, start, -1.0, log)
+        if has_ledger and how < OUT_OF_RANGE:
+            ledger(problem, work.space, found, count - (1 if how == EVENT_LIMIT else 0), end, end[_TAKEN:])
         if how >= OUT_OF_RANGE or not finish(found[:count], end, units[0], units[1], units[2]):
             end[_HOW] = UNKNOWN
-            continue
-        for k in range(min(count, found.shape[0])):
-            from_start(found[k], frictions)
-        from_start(end, frictions)
-
-
-@compilable
-def follow_row(problem: Problem, pieces: int, room: Room, start: Any, log: Log) -> tuple[int, int]:
-    """Follow one row of so many pieces; return (how, rows written or left out).
-
-    Tuples of arrays are made here, where no references are counted, which would cost some percent of a row.
-    """
-    whole = problem.drive
-    drive = Drive(whole.places[:pieces], whole.length[:pieces], whole.coefficients, whole.sines)
-    own = Problem(problem.norm, drive, problem.tables, problem.literal)
-    how, count = follow_in(own, room, start, -1.0, log)
-    if log.keeps_all and how < OUT_OF_RANGE:
-        ledger(own, room, log.rows, count - (1 if how == EVENT_LIMIT else 0), log.end, log.end[_TAKEN:])
-    return how, count
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def blocks_of(terms: int, waves: int) -> Any:
-    """Return where the signals stand in z: u, and one friction number behind its polynomial."""
-    blocks = np.zeros((5, 4), dtype=np.int64)
-    blocks[:, 0] = FIRST + terms
-    blocks[:, 2] = FIRST + terms + 1
-    blocks[FORCE, 0], blocks[FORCE, 1], blocks[FORCE, 3] = FIRST, terms, waves
-    blocks[FRICTION, 1], blocks[FRICTION, 2] = 1, FIRST + terms + 1 + 2 * waves
-    return blocks
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def make_drive(terms: int, waves: int, pieces: int) -> Drive:
-    """Return room for a drive whose pieces have one polynomial, a friction number and sines of their own."""
-    places, length = np.zeros((pieces, 5), dtype=np.int64), np.zeros((pieces, 2))
-    places[:, 1], places[:, 2], places[:, 3] = (terms + 1) * np.arange(pieces), waves * np.arange(pieces), 1
-    return Drive(places, length, np.zeros(pieces * (terms + 1)), np.zeros((pieces * waves, 3, 2)))
 
 
 @compilable
 def put_bodies(numbers: Any, start: Any) -> tuple[Bodies, tuple[int, int, int]]:
     """Write a row's start in its units; return its bodies, and the exponents of mass, time and length."""
     m1, m2, a2, b, a1 = numbers[0], numbers[1], numbers[2], numbers[3], numbers[9]
-    mass = math.frexp(m1 + m2)[1]
-    time, length = (mass - math.frexp(a2)[1]) // 2, math.frexp(b * (m1 + m2) / (a2 * m2))[1]
+    mass = int(math.frexp(m1 + m2)[1])
+    time, length = (mass - int(math.frexp(a2)[1])) // 2, int(math.frexp(b * (m1 + m2) / (a2 * m2))[1])
     m1, m2 = math.ldexp(m1, -mass), math.ldexp(m2, -mass)
     for i in range(4):
         start[_X1 + i] = math.ldexp(numbers[4 + i], -length + (time if i % 2 else 0))
@@ -140,64 +110,25 @@ def clear(rows: Rows) -> None:
 
 
 @compilable
-def is_new(made_of: Any, bodies: Bodies, longest: float, omegas: Any) -> bool:
-    """Return whether tables depend on other numbers than before, and write these."""
-    found = False
-    for k, number in enumerate((bodies.m1, bodies.a1, bodies.a2, bodies.share_2, longest)):
-        found = differs(made_of, k, number) or found
-    for k in range(omegas.shape[0]):
-        found = differs(made_of, 5 + k, omegas[k]) or found
+def is_new(work: Work, bodies: Bodies, longest: float) -> bool:
+    """Return whether tables depend on other numbers than before, and keep these."""
+    asked, made_of, found = work.asked, work.made_of, False
+    asked[-5], asked[-4], asked[-3], asked[-2], asked[-1] = bodies.m1, bodies.a1, bodies.a2, bodies.share_2, longest
+    for k in range(len(asked)):
+        found, made_of[k] = found or made_of[k] != asked[k], asked[k]
     return found
 
 
 @compilable
-def differs(numbers: Any, k: int, number: float) -> bool:
-    """Write a number, and return whether another one stood there."""
-    before, numbers[k] = numbers[k], number
-    return before != number
-
-
-@compilable
-def put_pieces(given: Columns, row: int, units: tuple[int, int, int], drive: Drive) -> tuple[int, float]:
-    """Write length, signals, and sines with their phases at the beginning of each piece of a row.
-
-    Return how many pieces there are and how long the longest one is; no piece where a phase is not good to its own
-    size, as its terms cancel.
-    """
-    numbers, polynomial, sines, frictions = given
-    (mass, time, place), own_b, until = units, numbers[row, 3], numbers[row, 8]
-    force, terms, waves = mass + place - 2 * time, polynomial.shape[1], sines.shape[1]
-    count, longest = 0, 0.0
-    while count < frictions.shape[0] and is_before(frictions[count], until):
-        begin, b, after = pair_of(frictions[count]), frictions[count, 2], TwoFloats(until, 0.0)
-        if count + 1 < frictions.shape[0] and is_before(frictions[count + 1], until):
-            after = pair_of(frictions[count + 1])
-        lasts = plus(after, negative(begin))
-        drive.length[count, 0], drive.length[count, 1] = math.ldexp(lasts.high, -time), math.ldexp(lasts.low, -time)
-        longest = max(longest, drive.length[count, 0])
-        first = count * (terms + 1)
-        for k in range(terms):
-            drive.coefficients[first + k] = math.ldexp(polynomial[row, k], k * time - force)
-        drive.coefficients[first + terms] = math.ldexp(own_b if math.isnan(b) else b, -force)
-        for k in range(waves):
-            sine, given_sine = drive.sines[count * waves + k], sines[row, k]
-            sine[0, 0], sine[1, 0] = math.ldexp(given_sine[0], -force), math.ldexp(given_sine[1], time)
-            turned = times(begin, given_sine[1])
-            put(sine[2], plus(turned, TwoFloats(given_sine[2], 0.0)))
-            if 2.0 * abs(sine[2, 0]) < abs(turned.high):
-                return 0, longest
-        count += 1
-    return count, longest
-
-
-@compilable
-def is_before(piece: Any, until: float) -> bool:
-    """Return whether a piece begins before a time."""
-    return piece[0] < until or (piece[0] == until and piece[1] < 0.0)
-
-
-@compilable
-def from_start(row: Any, begin: Any) -> None:
-    """Let the time of a row count from the start of the run; begin[i, 0]: when a piece begins, s."""
-    row[_LOCAL] += begin[int(row[_PIECE]), 0]
-    row[_PIECE] = 0.0
+def put_signals(numbers: Any, units: tuple[int, int, int], work: Work) -> None:
+    """Write the length, the coefficients and the sines of a row."""
+    (mass, time, place), drive, terms = units, work.drive, work.drive.coefficients.shape[0] - 1
+    force = mass + place - 2 * time
+    drive.length[0, 0] = math.ldexp(numbers[8], -time)
+    for k in range(terms):
+        drive.coefficients[k] = math.ldexp(numbers[NUMBERS + k], k * time - force)
+    drive.coefficients[terms] = math.ldexp(numbers[3], -force)
+    for k in range(drive.sines.shape[0]):
+        sine, first = drive.sines[k], NUMBERS + terms + 3 * k
+        sine[0, 0], sine[2, 0] = math.ldexp(numbers[first], -force), numbers[first + 2]
+        sine[1, 0] = work.asked[FIRST + terms + 2 + 2 * k] = math.ldexp(numbers[first + 1], time)

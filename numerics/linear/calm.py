@@ -16,8 +16,8 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats
 from numerics.linear.evolve import moved
 from numerics.linear.model import EDGE, FORCE, FRICTION, LOAD, STICK, V1, X1
-from numerics.linear.room import Now, Problem, Room, dot, form_z
-from numerics.linear.table import STATE, UNIT
+from numerics.linear.room import Now, Run, dot, form_z
+from numerics.linear.table import OTHERS, RATES, STATE, UNIT
 
 _MOST_COLUMNS, _MOST_STEPS = 64, 2.0**36
 """Columns of a matrix whose powers are formed; steps beyond which floats keep no phase."""
@@ -32,40 +32,37 @@ class Calm(NamedTuple):
 
 
 @compilable
-def step_over(problem: Problem, room: Room, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
+def step_over(run: Run, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
     """Stick through the rest of a piece but for less than a step, if it is long, and time to look, and calm."""
-    kind = problem.drive.places[now.piece, 0]
-    left = problem.drive.length[now.piece, 0] - room.clock[0, 0]
-    if now.mode != 0 or now.order != 0 or step < calm.look or not left > 8.0 * problem.tables.h[kind, STICK]:
+    kind = run.drive.places[now.piece, 0]
+    left = run.drive.length[now.piece, 0] - run.clock[0, 0]
+    if now.mode != 0 or now.order != 0 or step < calm.look or not left > 8.0 * run.tables.steps[kind, STICK]:
         return now, calm
-    is_calm = problem.tables.count[kind] <= _MOST_COLUMNS and problem.norm.root_m2 > 0.0
-    if not (is_calm and (problem.literal or rest_is_calm(problem, room, now))):
+    is_calm = len(run.z) <= _MOST_COLUMNS and run.norm.root_m2 > 0.0
+    if not (is_calm and (run.literal or rest_is_calm(run, now))):
         return now, Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
-    if left > _MOST_STEPS * problem.tables.h[kind, STICK]:
-        return doubtful(now), Calm(True, step, calm.begun)
-    return long_step(problem, room, now), Calm(True, step, calm.begun)
+    if left > _MOST_STEPS * run.tables.steps[kind, STICK]:
+        lost = Now(now.piece, 0, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
+        return lost, Calm(True, step, calm.begun)  # with an error beyond all range
+    return long_step(run, now), Calm(True, step, calm.begun)
 
 
 @compilable
-def doubtful(now: Now) -> Now:
-    """Return where the run is, with an error beyond all range."""
-    return Now(now.piece, 0, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
-
-
-@compilable
-def rest_is_calm(problem: Problem, room: Room, now: Now) -> bool:
+def rest_is_calm(run: Run, now: Now) -> bool:
     """Return whether |Lambda| < b is proved from here to the end of the piece, however late that is."""
-    tables, kind, z = problem.tables, problem.drive.places[now.piece, 0], room.z
-    A, others, blocks, count = tables.A[kind, STICK], tables.others[kind], tables.blocks[kind], tables.count[kind]
+    tables, kind, z = run.tables, run.drive.places[now.piece, 0], run.z
+    A, others, blocks = tables.A[kind, STICK], tables.lines[kind, STICK, OTHERS:RATES], tables.blocks[kind]
     first, terms, sines, waves = blocks[FORCE]
-    own = STATE + terms + 2 * waves + blocks[FRICTION, 1]
-    if own != count or blocks[FRICTION, 1] != 1 or terms > 3 or A[V1, X1] == 0.0:
+    numbers = 0
+    for block in blocks:
+        numbers += block[1] + 2 * block[3]
+    if numbers != terms + 2 * waves + 1 or blocks[FRICTION, 1] != 1 or terms > 3 or A[V1, X1] == 0.0:
         return False
     load, edge, stiff, drag = others[LOAD], others[EDGE], -A[V1, X1], -A[V1, V1]
-    value, rate, size = dot(load, z, count), 0.0, 0.0
-    for i in range(count):
+    value, rate, size = dot(load, z), 0.0, 0.0
+    for i in range(len(z)):
         size += abs(load[i] * z[i])
-        for j in range(count):
+        for j in range(len(z)):
             rate += load[i] * A[i, j] * z[j]
             size += abs(load[i] * A[i, j] * z[j]) / math.sqrt(stiff)
     # of u = p t^2/2 the steady answer has x'' = p/a2, and the load -(load of x1) x''/(M's own stiffness)
@@ -86,32 +83,32 @@ def rest_is_calm(problem: Problem, room: Room, now: Now) -> bool:
         most += peak
         size += peak * (1.0 + omega / math.sqrt(stiff))
     most += math.sqrt(free * free + rate * rate / stiff) + 1e-13 * size
-    return most + problem.norm.load * now.N < (1.0 - 1e-12) * dot(edge, z, count)
+    return most + run.norm.load * now.N < (1.0 - 1e-12) * dot(edge, z)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def long_step(problem: Problem, room: Room, now: Now) -> Now:
+def long_step(run: Run, now: Now) -> Now:
     """Stick to the end of the piece but for less than a step, the longest powers of exp(A h) first."""
-    norm, tables, length = problem.norm, problem.tables, problem.drive.length[now.piece, 0]
-    kind = problem.drive.places[now.piece, 0]
-    h, count, scale = tables.h[kind, STICK], tables.count[kind], (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
-    levels = 1 + max(0, math.floor(math.log2((length - room.clock[0, 0]) / h)))
-    powers = doubled(tables.A[kind, STICK, :count, :count] * h, levels)
+    norm, tables, length = run.norm, run.tables, run.drive.length[now.piece, 0]
+    kind = run.drive.places[now.piece, 0]
+    h, count, scale = tables.steps[kind, STICK], len(run.z), (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
+    levels = 1 + max(0, math.floor(math.log2((length - run.clock[0, 0]) / h)))
+    powers = doubled(tables.A[kind, STICK] * h, levels)
     while True:
-        left = length - room.clock[0, 0]
+        left = length - run.clock[0, 0]
         level = min(levels - 1, math.floor(math.log2(left / h))) if left >= h else -1
         if level < 0:
             return now
         own = np.zeros(STATE)
         for i in range(STATE):
             row = powers[level, i]
-            room.y[i], most = dot(row, room.z, count), 0.0
+            run.y[i], most = dot(row, run.z), 0.0
             for j in range(count):
-                most += abs(row[j]) * room.size[j]
+                most += abs(row[j]) * run.size[j]
             own[i] = math.ldexp((count + 8) * UNIT, level + 2) * most  # each squaring doubles what is off
         added = scale[0] * own[0] + (scale[1] + scale[3]) * own[1]
-        now = moved(norm, room, now, TwoFloats(math.ldexp(h, level), 0.0), (added, own[0], own[2]), 1.0)
-        form_z(problem, room, now.piece, 0, False)
+        now = moved(run, now, TwoFloats(math.ldexp(h, level), 0.0), (added, own[0], own[2]), 1.0)
+        form_z(run, now.piece, 0, False)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

@@ -145,7 +145,7 @@ class EnclosedRun(EnclosedPath):
             if self.kept > 0:
                 order = 1
             else:
-                bend = -flow.rows(z)[root.guard.row][1] * kappa * kappa
+                bend = -Expansion(flow, z, arb(0)).guard(root.guard.row)[1] * kappa * kappa
                 if not bend > 0:
                     raise self.undecided(at)
                 # where the load is not quite b, the slip starts a little later than here
@@ -237,7 +237,7 @@ class EnclosedRun(EnclosedPath):
             if all(one.row[0] > one.amplitude + self.margin(end) for one in held):
                 return True
             try:
-                found = short_step(self, end, flow, z, flow.reach, flow.reach)
+                found = short_step(self, end, flow.reach, flow.reach)
             except EventUndecided:
                 return False
             if isinstance(found, Bracket):

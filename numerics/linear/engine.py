@@ -22,7 +22,7 @@ from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.ledger import TINY, ledger
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
-from numerics.linear.room import Problem, make_room
+from numerics.linear.room import space_for
 from numerics.linear.table import ORDERS, UNIT
 from numerics.scene import Scene
 
@@ -76,8 +76,7 @@ def ledger_of(scene: Scene, record: Record) -> NDArray[np.float64]:
     prepared, count = prepare(scene), len(record.rows) - (record.how == How.EVENT_LIMIT)
     rows, end, taken, (mass, time, length) = record.rows.copy(), record.end.copy(), np.zeros(7), prepared.units
     compiled(finish)(rows, end, -mass, -time, -length)
-    size, terms = prepared.problem.tables.rows.shape[3:]
-    compiled(ledger)(prepared.problem, make_room(size, terms), rows, count, end, taken)
+    compiled(ledger)(prepared.problem, space_for(prepared.problem.tables), rows, count, end, taken)
     found = np.ldexp(taken, mass + 2 * length - 2 * time)
     found[6] += TINY if taken[6] > 0.0 else 0.0
     return found
@@ -87,24 +86,16 @@ def _run(
     prepared: Prepared, start: NDArray[np.float64], clear: float, most: int
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return how the kernel ended, its rows, and the row of the end."""
-    room = prepared.room(most)
+    problem, room, end = prepared.problem, prepared.room(most), np.zeros(END_ROW)
     while True:
-        how, rows, end, count = _followed(prepared.problem, start, clear, most, room)
+        rows = np.empty((room, ROW))
+        try:
+            how, count = compiled(follow)(problem, space_for(problem.tables), start, clear, Log(rows, end, most, True))
+        except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
+            return How.OUT_OF_RANGE, rows[:0], end
         if count <= room:
             return how, rows[:count], end
         room = count
-
-
-def _followed(
-    problem: Problem, start: NDArray[np.float64], clear: float, most: int, room: int
-) -> tuple[int, NDArray[np.float64], NDArray[np.float64], int]:
-    """Return how the kernel ended, room for rows that it may fill, the row of the end, and how many rows there are."""
-    rows, end = np.empty((room, ROW)), np.zeros(END_ROW)
-    try:
-        how, count = compiled(follow)(problem, start, clear, Log(rows, end, most, True))
-    except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
-        return How.OUT_OF_RANGE, rows, end, 0
-    return how, rows, end, count
 
 
 def _from_exact(
@@ -121,7 +112,7 @@ def _from_exact(
     start = np.zeros(END_ROW)
     start[:ROW] = rows[-1]
     if is_cut:
-        start[AT["how"]], start[AT["events"]], start[AT["certain"]] = How.EVENT_LIMIT, most, 1.0
+        start[AT["how"]], start[AT["events"]] = How.EVENT_LIMIT, most
         return How.EVENT_LIMIT, rows, start
     start[AT["order"]], start[AT["jump"]] = min(last.order, _MOST_ORDER), 0.0
     how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))

@@ -2,46 +2,49 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
-from numerics.linear.model import X1, X2, Norm
-from numerics.linear.room import Now, Problem, Room, between, dot, place_of, polynomial_of
-from numerics.linear.table import STATE, UNIT
+from numerics.linear.model import X1, X2
+from numerics.linear.room import Now, Run, dot, place_of, polynomial_of
+from numerics.linear.table import FLOW, OWN, STATE, UNIT
 
 
 @compilable
-def evolve(problem: Problem, room: Room, now: Now, s: float) -> Now:
+def evolve(run: Run, now: Now, s: float) -> Now:
     """Move state, clock and errors by a part s of a step; return where the run is."""
-    tables, at, is_part = problem.tables, place_of(problem, now), 1 if s != 1.0 else 0
-    count, h = tables.count[at[0]], tables.h[at]
+    tables, at, is_part = run.tables, place_of(run, now), 1 if s != 1.0 else 0
+    h, lines = tables.steps[at], tables.lines[at]
     for i in range(STATE):
         if is_part:
-            polynomial_of(tables.rows[at][i], tables.degrees[at][i], room.z, count, 0, room.q[0])
-            room.y[i], _ = value_slope(room.q[0], s)
+            polynomial_of(tables.rows[at][i], tables.degrees[at][i], run.z, 0, run.q[0])
+            run.y[i], _ = value_slope(run.q[0], s)
         else:
-            room.y[i] = dot(tables.flow[at][i], room.z, count)
-    own, size = tables.own[at], room.size
-    if is_part:
-        added = between(own[1, 0], own[2, 0], s, size, count), between(own[1, 1], own[2, 1], s, size, count)
-        last = between(own[1, 2], own[2, 2], s, size, count)
-    else:
-        added, last = (
-            (UNIT * dot(own[0, 0], size, count), UNIT * dot(own[0, 1], size, count)),
-            UNIT * dot(own[0, 2], size, count),
-        )
+            run.y[i] = dot(lines[FLOW + i], run.z)
+    own = rounded(lines, 0, s, run.size), rounded(lines, 1, s, run.size), rounded(lines, 2, s, run.size)
     both_stick = now.mode == 0 and not is_part and now.since > now.late
-    factor = tables.shrink[at[0]] if both_stick else 1.0
-    return moved(problem.norm, room, now, two_product(s, h), (added[0], added[1], last), factor)
+    factor = tables.steps[at[0], 2] if both_stick else 1.0
+    return moved(run, now, two_product(s, h), own, factor)
 
 
 @compilable
-def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, float, float], factor: float) -> Now:
+def rounded(lines: Any, which: int, s: float, size: Any) -> float:
+    """Return what is rounded of N, x1 or x2 over a part s of a step: positive terms are below their chord."""
+    if s == 1.0:
+        return UNIT * dot(lines[OWN + which], size)
+    begun, ended = dot(lines[OWN + 3 + which], size), dot(lines[OWN + 6 + which], size)
+    return UNIT * (begun + s * (ended - begun))
+
+
+@compilable
+def moved(run: Run, now: Now, time: TwoFloats, own: tuple[float, float, float], factor: float) -> Now:
     """Move clock and errors by a step of the state, which was rounded by `own` in N, x1 and x2.
 
     N shrinks by a factor; until then positions may part as fast as before.
     """
-    y, z = room.y, room.z
+    norm, y, z = run.norm, run.y, run.z
     most, N, parted = now.N + own[0], now.N * factor + own[0], own[1] + own[2]
     if now.mode == 0:  # body 2 goes where body 1 does
         y[3] = y[1]
@@ -50,7 +53,7 @@ def moved(norm: Norm, room: Room, now: Now, time: TwoFloats, own: tuple[float, f
     else:
         parted += norm.kappa * most * time.high
     for i in range(2):
-        put(room.clock[i], plus(pair_of(room.clock[i]), time))
+        put(run.clock[i], plus(pair_of(run.clock[i]), time))
     apart = now.apart + parted
     far = now.far + own[1] + most / norm.root_m1 * time.high
     own_2 = own[1] + parted if now.mode == 0 else own[2]

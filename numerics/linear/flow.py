@@ -9,16 +9,17 @@ to exp(A t), one sine at a time, since answers add up.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
+from itertools import accumulate, pairwise
 
 from flint import arb, arb_mat, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
-from numerics.linear.model import DRIVEN, EDGE, FIRST, LOAD, V1, V2, X1, X2, Layout
-from numerics.linear.system import CONSTANT, BallRow, Cell, LinearMode, LocalNorm, Z, matrix, sparse
+from numerics.linear.model import FRICTION, V1, X1, X2, Layout
+from numerics.linear.system import CONSTANT, BallRow, Cell, LinearMode, LocalNorm, Row, Z, matrix, sparse
 from numerics.scene import Pair
 
 REACH = 2
@@ -26,7 +27,11 @@ REACH = 2
 BEND = -1
 """Stands in rows for v1'."""
 FEW = 14
-"""The degree of the polynomials by which a guard is scanned."""
+"""So many coefficients of a guard are scanned."""
+Parts = Sequence[tuple[int, int, arb | int]]
+"""A sum of rows, of each the index, which derivative, and a factor."""
+_OF_SLIP: list[Parts] = [[(0, 1, 1), (1, 1, -1)], [(0, 0, 1), (1, 0, -1)]]
+_OF_STICK: list[Parts] = [[(2, 0, 1), (1, 0, -1)], [(2, 0, 1), (1, 0, 1)]]
 _SLOWEST = arb((1, -2_000))
 """The rate of what has none, 1/s."""
 
@@ -43,8 +48,9 @@ def exponential(generator: list[list[Fraction]], t: arb, z: list[arb]) -> list[a
 class Flow:
     """The flow of stick, or of slip + in one cell of friction, under signals of one layout.
 
-    `rows` are those of which there are guards: b_static - Lambda and b_static + Lambda in stick, w = v1 - v2 in a slip,
-    and where friction depends on the state x1 - x2 and F besides.
+    Its polynomials are those of `rows`: x1, x2 and b in a slip; x1, Lambda and b_static in stick, where body 2 goes
+    with body 1. Guards are w = v1 - v2 in a slip, and where friction depends on the state x1 - x2 and F besides;
+    b_static - Lambda and b_static + Lambda in stick.
     """
 
     def __init__(self, bits: int, pair: Pair, slips: bool, layout: Layout, cell: Cell | None = None) -> None:
@@ -52,36 +58,35 @@ class Flow:
         self.bits, self.slips, number = bits, slips, Ball.number
         self.mode = LinearMode.like(pair, int(slips), layout, cell or CONSTANT)
         self.norm = LocalNorm(self.mode)
-        self.generator = [[(j, number(c)) for j, c in sparse(row)] for row in self.mode.generator()]
+        A = self.mode.generator()
+        self.generator = [_in_balls(sparse(row)) for row in A]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
         self.turns = [self.generator[place][0][1] for place in self.places]
-        self.rate, self.fastest = self.norm.rate, self.norm.fastest.max(_SLOWEST)
+        self.fastest = self.norm.fastest.max(_SLOWEST)
         self.reach = (REACH / self.fastest).lower()
-        others = [[(place, number(c)) for place, c in sparse(row)] for row in self.mode.rows.others]
-        self.load, self.edge, self.belt = others[LOAD], others[EDGE], others[DRIVEN]
+        self.load, self.edge, _, self.belt = (_in_balls(sparse(row)) for row in self.mode.rows.others)
+        x1, x2 = [(X1, arb(1))], [(X2, arb(1))]
+        self.rows, self.guards = ([x1, x2], _OF_SLIP[:1]) if slips else ([x1, self.load, self.edge], _OF_STICK)
+        if slips and cell:
+            self.rows.append(_in_balls(self.mode.signal(FRICTION)))
+            of_state = ((k, d, c * f) for f, of in zip(map(number, cell), _OF_SLIP, strict=True) for k, d, c in of)
+            self.guards = [*_OF_SLIP, [(2, 0, 1), *of_state]]
         guarded = [*self.mode.guards, *((Z, self.mode.friction) if cell else ())]
-        self.guarded = [[(place, number(c)) for place, c in row] for row in guarded]
-        rates = self.mode.generator()[V1]
-        stiff = rates[X1]
+        self.guarded = list(map(_in_balls, guarded))
+        stiff = A[V1][X1]
         self.bent = []
         for row in map(dict, guarded):
             bend = row.get(X1, Fraction(0)) / stiff if stiff else Fraction(0)
-            rest = [row.get(place, Fraction(0)) - bend * c for place, c in enumerate(rates)]
+            rest = [row.get(place, Fraction(0)) - bend * c for place, c in enumerate(A[V1])]
             self.bent.append([(place, number(c)) for place, c in (*sparse(rest), (BEND, bend)) if c])
+        self._apart: dict[tuple[int, int], arb] = {}
         self.expand(max(_terms(bits + 8), FEW + 3))
 
     def expand(self, terms: int) -> None:
-        """Form so many rows in front of z for x1 and x2, and some for every row of which there are guards."""
-        own = [self.powers(row, terms) for row in ([(X1, arb(1))], [(X2, arb(1))])[: 1 + self.slips]]
-        self.terms, self.order = terms, max(len(one) for one in own)
-        self.order -= self.order == terms  # the last one only bounds what is left out
-        nothing = [arb(0)] * self.size
-        self.own = [one + [nothing] * (terms + 1 - len(one)) for one in own]
-        self.all_terms = [_products(one[: self.order]) for one in self.own]
-        few = [self.powers(row, FEW + 2) for row in self.guarded]
-        self.before_guards = [one + [nothing] * (FEW + 2 - len(one)) for one in few]
-        self._guards = _products([row for one in self.before_guards for row in one])
-        self._derivatives: dict[int, Callable[[Sequence[arb]], list[arb]]] = {}
+        """Form so many rows in front of z for each polynomial, and two more, which bound what it leaves out."""
+        tables = [self.powers(row, terms + 2) for row in self.rows]
+        self.terms, self.ends = terms, [0, *accumulate(map(len, tables))]
+        self.matrix = arb_mat([row for table in tables for row in table])
 
     def powers(self, row: BallRow, terms: int) -> list[list[arb]]:
         """Return a row times A^k/k! for so many k, as long as that does not vanish."""
@@ -100,111 +105,89 @@ class Flow:
                 at = {j: one / len(found) for j, one in after.items() if not one == 0}  # noqa: SIM201
         return found
 
-    def rows(self, z: Sequence[arb]) -> list[list[arb]]:
-        """Return the first coefficients of every row of which there are guards."""
-        found = self._guards(z)
-        return [found[k : k + FEW + 2] for k in range(0, len(found), FEW + 2)]
-
-    def rests(self, z: Sequence[arb], h: arb, order: int = FEW) -> list[arb]:
-        """Return R of every row of which there are guards: without its terms from t^order on it is off by R t^order."""
-        sizes, whole = self.sizes(z, h, order), math.factorial(order)
-        return [sum((abs(c) * sizes[place] for place, c in row), arb(0)) / whole for row in self.guarded]
-
-    def sizes(self, z: Sequence[arb], h: arb, order: int) -> list[arb]:
-        """Return bounds on the order-th derivative of z, order >= 1, from z on for a time h."""
-        return self.norm.sizes(self.derivative(z, order), h)
-
-    def derivative(self, z: Sequence[arb], order: int) -> list[arb]:
-        """Return the order-th derivative of z; of sines and cosines something of its size."""
-        if order not in self._derivatives:
-            ends = (one[order : order + 2] for one in (self.own[0], self.own[-1]))
-            self._derivatives[order] = _products([row for pair in ends for row in pair])
-        whole = math.factorial(order)
-        x1, v1, x2, v2 = self._derivatives[order](z)
-        found = [x1 * whole, v1 * (whole * (order + 1)), x2 * whole, v2 * (whole * (order + 1))]
-        for block in self.norm.blocks:
-            found += ([*z[block.start : block.stop], *[arb(0)] * order])[order:][: len(block)]
-        for place, omega in zip(self.places, self.turns, strict=True):
-            power = omega**order
-            found += [z[place] * power, z[place + 1] * power]
-        return found
-
     def apart(self, which: int, order: int) -> arb:
-        """Return by how much this derivative of a row can differ for motions of one mode whose N differs by 1."""
-        before = self.before_guards[which] if order < FEW + 2 else self.powers(self.guarded[which], order + 1)
-        return self.norm.most(before[order]) * math.factorial(order) if order < len(before) else arb(0)
+        """Return by how much this derivative of a guard can differ for motions of one mode whose N differs by 1."""
+        if (which, order) not in self._apart:
+            rows = self.powers(self.guarded[which], order + 1)
+            self._apart[which, order] = self.norm.most(rows[order]) * math.factorial(order) if rows[order:] else arb(0)
+        return self._apart[which, order]
 
 
 class Expansion:
-    """The motion from a point on up to h as Taylor polynomials, all cut before the same order."""
+    """The motion from a point on up to h as Taylor polynomials of a flow's rows, all cut before the same order."""
 
     def __init__(self, flow: Flow, z: Sequence[arb], h: arb) -> None:
-        """Form the polynomials."""
-        self.flow, self.z, self.order = flow, z, flow.order
-        sizes = flow.sizes(z, h, self.order - 1)
-        whole = math.factorial(self.order)
-        self.rests = sizes[V1] / whole, sizes[V2] / whole
-        x1, *others = (arb_poly(product(z)) for product in flow.all_terms)
-        # in stick body 2 goes with body 1
-        x2 = others[0] if others else x1 + (z[X2] - z[X1])
-        v1 = x1.derivative()
-        self.curves: dict[int, arb_poly] = {X1: x1, V1: v1, X2: x2, V2: x2.derivative() if others else v1}
+        """Form the polynomials, and of each a bound on what it leaves out up to h, over t^order."""
+        self.flow, self.z, self.order = flow, z, flow.terms
+        found = (flow.matrix * arb_mat(flow.size, 1, z)).entries()
+        self.found = [found[start:end] for start, end in pairwise(flow.ends)]
+        self.curves = [arb_poly(row[: self.order]) for row in self.found]
+        sizes = self.sizes(self.order, h)
+        self.rests = [_most(row, sizes) for row in flow.rows]
 
-    def curve(self, place: int) -> arb_poly:
-        """Return the polynomial of what stands in z at a place."""
-        if place not in self.curves:
-            self._expand_signals()
-        return self.curves[place]
+    def sizes(self, order: int, h: arb) -> list[arb]:
+        """Return bounds on the derivative of this order of z over order!, from the point on for a time h."""
+        flow, z, whole = self.flow, self.z, math.factorial(order)
+        last = [(row[order:] + [arb(0)] * 2)[:2] for row in self.found[: 1 + flow.slips]]
+        further = [one for x, v in (last[0], last[-1]) for one in (x, v * (order + 1))]
+        for block in flow.norm.blocks:
+            terms = z[block.start + order : block.stop]
+            further += [one / whole for one in terms] + [arb(0)] * (len(block) - len(terms))
+        for place, omega in zip(flow.places, flow.turns, strict=True):
+            power = omega**order / whole
+            further += [z[place] * power, z[place + 1] * power]
+        return flow.norm.sizes(further, h)
 
-    def _expand_signals(self) -> None:
-        for block in self.flow.norm.blocks:
-            for k in block:
-                self.curves[k] = arb_poly([self.z[m] / math.factorial(m - k) for m in range(k, block.stop)])
-        for k, omega in zip(self.flow.places, self.flow.turns, strict=True):
-            sines, cosines = [self.z[k]], [self.z[k + 1]]
-            for n in range(1, self.flow.terms):
-                one, two = cosines[-1] * omega / n, sines[-1] * omega / -n
-                sines.append(one)
-                cosines.append(two)
-            self.curves[k], self.curves[k + 1] = arb_poly(sines), arb_poly(cosines)
+    def guard(self, which: int) -> arb_poly:
+        """Return the polynomial of a guard."""
+        found = arb_poly([])
+        for row, derivative, factor in self.flow.guards[which]:
+            found += (self.curves[row].derivative() if derivative else self.curves[row]) * factor
+        return found
 
-    def row(self, which: int) -> arb_poly:
-        """Return a row of which there is a guard."""
-        return sum((self.curve(place) * c for place, c in self.flow.guarded[which]), arb_poly([]))
+    def left_out(self, parts: Parts, t: arb, derivative: int) -> arb:
+        """Return a bound on what this derivative of a sum of rows leaves out up to t."""
+        total = arb(0)
+        for row, own, factor in parts:
+            n = derivative + own
+            total += abs(factor) * self.rests[row] * (math.perm(self.order, n) * t ** (self.order - n))
+        return total.upper()
 
-    def left_out(self, place: int, h: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of what stands at a place leaves out up to h."""
-        if place in {V1, V2}:
-            return self.left_out(place - 1, h, derivative + 1)
-        flow, rest, order = self.flow, arb(0), self.order
-        if place < FIRST:
-            rest = self.rests[place == X2]
-        elif place >= flow.mode.sine_places.start:
-            pair = (place - flow.mode.sine_places.start) // 2
-            first, omega = flow.places[pair], flow.turns[pair]
-            order = flow.terms
-            rest = (abs(self.z[first]) + abs(self.z[first + 1])) * omega**order / math.factorial(order)
-        return (rest * math.perm(order, derivative) * h ** (order - derivative)).upper()
+    def guard_off(self, which: int, t: arb, derivative: int) -> arb:
+        """Return a bound on what this derivative of a guard leaves out up to t."""
+        return self.left_out(self.flow.guards[which], t, derivative)
 
-    def row_off(self, which: int, h: arb, derivative: int) -> arb:
-        """Return a bound on what this derivative of a row leaves out up to h."""
-        return sum((abs(c) * self.left_out(k, h, derivative) for k, c in self.flow.guarded[which]), arb(0)).upper()
+    def short(self, h: arb) -> tuple[list[list[arb]], list[arb]]:
+        """Return FEW coefficients of each guard, and R: up to h they leave out at most R t^FEW."""
+        rows, sizes = (self.guard(which) for which in range(len(self.flow.guards))), self.sizes(FEW, h)
+        return [[row[k] for k in range(FEW)] for row in rows], [_most(row, sizes) for row in self.flow.guarded]
 
     def state(self, t: arb) -> list[arb]:
         """Return the state at a time after the point."""
-        h = t.abs_upper()
-        return [widened(self.curves[k](t), self.left_out(k, h, 0)) for k in (X1, V1, X2, V2)]
+        h, z = t.abs_upper(), self.z
+        found = [
+            widened(curve(t), self.left_out([(body, 0, 1)], h, n))
+            for body, x in enumerate(self.curves[: 1 + self.flow.slips])
+            for n, curve in enumerate((x, x.derivative()))
+        ]
+        return found if self.flow.slips else [*found, found[X1] + (z[X2] - z[X1]), found[V1]]
 
     def bends(self, t: arb) -> list[arb]:
         """Return bounds on |v1'| and |v2'| over a ball of times."""
-        h = t.upper()
-        return [self.curves[k].derivative()(t).abs_upper() + self.left_out(k, h, 1) for k in (V1, V2)]
+        bodies, h = (0, int(self.flow.slips)), t.upper()
+        return [
+            self.curves[body].derivative().derivative()(t).abs_upper() + self.left_out([(body, 0, 1)], h, 2)
+            for body in bodies
+        ]
 
 
-def _products(rows: list[list[arb]]) -> Callable[[Sequence[arb]], list[arb]]:
-    """Return what multiplies a matrix by a vector."""
-    found, columns = arb_mat(rows), len(rows[0])
-    return lambda z: (found * arb_mat(columns, 1, z)).entries()
+def _most(row: BallRow, sizes: Sequence[arb]) -> arb:
+    """Return a bound on a row."""
+    return sum((abs(c) * sizes[place] for place, c in row), arb(0)).upper()
+
+
+def _in_balls(row: Row) -> list[tuple[int, arb]]:
+    return [(place, Ball.number(c)) for place, c in row]
 
 
 flow_of = lru_cache(maxsize=256)(Flow)

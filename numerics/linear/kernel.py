@@ -33,7 +33,7 @@ from numerics.linear.resolve import (
     resolve,
 )
 from numerics.linear.resolve import UNDECIDED as UNDECIDED_MODE
-from numerics.linear.room import Now, Problem, Room, form_z, make_room, place_of
+from numerics.linear.room import Now, Problem, Run, form_z, place_of, run_of
 from numerics.linear.table import STATE, UNIT
 
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
@@ -42,7 +42,7 @@ MOST_STEPS = 400_000
 _MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
 _X1, _LATE, _ERRORS = (AT[name] for name in ("x1", "late", "x1_error"))
-_HOW, _EVENTS, _CERTAIN = (AT[name] for name in ("how", "events", "certain"))
+_HOW, _EVENTS = AT["how"], AT["events"]
 
 
 class Log(NamedTuple):
@@ -57,95 +57,82 @@ class Log(NamedTuple):
     keeps_all: bool
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
-def follow(problem: Problem, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
-    """Follow the modes (follow_in) in a room of its own."""
-    rows = problem.tables.rows
-    return follow_alone(problem, make_room(rows.shape[3], rows.shape[4]), start, clear_until, log)
-
-
-@compilable
-def follow_alone(problem: Problem, room: Room, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
-    """Follow the modes (follow_in) as a batch does: for a caller of other options numba would compile it anew."""
-    return follow_in(problem, room, start, clear_until, log)
-
-
 @compilable_with(forceinline=False)
-def follow_in(problem: Problem, room: Room, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
+def follow(problem: Problem, space: Any, start: Any, clear_until: float, log: Log) -> tuple[int, int]:
     """Follow the modes from a start to the end of the last piece; return (how, rows written or left out).
 
     Where the start says `jump` its mode follows from velocities and load; else mode and order are known. Up to
     `clear_until` (time in the first piece) no event happens.
     """
-    now, event = begin(problem, room, start)
-    calm, how = Calm(False, 0, 0), DOUBT
+    run = run_of(problem, space)
+    now, event = begin(run, start)
+    calm, how = Calm(False, 0, 0), GOES_ON
     for step in range(MOST_STEPS):
         if event.kind != NOTHING:
-            form_z(problem, room, now.piece, now.mode, True)
-            before, now = now, resolve(problem, room, now, event)
-            if now.mode == UNDECIDED_MODE:
-                break
-            is_event = event.kind == EXIT or (room.counts[0] > 0 and now.mode != before.mode)
-            how, calm = record(problem, room, now, event, is_event, log), Calm(False, step, step)
+            form_z(run, now.piece, now.mode, True)
+            before, now = now, resolve(run, now, event)
+            is_event = event.kind == EXIT or (run.counts[0] > 0 and now.mode != before.mode)
+            how = DOUBT if now.mode == UNDECIDED_MODE else record(run, now, event, is_event, log)
+            calm = Calm(False, step, step)
             if how != GOES_ON:
                 break
-            how = DOUBT
-        form_z(problem, room, now.piece, now.mode, False)
-        now, calm = step_over(problem, room, now, calm, step)
-        to = step_from(problem, room, now, calm.is_calm, clear_until if room.counts[0] == 1 else -1.0)
-        ahead = next_event(problem, room, now, to)
+        form_z(run, now.piece, now.mode, False)
+        now, calm = step_over(run, now, calm, step)
+        to = step_from(run, now, calm.is_calm, clear_until if run.counts[0] == 1 else -1.0)
+        ahead = next_event(run, now, to)
         if ahead.how == UNDECIDED:
+            how = DOUBT
             break
-        now = evolve(problem, room, now, ahead.s)
-        now, event, how = arrive(problem, room, now, ahead, to, calm.is_calm)
+        now = evolve(run, now, ahead.s)
+        now, event, how = arrive(run, now, ahead, to, calm.is_calm)
         if how != GOES_ON:
             break
-        how = DOUBT
     else:
         how = TOO_MANY
     if how == REACHED and now.mode == 0:
-        form_z(problem, room, now.piece, 0, False)
-        how = STUCK if problem.norm.root_m2 > 0.0 and rest_is_calm(problem, room, now) else REACHED
-    return how, close(problem, room, now, how, log)
+        form_z(run, now.piece, 0, False)
+        how = STUCK if run.norm.root_m2 > 0.0 and rest_is_calm(run, now) else REACHED
+    return how, close(run, now, how, log)
 
 
 @compilable
-def begin(problem: Problem, room: Room, start: Any) -> tuple[Now, StepEnd]:
+def off_at(start: Any, i: int) -> float:
+    """Return by how much a number of a start is off, its rounding included."""
+    return UNIT * abs(start[_X1 + i]) + start[_ERRORS + i]
+
+
+@compilable
+def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
     """Put a start into the room; return where the run is, and what is to be resolved first."""
-    norm = problem.norm
-    room.counts[:] = 0
-    for i in range(STATE):
-        room.y[i] = start[_X1 + i]
-    x1, v1, x2, v2 = (
-        UNIT * abs(start[_X1]) + start[_ERRORS],
-        UNIT * abs(start[_X1 + 1]) + start[_ERRORS + 1],
-        UNIT * abs(start[_X1 + 2]) + start[_ERRORS + 2],
-        UNIT * abs(start[_X1 + 3]) + start[_ERRORS + 3],
-    )
-    N = norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2
-    room.clock[0, 0], room.clock[0, 1] = start[_LOCAL], start[_REST]
-    room.clock[1, :] = 0.0
+    norm, N = run.norm, 0.0
+    run.counts[:] = 0
+    for i, root in enumerate((norm.root_a2, norm.root_m1, 0.0, norm.root_m2)):
+        run.y[i] = start[_X1 + i]
+        N += root * off_at(start, i)
+    x1, x2 = off_at(start, 0), off_at(start, 2)
+    run.clock[0, 0], run.clock[0, 1] = start[_LOCAL], start[_REST]
+    run.clock[1, :] = 0.0
     now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 0, 0.0, 1e300, N, x1, x2, x1 + x2)
     return now, StepEnd(CONTACT if start[_JUMP] == 1.0 and start[_MODE] == 0.0 else PIECE, 0.0)
 
 
 @compilable
-def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, StepEnd, int]:
+def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[Now, StepEnd, int]:
     """Return where the run is at the end of a step, what happens there, and how it ends there if it does."""
-    y, nothing = room.y, StepEnd(NOTHING, 0.0)
+    y, nothing = run.y, StepEnd(NOTHING, 0.0)
     if not abs(y[0]) + abs(y[1]) + abs(y[2]) + abs(y[3]) + now.N < 1e300:
         return now, nothing, OUT_OF_RANGE
     if ahead.how == ROOT:
-        h = problem.tables.h[place_of(problem, now)]
-        now, event = arrived(problem, room, now, ahead)
+        h = run.tables.steps[place_of(run, now)]
+        now, event = arrived(run, now, ahead)
         is_near = ahead.alone * h < 16.0 * event.late or (step.end - ahead.s) * h < 4.0 * event.late
         return now, event, DOUBT if is_near else GOES_ON
     if not step.is_last or ahead.s != step.end:
         return now, nothing, GOES_ON
-    places, piece = problem.drive.places, now.piece + 1
+    places, piece = run.drive.places, now.piece + 1
     if piece == places.shape[0]:
-        return now, nothing, STUCK if is_calm or (now.mode == 0 and problem.literal) else REACHED
-    room.clock[0, :] = 0.0
+        return now, nothing, STUCK if is_calm or (now.mode == 0 and run.literal) else REACHED
+    run.clock[0, :] = 0.0
     kind = CONTACT if places[piece, 4] == 1 or (now.mode == 0 and places[piece, 3] == 1) else PIECE
     return (
         Now(piece, now.mode, 0, now.edge, now.late, now.since, now.N, now.far, now.far_2, now.apart),
@@ -155,10 +142,10 @@ def arrive(problem: Problem, room: Room, now: Now, ahead: Next, step: Step, is_c
 
 
 @compilable
-def record(problem: Problem, room: Room, now: Now, event: StepEnd, is_event: bool, log: Log) -> int:
+def record(run: Run, now: Now, event: StepEnd, is_event: bool, log: Log) -> int:
     """Record the start of a segment, if the log has room for it; the last event that is asked for is an end, too."""
-    counts, room_for, may_end = room.counts, log.rows.shape[0], False
-    count = counts[0]
+    counts, room_for, may_end = run.counts, log.rows.shape[0], False
+    count = int(counts[0])
     if is_event and counts[1] == log.most:
         return EVENT_LIMIT
     begins = is_event or count == 0
@@ -167,32 +154,32 @@ def record(problem: Problem, room: Room, now: Now, event: StepEnd, is_event: boo
         may_end = counts[1] == log.most
     if may_end or (count < room_for and (begins or log.keeps_all)):
         row = log.end if may_end else log.rows[count]
-        write(problem, room, row, now, event.late)
+        write(run, row, now, event.late)
         row[_ORDER], row[_EVENT] = now.order, 1.0 if is_event else 0.0
         row[_JUMP] = 1.0 if event.kind in (PIECE, CONTACT) else 0.0
         for k in range(ROW if may_end and count < room_for else 0):
             log.rows[count, k] = row[k]
-    room.clock[1, :] = 0.0
+    run.clock[1, :] = 0.0
     counts[0] += 1 if begins or log.keeps_all else 0
     return GOES_ON
 
 
 @compilable
-def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None:
+def write(run: Run, row: Any, now: Now, late: float) -> None:
     """Write the state at the clock, and its bounds: within `late` of an event either mode may act."""
-    norm, y = problem.norm, room.y
+    norm, y = run.norm, run.y
     row[_MODE], row[_PIECE] = now.mode, now.piece
-    row[_LOCAL], row[_REST], row[_LENGTH] = room.clock[0, 0], room.clock[0, 1], room.clock[1, 0]
+    row[_LOCAL], row[_REST], row[_LENGTH] = run.clock[0, 0], run.clock[0, 1], run.clock[1, 0]
     for i in range(STATE):
         row[_X1 + i] = y[i]
     row[_LATE] = late
     x1 = min(now.N / norm.root_a2, now.far) if norm.root_a2 > 0.0 else now.far
     v1, v2, far = now.N / norm.root_m1, now.N / norm.root_m2 if norm.root_m2 > 0.0 else 0.0, 0.0
     if norm.root_m2 == 0.0:  # the velocity of the belt, rounded, at a time that is rounded
-        rounded = fastest(problem, room, now, 1, 0.0) * abs(room.clock[0, 0])
-        v2 = UNIT * (8.0 * room.size[V2] + 2.0 * rounded)
+        rounded = fastest(run, now, 1, 0.0) * abs(run.clock[0, 0])
+        v2 = UNIT * (8.0 * run.size[V2] + 2.0 * rounded)
     if late > 0.0:
-        one, two = fastest(problem, room, now, 0, late), fastest(problem, room, now, 1, late)
+        one, two = fastest(run, now, 0, late), fastest(run, now, 1, late)
         v1 = v2 = min(v1 + one * late, v2 + two * late) + abs(y[1] - y[3])
         far = (abs(y[1]) + one * late) * late
     row[_ERRORS], row[_ERRORS + 1], row[_ERRORS + 2], row[_ERRORS + 3] = (
@@ -205,13 +192,13 @@ def write(problem: Problem, room: Room, row: Any, now: Now, late: float) -> None
 
 
 @compilable
-def close(problem: Problem, room: Room, now: Now, how: int, log: Log) -> int:
+def close(run: Run, now: Now, how: int, log: Log) -> int:
     """Write the row of the end, and return how many rows there are."""
-    end, counts = log.end, room.counts
+    end, counts = log.end, run.counts
     if how != EVENT_LIMIT:
-        form_z(problem, room, now.piece, now.mode, False)
-        write(problem, room, end, now, 0.0)
+        form_z(run, now.piece, now.mode, False)
+        write(run, end, now, 0.0)
         end[_ORDER] = end[_EVENT] = end[_JUMP] = 0.0
-    end[_HOW], end[_EVENTS], end[_CERTAIN] = how, counts[1], 1.0
-    end[_CERTAIN + 1 :] = math.nan
-    return counts[2] + 1 if how == EVENT_LIMIT else counts[0]
+    end[_HOW], end[_EVENTS] = how, counts[1]
+    end[_EVENTS + 1 :] = math.nan
+    return int(counts[2]) + 1 if how == EVENT_LIMIT else int(counts[0])

@@ -17,8 +17,8 @@ from numerics.linear.calm import doubled, matrix_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import V1, V2, X1, Norm
 from numerics.linear.record import AT
-from numerics.linear.room import Problem, Room, dot, form_z, polynomial_of, size_of
-from numerics.linear.table import STATE, UNIT
+from numerics.linear.room import Problem, Run, dot, form_z, polynomial_of, run_of, size_of
+from numerics.linear.table import LINES, POWERS, STATE, UNIT
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding, in `parts`."""
@@ -37,100 +37,98 @@ def parts(terms: int) -> int:
     return 1 + (terms - 1) // 36
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
-def ledger(problem: Problem, room: Room, rows: Any, count: int, end: Any, taken: Any) -> None:
+@compilable_with(forceinline=False)
+def ledger(problem: Problem, space: Any, rows: Any, count: int, end: Any, taken: Any) -> None:
     """Write to `taken` (7,) what is TAKEN in a run, from its rows and that of its end, and a bound on all its errors.
 
     nan where a segment has more steps than anybody waits for.
     """
-    X = np.zeros((STATE, problem.tables.rows.shape[4]))
+    run = run_of(problem, space)
     taken[:] = 0.0
     steps = 0
     for k in range(count):
         row, after = rows[k], rows[k + 1] if k + 1 < count else end
         piece, mode = int(row[_PIECE]), int(row[_MODE])
-        kind, side = problem.drive.places[piece, 0], 1 if mode == 0 else 0
+        kind, side = run.drive.places[piece, 0], 1 if mode == 0 else 0
         for i in range(STATE):
-            room.y[i] = row[_X1 + i]
-        room.clock[0, 0], room.clock[0, 1] = row[_LOCAL], row[_REST]
-        taken[6] += row[_LATE] * at_event(problem, room, piece, row[_ERROR] * problem.norm.root_m1)
-        h, left, N = problem.tables.h[kind, side], after[_LENGTH], after[_ERROR]
+            run.y[i] = row[_X1 + i]
+        run.clock[0, 0], run.clock[0, 1] = row[_LOCAL], row[_REST]
+        taken[6] += row[_LATE] * at_event(run, piece, row[_ERROR] * run.norm.root_m1)
+        h, left, N = run.tables.steps[kind, side], after[_LENGTH], after[_ERROR]
         if left > _LONG * h:
-            left = by_powers(problem, room, (piece, mode), left, N * problem.norm.root_m1, taken)
+            left = by_powers(run, (piece, mode), left, N * run.norm.root_m1, taken)
         while left > 0.0 and steps < _MOST_STEPS:
             s = min(1.0, left / h)
-            step(problem, room, (piece, mode), s, X, N * problem.norm.root_m1, taken)
+            step(run, (piece, mode), s, N * run.norm.root_m1, taken)
             left = left - h if s == 1.0 else 0.0
             steps += 1
     if count > 0:
-        taken[6] += end[_LATE] * at_event(problem, room, int(end[_PIECE]), end[_ERROR] * problem.norm.root_m1)
+        taken[6] += end[_LATE] * at_event(run, int(end[_PIECE]), end[_ERROR] * run.norm.root_m1)
     if steps == _MOST_STEPS:
         taken[:] = np.nan
 
 
 @compilable
 def step(
-    problem: Problem,
-    room: Room,
+    run: Run,
     here: tuple[int, int],
     s: float,
-    X: Any,
     N: float,
     taken: Any,
 ) -> None:
     """Add what is taken over a part of a step, and move the state to its end; N of the error."""
-    tables, (piece, mode) = problem.tables, here
-    kind, side = problem.drive.places[piece, 0], 1 if mode == 0 else 0
-    count, h, cut = tables.count[kind], tables.h[kind, side], parts(X.shape[1])
-    form_z(problem, room, piece, mode, False)
+    tables, (piece, mode) = run.tables, here
+    kind, side = run.drive.places[piece, 0], 1 if mode == 0 else 0
+    h, powers, cut = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES], parts(tables.rows.shape[4])
+    form_z(run, piece, mode, False)
     for i in range(STATE):
-        polynomial_of(tables.rows[kind, side, i], tables.degrees[kind, side, i], room.z, count, 0, X[i])
-    begun = pair_of(room.clock[0])
+        polynomial_of(tables.rows[kind, side, i], tables.degrees[kind, side, i], run.z, 0, run.curves[i])
+    begun = pair_of(run.clock[0])
     for part in range(cut):
         for n in range(NODES.shape[0]):
             place = s * (part + NODES[n]) / cut
-            put(room.clock[0], plus(begun, two_product(place, h)))
+            put(run.clock[0], plus(begun, two_product(place, h)))
             for i in range(STATE):
-                room.y[i], _ = value_slope(X[i], place)
-            form_z(problem, room, piece, mode, False)
+                run.y[i], _ = value_slope(run.curves[i], place)
+            form_z(run, piece, mode, False)
             weight = WEIGHTS[n] / cut * s * h
             for k in range(6):
-                one, a = factor(problem, room, tables.powers[kind, side, k, 0], count, N)
-                two, b = factor(problem, room, tables.powers[kind, side, k, 1], count, N)
+                one, a = factor(run, powers[2 * k], N)
+                two, b = factor(run, powers[2 * k + 1], N)
                 taken[k] += weight * one * two
                 taken[6] += weight * (abs(one) * b + abs(two) * a + a * b)
-    put(room.clock[0], plus(begun, two_product(s, h)))
+    put(run.clock[0], plus(begun, two_product(s, h)))
     for i in range(STATE):
-        room.y[i], _ = value_slope(X[i], s)
+        run.y[i], _ = value_slope(run.curves[i], s)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def by_powers(problem: Problem, room: Room, here: tuple[int, int], left: float, N: float, taken: Any) -> float:
+def by_powers(run: Run, here: tuple[int, int], left: float, N: float, taken: Any) -> float:
     """Add what is taken over most of a long segment, and move the state there; return how much of it is left.
 
     The integral of a product of rows over a time is a quadratic form F of z, and F(2 t) = F(t) + E F(t) E with the flow
     E(t). What is integrated of |p| is at most sqrt(t int p^2).
     """
-    tables, (piece, mode) = problem.tables, here
-    kind, side = problem.drive.places[piece, 0], 1 if mode == 0 else 0
-    count, h, powers = tables.count[kind], tables.h[kind, side], tables.powers[kind, side]
-    A = tables.A[kind, side, :count, :count] * h
+    tables, (piece, mode) = run.tables, here
+    kind, side = run.drive.places[piece, 0], 1 if mode == 0 else 0
+    h, powers = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES]
+    A = tables.A[kind, side] * h
     levels = min(_MOST_LEVELS, 1 + math.floor(math.log2(left / h)))
     flows = doubled(A, levels)
     forms = doubled_forms(A, powers, h, flows)
     while left > _LONG * h:
         level = min(levels - 1, math.floor(math.log2(left / h)))
-        form_z(problem, room, piece, mode, False)
+        form_z(run, piece, mode, False)
         time = math.ldexp(h, level)
         for k in range(6):
-            p, q = max(form_at(forms[level, k, 1], room.z), 0.0), max(form_at(forms[level, k, 2], room.z), 0.0)
-            taken[k] += form_at(forms[level, k, 0], room.z)
-            a, b = reach(problem.norm, powers[k, 0]), reach(problem.norm, powers[k, 1])
+            p, q = max(form_at(forms[level, k, 1], run.z), 0.0), max(form_at(forms[level, k, 2], run.z), 0.0)
+            taken[k] += form_at(forms[level, k, 0], run.z)
+            a, b = reach(run.norm, powers[2 * k]), reach(run.norm, powers[2 * k + 1])
             taken[6] += N * (b * math.sqrt(time * p) + a * math.sqrt(time * q) + a * b * N * time)
-            taken[6] += math.ldexp((count + 64) * UNIT, level + 2) * math.sqrt(p * q)
+            taken[6] += math.ldexp((len(run.z) + 64) * UNIT, level + 2) * math.sqrt(p * q)
         for i in range(STATE):
-            room.y[i] = dot(flows[level, i], room.z, count)
-        put(room.clock[0], plus(pair_of(room.clock[0]), TwoFloats(time, 0.0)))
+            run.y[i] = dot(flows[level, i], run.z)
+        put(run.clock[0], plus(pair_of(run.clock[0]), TwoFloats(time, 0.0)))
         left -= time
     return left
 
@@ -145,7 +143,7 @@ def doubled_forms(A: Any, powers: Any, h: float, flows: Any) -> Any:
         for k in range(6):
             for i in range(2):
                 for j in range(count):
-                    rows[i, j] = dot(powers[k, i], flow[:, j], count)
+                    rows[i, j] = dot(powers[2 * k + i], flow[:, j])
             for c, (a, b) in enumerate(((0, 1), (0, 0), (1, 1))):
                 for i in range(count):
                     for j in range(count):
@@ -164,28 +162,28 @@ def form_at(form: Any, z: Any) -> float:
     """Return z F z."""
     total = 0.0
     for i in range(form.shape[0]):
-        total += z[i] * dot(form[i], z, form.shape[0])
+        total += z[i] * dot(form[i], z)
     return total
 
 
 @compilable
-def at_event(problem: Problem, room: Room, piece: int, N: float) -> float:
+def at_event(run: Run, piece: int, N: float) -> float:
     """Return twice the greatest powers in any mode where the room is: about an event it may be either."""
-    tables, kind, total = problem.tables, problem.drive.places[piece, 0], 0.0
-    form_z(problem, room, piece, 1, True)
+    tables, kind, total = run.tables, run.drive.places[piece, 0], 0.0
+    form_z(run, piece, 1, True)
     for side in range(2):
         for k in range(6):
-            one, a = factor(problem, room, tables.powers[kind, side, k, 0], tables.count[kind], N)
-            two, b = factor(problem, room, tables.powers[kind, side, k, 1], tables.count[kind], N)
+            one, a = factor(run, tables.lines[kind, side, POWERS + 2 * k], N)
+            two, b = factor(run, tables.lines[kind, side, POWERS + 2 * k + 1], N)
             total += 2.0 * (abs(one) + a) * (abs(two) + b)
     return total
 
 
 @compilable_with(forceinline=False)
-def factor(problem: Problem, room: Room, row: Any, count: int, N: float) -> tuple[float, float]:
+def factor(run: Run, row: Any, N: float) -> tuple[float, float]:
     """Return the value of a row, and by how much it may be off."""
-    off = reach(problem.norm, row) * N + 32.0 * UNIT * size_of(row, room.size, count)
-    return dot(row, room.z, count), off
+    off = reach(run.norm, row) * N + 32.0 * UNIT * size_of(row, run.size)
+    return dot(row, run.z), off
 
 
 @compilable

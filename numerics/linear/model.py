@@ -133,7 +133,6 @@ TAKEN = ("friction", "viscous", "force", "force_2", "belt", "wall")
 """What friction and damper take, and what forces, belt and wall give (W); E' is the sum of these less that of those."""
 
 
-@compilable_with(makes_arrays=True)
 def make_rows(n: int) -> Rows:
     """Return room for the matrices of n components, in floats."""
     return Rows(np.zeros((2, n, n)), np.zeros((2, 2, n)), np.zeros((4, n)), np.zeros((2, 6, 2, n)))
@@ -167,11 +166,11 @@ def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], ro
     """
     (A, guards, others, powers), n = rows, omegas.shape[0]
     push, second, belt_rate = np.zeros_like(others[0]), np.zeros_like(others[0]), np.zeros_like(others[0])
-    push[X1] -= bodies.a2
-    push[V1] -= bodies.a1
-    add_signal(push, blocks[WALL], bodies.a2)
-    add_rate(push, blocks[WALL], omegas, bodies.a1)
-    powers[:, 5, 0] += push
+    for mode in range(2):
+        put_drive(A[mode], blocks, omegas)
+        put_powers(bodies, blocks, omegas, powers[mode])
+    for j in range(n):
+        push[j] = powers[SLIP, 5, 0, j]
     add_signal(push, blocks[FORCE], 1)
     add_signal(second, blocks[FORCE_2], 1)
     add_rate(belt_rate, blocks[BELT], omegas, 1)
@@ -187,27 +186,26 @@ def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], ro
     slope, pull = cell
     for place, factor in ((V1, slope), (V2, -slope), (X1, pull), (X2, -pull)):
         others[KINETIC, place] += factor
-    for mode in range(2):
-        put_drive(A[mode], blocks, omegas)
     for j in range(n):
         A[SLIP, V1, j] = bodies.inverse_1 * (push[j] - others[KINETIC, j])
         A[SLIP, V2, j] = bodies.inverse_2 * (second[j] + others[KINETIC, j]) + belt_rate[j]
         A[STICK, V1, j] = A[STICK, V2, j] = bodies.inverse_both * (push[j] + second[j]) + belt_rate[j]
-    for mode in range(2):
-        put_powers(bodies, blocks, omegas, powers[mode])
-        powers[mode, 4, 1] += others[DRIVEN]
-    powers[SLIP, 0, 0] += others[KINETIC]
-    powers[SLIP, 0, 1] += guards[SLIP, 0]
-    powers[SLIP, 4, 0] -= others[KINETIC]
-    powers[STICK, 4, 0] -= others[LOAD]
+        powers[SLIP, 0, 0, j], powers[SLIP, 0, 1, j] = others[KINETIC, j], guards[SLIP, 0, j]
+        powers[SLIP, 4, 0, j], powers[STICK, 4, 0, j] = -others[KINETIC, j], -others[LOAD, j]
+        powers[SLIP, 4, 1, j] = powers[STICK, 4, 1, j] = others[DRIVEN, j]
 
 
-@compilable_with(makes_arrays=True)
+@compilable
 def put_powers(bodies: Bodies, blocks: Any, omegas: Any, powers: Any) -> None:
     """Write what is the same in slip and stick: a1 (v1 - y')^2, u v1, f v2, and the speed of the wall."""
     powers[1, 1, V1] += 1
     add_rate(powers[1, 1], blocks[WALL], omegas, -1)
-    powers[1, 0] += bodies.a1 * powers[1, 1]
+    powers[1, 0, V1] += bodies.a1
+    add_rate(powers[1, 0], blocks[WALL], omegas, -bodies.a1)
+    powers[5, 0, X1] -= bodies.a2
+    powers[5, 0, V1] -= bodies.a1
+    add_signal(powers[5, 0], blocks[WALL], bodies.a2)
+    add_rate(powers[5, 0], blocks[WALL], omegas, bodies.a1)
     add_signal(powers[2, 0], blocks[FORCE], 1)
     powers[2, 1, V1] += 1
     add_signal(powers[3, 0], blocks[FORCE_2], 1)

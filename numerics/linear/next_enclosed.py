@@ -15,7 +15,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
 from numerics.linear.cells import FORCE, LEFT, RIGHT
-from numerics.linear.flow import FEW, REACH, Expansion, Flow
+from numerics.linear.flow import FEW, REACH, Expansion
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
 from numerics.linear.swings import Swings
@@ -74,16 +74,16 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
             "sqrt(a2/m1), omega and 1/until closer together"
         )
     for n in range(_MOST_STEPS):
-        left, z, step = path.left(at), path.here(at)[1], None
+        left, motion, step = path.left(at), path.motion(at), None
         if n % _PACE == _PACE - 1 and (at.local - begun) * (_MOST_STEPS // n) < left:
             break
         if ready >= _PATIENCE and not (path.varies and at.mode) and flow.fastest * left > _LONG:
-            step = long_step(path, at, flow, z, left.min(far))
+            step = long_step(path, at, motion, left.min(far))
             ready, far = (ready, 64 * step) if step is not None else (0, left)
         if step is None:
-            found = short_step(path, at, flow, z, left.min(flow.reach), short)
+            found = short_step(path, at, left.min(flow.reach), short)
             if isinstance(found, Bracket):
-                return at, refined(path, at, flow, z, found)
+                return at, refined(path, at, found)
             step, short = found
         if step >= left:
             return at, None
@@ -92,7 +92,7 @@ def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
         if local - at.local < local * arb((1, _RESOLVED - path.bits)):
             raise path.undecided(at)  # so short a step is in the rounding of time
         at, ready = path.evolved(at, local), ready + 1
-    rows = flow.rows(z)
+    rows, _ = path.motion(at).short(flow.reach)
     if not all(one.value(rows) > one.margin / _NEAR for one in guards_of(path, at, rows)):
         raise path.undecided(at)  # more digits lead closer to the root
     raise OutOfRange(
@@ -129,28 +129,24 @@ def guards_of(path: EnclosedPath, at: At, rows: Sequence[Sequence[arb]]) -> list
     return found
 
 
-def short_step(
-    path: EnclosedPath, at: At, flow: Flow, z: list[arb], reach: arb, short: arb
-) -> tuple[arb, arb] | Bracket:
+def short_step(path: EnclosedPath, at: At, reach: arb, short: arb) -> tuple[arb, arb] | Bracket:
     """Return a time within reach of a Taylor polynomial in which no guard vanishes; or where one does, once.
 
     With the time comes the last interval that was looked at as one; `short` is that of the step before.
     """
     for bits in (_SCAN_BITS, min(path.bits, _SHARP_BITS)) if max(at.orders) < MARGINAL else ():
         with precision(bits):
-            found = scanned(path, at, flow, flow.rows(z), z, reach, short)
+            found = scanned(path, at, *path.motion(at).short(reach), reach, short)
         if found is not None:
             return found
     raise path.undecided(at)
 
 
 def scanned(
-    path: EnclosedPath, at: At, flow: Flow, rows: list[list[arb]], z: list[arb], reach: arb, short: arb
+    path: EnclosedPath, at: At, rows: list[list[arb]], rests: list[arb], reach: arb, short: arb
 ) -> tuple[arb, arb] | Bracket | None:
     """Return the same from the rows of the guards; None where their digits do not tell anything."""
-    guards, rests = guards_of(path, at, rows), flow.rests(z, reach)
-    used = range(len(rests))
-    near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
+    guards, near, since, h = guards_of(path, at, rows), rows, arb(0), reach if 64 * short > reach else 4 * short
     h = h / 4 if any(one.order for one in guards) else h
     more, tiny = ctx.prec < min(path.bits, _SHARP_BITS), arb((1, -min(path.bits, _FINEST)))
     for _ in range(ctx.prec // 2 if more else 2 * ctx.prec):
@@ -173,8 +169,7 @@ def scanned(
             guards = guards_of(path, at._replace(orders=AWAY), rows)
         since, h = (since + h).mid(), 4 * h
         shift, left = arb_poly([since, 1]), (reach - since).upper()
-        moved = [arb_poly(rows[k][:FEW])(shift) for k in used]
-        near = [[moved[k][n] for n in range(len(near[k]))] for k in used]
+        near = [[moved[n] for n in range(FEW)] for moved in (arb_poly(row)(shift) for row in rows)]
         h = left if left < 2 * h else h
     else:
         if more:
@@ -182,11 +177,12 @@ def scanned(
     return (since, h) if since * _FINE > reach else None
 
 
-def long_step(path: EnclosedPath, at: At, flow: Flow, z: list[arb], most: arb) -> arb | None:
+def long_step(path: EnclosedPath, at: At, motion: Expansion, most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
+    flow = motion.flow
     if at.orders[0] or (flow.slips and any(flow.mode.cell)):
         return None
-    swings, guards = Swings(flow, z), guards_of(path, at, flow.rows(z))
+    swings, guards = Swings(flow, motion.z), guards_of(path, at, motion.short(flow.reach)[0])
     for limit in (arb(0), flow.fastest / 4):
         taken, h = [swings.taken(flow.bent[one.row], limit) for one in guards], most
         if limit > 0 and not any(one.rest > 0 for one in taken):
@@ -210,15 +206,15 @@ def long_step(path: EnclosedPath, at: At, flow: Flow, z: list[arb], most: arb) -
     return None
 
 
-def refined(path: EnclosedPath, at: At, flow: Flow, z: list[arb], found: Bracket) -> Root:
+def refined(path: EnclosedPath, at: At, found: Bracket) -> Root:
     """Return the root of a guard in its bracket, by Newton's method."""
     index, since, h, rows = found
     guard = guards_of(path, at._replace(orders=AWAY), rows)[index]
     sign, offset, which = guard.sign, guard.offset, guard.row
     near = arb_poly(rows[which]) * sign + offset
     guess = _newton(near, near.derivative(), since, h, (since + h) / 2, h * _NEAR)
-    motion, until = Expansion(flow, z, 2 * h), 2 * h
-    curve, tau = motion.row(which) * sign, guess
+    motion, until = path.motion(at), 2 * h
+    curve, tau = motion.guard(which) * sign, guess
     slope = curve.derivative()
     for bits in reversed([path.bits >> k for k in range(8) if k == 0 or path.bits >> k > _COARSE]):
         with precision(bits):
@@ -226,11 +222,11 @@ def refined(path: EnclosedPath, at: At, flow: Flow, z: list[arb], found: Bracket
     local = (at.local + tau).mid()
     tau = local - at.local  # so far the path goes; what that is rounded by counts as an error of the root
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    off = (curve(tau) + offset).abs_upper() + motion.row_off(which, tau.abs_upper(), 0)
+    off = (curve(tau) + offset).abs_upper() + motion.guard_off(which, tau.abs_upper(), 0)
     reached = off + guard.margin
     within = (2 * reached / abs(slope(tau)) + h * arb((1, -path.bits))).upper()
     around = tau + arb(0, within)
-    steepness = (-slope(around) - motion.row_off(which, until, 1)).lower()
+    steepness = (-slope(around) - motion.guard_off(which, until, 1)).lower()
     late = (reached / steepness).upper()
     if not (steepness > 0 and late < within and around < until):
         raise path.undecided(at)

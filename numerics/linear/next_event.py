@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 from numerics.arithmetic.compiled import compilable
 from numerics.linear.first_root import CLEAR, ROOT, first_root, value_slope
 from numerics.linear.model import Norm
-from numerics.linear.room import Now, Problem, Room, dot, place_of, polynomial_of
-from numerics.linear.table import STATE, UNIT
+from numerics.linear.room import Now, Run, dot, place_of, polynomial_of
+from numerics.linear.table import ORDERS, STATE, SUMS, UNIT
 
 
 class Step(NamedTuple):
@@ -34,10 +34,10 @@ class Next(NamedTuple):
 
 
 @compilable
-def step_from(problem: Problem, room: Room, now: Now, is_calm: bool, clear_until: float) -> Step:
+def step_from(run: Run, now: Now, is_calm: bool, clear_until: float) -> Step:
     """Return the step from here, to the end of the piece if that is nearer; no event comes up to `clear_until`."""
-    h, length, time = problem.tables.h[place_of(problem, now)], problem.drive.length[now.piece], room.clock[0, 0]
-    left = (length[0] - time) + (length[1] - room.clock[0, 1])
+    h, length, time = run.tables.steps[place_of(run, now)], run.drive.length[now.piece], run.clock[0, 0]
+    left = (length[0] - time) + (length[1] - run.clock[0, 1])
     clear = 2.0 if is_calm else 0.0
     if clear_until > time + 1e-9 * h:
         clear = (clear_until - time) / h
@@ -45,39 +45,38 @@ def step_from(problem: Problem, room: Room, now: Now, is_calm: bool, clear_until
 
 
 @compilable
-def next_event(problem: Problem, room: Room, now: Now, step: Step) -> Next:
+def next_event(run: Run, now: Now, step: Step) -> Next:
     """Return how a mode goes on: to the end of a step, or to an event."""
     is_stick = now.mode == 0
-    if step.clear > 0.0 or (is_stick and problem.literal):
+    if step.clear > 0.0 or (is_stick and run.literal):
         return Next(CLEAR, min(step.end, step.clear) if step.clear > 0.0 else step.end, 0, 0.0, 0.0, 0.0)
     if not is_stick:
-        return first_of_guard(problem, room, now, 0, now.order, step.end)
+        return first_of_guard(run, now, 0, now.order, step.end)
     # both over the whole step, so that mirrored motions have mirrored events
-    one = first_of_guard(problem, room, now, now.edge, now.order, step.end)
-    two = first_of_guard(problem, room, now, 1 - now.edge, 0, step.end)
+    one = first_of_guard(run, now, now.edge, now.order, step.end)
+    two = first_of_guard(run, now, 1 - now.edge, 0, step.end)
     return one if one.s < two.s or (one.s == two.s and one.how != CLEAR) else two
 
 
 @compilable
-def first_of_guard(problem: Problem, room: Room, now: Now, guard: int, order: int, end: float) -> Next:
+def first_of_guard(run: Run, now: Now, guard: int, order: int, end: float) -> Next:
     """Return the first root of a guard, of which so many coefficients vanish here, up to an end."""
-    tables, at, q = problem.tables, place_of(problem, now), room.q[guard]
-    h, count, row = tables.h[at], tables.count[at[0]], STATE + guard
-    polynomial_of(tables.rows[at][row], tables.degrees[at][row], room.z, count, order, q)
+    tables, at, q = run.tables, place_of(run, now), run.q[guard]
+    h, row, sums = tables.steps[at], STATE + guard, SUMS + 2 * (ORDERS * guard + order)
+    polynomial_of(tables.rows[at][row], tables.degrees[at][row], run.z, order, q)
     if now.mode < 0:
         for k in range(q.shape[0]):
             q[k] = -q[k]
-    sums = tables.sums[at][guard, order]
-    off = UNIT * dot(sums[0], room.size, count)
-    rise = UNIT * dot(sums[1], room.size, count) - off
+    off = UNIT * dot(tables.lines[at][sums], run.size)
+    rise = UNIT * dot(tables.lines[at][sums + 1], run.size) - off
     if now.mode == 0:
-        margins = off + problem.norm.load * now.N, rise, 0.0
+        margins = off + run.norm.load * now.N, rise, 0.0
     else:
-        margins = slip_margins(problem.norm, h, order, (off, rise), now, end)
+        margins = slip_margins(run.norm, h, order, (off, rise), now, end)
     if order > 0 and now.late > 0.0:  # the true segment began up to `late` away: as much as its guard changes meanwhile
         shift = (1.0 + order) * now.late / h * abs_slope(q)
         margins = margins[0] + shift, margins[1], margins[2]
-    how, s, alone = first_root(q, margins, end, room.bernstein)
+    how, s, alone = first_root(q, margins, end, run.bernstein)
     if how != ROOT:
         return Next(how, s, guard, 0.0, 0.0, 0.0)
     value, slope = value_slope(q, s)

@@ -23,6 +23,7 @@ from typing import NamedTuple
 from flint import arb, ctx
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
@@ -72,6 +73,7 @@ class EnclosedPath:
         """`varies`: friction depends on the state; else it has one cell."""
         self.acting: tuple[int, BallDrive, dict[object, Flow]] = 0, BallDrive(self.pieces[0]), {}
         """The piece in which the path is, its signals, its flows."""
+        self.expanded: tuple[At, Expansion] | None = None
         number, norm = Ball.number, LocalNorm(LinearMode(scene.pair, 1, self.pieces[0]))
         self.norm, self.kappa, self.is_fixed = norm, norm.kappa, norm.is_fixed
         self.speeds = 1 / norm.root_m1, arb(0) if self.is_fixed else 1 / norm.root_m2
@@ -109,6 +111,13 @@ class EnclosedPath:
             z[V2] = dot(flow.belt, z)
             z[V1] = z[V1] if at.mode else z[V2]
         return flow, z
+
+    def motion(self, at: At) -> Expansion:
+        """Return the polynomials from a point on, up to twice their reach."""
+        if self.expanded is None or self.expanded[0] is not at:
+            flow, z = self.here(at)
+            self.expanded = at, Expansion(flow, z, 2 * flow.reach)
+        return self.expanded[1]
 
     def held(self, at: At) -> arb:
         """Return what friction that depends on the state holds at rest where a point is, N; for the true motion.
@@ -159,9 +168,11 @@ class EnclosedPath:
 
     def evolved(self, at: At, local: arb) -> At:
         """Return the path at a later time in the piece, in the same mode."""
-        (flow, z), t = self.here(at), local - at.local
+        flow = self.flow(at)
+        with precision(2 * self.bits):
+            t = local - at.local
         is_near = flow.fastest * t.upper() <= 1.01 * REACH
-        state = Expansion(flow, z, t.abs_upper()).state(t) if is_near else self.evolved_far(flow, z, t)
+        state = self.motion(at).state(t) if is_near else self.evolved_far(flow, self.here(at)[1], t)
         return self.settled(at, state, t)._replace(local=local, orders=AWAY)
 
     def evolved_far(self, flow: Flow, z: list[arb], t: arb) -> list[arb]:

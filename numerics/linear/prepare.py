@@ -24,7 +24,7 @@ from numerics.linear.model import BELT, DRIVEN, FIRST, WALL, Bodies, Layout, Nor
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, END_ROW
 from numerics.linear.room import Drive, Problem
-from numerics.linear.table import REACH, Tables, form_alone, make_tables, most_terms
+from numerics.linear.table import REACH, Tables, form, make_tables, most_terms
 from numerics.scene import Law, Pair, Scene
 from numerics.scene.decimals import short
 
@@ -60,13 +60,6 @@ class Prepared(NamedTuple):
     def room(self, most: int) -> int:
         """Return how many rows are given room for at first, with so many events at most."""
         return len(self.pieces) + 1 + int(min(most, 16 + _EVENTS_PER_HALF_TURN * self.half_turns))
-
-    def part(self, piece: int, until: Fraction) -> Problem:
-        """Return the problem of one piece alone, up to a time in it (s)."""
-        drive = self.problem.drive
-        length = np.array([halves(until, self.units.time)])
-        alone = drive._replace(places=drive.places[piece : piece + 1], length=length)
-        return self.problem._replace(drive=alone)
 
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
@@ -136,7 +129,7 @@ def prepare(scene: Scene) -> Prepared:
     start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
     start[AT["jump"]] = gap == 0
-    half_turns = float(drive.length[:, 0].sum()) * REACH / float(tables.h.min()) / math.pi
+    half_turns = float(drive.length[:, 0].sum()) * REACH / float(tables.steps[:, :2].min()) / math.pi
     problem = Problem(norm, drive, tables, scene.law is Law.THREE_VALUED_SGN)
     return Prepared(problem, start, units, pieces, half_turns)
 
@@ -175,7 +168,7 @@ def _tables(pair: Pair, norm: Norm, layouts: tuple[Layout, ...], units: KernelUn
     tables = make_tables(len(layouts), n, most_terms(terms))
     for index, layout in enumerate(layouts):
         rows = _in_units(exact_rows(pair, layout), layout, units)
-        compiled(form_alone)(tables, index, norm, layout.blocks, rows, 1.0, longest)
+        compiled(form)(tables, index, norm, layout.blocks, rows, 1.0, longest)
     return tables
 
 

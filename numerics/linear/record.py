@@ -25,10 +25,10 @@ BOUNDS = ("late", "x1_error", "v1_error", "x2_error", "v2_error", "speed_error")
 """Floats: bounds on the errors of the time (s) and of the state (m, m/s); N of these over the root of m1 (m/s)."""
 COLUMNS = (*CODES, *NUMBERS, *BOUNDS)
 """The columns of a row."""
-END = ("how", "events", "certain", "friction", "viscous", "force", "force_2", "belt", "wall", "ledger_error")
-"""What the row of the end has after these: a `How`, the number of events, whether the bounds leave no doubt about their
-sequence; and, nan until somebody asks (ledger.py), what friction and damper took, what forces on body 1 and 2, belt and
-wall gave (J), and a bound on the error of all these."""
+END = ("how", "events", "friction", "viscous", "force", "force_2", "belt", "wall", "ledger_error")
+"""What the row of the end has after these: a `How`, the number of events; and, nan until somebody asks (ledger.py),
+what friction and damper took, what forces on body 1 and 2, belt and wall gave (J), and a bound on the error of all
+these."""
 AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 """The index of each column."""
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)

@@ -6,11 +6,12 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, times
 from numerics.linear.model import DRIVEN, FIRST, V1, V2, Norm
-from numerics.linear.table import STATE, UNIT, Tables
+from numerics.linear.table import OTHERS, SIGNED, STATE, Tables
 
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
 
@@ -38,6 +39,30 @@ class Problem(NamedTuple):
     literal: bool
 
 
+class Run(NamedTuple):
+    """A problem, and arrays to work in, made once for a run."""
+
+    norm: Norm
+    drive: Drive
+    tables: Tables
+    literal: bool
+    y: Any
+    """(4,) x1, v1, x2, v2."""
+    clock: Any
+    """(2, 2) time in the piece, time since the last row; each with what its rounding left out."""
+    z: Any
+    """(n,)"""
+    size: Any
+    """(n,) what the roundings of z are counted in."""
+    q: Any
+    """(2, terms) Taylor coefficients of the guards, without those that are exactly 0; of a row of the state."""
+    bernstein: Any
+    curves: Any
+    """(4, terms) Taylor coefficients of the state."""
+    counts: Any
+    """(3,) how many rows there were, also those left out, how many events, and which row was that of the last one."""
+
+
 class Now(NamedTuple):
     """Where a run is, beside what stands in its room: the piece, the mode from here on, and its errors."""
 
@@ -61,73 +86,62 @@ class Now(NamedTuple):
     """A bound on the error of x1 - x2."""
 
 
-class Room(NamedTuple):
-    """Arrays to work in, made once for a run."""
-
-    y: Any
-    """(4,) x1, v1, x2, v2."""
-    clock: Any
-    """(2, 2) time in the piece, time since the last row; each with what its rounding left out."""
-    z: Any
-    """(n,)"""
-    size: Any
-    """(n,) what the roundings of z are counted in."""
-    q: Any
-    """(2, terms) Taylor coefficients of the guards, without those that are exactly 0; of a row of the state."""
-    bernstein: Any
-    counts: Any
-    """(3,) how many rows there were, also those left out, how many events, and which row was that of the last one."""
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def make_room(n: int, terms: int) -> Room:
-    """Return room for n components."""
-    state, clock, counts = np.zeros(STATE), np.zeros((2, 2)), np.zeros(3, dtype=np.int64)
-    return Room(state, clock, np.zeros(n), np.zeros(n), np.zeros((2, terms)), np.zeros(8), counts)
+def space_for(tables: Tables) -> NDArray[np.float64]:
+    """Return room for the arrays of a run."""
+    n, terms = tables.rows.shape[3:]
+    return np.zeros((13, max(terms, n + n % 2)))
 
 
 @compilable
-def place_of(problem: Problem, now: Now) -> tuple[int, int]:
+def run_of(problem: Problem, space: Any) -> Run:
+    """Return a run of a problem in some space; tuples of arrays are made where no references are counted."""
+    norm, drive, tables, literal = problem
+    n, q, curves = tables.rows.shape[3], space[7:9], space[9:13]
+    y, clock, z, size, bernstein, counts = (
+        space[0, :STATE],
+        space[1:3, :2],
+        space[3, :n],
+        space[4, :n],
+        space[5, :8],
+        space[6, :3],
+    )
+    return Run(norm, drive, tables, literal, y, clock, z, size, q, bernstein, curves, counts)
+
+
+@compilable
+def place_of(run: Run, now: Now) -> tuple[int, int]:
     """Return where the tables of the mode are: the kind of piece, and 0 for slip, 1 for stick."""
-    return problem.drive.places[now.piece, 0], 1 if now.mode == 0 else 0
+    return run.drive.places[now.piece, 0], 1 if now.mode == 0 else 0
 
 
 @compilable_with(**FAST)
-def dot(row: Any, z: Any, count: int) -> float:
+def dot(row: Any, z: Any) -> float:
     """Return the value of a row."""
     total = 0.0
-    for j in range(count):
+    for j in range(len(z)):
         total += row[j] * z[j]
     return total
 
 
-@compilable
-def between(first: Any, last: Any, s: float, size: Any, count: int) -> float:
-    """Return what is rounded at a part s of a step, from counts at its start and end: positive terms are below their
-    chord."""
-    one = dot(first, size, count)
-    return UNIT * (one + s * (dot(last, size, count) - one))
-
-
 @compilable_with(**FAST)
-def size_of(row: Any, size: Any, count: int) -> float:
+def size_of(row: Any, size: Any) -> float:
     """Return the sum of the sizes of its terms."""
     total = 0.0
-    for j in range(count):
+    for j in range(len(size)):
         total += abs(row[j]) * size[j]
     return total
 
 
 @compilable
-def form_z(problem: Problem, room: Room, piece: int, mode: int, is_event: bool) -> None:
+def form_z(run: Run, piece: int, mode: int, is_event: bool) -> None:
     """Form z at the time of the clock: the state, and the signals, b with the sign of a slip.
 
     At an event its mode is still open: b has no sign, and the bodies need not be together.
     """
-    drive, tables, z, size, time = problem.drive, problem.tables, room.z, room.size, pair_of(room.clock[0])
+    drive, tables, z, size, time = run.drive, run.tables, run.z, run.size, pair_of(run.clock[0])
     kind, coefficient, sine = drive.places[piece, 0], drive.places[piece, 1], drive.places[piece, 2]
     for i in range(STATE):
-        z[i], size[i] = room.y[i], abs(room.y[i])
+        z[i], size[i] = run.y[i], abs(run.y[i])
     for signal in range(tables.blocks.shape[1]):
         first, terms, sines, waves = tables.blocks[kind, signal]
         for k in range(terms):
@@ -137,16 +151,16 @@ def form_z(problem: Problem, room: Room, piece: int, mode: int, is_event: bool) 
         coefficient += terms
         sine += waves
     if mode < 0 and not is_event:
-        for j in range(FIRST, tables.count[kind]):
-            if tables.signed[kind, j] == 1.0:
+        for j in range(FIRST, len(z)):
+            if tables.lines[kind, 0, SIGNED, j] == 1.0:
                 z[j] = -z[j]
-    if problem.norm.root_m2 == 0.0:
-        driven, count = tables.others[kind, DRIVEN], tables.count[kind]
-        z[V2] = room.y[3] = dot(driven, z, count)
-        size[V2] = size_of(driven, size, count)
+    if run.norm.root_m2 == 0.0:
+        driven = tables.lines[kind, 0, OTHERS + DRIVEN]
+        z[V2] = run.y[3] = dot(driven, z)
+        size[V2] = size_of(driven, size)
         if mode == 0 and not is_event:
             z[V1], size[V1] = z[V2], size[V2]
-            room.y[1] = z[V2]
+            run.y[1] = z[V2]
 
 
 @compilable
@@ -176,11 +190,11 @@ def swing(sine: Any, time: TwoFloats, at: int, z: Any, size: Any) -> None:
 
 
 @compilable_with(**FAST)
-def polynomial_of(rows: Any, degrees: Any, z: Any, count: int, order: int, q: Any) -> None:
+def polynomial_of(rows: Any, degrees: Any, z: Any, order: int, q: Any) -> None:
     """Form the Taylor polynomial of a row over a step, divided by (t/h)^order: its first coefficients are dropped."""
     for k in range(q.shape[0]):
         q[k] = 0.0
-    for j in range(count):
+    for j in range(len(z)):
         row, factor = rows[j], z[j]
         for k in range(order, degrees[j]):
             q[k - order] += row[k] * factor

@@ -243,7 +243,7 @@ class LocalNorm:
 
     With kappa^2 = 1/m1 + 1/m2: |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z. So N grows
     like exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa (g - pull)/(2 sqrt(g)), with any g >= |pull|. A itself
-    is at most `rate` in N; `fastest` is that, or a sine's. A body 2 of infinite mass counts for nothing.
+    is at most `fastest` in N, which no sine exceeds either. A body 2 of infinite mass counts for nothing.
 
     Derivatives of a motion obey z' = A z too, and what is no part of N pushes them (`sizes`): the signals, and a body
     that goes with the signals alone, as body 2 does in a slip, unless friction depends on the state.
@@ -264,7 +264,7 @@ class LocalNorm:
         self.load = number(bodies.share_2**2 * (pair.a2 + pair.a1**2 / pair.m1)).sqrt()
         """Of Lambda."""
         own = number(pair.a1 / mode.mass) + number(pair.a2 / mode.mass).sqrt()
-        self.rate = self.fastest = own + square * number(abs(slope)) + self.kappa * self.root_g
+        self.fastest = own + square * number(abs(slope)) + self.kappa * self.root_g
         for omegas in mode.layout.omegas:
             for omega in omegas:
                 self.fastest = self.fastest.max(number(omega))

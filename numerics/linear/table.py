@@ -28,72 +28,47 @@ STATE = 4
 """So many rows are those of x1, v1, x2 and v2; the guards stand behind them."""
 
 
+LINES = 66
+SIGNED, GUARDS, OTHERS, RATES, FLOW, OWN, SUMS, POWERS = 0, 1, 3, 7, 9, 13, 22, 54
+"""Where rows of each kind begin in Tables.lines."""
+
+
 class Tables(NamedTuple):
     """Tables for every kind of piece of a scene (first index) in slip + and in stick (second index: 0, 1).
 
-    A kind is a layout of the signals; n columns at most, k < terms. Rows are x1, v1, x2, v2 and the guards.
+    A kind is a layout of the signals; n columns at most, what a kind has no column for is 0; k < terms.
     """
 
-    h: Any
-    """(kinds, 2): the step."""
-    count: Any
-    """(kinds,): the number of columns."""
+    steps: Any
+    """(kinds, 3): the step in slip and in stick; by which factor a step of two motions that stick makes N of their
+    difference smaller, if it does."""
     blocks: Any
     """(kinds, 5, 4): where the signals stand in z (model.Layout.blocks)."""
-    signed: Any
-    """(kinds, n): 1 in the block of b, which changes its sign with that of a slip; else 0."""
     A: Any
     """(kinds, 2, n, n)"""
-    guards: Any
-    """(kinds, 2, n): those of stick."""
-    others: Any
-    """(kinds, 4, n): LOAD, EDGE, KINETIC, DRIVEN."""
-    powers: Any
-    """(kinds, 2, 6, 2, n): what is taken and given, as products of two rows (model.Rows)."""
-    rates: Any
-    """(kinds, 2, 2, n): the derivatives of the guards of stick, in slip and in stick."""
+    lines: Any
+    """(kinds, 2, LINES, n) rows of z: SIGNED 1 in the block of b, which changes its sign with that of a slip, else 0;
+    GUARDS (2) those of stick; OTHERS (4) LOAD, EDGE, KINETIC, DRIVEN; RATES (2) the derivatives of the guards of stick;
+    FLOW (4) the state at the end of a step; OWN (3, 3) what rounding and truncation do to the state in N, of x1 and of
+    x2, by a whole step and by a part of it, the latter at the start and at the end; SUMS (2, ORDERS, 2) what they do to
+    a guard without its first p coefficients, in roundings: at the start of a step, and at its end; POWERS (6, 2) what
+    is taken and given, as products of two rows (model.Rows)."""
     rows: Any
-    """(kinds, 2, 6, n, terms): the coefficients of each row in (t/h)^k by components of z."""
+    """(kinds, 2, 6, n, terms): the coefficients of x1, v1, x2, v2 and the guards in (t/h)^k by components of z."""
     degrees: Any
     """(kinds, 2, 6, n): how many terms of each there are, rounded up to an even number; later ones are 0."""
-    flow: Any
-    """(kinds, 2, 4, n): the state at the end of a step."""
-    sums: Any
-    """(kinds, 2, 2, ORDERS, 2, n): what rounding and truncation do to a guard without its first p coefficients, in
-    roundings: at the start of a step, and at its end."""
-    own: Any
-    """(kinds, 2, 3, 3, n): the same of the state in N, of x1 and of x2, by a whole step and by a part of it, the latter
-    at the start and at the end."""
-    shrink: Any
-    """(kinds,): by which factor a step of two motions that stick makes N of their difference smaller, if it does."""
 
 
-@compilable
 def most_terms(coefficients: int) -> int:
     """Return how many Taylor terms a table has: an even number, 14 beyond the degree of the polynomials or more."""
     return max(TERMS, coefficients + 14 + coefficients % 2)
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
 def make_tables(kinds: int, n: int, terms: int) -> Tables:
     """Return empty tables; n columns at most."""
-    return Tables(
-        np.zeros((kinds, 2)),
-        np.zeros(kinds, dtype=np.int64),
-        np.zeros((kinds, 5, 4), dtype=np.int64),
-        np.zeros((kinds, n)),
-        np.zeros((kinds, 2, n, n)),
-        np.zeros((kinds, 2, n)),
-        np.zeros((kinds, 4, n)),
-        np.zeros((kinds, 2, 6, 2, n)),
-        np.zeros((kinds, 2, 2, n)),
-        np.zeros((kinds, 2, 6, n, terms)),
-        np.zeros((kinds, 2, 6, n), dtype=np.int64),
-        np.zeros((kinds, 2, 4, n)),
-        np.zeros((kinds, 2, 2, ORDERS, 2, n)),
-        np.zeros((kinds, 2, 3, 3, n)),
-        np.ones(kinds),
-    )
+    steps, blocks = np.ones((kinds, 3)), np.zeros((kinds, 5, 4), dtype=np.int64)
+    A, lines, rows = np.zeros((kinds, 2, n, n)), np.zeros((kinds, 2, LINES, n)), np.zeros((kinds, 2, 6, n, terms))
+    return Tables(steps, blocks, A, lines, rows, np.zeros((kinds, 2, 6, n), dtype=np.int64))
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -104,70 +79,72 @@ def form(tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactne
     """
     A, guards, others, powers = rows
     n = A.shape[1]
-    tables.count[kind] = n
-    tables.blocks[kind, :, :] = blocks
-    tables.A[kind, :, :n, :n] = A
-    tables.guards[kind, :, :n] = guards[STICK]
-    tables.others[kind, :, :n] = others
-    tables.powers[kind, :, :, :, :n] = powers
+    copy(blocks, tables.blocks[kind])
     first, terms, sines, waves = blocks[FRICTION]
-    tables.signed[kind, :] = 0.0
-    tables.signed[kind, first : first + terms] = 1.0
-    tables.signed[kind, sines : sines + 2 * waves] = 1.0
     for mode in range(2):
-        form_mode(tables, kind, mode, norm, guards[mode], exactness, longest)
+        lines = tables.lines[kind, mode]
+        lines[SIGNED, :] = 0.0
+        lines[SIGNED, first : first + terms] = 1.0
+        lines[SIGNED, sines : sines + 2 * waves] = 1.0
+        copy(A[mode], tables.A[kind, mode])
+        copy(guards[STICK], lines[GUARDS:OTHERS])
+        copy(others, lines[OTHERS:RATES])
+        for k in range(6):
+            copy(powers[mode, k], lines[POWERS + 2 * k :])
+        form_mode(tables, (kind, mode), n, norm, guards[mode], exactness, longest)
+
+
+@compilable
+def copy(given: Any, to: Any) -> None:
+    """Write a matrix into the corner of another one; an assignment of slices takes long to compile."""
+    for i in range(given.shape[0]):
+        for j in range(given.shape[1]):
+            to[i, j] = given[i, j]
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def form_alone(
-    tables: Tables, kind: int, norm: Norm, blocks: Any, rows: Rows, exactness: float, longest: float
+def form_mode(
+    tables: Tables, at: tuple[int, int], n: int, norm: Norm, guards: Any, exactness: float, longest: float
 ) -> None:
-    """Form the tables of one kind (form) as a batch does: for a caller of other options numba would compile it anew."""
-    form(tables, kind, norm, blocks, rows, exactness, longest)
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def form_mode(tables: Tables, kind: int, mode: int, norm: Norm, guards: Any, exactness: float, longest: float) -> None:
-    """Form the tables of one mode."""
-    n, at = tables.count[kind], (kind, mode)
-    A, own, scale = tables.A[at][:n, :n], tables.own[at], (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
+    """Form the tables of one mode of n columns."""
+    (kind, mode), A, lines = at, tables.A[at][:n, :n], tables.lines[at]
+    scale = norm.root_a2, norm.root_m1, 0.0, norm.root_m2
     places = places_of(A)
     h = step_of(A, places, longest)
-    tables.h[at] = h
-    own[:, :, :] = 0.0
-    row, cut, counts, total = np.zeros(n), np.zeros(n), np.zeros((ORDERS, 2, n)), np.zeros((n, 2))
+    tables.steps[at] = h
+    own, sums = lines[OWN:SUMS], lines[SUMS:POWERS]
+    own[:, :] = 0.0
+    row, cut, counts, total = np.zeros(n), np.zeros(n), np.zeros((2 * ORDERS, n)), np.zeros((n, 2))
     for index in range(STATE + 1 + mode):
-        row[:] = 0.0
-        if index < STATE:
-            row[index] = 1.0
-        else:
-            row[:] = guards[index - STATE]
+        for j in range(n):
+            row[j] = guards[index - STATE, j] if index >= STATE else 1.0 if j == index else 0.0
         table = tables.rows[at][index]
         expand(A, places, h, row, table, total, cut)
         count_roundings(table, n, exactness, cut, counts, tables.degrees[at][index])
         if index >= STATE:
-            tables.sums[at][index - STATE, :, :, :n] = counts
+            first = 2 * ORDERS * (index - STATE)
+            copy(counts, sums[first:])
             continue
         for j in range(n):
-            tables.flow[at][index, j] = total[j, 0]
+            lines[FLOW + index, j] = total[j, 0]
             whole = (n + 4) * abs(total[j, 0]) + cut[j] / UNIT
-            for k, size in enumerate((whole, counts[0, 0, j], counts[0, 1, j])):
-                own[k, 0, j] += scale[index] * size
+            for k, size in enumerate((whole, counts[0, j], counts[1, j])):
+                own[3 * k, j] += scale[index] * size
                 if index % 2 == 0:
-                    own[k, 1 + index // 2, j] += size
+                    own[3 * k + 1 + index // 2, j] += size
     for j in range(n):  # what an entry of A is off by is a force
         bent = 3.0 * exactness * h * (scale[1] * abs(A[V1, j]) + scale[3] * abs(A[V2, j]))
-        for k in (0, 2):
-            own[k, 0, j] += bent
-            own[k, 1, j] += h * bent / scale[1]
-            own[k, 2, j] += h * 3.0 * exactness * h * abs(A[V2, j])
+        for k in (0, 6):
+            own[k, j] += bent
+            own[k + 1, j] += h * bent / scale[1]
+            own[k + 2, j] += h * 3.0 * exactness * h * abs(A[V2, j])
         for g in range(2):
             rate = 0.0
             for i in range(n):
-                rate += tables.guards[kind, g, i] * A[i, j]
-            tables.rates[at][g, j] = rate
+                rate += lines[GUARDS + g, i] * A[i, j]
+            lines[RATES + g, j] = rate
     if mode == STICK:
-        tables.shrink[kind] = shrinking(tables.flow[at], norm)
+        tables.steps[kind, 2] = shrinking(lines[FLOW:OWN], norm)
 
 
 @compilable
@@ -243,13 +220,13 @@ def count_roundings(table: Any, n: int, exactness: float, cut: Any, counts: Any,
     for j in range(n):
         degrees[j] = 0
         for p in range(ORDERS):
-            counts[p, 0, j], counts[p, 1, j] = 0.0, cut[j] / UNIT
+            counts[2 * p, j], counts[2 * p + 1, j] = 0.0, cut[j] / UNIT
         for k in range(table.shape[1]):
             term = abs(table[j, k])
             if term > 0.0:
                 degrees[j] = k + 2 - k % 2
                 weighted = (2 * k + n + 6 + exactness * (k + 1)) * term
                 if k < ORDERS:
-                    counts[k, 0, j] = weighted
+                    counts[2 * k, j] = weighted
                 for p in range(min(k + 1, ORDERS)):
-                    counts[p, 1, j] += weighted
+                    counts[2 * p + 1, j] += weighted

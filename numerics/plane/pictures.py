@@ -70,6 +70,6 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
             for mark, place in zip(marks, y[..., k].reshape(4, -1)[::2], strict=True):
                 mark.set_data(place[:1], place[1:2])
 
-        return axes.figure, marks, show
+        return axes.figure, show
 
     return film(trajectory, drawn, file, duration, frames_per_second)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from itertools import chain, product
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from flint import arb, arb_poly
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.modes import EventKind
+from numerics.meter import metered
 from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
 from numerics.plane.motion import Leg, Motion
@@ -30,6 +31,9 @@ from numerics.trajectory import export, saved
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class PlaneTrajectory(Answer):
@@ -46,8 +50,8 @@ class PlaneTrajectory(Answer):
     (('slip', 'stick'), 'stick', 'entry', (1,), None)
     >>> run.t.shape, run.y.shape, run.energy.shape, run.floats(run.y).dtype
     ((3,), (8, 3), (3,), dtype('float64'))
-    >>> float(run.end_time), len(run.final_state.x1), run.final_energy < 0.00107
-    (2.0, 2, True)
+    >>> float(run.end_time), run.final == run.final_state, len(run.initial.x1), run.final_energy < 0.00107
+    (2.0, True, 2, True)
     >>> run.sol([0.5, 1]).shape
     (8, 2)
     >>> run.events[0].kind.value, run.mode_at(0.001), run.mode_at([0, "1/3"]), run.scene.pair.axes
@@ -84,6 +88,11 @@ class PlaneTrajectory(Answer):
             end = (until, self.motion.at(until)) if self.success else (self.events[-1].t, self.events[-1].y)
             self.end_time, self.final_state = end
             self.digits: int = min(EXACT, self._right_digits())
+
+    def look_up_times(self) -> None:
+        """Raise ValueError for times in t_eval that are outside the run."""
+        for t in () if self.t_eval is None else self.t_eval:
+            self._time(t)
 
     @property
     def final_mode(self) -> str:
@@ -191,24 +200,34 @@ class PlaneTrajectory(Answer):
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
         return export.as_record(self)
 
-    def plot(self, kind: str = "above", ax: Any = None) -> Any:
+    @metered("drawing")
+    def plot(self, kind: str = "above", ax: Axes | None = None) -> Axes:
         """Draw "above" (both bodies, m) or "relative" (v1 - v2, m/s) into matplotlib axes and return them."""
         from numerics.plane.pictures import draw
 
         return draw(self, kind, ax)
 
+    @metered("drawing")
     def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
         """Return a matplotlib animation of both bodies from above; see Trajectory.animate."""
         from numerics.plane.pictures import animate
 
         return animate(self, file, duration, frames_per_second)
 
-    def __repr__(self) -> str:
-        """Return a short summary."""
-        return (
-            f"{self.message}; {self.arithmetic.name}, {self.digits} right digits, {len(self.events)} events, "
-            f"t in [0, {self.end_time.str(6, radius=False)}] s, {self.final_mode} at the end"
-        )
+    @property
+    def initial(self) -> PlaneState:
+        """Return the state at the start."""
+        return self._at(0)
+
+    def _shown(self) -> dict[str, Any]:
+        """Return what a summary says, by its names."""
+        return {
+            "message": self.message,
+            "arithmetic": f"{self.arithmetic.name}, {self.digits} right digits",
+            "events": len(self.events),
+            "t": f"[0, {self.end_time.str(6, radius=False)}] s",
+            "final mode": self.final_mode,
+        }
 
     def kept(self) -> dict[str, Any]:
         """Return what the run wrote, as what JSON holds."""

@@ -39,6 +39,8 @@ def exact_decimal(value: object, name: str) -> Fraction:
     >>> exact_decimal("0.005", "x1"), exact_decimal(0.005, "x1"), exact_decimal("-1e-3", "x1")
     (Fraction(1, 200), Fraction(1, 200), Fraction(-1, 1000))
     """
+    if getattr(value, "shape", None) == ():  # of NumPy
+        value = value.item()  # type: ignore[attr-defined]
     if type(value) is Fraction:  # itself: scenes that share a number can be told to
         return _checked_size(value, name)
     if isinstance(value, str):

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, cast
 
 from numerics.errors import InvalidScene
+from numerics.habits import right_word
 from numerics.scene import Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
 from numerics.scene.decimals import decimal_text, listed, shown
-from numerics.scene.friction import two_coefficients
 from numerics.scene.model import BUILD, read_law, require_kind
 from numerics.scene.plane import AXES, PlanePair, PlaneScene
 
@@ -39,7 +39,6 @@ _SINE = ("amplitude omega", "phase")
 _REPEATED = {"force", "friction", "belt", "wall", "reference"}
 """Tables of which there may be many."""
 _ON_A_LINE = ("weakening", "belt", "wall", "b_static", "body")
-_TWO_COEFFICIENTS = {"b_s", "b_k", "b_kinetic", "mu_s", "mu_k"}
 _FOLDER = resources.files("numerics") / "scene"
 
 
@@ -105,7 +104,7 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
     if not name:
         raise InvalidScene(f"the name of the {what} is empty; give {form} or one of {shipped}")
     if name in known:
-        return _shipped(folder, name), ""
+        return _shipped(folder, name), str(_FOLDER / folder / name)
     near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
     remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
     return _content(name, what, remedy), name
@@ -136,9 +135,16 @@ def parse_scene(text: str, file: str = "") -> Scene:
     """
     tables, folder = _tables(text, "scene", file, _SCENE), Path(file).parent
     pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
+    listed_keys = [key for key, one in (*pair.items(), *initial.items()) if isinstance(one, list)]
     lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
     law = read_law(run.get("law", Law.FILIPPOV))
-    if not (lists or "shape" in pair or any("axis" in one for one in force)):
+    is_named = "shape" in pair or any("axis" in one for one in force)
+    if len(lists) == 1 and listed_keys[0] in pair and not is_named:
+        raise InvalidScene(
+            f"{listed_keys[0]} = {shown(pair[listed_keys[0]])} is a list; give one number on a line, arrays to "
+            'solve_many, and a pair on a surface also shape = "ellipsoid"'
+        )
+    if not (lists or is_named):
         on_bodies = _signals(tables, "force", folder, "body", (1, 2))
         changes = _read("friction", tables, lambda one: Friction([_friction_piece(one)]).pieces[0])
         friction = Friction(changes, Weakening(**tables["weakening"]) if "weakening" in tables else None)
@@ -186,13 +192,13 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().split("\n")
     names = lines[0].strip(' "#').lower()
     first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))
-    rows = [line.split(",") for line in lines[first:]]
-    if not rows:
+    rows = [line.replace('"', "").split(",") for line in lines[first:]]
+    if lines == [""] or not rows:
         raise InvalidScene(f"{shown(file)} holds no samples; give a line t, u for each")
     for number, row in enumerate(rows, first + 1):
-        if len(row) != 2:
-            line = shown(lines[number - 1])
-            raise InvalidScene(f"row {number} of {shown(file)}, {line}, is not a t and a u; write 0.5, 1.25")
+        if len(row) != 2 or ";" in lines[number - 1]:
+            line = f"row {number} of {shown(file)}, {shown(lines[number - 1])}"
+            raise InvalidScene(f"{line}, is not a t and a u; write 0.5, 1.25 with decimal points and one comma")
     t, u = zip(*rows, strict=True)
     return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
 
@@ -203,6 +209,10 @@ def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) 
         # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
         tables = tomllib.loads(text, parse_float=lambda number: number.replace("_", ""))
     except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
+        if file.lower().endswith((".csv", ".txt", ".dat")):
+            raise InvalidScene(
+                f"{file!r} is a table, not a TOML {what}; name it as file = {file!r} in a [[force]] of a scene"
+            ) from None
         reason = " ".join(str(error).split())[:200]
         named = "standard input" if file == "-" else repr(file)
         raise InvalidScene(f"{f'{named} is ' if file else ''}not a TOML {what}: {reason}; correct that place") from None
@@ -249,8 +259,10 @@ def _friction_piece(table: dict[str, Any]) -> Any:
         raise InvalidScene("missing key b; give b, or polynomial and sines")
     if "b" not in table:
         return _piece(table)
-    if len(table) > 2:
-        raise InvalidScene("b stands beside polynomial or sines; leave out either")
+    if "polynomial" in table:
+        raise InvalidScene("b stands beside polynomial, whose first number it is; leave out either")
+    if "sines" in table:
+        return _piece({"polynomial": [table["b"]], **{key: one for key, one in table.items() if key != "b"}})
     return table["from"], table["b"]
 
 
@@ -260,10 +272,8 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
     if not isinstance(content, dict):
         raise InvalidScene(f"{where} must be a table with the keys {known}, not {shown(content)}; give it its keys")
     for key in content:
-        if key in _TWO_COEFFICIENTS:
-            raise two_coefficients(key)
         if key not in known.split():
-            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; it takes {known}")
+            raise InvalidScene(f"{where}: unknown key {key[:40]!r}; {right_word(key, known.split())}")
     for key in required:
         if key not in content:
             raise InvalidScene(f"{where}: missing key {key}; give it")

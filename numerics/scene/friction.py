@@ -9,16 +9,14 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
+from numerics.habits import helpful
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, put, short, shown
 from numerics.scene.pieces import Piece, begun, require_order
 from numerics.scene.short_repr import ShortRepr
 
 MAX_POINTS = 1000
 _B = TypeVar("_B")
-_TWO_COEFFICIENTS = (
-    "friction at rest above that in slip, without a slope between them, is ill-posed: for a load between the two stick "
-    "and slip are both solutions at every instant; take B continuous, however steep"
-)
+_AT_REST = "that is the b of the pair; for more friction at rest give it b_static, for less begin at |w| = 1e-6"
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
@@ -39,6 +37,7 @@ class Weakening(ShortRepr):
     last_slope: Fraction
     place: tuple[tuple[Fraction, Fraction], ...]
 
+    @helpful
     def __init__(
         self,
         speed: Iterable[tuple[Exact, Exact]] = (),
@@ -51,7 +50,7 @@ class Weakening(ShortRepr):
             if w < before:
                 raise InvalidScene(f"speed has |w| = {short(w)} after {short(before)}; give points in order of |w| > 0")
             if w == before:
-                why = f"a jump of B is ill-posed; give |w| > {short(w)}, however little" if w else _TWO_COEFFICIENTS
+                why = f"a jump of B is ill-posed; give |w| > {short(w)}, however little" if w else _AT_REST
                 raise InvalidScene(f"speed has a second B = {short(b)} at |w| = {short(w)}: {why}")
         for one, two in pairwise(places):
             if two[0] <= one[0]:
@@ -77,6 +76,7 @@ class Friction(ShortRepr):
     pieces: tuple[Piece, ...]
     weakening: Weakening | None
 
+    @helpful
     def __init__(self, pieces: Iterable[Piece | tuple[Exact, Exact]] = (), weakening: Weakening | None = None) -> None:
         """Read the pieces; each starts after the one before it."""
         if not isinstance(weakening, Weakening | None):
@@ -108,13 +108,6 @@ class Friction(ShortRepr):
                 raise InvalidScene(f"b(t) varies from t = {short(one.start)} s on; this needs b by constant steps")
             found.append((one.start, one.constant))
         return tuple(found)
-
-
-def two_coefficients(key: str) -> InvalidScene:
-    """Return the error for a friction with one coefficient at rest and another one in slip."""
-    return InvalidScene(
-        f"{key}: {_TWO_COEFFICIENTS}, as [weakening] speed = [[|w|, B], ...], or write b_static in [pair]"
-    )
 
 
 def _points(given: Any, name: str, first: str, second: str) -> tuple[tuple[Fraction, Fraction], ...]:

@@ -13,10 +13,12 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.errors import InvalidScene
+from numerics.habits import helpful
 from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
 from numerics.scene.friction import Friction
 from numerics.scene.nonnegative import require_nonnegative
 from numerics.scene.pieces import Piece, Signal
+from numerics.scene.replaced import replaced
 from numerics.scene.short_repr import ShortRepr
 
 
@@ -63,6 +65,7 @@ class Pair(ShortRepr):
     a1: Fraction
     b_static: Fraction | None
 
+    @helpful
     def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0, b_static: Exact | None = None) -> None:
         """Read every parameter as an exact decimal and check its bound."""
         is_fixed = isinstance(m2, str | float) and m2 in ("inf", math.inf)
@@ -145,6 +148,7 @@ class State(ShortRepr):
     x2: Fraction
     v2: Fraction
 
+    @helpful
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
@@ -196,6 +200,7 @@ class Scene(ShortRepr):
     _hash: int = field(init=False, repr=False, compare=False)
     """The hash of all of it, formed once: what is derived from a scene is cached by the scene."""
 
+    @helpful
     def __init__(
         self,
         pair: Pair,
@@ -210,7 +215,9 @@ class Scene(ShortRepr):
     ) -> None:
         """Check the parts and read the horizon and the law."""
         parts = ((pair, Pair, "Pair(m1=..., m2=..., a2=..., b=...)"), (initial, State, "State(x1=..., v1=...)"))
-        signals = ((one, Signal, "Force.sine(amplitude, omega)") for one in (force, force_2, belt, wall))
+        signals = (
+            (one, Signal, "Force.sine(amplitude, omega) or Force.samples(t, u)") for one in (force, force_2, belt, wall)
+        )
         for part, kind, remedy in (*parts, *signals, (friction, Friction, "Friction([(start, b)])")):
             if not isinstance(part, kind):
                 given = f"{str(part)[:40]!r}, {type(part).__name__}"
@@ -262,6 +269,15 @@ class Scene(ShortRepr):
         """Return what pickles and copies are made of."""
         return Scene, tuple(getattr(self, one.name) for one in fields(self) if one.init)
 
+    def replace(self, **changes: Any) -> Scene:
+        """Return the scene with other parts, or with other numbers of its pair and its initial state.
+
+        >>> scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5)
+        >>> scene.replace(b="0.06", x1=1, until=3)
+        Scene(pair=Pair(m1=1, m2=1, a2=200, b=0.06), initial=State(x1=1, v1=0.15), until=3)
+        """
+        return replaced(self, changes, ("pair", "initial"))
+
     @property
     def pieces(self) -> dict[str, tuple[Piece, ...]]:
         """The pieces of each signal and of friction, by their names."""
@@ -298,7 +314,10 @@ class Scene(ShortRepr):
     def require_one_b(self, what: str) -> None:
         """Raise InvalidScene, where only Coulomb friction is supported, if friction depends on the state."""
         if self.friction.weakening:
-            raise InvalidScene(f"{what} is not available for friction that depends on the state; leave [weakening] out")
+            raise InvalidScene(
+                f"{what} is not available for friction that depends on the state; "
+                "use solve with a late until, or leave [weakening] out"
+            )
 
     def require_filippov(self, what: str) -> None:
         """Raise InvalidScene for sgn(0) = 0 read literally: such a stick never ends, whatever friction it requires."""

@@ -11,6 +11,7 @@ from itertools import pairwise, zip_longest
 from typing import Any
 
 from numerics.errors import InvalidScene
+from numerics.habits import helpful
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, positive, put, short, shown
 from numerics.scene.short_repr import ShortRepr
 
@@ -32,6 +33,7 @@ class Sine(ShortRepr):
     omega: Fraction
     phase: Fraction
 
+    @helpful
     def __init__(self, amplitude: Exact, omega: Exact, phase: Exact = 0) -> None:
         """Read the numbers; raises InvalidScene unless omega > 0."""
         keep(self, amplitude=amplitude, phase=phase)
@@ -58,6 +60,7 @@ class Piece(ShortRepr):
     polynomial: tuple[Fraction, ...]
     sines: tuple[Sine, ...]
 
+    @helpful
     def __init__(self, start: Exact, polynomial: Iterable[Exact] = (), sines: Iterable[Sine] = ()) -> None:
         """Read start and coefficients: those of a force are N, N/s, N/s^2, ..."""
         put(self, start=begun(start))
@@ -104,10 +107,10 @@ class Signal(ShortRepr):
     """A function of time: pieces in order of their start (s), 0 before the first one. Exact. Raises InvalidScene.
 
     A force u(t) (N), on either body, the velocity of a belt (m/s), the displacement of the wall (m). `Force` is the
-    same class by the name of its first use. f + g and c f are signals again.
+    same class by the name of its first use. f + g, f - g, c f and f/c are signals again.
 
-    >>> (Force.step(1, 2) + Force.ramp(0, 2, 4))(Fraction(3, 2))
-    Fraction(5, 1)
+    >>> (Force.step(1, 2) + Force.ramp(0, 2, 4))(Fraction(3, 2)), (Force.step(0, 3) - Force.step(0, 1) / 2)(1)
+    (Fraction(5, 1), Fraction(5, 2))
     >>> force = 2 * Force.sine("0.35", 5) + Force.trapezoid(2, 1, 1, 0, "0.2")
     >>> force.piece_at(Fraction(5, 2)).polynomial, force.pieces[0].sines
     ((Fraction(0, 1), Fraction(1, 5)), (Sine(amplitude=0.7, omega=5),))
@@ -119,6 +122,7 @@ class Signal(ShortRepr):
 
     pieces: tuple[Piece, ...]
 
+    @helpful
     def __init__(self, pieces: Iterable[Piece] = ()) -> None:
         """Keep the pieces; each starts after the one before it."""
         kept = tuple(listed("pieces", pieces))
@@ -127,11 +131,13 @@ class Signal(ShortRepr):
         put(self, pieces=kept)
 
     @classmethod
+    @helpful
     def step(cls, at: Exact, height: Exact) -> Signal:
         """Return 0 before the time `at` (s), `height` from then on."""
         return cls((Piece(at, (height,)),))
 
     @classmethod
+    @helpful
     def ramp(cls, start: Exact, end: Exact, height: Exact) -> Signal:
         """Return the signal that grows linearly from 0 at `start` to `height` at `end` > start, and stays there."""
         first = exact_decimal(start, "start")
@@ -145,6 +151,7 @@ class Signal(ShortRepr):
         return cls((*rise, Piece(at + length, (top,))))
 
     @classmethod
+    @helpful
     def trapezoid(cls, start: Exact, rise: Exact, hold: Exact, fall: Exact, height: Exact) -> Signal:
         """Return the signal that rises for `rise` s, stays at `height` for `hold` s and falls for `fall` s to 0.
 
@@ -157,11 +164,13 @@ class Signal(ShortRepr):
         return cls._edge(at, up, height) + -cls._edge(at + up + stay, down, height)
 
     @classmethod
+    @helpful
     def sine(cls, amplitude: Exact, omega: Exact, phase: Exact = 0, start: Exact = 0) -> Signal:
         """Return amplitude sin(omega t + phase) from `start` (s) on; t from the start of the run."""
         return cls((Piece(start, (), (Sine(amplitude, omega, phase),)),))
 
     @classmethod
+    @helpful
     def sweep(cls, amplitude: Exact, omegas: Iterable[Exact], duration: Exact, start: Exact = 0) -> Signal:
         """Return sines of stepped frequency, `duration` (s) each, with continuous phase; the last one does not end."""
         length = _length(duration, "duration")
@@ -174,6 +183,7 @@ class Signal(ShortRepr):
         return cls(pieces)
 
     @classmethod
+    @helpful
     def samples(cls, t: Iterable[Exact], u: Iterable[Exact], kind: str = "linear", first_row: int = 1) -> Signal:
         """Return the signal through samples u at the times t (s): linear between them, or ("hold") as the one before.
 
@@ -182,7 +192,7 @@ class Signal(ShortRepr):
         if kind not in ("linear", "hold"):
             raise InvalidScene(f"kind = {shown(kind)} is not one of linear, hold; leave it out for the first")
         times, values = list(listed("t", t)), list(listed("u", u))
-        if len(times) != len(values):
+        if len(times) != len(values) or not times:
             raise InvalidScene(f"t has {len(times)} samples and u {len(values)}; give one of u for each of t")
         knots: list[tuple[Fraction, Fraction]] = []
         for row, (time, value) in enumerate(zip(times, values, strict=True), first_row):
@@ -230,7 +240,7 @@ class Signal(ShortRepr):
     def __add__(self, other: Signal) -> Signal:
         """Return the sum; it has the jumps of both."""
         if not isinstance(other, Signal):
-            return NotImplemented
+            raise TypeError(f"a signal and {shown(other)} do not add up; write Force.step(0, 3) for a constant of 3")
         starts = sorted({*self.starts, *other.starts})
         return Signal(_summed(*(one.piece_at(start).moved(start) for one in (self, other))) for start in starts)
 
@@ -246,9 +256,19 @@ class Signal(ShortRepr):
             for one in self.pieces
         )
 
+    __mul__ = __rmul__
+
+    def __truediv__(self, divisor: Exact) -> Signal:
+        """Return the signal divided by an exact number."""
+        return self * (1 / exact_decimal(divisor, "divisor"))
+
     def __neg__(self) -> Signal:
         """Return the opposite signal."""
         return -1 * self
+
+    def __sub__(self, other: Signal) -> Signal:
+        """Return the difference; it has the jumps of both."""
+        return self + -1 * other
 
 
 Force = Signal

@@ -16,11 +16,13 @@ from typing import Any
 from flint import fmpq, fmpq_mat
 
 from numerics.errors import InvalidScene
+from numerics.habits import helpful
 from numerics.scene import decimals
 from numerics.scene.decimals import Exact, exact_decimal, listed, put, short, shown
 from numerics.scene.friction import friction_pieces
 from numerics.scene.model import HORIZON, NO_FORCE
 from numerics.scene.pieces import Force, require_all
+from numerics.scene.replaced import replaced
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")
@@ -49,6 +51,7 @@ class PlanePair(ShortRepr):
     b: Vector
     shape: str
 
+    @helpful
     def __init__(
         self, m1: Any, m2: Any, a2: Any, b: Any, a1: Any = 0, shape: str = "ellipsoid", axes: int | None = None
     ) -> None:
@@ -106,6 +109,8 @@ class PlaneScene(ShortRepr):
     >>> pushed = PlaneScene(pair, 1, x1=[0.012, 0.002], v1=0, x2=0, v2=0, force=along_x, friction=softer)
     >>> pushed.pair.axes, pushed.until, pushed.is_forced
     (2, Fraction(1, 1), True)
+    >>> pushed.replace(b=1, until=2).pair.b
+    (Fraction(1, 1), Fraction(1, 1))
     >>> run = solve(PlaneScene(pair, 1, x1=[0.012, 0.002]), digits=12)
     >>> run.modes[:2], run.events[0].after, run.sol(0.5).shape
     (('slip', 'stick'), 'stick', (8,))
@@ -120,6 +125,7 @@ class PlaneScene(ShortRepr):
     force: tuple[Force, ...]
     friction: tuple[tuple[Fraction, Vector], ...]
 
+    @helpful
     def __init__(
         self,
         pair: PlanePair,
@@ -142,6 +148,10 @@ class PlaneScene(ShortRepr):
         state = {name: vector(one, name, n) for name, one in (("x1", x1), ("v1", v1), ("x2", x2), ("v2", v2))}
         changes = friction_pieces(listed("friction", friction, " of pairs (start, b)"), lambda b: positive(b, "b", n))
         put(self, pair=pair, force=forces + (NO_FORCE,) * (n - len(forces)), friction=changes, **state)
+
+    def replace(self, **changes: Any) -> PlaneScene:
+        """Return the scene with other parts, or with other numbers of its pair."""
+        return replaced(self, changes, ("pair",))
 
     @property
     def is_forced(self) -> bool:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import fields
 from enum import Enum
 from fractions import Fraction
+from html import escape
 from inspect import signature
 from typing import Any
 
@@ -29,6 +31,10 @@ class ShortRepr:
         shown = (f"{name}={shortly(value)}" for name, value in self._shown_fields())
         return f"{type(self).__name__}({', '.join(shown)})"
 
+    def _repr_html_(self) -> str:
+        """Return the record as a table of a notebook."""
+        return html_table(type(self).__name__, ((name, shortly(value)) for name, value in self._shown_fields()))
+
     def _shown_fields(self) -> list[tuple[str, Any]]:
         defaults = {name: one.default for name, one in signature(type(self)).parameters.items()}
         shown = [one.name for one in fields(self) if one.repr]  # type: ignore[arg-type]
@@ -39,6 +45,16 @@ class ShortRepr:
 def _is(value: Any, default: Any) -> bool:
     """Return whether a value is the default one; arrays and balls are none."""
     return value is default or bool(isinstance(value, str | Fraction | Enum | tuple | ShortRepr) and value == default)
+
+
+def html_table(caption: str, rows: Iterable[tuple[str, object]]) -> str:
+    """Return names and values as a table in HTML.
+
+    >>> html_table("Pair", [("m1", 1)])
+    '<table><caption>Pair</caption><tr><th>m1</th><td>1</td></tr></table>'
+    """
+    lines = (f"<tr><th>{escape(name)}</th><td>{escape(str(value))}</td></tr>" for name, value in rows)
+    return f"<table><caption>{escape(caption)}</caption>{''.join(lines)}</table>"
 
 
 def shortly(value: Any) -> str:

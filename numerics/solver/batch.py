@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,21 +13,18 @@ from numerics.arithmetic.precision import cached_property
 from numerics.linear.errors_of import errors_of_rows
 from numerics.linear.ledger import TINY
 from numerics.linear.record import AT, BOUNDS, How
+from numerics.scene.short_repr import html_table
+from numerics.solver.inputs import SI, varying
+from numerics.solver.tables import dataframe, dataset, values_of
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
 from numerics.trajectory.status import Status
 
-SI = ("m1", "m2", "a2", "b", *STATE, "until", "a1")
-"""The numbers of a scene, as the compiled engines take them (free/frame.py)."""
-
-
-def near(x: Fraction) -> float:
-    """Return the float next to an exact number, nan beyond their range."""
-    try:
-        return float(x)
-    except OverflowError:
-        return math.nan
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 class Ends:
@@ -56,7 +52,21 @@ class Ends:
         """Return which runs got to their horizon, by events that are certain, with a right digit of every quantity."""
         return np.isin(self.status, (Status.REACHED_HORIZON, Status.STUCK_FOR_EVER))
 
-    def plot(self, answer: str | None = None, along: Any = None, ax: Any = None) -> Any:
+    def _repr_html_(self) -> str:
+        """Return the inputs that vary, and the answers, as a table of a notebook."""
+        rows = {**varying(self.inputs), **{name: values_of(self, name) for name in self.ANSWERS}}
+        spans = ((name, f"{np.nanmin(one):.6g} to {np.nanmax(one):.6g}") for name, one in rows.items() if np.size(one))
+        return html_table(repr(self), spans)
+
+    def to_dataframe(self) -> DataFrame:
+        """Return inputs and answers as a pandas DataFrame, a row for each scene. Raises MissingTool."""
+        return dataframe(self)
+
+    def to_xarray(self) -> Dataset:
+        """Return inputs and answers as an xarray Dataset, axes named by the inputs along them. Raises MissingTool."""
+        return dataset(self)
+
+    def plot(self, answer: str | None = None, along: Any = None, ax: Axes | None = None) -> Axes:
         """Draw one answer over the inputs that vary, one or the first two of them, and return the matplotlib axes.
 
         `answer`: one of `ANSWERS`, the first of them if left out; x1, v1, x2, v2 are those at the end. `along`: an
@@ -90,6 +100,8 @@ class Batch(Ends):
     Batch of 2 scenes, shape (2,): 1 REACHED_HORIZON, 1 STUCK_FOR_EVER; 33 events
     >>> len(found), found.shape, found.success.tolist(), found.status.tolist(), found.certain.tolist()
     (2, (2,), [True, True], [1, 0], [True, True])
+    >>> len(found.to_dataframe())
+    2
     >>> found.events.tolist(), found.mode.tolist(), found.t.tolist(), found.inputs["v1"].tolist()
     ([1, 32], [0, 0], [5.0, 5.0], [0.05, 0.15])
     >>> found.ANSWERS[:2], found.y.shape, bool((found.y_error < 1e-12).all()), bool((found.digits > 9).all())
@@ -112,19 +124,22 @@ class Batch(Ends):
         shape: tuple[int, ...],
         form_ledgers: Callable[[Floats], None] | None = None,
         walls: Any = False,
+        more: Callable[[], dict[str, Floats]] = dict,
     ) -> None:
         """Keep SI numbers (n, 10), and rows that the runs wrote (linear/record.py): of ends, of start and first events.
 
         In these the time counts from the start of the run, whatever piece of force it is in. `form_ledgers` writes to
-        the ends what friction and viscosity took, where that is nan. `walls` says where a wall moves.
+        the ends what friction and viscosity took, where that is nan. `walls` says where a wall moves; `more` returns
+        other inputs by their names.
         """
         self.numbers, self.ends, self.kept, self.shape, self._form_ledgers = numbers, ends, kept, shape, form_ledgers
-        self._walls = np.asarray(walls, bool)
+        self._walls, self._more = np.asarray(walls, bool), more
 
     @property
     def inputs(self) -> dict[str, Floats]:
-        """Return m1, m2, a2, b, x1, v1, x2, v2, until and a1 of the scenes (SI units), each in the shape."""
-        return {name: self._given(name) for name in SI}
+        """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and all else that varies, SI units, each in the shape."""
+        others = {name: np.broadcast_to(one, self.shape) for name, one in self._more().items() if name not in SI}
+        return {name: self._given(name) for name in SI} | others
 
     def _given(self, name: str) -> Floats:
         return self.numbers[:, SI.index(name)].reshape(self.shape)
@@ -152,10 +167,9 @@ class Batch(Ends):
     @cached_property
     def status(self) -> Counts:
         """Return how each run ended, a Status."""
-        open_ones = (self._how == How.DOUBT) | ((self._how < How.EVENT_LIMIT) & ~self.certain)
         blank = (self._how < How.EVENT_LIMIT) & (self.digits == 0)
         ended = np.where(blank, int(Status.NO_RIGHT_DIGIT), self._how)
-        return np.where(open_ones, int(Status.SEQUENCE_OPEN), ended)
+        return np.where(self._how == How.DOUBT, int(Status.SEQUENCE_OPEN), ended)
 
     @cached_property
     def events(self) -> Counts:
@@ -170,7 +184,7 @@ class Batch(Ends):
     @cached_property
     def certain(self) -> Array:
         """Whether the bounds exclude any other sequence of events."""
-        return np.asarray((self._end("certain")[0] == 1.0) & (self._how != How.DOUBT))
+        return np.asarray(self._how < How.OUT_OF_RANGE)
 
     @cached_property
     def t(self) -> Floats:

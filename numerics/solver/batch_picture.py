@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
+from numerics.solver.inputs import unit, varying
+from numerics.solver.tables import values_of
 from numerics.trajectory.columns import STATE
 from numerics.trajectory.export import UNITS
 from numerics.trajectory.figures import BLUE, ORANGE, axes_for
 
-_UNITS = UNITS | {
-    "m1": "kg", "m2": "kg", "a1": "N s/m", "a2": "N/m", "b": "N", "until": "s",
-    "dissipated": "J", "mode": "sign of v1 - v2",
-}  # fmt: skip
+_UNITS = {**UNITS, "dissipated": "J", "mode": "sign of v1 - v2"}
 
 
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     """Draw into matplotlib axes; see Batch.plot."""
-    axes, ax = _along(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
+    axes, ax = along_of(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
     from matplotlib.ticker import AutoLocator
 
-    values = batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)
+    values = values_of(batch, answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
     points, ticks = [np.ravel(one) for one in axes.values()], AutoLocator()
     ticks.set_params(integer=values.dtype.kind in "iu", min_n_ticks=1)
@@ -46,7 +46,18 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     return ax
 
 
-def _along(batch: Any, along: Any) -> dict[str, Any]:
+def draw_bifurcation(found: Any, answer: str, along: Any, ax: Any) -> Any:
+    """Draw into matplotlib axes; see Bifurcation.plot."""
+    ((name, given), *_), ax = along_of(found, along).items(), axes_for(answer, found.ANSWERS, ax, "answer")
+    points = found.values(answer)
+    x = np.broadcast_to(np.reshape(given, (-1, 1)), points.shape)
+    ax.plot(x.ravel(), points.ravel(), ".", color=BLUE, ms=1.5, alpha=0.6, rasterized=True)
+    ax.set_xlabel(_label(name))
+    ax.set_ylabel(f"{answer}, once a period ({_UNITS[answer.partition(' ')[0]]})")
+    return ax
+
+
+def along_of(batch: Any, along: Any) -> dict[str, Any]:
     """Return one or two inputs by their names, in the shape of the batch. Raises ValueError."""
     given = batch.inputs
     if isinstance(along, str):
@@ -58,10 +69,10 @@ def _along(batch: Any, along: Any) -> dict[str, Any]:
             return {"given": np.asarray(along, dtype=float).reshape(batch.shape)}
         except (TypeError, ValueError):
             raise ValueError(f"along must be the name of an input, or numbers of the shape {batch.shape}") from None
-    varying = [name for name, one in given.items() if one.size and (one != one.flat[0]).any()][:2]
-    if varying:
-        return {name: given[name] for name in varying}
-    return {"scene": np.arange(len(batch)).reshape(batch.shape)}
+    changed = [*varying(given).items()][:2]
+    if changed:
+        return dict(changed)
+    return {"scene": np.arange(math.prod(batch.shape)).reshape(batch.shape)}
 
 
 def _direction(given: Any) -> int | None:
@@ -71,5 +82,5 @@ def _direction(given: Any) -> int | None:
 
 
 def _label(name: str, quantity: str = "") -> str:
-    unit = _UNITS.get(quantity or name, "")
-    return f"{name} ({unit})" if unit else name
+    of = _UNITS.get(quantity or name) or unit(name)
+    return f"{name} ({of})" if of else name

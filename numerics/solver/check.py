@@ -120,9 +120,11 @@ def check(run: Trajectory) -> Check:
     truth = solve(run.scene, digits=digits, arithmetic="ball", max_events=max(most, 1))
     difference = first_difference(run, truth)
     with truth.context():
-        true = {one.place: one.value for one in _numbers(truth)}
-        compared = [one for one in _numbers(run) if difference is None or difference.comes_after(one)]
-        off = sorted((_off(one, true[one.place]) for one in compared), key=lambda one: (one.within, -one.error))
+        compared, true = (
+            [one for one in _numbers(of) if difference is None or difference.comes_after(one)] for of in (run, truth)
+        )
+        pairs = zip(compared, true, strict=True)
+        off = sorted((_off(one, other.value) for one, other in pairs), key=lambda one: (one.within, -one.error))
     worst = {one.quantity: one for one in reversed(off)}
     order = dict.fromkeys(one.quantity for one in compared)
     return Check(run.arithmetic.name, digits, len(run.events), difference, tuple(worst[name] for name in order))
@@ -150,14 +152,10 @@ class _Number(NamedTuple):
     value: Any
     bound: Any
 
-    @property
-    def place(self) -> tuple[str, int | None]:
-        return self.quantity, self.event
-
 
 def _numbers(run: Trajectory) -> Iterator[_Number]:
     """Yield every number of a run: times and states of the events, then the end; in the context of a run in balls."""
-    known = run.accuracy if run.certain else None
+    known = run.accuracy if run.bounded and run.certain else None
     for k, row in enumerate(zip(run.event_times, *run.event_states, strict=True)):
         bounds = [None] * 5 if known is None else [known.t[k], *known.y[k]]
         yield from (_Number(name, k + 1, *pair) for name, *pair in zip(("t", *STATE), row, bounds, strict=True))

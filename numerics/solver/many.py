@@ -11,7 +11,6 @@ import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import cache, partial
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
@@ -19,14 +18,17 @@ from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
-from numerics.linear.batch import Columns
-from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, How
+from numerics.habits import helpful
+from numerics.linear.batch import follow_many
+from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN
+from numerics.meter import meter
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import exact_decimal, listed, require_function, require_whole, shown
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.scene.plane import PlaneScene
-from numerics.solver.batch import SI, Batch, near
-from numerics.solver.rows import form_ledgers, frictions_of, in_chunks, solve_columns, solve_one
+from numerics.solver.batch import Batch
+from numerics.solver.inputs import SI, inputs_of, near
+from numerics.solver.rows import form_ledgers, in_chunks, solve_one
 from numerics.trajectory.columns import Floats, room
 from numerics.trajectory.run import MAX_EVENTS
 
@@ -56,6 +58,7 @@ class _BatchLimits(NamedTuple):
         return self
 
 
+@helpful
 def solve_many(
     m1: ArrayLike,
     m2: ArrayLike,
@@ -86,8 +89,8 @@ def solve_many(
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
-    other arrays. For jumps use `force` and `friction`: a Force, a Friction, or sequences of them that broadcast; one
-    Friction for all scenes together with `sines` is as fast as `sines` alone.
+    other arrays. For jumps use `force` and `friction`: a Force, a Friction, or sequences of them that broadcast; scenes
+    with them are solved one after the other.
 
     Numbers are read as binary64 numbers, exactly: 0.005 in an array is not 1/200, which matters for a start exactly on
     the edge of the sliding region. With `exact` they are read as by `solve`: 0.005 is 1/200, and strings such as "1/3"
@@ -114,8 +117,7 @@ def solve_many(
     if not isinstance(exact, bool | np.bool_):
         raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
     law, limits, terms = read_law(law), _BatchLimits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
-    # a polynomial would have to begin anew with each piece of friction
-    in_columns = force is None and (friction is None or (terms < 2 and _fits_in_columns(friction)))
+    in_columns = not exact and force is None and friction is None
     force, friction = NO_FORCE if force is None else force, SAME_FRICTION if friction is None else friction
     with np.errstate(over="ignore"):  # of long floats; refused as inf
         arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
@@ -124,23 +126,16 @@ def solve_many(
     flat = room(f"{math.prod(shape)} scenes", math.prod(shape), len(arrays))
     if not exact:
         _fill(flat.reshape(*shape, len(arrays)), arrays)
-    if exact or not in_columns:
+    if not in_columns:
         return _solve_objects(arrays | objects, shape, terms, law, limits)
-    # each contiguous, as compiled code is made for a layout
-    parts = slice(len(SI)), slice(len(SI), len(SI) + terms), slice(len(SI) + terms, None)
-    numbers, polynomials, waves = (np.ascontiguousarray(flat[:, part]) for part in parts)
-    columns = Columns(numbers, polynomials, waves.reshape(len(flat), len(sines), 3), frictions_of(friction))
-    how = law is Law.THREE_VALUED_SGN, max_events
-
-    scene_of = partial(_scene_of_row, flat, terms, law, friction)
+    how, scene_of = (terms, law is Law.THREE_VALUED_SGN, max_events), partial(_scene_of_row, flat, terms, law)
 
     def run(part: slice, kept: Floats, ends: Floats) -> None:
-        solve_columns(columns.part(part), *how, kept, ends)
-        later = numbers[part, SI.index("until")] <= float(max(friction.starts, default=0))
-        ends[later & (ends[:, AT["how"]] == How.STUCK), AT["how"]] = How.REACHED
+        follow_many(flat[part], *how, False, kept, ends)
 
     kept, ends = _solved(scene_of, len(flat), limits, run)
-    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, columns, how, jobs))
+    numbers = np.ascontiguousarray(flat[:, : len(SI)])
+    return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, flat, how, jobs), more=arrays.copy)
 
 
 @overload
@@ -151,7 +146,8 @@ def solve_scenes(scenes: Sequence[PlaneScene], **options: Any) -> PlaneBatch: ..
 def solve_scenes(scenes: Sequence[Scene], **options: Any) -> Batch: ...
 
 
-def solve_scenes(  # type: ignore[misc]  # the options are those below
+@helpful  # type: ignore[misc]  # the options are those below
+def solve_scenes(
     scenes: Sequence[Scene] | Sequence[PlaneScene],
     *,
     max_events: int = MAX_EVENTS,
@@ -175,11 +171,13 @@ def solve_scenes(  # type: ignore[misc]  # the options are those below
     if given and isinstance(given[0], PlaneScene):
         from numerics.solver.plane_batch import solve_surfaces
 
-        return solve_surfaces(given, *limits)
+        with meter("solving", limits.progress) as line:
+            return solve_surfaces(given, *limits._replace(progress=line))
     numbers = np.array([_numbers_in(scene) for scene in given]).reshape(-1, len(SI))
     kept, ends = _solved(given.__getitem__, len(given), limits._replace(jobs=1))
-    ledgers = partial(form_ledgers, given.__getitem__, None, (False, max_events), 1)
-    return Batch(numbers, ends, kept, (len(given),), ledgers, [bool(one.wall.pieces) for one in given])
+    ledgers = partial(form_ledgers, given.__getitem__, None, (0, False, max_events), 1)
+    walls = [bool(one.wall.pieces) for one in given]
+    return Batch(numbers, ends, kept, (len(given),), ledgers, walls, partial(inputs_of, given))
 
 
 def _of_one_kind(given: Any) -> Any:
@@ -191,16 +189,6 @@ def _of_one_kind(given: Any) -> Any:
     if len(kinds) > 1:
         raise TypeError(f"these scenes have {' and '.join(sorted(kinds))}; solve each kind in a separate call")
     return kept
-
-
-def _fits_in_columns(friction: Any) -> bool:
-    """Return whether all rows have this friction, and pairs of floats tell its pieces apart and hold its numbers."""
-    if not isinstance(friction, Friction) or friction.weakening:
-        return False
-    starts = (Fraction(0), *(start for start in friction.starts if start))
-    lengths = [end - start for start, end in pairwise(starts)]
-    is_held = all(2.0**-900 < one < 2.0**900 for one in (*lengths, *starts[1:], *(b for _, b in friction.steps)))
-    return is_held and all(end < 2**80 * one for end, one in zip(starts[1:], lengths, strict=True))
 
 
 def _numbers_in(scene: Scene) -> Any:
@@ -232,9 +220,9 @@ def _scene(
     return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
 
 
-def _scene_of_row(flat: Floats, terms: int, law: Law, friction: Friction, row: int) -> Scene:
+def _scene_of_row(flat: Floats, terms: int, law: Law, row: int) -> Scene:
     """Return the scene of a row of binary numbers."""
-    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {}, friction=friction)
+    return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {})
 
 
 def _all_of(name: str, kind: type, given: Any) -> Any:
@@ -279,10 +267,11 @@ def _solved(
             solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row])
         return len(hows)
 
-    for some in in_chunks(solve, count, limits.jobs):
-        done += some
-        if limits.progress is not None:
-            limits.progress(done, count)
+    with meter("solving", limits.progress) as progress:
+        for some in in_chunks(solve, count, limits.jobs):
+            done += some
+            if progress is not None:
+                progress(done, count)
     return kept, ends
 
 
@@ -332,12 +321,8 @@ def _fill(wide: Floats, arrays: dict[str, Floats]) -> None:
 
     Raises InvalidScene, naming the first number that is out of bounds.
     """
-    for column, array in enumerate(arrays.values()):
+    for column, (name, array) in enumerate(arrays.items()):
         wide[..., column] = array
-    least = np.array([_least(name) for name in arrays])
-    if wide.size and ((wide >= least) & (wide < np.inf)).all():
-        return
-    for name, array in arrays.items():
         wrong = ~((array >= _least(name)) & (array < np.inf))
         if wrong.any():
             first = tuple(int(i) for i in np.argwhere(wrong)[0])

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.plane.solve import solve_plane
 from numerics.scene.plane import AXES, PlaneScene
-from numerics.solver.batch import Ends, near
+from numerics.solver.batch import Ends
+from numerics.solver.inputs import near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
 from numerics.trajectory.columns import STATE, Floats, room
@@ -56,7 +57,7 @@ class PlaneBatch(Ends):
         for name in rows[0]:
             kind = object if name in {"mode", "message", "event_mode"} else None
             array = np.array([row[name] for row in rows], dtype=kind)
-            setattr(self, name, array.swapaxes(0, 1) if "y" in name.split("_") else array)
+            setattr(self, name, np.moveaxis(array, -2, 0) if "y" in name.split("_") else array)
 
     @property
     def inputs(self) -> dict[str, NDArray[np.float64]]:
@@ -72,29 +73,29 @@ class PlaneBatch(Ends):
 def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[int, dict[str, Any]]:
     """Return the answers of a scene, by the names of arrays."""
     row, scene = task
-    n, nan = scene.pair.axes, np.nan
-    found: dict[str, Any] = {"status": 0, "message": "", "mode": "", "events": 0, "digits": 0, "t": nan, "energy": nan}
-    found |= {"energy_error": nan, "y": np.full((4, n), nan), "event_y": np.full((4, keep, n), nan)}
-    found |= {"event_t": np.full(keep, nan), "event_mode": np.full(keep, "", dtype=object)}
-    found |= {f"{name}_error": found[name].copy() for name in ("y", "event_t", "event_y")}
+    found: dict[str, Any]
     try:
         run = solve_plane(scene, solve, max_events=max_events)
         with run.context():
             (t, late), (energy, energy_off), both = (_floats(x) for x in (run.t, run.final_energy, run.y))
-        y, off = (x.reshape(4, n, -1).swapaxes(1, 2) for x in both)
+        y, off = (x.reshape(4, scene.pair.axes, -1).transpose(2, 0, 1) for x in both)
         if not np.isfinite(off).all():
             raise OutOfRange(Status.OUT_OF_RANGE.sentence)
+        found = {"status": run.status, "message": run.message, "mode": run.final_mode, "digits": run.digits}
+        events = [one.after for one in run.events]
     except NumericsError as error:
         capped = isinstance(error, InvalidScene)  # of a part of a box, which has no answer of its own
         ended = Status.EVENT_LIMIT if capped else Status.SEQUENCE_OPEN
         ended = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else ended
-        return row, found | {"status": ended, "message": str(error)}
-    found |= {"status": run.status, "message": run.message, "mode": run.final_mode, "digits": run.digits}
-    found |= {"events": len(run.events), "t": t[-1], "energy": energy, "energy_error": energy_off}
-    found |= {"y": y[:, -1], "y_error": off[:, -1]}
-    for k, event in enumerate(run.events[:keep]):
-        found["event_t"][k], found["event_t_error"][k], found["event_mode"][k] = t[k + 1], late[k + 1], event.after
-        found["event_y"][:, k], found["event_y_error"][:, k] = y[:, k + 1], off[:, k + 1]
+        found, events = {"status": ended, "message": str(error), "mode": "", "digits": 0}, []
+        t = late = energy = energy_off = np.full(1, np.nan)
+        y = off = np.full((1, 4, scene.pair.axes), np.nan)
+    modes = events[:keep]
+    found |= {"t": t[-1], "energy": energy.flat[0], "energy_error": energy_off.flat[0], "y": y[-1], "y_error": off[-1]}
+    found |= {"events": len(events), "event_mode": modes + [""] * (keep - len(modes))}
+    for name, values in (("event_t", t), ("event_t_error", late), ("event_y", y), ("event_y_error", off)):
+        found[name] = np.full((keep, *values.shape[1:]), np.nan)
+        found[name][: len(modes)] = values[1 : len(modes) + 1]
     return row, found
 
 

@@ -9,16 +9,15 @@ from functools import partial
 import numpy as np
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.compiled import can_compile, compiled
+from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.float64 import Float64
-from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import is_held
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.linear.batch import Columns, follow_rows
+from numerics.linear.batch import follow_many
 from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
-from numerics.scene import Friction, Scene
+from numerics.scene import Scene
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import STATE, Counts, Floats
 from numerics.trajectory.run import run_scene
@@ -29,47 +28,29 @@ _CHUNK = 4096
 _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
 _TAKEN = AT["friction"]
-_MOST_NUMBERS = 4_000_000
-"""In rows that are kept at once for a ledger."""
 _FLOAT64, _DIGITS = Float64(), 68
 """Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
 
-def frictions_of(friction: Friction) -> Floats:
-    """Return the pieces of a friction without weakening as linear/batch.py reads them."""
-    pieces = [(*nearest(start), nearest(b)[0]) for start, b in friction.steps]
-    first = [] if pieces and pieces[0][0] == 0.0 else [(0.0, 0.0, np.nan)]
-    return np.array([*first, *pieces])
-
-
-def solve_columns(columns: Columns, literal: bool, max_events: int, kept: Floats, ends: Floats) -> None:
-    """Solve rows by compiled code; the end of what is in doubt says UNKNOWN."""
-    compiled(follow_rows)(columns, literal, max_events, False, kept, ends)
-
-
 def form_ledgers(
-    scene_of: Callable[[int], Scene], columns: Columns | None, how: tuple[bool, int], jobs: int | None, ends: Floats
+    scene_of: Callable[[int], Scene], given: Floats | None, how: tuple[int, bool, int], jobs: int | None, ends: Floats
 ) -> None:
     """Run once more the rows of which nobody has formed what was taken and given; by compiled code if it can."""
     left_out = _without_ledger(ends)
-    rooms = 2 + (0 if columns is None else len(columns.frictions)) + ends[left_out, AT["events"]].astype(np.int64)
-    left_out = left_out[np.argsort(rooms, kind="stable")]  # those of about the same length together
-    rooms.sort()
 
-    def form(given: Columns, part: slice) -> int:
-        room = rooms[part][-1]
-        for some in np.array_split(left_out[part], 1 + len(left_out[part]) * room * ROW // _MOST_NUMBERS):
-            own = ends[some]
-            compiled(follow_rows)(given.part(some), *how, True, np.empty((len(some), room, ROW)), own)
-            held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
-            ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
-        return len(left_out[part])
+    def form(rows: Floats, part: slice) -> int:
+        some = left_out[part]
+        own = ends[some]
+        follow_many(rows[some], *how, True, np.empty((1, 2 + int(own[:, AT["events"]].max()), ROW)), own)
+        held = own[:, AT["how"]] != UNKNOWN  # what was taken may be more than floats hold
+        ends[np.ix_(some[held], range(_TAKEN, END_ROW))] = own[held, _TAKEN:]
+        return len(some)
 
-    if columns is not None and can_compile():
-        list(in_chunks(partial(form, columns), len(left_out), jobs))
+    if given is not None and can_compile():
+        list(in_chunks(partial(form, given), len(left_out), jobs))
     for row in _without_ledger(ends):
         scene = scene_of(int(row))
-        ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[1]).record)
+        ends[row, _TAKEN:] = ledger_of(scene, run_scene(scene, _FLOAT64, how[-1]).record)
 
 
 def _without_ledger(ends: Floats) -> Counts:
@@ -99,7 +80,7 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
         found = run_scene(scene, Ball(_DIGITS) if scene.friction.weakening else _FLOAT64, max_events)
     except (EventUndecided, OutOfRange) as error:
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
-        end[AT["mode"]] = end[AT["events"]] = end[AT["certain"]] = 0.0
+        end[AT["mode"]] = end[AT["events"]] = 0.0
         return
     rows, last = _in_floats(found) if scene.friction.weakening else (found.record.rows, found.record.end)
     at = [0, *np.flatnonzero(rows[:, AT["event"]])[: len(kept) - 1]]
@@ -125,5 +106,5 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
         taken = [found.ledger.friction, found.ledger.viscous]
         friction, viscous = (float(one.mid()) for one in taken)
         off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
-    table[-1, ROW:] = record.how, record.events, 1.0, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
+    table[-1, ROW:] = record.how, record.events, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
     return table[:-1, :ROW], table[-1]

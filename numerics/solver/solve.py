@@ -12,6 +12,8 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
+from numerics.habits import helpful
+from numerics.meter import meter, shows
 from numerics.scene import Scene
 from numerics.scene.decimals import require_digits, require_function, shown
 from numerics.scene.model import BUILD, require_kind
@@ -57,7 +59,8 @@ def solve(scene: PlaneScene, **options: Any) -> PlaneTrajectory: ...
 def solve(scene: Scene, **options: Any) -> Trajectory: ...
 
 
-def solve(  # type: ignore[misc]  # the options are those below
+@helpful  # type: ignore[misc]  # the options are those below
+def solve(
     scene: Scene | PlaneScene,
     *,
     digits: int | None = None,
@@ -120,10 +123,14 @@ def solve(  # type: ignore[misc]  # the options are those below
         require_function("progress", progress, "(events, fraction)")
     if t_eval is not None:
         require_times(t_eval, scene.until)
+    if progress is None and shows():
+        with meter("solving", ticks=False) as line:
+            asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": line}
+            return solve(scene, **asked, max_events=max_events, max_digits=max_digits)
     if isinstance(scene, PlaneScene):
         from numerics.plane.solve import solve_plane
 
-        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
+        asked = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
         return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
     limits = _Limits(max_events, max_digits, progress)
     found = _solve(scene, digits, arithmetic, limits)

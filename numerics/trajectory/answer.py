@@ -5,15 +5,19 @@ from __future__ import annotations
 import json
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.scene.decimals import short
+from numerics.scene.short_repr import html_table
 from numerics.trajectory import export, saved
-from numerics.trajectory.columns import Floats
+from numerics.trajectory.columns import STATE, Floats
 from numerics.trajectory.status import Status
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 _AT_ASKED_TIMES = {"_asked_times", "_asked_states", "_points", "energy", "energy_excess"}
 """What depends on t_eval, and is made when it is looked at."""
@@ -69,6 +73,33 @@ class Answer:
         return np.asarray(convert(given) if given.dtype == object else given)
 
     @property
+    def final(self) -> Any:
+        """Return the state at the end, `.x1`, `.v1`, `.x2`, `.v2` in SI units; `final_mode` is its mode."""
+        run: Any = self
+        return run.final_state
+
+    def __getitem__(self, name: str) -> Any:
+        """Return an attribute by its name, as SciPy's results do, or the row "x1", "v1", "x2" or "v2" of `y`."""
+        run: Any = self
+        if name in STATE:
+            return np.reshape(run.y, (len(STATE), -1, len(run.t)))[STATE.index(name)].squeeze()
+        if not isinstance(name, str) or name.startswith("_") or not hasattr(self, name):
+            raise KeyError(f"{name!r}; a run has t, y, x1, v1, x2, v2, and all that dir(run) lists")
+        return getattr(self, name)
+
+    def _shown(self) -> dict[str, Any]:
+        """Return what a summary says, by its names."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        """Return a short summary, as SciPy's solutions have."""
+        return "\n".join(f"{name:>12}: {value}" for name, value in self._shown().items())
+
+    def _repr_html_(self) -> str:
+        """Return the summary as a table of a notebook."""
+        return html_table(type(self).__name__, self._shown().items())
+
+    @property
     def success(self) -> bool:
         """Return whether the horizon was reached, by events that are certain, with a right digit of every quantity."""
         return self.status.success
@@ -95,9 +126,12 @@ class Answer:
             )
         return export.as_csv(export.as_record(self, truth))
 
-    def to_dataframe(self) -> Any:
-        """Return t, mode, the state and energies at `t` as a pandas DataFrame, in binary64. Raises MissingTool."""
-        return export.dataframe(self)
+    def to_dataframe(self, times: Any = None) -> DataFrame:
+        """Return t, mode, the state and energies as a pandas DataFrame, in binary64. Raises MissingTool, ValueError.
+
+        At `times` (s), or at start, events and end. As CSV: `run.to_dataframe(times).to_csv(file)`.
+        """
+        return export.dataframe(self if times is None else self.but(t_eval=times))
 
     def save(self, file: str | Path) -> None:
         """Write this trajectory to a file, exactly: no pickle, no digit lost. Raises OSError, InvalidScene."""
@@ -108,10 +142,6 @@ class Answer:
         """Return the trajectory that `save` wrote to a file. Raises OSError, InvalidFile (what is no such file)."""
         found: Self = saved.load(file, cls)
         return found
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
-        return saved.unpickled, (type(self), self.scene, json.dumps(saved.run_of(self)))
 
     def __eq__(self, other: object) -> bool:
         """Return whether another trajectory answers the same scene with the same numbers."""

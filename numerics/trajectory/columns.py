@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,15 @@ Array = NDArray[Any]
 Floats = NDArray[np.float64]
 Counts = NDArray[np.int64]
 STATE = ("x1", "v1", "x2", "v2")
+
+
+class Moment(NamedTuple):
+    """A state in SI units: m and m/s."""
+
+    x1: Any
+    v1: Any
+    x2: Any
+    v2: Any
 
 
 def room(what: str, *shape: int) -> Floats:

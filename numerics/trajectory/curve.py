@@ -8,11 +8,13 @@ import numpy as np
 
 from numerics.linear.cells import cells_of
 from numerics.trajectory.columns import Array, Counts, Floats
-from numerics.trajectory.events import energy_in_floats
+from numerics.trajectory.events import energy_in_floats, wall_in_floats
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
 """So many segments at the beginning and at the end are always drawn as curves."""
+_TINY = 1e-300
+"""A time that is none, s."""
 _PER_RADIAN, _FEWEST, _LEAST, _MOST = 24, 8, 60, 10_000
 """Points for each radian of Omega t; fewer than the second are no curve; a segment gets at least the third if it turns
 so far; longer ones share the last."""
@@ -55,30 +57,39 @@ def sampled(trajectory: Rows) -> Curve:
     scene, number, cells = trajectory.scene, trajectory.floats, cells_of(trajectory.scene)
     with trajectory.arithmetic.context():
         lengths, excess = number(trajectory.row_lengths), trajectory.row_excess
-    own = float(scene.pair.a2 / scene.pair.m1) ** 0.5
-    fastest = [max([own, *(float(s) for one in p.layout.omegas for s in one)]) for p in trajectory.pieces]
+    m1, a1, a2 = [float(one) for one in (scene.pair.m1, scene.pair.a1, scene.pair.a2)]
+    fastest = [max([(a2 / m1) ** 0.5, *(float(s) for one in p.layout.omegas for s in one)]) for p in trajectory.pieces]
     radians = lengths * np.array(fastest)[trajectory.row_pieces[: len(lengths)]]
     parts = _parts(radians)
     at = np.repeat(np.arange(len(parts)), parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
     since, stick = lengths[at] * share, trajectory.row_signs[at] == 0
-    found = trajectory.row_changes(at, since, integrals=True)
-    y, (u, load, kinetic, edge), taken = number(trajectory.row_states)[:, at] + found[:4], found[4:8], found[8:10]
+    found = trajectory.row_changes(at, since)
+    y, (u, load, kinetic, edge) = number(trajectory.row_states)[:, at] + found[:4], found[4:]
     if cells is not None:
         edge = edge * cells.relative(y[1] - y[3], y[0] - y[2])
-    ends = np.cumsum(parts + 1) - 1
-    lost = np.insert(np.cumsum(taken[:, ends], axis=1), 0, 0.0, axis=1)[:, at] + taken
     segment = np.searchsorted(trajectory.event_rows, at, side="right")
     t = number(trajectory.row_times)[at] + since
     energy = energy_in_floats(scene, t, y)
+    b, friction = np.where(stick, edge, np.abs(kinetic)), np.where(stick, load, kinetic)
+    apart, wall = np.where(stick, 0.0, found[0] - found[2]), wall_in_floats(scene, t)
+    push = u - a2 * (y[0] - wall) - friction  # what is left of it the damper takes
+    speed = np.diff(wall) / np.maximum(np.diff(since), _TINY)
+    viscous = _work(push, y[0] - wall) - m1 * (_work(y[1], y[1]) - speed * np.diff(y[1]))
+    steps = np.where(np.diff(at) == 0, [_work(kinetic, apart), viscous * (a1 > 0)], 0.0)
+    lost = np.cumsum(np.insert(steps, 0, 0.0, axis=1), axis=1)
     w = np.full(len(t), np.nan)
     if trajectory.has_critical_energy:
         unit = float(scene.pair.critical_energy)
         # where it is carried it keeps its digits where E/E_cr - 1 cancels
-        w = energy / unit - 1 if excess is None else number(excess)[at] - taken[0] / unit
-    b, friction = np.where(stick, edge, np.abs(kinetic)), np.where(stick, load, kinetic)
+        w = energy / unit - 1 if excess is None else number(excess)[at] - kinetic * apart / unit
     resolved = (parts >= _FEWEST * radians)[at]
     return Curve(t, y, w, lost, segment, resolved, stick, u, b, load, friction, energy)
+
+
+def _work(force: Floats, along: Floats) -> Floats:
+    """Return what a force does from point to point; exact where it is linear in the way."""
+    return np.asarray((force[1:] + force[:-1]) / 2 * np.diff(along))
 
 
 def _parts(radians: Floats) -> Counts:

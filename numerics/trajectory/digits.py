@@ -31,6 +31,8 @@ from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.rendering import MOST_DIGITS
 
+FEW_DIGITS = 3
+"""So few right digits are said in the message of a run."""
 ROUNDING = 2.0**-53
 """Of one operation in float64."""
 _ZERO_BITS = 3
@@ -115,8 +117,8 @@ class Judged(NamedTuple):
     energy: float
     excess: float
     digits: int
-    without: tuple[str, ...]
-    """The quantities (JUDGED) that have no right digit."""
+    least: tuple[str, ...]
+    """The quantities (JUDGED) that have no more than these."""
 
 
 @lru_cache(maxsize=128)
@@ -147,8 +149,10 @@ def _judged_floats(trajectory: Any) -> Judged:
             weights[0] * max(0.0, stretched - x1) * (record.end[_STATE_ERRORS][0] + 8 * ROUNDING * (x1 + stretched))
         )
         excess = energy / critical + 8 * ROUNDING * (1 + trajectory.final_energy / critical)
-    digits, without = _digits(worst.tolist(), MOST_DIGITS)
-    return Judged(late, energy, excess, digits if trajectory.certain else 0, without)
+    digits, least = _digits(worst.tolist(), MOST_DIGITS)
+    if digits and not trajectory.certain:
+        digits, least = 0, ()
+    return Judged(late, energy, excess, digits, least)
 
 
 def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
@@ -188,13 +192,29 @@ def _relative(balls: Any, size: arb, scale: arb | None = None) -> float:
 
 
 def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:
-    """Return how many digits the worst relative errors leave right, `most` at most, and of what none."""
+    """Return how many digits the worst relative errors leave right, `most` at most, and of what no more."""
     digits = [(min(most, math.floor(-math.log10(one))) if one > 0 else most) if one < 1 else 0 for one in worst]
-    return min(digits), tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == 0)
+    fewest = min(digits)
+    return fewest, tuple(name for name, count in zip(JUDGED, digits, strict=True) if count == fewest)
 
 
 def accuracy_of(trajectory: Any, found: Judged) -> Accuracy:
     """Return the bounds of a trajectory in SI units, of which `judged` are some; binary64, whatever its numbers are."""
+    if not trajectory.bounded:
+        return _radii(trajectory, found.digits)
     record, (late, energy, excess, digits, _) = trajectory.record, found
     errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], 2 * trajectory.ledger.error
     return Accuracy(late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, trajectory.certain, digits)
+
+
+def _radii(trajectory: Any, digits: int) -> Accuracy:
+    """Return the radii of balls, rounded upwards."""
+    with trajectory.context():
+        *final, energy = trajectory.end_numbers()[:5]
+        excess = trajectory.end_numbers()[5:] or (arb("nan"),)
+        some = trajectory.event_times, trajectory.event_states.T, final, [energy, excess[0], trajectory.dissipated]
+        t, y, ends, others = (_radii_of(one) for one in some)
+    return Accuracy(t, y, ends, float(others[0]), float(others[1]), float(others[2]), certain=True, digits=digits)
+
+
+_radii_of = np.vectorize(lambda x: 0.0 if x.is_exact() else math.nextafter(float(x.rad()), math.inf), otypes=[float])

@@ -10,20 +10,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import reduce
+from functools import partial
 
 import numpy as np
-from flint import arb
+from flint import arb_mat
 
-from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.engine import ledger_of as taken_of_floats
+from numerics.linear.model import WALL
 from numerics.linear.modes import EventKind, Mode
 from numerics.linear.record import ROW, How, Record
-from numerics.scene import Piece, Scene
+from numerics.linear.system import value
+from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.columns import Array, Floats
+from numerics.trajectory.columns import Array, Counts, Floats
 from numerics.trajectory.rows import Rows
 
 
@@ -152,40 +153,29 @@ def energy_of(run: Rows, t: Array, y: Array) -> Array:
         return energy_in_floats(run.scene, t, y)
     x1, *others = y
     if run.scene.wall.pieces:
-        x1 = x1 - np.array([wall_at(run, one) for one in t])
+        x1 = x1 - run.row_values(partial(_wall, run), t, "right")[0]
     return np.asarray(run.scene.pair.energy((x1, *others), run.arithmetic.number))
 
 
 def energy_in_floats(scene: Scene, t: Floats, y: Floats) -> Floats:
     """Return the same in binary64."""
     x1, *others = y
-    if scene.wall.pieces:
-        x1 = x1 - np.array([float(scene.wall(Fraction(one))) for one in t.tolist()])
-    return np.asarray(scene.pair.energy((x1, *others), float))
+    return np.asarray(scene.pair.energy((x1 - wall_in_floats(scene, t), *others), float))
 
 
-def wall_at(run: Rows, t: Number, side: int = 1) -> Number:
-    """Return the displacement of the wall, m; of a ball of times all that it may be."""
-    wall = run.scene.wall
-    if run.bounded:
-        return float(wall(Fraction(t), side))
-    low, high = (exact_middle(one) for one in (t.lower(), t.upper()))
-    acting = {
-        wall.piece_at(low, side),
-        wall.piece_at(high, side),
-        *(one for one in wall.pieces if low < one.start < high),
-    }
-    found = [_value_in_balls(one, t) for one in acting]
-    return reduce(lambda one, two: one.union(two), found)
+def wall_in_floats(scene: Scene, t: Floats) -> Floats:
+    """Return the displacement of the wall at times, m."""
+    return np.array([float(scene.wall(Fraction(one))) for one in t.tolist()]) if scene.wall.pieces else 0.0 * t
 
 
-def _value_in_balls(piece: Piece, t: arb) -> arb:
-    value, since = arb(0), t - Ball.number(piece.start)
-    for coefficient in reversed(piece.polynomial):
-        value = value * since + Ball.number(coefficient)
-    for sine in piece.sines:
-        value += Ball.number(sine.amplitude) * (Ball.number(sine.omega) * t + Ball.number(sine.phase)).sin()
-    return value
+def _wall(run: Rows, rows: Counts, since: Array) -> Array:
+    """Return the displacement of the wall at times (s) after the starts of rows, m, in balls, shape (1, n)."""
+    found = []
+    for row, tau in zip(rows.tolist(), since, strict=True):
+        mode = run.row_mode(row)
+        z = mode.begin(run.row_states[:, row].tolist(), run.row_times[row] + tau)
+        found.append(value(mode.signal(WALL), arb_mat(mode.size, 1, z)))
+    return np.array([found], dtype=object)
 
 
 def _by_jumps_of_the_wall(run: Rows, rows: range) -> Number:
@@ -195,8 +185,11 @@ def _by_jumps_of_the_wall(run: Rows, rows: range) -> Number:
         k for k in rows if k and pieces[k] != pieces[k - 1] and run.pieces[pieces[k]].start in run.scene.wall.starts
     ]
     for k in begun:
-        t, x1 = run.arithmetic.number(run.pieces[pieces[k]].start), run.row_states[0, k]
-        before, after = (x1 - wall_at(run, t, side) for side in (-1, 1))
+        t, x1 = run.row_times[k], run.row_states[0, k]
+        if run.bounded:
+            before, after = (x1 - float(run.scene.wall(Fraction(t), side)) for side in (-1, 1))
+        else:
+            before, after = x1 - _wall(run, np.array([k - 1, k]), t - run.row_times[k - 1 : k + 1])[0]
         total += run.arithmetic.number(a2 / 2) * (after - before) * (after + before)
     return total
 

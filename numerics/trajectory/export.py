@@ -17,6 +17,7 @@ from flint import arb
 from numerics.arithmetic.protocol import Number
 from numerics.errors import MissingTool
 from numerics.files import whole_file
+from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.plane import AXES
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
@@ -68,7 +69,7 @@ def right_digits(trajectory: Any) -> int:
     """Return the right digits that were asked for, else those of the error bounds, else the arithmetic's."""
     if trajectory.digits is not None:
         return int(trajectory.digits)
-    return int(trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits)
+    return int(trajectory.accuracy.digits if trajectory.bounded else trajectory.arithmetic.digits)
 
 
 def word(mode: Any) -> str:
@@ -144,9 +145,14 @@ def as_csv(record: dict[str, Any]) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     final = {"from": record["final"]["mode"], "to": "", **record["final"]}
     rows = [{"from": "", "to": "", **_by_axes(row)} for row in (*record["events"], final)]
-    columns = [one for one in dict.fromkeys(key for row in rows for key in row) if one != "mode"]
+    return table([{key: one for key, one in row.items() if key != "mode"} for row in rows])
+
+
+def table(rows: list[dict[str, str]]) -> str:
+    """Return rows as CSV text whose header has the units."""
+    columns = list(dict.fromkeys(key for row in rows for key in row))
     buffer = io.StringIO()
-    writer = csv.DictWriter(buffer, columns, restval="", extrasaction="ignore", lineterminator="\n")
+    writer = csv.DictWriter(buffer, columns, restval="", lineterminator="\n")
     writer.writerow({name: f"{name} ({unit})" if (unit := unit_of(name)) else name for name in columns})
     writer.writerows(rows)
     return buffer.getvalue()
@@ -160,6 +166,24 @@ def _by_axes(row: dict[str, Any]) -> dict[str, str]:
         lists = zip(AXES, value, strict=False) if isinstance(value, list) else ()
         found |= {f"{name}_{axis}{key[len(name) :]}": one for axis, one in lists} or {key: value}
     return found
+
+
+def at_times(trajectory: Any) -> list[dict[str, str]]:
+    """Return time, mode, state and energy of a run in balls at the times t_eval, as decimal texts of right digits."""
+    names, digits, times = [*_state_names(len(trajectory.y)), "energy"], right_digits(trajectory), trajectory.t_eval
+    rows = []
+    with trajectory.context():
+        for t, mode, *numbers in zip(times, trajectory.mode_at(times), *trajectory.y, trajectory.energy, strict=True):
+            row = {"t": decimal_text(exact_decimal(t, "t")), "mode": word(mode)}
+            row |= {name: with_radius(name, x, digits)[name] for name, x in zip(names, numbers, strict=True)}
+            rows.append(row)
+    return rows
+
+
+def _state_names(rows: int) -> list[str]:
+    """Return the names of the rows of y: on a surface one for each axis."""
+    axes = AXES[: rows // len(STATE)]
+    return [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else [*STATE]
 
 
 def arrays(trajectory: Any) -> dict[str, Array]:
@@ -190,7 +214,6 @@ def dataframe(trajectory: Any) -> Any:
         raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
     asked, found = trajectory.t_eval, arrays(trajectory)
     modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
-    axes = AXES[: len(found["y"]) // len(STATE)]
-    names = [f"{name}_{axis}" for name in STATE for axis in axes] if len(axes) > 1 else STATE
-    columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(zip(names, found["y"], strict=True))}
+    state = zip(_state_names(len(found["y"])), found["y"], strict=True)
+    columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
     return pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})

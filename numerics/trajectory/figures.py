@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -40,8 +40,8 @@ COMMON = (
 )
 """What means the same in every picture, and is explained once, below all of them."""
 _MOST_FRAMES = 10_000
-Drawn = tuple[Any, Iterable[Any], Callable[[int], None]]
-"""A figure, those of its artists that move, and what moves them to the frame of a number."""
+Drawn = tuple[Any, Callable[[int], None]]
+"""A figure, and what moves its artists to the frame of a number."""
 _TURNS = 9
 """Turns of the spring that is drawn."""
 
@@ -313,7 +313,7 @@ def animate(trajectory: Any, file: str | Path | None, duration: float, frames_pe
                 body.set_x(place)
             spring.set_data(np.linspace(wall, left[0], 2 * _TURNS), [0.4, 0.7] * _TURNS)
 
-        return figure, (moment, *bodies, spring), show
+        return figure, show
 
     return film(trajectory, drawn, file, duration, frames_per_second)
 
@@ -349,7 +349,7 @@ def film(
     if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
         raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-    figure, moving, show = drawn(times, trajectory.floats(trajectory.sol(times)))
+    figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
     modes = trajectory.mode_at(times)
 
     def frame(k: int) -> None:
@@ -359,37 +359,12 @@ def film(
     frame(0)
     figure.canvas.draw()
     figure.set_layout_engine(None)  # the axes stay where they are: to lay them out anew takes as long as a frame
-    interval = 1000 / frames_per_second
-    made = animation.FuncAnimation(figure, frame, frames=count, interval=interval, blit=False)
+    made = animation.FuncAnimation(figure, frame, frames=count, interval=1000 / frames_per_second, blit=False)
     if path:
         with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
-            if path.suffix == ".gif":
-                first, *others = _frames(figure, [figure.axes[0].title, *moving], map(frame, range(count)))
-                first.save(opened, "GIF", save_all=True, append_images=others, duration=int(interval), loop=0)
-            else:
-                kept = Path(folder) / path.name
-                figure.canvas.draw_idle = int  # nothing: the writer draws each frame, matplotlib would before it
-                made.save(kept, writer="ffmpeg", fps=frames_per_second)
-                opened.write(kept.read_bytes())
+            kept = Path(folder) / path.name
+            figure.canvas.draw_idle = int  # nothing: the writer draws each frame, matplotlib would before it
+            made.save(kept, writer="pillow" if path.suffix == ".gif" else "ffmpeg", fps=frames_per_second)
+            opened.write(kept.read_bytes())
         plt.close(figure)
     return made
-
-
-def _frames(figure: Any, moving: Collection[Any], frames: Iterable[None]) -> Iterator[Any]:
-    """Yield pictures by one palette while `frames` move some artists; what takes longer, all others, is drawn once."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from PIL import Image
-
-    for artist in moving:
-        artist.set_animated(True)
-    canvas, palette = FigureCanvasAgg(figure), None
-    canvas.draw()
-    still = canvas.copy_from_bbox(figure.bbox)
-    for _ in frames:
-        canvas.restore_region(still)
-        for artist in moving:
-            figure.draw_artist(artist)
-        picture = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
-        frame = picture.quantize(method=Image.Quantize.FASTOCTREE, palette=palette, dither=Image.Dither.NONE)
-        palette = palette or frame
-        yield frame

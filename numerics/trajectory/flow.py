@@ -1,7 +1,6 @@
 """The motion after a row, z' = A z: enclosed, one by one, or in binary64 for thousands of rows and times at once.
 
-Powers, of which a ledger consists, are products of two rows of z (model.TAKEN): integrals of quadratic forms, over a
-short interval, and then doubled. In binary64 a time is a sum of intervals h 2^k, by its binary digits, and of a rest;
+In binary64 a time is a sum of intervals h 2^k, by its binary digits, and of a rest;
 over h the fastest rate turns through 1/2. exp(A h 2^k) comes from balls and is rounded once, what happens within h is
 Taylor's; approximate, without a bound. Signals start from their own phase, reduced in twice the precision. In every
 other arithmetic a motion is that of LinearMode, for balls as it is, for mpmath its midpoint.
@@ -9,7 +8,7 @@ other arithmetic a motion is that of LinearMode, for balls as it is, for mpmath 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -35,10 +34,7 @@ _TERMS = 14
 _SPARE_BITS = 24
 _BITS_PER_DOUBLING = 5
 """What a flow may lose each time that it is squared."""
-_DOUBLINGS = 6
 _STATE = tuple(((place, Fraction(1)),) for place in range(FIRST))
-_PRODUCTS = 1.0 / np.add.outer(np.arange(_TERMS + 1), np.arange(1, _TERMS + 2))
-"""int_0^1 s^i s^j ds."""
 _TURN = TwoFloats(6.283185307179586, 2.4492935982947064e-16)
 
 
@@ -51,7 +47,7 @@ def powers_of(mode: LinearMode) -> dict[int, tuple[Row, Row]]:
 
 # ------------------------------------------------------------------ in binary64
 class Steps:
-    """exp(A t) of stick or of slip in binary64, for times below 2^top s, and the integrals of powers.
+    """exp(A t) of stick or of slip in binary64, for times below 2^top s.
 
     z is in units (powers of 2) in which no power of a time leaves the range.
     """
@@ -82,53 +78,23 @@ class Steps:
         with precision(144 + _BITS_PER_DOUBLING * (top - shortest) + 2 * largest):
             flow = (matrix(scaled) * (arb(2) ** shortest)).exp()
             for _ in range(top - shortest):
-                self.longer.append(np.reshape([*map(as_float, (flow - 1).entries())], flow_shape(flow)))
+                self.longer.append(np.array([*map(as_float, (flow - 1).entries())]).reshape(mode.size, mode.size))
                 flow = flow * flow
-        self.powers = powers_of(mode)
-        self.rows = np.zeros((2 * len(self.powers), mode.size))
-        for row, one in zip(self.rows, (row for pair in self.powers.values() for row in pair), strict=True):
-            for place, factor in one:
-                row[place] = float(factor / factors[place])
-        self.sums = [*self._sums()]
 
-    def _sums(self) -> Iterator[Floats]:
-        """Yield the quadratic forms that powers add up to over h, 2 h, 4 h, ..."""
-        terms = [self.rows]
-        for k in range(1, _TERMS + 1):
-            terms.append(terms[-1] @ self.taylor / k)
-        along = np.array(terms).transpose(1, 0, 2)
-        sums = self.h * along[::2].swapaxes(1, 2) @ _PRODUCTS @ along[1::2]
-        for less_one in self.longer:
-            yield sums
-            flow = less_one + np.eye(len(less_one))
-            sums = sums + flow.T @ sums @ flow
-
-    def over(self, z: Floats, tau: Floats, integrals: bool) -> tuple[Floats, Floats]:
-        """Return by how much z changes within tau (s); and, if asked, what is TAKEN, J, shape (6, n)."""
+    def over(self, z: Floats, tau: Floats) -> Floats:
+        """Return by how much z changes within tau (s)."""
         z, rest = np.ldexp(z, self.units), np.fmod(tau, self.h)
-        changed, taken, term, along = np.zeros_like(z), np.zeros((len(TAKEN), len(tau))), z, [self.rows @ z]
+        changed, term = np.zeros_like(z), z
         for k in range(1, _TERMS + 1):
             term = (self.taylor @ term) * (rest / self.h / k)
             changed += term
-            along.append(self.rows @ term)
-        places = list(self.powers) if integrals else []
-        for place, one, two in zip(places, *(np.swapaxes(along, 0, 1)[k::2] for k in (0, 1)), strict=False):
-            taken[place] = rest * np.einsum("in,ij,jn->n", one, _PRODUCTS, two)
-        for k, (less_one, sums) in enumerate(zip(self.longer, self.sums, strict=True)):
+        for k, less_one in enumerate(self.longer):
             on = np.fmod(tau, np.ldexp(self.h, k + 1)) >= np.ldexp(self.h, k)
-            now = z[:, on] + changed[:, on]
-            for place, one in zip(places, sums, strict=False):
-                taken[place, on] += np.einsum("in,in->n", now, one @ now)
-            changed[:, on] += less_one @ now
-        return np.ldexp(changed, -self.units), taken
+            changed[:, on] += less_one @ (z[:, on] + changed[:, on])
+        return np.ldexp(changed, -self.units)
 
 
 steps_of = lru_cache(64)(Steps)
-
-
-def flow_shape(flow: arb_mat) -> tuple[int, int]:
-    """Return the shape of a matrix."""
-    return flow.nrows(), flow.ncols()
 
 
 def signals_at(mode: LinearMode, local: Floats, rest: Floats) -> Floats:
@@ -174,19 +140,12 @@ class Moving:
     def _enclosed(self, function: Callable[[Motion, arb], Sequence[arb]], tau: Number) -> tuple[Number, ...]:
         """Return a function of the motion and of a time after its start, with the bits that squarings may lose.
 
-        Powers of the time lose more, as k! in the derivatives of a force of high degree: bits are doubled until what is
-        left is a rounding, or half of the bits of balls, or more bits are of no help.
+        A power of the time, as in the derivatives of a force of high degree, may lose them as often as it is high.
         """
         with precision(self.bits):
             since = as_ball(tau)
-        bits, before = self.bits + 2 * halvings(self.mode, since), arb("inf")
-        for _ in range(_DOUBLINGS):
-            with precision(bits):
-                found = function(self.mode.motion(*self.start), since)
-                off, size = max(one.rad() for one in found), max(abs(one.mid()) for one in (*found, *self.start[0]))
-                if off * 2 > before or off <= size * arb(2) ** -(self.bits // 2 if self.is_ball else mpmath.mp.prec):
-                    break
-            bits, before = 2 * bits, off
+        with precision(self.bits + 2 * self.mode.size * halvings(self.mode, since)):
+            found = function(self.mode.motion(*self.start), since)
         return tuple(+one if self.is_ball else self.arithmetic.number(exact_middle(one)) for one in found)
 
     def _state(self, motion: Motion, tau: arb) -> Sequence[arb]:

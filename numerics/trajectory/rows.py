@@ -5,6 +5,7 @@ Which row's segment holds a time, and the motion from that row's state (flow.py)
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -25,7 +26,7 @@ from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.scene.decimals import short, shown
 from numerics.trajectory.answer import Answer
-from numerics.trajectory.columns import STATE, Array, Counts, Floats
+from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
 from numerics.trajectory.flow import Moving, signals_at, steps_of
 
 Side = Literal["left", "right"]
@@ -102,10 +103,14 @@ class Rows(Answer):
         return self._states[:, :-1]
 
     @property
-    def final_state(self) -> tuple[Number, Number, Number, Number]:
+    def final_state(self) -> Moment:
         """Return (x1, v1, x2, v2) at the end."""
-        x1, v1, x2, v2 = self._states[:, -1].tolist()
-        return x1, v1, x2, v2
+        return Moment(*self._states[:, -1].tolist())
+
+    @property
+    def initial(self) -> Moment:
+        """Return (x1, v1, x2, v2) at the start."""
+        return Moment(*self._states[:, 0].tolist())
 
     @cached_property
     def row_excess(self) -> Array | None:
@@ -275,9 +280,7 @@ class Rows(Answer):
         return _columns([self.row_motion(row).after(tau) for row, tau in zip(rows, since, strict=True)])
 
     def row_taken(self, rows: Counts, since: Array) -> Array:
-        """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J, (6, n)."""
-        if self.bounded:
-            return self.row_changes(rows, since, integrals=True)[FIRST + 4 :]
+        """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J; not in binary64."""
         return _columns([self.row_motion(row).taken(tau) for row, tau in zip(rows, since, strict=True)])
 
     @cached_property
@@ -287,12 +290,12 @@ class Rows(Answer):
         rest = self.row_column("local_rest") if self.bounded else 0.0 * local
         return local, rest, self.floats(self.row_states)
 
-    def row_changes(self, rows: Counts, since: Floats, *, integrals: bool = False) -> Floats:
-        """Return by how much the state changes from rows on for a time (s), what acts then, and what was TAKEN.
+    def row_changes(self, rows: Counts, since: Floats) -> Floats:
+        """Return by how much the state changes from rows on for a time (s), and what acts then, (8, n), in binary64.
 
-        In binary64, shape (14, n). What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
+        What acts: u, the friction force that sticking needs, that in slip, and the edge, N.
         """
-        (local, rest, y), found, (modes, which) = self._begun, np.zeros((FIRST + 10, len(since))), self._modes
+        (local, rest, y), found, (modes, which) = self._begun, np.zeros((FIRST + 4, len(since))), self._modes
         for kind, chosen in _groups(modes, which[rows]):
             z = np.zeros((kind.size, len(chosen)))
             z[:FIRST] = y[:, rows[chosen]]
@@ -300,10 +303,8 @@ class Rows(Answer):
                 its = rows[chosen[own == one]]
                 z[FIRST:, own == one] = signals_at(modes[one], local[its], rest[its])
             top = int(np.frexp(since[chosen].max(initial=0.0))[1])
-            steps = steps_of(kind.pair, kind.layout, bool(kind.side), kind.cell, top)
-            changed, taken = steps.over(z, since[chosen], integrals)
-            found[:FIRST, chosen], found[FIRST + 4 :, chosen] = changed[:FIRST], taken
-            found[FIRST : FIRST + 4, chosen] = _acting(kind) @ (z + changed)
+            changed = steps_of(kind.pair, kind.layout, bool(kind.side), kind.cell, top).over(z, since[chosen])
+            found[:FIRST, chosen], found[FIRST:, chosen] = changed[:FIRST], _acting(kind) @ (z + changed)
         return found
 
 
@@ -356,17 +357,15 @@ def require_times(t_eval: Any, until: Fraction) -> None:
         raise ValueError(f"t_eval = {shown(t_eval)} has more times than memory holds; give fewer at once") from None
     if given.ndim != 1:
         raise ValueError(f"t_eval = {shown(t_eval)} must be a sequence of times in seconds; give one such as [0, 0.5]")
-    last = float(min(until, Fraction(10**300)))
-    if given.dtype.kind in "fiu":  # all at once; only a wrong one is looked for exactly
+    last, listed = float(min(until, Fraction(10**300))), given.tolist()
+    if given.dtype.kind in "fiu":
         times = given.astype(float)
-        if ((times >= 0) & (times <= last)).all() and (times[1:] >= times[:-1]).all():
-            return
-    end, before = max(until, Fraction(last)), Fraction(0)  # type: Fraction, Any
-    for k, one in enumerate(t_eval):
-        point = one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]")
-        if isinstance(point, Fraction) and not 0 <= point <= end:
-            outside = f"t_eval[{k}] = {str(one)[:40]} s is outside the run, [0, {short(until)}] s"
-            raise ValueError(f"{outside}; give times within it, or a later until")
-        if type(point) is type(before) and point < before:
-            raise ValueError(f"t_eval[{k}] = {str(one)[:40]} s comes after a later time; put the times in order")
-        before = point
+    else:
+        exact = (one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]") for k, one in enumerate(listed))
+        times = np.array([float(one) if one <= 2 * last else math.inf for one in exact])
+    for k in np.flatnonzero(~((times >= 0) & (times <= last)))[:1]:
+        exact_time(listed[k], f"t_eval[{k}]")
+        outside = f"t_eval[{k}] = {str(listed[k])[:40]} s is outside the run, [0, {short(until)}] s"
+        raise ValueError(f"{outside}; give times within it, or a later until")
+    for k in np.flatnonzero(np.diff(times) < 0)[:1] + 1:
+        raise ValueError(f"t_eval[{k}] = {str(listed[k])[:40]} s comes after a later time; put the times in order")

@@ -29,14 +29,14 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
-from numerics.linear.cells import cells_of
-from numerics.linear.model import DRIVEN, EDGE, FIRST, FRICTION, KINETIC, LOAD, WALL, Bodies
+from numerics.linear.cells import cells_of, mode_in
+from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.system import LinearMode, LocalNorm
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
-from numerics.trajectory.variation import SIGNALS, Leg, Variation
+from numerics.trajectory.variation import SIGNALS, Leg, Variation, field
 
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
@@ -50,6 +50,18 @@ class CarriedDerivatives(NamedTuple):
     norm: Array
     far: Array
     place: Array
+
+
+class Shift(NamedTuple):
+    """How what ends a leg moves in time: by numbers of the carried point, (p,), with bounds on their errors.
+
+    `before` and `behind` are the fields y' on both sides; None where they are the same.
+    """
+
+    t: Array
+    off: Array
+    before: Array
+    behind: Array | None
 
 
 class Chain:
@@ -76,42 +88,35 @@ class Chain:
         if legs[0].side == 0:  # stuck neighbours share their momentum at once
             y[1] = y[3] = Ball.number(self.bodies.share_1) * y[1] + Ball.number(self.bodies.share_2) * y[3]
         zeros = self._zeros()
-        self.starts = [self._into_piece(CarriedDerivatives(y, zeros, zeros, zeros), 0)]
+        self.starts = [self._across(0, CarriedDerivatives(y, zeros, zeros, zeros), self._by_jumps(0))]
         self.starts.extend(map(self._crossed, range(len(legs) - 1)))
 
     def at(self, index: int, tau: arb) -> Array:
         """Return the derivatives of the state at a fixed time, tau (s) after the start of a leg, enclosed, (4, p)."""
-        return self._enclosed(self._ahead(index, tau), self._norm(self.legs[index]))
+        return self._enclosed(self._ahead(index, tau))
 
-    def final(self, state: Sequence[arb]) -> Array:
-        """Return the derivatives of the last state, whose value is given, (4, p)."""
-        last = self.legs[-1]
+    def final(self, state: Sequence[arb]) -> tuple[Array, Array]:
+        """Return the derivatives of the last state, whose value is given, (4, p), and those of its time."""
+        last, t = self.legs[-1], self._zeros()
         if last.start is last.end:
-            return self.y[-1]
-        y = self.at(len(self.legs) - 1, last.end - last.start)
+            return self.y[-1], self.t[-1]
         if "until" in self.column:
-            y[:, self.column["until"]] += self._of(last).field(state, last.end)
-        return y
+            t[self.column["until"]] += 1
+        y = self.at(len(self.legs) - 1, last.end - last.start)
+        return y + np.outer(field(self._of(last).mode, state, last.end), t), t
 
-    def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array | None = None) -> Array:
+    def energy(self, leg: Leg, at: tuple[arb, Sequence[arb]], y: Array, t: Array) -> Array:
         """Return the derivatives of the energy, J, (p,), from those of a state at a time in a leg, and of that time."""
-        (now, (x1, v1, x2, v2)), pair, number = at, self.scene.pair, Ball.number
-        wall, stretched = self._zeros(), x1
-        if self.scene.wall.pieces:
-            mode = self._of(leg)
-            z, moved = mode.begun((x1, v1, x2, v2), now, y)
-            row = np.full(len(z), arb(0))
-            for place, factor in mode.mode.signal(WALL):
-                row[place] = number(factor)
-            stretched, wall = x1 - row @ z, wall + row @ moved
-            speed = row @ (mode.A @ z)
-            wall = wall + speed * t if t is not None else wall
-            if t is None and "until" in self.column:
-                wall[self.column["until"]] += speed
-        found = (y[0] - wall) * (number(pair.a2) * stretched) + y[1] * (number(pair.m1) * v1)
+        (now, state), pair, number, own = at, self.scene.pair, Ball.number, self._of(leg)
+        z, moved = own.begun(state, now, y)
+        wall = np.full(len(z), arb(0))
+        for place, factor in own.mode.signal(WALL):
+            wall[place] = number(factor)
+        stretched, by_wall = state[0] - wall @ z, wall @ moved + wall @ (own.A @ z) * t
+        found = (y[0] - by_wall) * (number(pair.a2) * stretched) + y[1] * (number(pair.m1) * state[1])
         if not self.is_fixed:
-            found = found + y[3] * (number(pair.m2) * v2)
-        for name, value in (("a2", stretched), ("m1", v1), ("m2", v2)):
+            found = found + y[3] * (number(pair.m2) * state[3])
+        for name, value in (("a2", stretched), ("m1", state[1]), ("m2", state[3])):
             if name in self.column:
                 found[self.column[name]] += value * value / 2
         return found
@@ -148,69 +153,68 @@ class Chain:
         place = place + norm * own.kappa * abs(tau) * abs(leg.side)
         return CarriedDerivatives(ahead, norm, far + norm / own.root_m1 * abs(tau), place)
 
-    def _pointed(self, found: CarriedDerivatives, norm: LocalNorm) -> CarriedDerivatives:
+    def _pointed(self, found: CarriedDerivatives) -> CarriedDerivatives:
         """Return the middles of balls, their radii added to the bounds."""
-        x1, v1, x2, v2 = _radius(found.y)
-        off = found.norm + x1 * norm.root_a2 + v1 * norm.root_m1 + v2 * norm.root_m2 + (x1 + x2) * norm.root_g
+        (x1, v1, x2, v2), own = _radius(found.y), self._norm(self.legs[0])
+        off = found.norm + x1 * own.root_a2 + v1 * own.root_m1 + v2 * own.root_m2 + (x1 + x2) * own.root_g
         return CarriedDerivatives(_middle(found.y), off, found.far + x1, found.place + x1 + x2)
 
-    def _enclosed(self, found: CarriedDerivatives, norm: LocalNorm) -> Array:
+    def _enclosed(self, found: CarriedDerivatives) -> Array:
         """Return balls that hold the true derivatives."""
-        x1 = found.norm / norm.root_a2 if norm.root_a2 > 0 else found.far
-        v2 = 0 * found.norm if self.is_fixed else found.norm / norm.root_m2
-        return _widened(found.y, np.array([x1, found.norm / norm.root_m1, found.place + x1, v2]))
+        own = self._norm(self.legs[0])
+        x1 = found.norm / own.root_a2 if own.root_a2 > 0 else found.far
+        v2 = 0 * found.norm if self.is_fixed else found.norm / own.root_m2
+        return _widened(found.y, np.array([x1, found.norm / own.root_m1, found.place + x1, v2]))
 
     def _crossed(self, index: int) -> CarriedDerivatives:
         """Return the derivatives at the start of the next leg; those of an event are kept."""
         leg, after = self.legs[index], self.legs[index + 1]
-        ended = self._ahead(index, after.start - leg.start)
+        found = self._ahead(index, after.start - leg.start)
         if after.begins_piece:
-            found = self._into_piece(ended, index + 1)
+            found = self._across(index + 1, found, self._by_jumps(index + 1))
         elif after.is_event:
-            found = self._after_guard(leg, after, ended)
+            found = self._across(index + 1, found, [self._by_guard(leg, after, found)])
         else:
-            found = self._pointed(ended, self._norm(leg))
+            found = self._pointed(found)
         return found._replace(y=self._driven(after, found.y)) if self.is_fixed else found
 
-    def _after_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> CarriedDerivatives:
-        """Return the derivatives after an event by a guard."""
+    def _across(self, index: int, found: CarriedDerivatives, shifts: Sequence[Shift]) -> CarriedDerivatives:
+        """Return the derivatives at the start of a leg behind what moves in time; those of an event are kept."""
+        enclosed, leg = self._enclosed(found), self.legs[index]
+        t, moving, y = self._zeros(), +enclosed, +found.y
+        for one in shifts:
+            late = _widened(one.t, one.off)
+            t, moving = t + late, moving + np.outer(one.before, late)
+            if one.behind is not None:
+                y += np.outer(one.before - one.behind, one.t)
+                if not leg.begins_piece and self.legs[index - 1].side:  # a slip ends where both velocities are one
+                    moving[1], y[1] = moving[3], found.y[3] + (one.before[3] - one.behind[1]) * one.t
+        if leg.is_event:
+            self.t.append(t)
+            self.y.append(moving)
+            self.before.append(enclosed)
+        return self._pointed(found._replace(y=y))
+
+    def _by_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> Shift:
+        """Return how an event by a guard moves."""
         norm, here = self._norm(leg), (after.state, after.start)
-        enclosed, end = self._enclosed(ended, norm), self._of(after._replace(side=after.side or 1))
+        end = self._of(after._replace(side=after.side or 1))
         end = self.variation(after.piece, 1, (0, after.cell[1])) if self.cells and not leg.side else end
-        before, behind = (self._of(one).field(*here) for one in (leg, after))
+        before = field(self._of(leg).mode, *here)
         by_state, moved, rate = self._of(leg).guard(end, after.side, *here, ended.y)
-        t = -moved / rate
         off = ended.norm * norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
         off = off + (ended.far * abs(by_state[0] + by_state[2]) if not norm.root_a2 > 0 else 0)
-        late = _widened(t, off / abs(rate))
-        y, total = enclosed + np.outer(before, late), ended.y + np.outer(before, t)
-        if leg.side:
-            y[1], total[1] = y[3], total[3]  # a slip ends where both velocities are one
-        if leg.side or self.bodies.static != 1:
-            ended = ended._replace(y=total - np.outer(behind, t))
-        self._keep(late, y, enclosed)
-        return self._pointed(ended, norm)
+        behind = field(self._of(after).mode, *here) if leg.side or self.bodies.static != 1 else None
+        return Shift(-moved / rate, off / abs(rate), before, behind)
 
-    def _into_piece(self, found: CarriedDerivatives, index: int) -> CarriedDerivatives:
-        """Return the derivatives at the start of a leg that begins a piece; those of an event are kept."""
-        norm = self._norm(self.legs[index])
-        enclosed, t, y = self._enclosed(found, norm), self._zeros(), +found.y
-        moving = +enclosed
-        for name, (before, after) in self._jumps(index).items():
-            if name in self.column:
-                place = self.column[name]
-                t[place] += 1
-                moving[:, place] += before
-                y[:, place] += before - after
-        if self.legs[index].is_event:
-            self._keep(t, moving, enclosed)
-        return self._pointed(found._replace(y=y), norm)
-
-    def _keep(self, t: Array, y: Array, before: Array) -> None:
-        """Keep the derivatives of the time and the state of an event, and of the state right before it."""
-        self.t.append(t)
-        self.y.append(y)
-        self.before.append(before)
+    def _by_jumps(self, index: int) -> list[Shift]:
+        """Return how the starts move where a leg begins a piece."""
+        found = []
+        for name, fields in self._jumps(index).items():
+            t = self._zeros()
+            t[self.column[name]] += 1
+            found.append(Shift(t, self._zeros(), *fields))
+        return found
 
     def _jumps(self, index: int) -> dict[str, tuple[Array, Array]]:
         """Return y' before and after each start at the beginning of a leg that begins a piece, by its name.
@@ -241,16 +245,11 @@ class Chain:
 
     def _field(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> Array:
         """Return (x1, v1, x2, v2)' of a state in the mode of a leg, under a piece."""
-        mode = LinearMode(self.scene.pair, leg.side, piece)
-        if self.cells and leg.side:
-            mode = self.cells.mode(piece, leg.side, leg.cell)
-        state = list(state)
+        mode, state = mode_in(self.scene, piece, leg.side, leg.cell), list(state)
         if self.is_fixed:
-            z = mode.begin(state, t)
-            state[3] = _dot(mode.rows.others[DRIVEN], z)
+            state[3] = _dot(mode.rows.others[DRIVEN], mode.begin(state, t))
             state[1] = state[1] if leg.side else state[3]
-        motion = mode.motion(state, t)
-        return np.array(motion.rate(motion.begin).entries()[:FIRST])
+        return field(mode, state, t)
 
     def _field_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb]) -> tuple[Array, bool]:
         """Return the same in the mode that follows v1 = v2, and whether that is surely a stick."""

@@ -2,14 +2,11 @@
 
 The file is a NumPy archive. Its `header` is JSON in UTF-8: the scene as TOML text, the arithmetic, how the run ended,
 and what it wrote; numbers of mpmath and of balls have their mantissas as hexadecimal texts, arrays of floats their
-bytes as base64, column by column: decimals take three times as long. The comment at the end of the archive is the
-SHA-256 of all before it: nothing is read of a file in which a byte was changed.
+bytes as base64, column by column: decimals take three times as long.
 """
 
 from __future__ import annotations
 
-import hashlib
-import io
 import json
 from base64 import b64decode, b64encode
 from decimal import Decimal
@@ -28,59 +25,36 @@ from numerics.files import whole_file
 from numerics.scene.decimals import require_digits, require_whole
 from numerics.scene.file import parse_scene, scene_text
 
-_MOST_BYTES = 2**30
-"""What is read of a file, and what a run may be written in; events of a run in float64 take some 1,000 bytes each."""
-_CHECKSUM_BYTES = 64
-_NO_COMMENT, _COMMENT = b"\0\0", bytes([_CHECKSUM_BYTES, 0])
-"""The end of an archive: the length of the comment that follows."""
 _REMEDY = "give a file that `save` of such a run has written (Trajectory's or PlaneTrajectory's; --npz is another form)"
 
 
 def save(trajectory: Any, file: str | Path) -> None:
     """Write a trajectory to a file. Raises OSError, ValueError for another ending of its name than .npz.
 
-    Raises InvalidScene for a scene that no text of 1000 characters holds, or for a run that is too long for a file.
+    Raises InvalidScene for a scene that no text of 1000 characters holds.
     """
     path = Path(file)
     if path.suffix not in {"", ".npz"}:
         raise ValueError(f"{str(path)!r} is a name of another kind of file; end it in .npz, or write to_csv() to it")
     text = json.dumps(contents(trajectory)).encode()
-    if len(text) > _MOST_BYTES:
-        raise InvalidScene(
-            f"this run takes {len(text)} bytes, a file holds {_MOST_BYTES}; shorten until, or ask for fewer digits"
-        )
-    archive = io.BytesIO()
-    np.savez_compressed(archive, header=np.frombuffer(text, dtype=np.uint8))
-    content = archive.getvalue().removesuffix(_NO_COMMENT) + _COMMENT
     with whole_file(path) as opened:
-        opened.write(content + _checksum(content))
+        np.savez_compressed(opened, header=np.frombuffer(text, dtype=np.uint8))
 
 
 def load(file: str | Path, kind: Any) -> Any:
     """Return the trajectory in a file, an object of the class `kind`. Raises OSError, InvalidFile."""
     path = Path(file)
     try:
-        with path.open("rb") as opened:
-            found = opened.read(_MOST_BYTES)
+        opened = path.open("rb")
     except OSError as error:
         raise OSError(error.errno, f"{error.strerror}; {_REMEDY}", str(path)) from None
-    content, checksum = found[:-_CHECKSUM_BYTES], found[-_CHECKSUM_BYTES:]
-    if _checksum(content) != checksum:
-        raise InvalidFile(f"{str(path)!r} is no file of `save`, or not a whole one, or was changed since; {_REMEDY}")
     try:
-        with np.errstate(invalid="raise"), np.load(io.BytesIO(found), allow_pickle=False) as archive:
-            size = archive.zip.getinfo("header.npy").file_size
-            if size > 2 * _MOST_BYTES:
-                raise ValueError(f"its header has {size} bytes")
-            return restored(_read(archive["header"].tobytes().decode()), kind)
-    except Exception as error:  # noqa: BLE001 - whatever may come of what somebody wrote with a checksum of his own
+        with opened, np.errstate(invalid="raise"), np.load(opened, allow_pickle=False) as archive:
+            header = json.loads(archive["header"].tobytes().decode(), object_hook=_number)
+            return restored(header, kind)
+    except Exception as error:  # noqa: BLE001 - whatever may come of what somebody wrote or changed
         reason = " ".join(str(error).split())[:200] or type(error).__name__
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
-
-
-def _checksum(content: bytes) -> bytes:
-    """Return the SHA-256 of the content of an archive as a text."""
-    return hashlib.sha256(content).hexdigest().encode()
 
 
 def contents(trajectory: Any) -> dict[str, Any]:
@@ -97,34 +71,21 @@ def run_of(trajectory: Any) -> dict[str, Any]:
     return header | {"tried": trajectory.tried, "t_eval": plain(trajectory.t_eval), **trajectory.kept()}
 
 
-def restored(header: dict[str, Any], kind: Any, scene: Any = None) -> Any:
-    """Return the trajectory of a header, of the class `kind`; without a scene, of that in the header.
+def restored(header: dict[str, Any], kind: Any) -> Any:
+    """Return the trajectory of a header, of the class `kind`.
 
     Raises ValueError, and what else others' files can bring about.
     """
-    if scene is None:
-        if header["format"] != kind.FORMAT:
-            raise ValueError(f"its format is {str(header['format'])[:40]!r}, not {kind.FORMAT!r}")
-        scene = parse_scene(header["scene"])
+    if header["format"] != kind.FORMAT:
+        raise ValueError(f"its format is {str(header['format'])[:40]!r}, not {kind.FORMAT!r}")
     (name, digits), right = header["arithmetic"], header["digits"]
     if name not in kind.ARITHMETICS:
         raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
     require_digits(digits)
     if right is not None:
         require_whole("right digits", right, 0)
-    found = kind.restored(scene, header)
+    found = kind.restored(parse_scene(header["scene"]), header)
     return found.but(digits=right, tried=str(header["tried"]), t_eval=header["t_eval"])
-
-
-def unpickled(kind: Any, scene: Any, header: str) -> Any:
-    """Return the trajectory that a pickle holds: flint has no pickles of balls, so its header is JSON there, too."""
-    return restored(_read(header), kind, scene)
-
-
-def _read(text: str) -> dict[str, Any]:
-    """Return the header of a text of JSON, the very same numbers in it."""
-    found: dict[str, Any] = json.loads(text, object_hook=_number)
-    return found
 
 
 def plain(value: Any) -> Any:  # noqa: PLR0911 - one for each kind of number

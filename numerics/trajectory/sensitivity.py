@@ -33,8 +33,10 @@ from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
+from numerics.habits import helpful, right_word
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
+from numerics.meter import metered
 from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
@@ -92,6 +94,8 @@ def sensitivities(trajectory: Trajectory, *, wrt: Sequence[str] | None = None) -
 def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right", wrt: Sequence[str] | None = None) -> Array: ...
 
 
+@helpful
+@metered("derivatives")
 def sensitivities(
     trajectory: Trajectory, t: Any = None, side: Side = "right", wrt: Sequence[str] | None = None
 ) -> Sensitivity | Array:
@@ -162,9 +166,8 @@ def _names(trajectory: Trajectory, wrt: Sequence[str] | None) -> tuple[str, ...]
         raise ValueError(f'wrt = {shown(wrt)} must be names of numbers of the scene, such as ["b", "m1"]')
     for name in names:
         if name not in known or names.count(name) > 1:
-            raise ValueError(
-                f"wrt names {shown(name)}, which is no number of this scene, or twice; see parameters(scene)"
-            )
+            why = "once each" if name in known else right_word(str(name), [*known])
+            raise ValueError(f"wrt names {shown(name)}, which is no number of this scene, or twice: {why}")
     return names
 
 
@@ -173,15 +176,12 @@ def enclosures(trajectory: Trajectory, names: tuple[str, ...] | None = None) -> 
     names = names or _names(trajectory, None)
 
     def of_events(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        events = [leg for leg in chain.legs if leg.is_event]
-        end = balls.end_time, balls.final_state
+        events = [(leg, (leg.start, leg.state)) for leg in chain.legs if leg.is_event]
+        last, t = chain.final(balls.final_state)
         energies = [
-            *(
-                chain.energy(leg, (leg.start, leg.state), *one)
-                for leg, *one in zip(events, chain.y, chain.t, strict=True)
-            ),
-            chain.energy(chain.legs[-1], end, last := chain.final(balls.final_state)),
-            *(chain.energy(leg, (leg.start, leg.state), y) for leg, y in zip(events, chain.before, strict=True)),
+            *(chain.energy(*one, y, t) for one, y, t in zip(events, chain.y, chain.t, strict=True)),
+            chain.energy(chain.legs[-1], (balls.end_time, balls.final_state), last, t),
+            *(chain.energy(*one, y, 0 * t) for one, y in zip(events, chain.before, strict=True)),
         ]
         times = np.array(chain.t, dtype=object).reshape(-1, len(chain.column))
         return times, np.array([*chain.y, last, *chain.before]), np.array(energies)
@@ -246,11 +246,11 @@ def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
     """Return balls in the numbers of an arithmetic. Raises OutOfRange."""
     if arithmetic.name == "ball":
         return array
-    row_changes = arithmetic.name == "float64"
-    convert = Ball.to_float if row_changes else lambda one: arithmetic.number(exact_middle(one))
+    in_floats = arithmetic.name == "float64"
+    convert = Ball.to_float if in_floats else lambda one: arithmetic.number(exact_middle(one))
     with arithmetic.context():
-        found: Array = np.vectorize(convert, otypes=[float if row_changes else object])(array)
-    if row_changes and not np.isfinite(found).all():
+        found: Array = np.vectorize(convert, otypes=[float if in_floats else object])(array)
+    if in_floats and not np.isfinite(found).all():
         raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
     return found
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 from flint import arb
@@ -12,15 +12,19 @@ from flint import arb
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
-from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
+from numerics.meter import metered
 from numerics.trajectory.columns import Array
-from numerics.trajectory.digits import ROUNDING, Accuracy, Judged, accuracy_of, judged
+from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
+from numerics.trajectory.in_units import Reduced
 from numerics.trajectory.rows import Rows, Side
 from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
@@ -62,8 +66,10 @@ class Trajectory(Rows):
     (True, True)
     >>> [round(one, 6) for one in run.units]  # L (m), Omega (1/s) and E_cr (J) of reduced coordinates
     [0.005, 10.0, 0.0025]
-    >>> round(run.final.w, 6), float(run.initial.X), round(run.reduced(0.5).w, 6), run.energy_excess.shape
-    (0.027012, 0.0, 0.247939, (34,))
+    >>> round(run.reduced.final.w, 6), float(run.reduced.initial.X), run.energy_excess.shape, float(run.initial.v1)
+    (0.027012, 0.0, (34,), 0.15)
+    >>> run.final == run.final_state, run["t"].shape, run["x1"].shape
+    (True, (34,), (34,))
 
     Tables, and a file from which it is restored to the last bit:
 
@@ -105,6 +111,9 @@ class Trajectory(Rows):
         if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
             return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
         said = super().message.replace("a quantity", " and ".join(self.without_digits))
+        if 0 < self.right_digits <= FEW_DIGITS:
+            least = " and ".join(self._judged.least)
+            said += f"; right digits of the {least}: only {self.right_digits}; request digits"
         if not self.phase_lost:
             return said
         return (
@@ -125,8 +134,8 @@ class Trajectory(Rows):
 
     @cached_property
     def accuracy(self) -> Accuracy | None:
-        """Return the error bounds of a float64 trajectory, else None (balls carry their own)."""
-        return accuracy_of(self, self._judged) if self.bounded else None
+        """Return bounds on the errors: those of float64, or the radii of balls; None in mpmath, which has neither."""
+        return accuracy_of(self, self._judged) if self.bounded or self._is_ball else None
 
     @cached_property
     def _judged(self) -> Judged:
@@ -140,7 +149,7 @@ class Trajectory(Rows):
     @property
     def without_digits(self) -> tuple[str, ...]:
         """Return the quantities of which no digit is right: an error bound, or a radius, is as large as they are."""
-        return self._judged.without
+        return () if self._judged.digits else self._judged.least
 
     # ------------------------------------------------------------------ events and segments
     @cached_property
@@ -194,7 +203,7 @@ class Trajectory(Rows):
         """Return the events."""
         rows, modes = self.event_rows, self._all_modes
         causes = ["jump" if jump else "guard" for jump in self.row_column("jump")[rows]]
-        reduced = [self._reduced(self.row_states[:, k], k) if self.has_frame else None for k in rows]
+        reduced = [self.reduced.row(self.row_states[:, k], k) if self.has_frame else None for k in rows]
         y = map(tuple, self.event_states.T.tolist())
         return tuple(map(Event, self.event_times.tolist(), self.event_kinds, modes, modes[1:], y, reduced, causes))
 
@@ -291,27 +300,10 @@ class Trajectory(Rows):
         """Return L (m), Omega (1/s) and E_cr (J)."""
         return self.frame.length, self.frame.rate, self.frame.critical_energy
 
-    def _reduced(self, y: Any, row: int) -> ReducedState:
-        """Return the reduced state at a row, or at the end (-1)."""
-        with self.context():
-            return self.frame.reduced(y, None if self.row_excess is None else self.row_excess[row])
-
     @property
-    def final(self) -> ReducedState:
-        """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
-        return self._reduced(self.final_state, -1)
-
-    @property
-    def initial(self) -> ReducedState:
-        """Return the reduced state at the start."""
-        with self.context():
-            return self.frame.reduced(self.row_states[:, 0], self.arithmetic.number(self.scene.energy_excess))
-
-    def reduced(self, t: Any, side: Side = "right") -> ReducedState:
-        """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
-        with self.context():
-            y = self.sol(t, side)
-            return self.frame.reduced(y.tolist() if y.ndim == 1 else y, self._excess(t, side))
+    def reduced(self) -> Reduced:
+        """Return the run in reduced coordinates: `.initial`, `.final`, and called with a time, as `sol`."""
+        return Reduced(self)
 
     # ------------------------------------------------------------------ where the energy went
     @property
@@ -327,17 +319,19 @@ class Trajectory(Rows):
             return ledger_of(self)
 
     # ------------------------------------------------------------------ pictures, text and files
-    def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
+    @metered("drawing")
+    def plot(self, kind: Kind = "velocities", ax: Axes | None = None) -> Axes:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
         from numerics.trajectory.figures import draw
 
         return draw(self, kind, ax)
 
+    @metered("drawing")
     def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
         """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
 
         `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
-        MP4 needs ffmpeg. A frame takes some 50 ms. Raises MissingTool, OSError, ValueError for other files or
+        MP4 needs ffmpeg. A frame takes some 80 ms. Raises MissingTool, OSError, ValueError for other files or
         numbers that are not above 0.
         """
         from numerics.trajectory.figures import animate
@@ -350,11 +344,11 @@ class Trajectory(Rows):
 
         return numerics.check(self)
 
-    def __repr__(self) -> str:
-        """Return a short summary, as SciPy's solutions have."""
+    def _shown(self) -> dict[str, Any]:
+        """Return what a summary says, by its names."""
         right = self.digits or (self.right_digits if self.bounded else None)
         digits = f"{self.arithmetic.digits} working digits" if right is None else f"{right} right digits"
-        shown = {
+        return {
             "message": self.message,
             "success": self.success,
             "status": int(self.status),
@@ -363,7 +357,6 @@ class Trajectory(Rows):
             "t": f"[0, {self.arithmetic.text(self.end_time)}] s",
             "final mode": self.final_mode.value,
         }
-        return "\n".join(f"{name:>12}: {value}" for name, value in shown.items())
 
     def kept(self) -> dict[str, Any]:
         """Return what the run wrote, as what JSON holds."""

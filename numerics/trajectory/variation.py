@@ -5,18 +5,19 @@ A number p moves A, by A_p, and the signals in z; at a fixed time y = dz/dp foll
     y(tau) = exp(A tau) y(0) + sum_i Q_i a_i,    Q_i = int_0^tau exp(A (tau - s)) e_i z(s)' ds
 
 with a_i the rows of A_p, and Q_i from exp([[A, e_i z(0)'], [0, A']] tau): few rows depend on numbers, however many
-there are. Entries of A are polynomials of degree 3 or less in those of model.Bodies: A_p is an exact difference.
-Everything is enclosed by balls.
+there are. A_p are the slopes of model.py's matrices in dual numbers, exact. Everything else is enclosed by balls.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 from math import perm
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import flint
@@ -42,7 +43,7 @@ from numerics.linear.model import (
 )
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import Cell, Motion
+from numerics.linear.system import Cell, LinearMode, Motion
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
@@ -50,8 +51,9 @@ from numerics.trajectory.trajectory import Trajectory
 _BITS_PER_SQUARING = 5
 """What an exponential may lose each time that it is squared: entries are sums of a few products."""
 SIGNALS = ("force", "force_2", "belt", "wall", "friction")
-_DIFFERENCE = {-2: Fraction(1, 12), -1: Fraction(-2, 3), 1: Fraction(2, 3), 2: Fraction(-1, 12)}
-"""The derivative at 0 of a polynomial of degree 4, from its values."""
+_OF_A_PAIR = ("m1", "m2", "a1", "a2", "b", "b_static")
+_balls = np.frompyfunc(Ball.number, 1, 1)
+_slopes = np.frompyfunc(lambda x: x.slope if isinstance(x, Dual) else Fraction(0), 1, 1)
 
 
 class Leg(NamedTuple):
@@ -89,6 +91,12 @@ def legs(trajectory: Trajectory) -> list[Leg]:
     ]
 
 
+def field(mode: LinearMode, state: Sequence[arb], t: arb) -> Array:
+    """Return (x1, v1, x2, v2)' of a state at a time, s."""
+    motion = mode.motion(state, t)
+    return np.array(motion.rate(motion.begin).entries()[:FIRST])
+
+
 class Guard(NamedTuple):
     """What is 0 at an event: its row on the state, its derivatives at a fixed time (p,), and its rate."""
 
@@ -107,73 +115,60 @@ class Variation:
         """Take the numbers of the scene, in the piece of this index."""
         piece, self.column, self.side, cells = pieces_of(scene)[index], column, side, cells_of(scene)
         self.mode, self.is_weakened = mode_in(scene, piece, side, cell), cells is not None
-        self.rows = self.mode.rows
-        self.A = _balls(self.rows.A[SLIP if side else STICK])
+        self.rows, kind = self.mode.rows, SLIP if side else STICK
+        self.A = _balls(self.rows.A[kind])
         self.signals = _acting(scene, piece.start)
         b = f"{self.signals[FRICTION][0]}.b" if self.signals[FRICTION][0] else "b"
-        lines = cells.by_numbers(piece, side, cell, b) if cells and side else {}
-        self.lines = {name: one for name, one in lines.items() if name in column}
-        self.moved = self._moved()
+        self.lines = cells.by_numbers(piece, side, cell, b) if cells and side else {}
+        pair, layout, line = self.mode.pair, self.mode.layout, self.mode.cell
+        omegas = {
+            f"{name}.sines[{k}].omega": first + 2 * k + 1
+            for (name, _), (_, _, first, waves) in zip(self.signals, layout.blocks.tolist(), strict=True)
+            for k in range(waves)
+        }
+        self.moved: dict[str, Rows] = {}
+        """The derivatives of the matrices by the numbers on which they may depend."""
         self.inputs: dict[int, list[tuple[int, Array]]] = {}
         """Rows of A_p that are not 0, with the places of p."""
-        for name, one in self.moved.items():
-            A = one.A[SLIP if side else STICK]
-            for row in np.flatnonzero((A != 0).any(axis=1)).tolist():
-                self.inputs.setdefault(row, []).append((column[name], _balls(A[row])))
-
-    def _moved(self) -> dict[str, Rows]:
-        """Return the derivatives of the matrices by the numbers on which they depend."""
-        pair, layout, cell = self.mode.pair, self.mode.layout, self.mode.cell
-        found = {name: one for name in self.column if (one := _by_body(pair, layout, cell, name)) is not None}
-        for name, (_, slope, pull) in self.lines.items():
-            found[name] = _moved_rows(pair, layout, cell, (), (), (slope, pull))
-        for (name, piece), (_, _, first, _) in zip(self.signals, layout.blocks.tolist(), strict=True):
-            for k in range(len(piece.sines)):
-                omega = f"{name}.sines[{k}].omega"
-                if omega in self.column:
-                    found[omega] = _moved_rows(pair, layout, cell, (), ((first + 2 * k + 1, Fraction(1)),), None)
-        return found
+        for name, place in column.items():
+            if name in _OF_A_PAIR or name in omegas or name in self.lines:
+                moved = _moved_rows(pair, layout, line, name, omegas.get(name), self.lines.get(name))
+                self.moved[name], A = moved, moved.A[kind]
+                for row in np.flatnonzero((A != 0).any(axis=1)).tolist():
+                    self.inputs.setdefault(row, []).append((place, _balls(A[row])))
 
     def begun(self, state: Sequence[arb], t: arb, y: Array) -> tuple[Array, Array]:
         """Return z, and its derivatives (n, p) from those of the state (4, p), at a time (s)."""
-        found = np.full((self.mode.size, y.shape[1]), arb(0))
+        z, found = np.array(self.mode.begin(state, t)), np.full((self.mode.size, y.shape[1]), arb(0))
         found[:FIRST] = y
         blocks = self.mode.layout.blocks.tolist()
         for which, ((name, piece), (first, terms, sines, _)) in enumerate(zip(self.signals, blocks, strict=True)):
             sign = (self.side or 1) if which == FRICTION else 1
             if which == FRICTION and self.is_weakened:
                 for number, line in self.lines.items():
-                    found[first, self.column[number]] += sign * Ball.number(line.offset)
+                    if number in self.column:
+                        found[first, self.column[number]] += sign * Ball.number(line.offset)
                 continue
-            self._by_polynomial(name, piece, t, found[first : first + terms], sign)
+            power, of_b = [arb(1)], f"{name}.b" if name else "b"
+            for j in range(terms):
+                if (place := self.column.get(f"{name}.polynomial[{j}]", self.column.get(of_b))) is not None:
+                    found[first : first + j + 1, place] += [sign * perm(j, k) * power[j - k] for k in range(j + 1)]
+                power.append(power[-1] * (t - Ball.number(piece.start)))  # ** has no powers of a ball that holds 0
+            if (place := self.column.get(f"{name}.from")) is not None and terms:
+                found[first : first + terms - 1, place] -= z[first + 1 : first + terms]
             for k, sine in enumerate(piece.sines):
-                height, omega, phase = (Ball.number(one) for one in (sine.amplitude, sine.omega, sine.phase))
+                at, (height, omega, phase) = sines + 2 * k, map(Ball.number, (sine.amplitude, sine.omega, sine.phase))
                 s, c = (omega * t + phase).sin_cos()
                 turned = np.array([height * c, -height * s])
                 for key, by in (("amplitude", np.array([s, c])), ("phase", turned), ("omega", turned * t)):
                     if (place := self.column.get(f"{name}.sines[{k}].{key}")) is not None:
-                        found[sines + 2 * k : sines + 2 * k + 2, place] += by * sign
-        return np.array(self.mode.begin(state, t)), found
-
-    def _by_polynomial(self, name: str, piece: Piece, t: arb, block: Array, sign: int) -> None:
-        """Write how a polynomial and its derivatives move with its coefficients and its start."""
-        since, start = t - Ball.number(piece.start), self.column.get(f"{name}.from")
-        of_b, power = f"{name}.b" if name else "b", [arb(1)]
-        for _ in piece.polynomial[1:]:
-            power.append(power[-1] * since)  # ** has no powers of a ball that holds 0
-        for j, own in enumerate(piece.polynomial):
-            place = self.column.get(f"{name}.polynomial[{j}]", self.column.get(of_b))
-            for k in range(j + 1):
-                if place is not None:
-                    block[k, place] += sign * perm(j, k) * power[j - k]
-                if start is not None and k < j:
-                    block[k, start] -= sign * Ball.number(own) * perm(j, k + 1) * power[j - k - 1]
+                        found[at : at + 2, place] += by * sign
+        return z, found
 
     def over(self, state: Sequence[arb], t: arb, tau: arb, y: Array) -> Array:
         """Return the derivatives of the state tau (s) after the start of a motion, from those at its start, (4, p)."""
         z, moved = self.begun(state, t, y)
-        n = len(z)
-        flow, found = None, np.full((FIRST, y.shape[1]), arb(0))
+        n, flow, found = len(z), None, np.full((FIRST, y.shape[1]), arb(0))
         for row, numbers in self.inputs.items():
             whole = np.full((2 * n, 2 * n), arb(0))
             whole[:n, :n], whole[row, n:], whole[n:, n:] = self.A, z, self.A.T
@@ -191,26 +186,19 @@ class Variation:
         load, where friction depends on the state by the slip's line in the cell of `end`.
         """
         own = end if self.is_weakened and not self.side else self
-        z, moved = own.begun(state, t, y)
-        if self.side:
-            return Guard(
-                _balls(self.rows.guards[SLIP, 0])[:FIRST], moved[1] - moved[3], (self.A @ z)[1] - (self.A @ z)[3]
-            )
 
         def row(rows: Rows) -> Array:
-            if own is end:
-                return _balls(rows.others[KINETIC] - exit_side * rows.others[LOAD])
-            return _balls(rows.guards[STICK, 0 if exit_side > 0 else 1])
+            if self.side:
+                return np.asarray(_balls(rows.guards[SLIP, 0]))
+            edge = rows.others[KINETIC] - exit_side * rows.others[LOAD]
+            return np.asarray(_balls(edge if own is end else rows.guards[STICK, 0 if exit_side > 0 else 1]))
 
-        here, by = row(own.rows), np.full(y.shape[1], arb(0))
-        by += here @ moved
+        z, moved = own.begun(state, t, y)
+        here = row(own.rows)
+        by, A = here @ moved, self.A if self.side else _balls(own.rows.A[STICK])
         for name, one in own.moved.items():
             by[self.column[name]] += row(one) @ z
-        return Guard(here[:FIRST], by, here @ (_balls(own.rows.A[STICK]) @ z))
-
-    def field(self, state: Sequence[arb], t: arb) -> Array:
-        """Return (x1, v1, x2, v2)' of a state at a time, s."""
-        return np.asarray(self.A[:FIRST] @ np.array(self.mode.begin(state, t)))
+        return Guard(here[:FIRST], by, here @ (A @ z))
 
 
 def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
@@ -224,50 +212,66 @@ def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
     return found
 
 
-@lru_cache(maxsize=1024)
-def _by_body(pair: Pair, layout: Layout, cell: Cell, name: str) -> Rows | None:
-    """Return the derivative of the matrices by a number of the pair, if they depend on it."""
-    one, m1, m2 = Fraction(1), pair.m1, pair.m2
-    by: dict[str, dict[str, Fraction]] = {"a1": {"a1": one}, "a2": {"a2": one}}
-    by["m1"] = {"m1": one, "inverse_1": -1 / m1**2}
-    if not pair.is_fixed:
-        mass = pair.mass
-        by["m1"] |= {"inverse_both": -1 / mass**2, "share_1": m2 / mass**2, "share_2": -m2 / mass**2}
-        by["m2"] = {"inverse_2": -1 / m2**2, "inverse_both": -1 / mass**2}
-        by["m2"] |= {"share_1": -m1 / mass**2, "share_2": m1 / mass**2}
-    if pair.b_static is not None:
-        by |= {"b_static": {"static": 1 / pair.b}, "b": {"static": -pair.b_static / pair.b**2}}
-    return _moved_rows(pair, layout, cell, tuple(by[name].items()), (), None) if name in by else None
+@dataclass(frozen=True, eq=False)
+class Dual:
+    """value + slope e with e^2 = 0: arithmetic on it differentiates."""
+
+    value: Fraction
+    slope: Fraction
+
+    def __add__(self, other: Dual | Fraction | int) -> Dual:
+        """Return the sum."""
+        if not isinstance(other, Dual):
+            return Dual(self.value + other, self.slope)
+        return Dual(self.value + other.value, self.slope + other.slope)
+
+    def __mul__(self, other: Dual | Fraction | int) -> Dual:
+        """Return the product."""
+        if not isinstance(other, Dual):
+            return Dual(self.value * other, self.slope * other)
+        return Dual(self.value * other.value, self.value * other.slope + self.slope * other.value)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def __neg__(self) -> Dual:
+        """Return the number with the other sign."""
+        return self * -1
+
+    def __sub__(self, other: Dual | Fraction | int) -> Dual:
+        """Return the difference."""
+        return self + -other
+
+    def __rsub__(self, other: Fraction | int) -> Dual:
+        """Return the difference."""
+        return -self + other
+
+    def __rtruediv__(self, other: Dual | Fraction) -> Dual:
+        """Return the quotient."""
+        return Dual(1 / self.value, -self.slope / self.value**2) * other
+
+    def __truediv__(self, other: Dual) -> Dual:
+        """Return the quotient."""
+        return other.__rtruediv__(self)
 
 
 @lru_cache(maxsize=1024)
-def _moved_rows(
-    pair: Pair,
-    layout: Layout,
-    cell: Cell,
-    bodies: tuple[tuple[str, Fraction], ...],
-    omegas: tuple[tuple[int, Fraction], ...],
-    line: Cell | None,
-) -> Rows:
-    """Return the derivative of the matrices where these of the numbers of bodies, frequencies and a cell move."""
-    found: list[Any] = []
-    for k, weight in _DIFFERENCE.items():
-        rows = Rows(*(np.full(one.shape, Fraction(0)) for one in make_rows(layout.size)))
-        own, turns = Bodies.of(pair), spread_omegas(layout)
-        for place, rate in omegas:
-            turns[place] += k * rate
-        here = cell if line is None else (cell[0] + k * line[0], cell[1] + k * line[1])
-        moved = own._replace(**{name: getattr(own, name) + k * rate for name, rate in bodies})
-        put_rows(moved, layout.blocks, turns, here, rows)
-        parts = [weight * one for one in rows]
-        found = [one + two for one, two in zip(found, parts, strict=True)] if found else parts
-    return Rows(*found)
-
-
-def _balls(matrix: Array) -> Array:
-    """Return an exact array as balls."""
-    convert = np.frompyfunc(Ball.number, 1, 1)
-    return np.asarray(convert(matrix))
+def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int | None, line: Any) -> Rows:
+    """Return the derivative of the matrices by a number of the pair, of the frequency at a place, of a line."""
+    given = {key: getattr(pair, key) for key in _OF_A_PAIR}
+    numbers = SimpleNamespace(**{k: None if x is None else Dual(x, Fraction(k == name)) for k, x in given.items()})
+    if pair.is_fixed:
+        numbers.m2 = pair.m2
+    else:
+        numbers.mass = numbers.m1 + numbers.m2
+    omegas = spread_omegas(layout)
+    if place is not None:
+        omegas[place] = Dual(omegas[place], Fraction(1))
+    here: tuple[Any, Any] = cell
+    if line is not None:
+        here = Dual(cell[0], line[1]), Dual(cell[1], line[2])
+    rows = Rows(*(np.full(one.shape, Fraction(0)) for one in make_rows(layout.size)))
+    put_rows(Bodies.of(numbers), layout.blocks, omegas, here, rows)  # type: ignore[arg-type]  # a pair of dual numbers
+    return Rows(*map(_slopes, rows))
 
 
 def _exponential(matrix: Array) -> Array:

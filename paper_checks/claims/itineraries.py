@@ -196,9 +196,12 @@ def itinerary_that_merges(scene: Scene | None = None) -> Case:
                 trajectory.message,
                 engine="numerics, balls",
             ),
-            compare("after it, $w=E/E_{cr}-1<0$", trajectory.final.w, "<", exact(0)),
+            compare("after it, $w=E/E_{cr}-1<0$", trajectory.reduced.final.w, "<", exact(0)),
         ),
-        derivation=(_points(trajectory, ("A",)), f"$w={trajectory.final.w.mid().str(10, radius=False)}$ on the orbit."),
+        derivation=(
+            _points(trajectory, ("A",)),
+            f"$w={trajectory.reduced.final.w.mid().str(10, radius=False)}$ on the orbit.",
+        ),
         figure="itinerary-that-merges",
     )
 

@@ -47,5 +47,5 @@ def dichotomy_samples(seed: int, cases: int = 100) -> Evidence:
 def _merged_or_creeping(trajectory: Trajectory) -> bool:
     excesses = [event.reduced.w for event in trajectory.events if event.kind is EventKind.ENTRY]
     falls = all(later < earlier for earlier, later in pairwise(excesses))
-    final = trajectory.final.w
+    final = trajectory.reduced.final.w
     return falls and (final <= 0 if trajectory.status is Status.STUCK_FOR_EVER else final > 0)

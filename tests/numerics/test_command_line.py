@@ -59,6 +59,21 @@ def test_csv_has_a_row_for_each_event_and_the_end(run, scene_file, arithmetic):
             found.to_csv()
 
 
+def test_times_are_rows_of_right_digits(run):
+    code, out, err = run("solve", "velocities", "--times", "0:5:0.5")
+    head, *rows = csv.reader(io.StringIO(out))
+    assert (code, err) == (0, "")
+    assert head == ["t (s)", "mode", "x1 (m)", "v1 (m/s)", "x2 (m)", "v2 (m/s)", "energy (J)"]
+    assert [one[0] for one in rows] == [f"{k / 2:g}" for k in range(11)]
+    balls = solve(load_scene("velocities"), digits=30).sol([Decimal(one[0]) for one in rows])
+    for row, column in zip(rows, balls.T, strict=True):
+        for mine, true in zip(map(Decimal, row[2:6]), column, strict=True):
+            assert abs(mine - Decimal(true.str(25, radius=False))) <= abs(mine) * Decimal("1e-15")
+    found = json.loads(run("solve", "velocities", "--times", "0:5:0.5", "--json")[1])
+    assert [list(one.values()) for one in found["times"]] == rows
+    assert run("solve", "plane-box", "--times", "0:1:0.5")[1].startswith("t (s),mode,x1_x (m),x1_y (m)")
+
+
 def test_npz_holds_plain_arrays(run, scene_file, tmp_path):
     target = tmp_path / "run.npz"
     assert run("solve", scene_file, "--npz", target) == (0, "", "")
@@ -125,7 +140,18 @@ solve velocites | did you mean velocities
 slove velocities | did you mean solve
 solve velocities --arithmetic flaot64 | did you mean float64
 track at-rest --reference s-curv | did you mean s-curve
-solve velocities --jsn | unrecognized arguments: --jsn; --help lists
+solve velocities --jsn | --jsn is not known: did you mean --json?
+solve velocities --rtol 1e-9 | --digits N requests N right digits
+solve velocities --times 0:9:1 | outside the solved time
+solve velocities --times 0:5 | must be A:B:STEP
+solve velocities --times -1e-3:5:1 | must have 0 <= A <= B
+solve velocities --times 0:5:1e-9 | at most 1000000 times
+solve velocities --times 0:5:1 --plot x.svg | leave --plot out
+solve velocities --times 0:5:1 --arithmetic float64 | leave --arithmetic out
+solve plane-box --times 9:9:1 | outside the solved time
+response velocities --omega 3 | --amplitude and --omega
+ring velocities --radius -1e-3 | radius = -0.001
+move at-rest --distance 1 --amplitude -1e-3 | amplitude = -0.001
 solve velocities --npz= | the name is empty
 solve no-such-scene | one of those that `inertial-pair scenes` lists
 solve velocities --plot /proc/x.svg | cannot be written to

@@ -119,14 +119,17 @@ def _holds(flow, z, t, motion):
     rate = [dot(row, there) for row in A]
     assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
     assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
-    rows = flow.rows(z)
+    full = Expansion(flow, z, t)
+    rows, rests = full.short(t)
     for which, row in enumerate(flow.guarded):
-        curve, true = motion.row(which), dot(row, there)
-        assert abs(curve(t) - true) < motion.row_off(which, t, 0) + OFF
-        assert abs(curve.derivative()(t) - dot(row, rate)) < motion.row_off(which, t, 1) + OFF
-        for order in (3, 5, 8, FEW):
+        curve, true = motion.guard(which), dot(row, there)
+        assert abs(curve(t) - true) < motion.guard_off(which, t, 0) + OFF
+        assert abs(curve.derivative()(t) - dot(row, rate)) < motion.guard_off(which, t, 1) + OFF
+        for order in (3, 5, 8):
             off = abs(sum((c * t**n for n, c in enumerate(rows[which][:order])), arb(0)) - true)
-            assert not off > flow.rests(z, t, order)[which] * t**order
+            sizes = full.sizes(order, t)
+            assert not off > sum((abs(c) * sizes[k] for k, c in row), arb(0)) * t**order
+        assert not abs(sum((c * t**n for n, c in enumerate(rows[which])), arb(0)) - true) > rests[which] * t**FEW + OFF
 
 
 @pytest.mark.parametrize("slips", [False, True])
@@ -180,7 +183,7 @@ def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(we
         for mode, cell in cells:
             one, zero = arb(1), arb(0)
             at = At(mode, (order,) * 4, 0, zero, (one, one, zero, one - mode), one, zero, one, zero, cell)
-            flow, z = path.here(at)
+            flow = path.flow(at)
             g, apart = path.weight(at), np.array([1, 0, -1, 0])
             at = at._replace(place=1 / g) if g > 0 else at
             N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g**2) * np.outer(apart, apart)
@@ -188,7 +191,7 @@ def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(we
             if mode == 0:  # body 2 goes with body 1
                 onto[3], N2[1, 1], N2[3, 3] = onto[1], float(pair.mass), 0
             A = np.array(flow.mode.generator(), dtype=float)[:4, :4]
-            for guard in guards_of(path, at, flow.rows(z)):
+            for guard in guards_of(path, at, path.motion(at).short(flow.reach)[0]):
                 row = np.zeros(5)
                 for k, c in flow.guarded[guard.row]:
                     row[min(k, 4)] = float(c)
@@ -276,5 +279,5 @@ def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
     path = EnclosedRun(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
     zero, off = arb(0), arb("0.1")
     at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
-    flow, z = path.here(at)
-    assert all(one.margin > off * 8.999 for one in guards_of(path, at, flow.rows(z)))
+    flow = path.flow(at)
+    assert all(one.margin > off * 8.999 for one in guards_of(path, at, path.motion(at).short(flow.reach)[0]))

@@ -2,7 +2,6 @@
 
 import doctest
 import inspect
-import pydoc
 import re
 import sys
 from decimal import Decimal
@@ -45,10 +44,10 @@ def test_everything_a_user_needs_is_in_one_place():
     assert dir(numerics) == names  # what was imported since is not listed
 
 
-def test_help_has_one_line_for_each_name_and_no_more():
+def test_help_begins_with_one_line_for_each_name():
     told = re.findall(r"^    (\w+(?:, \w+)*)  +\S.*$", numerics.__doc__, re.MULTILINE)
     assert sorted(name for names in told for name in names.split(", ")) == dir(numerics)
-    assert len(pydoc.render_doc(numerics).splitlines()) < 80
+    assert len(numerics.__doc__.splitlines()) < 80
 
 
 def public(kind):

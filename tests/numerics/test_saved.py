@@ -11,8 +11,7 @@ from archives import header_of, write_header
 from three_scenes import DAMPED, HOW, PAPER, STUCK
 
 from numerics import PlaneTrajectory, Trajectory, load_scene, sensitivities, solve
-from numerics.errors import InvalidFile, InvalidScene
-from numerics.trajectory import saved
+from numerics.errors import InvalidFile
 from numerics.trajectory.run import free_scene
 
 
@@ -82,37 +81,30 @@ def test_a_file_that_holds_no_trajectory_is_refused_in_a_sentence(tmp_path, chan
         b'{"ball": ["0x1", ' + b"9" * 300 + b', "0x0", 0]}',
         b'{"ratio": ["0x1", "0x0"]}',
         b'{"floats": ["AAAA", 1000000000000]}',
-        b"\0" * 2**20,
     ],
 )
-def test_what_somebody_wrote_with_the_right_checksum_is_refused_in_a_sentence(tmp_path, text):
+def test_what_somebody_wrote_is_refused_in_a_sentence(tmp_path, text):
     write_header(tmp_path / "run.npz", text)
     with pytest.raises(InvalidFile, match=r"holds no saved trajectory: .*; give a file that `save`"):
         Trajectory.load(tmp_path / "run.npz")
 
 
 @pytest.mark.parametrize(("scene", "kind"), [(PAPER, Trajectory), (load_scene("plane-box"), PlaneTrajectory)])
-def test_a_file_in_which_a_byte_was_changed_or_is_missing_is_refused(tmp_path, scene, kind):
+def test_a_file_in_which_a_byte_was_changed_or_is_missing_is_refused_or_holds_the_same_run(tmp_path, scene, kind):
     path, other = tmp_path / "run.npz", tmp_path / "other.npz"
-    solve(scene, max_events=2).save(path)
+    run = solve(scene, max_events=2)
+    run.save(path)
     whole = path.read_bytes()
-    assert kind.load(path).scene == scene
-    places = [*range(0, len(whole), 1 + len(whole) // 60), *range(len(whole) - 70, len(whole))]
-    changed = [whole[:k] + bytes([whole[k] ^ 8]) + whole[k + 1 :] for k in places]
-    for wrong in [*changed, whole + b"0", *(whole[:k] for k in places)]:
+    assert kind.load(path) == run
+    changed = [whole[:k] + bytes([whole[k] ^ 8]) + whole[k + 1 :] for k in range(0, len(whole), 1 + len(whole) // 200)]
+    refused = 0
+    for wrong in [*changed, *(whole[:k] for k in range(0, len(whole), 1 + len(whole) // 60))]:
         other.write_bytes(wrong)
-        with pytest.raises(InvalidFile, match="was changed since; give a file"):
-            kind.load(other)
-
-
-def test_a_changed_number_is_refused_without_its_checksum(tmp_path):
-    path, other = tmp_path / "run.npz", tmp_path / "other.npz"
-    solve(PAPER).save(path)
-    write_header(other, header_of(path).replace("m1 = 1", "m1 = 2"))
-    assert Trajectory.load(other).scene.pair.m1 == 2  # another file, with a checksum of its own
-    other.write_bytes(other.read_bytes()[:-64] + path.read_bytes()[-64:])
-    with pytest.raises(InvalidFile, match="was changed since"):
-        Trajectory.load(other)
+        try:
+            assert kind.load(other) == run  # of what the archive says twice, once may be changed
+        except InvalidFile:
+            refused += 1
+    assert refused > len(changed) // 2
 
 
 def test_a_run_is_saved_under_no_name_of_another_kind_of_file(tmp_path):
@@ -120,20 +112,9 @@ def test_a_run_is_saved_under_no_name_of_another_kind_of_file(tmp_path):
         solve(PAPER).save(tmp_path / "run.csv")
 
 
-def test_a_run_that_is_too_long_for_a_file_is_refused_before_it_is_written(tmp_path, monkeypatch):
-    monkeypatch.setattr(saved, "_MOST_BYTES", 10_000)
-    solve(PAPER, max_events=2).save(tmp_path / "run.npz")
-    assert Trajectory.load(tmp_path / "run.npz").record.events == 2
-    with pytest.raises(InvalidScene, match="a file holds 10000; shorten until"):
-        solve(PAPER, digits=60).save(tmp_path / "long.npz")
-    write_header(tmp_path / "long.npz", b"{" + b" " * 20_000)
-    with pytest.raises(InvalidFile, match="its header has 20129 bytes"):
-        Trajectory.load(tmp_path / "long.npz")
-
-
 def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
     (tmp_path / "text").write_text("hello")
-    with pytest.raises(InvalidFile, match="no file of `save`, or not a whole one"):
+    with pytest.raises(InvalidFile, match="holds no saved trajectory"):
         Trajectory.load(tmp_path / "text")
     with pytest.raises(FileNotFoundError, match="give a file that `save`"):
         Trajectory.load(tmp_path / "absent")

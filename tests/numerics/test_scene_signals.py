@@ -266,10 +266,10 @@ FILES = {
     "t = 0.5 in row 3 is not after 1": "0,1\n1,2\n0.5,3",
     "t in row 1 = -1 must be >= 0": "-1,1",
     "row 1 of 'u.csv', '0,5;1,25', is not a t and a u": "0,5;1,25",
-    "t in row 2 must be a finite decimal number, not '0;1'": "t;u,\n0;1,5",
+    "row 2 of 'u.csv', '0;1,5', is not a t and a u": "t;u,\n0;1,5",
     "row 2 of 'u.csv', '', is not a t and a u": "0,1\n\n1,2",
     "row 2 of 'u.csv', '1,2,3', is not": "0,1\n1,2,3",
-    "row 1 of 'u.csv', '', is not": "",
+    "'u.csv' holds no samples; give": "",
     "t in row 2 must be a finite decimal number, not 't'": "t,u\nt,u\n0,1",
     "holds no samples": "t,u\n",
 }

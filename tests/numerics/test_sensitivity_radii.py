@@ -22,7 +22,7 @@ RADIUS = Fraction(1, 10**6)
 def everything(scene, followed):
     """The derivatives along legs: of times and states of events, of the state between them and at the end."""
     chain = Chain(scene, followed, tuple(parameters(scene)))
-    final = chain.final(followed[-1].state)
+    final, _ = chain.final(followed[-1].state)
     grid = [chain.at(k, (leg.end - leg.start) / 2) for k, leg in enumerate(followed)]
     return [np.concatenate([np.ravel(one) for one in found]) for found in (chain.t, chain.y, grid, final)]
 
@@ -77,8 +77,7 @@ def test_what_is_carried_as_points_keeps_its_radii(chain, row):
     with Ball(30).context():
         y, zeros = chain.starts[0].y + arb(0), chain.starts[0].norm * 0
         y[row] += arb(0, 1)
-        norm = chain._norm(chain.legs[0])
-        again = chain._enclosed(chain._pointed(CarriedDerivatives(y, zeros, zeros, zeros), norm), norm)
+        again = chain._enclosed(chain._pointed(CarriedDerivatives(y, zeros, zeros, zeros)))
         assert all(one.contains(two) for one, two in zip(again.ravel(), y.ravel(), strict=True))
 
 
@@ -101,7 +100,7 @@ def test_a_bound_holds_what_starts_within_it(chain, off):
                 within = Chain.__new__(Chain)
                 within.__dict__ |= chain.__dict__ | {"starts": [*chain.starts]}
                 within.starts[index] = carried
-                crossed = within._enclosed(within._crossed(index), within._norm(within.legs[index + 1]))
+                crossed = within._enclosed(within._crossed(index))
                 parts = [within.at(index, (leg.end - leg.start) / 2), crossed]
                 if len(chain.t) > kept:
                     parts += [chain.t.pop(), chain.y.pop(), chain.before.pop()]

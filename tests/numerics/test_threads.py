@@ -40,7 +40,7 @@ def everything(scene, how):
     run = solve(scene, **how)
     numbers = [run.sol([0, "0.1", "1/3"]), run.energy]
     if scene is not ROUND:
-        numbers += [run.dissipated, run.ledger.friction, run.final.w, run.initial.X]
+        numbers += [run.dissipated, run.ledger.friction, run.reduced.final.w, run.reduced.initial.X]
     if scene is DAMPED:
         found = response(scene, amplitude=3, omega=7, digits=20)
         numbers += [sensitivities(run).final, [one for one in vars(found).values() if isinstance(one, arb)]]

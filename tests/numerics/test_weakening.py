@@ -113,7 +113,7 @@ def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
     assert all(event.before is not event.after for event in run.events)
     curve = sampled(run)
     assert np.allclose(run.sol(curve.t[::37].tolist()).astype(float), curve.y[:, ::37], rtol=0, atol=1e-9)
-    assert np.isclose(curve.lost[0, -1], float(run.ledger.friction), rtol=1e-9)
+    assert np.isclose(curve.lost[0, -1], float(run.ledger.friction), rtol=1e-4)  # a sum over what is drawn
 
 
 def test_a_knot_adds_to_the_errors_whether_friction_bends_up_or_down_behind_it(monkeypatch):
@@ -163,8 +163,8 @@ def test_a_scene_is_written_and_read_again():
     assert parse_scene(scene_text(JUMPING)).friction.weakening == BY_PLACE
 
 
-def test_two_coefficients_are_refused_with_the_reason():
-    with pytest.raises(InvalidScene, match="both solutions at every instant"):
+def test_two_coefficients_are_answered_by_those_of_the_pair():
+    with pytest.raises(InvalidScene, match=r"write b_static .N, the friction up to which a stick is kept"):
         parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
 
 

@@ -146,7 +146,7 @@ def numbers(texts: list[str]) -> list[arb]:
 
 def bounds_of(found: Any, index: int, scales: list[arb]) -> list[Any]:
     """The stated bounds of points t, x1, v1, x2, v2."""
-    accuracy = found.accuracy
+    accuracy = found.accuracy if found.bounded else None
     if accuracy is None:
         return [(scale / 10**25).upper() for scale in scales]
     if index >= 0:
@@ -158,9 +158,9 @@ def bounds_of(found: Any, index: int, scales: list[arb]) -> list[Any]:
 
 def compared_energies(answer: dict[str, Any], found: Any) -> Iterator[str]:
     """E/E_cr - 1 at the end, and the ledger; points have a bound of both."""
-    accuracy, kind = found.accuracy, found.arithmetic.name
+    accuracy, kind = found.accuracy if found.bounded else None, found.arithmetic.name
     with found.arithmetic.context():
-        ledger, excess = found.ledger, found.final.w
+        ledger, excess = found.ledger, found.reduced.final.w
     is_ball, (true, *truths) = kind == "ball", numbers([answer["excess"], *answer["ledger"]])
     slack = 0.0 if is_ball else 1e-25 if accuracy is None else accuracy.energy_excess
     yield from differing("excess", near(excess, slack), true, abs(true) * FROZEN + NOTHING * (1 + abs(true)))

@@ -177,7 +177,7 @@ def test_samples_that_neither_merge_nor_creep_turn_the_dichotomy(plant):
     backwards.__dict__["events"] = creeping.events[::-1]
     assert not samples._merged_or_creeping(backwards)
     assert not samples._merged_or_creeping(solve(replace(MERGES, until=Fraction(1, 5))))  # 3 ms before they merge
-    plant("paper_checks.decide.samples._merged_or_creeping", lambda _: lambda one: one.final.w > 0)
+    plant("paper_checks.decide.samples._merged_or_creeping", lambda _: lambda one: one.reduced.final.w > 0)
     assert decide(CHECKS["dichotomy"], Context()).verdict is Verdict.UNDECIDED
 
 

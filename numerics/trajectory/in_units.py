@@ -1,0 +1,45 @@
+"""A run in reduced coordinates (free/frame.py), those of the paper's own pair."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numerics.free.frame import ReducedState
+from numerics.trajectory.rows import Side
+
+
+class Reduced:
+    """`initial`, `final` (at the last event, where the cap on events ended the run), and the state at any time.
+
+    >>> from numerics import load_scene, solve
+    >>> reduced = solve(load_scene("velocities")).reduced
+    >>> round(float(reduced.final.w), 6), float(reduced.initial.X), round(float(reduced(0.5).X), 6)
+    (0.173401, 0.0, 13.389309)
+    """
+
+    def __init__(self, run: Any) -> None:
+        """Take a run on a line."""
+        self.run = run
+
+    def __call__(self, t: Any, side: Side = "right") -> ReducedState:
+        """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
+        with self.run.context():
+            y = self.run.sol(t, side)
+            return self.run.frame.reduced(y.tolist() if y.ndim == 1 else y, self.run._excess(t, side))
+
+    def row(self, y: Any, row: int) -> ReducedState:
+        """Return the reduced state y at a row, or at the end (-1)."""
+        with self.run.context():
+            return self.run.frame.reduced(y, None if self.run.row_excess is None else self.run.row_excess[row])
+
+    @property
+    def final(self) -> ReducedState:
+        """Return that at the end."""
+        return self.row(self.run.final_state, -1)
+
+    @property
+    def initial(self) -> ReducedState:
+        """Return that at the start."""
+        with self.run.context():
+            excess = self.run.arithmetic.number(self.run.scene.energy_excess)
+            return self.run.frame.reduced(self.run.row_states[:, 0], excess)

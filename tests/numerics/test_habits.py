@@ -1,0 +1,182 @@
+"""Words that people bring are answered by the right ones; what lasts says so on a terminal; tables of a sweep."""
+
+import io
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import numerics
+from numerics import (
+    Force,
+    InvalidScene,
+    Pair,
+    PlanePair,
+    PlaneScene,
+    Scene,
+    State,
+    bifurcation,
+    load_scene,
+    response,
+    sensitivities,
+    solve,
+    solve_many,
+    solve_scenes,
+)
+from numerics.meter import meter, metered
+from numerics.scene.file import parse_scene, scene_text
+
+PAPER = load_scene("velocities")
+RUN = solve(PAPER)
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: solve(PAPER, rtol=1e-9), "digits=N"),
+        (lambda: solve(PAPER, method="RK45"), "arithmetic="),
+        (lambda: solve(PAPER, events=abs), "run.events"),
+        (lambda: solve(PAPER, t_span=(0, 5)), "until="),
+        (lambda: solve(PAPER, [0, 5]), "by their names"),
+        (lambda: solve(PAPER, dense_output=True), "run.sol"),
+        (lambda: Pair(m1=1, m2=1, k=200, b=1), "write a2"),
+        (lambda: Pair(m1=1, m2=1, a2=200, mu=1), "write b "),
+        (lambda: Scene(PAPER.pair, State(), t_end=5), "write until"),
+        (lambda: Scene(PAPER.pair, State(), 5, u=Force()), "write force"),
+        (lambda: State(x=1), "x1 or x2"),
+        (lambda: Force.sine(1, freq=2), "omega .rad/s"),
+        (lambda: Force.samples(times=[0], u=[1]), "write t"),
+        (lambda: solve_many(1, 1, 200, 1, v1=[1], t_end=5), "write until"),
+        (lambda: PAPER.replace(m3=1), "m1 or m2|m2 or m1"),
+        (lambda: PlaneScene(PlanePair(1, 1, 1, 1), 5, v0=1), "v1 or v2"),
+        (lambda: response(PAPER, tol=1), "digits=N"),
+        (lambda: sensitivities(RUN, wrt=["k"]), "'k'"),
+        (lambda: numerics.Solve, "did you mean solve"),
+        (lambda: RUN["q"], "a run has t, y"),
+        (lambda: Force.sine(1, 1) + 3, "Force.step"),
+    ],
+)
+def test_a_word_from_elsewhere_is_answered_by_the_right_one(call, said):
+    with pytest.raises((TypeError, ValueError, AttributeError, KeyError), match=said) as caught:
+        call()
+    assert "\n" not in str(caught.value)
+
+
+def test_an_error_within_a_function_is_no_habit():
+    with pytest.raises(TypeError, match="takes a Scene, not int"):
+        solve(3)
+
+
+def test_star_brings_all_names():
+    names = {}
+    exec("from numerics import *", names)
+    assert set(names) - {"__builtins__"} == set(dir(numerics))
+    assert numerics.__version__
+
+
+def test_a_scene_is_replaced_in_parts_and_numbers():
+    changed = PAPER.replace(b="0.06", x1="0.001", until=3, force=Force.sine(1, 2))
+    assert (changed.pair, changed.initial) == (Pair(1, 1, 200, "0.06"), State("0.001", "0.15"))
+    assert changed.until == 3
+    assert PAPER.replace() == PAPER
+    belt = load_scene("belt").replace(belt=Force.step(0, "0.2"))
+    assert float(belt.initial.v2) == 0.2
+    assert PlaneScene(PlanePair(1, 1, 200, 1), 5).replace(b=2, x1=1).pair.b == (2, 2)
+
+
+def test_a_run_answers_by_name_in_si_and_as_a_table():
+    assert (RUN["t"] == RUN.t).all()
+    assert (RUN["v1"] == RUN.y[1]).all()
+    assert RUN.final == tuple(RUN.y[:, -1])
+    assert pytest.approx(RUN.final.x1 / float(PAPER.pair.half_width)) == RUN.reduced.final.X
+    table = RUN.to_dataframe(np.linspace(0, 5, 11))
+    assert (table["x1"].to_numpy() == RUN.sol(np.linspace(0, 5, 11))[0]).all()
+    for one in (PAPER, RUN, solve_many(1, 1, 200, 1, v1=[1, 2], until=1), PAPER.pair):
+        assert one._repr_html_().startswith("<table><caption>")
+
+
+def test_balls_have_their_radii_as_accuracy():
+    run = solve(PAPER, digits=20)
+    bounds = run.accuracy
+    assert bounds.certain
+    assert bounds.digits == run.right_digits >= 20
+    assert (bounds.t.shape, bounds.y.shape, bounds.final.shape) == ((24,), (24, 4), (4,))
+    assert all(off >= float(one.rad()) > 0 for off, one in zip(bounds.final, run.final, strict=True))
+
+
+def test_few_digits_are_said():
+    few = solve(Scene(Pair("1e30", 1, "1e-10", "2.94"), State(v2=10), 10), arithmetic="float64")
+    assert few.right_digits <= 3
+    assert f"only {few.right_digits}; request digits" in few.message
+    assert "only" not in RUN.message
+
+
+def test_a_list_on_a_line_and_a_table_for_a_scene_are_refused(tmp_path):
+    text = scene_text(PAPER).replace("b = 0.05", "b = [1, 2]")
+    with pytest.raises(InvalidScene, match="solve_many"):
+        parse_scene(text)
+    assert parse_scene(text.replace("[initial]", 'shape = "box"\n[initial]').replace("law", "#")).pair.axes == 2
+    (tmp_path / "u.csv").write_text("0,1\n")
+    with pytest.raises(InvalidScene, match="file ="):
+        load_scene(tmp_path / "u.csv")
+
+
+def test_b_beside_sines_is_their_middle():
+    head = "[pair]\nm1=1\nm2=1\na2=200\nb=3\n[run]\nuntil=1\n[[friction]]\nfrom=0\nsines=[{amplitude=1,omega=7}]\n"
+    assert parse_scene(head + "b=3\n") == parse_scene(head + "polynomial=[3]\n")
+
+
+def test_a_sweep_has_names_and_tables():
+    found = solve_many(1, 1, 200, 0.05, a1=0.5, sines=[([0.1, 0.5, 1], 5, 0)], until=2)
+    assert found.inputs["sines[0].amplitude"].tolist() == [0.1, 0.5, 1]
+    assert found.plot().get_xlabel() == "sines[0].amplitude (N)"
+    assert found.to_dataframe()["sines[0].amplitude"].tolist() == [0.1, 0.5, 1]
+    scenes = [load_scene("moving-wall").replace(wall=Force.sine(one, 11)) for one in ("0.01", "0.02")]
+    assert solve_scenes(scenes).plot("events").get_xlabel() == "wall[0].sines[0].amplitude (m)"
+    xarray = pytest.importorskip("xarray")
+    assert isinstance(found.to_xarray(), xarray.Dataset)
+    assert found.to_xarray()["dissipated"].dims == ("sines[0].amplitude",)
+
+
+def test_stroboscopic_points_of_a_periodic_motion_are_one_and_a_time_is_a_multiple():
+    base = load_scene("forced-sine-stick-slip").replace(a1=3, until=40)
+    found = bifurcation([base, base.replace(b="0.06")], keep=5)
+    period = 2 * np.pi / float(base.force.pieces[0].sines[0].omega)
+    assert np.ptp(found.values("v1 - v2"), axis=1).max() < 1e-9
+    assert found.t / period == pytest.approx(np.round(found.t / period))
+    assert found.plot("v1 - v2").get_ylabel() == "v1 - v2, once a period (m/s)"
+    assert (found.values("x1") == bifurcation(found.scenes, keep=5, jobs=1, period=period).values("x1")).all()
+    with pytest.raises(InvalidScene, match="shorter than"):
+        bifurcation([base], keep=1000)
+    with pytest.raises(InvalidScene, match="give a period"):
+        bifurcation([PAPER])
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.mark.parametrize("kind", [Terminal, io.StringIO])
+def test_what_lasts_shows_a_line_on_a_terminal_alone(kind, monkeypatch):
+    monkeypatch.setattr(sys, "stderr", kind())
+    monkeypatch.setattr("numerics.meter._AFTER", 0.05)
+    monkeypatch.setattr("numerics.meter._EVERY", 0.01)
+    with meter("solving") as told, meter("drawing") as inner:
+        if told is not None:
+            time.sleep(0.1)
+            told(5, 10)
+            time.sleep(0.1)
+        assert inner is None
+    metered("derivatives")(time.sleep)(0.2)
+    shown = sys.stderr.getvalue()
+    assert ("solving  50 %|##########          |" in shown) is (kind is Terminal)
+    assert ("derivatives" in shown) is (kind is Terminal)
+    assert shown == "" or shown.endswith("\r\033[K")
+
+
+def test_quick_work_shows_nothing(monkeypatch):
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    solve(PAPER, digits=30)
+    assert sys.stderr.getvalue() == ""
