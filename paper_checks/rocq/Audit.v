@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs BeforeContact BoundedMotions Consequences CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EndlessStickSlip EnergyLimit Entrainment Excursion ExitOrbit ExitPlaces FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped OneOverT Pair PairTies PeriodicMotion PiecewiseFriction Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Trajectory TransferTies TurningFunction TwoStop UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs BeforeContact BoundedMotions Consequences CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EndlessStickSlip EnergyLimit Entrainment Excursion ExcursionShape ExitOrbit ExitPlaces FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Trajectory TransferTies TurningFunction TwoStop UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -22,7 +22,7 @@ Print Assumptions Arcs.antiperiodic.
 
 Goal True. idtac "== arc-begins
 A smooth arc that satisfies the friction law under a force is the beginning of a motion under that force.
-uses: no other". Abort.
+uses: interface-one-strength, interface-well-posed". Abort.
 Check @Arcs.arc_begins.
 Print Assumptions Arcs.arc_begins.
 
@@ -218,6 +218,24 @@ uses: forced-approach". Abort.
 Check @ForcedCapture.entrains.
 Print Assumptions ForcedCapture.entrains.
 
+Goal True. idtac "== excursion-depth
+$c'=h$; $c$ takes every positive value once on $(0,2\pi)$ and is concave as a function of $h^2$.
+uses: depth-upper, h-increases". Abort.
+Check @ExcursionShape.deepens.
+Print Assumptions ExcursionShape.deepens.
+
+Goal True. idtac "== excursion-rise
+$h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$ increases for every $d\geqslant 0$.
+uses: h-increases". Abort.
+Check @ExcursionShape.rise.
+Print Assumptions ExcursionShape.rise.
+
+Goal True. idtac "== excursions-grow
+Of two excursions from a ray the faster one lasts longer, goes deeper and loses more energy.
+uses: gap-slip, h-increases". Abort.
+Check @ExcursionShape.grow_together.
+Print Assumptions ExcursionShape.grow_together.
+
 Goal True. idtac "== exit-and-entry-times
 For every solution that never merges: entries and exits alternate; stays on $S_0$ tend to $\pi/\Omega$, slips to 0.
 uses: arc-to-ray, contact, cycle, cycle-time, depth-lower, depth-upper, energy-decreases, energy-limit, exits, first-re-entry, h-increases, turning-point". Abort.
@@ -316,7 +334,7 @@ Print Assumptions Forced.forced_energy_rate.
 
 Goal True. idtac "== forced-well-posed
 Under any force with a continuous impulse there is exactly one solution from every initial state.
-uses: forced-contraction". Abort.
+uses: forced-contraction, interface-one-strength, interface-well-posed". Abort.
 Check @ForcedExistence.forced_well_posed.
 Print Assumptions ForcedExistence.forced_well_posed.
 
@@ -331,6 +349,24 @@ A slip from $S$ with a gap and the initial speed of an angle, in closed form up 
 uses: follow, h-increases". Abort.
 Check @SlipFromGap.gap_slip.
 Print Assumptions SlipFromGap.gap_slip.
+
+Goal True. idtac "== growth-by-place
+Where $|b-\tilde b|\leqslant\ell|x_1-\tilde x_1|$ along two motions: $N(t)\leqslant e^{\gamma t}N(0)$, $\gamma=\ell\sqrt{(m_1+m_2)/(m_1m_2a_2)}$.
+uses: no other". Abort.
+Check @Interface.growth_by_place.
+Print Assumptions Interface.growth_by_place.
+
+Goal True. idtac "== growth-by-speed
+Where $b$ falls by at most $\ell$ times the increase of $|\dot z|$: $N(t)\leqslant e^{\gamma t}N(0)$, $\gamma=\ell(m_1+m_2)/(m_1m_2)$.
+uses: no other". Abort.
+Check @Interface.growth_by_speed.
+Print Assumptions Interface.growth_by_speed.
+
+Goal True. idtac "== growth-by-state
+Where $|b-\tilde b|\leqslant\ell(|x_1-\tilde x_1|+|z-\tilde z|+||\dot z|-|\dot{\tilde z}||)$ along two motions, $N^2+(z-\tilde z)^2$ grows at most as $e^{2\gamma t}$, $\gamma=\ell\sqrt{\kappa/a_2}+(\ell+1)\sqrt\kappa+\ell\kappa$.
+uses: no other". Abort.
+Check @Interface.growth_by_state.
+Print Assumptions Interface.growth_by_state.
 
 Goal True. idtac "== h-increases
 $h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed.
@@ -368,9 +404,63 @@ uses: no other". Abort.
 Check @Forced.input_to_state_integral.
 Print Assumptions Forced.input_to_state_integral.
 
+Goal True. idtac "== interface-contraction
+Two motions under one force with a friction of one strength $b$ along both, as any $b(t)$ has, never move apart in the energy norm.
+uses: no other". Abort.
+Check @Interface.interface_contraction.
+Print Assumptions Interface.interface_contraction.
+
+Goal True. idtac "== interface-distance-rate
+Where the frictions $f,\tilde f$ of two motions exist from the right, $\tfrac12\tfrac{d}{dt}N^2=(u-\tilde u)(v_1-\tilde v_1)-a_1(v_1-\tilde v_1)^2-(f-\tilde f)(\dot z-\dot{\tilde z})$.
+uses: no other". Abort.
+Check @Interface.interface_distance_rate.
+Print Assumptions Interface.interface_distance_rate.
+
+Goal True. idtac "== interface-energy-rate
+With a friction of the strength $b(t)$, whatever it depends on, $\dot E=u\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.
+uses: no other". Abort.
+Check @Interface.interface_energy_rate.
+Print Assumptions Interface.interface_energy_rate.
+
+Goal True. idtac "== interface-input-to-state
+With a friction of one strength $b(t)$, under two forces: $N(t)\leqslant N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.
+uses: no other". Abort.
+Check @Interface.interface_input_to_state.
+Print Assumptions Interface.interface_input_to_state.
+
+Goal True. idtac "== interface-no-zeno
+Under a piecewise analytic force and with a strength $b>0$ that is constant on pieces, finitely many in every bounded time, every bounded time interval has finitely many mode changes.
+uses: interface-one-strength, interface-well-posed, mode-slip, mode-stick". Abort.
+Check @InterfaceMode.interface_no_zeno.
+Print Assumptions InterfaceMode.interface_no_zeno.
+
+Goal True. idtac "== interface-one-strength
+A friction of one strength at all times: the motions under a force, and only they.
+uses: no other". Abort.
+Check @Interface.rubs_constant.
+Print Assumptions Interface.rubs_constant.
+
+Goal True. idtac "== interface-rule
+Where the strength $b$ is constant for a while from a contact on: stick for $|\Lambda|<b$, slip with the sign of $\Lambda$ for $|\Lambda|>b$, at $\Lambda=\pm b$ the first nonzero derivative, and stick at the edge where all are 0 and the force is analytic.
+uses: interface-one-strength, interface-well-posed, mode-marginal, mode-slip, mode-stick, mode-tie". Abort.
+Check @InterfaceMode.interface_rule.
+Print Assumptions InterfaceMode.interface_rule.
+
+Goal True. idtac "== interface-synchronises
+Without a force, with a strength between $b_{\min}>0$ and $b_{\max}$, whatever it depends on: $\dot E\leqslant-b_{\min}|\dot z|$, $\dot z\to 0$, and $z$ has a limit.
+uses: interface-energy-rate". Abort.
+Check @Interface.interface_synchronises.
+Print Assumptions Interface.interface_synchronises.
+
+Goal True. idtac "== interface-well-posed
+With a friction of at most $b(t)\geqslant 0$ against the slip, where $b$ is the rate from the right of a continuous function, there is exactly one motion from every initial state.
+uses: interface-contraction". Abort.
+Check @InterfaceExists.interface_well_posed.
+Print Assumptions InterfaceExists.interface_well_posed.
+
 Goal True. idtac "== jump-ill-posed
 With two coefficients of friction and $a_1=0$ a stick with a load between them can end at each of a continuum of times.
-uses: free-case, slips-beyond". Abort.
+uses: free-case, interface-one-strength, interface-well-posed, slips-beyond". Abort.
 Check @FallingFriction.sticks_left_at_will.
 Print Assumptions FallingFriction.sticks_left_at_will.
 
@@ -409,6 +499,12 @@ The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained.
 uses: no other". Abort.
 Check @Forced.least_time_attained.
 Print Assumptions Forced.least_time_attained.
+
+Goal True. idtac "== leaves-by
+After an excursion from a ray that re-enters $S_0$ above $E_{cr}$ the pair leaves by the other ray if $\theta<\theta_v$, and by the same if $\theta>\theta_v$.
+uses: arc-to-left-ray, gap-slip". Abort.
+Check @ExcursionShape.leaves_by.
+Print Assumptions ExcursionShape.leaves_by.
 
 Goal True. idtac "== margin
 The one numerical inequality of the merging set, enclosed in balls by the kernel.
@@ -464,6 +560,12 @@ uses: no other". Abort.
 Check @ModeAtContact.tie_rule.
 Print Assumptions ModeAtContact.tie_rule.
 
+Goal True. idtac "== momentum-balance
+Every solution of (3), (4) without a control has $m_1\dot v_1+a_1v_1+a_2x_1+m_2\dot v_2=0$ at almost all times: the forces between the bodies add up to nothing.
+uses: no other". Abort.
+Check @Switching.momentum_balance.
+Print Assumptions Switching.momentum_balance.
+
 Goal True. idtac "== must-stick
 At a time at which body 2 accelerates by less than $b/m_2$, $v_1=v_2$.
 uses: no other". Abort.
@@ -511,12 +613,6 @@ Under a piecewise analytic force every bounded time interval has finitely many m
 uses: mode-slip, mode-stick". Abort.
 Check @FinitelyManyModes.no_zeno.
 Print Assumptions FinitelyManyModes.no_zeno.
-
-Goal True. idtac "== no-zeno-varying
-Under a piecewise analytic force and with friction constant on each of finitely many pieces of time every bounded time interval has finitely many mode changes.
-uses: no-zeno". Abort.
-Check @FinitelyManyModes.no_zeno_varying.
-Print Assumptions FinitelyManyModes.no_zeno_varying.
 
 Goal True. idtac "== nonstop-above-resonance
 $a_1=0$ and $\omega$ above body 1's own frequency: the motion of nonstop-iff exists exactly from $U_{**}$ on, without a condition.
@@ -572,6 +668,12 @@ uses: no other". Abort.
 Check @Viscous.one_body.
 Print Assumptions Viscous.one_body.
 
+Goal True. idtac "== one-contact
+Every slip from $S$ with a gap $d\geqslant 0$ and a push $\nu$ ($\nu>0$ if $d=0$) ends at the one angle with $\nu=h-d\cot(\theta/2)$.
+uses: excursion-rise, gap-slip, h-increases". Abort.
+Check @ExcursionShape.one_contact.
+Print Assumptions ExcursionShape.one_contact.
+
 Goal True. idtac "== one-over-t
 From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.
 uses: two-sided-rate". Abort.
@@ -586,7 +688,7 @@ Print Assumptions FrictionSystems.pair_is_an_inclusion.
 
 Goal True. idtac "== periodic-response
 With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts every motion.
-uses: forced-approach, forced-bounded, forced-contraction". Abort.
+uses: forced-approach, forced-bounded, forced-contraction, interface-one-strength, interface-well-posed". Abort.
 Check @PeriodicMotion.response.
 Print Assumptions PeriodicMotion.response.
 
@@ -607,6 +709,12 @@ On a stuck ellipse the load stays within isotropic friction permanently exactly 
 uses: no other". Abort.
 Check @RoundFriction.stuck_iff.
 Print Assumptions RoundFriction.stuck_iff.
+
+Goal True. idtac "== plane-stuck-load
+A stuck pair in the plane moves on an ellipse; the force on body 2 is within $b$ exactly while the place is within $L$; its energy by the ellipse, and $E_{cr}=a_2L^2/2$.
+uses: no other". Abort.
+Check @RoundFriction.stuck_load.
+Print Assumptions RoundFriction.stuck_load.
 
 Goal True. idtac "== rate-above
 While $v_1>v_2$ the relative velocity has the rate $\Phi_+\cdot n_S$.
@@ -745,6 +853,12 @@ The excess energy of a solution that never merges is eventually above every deca
 uses: sharp-law". Abort.
 Check @Consequences.slower_than_exponential.
 Print Assumptions Consequences.slower_than_exponential.
+
+Goal True. idtac "== state-well-posed
+With a strength $b\geqslant 0$ that depends on $x_1$, $z$ and $|\dot z|$ with bounded slopes there is exactly one motion from every initial state.
+uses: growth-by-state". Abort.
+Check @InterfaceExists.state_well_posed.
+Print Assumptions InterfaceExists.state_well_posed.
 
 Goal True. idtac "== static-few-slips
 With static friction above kinetic, where sticks are kept, a free motion has at most $E(0)/e_0$ such slips, $e_0>0$ explicit.
@@ -1156,7 +1270,7 @@ Print Assumptions Forced.trackable_iff.
 
 Goal True. idtac "== trajectory-velocities
 The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds on their times, positions and velocities.
-uses: follow-forced-arc, forced-contraction". Abort.
+uses: follow-forced-arc, forced-contraction, interface-one-strength, interface-well-posed". Abort.
 Check @Velocities.trajectory.
 Print Assumptions Velocities.trajectory.
 
@@ -1177,6 +1291,12 @@ Every solution merges in finite time, or tends to one critical motion and obeys 
 uses: dichotomy, sharp-law". Abort.
 Check @SharpLaw.trichotomy.
 Print Assumptions SharpLaw.trichotomy.
+
+Goal True. idtac "== turning-angle
+$\sin\theta=\theta\cos\theta$ has one solution $\theta_v$ in $(0,2\pi)$.
+uses: no other". Abort.
+Check @ExcursionShape.turning_angle.
+Print Assumptions ExcursionShape.turning_angle.
 
 Goal True. idtac "== turning-point
 The turning function has one zero $\varphi^*$ in $(0,\pi]$.
@@ -1213,30 +1333,6 @@ Two solutions that meet coincide from then on, with or without damping.
 uses: contraction". Abort.
 Check @Pair.unique.
 Print Assumptions Pair.unique.
-
-Goal True. idtac "== varying-contraction
-With friction constant on each of finitely many pieces of time the flow under a force is non-expansive in the energy norm.
-uses: forced-contraction". Abort.
-Check @VaryingFriction.varying_contraction.
-Print Assumptions VaryingFriction.varying_contraction.
-
-Goal True. idtac "== varying-energy-rate
-With friction constant on each of finitely many pieces of time $\dot E=u\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.
-uses: forced-energy-rate". Abort.
-Check @PiecewiseFriction.varying_energy_rate.
-Print Assumptions PiecewiseFriction.varying_energy_rate.
-
-Goal True. idtac "== varying-input-to-state
-With friction constant on each of finitely many pieces of time, under two forces: $N(t)\leqslant N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.
-uses: no other". Abort.
-Check @PiecewiseFriction.varying_input_to_state.
-Print Assumptions PiecewiseFriction.varying_input_to_state.
-
-Goal True. idtac "== varying-well-posed
-With friction constant on each of finitely many pieces of time there is exactly one motion from every initial state.
-uses: varying-contraction". Abort.
-Check @VaryingFriction.varying_well_posed.
-Print Assumptions VaryingFriction.varying_well_posed.
 
 Goal True. idtac "== viscous-decay
 With $a_1>0$: $E(t)\leqslant 3E(0)\,e^{-kt}$, with one $k>0$ for all initial energies below a level.
@@ -1307,6 +1403,9 @@ Print Cycle.ray.
 Goal True. idtac "== Dini.cont". Abort.
 Print Dini.cont.
 
+Goal True. idtac "== Dini.dini_le". Abort.
+Print Dini.dini_le.
+
 Goal True. idtac "== Dini.little". Abort.
 Print Dini.little.
 
@@ -1336,6 +1435,15 @@ Print Entrainment.rX.
 
 Goal True. idtac "== Excursion.h". Abort.
 Print Excursion.h.
+
+Goal True. idtac "== ExcursionShape.c". Abort.
+Print ExcursionShape.c.
+
+Goal True. idtac "== ExcursionShape.h1". Abort.
+Print ExcursionShape.h1.
+
+Goal True. idtac "== ExcursionShape.h2". Abort.
+Print ExcursionShape.h2.
 
 Goal True. idtac "== ExitOrbit.cyc". Abort.
 Print ExitOrbit.cyc.
@@ -1411,6 +1519,12 @@ Print FrictionSystems.state_ip.
 
 Goal True. idtac "== HalfPeriod.by_halves". Abort.
 Print HalfPeriod.by_halves.
+
+Goal True. idtac "== Interface.rubs". Abort.
+Print Interface.rubs.
+
+Goal True. idtac "== InterfaceExists.rubs_by_state". Abort.
+Print InterfaceExists.rubs_by_state.
 
 Goal True. idtac "== LeastAmplitude.arrives". Abort.
 Print LeastAmplitude.arrives.
@@ -1528,9 +1642,6 @@ Print Pair.energy.
 
 Goal True. idtac "== Pair.solution". Abort.
 Print Pair.solution.
-
-Goal True. idtac "== PiecewiseFriction.friction". Abort.
-Print PiecewiseFriction.friction.
 
 Goal True. idtac "== Pursuit.integral". Abort.
 Print Pursuit.integral.
@@ -1705,9 +1816,6 @@ Print TwoStop.sticks.
 
 Goal True. idtac "== TwoStop.two_stop". Abort.
 Print TwoStop.two_stop.
-
-Goal True. idtac "== VaryingFriction.sound". Abort.
-Print VaryingFriction.sound.
 
 Goal True. idtac "== VaryingFriction.varying". Abort.
 Print VaryingFriction.varying.
