@@ -25,7 +25,7 @@ from IPython.display import Markdown
 from numerics import load_scene, solve
 from numerics.linear.modes import Mode
 from numerics.trade.forward_euler import forward_euler
-from paper_checks.claims.itineraries import every_excursion, first_exit, starts_below
+from paper_checks.claims.section_3.itineraries import every_excursion, first_exit, starts_below
 from paper_checks.drawing.figures import FIGURES
 
 # %% [markdown]

@@ -1,4 +1,4 @@
-"""The claims of the paper, in its order, then the theorems past it: a module a subject, all of a claim in one place."""
+"""The claims of the paper by its sections, then the theorems past it: a module a subject, all of a claim in one place."""
 
 import importlib
 import pkgutil
@@ -44,7 +44,7 @@ def in_order(*subjects: Iterable[object]) -> tuple[Claim, ...]:
     return tuple(sorted(found, key=lambda claim: place.get(claim.id, len(place))))
 
 
-SUBJECTS = tuple(f"{__name__}.{module.name}" for module in pkgutil.iter_modules(__path__))
+SUBJECTS = tuple(module.name for module in pkgutil.walk_packages(__path__, f"{__name__}.") if not module.ispkg)
 """The modules of this room by their full names: a claim is found where it is."""
 CLAIMS = in_order(*(vars(importlib.import_module(name)).values() for name in SUBJECTS))
 

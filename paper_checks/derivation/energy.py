@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.claims import capture, filippov
 from paper_checks.claims.letters import ECR, WITHIN
-from paper_checks.claims.levels import LEVEL
-from paper_checks.claims.sliding import WIDTH
+from paper_checks.claims.section_3 import capture, filippov
+from paper_checks.claims.section_3.levels import LEVEL
+from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as, zero
 from paper_checks.derivation.surface import FREE, HALF_WIDTH, SLIDING_FIELD, in_width

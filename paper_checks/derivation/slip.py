@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.claims.excursions import angle_of_excursion, never_merges, vanishes
+from paper_checks.claims.beyond.excursions import angle_of_excursion, never_merges, vanishes
+from paper_checks.claims.beyond.return_map import LEFT_OUT, remainder
+from paper_checks.claims.beyond.slips import depth_grows, one_contact
 from paper_checks.claims.letters import R
-from paper_checks.claims.return_map import LEFT_OUT, remainder
-from paper_checks.claims.slips import depth_grows, one_contact
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Line, Stage, gathered, of_clause, same_as, tidy, zero
 from paper_checks.derivation.surface import FREE

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.claims import model as modes
 from paper_checks.claims.letters import WITHIN, field, guard_rate
-from paper_checks.claims.sliding import WIDTH
+from paper_checks.claims.section_2 import model as modes
+from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Line, Stage, of_clause, same_as, tidy, zero
 from theory.filippov import (

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sympy import lambdify
 
-from paper_checks.claims.critical_ratio import critical_value
+from paper_checks.claims.beyond.critical_ratio import critical_value
 from paper_checks.decide.balls import precision
 from paper_checks.drawing.style import panels
 from theory.excursion import h

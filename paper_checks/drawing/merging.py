@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 from matplotlib.figure import Figure
 
-from paper_checks.claims.merging_share import by_quadrature
+from paper_checks.claims.beyond.merging_share import by_quadrature
 from paper_checks.drawing.excursions import CRITICAL_SHARE, slip
 from paper_checks.drawing.style import panels
 

@@ -39,7 +39,7 @@ def page(beside: Iterable[str] = ()) -> str:
 
 def critical_ratio() -> float:
     """Return the mass ratio m1/m2 from which on nothing on S above E_cr merges, rounded up from a proved enclosure."""
-    from paper_checks.claims.critical_ratio import critical_value
+    from paper_checks.claims.beyond.critical_ratio import critical_value
     from paper_checks.decide.balls import precision
 
     with precision():

@@ -21,7 +21,7 @@ from numerics.free.abel import creeping_place
 from numerics.free.energy import EnergyAt, EnergyMethod, energy_at
 from numerics.linear.modes import EventKind
 from numerics.trajectory.status import Status
-from paper_checks.claims.energy import P, Q, lipschitz_constant
+from paper_checks.claims.section_3.energy import P, Q, lipschitz_constant
 from theory.energy import critical_energy, dwell_time_bound
 from theory.filippov import half_width
 from theory.uniform_rate import crossings_bound, upper_bound

@@ -20,7 +20,7 @@ from numerics import EventUndecided, OutOfRange, Pair, Scene, State, load_scene,
 from numerics.arithmetic.ball import digits_within, precision
 from numerics.free.energy import EnergyMethod, energy_at
 from numerics.linear.modes import EventKind
-from paper_checks.claims.uniform_rate import rate_with_error
+from paper_checks.claims.beyond.uniform_rate import rate_with_error
 from theory.energy import critical_energy
 from theory.long_time import leading_coefficient, logarithm_weight, map_coefficients
 from theory.near_critical import rate_constant

@@ -7,8 +7,11 @@ import sympy as sp
 
 from numerics import Mode
 from numerics.trajectory.status import Status
-from paper_checks.claims import filippov, force, itineraries, onset, steering
-from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM
+from paper_checks.claims.section_2 import force
+from paper_checks.claims.section_3 import filippov, itineraries
+from paper_checks.claims.section_4 import onset
+from paper_checks.claims.section_5 import steering
+from paper_checks.claims.section_5.points import EDGE, INSIDE, START_AT_6MM
 from theory import plane
 from theory.symbols import a1, a2, acceleration1, b, m1, m2, q, u, v1, v2, x1
 

@@ -7,8 +7,8 @@ import pytest
 
 from numerics import Pair, Scene, State, load_scene
 from numerics.trade.forward_euler import forward_euler
-from paper_checks.claims import euler
-from paper_checks.claims.itineraries import never_merges
+from paper_checks.claims.section_3.itineraries import never_merges
+from paper_checks.claims.section_4 import euler
 from paper_checks.decide import euler_in_balls as decide_euler
 from paper_checks.decide.enclosure import solved
 from paper_checks.decide.euler_in_balls import euler_in_balls, run

@@ -4,15 +4,27 @@ from functools import cache
 
 import pytest
 
-from paper_checks.claims import convergence, long_time, merging_share, near_critical
+from paper_checks.claims import SUBJECTS
+from paper_checks.claims.beyond import long_time, merging_share
+from paper_checks.claims.section_3 import convergence, near_critical
 from paper_checks.evidence.finding import Verdict
 from paper_checks.running.runner import Context, decide
 
 from . import faults_in_the_paper, faults_in_theorems
 from .conftest import CHECKS
 
+HOMES = {name.rpartition(".")[2]: name for name in SUBJECTS}
+"""The module of each subject, by its last name."""
+
+
+def target(place):
+    """The full name of a place, which begins with a subject or with theory."""
+    subject, _, rest = place.partition(".")
+    return place if subject == "theory" else f"{HOMES.get(subject, f'paper_checks.claims.{subject}')}.{rest}"
+
+
 PLANTED = [
-    (row, place if place.startswith("theory.") else f"paper_checks.claims.{place}", fault)
+    (row, target(place), fault)
     for row, places in (faults_in_the_paper.FAULTS | faults_in_theorems.FAULTS).items()
     for place, faults in places.items()
     for fault in (faults if isinstance(faults, tuple) else (faults,))

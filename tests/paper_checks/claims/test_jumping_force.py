@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from numerics import Mode
-from paper_checks.claims import jumping_force
+from paper_checks.claims.beyond import jumping_force
 from paper_checks.decide.enclosure import solved
 from theory import jumping_force as jump
 

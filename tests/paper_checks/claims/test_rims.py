@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 from flint import acb, arb
 
-from paper_checks.claims import rate_error, return_map
+from paper_checks.claims.beyond import rate_error, return_map
 from paper_checks.decide.balls import point, precision
 
 

@@ -76,7 +76,7 @@ ADHESION = m2 * acceleration1 * (1 - sp.Abs(RELATIVE_SIGN)) * (1 - STICTION_SIGN
     ],
 )
 def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, name, change, more):
-    for module in ("theory.model", *(["paper_checks.claims.filippov"] if more else [])):
+    for module in ("theory.model", *(["paper_checks.claims.section_3.filippov"] if more else [])):
         plant(f"{module}.{name}", lambda equation: lambda: change(equation()))
     for row in RESTING_ON_THEM.union(more):
         assert decide(CHECKS[row], Context()).verdict is Verdict.UNDECIDED, row
@@ -124,7 +124,7 @@ def test_a_step_without_one_of_its_conditions_does_not_pass(plant, target, fault
 
 def test_what_is_not_there_is_not_found(plant):
     """Two bands of one outcome, a window below the threshold, a peak of a slip that ends before its centre."""
-    plant("paper_checks.claims.merging_share.outcome", lambda _: lambda share, run: "merges")
+    plant("paper_checks.claims.beyond.merging_share.outcome", lambda _: lambda share, run: "merges")
     assert merging_share.bands(Fraction(3, 5))[0] < 2
     with precision(30), pytest.raises(ArithmeticError, match="no change of sign"):
         merging.window(arb("0.5578"))

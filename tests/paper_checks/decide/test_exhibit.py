@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from paper_checks.claims.points import EDGE, EXAMPLE_PAIR, START_AT_6MM, scene_at
+from paper_checks.claims.section_5.points import EDGE, EXAMPLE_PAIR, START_AT_6MM, scene_at
 from paper_checks.decide.exhibit import exhibit, value_at
 from paper_checks.evidence.evidence import EvidenceKind
 from theory.energy import critical_energy, energy

@@ -1,0 +1,1 @@
+"""Theorems past the paper, and what claims share with them."""

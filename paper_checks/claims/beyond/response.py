@@ -1,0 +1,316 @@
+"""The response to a periodic force: the one that attracts, what moves body 2 on, and resonance."""
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.claims.beyond import jumping_force
+from paper_checks.claims.beyond.contraction import energy_rate, force_cancels, never_apart, one_solution
+from paper_checks.claims.beyond.forced_modes import strict_rule, tie_rule
+from paper_checks.claims.section_5 import plane
+from paper_checks.claims.words import *
+from theory import forced
+from theory import forced_response as response
+from theory import jumping_force as jumping
+from theory.energy import sigma
+from theory.forced_response import natural, rates
+
+
+@cache
+def bounded() -> Evidence:
+    """Body 1 is a damped oscillator under a bounded force; body 2 is slowed down when it is faster."""
+    push = forced.forced_system(sigma)
+    return argument(
+        r"""
+        Body 1 is a linear oscillator with $a_1>0$ under the bounded force $u-b\sigma$, so $x_1$ and $v_1$ are
+        bounded. Where $|v_2|$ exceeds the bound of $|v_1|$, $\dot z$ has the sign of $-v_2$, and $|v_2|$ falls at the
+        rate $b/m_2$.
+        """,
+        identity(
+            r"body 2 has $m_2\dot v_2=b\sigma$, body 1 $m_1\dot v_1+a_1v_1+a_2x_1=u-b\sigma$",
+            [m2 * push[2], (m1 * push[1] - u).subs({x1: 0, v1: 0})],
+            [b * sigma, -b * sigma],
+        ),
+    )
+
+
+@cache
+def approach() -> Evidence:
+    """With a damper two motions under one bounded force approach each other."""
+    return argument(
+        r"""
+        $N$ has a limit. Limits of both motions, shifted in time, attain it and keep their distance, so $v_1=\tilde v_1$
+        and the friction forces differ by $-a_2(x_1-\tilde x_1)$, a constant; as $v_2-\tilde v_2$ is bounded, the
+        constant is $0$. Then $\dot z-\dot{\tilde z}=c$ is constant under equal friction. If $c\neq 0$, $\dot z$ and
+        $\dot z-c$ never have opposite signs, so $\dot z$ does not enter the interval between $0$ and $c$: it keeps one
+        sign, friction is always $b$ or always $-b$, and $v_2$ is not bounded. So $N\to 0$.
+        """,
+        bounded(),
+        never_apart(),
+        force_cancels(),
+    )
+
+
+@cache
+def one_response() -> Evidence:
+    """Existence by a fixed point, uniqueness and attraction by the approach."""
+    return argument(
+        r"The map over one period does not increase $N$, and its orbits are bounded: it has a fixed point. Every motion approaches the one through it.",
+        approach(),
+        one_solution(),
+        cites=("Browder and Petryshyn: a nonexpansive map with a bounded orbit has a fixed point",),
+    )
+
+
+@cache
+def goes_round() -> Evidence:
+    """On a surface what keeps its distance from a motion whose friction goes round is that motion."""
+    return argument(
+        r"""
+        Let $\mathbf v_i^*$ rotate with the force, with the friction $\mathbf f^*$ of rotating-force. The flow is
+        non-expansive, so $N$ has a limit, and limit motions keep their distance: $\mathbf v_1=\mathbf v_1^*$, so
+        $\mathbf f-\mathbf f^*$ is a constant, which is $0$, as $\mathbf v_2$ is bounded, and $\mathbf w-\mathbf
+        w^*=\mathbf c$ is a constant, too. Where $|\mathbf f^*|<b$ neither slips, and $\mathbf c=0$. Where $|\mathbf
+        f^*|=b$ both $\mathbf w$ and $\mathbf w^*$ are along $\mathbf f^*$, or $0$: so is $\mathbf c$ while $\mathbf
+        f^*$ rotates, and $\mathbf c=0$.
+        """,
+        plane.never_apart(),
+    )
+
+
+@cache
+def undamped_attraction() -> Evidence:
+    """Without a damper one stick exit with a slip after it is enough, where the force is continuous at that exit."""
+    place, relative = forced.undamped_difference()
+    frequency = Symbol("omega_1", positive=True)
+    return argument(
+        r"""
+        Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one shifted by periods: $N(\zeta-\eta_*)$ is
+        constant, so at almost every time both have the same $\dot z$ or the same friction. While $\eta_*$ sticks with
+        $|\Lambda_*|<b$ then $\zeta$ sticks; while $\eta_*$ slips $\zeta$ has its friction $sb$. At the exit both loads
+        are continuous, as $u$ is. Before it neither is beyond $b$; after it both have friction $sb$ and $s\dot
+        z\geqslant 0$, so neither is within. So both loads are $sb$ there, hence $x_1=\tilde x_1$, and both velocities
+        differ by one $\beta$. In the slip $v_2-\tilde v_2=\beta$ and $v_1-\tilde v_1=\beta\cos\omega_1t$. At its end
+        $\dot z_*=0$. At times after it, arbitrarily close to it, friction of $\eta_*$ is not $sb$; then $\zeta$ has the
+        same friction or the same $\dot z$, either way $s\dot z\leqslant 0$. So $\dot z=0$ for $\zeta$ at that end, too,
+        hence $\beta(\cos\omega_1t_s-1)=0$, $\beta=0$, and $\zeta=\eta_*$.
+        """,
+        identity(
+            r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
+            [place.subs(t, 0), diff(place, t).subs(t, 0), relative],
+            [0, forced.velocity_gap, forced.velocity_gap * (cos(frequency * t) - 1)],
+        ),
+        identity(
+            r"in stick the load falls by $(m_2/M)a_2$ with $x_1$: equal loads are equal places",
+            diff(forced.load(), x1),
+            -m2 * a2 / (m1 + m2),
+        ),
+        never_apart(),
+        strict_rule(),
+        tie_rule(),
+    )
+
+
+@cache
+def resonant_rate() -> Evidence:
+    """z' has no state in it."""
+    return identity(
+        r"with $a_2=m_1\omega_1^2$, $e^{i\omega_1t}\dot A=(u-b\sigma)/m_1$",
+        response.amplitude_rate(),
+        (u - b * Symbol("sigma", real=True)) / m1,
+    )
+
+
+@cache
+def most_friction() -> Evidence:
+    """The mean of |cos| over a period."""
+    return identity(r"the mean of $|\cos|$ is $2/\pi$", response.mean_absolute_cosine(), 2 / pi)
+
+
+@cache
+def grows() -> Evidence:
+    """Above the bound every motion grows."""
+    return argument(
+        r"""
+        Over a period $T$ the force adds $U_1T/(2m_1)$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$,
+        removes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
+        """,
+        resonant_rate(),
+        most_friction(),
+        identity(
+            r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
+            response.growth_rate(),
+            (response.amplitude / 2 - 2 * b / pi) / m1,
+        ),
+    )
+
+
+@cache
+def stays_bounded() -> Evidence:
+    """Below the bound the energy falls over periods in which it is large."""
+    offset = Symbol("c", positive=True)
+    slope = diff(response.path_beside(offset), offset)
+    return argument(
+        r"""
+        Over $n$ periods $A$ and $v_2$ change by at most a constant, $|A|=R$. So the work of $u$ is at most $R\,U_1nT/2$
+        and a constant (for $\omega_1T\notin 2\pi\mathbb Z$: $R\,\epsilon nT$, with $\epsilon$ arbitrarily small for
+        large $n$), and the path of $\dot z$ is at least the integral of $|R\cos\omega_1t-v_2|$ with one $v_2$, less a
+        constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over $n$ periods $E$ falls wherever it is
+        large enough, and in between it rises by a bounded factor only.
+        """,
+        energy_rate(),
+        resonant_rate(),
+        most_friction(),
+        identity(
+            r"$\int|\cos s-c|\,ds$ over a turn is $4$ at $c=0$ and has the slope $4\arcsin c\geqslant 0$",
+            [response.path_beside(offset).subs(offset, 0), slope],
+            [4, 4 * sp.asin(offset)],
+        ),
+    )
+
+
+SIGMA = Symbol("sigma", real=True)
+
+
+def natural_frequency() -> Formula:
+    """The frequency of body 1 alone without a damper."""
+    return equal(natural, sqrt(a2 / m1), lambda: undamped(response.rates()[1]))
+
+
+AHEAD, NATURAL = Symbol("beta", real=True), Symbol("omega_1", positive=True)
+"""What both velocities of one pair are ahead of those of another, and the frequency of body 1 alone."""
+
+
+DISTANCE = Symbol("N", nonnegative=True)
+
+
+@theorem(
+    "forced-periodic-response",
+    clause(
+        "one",
+        """
+        Let $u$ be bounded with the period $T$ and $a_1>0$. Exactly one motion of $(x_1,v_1,v_2)$ has this period, and
+        every motion tends to it.
+        """,
+        kernel="periodic-response",
+    ),
+    clause(
+        "drift",
+        r"In one period body 2 advances by $\int_0^T v_2\,dt$ of that motion; by nothing if $u(t+T/2)=-u(t)$.",
+        kernel="drift no-drift",
+    ),
+    clause(
+        "round",
+        r"""
+        On a surface, with scalar masses, spring and damper, $a_1>0$, and friction of at most $b$ against the slip,
+        every motion under the force of rotating-force tends to the one that rotates with it.
+        """,
+    ),
+    clause(
+        "undamped",
+        r"""
+        Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant at which $u$ is continuous and before
+        which $|\Lambda|<b$, slip with one sign $s$ for a time $t_s$, after which friction is no longer $sb$, and have
+        $\omega_1t_s\notin 2\pi\mathbb Z$, «natural». Then every motion tends to it. For a motion that keeps its
+        distance from it differs in that slip by «place» and «relative» at the time $t$ after the exit, $\beta$ being
+        the difference of both velocities at the exit, and both have $\dot z=0$ at $t=t_s$.
+        """,
+        natural=equal(NATURAL, sqrt(a2 / m1), lambda: undamped(rates()[1])),
+        place=equal(
+            r"x_1-\tilde x_1",
+            AHEAD / NATURAL * sin(NATURAL * t),
+            lambda: forced.undamped_difference()[0],
+            lambda: {AHEAD: forced.velocity_gap},
+        ),
+        relative=equal(
+            r"\dot z-\dot{\tilde z}",
+            AHEAD * (cos(NATURAL * t) - 1),
+            lambda: forced.undamped_difference()[1],
+            lambda: {AHEAD: forced.velocity_gap},
+        ),
+    ),
+    clause(
+        "jump",
+        r"""
+        Where $u$ jumps at the exit, that may fail. For $m_1=m_2=a_2=b=1$, $a_1=0$, let «push» for the time «slip»,
+        $u=0$ for the time «stick» after it, and then the same with the opposite sign, repeatedly. From «place»,
+        $v_1=v_2=v$, every $v$ with «slowest» and «fastest» starts a motion of the period $2(t_s+t_h)$ with
+        $\omega_1t_s=\pi/2$: a slip and a stick in each half period. Two of them keep the distance «apart» permanently:
+        none attracts another.
+        """,
+        push=equal("u", 1 - pi / 4, lambda: jumping.PUSH),
+        slip=equal("t_s", pi / 2, lambda: jumping.SLIP_TIME),
+        stick=equal("t_h", 2 * sqrt(2) * sp.atan(sqrt(2)), jumping.stick_time),
+        place=equal("x_1", -3 * pi / 4 - jumping.speed, lambda: jumping.exit_state()[0]),
+        slowest=sharp(jumping.speed, ">", 1 - pi / 2, lambda: (jumping.speed, ">", jumping.slowest_and_fastest()[0])),
+        fastest=sharp(
+            jumping.speed, "<", 2 - 3 * pi / 4, lambda: (jumping.speed, "<", jumping.slowest_and_fastest()[1])
+        ),
+        apart=equal(DISTANCE**2, 3 * (jumping.speed - jumping.other_speed) ** 2, jumping.apart_squared),
+    ),
+)
+def forced_periodic_response() -> Case:
+    """One response, what moves body 2 on, and when the same holds without a damper."""
+    return because(
+        """
+        With a damper a periodic force has one response, and every motion tends to it. Without a damper, a single exit
+        from stick has the same effect if the slip after it does not last a multiple of the natural period of body 1
+        alone and the force does not jump at that exit. With a jump there, whole families of periodic motions may
+        coexist.
+        """,
+        carried("round", goes_round()),
+        carried("undamped", undamped_attraction()),
+        carried("jump", jumping_force.keeps_apart()),
+    )
+
+
+@theorem(
+    "forced-resonance-bound",
+    clause(
+        "rate",
+        r"""
+        Let $a_1=0$, «natural», $u$ of period $T$, and $U_1$ its Fourier amplitude at $\omega_1$ ($0$ if
+        $\omega_1T\notin 2\pi\mathbb Z$). The amplitude $A=e^{-i\omega_1t}(v_1+i\omega_1x_1)$ has «rate», where
+        $\sigma$ is the value of $\mathrm{sign}(\dot z)$.
+        """,
+        natural=natural_frequency(),
+        rate=equal(r"e^{i\omega_1t}\,\dot A", (u - b * SIGMA) / m1, response.amplitude_rate),
+    ),
+    clause(
+        "grows",
+        r"If $U_1>U_{\mathrm{res}}$, «threshold», every motion grows: $|A(t)|\geqslant\rho t-A_0$ with «growth», $U=U_1$, and a constant $A_0$.",
+        threshold=equal(r"U_{\mathrm{res}}", 4 * b / pi, response.resonant_amplitude),
+        growth=equal(r"\rho", (response.amplitude - 4 * b / pi) / (2 * m1), response.growth_rate),
+    ),
+    clause(
+        "bounded",
+        r"If $U_1<U_{\mathrm{res}}$, every motion has bounded $x_1,v_1,v_2$; body 2 may drift away nevertheless.",
+    ),
+    clause(
+        "sine",
+        r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
+        limit=Formula("U_{**}", "->", 4 * b / pi, equals(response.resonant_non_stop_amplitude)),
+    ),
+    clause(
+        "edge",
+        r"""
+        At $U_1=U_{\mathrm{res}}$ for such a sine every motion is bounded. For each $c\geqslant\frac{\pi b}{2m_2\omega_1}$ there
+        is one that slips permanently, with $v_1=\bigl(c+\frac{2b}{\pi m_1}t\bigr)\sin\omega_1t-\frac{\pi
+        b}{2m_2\omega_1}\cos\omega_1t$ and $\dot z>0$ for half a period, and half a period later is its own negative.
+        """,
+        kernel="resonance-edge resonance-edge-bounded",
+    ),
+    open=("What happens at $U_1=U_{\\mathrm{res}}$ for a force with other components beside that at $\\omega_1$.",),
+)
+def forced_resonance_bound() -> Case:
+    """What friction can take out of a resonant oscillation at most."""
+    return because(
+        r"Without a damper a resonant force makes every motion grow if it exceeds what the interface can dissipate: friction of magnitude $b$ takes at most the mean of $b|\cos|$ out of an oscillation.",
+        carried("rate"),
+        carried("grows", grows()),
+        carried("bounded", stays_bounded()),
+        carried("sine"),
+        derivation=(
+            r"$$\Bigl|\int_0^Te^{-i\omega_1t}b\sigma\,dt\Bigr|\leqslant b\int_0^T|\cos(\omega_1t-\gamma)|\,dt=\frac{2b}{\pi}\,T.$$",
+        ),
+    )

@@ -1,0 +1,1 @@
+"""Claims of Section II: the model."""

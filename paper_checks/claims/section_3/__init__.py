@@ -1,0 +1,1 @@
+"""Claims of Section III: the free pair."""

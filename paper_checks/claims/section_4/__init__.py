@@ -1,0 +1,1 @@
+"""Claims of Section IV: the case study."""
