@@ -15,6 +15,10 @@ from paper_checks.evidence.evidence import Evidence, Steps, Subject, one_line
 from paper_checks.evidence.finding import Carried, Finding, Verdict, carried, conclude
 
 HOLDS, CORRECTED, REFUTED, NOT_JUDGED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED, Verdict.NOT_JUDGED
+POSITIVE = "$m_1,m_2,a_2,b>0$."
+FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."
+"""What a theorem assumes that says nothing else."""
+UNDER_A_FORCE = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless stated otherwise."
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
@@ -71,7 +75,7 @@ class Claim:
     printed; `said` is what the paper literally says there, clause by clause, or one clause of prose with ``$LaTeX$``;
     `recorded` is the verdict that `run` compares with; `kind` says whether the statement is the paper's; `correction` is
     the nearest true statement of a claim that does not hold; `open` says, sentence by sentence, what the row leaves
-    undecided beside its clauses; `case` makes the case for the verdict. Raises LedgerError where the id is not
+    undecided beside its clauses; `case` makes the case for the verdict; `assuming` is what a theorem assumes besides what it says. Raises LedgerError where the id is not
     lower-case words joined by hyphens, an id of a clause is taken twice, or a sentence that is not judged has a formula.
     """
 
@@ -84,6 +88,7 @@ class Claim:
     correction: tuple[Clause, ...] = ()
     open: tuple[str, ...] = ()
     case: Callable[..., Case] | None = None
+    assuming: str = FREE
 
     def __post_init__(self) -> None:
         """Refuse an id that could not be an anchor, and clauses of one id."""
@@ -159,6 +164,8 @@ def claim(
     return lambda case: Claim(id, section, where, clauses, recorded, Kind.CLAIM, correction, open, case)
 
 
-def theorem(id: str, *said: Clause, open: tuple[str, ...] = ()) -> Callable[[Callable[..., Case]], Claim]:
+def theorem(
+    id: str, *said: Clause, open: tuple[str, ...] = (), assuming: str = FREE
+) -> Callable[[Callable[..., Case]], Claim]:
     """Make a theorem beyond the paper of the function that makes the case for it: it is proved, or it is not there."""
-    return lambda case: Claim(id, "Theorems", "beyond the paper", said, HOLDS, Kind.THEOREM, (), open, case)
+    return lambda case: Claim(id, "Theorems", "beyond the paper", said, HOLDS, Kind.THEOREM, (), open, case, assuming)

@@ -152,6 +152,7 @@ def _quotable() -> dict[Basic, Basic]:
         """,
         kernel="interface-energy-rate interface-distance-rate interface-input-to-state",
     ),
+    assuming=UNDER_A_FORCE,
 )
 def forced_contraction() -> Case:
     """The force cancels in the distance of two solutions."""

@@ -140,6 +140,7 @@ def target_or_set_point() -> Case:
             lambda: {FIRST_PLACE: x1_0, WAY_START: control.r_start},
         ),
     ),
+    assuming=UNDER_A_FORCE,
 )
 def trackable_references() -> Case:
     """Friction is the only force on body 2."""
@@ -252,6 +253,7 @@ def trackable_references() -> Case:
     open=(
         "The minimum transfer time for forces between the weak ones and those that attain the bound, and for weak forces with $a_2D>U$ or with a damper.",
     ),
+    assuming=UNDER_A_FORCE,
 )
 def minimum_transfer_time() -> Case:
     """A bound for every control, and what attaining it costs."""

@@ -351,6 +351,7 @@ def _above_six_turns() -> arb:
         ),
     ),
     open=OPEN,
+    assuming=f"{POSITIVE} A sine $u(t)$ on body 1; $a_1\\geqslant 0$, as each part states.",
 )
 def entrainment_threshold() -> Case:
     """Stuck, two stops, and no stop."""

@@ -234,6 +234,7 @@ def tie(order: int) -> Callable[[int], Expr]:
         r"A jump of $u$ moves the strip $|\Lambda|\leqslant b$ and not the state; the rule with the values after it decides what follows.",
         kernel="jump-moves-strip mode-stick mode-slip mode-tie",
     ),
+    assuming=UNDER_A_FORCE,
 )
 def forced_mode_rule() -> Case:
     """Both modes beside the motion that they share at a tie."""
@@ -285,6 +286,7 @@ def forced_mode_rule() -> Case:
         "finite-friction",
         r"So it does where $b>0$ is piecewise analytic, too.",
     ),
+    assuming=UNDER_A_FORCE,
 )
 def forced_no_zeno() -> Case:
     """The load beside the edge has one sign before a time of accumulation."""

@@ -248,6 +248,7 @@ DISTANCE = Symbol("N", nonnegative=True)
         ),
         apart=equal(DISTANCE**2, 3 * (jumping.speed - jumping.other_speed) ** 2, jumping.apart_squared),
     ),
+    assuming=f"{POSITIVE} A periodic force $u(t)$ on body 1; $a_1>0$, or $a_1=0$ where stated.",
 )
 def forced_periodic_response() -> Case:
     """One response, what moves body 2 on, and when the same holds without a damper."""
@@ -301,6 +302,7 @@ def forced_periodic_response() -> Case:
         kernel="resonance-edge resonance-edge-bounded",
     ),
     open=("What happens at $U_1=U_{\\mathrm{res}}$ for a force with other components beside that at $\\omega_1$.",),
+    assuming=f"{POSITIVE} No damper, $a_1=0$; a periodic force $u(t)$ on body 1.",
 )
 def forced_resonance_bound() -> Case:
     """What friction can take out of a resonant oscillation at most."""

@@ -47,6 +47,7 @@ def begins_fast() -> Evidence:
     open=(
         "With a friction that falls from rest on with a finite slope, whether $t(E-E_{cr})$ keeps its limit is not decided here.",
     ),
+    assuming="$m_1,m_2,a_2>0$, $a_1\\geqslant 0$. No force, $u=0$; and not Coulomb's law with one $b$: friction at rest is larger than in slip.",
 )
 def static_friction_stops_creeping() -> Case:
     """Every slip begins with more than friction takes, and so costs a fixed energy."""

@@ -59,6 +59,7 @@ def load_and_place() -> Evidence:
     open=(
         "Which slipping motions on a surface eventually stick permanently, and how fast the others converge, is not decided here.",
     ),
+    assuming="On a surface, with scalar masses and springs, and friction against the slip of at most $b$ in every direction; no damper and no force.",
 )
 def stuck_ellipses() -> Case:
     """The load turns with the place."""
@@ -120,6 +121,7 @@ def one_quadratic() -> Evidence:
         """,
         kernel="rotating-unstable",
     ),
+    assuming="On a surface, with scalar masses and springs, and friction against the slip of at most $b$ in every direction; a damper $a_1\\geqslant 0$, a rotating force of constant magnitude.",
 )
 def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""

@@ -53,6 +53,7 @@ from paper_checks.claims.words import *
         """,
         kernel="falling-parts",
     ),
+    assuming="Any number of masses, springs and directions, with friction as each part states; the pair only where it is named.",
 )
 def friction_in_any_direction() -> Case:
     """Friction is a subgradient, and what is left is monotone."""

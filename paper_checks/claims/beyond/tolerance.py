@@ -236,6 +236,7 @@ def ring_of_tolerance() -> Case:
         ),
         kernel="displacement-limit displacement-paid",
     ),
+    assuming=UNDER_A_FORCE,
 )
 def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
@@ -274,6 +275,7 @@ def tolerance_ring() -> Case:
         creeps=Formula(r"a_2x_1+a_1v_1", "->", -b * sigma, equals(forced.creeping_load)),
         time=Formula("T", "->", m2 * Abs(v2) / b, equals(lambda: Abs(v2) / control.strongest())),
     ),
+    assuming=f"{POSITIVE} No force, $u=0$; with and without a damper.",
 )
 def damping_can_desynchronise() -> Case:
     """A damper pulls at body 1 only."""

@@ -30,24 +30,6 @@ STRENGTHS = {
 }
 """Kinds of steps, from the strongest; together they are all that can settle a claim."""
 DERIVED = "How the paper's results follow from the equations of motion, line by line, and which check accepted each line: `derivation`."
-POSITIVE = "$m_1,m_2,a_2,b>0$."
-FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."
-DRIVEN = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless stated otherwise."
-_ROUND = "On a surface, with scalar masses and springs, and friction against the slip of at most $b$ in every direction"
-ASSUMED = {
-    **dict.fromkeys(("forced-mode-rule", "forced-no-zeno", "forced-contraction", "trackable-references"), DRIVEN),
-    **dict.fromkeys(("minimum-transfer-time", "tolerance-ring"), DRIVEN),
-    "forced-periodic-response": f"{POSITIVE} A periodic force $u(t)$ on body 1; $a_1>0$, or $a_1=0$ where stated.",
-    "forced-resonance-bound": f"{POSITIVE} No damper, $a_1=0$; a periodic force $u(t)$ on body 1.",
-    "entrainment-threshold": f"{POSITIVE} A sine $u(t)$ on body 1; $a_1\\geqslant 0$, as each part states.",
-    "damping-can-desynchronise": f"{POSITIVE} No force, $u=0$; with and without a damper.",
-    "static-friction-stops-creeping": "$m_1,m_2,a_2>0$, $a_1\\geqslant 0$. No force, $u=0$; and not Coulomb's law with one $b$: friction "
-    "at rest is larger than in slip.",
-    "friction-in-any-direction": "Any number of masses, springs and directions, with friction as each part states; the pair only where it is named.",
-    "rotating-force": f"{_ROUND}; a damper $a_1\\geqslant 0$, a rotating force of constant magnitude.",
-    "stuck-ellipses": f"{_ROUND}; no damper and no force.",
-}  # fmt: skip
-"""What theorems beyond the paper assume besides what their statements say; all others speak of the free pair."""
 NEW: dict[str, tuple[str, str, str]] = {
     "sharp-rate-constant": (
         "rate-bounds",
@@ -166,11 +148,6 @@ def _sure(rows: Sequence[Row]) -> Iterator[Block]:
     yield Paragraph(
         f"What each kind of step guarantees, what has to be trusted, and which friction law is used: `trust`. {left}"
     )
-
-
-def hypotheses(name: str) -> str:
-    """Return what a theorem beyond the paper assumes besides what its statement says."""
-    return ASSUMED.get(name, FREE)
 
 
 def still_open(rows: Sequence[Row]) -> Section:

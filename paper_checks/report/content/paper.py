@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from paper_checks.evidence.claim import Kind
+from paper_checks.evidence.claim import FREE, Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.content import kernel, opening, story
+from paper_checks.report.content import kernel, story
 from paper_checks.report.content.blocks import Block, Cards, Folded, Paragraph, Section
 from paper_checks.report.content.document import Document
 from paper_checks.report.content.phrases import COUNTED, in_short, kind, theorems
@@ -42,7 +42,7 @@ def _sections(report: Document) -> Iterator[Section]:
     yield some["derivation"]
     yield from claims.values()
     theorems = tuple(entry(row) for row in report.rows if row.claim.kind is Kind.THEOREM)
-    yield Section("new", "Theorems beyond the paper", theorems and (Paragraph(f"{ASSUMED} {opening.FREE}"), *theorems))
+    yield Section("new", "Theorems beyond the paper", theorems and (Paragraph(f"{ASSUMED} {FREE}"), *theorems))
     yield Section(kernel.ID, kernel.TITLE, kernel.notion(report.rows))
     yield from (some[name] for name in LAST)
 
@@ -68,8 +68,8 @@ def entry(row: Row) -> Folded:
     """Return what is printed of a claim or theorem: the statement, and what is true instead or, without the kernel, why it holds."""
     claim, finding = row.claim, row.finding
     said = [f"[{place(row)}]", *map(story.displayed, claim.clauses)]
-    if (hypotheses := opening.hypotheses(claim.id)) != opening.FREE:
-        said.insert(1, hypotheses)
+    if claim.assuming != FREE:
+        said.insert(1, claim.assuming)
     if claim.kind is Kind.CLAIM and not finding.corrected and row.established_by is not EvidenceKind.KERNEL:
         said.append(f"Why: {in_short(row)}")
     texts = {

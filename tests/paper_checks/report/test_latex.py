@@ -9,8 +9,9 @@ import pytest
 from paper_checks.claims import CLAIMS, claim_named
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.errors import ToolMissingError
+from paper_checks.evidence.claim import FREE, UNDER_A_FORCE
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.report.content import citation, opening, paper
+from paper_checks.report.content import citation, paper
 from paper_checks.report.content.blocks import Folded, Paragraph, Picture, Section, Table
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import latex
@@ -59,8 +60,8 @@ def test_a_theorem_is_printed_with_what_it_assumes_where_that_is_its_own():
         paper.entry(Row(claim_named(name), Finding(Verdict.UNDECIDED, "r", missing="m"))).blocks[0].text
         for name in ("forced-no-zeno", "sharp-rate-constant")
     )
-    assert opening.DRIVEN in driven
-    assert opening.FREE not in free
+    assert UNDER_A_FORCE in driven
+    assert FREE not in free
 
 
 def test_every_claim_is_printed_once_and_below_its_verdict(rows):

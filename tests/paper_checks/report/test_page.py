@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from paper_checks.claims import CLAIMS, claim_named
-from paper_checks.evidence.claim import Kind
+from paper_checks.evidence.claim import FREE, Kind
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
@@ -50,7 +50,7 @@ def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(clai
     """What a theorem of the free pair assumes is read off from its statements: 0 in the damper's place."""
     statements = [recorded().theorems[name].statement for one in claim.clauses for name in one.kernel]
     zeros = [dict(kernel.zeros(text)) for text in statements if "Pair.solution" in text]
-    if opening.hypotheses(claim.id) == opening.FREE:
+    if claim.assuming == FREE:
         assert all(one == {"Pair.solution": "a_1"} for one in zeros)
         assert not any("Forced.forced" in text for text in statements)
     else:
