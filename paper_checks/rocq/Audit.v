@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Dini AlmostEverywhere Analytic Pursuit Pair Stick Forced Approach ForcedExistence Arcs BoundedMotions ModeAtContact Modes BeforeContact PeriodicMotion Drift EnergyLimit Entrainment VaryingFriction FinitelyManyModes ForcedCapture ForcedTies Nonstop HalfPeriod NonstopUndamped LeastTimeTransfer LeastAmplitude Waves NonstopDamped NonstopOverdamped PiecewiseFriction RelativeMotion RuleOfModes ThresholdTies ToleranceRing TransferTies TwoStop Excursion ReturnMap TurningFunction FollowArc Cycle SlipFromGap ExitOrbit SharpRate Dichotomy AlternatingAngles ReturnToS0 SharpLaw AfterOneSlip MergingAngles AlternatingSlips Viscous OneOverT SwitchingSurface Consequences CriticalRatioDigits CycleTime MonotoneInclusion DisplacementLimit WellPosed EndlessStickSlip ExitPlaces StaticFriction FallingFriction Filippov FirstLanding ShortSlipMargin Reentry KappaBound LevelAfterSlip MergingByMassRatio MergingIff MergingEnergies SlipTies StartFromRest Switching SwitchingSurfaceTies SwitchingTies UniformRate PairTies FrictionSystems RotatingForce RoundFriction Trajectory Velocities FirstAdhesion.
+From InertialPair Require Dini AlmostEverywhere Analytic Pursuit Pair Stick Forced Approach ForcedExistence Arcs BoundedMotions ModeAtContact Modes BeforeContact PeriodicMotion Drift EnergyLimit Entrainment VaryingFriction FinitelyManyModes ForcedCapture ForcedTies Nonstop HalfPeriod NonstopUndamped LeastTimeTransfer LeastAmplitude Waves NonstopDamped NonstopOverdamped PiecewiseFriction RelativeMotion RuleOfModes ThresholdTies ToleranceRing TransferTies TwoStop Excursion ReturnMap TurningFunction FollowArc Cycle SlipFromGap ExitOrbit SharpRate Dichotomy AlternatingAngles ReturnToS0 SharpLaw AfterOneSlip MergingAngles AlternatingSlips WellPosed SwitchingSurface StartFromRest Filippov Switching CaseStudy Viscous OneOverT Consequences CriticalRatioDigits CycleTime MonotoneInclusion DisplacementLimit EdgesIsolated EndlessStickSlip ExitPlaces StaticFriction FallingFriction FirstLanding ShortSlipMargin Reentry KappaBound LevelAfterSlip MergingByMassRatio MergingIff MergingEnergies SlipTies StuckReferences SwitchingSurfaceTies SwitchingTies UniformRate PairTies FrictionSystems RotatingForce RoundFriction Trajectory Velocities FirstAdhesion.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -67,6 +67,18 @@ A solution on $S$ with energy up to $E_{cr}$ moves along its ellipse permanently
 uses: ellipse-solution, uniqueness". Abort.
 Check @Stick.capture.
 Print Assumptions Stick.capture.
+
+Goal True. idtac "== case-study-agrees-until
+Case study: a solution of (11), (12) that keeps every stick agrees with the Filippov solution up to $T$ exactly if at no time before $T$ it has $v_1=v_2$ and $|x_1|>b/100$.
+uses: filippov-iff, slips-beyond". Abort.
+Check @CaseStudy.agree_until.
+Print Assumptions CaseStudy.agree_until.
+
+Goal True. idtac "== case-study-reduction
+Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with $v_1=v_2$ body 2 has no acceleration beyond $b/100$, and half of body 1's at $b/100$.
+uses: no other". Abort.
+Check @CaseStudy.reduction.
+Print Assumptions CaseStudy.reduction.
 
 Goal True. idtac "== contact
 Every solution meets $S$ in every time window of length $2\sqrt{2Em_2}/b$, so infinitely often.
@@ -170,6 +182,12 @@ uses: no other". Abort.
 Check @Forced.only_gentle.
 Print Assumptions Forced.only_gentle.
 
+Goal True. idtac "== edges-isolated
+Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration below $b/m_2$, but perhaps at that time itself.
+uses: free-case, mode-slip, mode-stick, no-zeno, stuck-load". Abort.
+Check @EdgesIsolated.edges_isolated.
+Print Assumptions EdgesIsolated.edges_isolated.
+
 Goal True. idtac "== ellipse-iff
 An ellipse on $S$ is a solution exactly if its energy is at most $E_{cr}$.
 uses: ellipse-solution, sticks-iff". Abort.
@@ -248,15 +266,21 @@ uses: no other". Abort.
 Check @FallingFriction.slips_part.
 Print Assumptions FallingFriction.slips_part.
 
+Goal True. idtac "== filippov-forced
+Under any integrable force a Filippov solution is a motion: what is proved of all motions is true of it.
+uses: no other". Abort.
+Check @Filippov.filippov_forced.
+Print Assumptions Filippov.filippov_forced.
+
 Goal True. idtac "== filippov-iff
 A solution is what Filippov calls one: absolutely continuous, and in the differential inclusion at almost all times.
-uses: free-case, no-zeno". Abort.
+uses: forced-filippov-iff, free-case". Abort.
 Check @Filippov.filippov_iff.
 Print Assumptions Filippov.filippov_iff.
 
 Goal True. idtac "== filippov-well-posed
 From every initial state there is exactly one Filippov solution, with or without damping.
-uses: free-case, no-zeno, well-posed". Abort.
+uses: filippov-forced, forced-well-posed". Abort.
 Check @Filippov.filippov_well_posed.
 Print Assumptions Filippov.filippov_well_posed.
 
@@ -313,6 +337,18 @@ $\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$.
 uses: no other". Abort.
 Check @Forced.forced_energy_rate.
 Print Assumptions Forced.forced_energy_rate.
+
+Goal True. idtac "== forced-filippov-iff
+Under an integrable force that is continuous at almost every time the motions are the Filippov solutions, and only they.
+uses: filippov-forced". Abort.
+Check @Filippov.forced_filippov_iff.
+Print Assumptions Filippov.forced_filippov_iff.
+
+Goal True. idtac "== forced-switching-iff
+Under any force the absolutely continuous solutions of (3), (4), met at almost every time, are the Filippov solutions with $|\Lambda|<b$ at almost every time with $v_1=v_2$, and only they.
+uses: no other". Abort.
+Check @Switching.forced_switching_iff.
+Print Assumptions Switching.forced_switching_iff.
 
 Goal True. idtac "== forced-well-posed
 Under any force with a continuous impulse there is exactly one solution from every initial state.
@@ -386,6 +422,12 @@ uses: turning-point". Abort.
 Check @KappaBound.kappa_large.
 Print Assumptions KappaBound.kappa_large.
 
+Goal True. idtac "== law-satisfies-case-study
+Case study: every Filippov solution satisfies (11), (12) at almost every time.
+uses: case-study-reduction, forced-switching-iff, switching-iff". Abort.
+Check @CaseStudy.law_case_study.
+Print Assumptions CaseStudy.law_case_study.
+
 Goal True. idtac "== least-amplitude
 To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.
 uses: arc-begins, arrival-needs, follow-forced-arc". Abort.
@@ -409,6 +451,24 @@ The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained.
 uses: no other". Abort.
 Check @Forced.least_time_attained.
 Print Assumptions Forced.least_time_attained.
+
+Goal True. idtac "== literal-reference
+A pair that sticks has the velocity $v$ under (3), (4) and some force exactly if $v$ is absolutely continuous with $|\dot v|<b/m_2$ at almost every time, wherever body 1 starts.
+uses: forced-switching-iff". Abort.
+Check @StuckReferences.literal_reference.
+Print Assumptions StuckReferences.literal_reference.
+
+Goal True. idtac "== literal-solutions
+Under an integrable force that is continuous at almost every time (3), (4) have a solution from the start of a motion exactly if that has $|\Lambda|\neq b$ at almost every time with $v_1=v_2$; every such solution is that motion.
+uses: filippov-forced, forced-contraction, forced-switching-iff". Abort.
+Check @Switching.literal_solutions.
+Print Assumptions Switching.literal_solutions.
+
+Goal True. idtac "== literal-transfer
+Under (3), (4) a stuck pair takes body 2 from rest to rest over any $D$ of either sign in any time above $2\sqrt{m_2|D|/b}$, and stays, under a force that is continuous at almost every time.
+uses: no other". Abort.
+Check @StuckReferences.literal_transfer.
+Print Assumptions StuckReferences.literal_transfer.
 
 Goal True. idtac "== margin
 The one numerical inequality of the merging set, enclosed in balls by the kernel.
@@ -499,6 +559,18 @@ From $S_0$ slightly above $E_{cr}$ a solution never merges, tends to one critica
 uses: arc-to-ray, cycle-time, depth-lower, depth-upper, dichotomy, energy-decreases, exit-energy, h-increases, never-merges, return-map-rate, turning-point". Abort.
 Check @SharpLaw.no_merging_from_S0.
 Print Assumptions SharpLaw.no_merging_from_S0.
+
+Goal True. idtac "== no-solution-inside
+With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a contact inside $S_0$ with $a_2x_1+a_1v_1\neq 0$.
+uses: filippov-forced, mode-stick". Abort.
+Check @Switching.no_solution_inside.
+Print Assumptions Switching.no_solution_inside.
+
+Goal True. idtac "== no-solution-under-control
+Case study, $b=0.5$, from rest at 0 under $u=1+50t^2$: (3), (4) have no solution.
+uses: literal-solutions". Abort.
+Check @Switching.no_solution_under_control.
+Print Assumptions Switching.no_solution_under_control.
 
 Goal True. idtac "== no-uniform-lower-rate
 From every energy above $E_{cr}$ some solutions never merge and are arbitrarily close to $E_{cr}$ from the time $\sqrt{2E(0)m_2}/b$ on.
@@ -668,6 +740,12 @@ uses: no other". Abort.
 Check @RelativeMotion.ring_factor.
 Print Assumptions RelativeMotion.ring_factor.
 
+Goal True. idtac "== ring-missed
+Case study, $b=0.5$, from rest at 4 mm, body 2 at 0 or at 1 mm: both pairs stick permanently, 4 and 3 mm apart, and no region narrower than 1 mm is reached by both relative motions.
+uses: sticks-from-5-mm". Abort.
+Check @CaseStudy.ring_missed.
+Print Assumptions CaseStudy.ring_missed.
+
 Goal True. idtac "== rotating-characteristic
 With friction that depends on the speed, the characteristic function at 0 is $X(0)=\frac{\omega^2}{2\rho|D|^2}\frac{d(U^2)}{d\rho}$.
 uses: no other". Abort.
@@ -820,7 +898,7 @@ Print Assumptions LeastTimeTransfer.stuck_amplitude.
 
 Goal True. idtac "== switching-iff
 The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.
-uses: no other". Abort.
+uses: forced-switching-iff". Abort.
 Check @Switching.switching_iff.
 Print Assumptions Switching.switching_iff.
 
@@ -871,6 +949,12 @@ With damping: the level whose ellipse lies in the sliding region.
 uses: no other". Abort.
 Check @PairTies.tie_captive.
 Print Assumptions PairTies.tie_captive.
+
+Goal True. idtac "== tie-case-study
+Equations (11) and (12) of the paper at one time.
+uses: no other". Abort.
+Check @SwitchingTies.tie_case_study.
+Print Assumptions SwitchingTies.tie_case_study.
 
 Goal True. idtac "== tie-critical-energy
 The critical energy.
@@ -979,6 +1063,12 @@ The energy level at the end of a slip from the gap $d$.
 uses: tie-depth, tie-half-angle-h". Abort.
 Check @SlipTies.tie_level.
 Print Assumptions SlipTies.tie_level.
+
+Goal True. idtac "== tie-load
+The load, the friction that a stick needs.
+uses: no other". Abort.
+Check @SwitchingTies.tie_load.
+Print Assumptions SwitchingTies.tie_load.
 
 Goal True. idtac "== tie-non-stop-amplitude
 $U_{**}$, the amplitude that slip without a stop needs, by the response to the square wave.
@@ -1113,7 +1203,7 @@ Check @TransferTies.tie_stuck_force.
 Print Assumptions TransferTies.tie_stuck_force.
 
 Goal True. idtac "== tie-switching
-Equations (3) and (4) of the paper at one time, without a control.
+Equations (3) and (4) of the paper at one time.
 uses: no other". Abort.
 Check @SwitchingTies.tie_switching.
 Print Assumptions SwitchingTies.tie_switching.
@@ -1190,6 +1280,12 @@ uses: arc-to-ray, cycle-time, depth-lower, depth-upper, energy-decreases, exit-e
 Check @SharpLaw.two_sided.
 Print Assumptions SharpLaw.two_sided.
 
+Goal True. idtac "== two-solutions-from-6-mm
+Case study, $b=0.5$, from rest at 6 mm: the stuck $x_1=0.006\cos 10t$ satisfies (11), (12), and so does a Filippov solution that slips at once, the only one of (3), (4) and of the inclusion.
+uses: filippov-iff, filippov-well-posed, law-satisfies-case-study, slips-from-6-mm, switching-iff". Abort.
+Check @CaseStudy.two_from_six.
+Print Assumptions CaseStudy.two_from_six.
+
 Goal True. idtac "== two-stop-exists
 A slip and a stick whose ends meet, and meet with the opposite sign after half a period, are a periodic motion if $v_1>v_2$ in the slip and $|\Lambda|\leqslant b$ in the stick.
 uses: antiperiodic, arc-begins, follow-forced-arc". Abort.
@@ -1259,6 +1355,9 @@ Print Assumptions WellPosed.well_posed.
 Goal True. idtac "== AlmostEverywhere.ac". Abort.
 Print AlmostEverywhere.ac.
 
+Goal True. idtac "== AlmostEverywhere.almost". Abort.
+Print AlmostEverywhere.almost.
+
 Goal True. idtac "== AlmostEverywhere.chain". Abort.
 Print AlmostEverywhere.chain.
 
@@ -1285,6 +1384,15 @@ Print Analytic.piecewise_analytic.
 
 Goal True. idtac "== Arcs.forced_arc". Abort.
 Print Arcs.forced_arc.
+
+Goal True. idtac "== CaseStudy.case_study". Abort.
+Print CaseStudy.case_study.
+
+Goal True. idtac "== CaseStudy.kept". Abort.
+Print CaseStudy.kept.
+
+Goal True. idtac "== CaseStudy.six". Abort.
+Print CaseStudy.six.
 
 Goal True. idtac "== CriticalRatioDigits.hi". Abort.
 Print CriticalRatioDigits.hi.
@@ -1360,6 +1468,9 @@ Print Filippov.filippov.
 
 Goal True. idtac "== Filippov.included". Abort.
 Print Filippov.included.
+
+Goal True. idtac "== Filippov.integral_of". Abort.
+Print Filippov.integral_of.
 
 Goal True. idtac "== FollowArc.arc". Abort.
 Print FollowArc.arc.
