@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs BeforeContact BoundedMotions Consequences CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EndlessStickSlip EnergyLimit Entrainment Excursion ExcursionShape ExitOrbit ExitPlaces FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Trajectory TransferTies TurningFunction TwoStop UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -68,6 +68,18 @@ uses: ellipse-solution, uniqueness". Abort.
 Check @Stick.capture.
 Print Assumptions Stick.capture.
 
+Goal True. idtac "== case-study-agrees-until
+Case study: a solution of (11), (12) that keeps every stick agrees with the Filippov solution up to $T$ exactly if at no time before $T$ it has $v_1=v_2$ and $|x_1|>b/100$.
+uses: filippov-iff, slips-beyond". Abort.
+Check @CaseStudy.agree_until.
+Print Assumptions CaseStudy.agree_until.
+
+Goal True. idtac "== case-study-reduction
+Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with $v_1=v_2$ body 2 has no acceleration beyond $b/100$, and half of body 1's at $b/100$.
+uses: no other". Abort.
+Check @CaseStudy.reduction.
+Print Assumptions CaseStudy.reduction.
+
 Goal True. idtac "== contact
 Every solution meets $S$ in every time window of length $2\sqrt{2Em_2}/b$, so infinitely often.
 uses: no other". Abort.
@@ -80,11 +92,41 @@ uses: no other". Abort.
 Check @Pair.contraction.
 Print Assumptions Pair.contraction.
 
+Goal True. idtac "== controlled-approach
+With a damper $a_1(t)$ between two positive bounds and a bounded force every motion tends to each that is bounded.
+uses: controlled-contraction, driven-acceleration". Abort.
+Check @Approach.controlled_approach.
+Print Assumptions Approach.controlled_approach.
+
+Goal True. idtac "== controlled-contraction
+Under any force, and a damper $a_1(t)\geqslant 0$ that varies in time, the flow is non-expansive in the energy norm.
+uses: no other". Abort.
+Check @Approach.controlled_contraction.
+Print Assumptions Approach.controlled_contraction.
+
 Goal True. idtac "== convergence
 Every solution tends to one stuck motion.
 uses: contact, ellipse-stable, energy-decreases, energy-limit, energy-rate". Abort.
 Check @Dichotomy.convergence.
 Print Assumptions Dichotomy.convergence.
+
+Goal True. idtac "== creeps-b-0.05
+The scene of Fig. 5 (a): 20 crossings, first adhesion at 4.549769... s, and from then on sticks and slips in turn without end, above $E_{cr}$, each slip slower than the one before, none faster than 2.3202 mm/s.
+uses: free-case, trajectory-velocities". Abort.
+Check @CreepingScenes.creeps_b005.
+Print Assumptions CreepingScenes.creeps_b005.
+
+Goal True. idtac "== creeps-b-0.2
+The same with $b=0.2$: 4 crossings, first adhesion at 0.984017... s, none faster than 10.219 mm/s from then on.
+uses: follow-forced-arc, forced-contraction, free-case, interface-one-strength, interface-well-posed". Abort.
+Check @CreepingScenes.creeps_b02.
+Print Assumptions CreepingScenes.creeps_b02.
+
+Goal True. idtac "== creeps-b-0.5
+The same with $b=0.5$, as in Fig. 4 (b): 1 crossing, first adhesion at 0.276302... s, none faster than 20.381 mm/s from then on.
+uses: follow-forced-arc, forced-contraction, free-case, interface-one-strength, interface-well-posed". Abort.
+Check @CreepingScenes.creeps_b05.
+Print Assumptions CreepingScenes.creeps_b05.
 
 Goal True. idtac "== critical-mass-ratio-digits
 The critical mass ratio $-\cos 2\varphi^*$ up to $2\cdot 10^{-14}$, and $\varphi^*$ up to $10^{-15}$.
@@ -170,6 +212,12 @@ uses: no other". Abort.
 Check @Forced.only_gentle.
 Print Assumptions Forced.only_gentle.
 
+Goal True. idtac "== edges-isolated
+Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration below $b/m_2$, but perhaps at that time itself.
+uses: free-case, mode-slip, mode-stick, no-zeno, stuck-load". Abort.
+Check @EdgesIsolated.edges_isolated.
+Print Assumptions EdgesIsolated.edges_isolated.
+
 Goal True. idtac "== ellipse-iff
 An ellipse on $S$ is a solution exactly if its energy is at most $E_{cr}$.
 uses: ellipse-solution, sticks-iff". Abort.
@@ -217,6 +265,12 @@ With $a_1>0$ every motion tends to the stuck response to a sinusoidal force of a
 uses: forced-approach". Abort.
 Check @ForcedCapture.entrains.
 Print Assumptions ForcedCapture.entrains.
+
+Goal True. idtac "== euler-law
+Forward Euler with the step $h$ and a friction in $[-b,b]$ of the sign of the slip: $N(t)^2\leqslant N(0)^2+h\,t\,C(C+C')$, $C$ and $C'$ the speeds of its steps and of the motion in the energy norm.
+uses: no other". Abort.
+Check @EulerLaw.euler_law.
+Print Assumptions EulerLaw.euler_law.
 
 Goal True. idtac "== excursion-depth
 $c'=h$; $c$ takes every positive value once on $(0,2\pi)$ and is concave as a function of $h^2$.
@@ -266,15 +320,21 @@ uses: no other". Abort.
 Check @FallingFriction.slips_part.
 Print Assumptions FallingFriction.slips_part.
 
+Goal True. idtac "== filippov-forced
+Under any integrable force a Filippov solution is a motion: what is proved of all motions is true of it.
+uses: no other". Abort.
+Check @Filippov.filippov_forced.
+Print Assumptions Filippov.filippov_forced.
+
 Goal True. idtac "== filippov-iff
 A solution is what Filippov calls one: absolutely continuous, and in the differential inclusion at almost all times.
-uses: free-case, no-zeno". Abort.
+uses: forced-filippov-iff, free-case". Abort.
 Check @Filippov.filippov_iff.
 Print Assumptions Filippov.filippov_iff.
 
 Goal True. idtac "== filippov-well-posed
 From every initial state there is exactly one Filippov solution, with or without damping.
-uses: free-case, no-zeno, well-posed". Abort.
+uses: filippov-forced, forced-well-posed". Abort.
 Check @Filippov.filippov_well_posed.
 Print Assumptions Filippov.filippov_well_posed.
 
@@ -310,7 +370,7 @@ Print Assumptions Arcs.follow_arc.
 
 Goal True. idtac "== forced-approach
 With $a_1>0$ any two motions under one bounded force approach each other.
-uses: driven-acceleration, forced-bounded, forced-contraction". Abort.
+uses: driven-acceleration, forced-bounded". Abort.
 Check @BoundedMotions.approach.
 Print Assumptions BoundedMotions.approach.
 
@@ -331,6 +391,18 @@ $\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$.
 uses: no other". Abort.
 Check @Forced.forced_energy_rate.
 Print Assumptions Forced.forced_energy_rate.
+
+Goal True. idtac "== forced-filippov-iff
+Under an integrable force that is continuous at almost every time the motions are the Filippov solutions, and only they.
+uses: filippov-forced". Abort.
+Check @Filippov.forced_filippov_iff.
+Print Assumptions Filippov.forced_filippov_iff.
+
+Goal True. idtac "== forced-switching-iff
+Under any force the absolutely continuous solutions of (3), (4), met at almost every time, are the Filippov solutions with $|\Lambda|<b$ at almost every time with $v_1=v_2$, and only they.
+uses: no other". Abort.
+Check @Switching.forced_switching_iff.
+Print Assumptions Switching.forced_switching_iff.
 
 Goal True. idtac "== forced-well-posed
 Under any force with a continuous impulse there is exactly one solution from every initial state.
@@ -458,6 +530,12 @@ uses: interface-contraction". Abort.
 Check @InterfaceExists.interface_well_posed.
 Print Assumptions InterfaceExists.interface_well_posed.
 
+Goal True. idtac "== itinerary-creeps
+$m_1=m_2=1$, $a_2=200$, $b=0.5$, $\dot x_1(0)=0.21$: the energy stays above $E_{cr}$, and the motion tends to one on the critical ellipse.
+uses: dichotomy, energy-decreases, follow-forced-arc, forced-contraction, free-case, heavy-never-merges, interface-one-strength, interface-well-posed". Abort.
+Check @CreepingScenes.itinerary_creeps.
+Print Assumptions CreepingScenes.itinerary_creeps.
+
 Goal True. idtac "== jump-ill-posed
 With two coefficients of friction and $a_1=0$ a stick with a load between them can end at each of a continuum of times.
 uses: free-case, interface-one-strength, interface-well-posed, slips-beyond". Abort.
@@ -475,6 +553,18 @@ Where merging is possible, the longest slip that ends in $S_0$ is longer than th
 uses: turning-point". Abort.
 Check @KappaBound.kappa_large.
 Print Assumptions KappaBound.kappa_large.
+
+Goal True. idtac "== keeps-offset
+$m_1=m_2=a_1=a_2=b=1$, $u=\frac12\sin t$: the reference $-\frac14(\sin t+\cos t)$ is a motion, and one that starts with its $x_2$ and $v_2$, body 1 at rest at 0, takes on its velocities and keeps an offset of $x_2$ between $-266.2$ and $-266.1$ mm.
+uses: follow-forced-arc, forced-approach, forced-contraction, interface-one-strength, interface-well-posed". Abort.
+Check @Offset.keeps_offset.
+Print Assumptions Offset.keeps_offset.
+
+Goal True. idtac "== law-satisfies-case-study
+Case study: every Filippov solution satisfies (11), (12) at almost every time.
+uses: case-study-reduction, forced-switching-iff, switching-iff". Abort.
+Check @CaseStudy.law_case_study.
+Print Assumptions CaseStudy.law_case_study.
 
 Goal True. idtac "== least-amplitude
 To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.
@@ -505,6 +595,24 @@ After an excursion from a ray that re-enters $S_0$ above $E_{cr}$ the pair leave
 uses: arc-to-left-ray, gap-slip". Abort.
 Check @ExcursionShape.leaves_by.
 Print Assumptions ExcursionShape.leaves_by.
+
+Goal True. idtac "== literal-reference
+A pair that sticks has the velocity $v$ under (3), (4) and some force exactly if $v$ is absolutely continuous with $|\dot v|<b/m_2$ at almost every time, wherever body 1 starts.
+uses: forced-switching-iff". Abort.
+Check @StuckReferences.literal_reference.
+Print Assumptions StuckReferences.literal_reference.
+
+Goal True. idtac "== literal-solutions
+Under an integrable force that is continuous at almost every time (3), (4) have a solution from the start of a motion exactly if that has $|\Lambda|\neq b$ at almost every time with $v_1=v_2$; every such solution is that motion.
+uses: filippov-forced, forced-contraction, forced-switching-iff". Abort.
+Check @Switching.literal_solutions.
+Print Assumptions Switching.literal_solutions.
+
+Goal True. idtac "== literal-transfer
+Under (3), (4) a stuck pair takes body 2 from rest to rest over any $D$ of either sign in any time above $2\sqrt{m_2|D|/b}$, and stays, under a force that is continuous at almost every time.
+uses: no other". Abort.
+Check @StuckReferences.literal_transfer.
+Print Assumptions StuckReferences.literal_transfer.
 
 Goal True. idtac "== margin
 The one numerical inequality of the merging set, enclosed in balls by the kernel.
@@ -561,8 +669,8 @@ Check @ModeAtContact.tie_rule.
 Print Assumptions ModeAtContact.tie_rule.
 
 Goal True. idtac "== momentum-balance
-Every solution of (3), (4) without a control has $m_1\dot v_1+a_1v_1+a_2x_1+m_2\dot v_2=0$ at almost all times: the forces between the bodies add up to nothing.
-uses: no other". Abort.
+Every solution of (3), (4) has $m_1\dot v_1+a_1v_1+a_2x_1+m_2\dot v_2=u$ at almost every time: the forces between the bodies add up to nothing.
+uses: forced-switching-iff". Abort.
 Check @Switching.momentum_balance.
 Print Assumptions Switching.momentum_balance.
 
@@ -601,6 +709,18 @@ From $S_0$ slightly above $E_{cr}$ a solution never merges, tends to one critica
 uses: arc-to-ray, cycle-time, depth-lower, depth-upper, dichotomy, energy-decreases, exit-energy, h-increases, never-merges, return-map-rate, turning-point". Abort.
 Check @SharpLaw.no_merging_from_S0.
 Print Assumptions SharpLaw.no_merging_from_S0.
+
+Goal True. idtac "== no-solution-inside
+With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a contact inside $S_0$ with $a_2x_1+a_1v_1\neq 0$.
+uses: filippov-forced, mode-stick". Abort.
+Check @Switching.no_solution_inside.
+Print Assumptions Switching.no_solution_inside.
+
+Goal True. idtac "== no-solution-under-control
+Case study, $b=0.5$, from rest at 0 under $u=1+50t^2$: (3), (4) have no solution.
+uses: literal-solutions". Abort.
+Check @Switching.no_solution_under_control.
+Print Assumptions Switching.no_solution_under_control.
 
 Goal True. idtac "== no-uniform-lower-rate
 From every energy above $E_{cr}$ some solutions never merge and are arbitrarily close to $E_{cr}$ from the time $\sqrt{2E(0)m_2}/b$ on.
@@ -686,6 +806,12 @@ uses: no other". Abort.
 Check @FrictionSystems.pair_is_an_inclusion.
 Print Assumptions FrictionSystems.pair_is_an_inclusion.
 
+Goal True. idtac "== peaks-fall
+Where a motion never merges, the peaks of $|v_1|$ between entries fall to $L\Omega$ like $1/t$: at late entries each is at $x_1=0$, in stick, and $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$.
+uses: arc-to-ray, contact, cycle, cycle-time, depth-lower, depth-upper, energy-decreases, energy-limit, exits, first-re-entry, gap-slip, h-increases, sharp-law, sticks-iff, turning-point". Abort.
+Check @Fading.peaks_fall.
+Print Assumptions Fading.peaks_fall.
+
 Goal True. idtac "== periodic-response
 With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts every motion.
 uses: forced-approach, forced-bounded, forced-contraction, interface-one-strength, interface-well-posed". Abort.
@@ -746,6 +872,18 @@ uses: driven-acceleration". Abort.
 Check @Forced.reach.
 Print Assumptions Forced.reach.
 
+Goal True. idtac "== resonance-edge
+With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip permanently, one way for half a period and then the other way, in closed form.
+uses: antiperiodic, arc-begins". Abort.
+Check @AtResonance.edge_family.
+Print Assumptions AtResonance.edge_family.
+
+Goal True. idtac "== resonance-edge-bounded
+With $a_1=0$, every motion under $u=\frac{4b}{\pi}\sin\omega_1t$ is bounded.
+uses: forced-contraction, resonance-edge". Abort.
+Check @AtResonance.edge_bounded.
+Print Assumptions AtResonance.edge_bounded.
+
 Goal True. idtac "== rest-to-rest
 With that amplitude both bodies can be at rest then, if the stuck pair can brake with it in the second half.
 uses: arc-begins, follow-forced-arc". Abort.
@@ -776,6 +914,12 @@ uses: no other". Abort.
 Check @RelativeMotion.ring_factor.
 Print Assumptions RelativeMotion.ring_factor.
 
+Goal True. idtac "== ring-missed
+Case study, $b=0.5$, from rest at 4 mm, body 2 at 0 or at 1 mm: both pairs stick permanently, 4 and 3 mm apart, and no region narrower than 1 mm is reached by both relative motions.
+uses: sticks-from-5-mm". Abort.
+Check @CaseStudy.ring_missed.
+Print Assumptions CaseStudy.ring_missed.
+
 Goal True. idtac "== rotating-characteristic
 With friction that depends on the speed, the characteristic function at 0 is $X(0)=\frac{\omega^2}{2\rho|D|^2}\frac{d(U^2)}{d\rho}$.
 uses: no other". Abort.
@@ -793,6 +937,12 @@ Unless $a_1=0$ and body 1 alone is in resonance: the equation of rotating-motion
 uses: no other". Abort.
 Check @RotatingForce.one_threshold.
 Print Assumptions RotatingForce.one_threshold.
+
+Goal True. idtac "== rotating-unstable
+Where $X(0)<0$, the equations linearised about the slip that rotates with the force have a solution that grows like $e^{\lambda t}$, $\lambda>0$.
+uses: no other". Abort.
+Check @RotatingUnstable.repels.
+Print Assumptions RotatingUnstable.repels.
 
 Goal True. idtac "== scenes-analytic
 Piecewise polynomials plus sinusoids are piecewise analytic.
@@ -866,6 +1016,12 @@ uses: static-slip-costs". Abort.
 Check @StaticFriction.few_slips.
 Print Assumptions StaticFriction.few_slips.
 
+Goal True. idtac "== static-kept
+With static friction above kinetic there is, from every state, a free motion that keeps its sticks.
+uses: free-case, interface-one-strength, interface-well-posed". Abort.
+Check @SticksKept.sticks_kept.
+Print Assumptions SticksKept.sticks_kept.
+
 Goal True. idtac "== static-slip-costs
 With static friction above kinetic, where sticks are kept, every slip of a free motion from a contact to the next lasts longer than a fixed time and dissipates at least a fixed energy, both given by $E(0)$.
 uses: no other". Abort.
@@ -934,7 +1090,7 @@ Print Assumptions LeastTimeTransfer.stuck_amplitude.
 
 Goal True. idtac "== switching-iff
 The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.
-uses: no other". Abort.
+uses: forced-switching-iff". Abort.
 Check @Switching.switching_iff.
 Print Assumptions Switching.switching_iff.
 
@@ -985,6 +1141,12 @@ With damping: the level whose ellipse lies in the sliding region.
 uses: no other". Abort.
 Check @PairTies.tie_captive.
 Print Assumptions PairTies.tie_captive.
+
+Goal True. idtac "== tie-case-study
+Equations (11) and (12) of the paper at one time.
+uses: no other". Abort.
+Check @SwitchingTies.tie_case_study.
+Print Assumptions SwitchingTies.tie_case_study.
 
 Goal True. idtac "== tie-critical-energy
 The critical energy.
@@ -1093,6 +1255,12 @@ The energy level at the end of a slip from the gap $d$.
 uses: tie-depth, tie-half-angle-h". Abort.
 Check @SlipTies.tie_level.
 Print Assumptions SlipTies.tie_level.
+
+Goal True. idtac "== tie-load
+The load, the friction that a stick needs.
+uses: no other". Abort.
+Check @SwitchingTies.tie_load.
+Print Assumptions SwitchingTies.tie_load.
 
 Goal True. idtac "== tie-non-stop-amplitude
 $U_{**}$, the amplitude that slip without a stop needs, by the response to the square wave.
@@ -1227,7 +1395,7 @@ Check @TransferTies.tie_stuck_force.
 Print Assumptions TransferTies.tie_stuck_force.
 
 Goal True. idtac "== tie-switching
-Equations (3) and (4) of the paper at one time, without a control.
+Equations (3) and (4) of the paper at one time.
 uses: no other". Abort.
 Check @SwitchingTies.tie_switching.
 Print Assumptions SwitchingTies.tie_switching.
@@ -1268,6 +1436,12 @@ uses: driven-acceleration". Abort.
 Check @Forced.trackable_iff.
 Print Assumptions Forced.trackable_iff.
 
+Goal True. idtac "== tracks
+With $a_1>0$, under the force of the stuck motion along a reference with $|\ddot x_{\mathrm{ref}}|\leqslant b/m_2$, but for a constant, if it is bounded: $v_1$, $v_2$ and $x_1$ of every motion tend to the velocity of the reference, and to its place but for the constant.
+uses: forced-approach". Abort.
+Check @Tracking.tracks.
+Print Assumptions Tracking.tracks.
+
 Goal True. idtac "== trajectory-velocities
 The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds on their times, positions and velocities.
 uses: follow-forced-arc, forced-contraction, interface-one-strength, interface-well-posed". Abort.
@@ -1304,11 +1478,23 @@ uses: no other". Abort.
 Check @TurningFunction.root.
 Print Assumptions TurningFunction.root.
 
+Goal True. idtac "== two-arcs
+A level above $E_{cr}$ meets $S_0$ in two arcs, the graphs of a speed and of its negative over $[-L,L]$; each is run through by a motion, which slips at its end: from the left ray into $v_1>v_2$, from the right one into $v_1<v_2$.
+uses: arc-to-left-ray, energy-decreases, slips-on-ray, well-posed". Abort.
+Check @TwoArcs.two_arcs.
+Print Assumptions TwoArcs.two_arcs.
+
 Goal True. idtac "== two-sided-rate
 Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the upper one where $6\sqrt{w_0}<\pi$.
 uses: arc-to-ray, cycle-time, depth-lower, depth-upper, energy-decreases, exit-energy, h-increases, never-merges, turning-point". Abort.
 Check @SharpLaw.two_sided.
 Print Assumptions SharpLaw.two_sided.
+
+Goal True. idtac "== two-solutions-from-6-mm
+Case study, $b=0.5$, from rest at 6 mm: the stuck $x_1=0.006\cos 10t$ satisfies (11), (12), and so does a Filippov solution that slips at once, the only one of (3), (4) and of the inclusion.
+uses: filippov-iff, filippov-well-posed, law-satisfies-case-study, slips-from-6-mm, switching-iff". Abort.
+Check @CaseStudy.two_from_six.
+Print Assumptions CaseStudy.two_from_six.
 
 Goal True. idtac "== two-stop-exists
 A slip and a stick whose ends meet, and meet with the opposite sign after half a period, are a periodic motion if $v_1>v_2$ in the slip and $|\Lambda|\leqslant b$ in the stick.
@@ -1321,6 +1507,12 @@ A motion that slips and sticks once in each half period, and is its own negative
 uses: stuck-load". Abort.
 Check @TwoStop.two_stop_needs.
 Print Assumptions TwoStop.two_stop_needs.
+
+Goal True. idtac "== undamped-entrained
+With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response over $b\,(1-U/U_*)$.
+uses: driven-acceleration". Abort.
+Check @UndampedEntrainment.undamped_entrained.
+Print Assumptions UndampedEntrainment.undamped_entrained.
 
 Goal True. idtac "== uniform-upper-rate
 $E/E_{cr}-1\leqslant c/t$ with one $c$ for all solutions that start below a level and never merge.
@@ -1355,6 +1547,9 @@ Print Assumptions WellPosed.well_posed.
 Goal True. idtac "== AlmostEverywhere.ac". Abort.
 Print AlmostEverywhere.ac.
 
+Goal True. idtac "== AlmostEverywhere.almost". Abort.
+Print AlmostEverywhere.almost.
+
 Goal True. idtac "== AlmostEverywhere.chain". Abort.
 Print AlmostEverywhere.chain.
 
@@ -1379,8 +1574,32 @@ Print Analytic.piece.
 Goal True. idtac "== Analytic.piecewise_analytic". Abort.
 Print Analytic.piecewise_analytic.
 
+Goal True. idtac "== Approach.controlled". Abort.
+Print Approach.controlled.
+
 Goal True. idtac "== Arcs.forced_arc". Abort.
 Print Arcs.forced_arc.
+
+Goal True. idtac "== AtResonance.edge_v1". Abort.
+Print AtResonance.edge_v1.
+
+Goal True. idtac "== AtResonance.edge_v2". Abort.
+Print AtResonance.edge_v2.
+
+Goal True. idtac "== AtResonance.edge_x". Abort.
+Print AtResonance.edge_x.
+
+Goal True. idtac "== CaseStudy.case_study". Abort.
+Print CaseStudy.case_study.
+
+Goal True. idtac "== CaseStudy.kept". Abort.
+Print CaseStudy.kept.
+
+Goal True. idtac "== CaseStudy.six". Abort.
+Print CaseStudy.six.
+
+Goal True. idtac "== CreepingScenes.creeps". Abort.
+Print CreepingScenes.creeps.
 
 Goal True. idtac "== CriticalRatioDigits.hi". Abort.
 Print CriticalRatioDigits.hi.
@@ -1433,6 +1652,12 @@ Print Entrainment.rV.
 Goal True. idtac "== Entrainment.rX". Abort.
 Print Entrainment.rX.
 
+Goal True. idtac "== EulerLaw.euler". Abort.
+Print EulerLaw.euler.
+
+Goal True. idtac "== EulerLaw.pull". Abort.
+Print EulerLaw.pull.
+
 Goal True. idtac "== Excursion.h". Abort.
 Print Excursion.h.
 
@@ -1463,11 +1688,17 @@ Print ExitOrbit.orb.
 Goal True. idtac "== ExitOrbit.tim". Abort.
 Print ExitOrbit.tim.
 
+Goal True. idtac "== Fading.sticks_and_slips". Abort.
+Print Fading.sticks_and_slips.
+
 Goal True. idtac "== Filippov.filippov". Abort.
 Print Filippov.filippov.
 
 Goal True. idtac "== Filippov.included". Abort.
 Print Filippov.included.
+
+Goal True. idtac "== Filippov.integral_of". Abort.
+Print Filippov.integral_of.
 
 Goal True. idtac "== FollowArc.arc". Abort.
 Print FollowArc.arc.
@@ -1637,6 +1868,15 @@ Print NonstopUndamped.Fslip_undamped.
 Goal True. idtac "== NonstopUndamped.swing'". Abort.
 Print NonstopUndamped.swing'.
 
+Goal True. idtac "== Offset.half_sine". Abort.
+Print Offset.half_sine.
+
+Goal True. idtac "== Offset.swing". Abort.
+Print Offset.swing.
+
+Goal True. idtac "== Offset.swing'". Abort.
+Print Offset.swing'.
+
 Goal True. idtac "== Pair.energy". Abort.
 Print Pair.energy.
 
@@ -1681,6 +1921,9 @@ Print RotatingForce.g_s.
 
 Goal True. idtac "== RotatingForce.stiffness". Abort.
 Print RotatingForce.stiffness.
+
+Goal True. idtac "== RotatingUnstable.grows". Abort.
+Print RotatingUnstable.grows.
 
 Goal True. idtac "== RoundFriction.ellipse". Abort.
 Print RoundFriction.ellipse.
@@ -1807,6 +2050,9 @@ Print TurningFunction.K.
 
 Goal True. idtac "== TurningFunction.ratio". Abort.
 Print TurningFunction.ratio.
+
+Goal True. idtac "== TwoArcs.level_speed". Abort.
+Print TwoArcs.level_speed.
 
 Goal True. idtac "== TwoStop.slips". Abort.
 Print TwoStop.slips.
