@@ -87,7 +87,7 @@ def test_every_number_survives_its_text(value):
         (lambda: Force.trapezoid(1, 0, 0, 0, 2), "rise"),
         (lambda: Force.sweep(1, [1, 0], 2), "omega"),
         (lambda: Scene(Pair(1, 1, 1, 1), State(), 1, force=1), "Force"),
-        (lambda: Force.step(0, 1) + 1, "unsupported"),
+        (lambda: Force.step(0, 1) + 1, "a signal and 1 do not add up"),
     ],
 )
 def test_what_is_no_force_is_refused_by_name(make, name):

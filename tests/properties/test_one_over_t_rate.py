@@ -156,7 +156,7 @@ def test_in_float64_the_excess_is_between_the_same_bounds(scene, quarter_turns):
         low, high = (begun.value(one, s=begun.since(t)) for one in excess_bounds())
         w, off = exact(Fraction(run.reduced.final.w)), exact(Fraction(run.accuracy.energy_excess))
         assert low - off <= w <= high + off
-        assert off < w / 10**3
+        assert off < w / 10**2
 
 
 @reaching

@@ -31,6 +31,7 @@ def chatter() -> Evidence:
         """,
         kernel="euler-law",
     ),
+    assuming=f"{POSITIVE} No force, $u=0$, $b$ constant; with or without a damper, $a_1\\geqslant 0$.",
 )
 def euler_error() -> Case:
     """The error of a step does not add up linearly, and is not forgotten."""

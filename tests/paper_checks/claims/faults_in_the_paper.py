@@ -308,10 +308,7 @@ FAULTS = {
         "theory.forced_control.strongest": doubled,
     },
     "varying-interface": {
-        "theory.forced.contraction_rate": negated,
         "theory.forced.place_dependent_rate": negated,
-        "theory.forced.growth_by_place": doubled,
-        "theory.forced.growth_by_speed": doubled,
     },
     "start-at-6mm-sticks": {
         "starts.half_width": doubled,

@@ -10,20 +10,19 @@ from flint import arb
 
 from numerics import Mode, Pair, Scene, State, load_scene, solve
 from numerics.trajectory.status import Status
-from paper_checks.claims import (
-    CLAIMS,
+from paper_checks.claims import CLAIMS
+from paper_checks.claims.beyond import (
     excursions,
-    filippov,
     long_time,
     merging,
     merging_share,
-    onset,
     rate,
     return_map,
     slips,
     uniform_rate,
-    velocities,
 )
+from paper_checks.claims.section_3 import filippov
+from paper_checks.claims.section_4 import onset, velocities
 from paper_checks.decide import samples
 from paper_checks.decide.balls import precision
 from paper_checks.decide.enclosure import solved
