@@ -7,7 +7,17 @@ from typing import Any
 
 import sympy as sp
 
+from paper_checks.claims import SUBJECTS
 from paper_checks.decide.polynomial import RELATIONAL
+
+HOMES = {name.rpartition(".")[2]: name for name in SUBJECTS}
+"""The module of each subject, by its last name."""
+
+
+def target(place):
+    """The full name of a place, which begins with a subject or with theory."""
+    subject, _, rest = place.partition(".")
+    return place if subject == "theory" else f"{HOMES.get(subject, f'paper_checks.claims.{subject}')}.{rest}"
 
 
 def changed(change: Callable[[Any], Any]) -> Callable[..., Any]:

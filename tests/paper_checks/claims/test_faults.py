@@ -4,7 +4,6 @@ from functools import cache
 
 import pytest
 
-from paper_checks.claims import SUBJECTS
 from paper_checks.claims.beyond import long_time, merging_share
 from paper_checks.claims.section_3 import convergence, near_critical
 from paper_checks.evidence.finding import Verdict
@@ -12,16 +11,7 @@ from paper_checks.running.runner import Context, decide
 
 from . import faults_in_the_paper, faults_in_theorems
 from .conftest import CHECKS
-
-HOMES = {name.rpartition(".")[2]: name for name in SUBJECTS}
-"""The module of each subject, by its last name."""
-
-
-def target(place):
-    """The full name of a place, which begins with a subject or with theory."""
-    subject, _, rest = place.partition(".")
-    return place if subject == "theory" else f"{HOMES.get(subject, f'paper_checks.claims.{subject}')}.{rest}"
-
+from .faults import target
 
 PLANTED = [
     (row, target(place), fault)
@@ -48,10 +38,10 @@ def runs_are_remembered(monkeypatch):
         monkeypatch.setattr(module, name, remembered)
 
 
-@pytest.mark.parametrize(("row", "target", "fault"), PLANTED)
-def test_a_fault_in_a_step_or_a_point_turns_its_row(plant, row, target, fault):
+@pytest.mark.parametrize(("row", "place", "fault"), PLANTED)
+def test_a_fault_in_a_step_or_a_point_turns_its_row(plant, row, place, fault):
     """Found by deciding: a case that raises is undecided too, and may say only that the fault broke the program."""
-    plant(target, fault)
+    plant(place, fault)
     finding = decide(CHECKS[row], Context())
     assert "did not run to its end" not in finding.reason
     assert finding.verdict is Verdict.UNDECIDED

@@ -35,7 +35,7 @@ from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.symbols import acceleration1, b, m2
 
 from .conftest import CHECKS
-from .faults import confused, unbounded_sign
+from .faults import confused, target, unbounded_sign
 
 MERGES, CREEPS = map(load_scene, ("itinerary-that-merges", "itinerary-that-creeps"))
 OTHERWISE = [
@@ -85,7 +85,7 @@ def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, name, chan
 
 
 @pytest.mark.parametrize(
-    ("target", "fault", "step"),
+    ("place", "fault", "step"),
     [
         # with |x1''| >= 0 instead of >= b/m2 the spurious branches could stay
         ("filippov.b", lambda _: sp.Integer(0), lambda: [filippov.spurious_branches_leave()]),
@@ -116,8 +116,8 @@ def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, name, chan
         ("slips.h", lambda h: h, lambda: [slips.exits_twice_by(Fraction(1, 5), Fraction(15), same=False)]),
     ],
 )
-def test_a_step_without_one_of_its_conditions_does_not_pass(plant, target, fault, step):
-    plant(f"paper_checks.claims.{target}", fault)
+def test_a_step_without_one_of_its_conditions_does_not_pass(plant, place, fault, step):
+    plant(target(place), fault)
     assert step()[0].passed is not True
 
 
