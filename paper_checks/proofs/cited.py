@@ -163,8 +163,8 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "exits-near-endpoints": (
         "ExitPlaces.exits_near_endpoints",
-        "A solution that never merges leaves $S_0$ exactly at its end points; the positions of its entries tend to them, and all "
-        "velocities there to 0.",
+        "A solution that never merges leaves $S_0$ exactly where $|x_1|=L$; its entries tend to $|x_1|=L$, and the velocities at "
+        "both to 0.",
     ),
     "slower-than-exponential": (
         "Consequences.slower_than_exponential",
@@ -197,7 +197,7 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "slips-on-ray": (
         "SwitchingSurface.slips_on_ray",
-        "On an edge of $S_0$, moving outwards, every solution slips at once, inwards.",
+        r"On an edge of $S_0$, moving outwards, every solution slips at once, with $\dot z$ of the sign of $-x_1$.",
     ),
     "sticks-inside": (
         "SwitchingSurface.sticks_inside",
@@ -283,7 +283,7 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "peaks-fall": (
         "Fading.peaks_fall",
-        r"Where a motion never merges, the peaks of $|v_1|$ between entries fall to $L\Omega$ like $1/t$: at late entries each is at $x_1=0$, in stick, and $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$.",
+        r"Where a motion never merges, the peaks of $|v_1|$ between entries tend to $L\Omega$ like $1/t$: at late entries each is at $x_1=0$, in stick, and $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$.",
     ),
     # damping
     "captive-sticks": ("Viscous.captive_sticks", "On $S$ below the captive level the pair sticks permanently."),

@@ -1,6 +1,7 @@
 """The theorems on the pair under a force that rows may cite; as in `cited.py`.
 
-"Motion" is the absolutely continuous solution under the force; its impulse may be any continuous function.
+"Motion" is the continuous solution under the force, whose impulse may be any continuous function; it is absolutely continuous
+where the impulse is.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "interface-energy-rate": (
         "Interface.interface_energy_rate",
-        "With a friction of the strength $b(t)$, whatever it depends on, $\\dot E=u\\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.",
+        "With a friction of the strength $b(t)$, whatever it depends on, $\\dot E=u\\,v_1-a_1v_1^2-b(t)|v_1-v_2|$, where the impulse has the rate $u$ from the right.",
     ),
     "interface-input-to-state": (
         "Interface.interface_input_to_state",
@@ -108,7 +109,10 @@ FORCED: dict[str, tuple[str, str]] = {
         "Analytic.scenes_are_analytic",
         "Piecewise polynomials plus sinusoids are piecewise analytic.",
     ),
-    "forced-energy-rate": ("Forced.forced_energy_rate", r"$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$."),
+    "forced-energy-rate": (
+        "Forced.forced_energy_rate",
+        r"$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$, where the impulse has the rate $u$ from the right.",
+    ),
     "input-to-state": (
         "Forced.input_to_state_integral",
         r"Under two continuous forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.",
@@ -125,7 +129,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "controlled-contraction": (
         "Approach.controlled_contraction",
-        r"Under any force, and a damper $a_1(t)\geqslant 0$ that varies in time, the flow is non-expansive in the energy norm.",
+        r"Under a force and a damper $a_1(t)\geqslant 0$ whose impulses have them as rates from the right at every time, two motions never move apart in the energy norm.",
     ),
     "keeps-offset": (
         "Offset.keeps_offset",
@@ -195,7 +199,7 @@ FORCED: dict[str, tuple[str, str]] = {
     "nonstop-by-halves": (
         "HalfPeriod.by_halves_iff",
         "A motion with the force's period that slips one way for half of it and then the other way exists exactly where one "
-        "exists that also repeats with the opposite sign.",
+        "exists that also repeats with the opposite sign; each for some phase of the force.",
     ),
     "nonstop-by-halves-needs": (
         "HalfPeriod.by_halves_needs",
@@ -267,7 +271,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "undamped-entrained": (
         "UndampedEntrainment.undamped_entrained",
-        r"With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response over $b\,(1-U/U_*)$.",
+        r"With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response at $t=0$ over $b\,(1-U/U_*)$.",
     ),
     "resonance-edge": (
         "AtResonance.edge_family",

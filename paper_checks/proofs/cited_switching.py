@@ -44,7 +44,7 @@ SWITCHING: dict[str, tuple[str, str]] = {
     ),
     "no-solution-inside": (
         "Switching.no_solution_inside",
-        r"With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a contact inside $S_0$ with $a_2x_1+a_1v_1\neq 0$.",
+        r"With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a contact with $0<|a_2x_1+a_1v_1|<b(m_1+m_2)/m_2$.",
     ),
     "literal-reference": (
         "StuckReferences.literal_reference",
@@ -56,11 +56,11 @@ SWITCHING: dict[str, tuple[str, str]] = {
     ),
     "edges-isolated": (
         "EdgesIsolated.edges_isolated",
-        r"Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration below $b/m_2$, but perhaps at that time itself.",
+        r"Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration of absolute value below $b/m_2$, but perhaps at that time itself.",
     ),
     "case-study-reduction": (
         "CaseStudy.reduction",
-        "Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with $v_1=v_2$ body 2 has no acceleration beyond $b/100$, and half of body 1's at $b/100$.",
+        "Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with $v_1=v_2$ body 2 has no acceleration where $|x_1|>b/100$, and half of body 1's where $|x_1|=b/100$.",
     ),
     "law-satisfies-case-study": (
         "CaseStudy.law_case_study",

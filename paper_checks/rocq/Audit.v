@@ -75,7 +75,7 @@ Check @CaseStudy.agree_until.
 Print Assumptions CaseStudy.agree_until.
 
 Goal True. idtac "== case-study-reduction
-Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with $v_1=v_2$ body 2 has no acceleration beyond $b/100$, and half of body 1's at $b/100$.
+Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with $v_1=v_2$ body 2 has no acceleration where $|x_1|>b/100$, and half of body 1's where $|x_1|=b/100$.
 uses: no other". Abort.
 Check @CaseStudy.reduction.
 Print Assumptions CaseStudy.reduction.
@@ -99,7 +99,7 @@ Check @Approach.controlled_approach.
 Print Assumptions Approach.controlled_approach.
 
 Goal True. idtac "== controlled-contraction
-Under any force, and a damper $a_1(t)\geqslant 0$ that varies in time, the flow is non-expansive in the energy norm.
+Under a force and a damper $a_1(t)\geqslant 0$ whose impulses have them as rates from the right at every time, two motions never move apart in the energy norm.
 uses: no other". Abort.
 Check @Approach.controlled_contraction.
 Print Assumptions Approach.controlled_contraction.
@@ -213,7 +213,7 @@ Check @Forced.only_gentle.
 Print Assumptions Forced.only_gentle.
 
 Goal True. idtac "== edges-isolated
-Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration below $b/m_2$, but perhaps at that time itself.
+Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration of absolute value below $b/m_2$, but perhaps at that time itself.
 uses: free-case, mode-slip, mode-stick, no-zeno, stuck-load". Abort.
 Check @EdgesIsolated.edges_isolated.
 Print Assumptions EdgesIsolated.edges_isolated.
@@ -309,7 +309,7 @@ Check @ExitOrbit.exits.
 Print Assumptions ExitOrbit.exits.
 
 Goal True. idtac "== exits-near-endpoints
-A solution that never merges leaves $S_0$ exactly at its end points; the positions of its entries tend to them, and all velocities there to 0.
+A solution that never merges leaves $S_0$ exactly where $|x_1|=L$; its entries tend to $|x_1|=L$, and the velocities at both to 0.
 uses: energy-decreases, energy-limit, exit-and-entry-times, sticks-inside". Abort.
 Check @ExitPlaces.exits_near_endpoints.
 Print Assumptions ExitPlaces.exits_near_endpoints.
@@ -387,7 +387,7 @@ Check @Forced.forced_contraction.
 Print Assumptions Forced.forced_contraction.
 
 Goal True. idtac "== forced-energy-rate
-$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$.
+$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$, where the impulse has the rate $u$ from the right.
 uses: no other". Abort.
 Check @Forced.forced_energy_rate.
 Print Assumptions Forced.forced_energy_rate.
@@ -489,7 +489,7 @@ Check @Interface.interface_distance_rate.
 Print Assumptions Interface.interface_distance_rate.
 
 Goal True. idtac "== interface-energy-rate
-With a friction of the strength $b(t)$, whatever it depends on, $\dot E=u\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.
+With a friction of the strength $b(t)$, whatever it depends on, $\dot E=u\,v_1-a_1v_1^2-b(t)|v_1-v_2|$, where the impulse has the rate $u$ from the right.
 uses: no other". Abort.
 Check @Interface.interface_energy_rate.
 Print Assumptions Interface.interface_energy_rate.
@@ -711,7 +711,7 @@ Check @SharpLaw.no_merging_from_S0.
 Print Assumptions SharpLaw.no_merging_from_S0.
 
 Goal True. idtac "== no-solution-inside
-With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a contact inside $S_0$ with $a_2x_1+a_1v_1\neq 0$.
+With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a contact with $0<|a_2x_1+a_1v_1|<b(m_1+m_2)/m_2$.
 uses: filippov-forced, mode-stick". Abort.
 Check @Switching.no_solution_inside.
 Print Assumptions Switching.no_solution_inside.
@@ -747,7 +747,7 @@ Check @NonstopDamped.nonstop_attracts.
 Print Assumptions NonstopDamped.nonstop_attracts.
 
 Goal True. idtac "== nonstop-by-halves
-A motion with the force's period that slips one way for half of it and then the other way exists exactly where one exists that also repeats with the opposite sign.
+A motion with the force's period that slips one way for half of it and then the other way exists exactly where one exists that also repeats with the opposite sign; each for some phase of the force.
 uses: no other". Abort.
 Check @HalfPeriod.by_halves_iff.
 Print Assumptions HalfPeriod.by_halves_iff.
@@ -807,7 +807,7 @@ Check @FrictionSystems.pair_is_an_inclusion.
 Print Assumptions FrictionSystems.pair_is_an_inclusion.
 
 Goal True. idtac "== peaks-fall
-Where a motion never merges, the peaks of $|v_1|$ between entries fall to $L\Omega$ like $1/t$: at late entries each is at $x_1=0$, in stick, and $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$.
+Where a motion never merges, the peaks of $|v_1|$ between entries tend to $L\Omega$ like $1/t$: at late entries each is at $x_1=0$, in stick, and $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$.
 uses: arc-to-ray, contact, cycle, cycle-time, depth-lower, depth-upper, energy-decreases, energy-limit, exits, first-re-entry, gap-slip, h-increases, sharp-law, sticks-iff, turning-point". Abort.
 Check @Fading.peaks_fall.
 Print Assumptions Fading.peaks_fall.
@@ -993,7 +993,7 @@ Check @StartFromRest.slips_from_rest.
 Print Assumptions StartFromRest.slips_from_rest.
 
 Goal True. idtac "== slips-on-ray
-On an edge of $S_0$, moving outwards, every solution slips at once, inwards.
+On an edge of $S_0$, moving outwards, every solution slips at once, with $\dot z$ of the sign of $-x_1$.
 uses: gap-slip, sticks-iff". Abort.
 Check @SwitchingSurface.slips_on_ray.
 Print Assumptions SwitchingSurface.slips_on_ray.
@@ -1509,7 +1509,7 @@ Check @TwoStop.two_stop_needs.
 Print Assumptions TwoStop.two_stop_needs.
 
 Goal True. idtac "== undamped-entrained
-With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response over $b\,(1-U/U_*)$.
+With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response at $t=0$ over $b\,(1-U/U_*)$.
 uses: driven-acceleration". Abort.
 Check @UndampedEntrainment.undamped_entrained.
 Print Assumptions UndampedEntrainment.undamped_entrained.

@@ -64,7 +64,8 @@ def one_active_one_passive() -> Case:
             transfers.gentle(),
         ),
         reading(
-            "active", r"$\partial(m_1\dot v_1)/\partial u=1$, and “passive” as $m_2\dot v_2=b\sigma$ whatever $u$ is"
+            "active",
+            r"that $u$ stands in $m_1\dot v_1=u-a_1v_1-a_2x_1-b\sigma$, and “passive” as that it does not stand in $m_2\dot v_2=b\sigma$",
         ),
     )
 

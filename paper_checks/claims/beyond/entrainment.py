@@ -261,7 +261,7 @@ def _above_six_turns() -> arb:
     clause(
         "non-stop",
         r"""
-        Let $0<a_1^2<4m_1a_2$, or $a_1=0$ and $\omega_1$ be no odd multiple of $\omega$. If $\dot z$ keeps its sign
+        Let $0<a_1^2<4m_1a_2$, or $a_1=0$ and $\omega_1$ be no odd multiple of $\omega$. If $\dot z>0$
         between the turns at $U=U_{**}$, the pair has a motion that slips without a stop, one way for half a period,
         and half a period later is its own negative, exactly if $U\geqslant U_{**}$, «threshold». For $a_1>0$ every
         motion then tends to it.

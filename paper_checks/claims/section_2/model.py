@@ -315,7 +315,7 @@ def friction_opposes_displacement() -> Case:
             "broken",
             r"""
             where (4) breaks adhesion at $\dot z=0$ they do not: for $|\ddot x_1|=b/m_2$ and for $|\ddot x_1|>b/m_2$
-            they are «sum», and such an instant is isolated, as there $\ddot z\neq 0$: «leaves».
+            they are «sum», with «leaves» by (3) and (4);
             """,
             sum=equal(
                 "f_1+f_2", -m2 * acceleration1 * SHARES, lambda: _by_acceleration(lambda one: one.force_imbalance)
@@ -325,6 +325,11 @@ def friction_opposes_displacement() -> Case:
                 acceleration1 * SHARES,
                 lambda: _by_acceleration(lambda one: one.acceleration1 - one.acceleration2),
             ),
+        ),
+        clause(
+            "isolated",
+            r"along the free motions such instants are isolated.",
+            kernel="edges-isolated switching-iff filippov-iff",
         ),
         clause(
             "almost",
@@ -369,7 +374,6 @@ def interface_force_balance() -> Case:
         ),
         carried("balanced"),
         carried("broken", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
-        correction(reading("isolated", r"$\dot z=0\neq\ddot z$, a simple zero of $\dot z$")),
         derivation=(
             equation("0", driving_equation()),
             equation("0", driven_equation()),

@@ -113,7 +113,10 @@ def synchronisation_time(
             largest_relative_speed(),
             within("bound of $|\\dot z|$ from the first exit on (m/s)", bound, "0.002320", "0.002321"),
         ),
-        reading("synchronize at the time $t\\approx 4.7$ sec", r"$\dot z(t)=0$ at all times $t$ from about 4.7 s on"),
+        reading(
+            "synchronize at the time $t\\approx 4.7$ sec",
+            r"$\dot z(t)=0$ at $t=4.7$ s or at all times $t$ from about 4.7 s on",
+        ),
         reading(
             "falling from slip to slip",
             r"$|\dot z(\tau_{n+1}+u)|<|\dot z(\tau_n+u)|$ at each time $u$ of the later slip, the slips beginning at $\tau_1<\tau_2<\cdots$",

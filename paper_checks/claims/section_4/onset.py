@@ -77,7 +77,11 @@ def _pull_ratio() -> Expr:
             """,
             level=equal("E_{cr}", b**2 / 100, lambda: critical_energy().subs(CASE_STUDY)),
         ),
-        clause("lasting", r"nor in any stick phase of (3)–(4), as where it acts $\ddot z\neq 0$."),
+        clause(
+            "lasting",
+            r"nor in a stick phase of (3)–(4), $\dot z=0$ on an interval of time, but at isolated instants.",
+            kernel="edges-isolated switching-iff filippov-iff",
+        ),
     ),
 )
 def example_stiction_never_violated() -> Case:
@@ -133,8 +137,6 @@ def example_stiction_never_violated() -> Case:
         ),
         correction(
             reading("it acts", r"$|\ddot x_1|\geqslant b/m_2$ at $\dot z=0$, where the factor of (4) is not $1$"),
-            reading("isolated", r"$v_1=0\neq\dot v_1$, a simple zero of $v_1$"),
-            reading("stick phase", r"$\dot z=\ddot z=0$"),
         ),
         carried("lasting", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
         derivation=(
@@ -207,7 +209,7 @@ def comes_apart() -> Steps:
             They do so at once exactly if $\dot x_1(0)\neq\dot x_2(0)$, or $|x_1(0)|>L$, or the start is on an exit
             ray, $x_1(0)=\pm L$ with $\pm v>0$.
             """,
-            kernel="slips-beyond slips-on-ray sticks-inside",
+            kernel="slips-beyond slips-on-ray sticks-inside switching-iff filippov-iff",
         ),
     ),
 )

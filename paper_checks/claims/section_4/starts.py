@@ -101,7 +101,7 @@ def point_of(scene: Scene) -> Point:
                 Rational(1, 200),
                 lambda: half_width().subs(CASE_STUDY).subs(b, Rational(1, 2)),
             ),
-            kernel="sticks-from-rest slips-beyond",
+            kernel="sticks-from-rest slips-beyond switching-iff filippov-iff",
         ),
         clause(
             "slips",
@@ -111,7 +111,7 @@ def point_of(scene: Scene) -> Point:
             """,
             energy=equal("E(0)", Rational(9, 2500), lambda: energy().subs(START_AT_6MM)),
             level=equal("E_{cr}", Rational(1, 400), lambda: critical_energy().subs(START_AT_6MM)),
-            kernel="slips-from-6-mm turning-point critical-mass-ratio-digits heavy-never-merges sticks-iff contact",
+            kernel="slips-from-6-mm turning-point critical-mass-ratio-digits heavy-never-merges sticks-iff contact switching-iff filippov-iff",
         ),
     ),
 )
@@ -290,7 +290,7 @@ def _decline(trajectory: Trajectory, name: str) -> Evidence:
         ),
         clause(
             "again",
-            r"For each of the three values of $b$ the pair comes to $\dot z=0$ and leaves it again without end, each slip from its first adhesion on slower than the one before.",
+            r"For each of the three values of $b$ the pair comes to $\dot z=0$ and leaves it again without end, each slip after its first adhesion, from the second on, slower than the one before.",
             kernel="creeps-b-0.05 creeps-b-0.2 creeps-b-0.5",
         ),
     ),

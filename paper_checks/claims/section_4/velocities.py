@@ -122,7 +122,7 @@ def _slope(sign: int) -> Formula:
         ),
         clause(
             "after",
-            r"After it the decay slows down like $1/t$ towards the peak speed «peak» mm/s of the critical orbit.",
+            r"Later the peaks tend like $1/t$ to the peak speed «peak» mm/s of the critical orbit.",
             peak=Formula(r"L\Omega", "=", 5, _in_mm(lambda: half_width() * sqrt(a2 / total_mass()))),
             kernel="creeps-b-0.05 peaks-fall",
         ),

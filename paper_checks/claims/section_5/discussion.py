@@ -84,7 +84,8 @@ def readings_part() -> Steps:
         clause(
             "example",
             r"""
-            In the case study these solutions also satisfy (11)–(12), which have others besides. One that keeps its
+            In the case study these solutions also satisfy (11)–(12) at almost every time, which have others besides, as
+            with $b=0.5$ from 6 mm. One that keeps its
             stick wherever $\dot z=0$ agrees with the Filippov law as long as it is not stuck outside $S_0$, that is up
             to the first contact with $S$ outside $S_0$ or the first exit from $S_0$, and not beyond.
             """,

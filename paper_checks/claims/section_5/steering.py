@@ -50,7 +50,7 @@ def driven_body_steered() -> Case:
         """,
         reading(
             "could be controlled, the motion variables of interest being $(x_2,\\dot x_2)$",
-            "some force takes $(x_2,\\dot x_2)$ from $(y,0)$ to $(y+D,0)$ in each time $T>2\\sqrt{m_2|D|/b}$, for all $y$ and $D$, and, from $v_1=v_2$, along each $\\dot x_2(t)$ with $|\\ddot x_2|<b/m_2$ at almost every time",
+            "some force takes $(x_2,\\dot x_2)$ from $(y,0)$ to $(y+D,0)$ in each time $T>2\\sqrt{m_2|D|/b}$, for all $y$ and $D$, and along each absolutely continuous $\\dot x_2(t)$ with, both from $v_1=v_2$, $|\\ddot x_2|<b/m_2$ at almost every time",
         ),
         carried("source", contraction.energy_rate()),
     )
@@ -117,12 +117,12 @@ def off_the_place() -> Steps:
         ),
         clause(
             "velocity",
-            r"so under the force of trackable-references, if bounded, every motion eventually takes on the velocity of the reference: $v_1$ and $v_2$ track it, and $x_1$ does except for the $\gamma$ of that force.",
+            r"so under the force of trackable-references, if bounded, the velocity of every motion tends to that of the reference: $v_1$ and $v_2$ track it, and $x_1$ does except for the $\gamma$ of that force.",
             kernel="tracks",
         ),
         clause(
             "controlled",
-            r"With a damper $a_1(t)\geqslant 0$, continuous from the right, that is itself controlled in time the flow under a force is still non-expansive in the energy norm.",
+            r"With a damper $a_1(t)\geqslant 0$, continuous from the right, that is itself controlled in time, and a force that is continuous from the right, two motions never move apart in the energy norm.",
             kernel="controlled-contraction",
         ),
         clause(
@@ -187,7 +187,7 @@ def damping_for_tracking() -> Case:
             r"""
             For every $b(t)\geqslant 0$ that is the rate from the right of a continuous function, as one that is constant on
             pieces of time, finitely many in every bounded time interval, there is one solution from every initial state,
-            and the flow is non-expansive, with «contraction»;
+            and the flow is non-expansive, with «contraction» where both frictions have a rate from the right;
             """,
             contraction=equal(
                 r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
