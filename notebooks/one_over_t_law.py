@@ -27,8 +27,7 @@ from IPython.display import Markdown
 from sympy import lambdify
 
 from numerics import load_scene
-from numerics.free.energy import energy_at
-from paper_checks.drawing.sharp_rate import limit_of
+from paper_checks.drawing.sharp_rate import ratio
 from paper_checks.report.formats.markdown import stages
 from theory import excursion, near_critical, rate_bounds
 from theory.symbols import q, theta
@@ -71,10 +70,8 @@ Markdown(stages("derivation-rate"))
 
 # %%
 scene = load_scene("velocities")
-critical = float(scene.pair.a2 * scene.pair.half_width**2 / 2)
 for power in (1, 2, 4, 8, 16):
-    excess = energy_at(scene, 10**power, digits=8).energy_excess
-    print(f"t = 1e{power} s: {10**power * float(excess.mid()) * critical / float(limit_of(scene.pair)):.6f}")
+    print(f"t = 1e{power} s: {ratio(scene, 10**power):.6f}")
 
 # %% [markdown]
 # One excursion's gain of $1/w$, between two bounds that hold for all excursions from that angle on:

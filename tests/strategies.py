@@ -61,6 +61,11 @@ def magnitudes(low: int, high: int) -> st.SearchStrategy[Fraction]:
     return st.builds(lambda n, k: n * Fraction(10) ** (k - 3), st.integers(1000, 9999), st.integers(low, high))
 
 
+def starts_by_the_edge() -> st.SearchStrategy[Fraction]:
+    """Return x1 over the half width of the sliding region, often a whole number."""
+    return st.builds(Fraction, st.integers(-40, 40), st.sampled_from((1, 2, 3, 7)))
+
+
 def near_root(square: Fraction) -> Fraction:
     """A rational within a part in 10^30 of the square root of a positive one."""
     places = Fraction(10) ** (30 + max(0, len(str(square.denominator)) - len(str(square.numerator))))

@@ -22,9 +22,10 @@ from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.record import How, Knot, Record
+from numerics.linear.sine_form import SineForm
 from numerics.linear.swings import Swings
 from numerics.linear.system import dot
-from numerics.linear.ties import signal_form
+from numerics.linear.ties import mode_after, signal_form
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
@@ -73,7 +74,7 @@ class EnclosedRun(EnclosedPath):
             at = self.begin(knot)
             yield self.row(at, Ball.number(knot.local), self.exactly(knot))._replace(jump=knot.is_jump)
         is_over = knot.quiet == self.pieces[knot.piece].length
-        if knot.local < knot.quiet and not is_over:
+        if knot.local < knot.quiet and not is_over and not self.lasts(at):
             at = self.evolved(at, Ball.number(knot.quiet).mid())
         while True:
             at, root = (at, None) if is_over else next_event(self, at)
@@ -130,10 +131,12 @@ class EnclosedRun(EnclosedPath):
         load, b = dot(flow.load, z), self.edge(there, flow, z)
         above = self.kept * b * late  # while one sticks at more than b and the other slips
         if at.mode:
+            contact = self.mirrored(at)
             mode = mode_on_surface(load, b, arb(0), literal=self.literal)
+            mode, order = (mode, abs(mode)) if contact is None else self.exactly_after(at, contact)
             if mode in {UNDECIDED, at.mode}:
                 raise self.undecided(at)
-            after, order, off = late if mode == 0 else arb(0), abs(mode), 2 * b * span
+            after, off = late if mode == 0 else arb(0), 2 * b * span
             if mode == 0:
                 off = off + above
             if self.literal:  # stick may bear more than b, and one motion sticks while the other does not
@@ -141,6 +144,7 @@ class EnclosedRun(EnclosedPath):
             speed = root.value + (bends[0] + bends[1]) * span
         else:
             mode, order, after = 1 - 2 * root.guard.row, 2, arb(0)
+            contact = self.balance(at, mode) if self.is_closed(at) and self.kept == 0 else None
             off, speed = 2 * b * span + above, kappa**2 * b * span
             if self.kept > 0:
                 order = 1
@@ -153,7 +157,20 @@ class EnclosedRun(EnclosedPath):
                 off, speed = 2 * b * span, kappa**2 * b * span
         if self.varies:  # by how much F is not B(0) + C in between
             off = off + 4 * speed * span * (self.steep + self.pulling * span)
-        return self.entered(at._replace(mode=mode, late=after), order, event), off
+        return self.entered(at._replace(mode=mode, late=after, contact=contact), order, event), off
+
+    def mirrored(self, at: At) -> Fraction | None:
+        """Return x1 where a slip comes back to v1 = v2, if it is known exactly: the mirror image of where it left."""
+        if at.contact is None or not self.is_closed(at):
+            return None
+        return 2 * self.balance(at, at.mode) - at.contact
+
+    def exactly_after(self, at: At, contact: Fraction) -> tuple[int, int]:
+        """Return the mode that follows a contact at this x1, and how many derivatives of its guard vanish there."""
+        piece = self.pieces[at.piece]
+        speed = signal_form(piece, BELT, Fraction(0))
+        state = SineForm(contact), speed, SineForm(), speed
+        return mode_after(self.pair, piece, Fraction(0), state, literal=False)
 
     def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
         """Return a point at v1 = v2 in the cell in which its mode goes on."""
@@ -201,7 +218,7 @@ class EnclosedRun(EnclosedPath):
         """Return the start of the next piece, where signals may jump."""
         end, root_g = self.ended(at), self.weight(at)
         piece = self.pieces[at.piece + 1]
-        found = end._replace(piece=at.piece + 1, local=arb(0), orders=AWAY)
+        found = end._replace(piece=at.piece + 1, local=arb(0), orders=AWAY, contact=None)
         if self.is_fixed and piece.belt_jumps:
             found = self.beside(end, found)
         if found.mode == 0 and piece.is_jump:
@@ -227,7 +244,7 @@ class EnclosedRun(EnclosedPath):
     def is_stuck(self, end: At) -> bool:
         """Return whether stick at the horizon is proved to last for ever, if u and b go on as they are."""
         flow = self.flow(end)
-        if end.mode or self.literal:
+        if end.mode or self.literal or self.lasts(end):
             return end.mode == 0
         for _ in range(_AHEAD):
             z = self.here(end)[1]
@@ -250,6 +267,8 @@ class EnclosedRun(EnclosedPath):
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, (knot.order, 0, 0, 0), knot.piece, local, state, zero, zero, zero, zero)
+        if knot.mode and (knot.v1 - knot.v2).sign() == 0:
+            at = at._replace(contact=knot.x1.rational)
         if self.varies and knot.mode == 0:
             at = at._replace(apart=(knot.x1 - knot.x2).rational)
         elif self.varies:

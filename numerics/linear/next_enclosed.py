@@ -64,7 +64,7 @@ class Root(NamedTuple):
 
 def next_event(path: EnclosedPath, at: At) -> tuple[At, Root | None]:
     """Return the last point before a mode ends and the root of its guard; None where the piece ends before."""
-    if path.literal and at.mode == 0:
+    if (path.literal and at.mode == 0) or path.lasts(at):
         return at, None
     flow, ready = path.flow(at), _PATIENCE if at.mode == 0 else 0
     short, far, begun = flow.reach, path.left(at), at.local

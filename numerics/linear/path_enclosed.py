@@ -27,7 +27,7 @@ from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Cells
 from numerics.linear.flow import REACH, Expansion, Flow, exponential, flow_of
-from numerics.linear.model import FRICTION, STICK, V1, V2, X1, X2, exact_rows
+from numerics.linear.model import BELT, FRICTION, STICK, V1, V2, X1, X2, exact_rows
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
 from numerics.scene import Law, Scene
@@ -41,7 +41,7 @@ class At(NamedTuple):
 
     The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
     The true motion sticks from up to `late` (s) after the path on. A slip is in a `cell` of friction, its guards are
-    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly.
+    those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` x1 where a slip left v1 = v2.
     """
 
     mode: int
@@ -55,6 +55,7 @@ class At(NamedTuple):
     late: arb
     cell: tuple[int, int] = PLAIN
     apart: Fraction | None = None
+    contact: Fraction | None = None
 
     @property
     def order(self) -> int:
@@ -82,6 +83,7 @@ class EnclosedPath:
         A = exact_rows(scene.pair, self.pieces[0].layout).A[STICK]
         self.swing = [[Fraction(0), Fraction(1)], [A[V1, X1], A[V1, V1]]]
         """Of (x1, v1) in stick."""
+        self.undriven = self.is_fixed and scene.pair.a2 > 0 and not (scene.pair.a1 or self.varies or self.literal)
         static = scene.pair.b_static
         self.kept = number(1 - scene.pair.b / static) if static else arb(0)
         """The share of b_static by which it is above b."""
@@ -118,6 +120,30 @@ class EnclosedPath:
             flow, z = self.here(at)
             self.expanded = at, Expansion(flow, z, 2 * flow.reach)
         return self.expanded[1]
+
+    def is_closed(self, at: At, *, wall_may_move: bool = False) -> bool:
+        """Return whether body 1 swings on its spring alone: no damper, ground or a belt, signals that are constants.
+
+        In the frame of a wall that moves at a constant speed that is so, too.
+        """
+        *others, wall, friction = self.pieces[at.piece].signals
+        is_still = wall.constant is not None or (wall_may_move and not wall.sines and len(wall.polynomial) == 2)
+        return self.undriven and is_still and all(one.constant is not None for one in (*others, friction))
+
+    def lasts(self, at: At) -> bool:
+        """Return whether a mode that begins here does not end in its piece, as is known exactly.
+
+        A slip that leaves a stick where friction is at its limit is a circle in (x1, v1), which only touches v1 = v2
+        again; at rest on the ground the load stays as it is.
+        """
+        if at.mode:
+            return at.orders[0] == 2 and self.is_closed(at, wall_may_move=True)
+        return self.is_closed(at) and self.pieces[at.piece].signals[BELT].constant == 0
+
+    def balance(self, at: At, side: int) -> Fraction:
+        """Return x1 where spring and force bear the friction side * b: the middle of a slip, an edge of stick."""
+        force, _, _, wall, b = (one.constant or Fraction(0) for one in self.pieces[at.piece].signals)
+        return wall + (force - side * b) / self.pair.a2
 
     def held(self, at: At) -> arb:
         """Return what friction that depends on the state holds at rest where a point is, N; for the true motion.

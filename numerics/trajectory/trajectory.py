@@ -111,7 +111,7 @@ class Trajectory(Rows):
         if self.status is Status.EVENT_LIMIT and not (self.scene.is_forced or self.scene.pair.a1):
             return super().message.replace("shorten until", "use `inertial-pair energy` for a late time")
         said = super().message.replace("a quantity", " and ".join(self.without_digits))
-        if 0 < self.right_digits <= FEW_DIGITS:
+        if 0 < self.right_digits <= FEW_DIGITS and any(float(one) for one in self.y[1::2].ravel()):
             least = " and ".join(self._judged.least)
             said += f"; right digits of the {least}: only {self.right_digits}; request digits"
         if not self.phase_lost:

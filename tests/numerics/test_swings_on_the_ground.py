@@ -1,0 +1,75 @@
+"""A body on a spring, without a damper, on a belt or on the ground: what is exactly on an edge is decided exactly."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import example, given
+from strategies import starts_by_the_edge
+
+from numerics import Force, Pair, Scene, State, load_scene, solve
+from numerics.linear.modes import Mode
+from numerics.trajectory.status import Status
+
+M1, A2, B = Fraction(2), Fraction(50), Fraction(4)
+OMEGA, EDGE = 5.0, B / A2
+
+
+def on_the_ground(start, **more):
+    return Scene(Pair(m1=M1, m2="inf", a2=A2, b=B, **more), State(x1=start), until=20)
+
+
+def half_swings(start, held):
+    """Return where body 1 turns, until it is held: each swing is about the edge on its side."""
+    places = [start]
+    while abs(places[-1]) > held:
+        places.append((2 * EDGE if places[-1] > 0 else -2 * EDGE) - places[-1])
+    return places
+
+
+@given(starts_by_the_edge())
+@example(Fraction(5))
+@example(Fraction(3))
+@example(Fraction(-7))
+@example(Fraction(1))
+@example(Fraction(11, 2))
+def test_on_the_ground_it_turns_and_rests_where_the_half_swings_end(ratio):
+    """At an odd multiple of the edge it comes to rest exactly on the edge, where friction just holds it."""
+    places = half_swings(ratio * EDGE, EDGE)
+    run = solve(on_the_ground(ratio * EDGE), digits=20)
+    assert [float(one) for one in run.event_times] == pytest.approx(np.pi / OMEGA * np.arange(1, len(places)))
+    assert [float(one.y[0]) for one in run.events] == pytest.approx([float(one) for one in places[1:]], abs=1e-15)
+    assert (run.status, run.final_mode) == (Status.STUCK_FOR_EVER, Mode.STICK)
+    assert float(run.final.x1) == pytest.approx(float(places[-1]), abs=1e-15)
+
+
+def test_static_friction_holds_what_comes_to_rest_exactly_at_its_limit():
+    run = solve(on_the_ground(5 * EDGE, b_static=3 * B), digits=20)
+    assert float(run.final.x1) == pytest.approx(float(-3 * EDGE))
+    assert run.status is Status.STUCK_FOR_EVER
+
+
+@pytest.mark.parametrize("ride", ["belt", "wall"])
+@pytest.mark.parametrize("start", [State(), State(x1="0.01", v1="0.3"), State(v1="0.3")])
+def test_a_cycle_that_only_touches_the_speed_of_the_belt_goes_on(ride, start):
+    """After its exit it is a circle of the belt's speed about the edge, without another event; so if the wall moves."""
+    speed, until = Fraction(3, 10), 10
+    signal = {"belt": Force.step(0, speed)} if ride == "belt" else {"wall": Force.ramp(0, until, speed * until)}
+    start = start if ride == "belt" else State(x1=start.x1)
+    run = solve(Scene(Pair(m1=M1, m2="inf", a2=A2, b=B), start, until=until, **signal), digits=20)
+    assert run.success
+    assert run.modes[-1] is (Mode.SLIP_MINUS if ride == "belt" else Mode.SLIP_PLUS)
+    last = float(run.event_times[-1])
+    assert last < 1
+    for t in np.linspace(last, until, 50):
+        x1, v1, *_ = map(float, run.sol(t))
+        angle = OMEGA * (t - last)
+        if ride == "belt":
+            place, velocity = float(EDGE) + 0.3 / OMEGA * np.sin(angle), 0.3 * np.cos(angle)
+        else:
+            place, velocity = 0.3 * t - float(EDGE) - 0.3 / OMEGA * np.sin(angle), 0.3 - 0.3 * np.cos(angle)
+        assert (x1, v1) == (pytest.approx(place, abs=1e-12), pytest.approx(velocity, abs=1e-12))
+
+
+def test_the_shipped_belt_with_one_coefficient_has_an_answer():
+    assert solve(load_scene("belt").replace(b_static=None)).success
