@@ -140,7 +140,12 @@ class OneLineParser(argparse.ArgumentParser):
         elif "not allowed with" in message:
             message += "; leave one of them out"
         elif (unknown := re.match(r"unrecognized arguments: --([\w-]+)", message)) is not None:
-            message = f"--{unknown[1]} is not known: {right_word(unknown[1].replace('-', '_'), self._flags())}"
+            word, flags = unknown[1], self._flags()
+            is_elsewhere = f"--{word}" in flags
+            right = "--help lists the options" if is_elsewhere else right_word(word.replace("-", "_"), flags)
+            message = (
+                f"--{word} is no option of this command; {right}" if is_elsewhere else f"--{word} is not known: {right}"
+            )
         elif message.startswith(("the following", "unrecognized")) or "expected" in message:
             message += "; --help lists the options"
         self.exit(refuse(message, USAGE))

@@ -157,7 +157,7 @@ class EnclosedRun(EnclosedPath):
                 off, speed = 2 * b * span, kappa**2 * b * span
         if self.varies:  # by how much F is not B(0) + C in between
             off = off + 4 * speed * span * (self.steep + self.pulling * span)
-        return self.entered(at._replace(mode=mode, late=after, contact=contact), order, event), off
+        return self.entered(at._replace(mode=mode, late=after, contact=contact, is_slow=False), order, event), off
 
     def mirrored(self, at: At) -> Fraction | None:
         """Return x1 where a slip comes back to v1 = v2, if it is known exactly: the mirror image of where it left."""
@@ -218,7 +218,7 @@ class EnclosedRun(EnclosedPath):
         """Return the start of the next piece, where signals may jump."""
         end, root_g = self.ended(at), self.weight(at)
         piece = self.pieces[at.piece + 1]
-        found = end._replace(piece=at.piece + 1, local=arb(0), orders=AWAY, contact=None)
+        found = end._replace(piece=at.piece + 1, local=arb(0), orders=AWAY, contact=None, is_slow=False)
         if self.is_fixed and piece.belt_jumps:
             found = self.beside(end, found)
         if found.mode == 0 and piece.is_jump:
@@ -267,8 +267,10 @@ class EnclosedRun(EnclosedPath):
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
         at = At(knot.mode, (knot.order, 0, 0, 0), knot.piece, local, state, zero, zero, zero, zero)
-        if knot.mode and (knot.v1 - knot.v2).sign() == 0:
-            at = at._replace(contact=knot.x1.rational)
+        x1, v1 = knot.x1.rational, knot.v1.rational
+        if knot.mode and x1 is not None and v1 is not None:
+            contact = x1 if (knot.v1 - knot.v2).sign() == 0 else None
+            at = at._replace(contact=contact, is_slow=self.stays_slow(at, knot.local, x1, v1))
         if self.varies and knot.mode == 0:
             at = at._replace(apart=(knot.x1 - knot.x2).rational)
         elif self.varies:

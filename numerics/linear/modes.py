@@ -13,13 +13,13 @@ Reading `three-valued-sgn`: always stick. At the first instant these rules act o
 
 from __future__ import annotations
 
-from enum import Enum
+from enum import Enum, StrEnum
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable
 
 
-class Mode(Enum):
+class Mode(StrEnum):
     """A mode of motion; the sign is that of v1 - v2.
 
     >>> Mode.SLIP_PLUS.sign, Mode.SLIP_MINUS.sign, Mode.STICK.sign, Mode.STICK.value

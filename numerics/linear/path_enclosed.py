@@ -42,6 +42,7 @@ class At(NamedTuple):
     The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
     The true motion sticks from up to `late` (s) after the path on. A slip is in a `cell` of friction, its guards are
     those of cells.py; `apart` is x1 - x2 of a stick if it is known exactly, `contact` x1 where a slip left v1 = v2.
+    `is_slow`: it is known exactly that a slip does not come to v1 = v2, but for touches.
     """
 
     mode: int
@@ -56,6 +57,7 @@ class At(NamedTuple):
     cell: tuple[int, int] = PLAIN
     apart: Fraction | None = None
     contact: Fraction | None = None
+    is_slow: bool = False
 
     @property
     def order(self) -> int:
@@ -137,8 +139,18 @@ class EnclosedPath:
         again; at rest on the ground the load stays as it is.
         """
         if at.mode:
-            return at.orders[0] == 2 and self.is_closed(at, wall_may_move=True)
+            return (at.orders[0] == 2 or at.is_slow) and self.is_closed(at, wall_may_move=True)
         return self.is_closed(at) and self.pieces[at.piece].signals[BELT].constant == 0
+
+    def stays_slow(self, at: At, local: Fraction, x1: Fraction, v1: Fraction) -> bool:
+        """Return whether body 1, in a slip from here, is at no time faster than the belt, both beside the wall."""
+        if not self.is_closed(at, wall_may_move=True):
+            return False
+        force, _, belt, wall, b = self.pieces[at.piece].signals
+        place, speed, *_ = (*wall.polynomial, Fraction(0), Fraction(0))
+        pull = (force.constant or 0) - at.mode * (b.constant or 0)
+        stretch, pair = self.pair.a2 * (x1 - place - speed * local) - pull, self.pair
+        return stretch**2 / pair.a2 + pair.m1 * (v1 - speed) ** 2 <= pair.m1 * ((belt.constant or 0) - speed) ** 2
 
     def balance(self, at: At, side: int) -> Fraction:
         """Return x1 where spring and force bear the friction side * b: the middle of a slip, an edge of stick."""

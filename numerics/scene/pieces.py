@@ -192,6 +192,10 @@ class Signal(ShortRepr):
         if kind not in ("linear", "hold"):
             raise InvalidScene(f"kind = {shown(kind)} is not one of linear, hold; leave it out for the first")
         times, values = list(listed("t", t)), list(listed("u", u))
+        for name, given in (("t", t), ("u", u)):
+            mask = getattr(given, "mask", None)
+            if mask is not None and mask.any():
+                raise InvalidScene(f"{name} has masked samples; leave their rows out, or fill them")
         if len(times) != len(values) or not times:
             raise InvalidScene(f"t has {len(times)} samples and u {len(values)}; give one of u for each of t")
         knots: list[tuple[Fraction, Fraction]] = []
@@ -243,6 +247,10 @@ class Signal(ShortRepr):
             raise TypeError(f"a signal and {shown(other)} do not add up; write Force.step(0, 3) for a constant of 3")
         starts = sorted({*self.starts, *other.starts})
         return Signal(_summed(*(one.piece_at(start).moved(start) for one in (self, other))) for start in starts)
+
+    def __radd__(self, other: int) -> Signal:
+        """Return the signal itself where a sum begins with 0, as that of Python does."""
+        return self if isinstance(other, int) and other == 0 else self + other  # type: ignore[operator]
 
     def __rmul__(self, factor: Exact) -> Signal:
         """Return the signal times an exact number."""

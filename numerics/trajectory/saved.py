@@ -54,6 +54,7 @@ def load(file: str | Path, kind: Any) -> Any:
             return restored(header, kind)
     except Exception as error:  # noqa: BLE001 - whatever may come of what somebody wrote or changed
         reason = " ".join(str(error).split())[:200] or type(error).__name__
+        reason = "it is no npz archive" if "pickle" in reason else reason
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
 
 
