@@ -23,8 +23,8 @@ class EventUndecided(NumericsError):
         self.question, self.enclosure, self.digits = question, enclosure, digits
         super().__init__(
             f"undecided at {digits} working digits: {question} (enclosure {enclosure}); "
-            "request more digits or raise max_digits (leave arithmetic='float64' out); where that does not help, the data lie "
-            "exactly on the boundary: change one of them slightly"
+            "request more digits or raise max_digits (leave arithmetic='float64' out); where that does not help, "
+            "the data lie exactly on the boundary: change one of them slightly"
         )
 
 
