@@ -59,6 +59,6 @@ def shown(output: Any, name: str) -> list[str]:
             return [f"![What the cell above draws]({file.name})"]
     for kind in ("text/markdown", "text/latex"):
         if kind in data:
-            return [data[kind].replace("$\\displaystyle", "$")]
+            return [data[kind].replace("$\\displaystyle", "$").replace("$$$$", "$$\n\n$$")]  # formulas side by side
     text = data.get("text/plain", output.get("text", "") if output.get("name") != "stderr" else "")
     return [f"```text\n{text.rstrip()}\n```"] if text.strip() else []
