@@ -13,22 +13,36 @@ Reading `three-valued-sgn`: always stick. At the first instant these rules act o
 
 from __future__ import annotations
 
-from enum import Enum, StrEnum
+from enum import Enum
 from typing import Any
 
 from numerics.arithmetic.compiled import compilable
 
 
-class Mode(StrEnum):
+class Mode(Enum):
     """A mode of motion; the sign is that of v1 - v2.
 
     >>> Mode.SLIP_PLUS.sign, Mode.SLIP_MINUS.sign, Mode.STICK.sign, Mode.STICK.value
     (1, -1, 0, 'stick')
+    >>> Mode.STICK == "stick", str(Mode.SLIP_PLUS)
+    (True, 'slip+')
     """
 
     SLIP_PLUS = "slip+"
     SLIP_MINUS = "slip-"
     STICK = "stick"
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether it is that mode, or its word."""
+        return self is other or other == self.value
+
+    def __hash__(self) -> int:
+        """Hash it as its word."""
+        return hash(self.value)
+
+    def __str__(self) -> str:
+        """Return its word."""
+        return str(self.value)
 
     @property
     def sign(self) -> int:
