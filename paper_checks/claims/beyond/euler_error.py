@@ -1,21 +1,7 @@
 """How far forward Euler is from the motion, whatever it takes for the sign at rest."""
 
-from functools import cache
-
+from paper_checks.claims.beyond.static_friction import slip_rate
 from paper_checks.claims.words import *
-from theory.forced import load
-from theory.model import slip
-
-
-@cache
-def chatter() -> Evidence:
-    """Return what one step changes of the relative velocity in slip: at rest it jumps by that to and fro."""
-    there = slip(1)
-    return identity(
-        r"in a slip of sign $+$ a step changes $\dot z$ by $h\,\kappa\,(\Lambda-b)$, $\kappa=\frac1{m_1}+\frac1{m_2}$",
-        there.acceleration1 - there.acceleration2,
-        (1 / m1 + 1 / m2) * (load() - b),
-    )
 
 
 @theorem(
@@ -41,5 +27,5 @@ def euler_error() -> Case:
         the distance of two motions, but a step of Euler uses the friction and the forces at its beginning. Near $\dot z=0$
         that friction is off by up to $2b$, however small the step.
         """,
-        chatter(),
+        slip_rate(),
     )

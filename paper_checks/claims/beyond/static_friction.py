@@ -8,11 +8,11 @@ from theory.model import slip
 
 
 @cache
-def begins_fast() -> Evidence:
-    """What the relative velocity of a slip begins with, by the load at its start."""
+def slip_rate() -> Evidence:
+    """Return how the relative velocity of a slip changes, by the load."""
     there = slip(1)
     return identity(
-        r"a slip of sign $+$ has $\ddot z=\kappa(\Lambda-b)$, so it begins with $\kappa(b_s-b_k)$",
+        r"a slip of sign $+$ has $\ddot z=\kappa(\Lambda-b)$, $\kappa=\frac1{m_1}+\frac1{m_2}$",
         there.acceleration1 - there.acceleration2,
         (1 / m1 + 1 / m2) * (load() - b),
     )
@@ -53,6 +53,6 @@ def static_friction_stops_creeping() -> Case:
     """Every slip begins with more than friction takes, and so costs a fixed energy."""
     return because(
         "With static friction above kinetic the free pair sticks permanently from a finite time on, if sticks are kept. A stick that is kept up to $b_s$ ends with a load that exceeds kinetic friction by $b_s-b_k$, and the load changes at a bounded rate: the slip that follows has a least duration and a least loss. Without the jump slips may lose arbitrarily little, and so some motions never merge.",
-        begins_fast(),
+        slip_rate(),
         figure="static-friction",
     )
