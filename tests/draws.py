@@ -35,7 +35,13 @@ def rate(stiffness: Fraction, mass: Fraction) -> Fraction:
     return Fraction(math.sqrt(stiffness / mass))
 
 
-def pair(random: Random, exponents: Range = (-2, 2), damped: bool | None = False, **given: Fraction) -> Pair:
+def pair(
+    random: Random,
+    exponents: Range = (-2, 2),
+    damped: bool | None = False,
+    damping: Range = (-12, 6),
+    **given: Fraction,
+) -> Pair:
     """Return a pair; a damper has 1e-12 to 1e6 of the critical one, next to it or exactly it; None: with or without."""
     numbers = {name: decimal(random, *exponents) for name in ("m1", "m2", "a2", "b")} | given
     if not (random.choice((False, True)) if damped is None else damped):
@@ -45,7 +51,7 @@ def pair(random: Random, exponents: Range = (-2, 2), damped: bool | None = False
     if random.choice((False, True)):  # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
         k = decimal(random, -1, 1)
         numbers["a2"] = k * k * moved
-    factor = random.choice((Fraction(1), 1 + signed(random, -60, -1), decimal(random, -12, 6)))
+    factor = random.choice((Fraction(1), 1 + signed(random, -60, -1), decimal(random, *damping)))
     return Pair(**numbers, a1=2 * k * moved * factor)
 
 
@@ -134,9 +140,9 @@ def driven(random: Random, sines: int = 2, by_pieces: bool = True, **more: Any) 
     return Scene(of, at, until, force=push, friction=friction(random, of.b, until) if by_pieces else Friction())
 
 
-def weakened(random: Random) -> Scene:
+def weakened(random: Random, **more: Any) -> Scene:
     """Return a scene whose friction falls and rises with speed, at knots where it goes, and changes by place."""
-    given = driven(random, 1)
+    given = driven(random, 1, **more)
     of, b = given.pair, given.pair.b
     width, fast = of.half_width, of.half_width * rate(of.a2, of.mass)
     knots = sorted({decimal(random, -2, 0) for _ in range(random.randint(0, 3))})

@@ -37,7 +37,8 @@ scenes = partial(drawn, draws.scene)
 near_critical = partial(drawn, draws.near_critical)
 long_slips = partial(drawn, draws.long_slip)
 ties = partial(drawn, draws.tie)
-weakened_scenes = partial(drawn, draws.weakened)
+weakened_scenes = partial(drawn, draws.weakened, damping=(-12, 2))
+"""With friction of the state, and dampers that do not ask for more steps than a test waits for."""
 brought_scenes = partial(drawn, draws.brought)
 plane_scenes = partial(drawn, draws.surface, exponents=(0, 0), narrow=False)
 extreme_scenes = {kind: drawn(draw) for kind, draw in draws.KINDS.items()}

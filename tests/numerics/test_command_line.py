@@ -285,4 +285,5 @@ def test_a_cap_that_comes_before_the_horizon_is_told_early_and_once(capsys):
 def test_a_stream_that_is_closed_is_no_traceback(redirected):
     command = f"{sys.executable} -m numerics solve at-rest --arithmetic float64 {redirected}"
     ended = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
-    assert (ended.returncode, ended.stderr) == (0, "")
+    progress = re.sub(r"numba compiles the solver, once for this version\n|computing \(\d+ s\)\n", "", ended.stderr)
+    assert (ended.returncode, progress) == (0, "")
