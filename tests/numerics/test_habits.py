@@ -6,6 +6,7 @@ import time
 
 import numpy as np
 import pytest
+import xarray
 
 import numerics
 from numerics import (
@@ -134,7 +135,6 @@ def test_a_sweep_has_names_and_tables():
     assert found.to_dataframe()["sines[0].amplitude"].tolist() == [0.1, 0.5, 1]
     scenes = [load_scene("moving-wall").replace(wall=Force.sine(one, 11)) for one in ("0.01", "0.02")]
     assert solve_scenes(scenes).plot("events").get_xlabel() == "wall[0].sines[0].amplitude (m)"
-    xarray = pytest.importorskip("xarray")
     assert isinstance(found.to_xarray(), xarray.Dataset)
     assert found.to_xarray()["dissipated"].dims == ("sines[0].amplitude",)
 
