@@ -64,7 +64,11 @@ def slope_drops_out() -> Evidence:
         identity(
             r"with $g=k\,\varepsilon^3y$ these are the equations",
             finite_slope.scaled_field(),
-            [speed - epsilon**2 * relative, slope * epsilon**3 * relative - 1, (place + slope * epsilon * relative) / q],
+            [
+                speed - epsilon**2 * relative,
+                slope * epsilon**3 * relative - 1,
+                (place + slope * epsilon * relative) / q,
+            ],
         ),
         identity(
             r"as $\varepsilon\to 0$, $y\to s^2(3-s)/(6q)$",
@@ -72,7 +76,9 @@ def slope_drops_out() -> Evidence:
             scaled_time**2 * (3 - scaled_time) / (6 * q),
         ),
         identity(r"$\xi=-\frac32$, $\eta=-2$ and $y=0$ at its end", end, Matrix([-Rational(3, 2), -2, 0])),
-        identity(r"and with constant friction $\frac1{w'}-\frac1w\to\frac{9r}{4q}$", inverse_step(), 9 * share_of_q / (4 * q)),
+        identity(
+            r"and with constant friction $\frac1{w'}-\frac1w\to\frac{9r}{4q}$", inverse_step(), 9 * share_of_q / (4 * q)
+        ),
     )
 
 

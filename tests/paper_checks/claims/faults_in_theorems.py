@@ -3,7 +3,7 @@
 import sympy as sp
 from flint import acb
 
-from theory.symbols import b, q, theta
+from theory.symbols import b, epsilon, q, theta
 
 from .faults import (
     changed,
@@ -117,6 +117,12 @@ FAULTS = {
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
         "tolerance.prove": confused("<=", ">=", 0),
+    },
+    "static-friction-stops-creeping": {
+        "theory.finite_slope.strength": negated,
+        "theory.finite_slope.path": doubled,
+        "theory.finite_slope.gain": plus(epsilon),
+        "static_friction.inverse_step": doubled,
     },
     "damping-can-desynchronise": {
         "theory.forced.creeping_load": negated,
