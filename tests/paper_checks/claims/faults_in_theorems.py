@@ -106,6 +106,8 @@ FAULTS = {
         "theory.forced_response.non_stop_parts": entry(1, lambda one: -one),
         "theory.forced_response.short_slip": entry(1, lambda one: one / 2),
         "theory.forced_response.two_stop_conditions": entry(2, lambda one: one + 1),
+        "theory.forced.contraction_rate": doubled,
+        "theory.forced.relative_rate": plus(b),
     },
     "trackable-references": {
         "theory.forced_control.stuck_force": negated,
