@@ -12,6 +12,7 @@ from .faults import (
     entry,
     halved,
     negated,
+    part,
     plus,
     raised,
     squared,
@@ -47,6 +48,12 @@ FAULTS = {
         "rate.prove": (confused(">=", "<=", 0), confused("<=", ">=", 1)),
         "rate.bounds": changed(lambda bounds: bounds[::-1]),
         "rate.depth_of_angle": doubled,
+    },
+    "rate-with-error": {
+        "uniform_rate.reduced_slip": doubled,
+        "uniform_rate.excess_rate": doubled,
+        "uniform_rate.slip_from_ray": part("X", lambda one: one + theta),
+        "uniform_rate.prove": confused("<", "<=", 0, 1),
     },
     "uniform-rate": {
         "uniform_rate.first_contact_bound": halved,
