@@ -8,7 +8,7 @@ from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_response as response
-from theory.energy import sigma
+from theory.energy import sigma, sigma_other
 from theory.forced_response import amplitude, multiple, omega
 from theory.model import stick
 
@@ -106,7 +106,7 @@ def tends_to_stuck() -> Evidence:
         """,
         identity(
             r"$\frac12\frac{d}{dt}N^2=-(b\sigma-\Lambda_\eta)\,\dot z$, which is $-(b-\sigma\Lambda_\eta)|\dot z|$",
-            put(forced.contraction_rate().subs(a1, 0), {forced.other(sigma): force / b, v2_other: v1_other}),
+            put(forced.contraction_rate().subs(a1, 0), {sigma_other: force / b, v2_other: v1_other}),
             -(b * sigma - force) * (v1 - v2),
         ),
         undamped_stuck(),

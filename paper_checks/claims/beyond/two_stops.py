@@ -70,6 +70,7 @@ def near_first() -> Evidence:
         identity(r"where $\Lambda=b$, $\ddot z=0$ and $\dddot z=\kappa\dot\Lambda$", response.short_slip()[0]),
         same_load_rate(),
         tends_to_stuck(),
+        kernel.step("entrains"),
         kernel.step("two-stop-exists"),
     )
 
