@@ -133,9 +133,9 @@ def off_the_place() -> Steps:
         clause(
             "damper",
             r"""
-            If it does not fall with the speed, a damper that depends on $v_1$ keeps the flow non-expansive, too
-            (friction-in-any-direction); one that depends on $x_1$ need not: two motions with one friction have
-            «apart», which is positive where the faster one has much the weaker damper.
+            A damper whose force on body 1 does not fall with the speed keeps the flow non-expansive, too
+            (friction-in-any-direction). One that depends on $x_1$ need not: two motions in which friction is the same have
+            «apart», which is positive where the faster one has the weaker damper, and by enough.
             """,
             apart=equal(
                 r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
@@ -179,6 +179,8 @@ def damping_for_tracking() -> Case:
         carried("approach", response.approach()),
         carried(
             "damper",
+            kernel.step("system-contraction"),
+            kernel.step("pair-inclusion"),
             exhibit(
                 "the faster motion has half the damper, and the distance grows",
                 {a1: 1, forced.a1_other: 2, v1: 3, v1_other: 2},
