@@ -101,8 +101,9 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "resonance": (
         "At the resonance of body 1",
-        "Left: a force just below $4b/\\pi$, and the velocities stay bounded. Right: just above, and body 1 grows at least as the dotted "
-        "lines do. Body 2 does not follow.",
+        "Left: a force just below $4b/\\pi$, and the velocities stay bounded. Middle: just above, and body 1 grows at least as the dotted "
+        "lines do. Body 2 does not follow. Right: at $4b/\\pi$ a sine alone leaves the amplitude bounded; with a part at half the frequency it tends "
+        "to the dotted lines, which grow as $t^{1/3}$.",
     ),
     "tracked-reference": (
         "A reference that body 2 follows",

@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -1136,6 +1136,12 @@ uses: no other". Abort.
 Check @Entrainment.third_harmonic.
 Print Assumptions Entrainment.third_harmonic.
 
+Goal True. idtac "== third-root-law
+For $c,\kappa,K>0$: if $X$ is large at first and $V=0$, and from step to step, while $X$ is large and $V\leqslant 1$, $X$ does not fall and gains $c/X^2$ within $(K\sqrt V+K/X)/X^2$, and $V\geqslant 0$ gains at most $-\kappa V/X+K/X^2$, then $X\to\infty$, $V\to 0$ and $X_n^3/n\to 3c$.
+uses: no other". Abort.
+Check @ThirdRoot.third_root_law.
+Print Assumptions ThirdRoot.third_root_law.
+
 Goal True. idtac "== tie-captive
 With damping: the level whose ellipse lies in the sliding region.
 uses: no other". Abort.
@@ -2005,6 +2011,9 @@ Print Switching.switching.
 
 Goal True. idtac "== SwitchingSurface.normal_rate". Abort.
 Print SwitchingSurface.normal_rate.
+
+Goal True. idtac "== ThirdRoot.period_of_growth". Abort.
+Print ThirdRoot.period_of_growth.
 
 Goal True. idtac "== Trajectory.ending". Abort.
 Print Trajectory.ending.
