@@ -23,7 +23,7 @@ own = Symbol("e", real=True)
 delay = Symbol("delta", real=True)
 """By what angle friction turns late at a zero of cos(theta)."""
 moments = Symbol("D", nonnegative=True)
-"""The sum of the squares of the integral of u sin(theta) at the zeros in a period, less its mean on each side, N^2 s^2."""
+"""The sum of the squares of the integral of u sin(theta) at the zeros in a period, less its mean on a side, N^2 s^2."""
 zeros, period = Symbol("N", positive=True, integer=True), Symbol("T", positive=True)
 """Turns of theta in a period of the force, and that period, s."""
 push, order, phase, angle = Symbol("p", positive=True), Symbol("r", positive=True), Symbol("psi"), Symbol("theta")
@@ -32,7 +32,7 @@ push, order, phase, angle = Symbol("p", positive=True), Symbol("r", positive=Tru
 
 @cache
 def passage(side: int) -> ImmutableMatrix:
-    """What X, Y, P gain, m/s, where sin(theta) = side and friction turns late by `delay`: so long it is off by 2 side b."""
+    """What X, Y, P gain, m/s, where sin(theta) = side and friction turns late by `delay`: it is off by 2 side b."""
     since, sigma = Symbol("tau"), Symbol("sigma", real=True)
     turned = (cos(since) - I * sin(since)) / (I * side)  # exp(-i theta)
     of_amplitude = expand(diff(amplitude_rate(), sigma) * turned)

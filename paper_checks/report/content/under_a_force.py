@@ -136,6 +136,11 @@ def _resonance() -> Iterator[Block]:
         f"makes every motion grow; with less, $x_1$ and both velocities stay bounded (`forced-resonance-bound`). For $b={float(drawing.PAIR.b):g}$ N that is "
         f"{_digits(edge)} N. The growth is at least" + _formula("forced-resonance-bound", "grows", "growth")
     )
+    yield Paragraph(
+        "With just as much, the rest of the force decides. If it has the period of that oscillation, every motion is bounded. A part at a fraction $r$ of its "
+        "frequency makes friction turn a little early or late, and every motion grows as $t^{1/3}$:"
+        + _formula("forced-resonance-bound", "one-part", "limit")
+    )
     yield picture("resonance")
 
 
