@@ -199,7 +199,7 @@ def one_part() -> Evidence:
 def forced_resonance_bound() -> Case:
     """What friction can take out of a resonant oscillation at most."""
     return because(
-        r"Without a damper a resonant force makes every motion grow if it exceeds what the interface can dissipate: friction of magnitude $b$ takes at most the mean of $b|\cos|$ out of an oscillation.",
+        r"Without a damper a resonant force makes every motion grow if it exceeds what the interface can dissipate: friction of magnitude $b$ takes at most the mean of $b|\cos|$ out of an oscillation. With just as much as that, all motions are bounded or all grow as $t^{1/3}$, as the rest of the force decides.",
         carried("rate"),
         carried("grows", grows()),
         carried("bounded", stays_bounded()),
