@@ -12,6 +12,7 @@ from paper_checks.claims.beyond.contraction import never_apart
 from paper_checks.claims.beyond.static_friction import slip_rate
 from paper_checks.claims.section_4.starts import time
 from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from paper_checks.decide.balls import point
 from paper_checks.decide.enclosure import compare, solved
 from paper_checks.decide.euler_in_balls import run as run_euler
@@ -26,19 +27,18 @@ ALLOWED = Fraction(1, 1000)
 
 
 def local_error() -> Evidence:
-    """What one step adds to the distance."""
+    """What one step adds to the distance, whether its slip ends or not."""
     rate = undamped(free(slip(1).acceleration1))
     squared = m1 * rate**2 + a2 * v1**2
-    along = diff(squared, x1) * v1 + diff(squared, v1) * rate
     return argument(
         r"""
-        The slip with the friction at the beginning of a step is a motion until it ends, and motions do not move apart. The step leaves it along its tangent, by
-        at most $\frac12h^2$ times the norm of its second derivative. Where it ends within the step, its friction differs from that of a motion by at most
-        $2b$ for at most $h$.
+        The motion that begins at the step's beginning does not move apart from the other one. Along the slip with the friction of the step $B$ is constant, so the step, its
+        tangent, ends within $\frac12h^2\omega_1B$ of it. Where the slip ends within the step, the friction of that motion differs by at most $2b$ for at most $h$.
         """,
+        kernel.step("euler-slip-step"),
         identity(
             r"along a slip $B$ is constant, and the norm of the second derivative of $(x_1,v_1,v_2)$ is $\omega_1B$",
-            [along, a2 * rate**2 + m1 * (diff(rate, x1) * v1) ** 2],
+            [diff(squared, x1) * v1 + diff(squared, v1) * rate, a2 * rate**2 + m1 * (diff(rate, x1) * v1) ** 2],
             [0, a2 / m1 * squared],
         ),
         never_apart(),
@@ -135,9 +135,13 @@ def _tried() -> Steps:
     clause(
         "slip",
         r"""
-        For $a_1=0$, $\omega_1^2=a_2/m_1$, a step adds to $N$ at most $\tfrac12h^2\omega_1B$ with $B^2=a_2v_1^2+(a_2x_1+b\sigma)^2/m_1$, and $2hb\sqrt{1/m_1+1/m_2}$
-        more only if the slip with its friction ends within it: while the pair does not stick, the error is of the order $h$.
+        For $a_1=0$, $\omega_1^2=a_2/m_1$, a step adds to $N$ at most $\tfrac12h^2\omega_1B$, $B^2=a_2v_1^2+(a_2x_1+b\sigma)^2/m_1$, if the slip with its friction does not end within it;
         """,
+        kernel="euler-slip-step",
+    ),
+    clause(
+        "turn",
+        r"if it does, at most $2hb\sqrt{1/m_1+1/m_2}$ more. So while the pair does not stick, the error is of the order $h$.",
     ),
     clause(
         "fig-5a",
@@ -159,6 +163,6 @@ def euler_error() -> Case:
         that friction is off by up to $2b$, however small the step. Until the pair first sticks the error is of the order $h$.
         """,
         slip_rate(),
-        carried("slip", local_error()),
+        carried("turn", local_error()),
         carried("fig-5a", shows_adhesion(), *_tried()),
     )
