@@ -29,6 +29,8 @@ NAMED = {
     "friction_across": ("friction across it", "N"),
     "bound": ("no force arrives before", "s"),
     "time": ("duration of this transfer", "s"),
+    "energy": ("int u^2 dt of this transfer", "N^2 s"),
+    "least_energy": ("no transfer in this time that sticks has less int u^2 dt than", "N^2 s"),
     "stuck_amplitude": ("amplitude required for sticking at the limit, or at the margin below it", "N"),
     "least_amplitude": ("minimum amplitude to arrive at the bound", "N"),
     "entry": ("stays inside the ring from t", "s"),

@@ -48,6 +48,7 @@ class TransferKind(Enum):
     STUCK = "the bodies stick throughout, at the limit of friction or the margin below it"
     SLIP = "body 1 slips ahead in the first half; the bodies stick in the second half"
     BANG_BANG = "the bodies stick throughout, under full force forwards, then backwards"
+    CHEAPEST = "the bodies stick throughout, and no transfer in this time that sticks has less int u^2 dt"
     OPEN = "open: the minimum time for this amplitude is not known"
 
 
@@ -109,12 +110,8 @@ def fastest_transfer(
     >>> found.time.str(8, radius=False), found.scene.force.starts[0]
     ('0.28284271', Fraction(0, 1))
     """
-    require_kind("fastest_transfer", scene, Scene, BUILD)
-    require_plain(scene, "a transfer")
-    require_digits(digits, max_digits=max_digits)
-    by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
+    by, part = read_transfer("fastest_transfer", scene, distance, margin, digits, max_digits)
     most = None if amplitude is None else positive(amplitude, "amplitude", "leave it out for a force without bound")
-    _require(scene, by, part)
 
     def attempt(_: Ball) -> tuple[Transfer, list[arb]]:
         pair, far = scene.pair, abs(by)
@@ -130,7 +127,14 @@ def fastest_transfer(
     return to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
 
 
-def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
+def read_transfer(
+    name: str, scene: Scene, by: Exact, share: Exact, digits: int, most: int | None
+) -> tuple[Fraction, Fraction]:
+    """Return the distance (m) and the margin of a transfer, exact; raises where they or the scene allow none."""
+    require_kind(name, scene, Scene, BUILD)
+    require_plain(scene, "a transfer")
+    require_digits(digits, max_digits=most)
+    distance, margin = exact_decimal(by, "distance"), exact_decimal(share, "margin")
     at = scene.initial
     if distance == 0:
         raise InvalidScene("distance = 0 must not be 0; give a distance in metres")
@@ -143,6 +147,7 @@ def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
     scene.require_filippov("a transfer")
     if scene.is_forced:
         raise InvalidScene("a transfer computes its own force, for constant b; leave [[force]] and [[friction]] out")
+    return distance, margin
 
 
 Choice = tuple[TransferKind, arb | None, str, Force | None]
