@@ -110,6 +110,10 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Top: the reference. Middle: the friction required, inside the green band of the friction available. Bottom: the force on body 1 "
         "under which body 2 follows.",
     ),
+    "cheapest-transfer": (
+        "The transfer over 1 cm in 0.4 s with the least $\\int u^2\\,dt$ of all under which the pair sticks",
+        "positions, velocities, the force on body 1 and the friction it needs; friction is at its limit at the end",
+    ),
     "fastest-transfer": (
         "One millimetre in the least time",
         "In the first half body 1 slips ahead, so friction is at its limit; at half time both velocities are equal. In the second half both "

@@ -12,6 +12,7 @@ from matplotlib.patches import Patch
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import solved_again
+from numerics.control.cheapest import cheapest_transfer
 from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
 from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_tracking, draw_transfer
 from numerics.control.response import response, steady_drive
@@ -101,6 +102,14 @@ def tracked_reference() -> Figure:
 def transfer() -> Figure:
     """Draw the fastest transfer over 1 mm with a force of at most 1.08 N: body 1 runs ahead, and is met at half time."""
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
+    solved = solved_again(found)
+    assert solved is not None
+    return draw_transfer(found, solved)
+
+
+def cheapest() -> Figure:
+    """Draw the transfer over 1 cm in 0.4 s with the least int u^2 dt: friction is at its limit at the end."""
+    found = cheapest_transfer(load_scene("at-rest"), "0.01", "0.4")
     solved = solved_again(found)
     assert solved is not None
     return draw_transfer(found, solved)

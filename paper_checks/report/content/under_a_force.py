@@ -49,6 +49,7 @@ PICTURED = {
     "forced-resonance-bound": "resonance",
     "trackable-references": "tracked-reference",
     "minimum-transfer-time": "fastest-transfer",
+    "cheapest-transfer": "cheapest-transfer",
     "tolerance-ring": "tolerance-ring-of-a-scene",
     "ring-of-tolerance": "tolerance-ring-of-a-scene",
 }
@@ -58,6 +59,7 @@ DRAWINGS: Figures = {
     "resonance": drawing.resonance,
     "tracked-reference": drawing.tracked_reference,
     "fastest-transfer": drawing.transfer,
+    "cheapest-transfer": drawing.cheapest,
     "tolerance-ring-of-a-scene": drawing.tolerance_ring,
     "drift-against-asymmetry": drawing.drift_against_asymmetry,
 }
@@ -171,6 +173,11 @@ def _transfer() -> Iterator[Block]:
         f"may slip ahead in the first half, {rounded(least, 4)} N are enough, and no smaller force arrives in time."
     )
     yield picture("fastest-transfer")
+    yield Paragraph(
+        "In a longer time the force can be cheaper. While the pair sticks, the least $\\int u^2\\,dt$ is known and proved (`cheapest-transfer`); without a "
+        "damper, and below the limit of friction, it is" + _formula("cheapest-transfer", "undamped", "energy")
+    )
+    yield picture("cheapest-transfer")
 
 
 def _ring() -> Iterator[Block]:

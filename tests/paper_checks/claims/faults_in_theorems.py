@@ -135,6 +135,13 @@ FAULTS = {
         "theory.forced_control.switching_cosines": entry(0, lambda one: one / 2),
         "theory.forced_control.pressed": doubled,
     },
+    "cheapest-transfer": {
+        "theory.cheapest.along": doubled,
+        "theory.cheapest.gathered": negated,
+        "theory.cheapest.slip_gathered": negated,
+        "theory.cheapest.slip_force": doubled,
+        "theory.cheapest.trapezoid": doubled,
+    },
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
         "tolerance.prove": confused("<=", ">=", 0),
