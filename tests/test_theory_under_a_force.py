@@ -8,11 +8,11 @@ from flint import arb
 from hypothesis import given
 from strategies import MODERATE, decimals, pairs
 
-from numerics import Force, Mode, Pair, Piece, Scene, State, fastest_transfer, solve, track
+from numerics import Force, Mode, Pair, Piece, Scene, State, cheapest_transfer, fastest_transfer, solve, track
 from numerics.arithmetic.ball import Ball
 from numerics.control.response import response as forced_response_of
 from numerics.control.thresholds import square_wave_response, thresholds
-from theory import forced
+from theory import cheapest, forced
 from theory import forced_control as control
 from theory import forced_response as response
 from theory.symbols import a1, a2, b, m1, m2
@@ -119,6 +119,16 @@ def test_a_weak_force_takes_the_time_of_both_arcs():
     found = fastest_transfer(Scene(pair, State(), until=1), "0.2", amplitude=1)
     first, second = (one.subs(control.reduced, sp.Rational(3, 5)) for one in control.switching())
     assert close(found.time, (first + second) / sp.sqrt(1))
+
+
+def test_the_least_energy_is_theorys_below_the_limit_and_above_its_bounds_beyond():
+    below = cheapest_transfer(Scene(Pair(1, 2, 3, 4), State(), until=1), "0.2", 2)
+    values = letters(Pair(1, 2, 3, 4)) | {cheapest.path: sp.Rational(1, 5), cheapest.angle: 2}
+    assert not below.is_at_limit
+    assert close(below.energy, cheapest.undamped_energy().subs(values))
+    far = cheapest_transfer(Scene(Pair(1, 1, 200, "0.5"), State(), until=1), "0.05", "1.2").energy
+    stuck = cheapest.far_energy().subs(letters(Pair(1, 1, 200, "0.5")) | {cheapest.beyond: sp.Rational("0.045")})
+    assert 18.3 < sp.N(stuck) < float(far) < 1.1 * sp.N(stuck)
 
 
 def test_the_force_of_a_reference_is_that_of_the_stuck_pair():

@@ -111,8 +111,9 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "under which body 2 follows.",
     ),
     "cheapest-transfer": (
-        "The transfer over 1 cm in 0.4 s with the least $\\int u^2\\,dt$ of all under which the pair sticks",
-        "positions, velocities, the force on body 1 and the friction it needs; friction is at its limit at the end",
+        "One centimetre in 0.4 s with the least energy of the force",
+        "Positions, velocities, the force on body 1, and the friction that it asks for, which is at its limit at the end. No transfer that "
+        "sticks and takes this time has less $\\int u^2\\,dt$.",
     ),
     "fastest-transfer": (
         "One millimetre in the least time",

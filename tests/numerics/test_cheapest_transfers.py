@@ -8,7 +8,19 @@ import pytest
 from control_scenes import DAMPED, FREE, referred
 from scipy.optimize import lsq_linear
 
-from numerics import InvalidScene, NotSettled, Pair, Scene, State, cheapest_transfer, fastest_transfer
+from numerics import (
+    Force,
+    InvalidScene,
+    Mode,
+    NotSettled,
+    Pair,
+    Piece,
+    Scene,
+    State,
+    cheapest_transfer,
+    fastest_transfer,
+    solve,
+)
 from numerics.arithmetic.ball import Ball
 from numerics.control.least_energy import Search
 
@@ -79,6 +91,32 @@ def test_it_costs_less_than_the_fastest_and_less_in_more_time():
     with_margin = planned(FREE, "0.01", "0.4", margin="0.2")
     assert float(with_margin.energy) > energies[-1]
     assert with_margin.bound > planned(FREE, "0.01", "0.4").bound
+
+
+@pytest.mark.parametrize(("share", "is_cheaper"), [("0.02", True), ("-0.02", False)])
+def test_a_slip_at_the_limit_of_friction_can_be_cheaper(share, is_cheaper):
+    """In the end friction brakes body 2 at its limit: body 1 may brake more, and x2(t) stays as it is."""
+    found = planned(FREE, "0.01", "0.3")
+    *_, start, end = found.scene.force.starts
+    length = end - start
+    # z' = -c s^2 (length - s)^2, z and z'' are exact
+    c = Fraction(share) / length**4
+    slope = [0, 0, *(-c * one for one in (length**2, -2 * length, 1))]
+    place = [0, *(one / (k + 1) for k, one in enumerate(slope))]
+    bend = [k * one for k, one in enumerate(slope)][1:]
+    extra = [FREE.a2 * one for one in place]
+    extra = [one + (FREE.m1 * bend[k] if k < len(bend) else 0) for k, one in enumerate(extra)]
+    gone = sum(one * length**k for k, one in enumerate(place))
+    scene = found.scene.replace(force=found.scene.force + Force((Piece(start, extra), Piece(end, (FREE.a2 * gone,)))))
+    solved = solve(scene, digits=15, arithmetic="ball")
+    times = [Fraction(2 * k + 1, 4000) * end for k in range(2000)]
+    energy = sum(float(scene.force(one)) ** 2 for one in times) * float(end) / 2000
+    if is_cheaper:
+        assert Mode.SLIP_MINUS in solved.modes
+        assert energy < 0.999 * float(found.least_energy)
+        assert np.allclose([float(one) for one in solved.final_state], [0.01 + float(gone), 0, 0.26, 0], atol=1e-15)
+    else:
+        assert energy > 1.001 * float(found.energy)
 
 
 @pytest.mark.parametrize("wrong", ["force", "nu", "mu", "later"])

@@ -140,7 +140,6 @@ FAULTS = {
         "theory.cheapest.gathered": negated,
         "theory.cheapest.slip_gathered": negated,
         "theory.cheapest.slip_force": doubled,
-        "theory.cheapest.trapezoid": doubled,
     },
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
