@@ -29,7 +29,7 @@ _NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _LEAST_STEP = 12, 1000, 40, 8, 0.9999
 _LITTLE = Fraction(1, 10**20)
 """By this part the force stays below the limit of friction, so that the bodies stick beyond doubt."""
 _NOT_FOUND = NotSettled(
-    "no force of least energy was found: the time is next to the least one, or many swings long; give another time"
+    "no force of least energy was found: the time is next to the least one, or too long to search; give another time"
 )
 
 

@@ -148,7 +148,7 @@ def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong):
             r"time = 0.28 s must be at least .* = 0.282842712474619 s",
         ),
         (0, InvalidScene, "time = 0 must be > 0"),
-        (10**5, NotSettled, "many swings long; give another time"),
+        (10**5, NotSettled, "too long to search; give another time"),
     ],
 )
 def test_a_time_that_does_not_do_is_refused(time, error, said):

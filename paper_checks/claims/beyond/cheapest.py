@@ -6,10 +6,10 @@ from paper_checks.claims.beyond import transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
 from theory import cheapest, forced
-from theory.cheapest import angle, beyond, duration, height, mu, nu, once, path, rate, twice, weight
+from theory.cheapest import beyond, height, mu, nu, once, rate, twice, weight
 from theory.energy import energy, sigma
 from theory.filippov import half_width
-from theory.forced_control import r_acceleration, r_place, r_speed, strongest, stuck_force
+from theory.forced_control import angle, duration, path, r_acceleration, r_place, r_speed, strongest, stuck_force
 from theory.scaling import stick_frequency
 
 PACE, WIDTH = symbols("Omega L", positive=True)
@@ -52,7 +52,7 @@ def only_one() -> Evidence:
         $u_*$; where that holds from $0$ to $T$, suitable $\mu,\nu$ make $\rho=0$.
         """,
         certificate(),
-        cites="Lagrange multipliers of a convex program (Slater)",
+        cites=("Lagrange multipliers of a convex program under the condition of Slater",),
     )
 
 
@@ -170,7 +170,7 @@ def for_all() -> Evidence:
     clause(
         "undamped",
         r"""
-        For $a_1=0$, $\theta=\Omega T$, $\Omega^2=a_2/M$, it is «energy» if $|\dot v_1|\leqslant b/m_2$ along the motion under the
+        For $a_1=0$, $\theta=\Omega T$, $\Omega^2=a_2/M$ the least is «energy» if $|\dot v_1|\leqslant b/m_2$ along the motion under the
         $u=A\sin\Omega t+B\cos\Omega t$ that arrives.
         """,
         energy=equal(
