@@ -52,6 +52,11 @@ def adjoint() -> Expr:
     return root(along(along(misfit())).expand(), bend)
 
 
+def end_multiplier() -> Expr:
+    """mu, N kg/s, of a w for which rho is 0 up to T, where S is 0; w and its rate are those at T."""
+    return root(along(misfit()).subs(once, 0).expand(), mu)
+
+
 @cache
 def undamped_energy() -> Expr:
     """The least int u^2 dt without a damper and below the limit of friction, N^2 s, by the angle Omega T.

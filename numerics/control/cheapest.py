@@ -11,7 +11,7 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import KEPT_DIGITS, number, solved_again
 from numerics.control.least_energy import Search
-from numerics.control.transfer import TransferKind, read_transfer
+from numerics.control.transfer import Transfer, TransferKind, read_transfer
 from numerics.errors import InvalidScene
 from numerics.habits import helpful
 from numerics.scene import Force, Piece, Scene
@@ -42,11 +42,7 @@ class CheapestTransfer(ShortRepr):
     scene: Scene
     digits: int
 
-    road, sticks = TransferKind.CHEAPEST, True
-
-    def goal(self, scene: Scene) -> tuple[arb, arb]:
-        """Return where body 2 is to be at the horizon of its scene, and the size beside which an error counts, m."""
-        return number(scene.initial.x2 + self.distance), number(abs(self.distance))
+    road, sticks, goal = TransferKind.CHEAPEST, True, Transfer.goal
 
 
 @helpful

@@ -48,8 +48,7 @@ class Motion(NamedTuple):
 
     def moved(self, x: arb, v: arb) -> tuple[arb, arb]:
         """Return the q(0), r(0) that add so much to x and v at T, to first order."""
-        matrix = arb_mat([[one[k] for one in self.ends[1:3]] for k in (0, 1)])
-        by = matrix.solve(arb_mat([[x], [v]]))
+        by = arb_mat([one[:2] for one in self.ends[1:3]]).transpose().solve(arb_mat([[x], [v]]))
         return (self.q + by[0, 0]).mid(), (self.r + by[1, 0]).mid()
 
 

@@ -13,7 +13,7 @@ from theory.forced_control import angle, duration, path, r_acceleration, r_place
 from theory.scaling import stick_frequency
 
 PACE, WIDTH = symbols("Omega L", positive=True)
-FORCE, FORCE_RATE = Symbol("u", real=True), Symbol(r"\dot{u}", real=True)
+FORCE, FORCE_RATE = Symbol("u_{*}", real=True), Symbol(r"\dot{u}_{*}", real=True)
 FORCED = {FORCE: weight, FORCE_RATE: rate}
 
 
@@ -24,7 +24,7 @@ def certificate() -> Evidence:
         r"""
         $u^2\geqslant 2wu-w^2$. By the identity $\int_0^Twu\,dt=\mu D+\int_0^T\rho\,\dot v_1\,dt$: the function whose rate
         is left is $0$ at the start, where $x_1=v_1=0$, and $\mu D$ at $T$, where $v_1=S=R=0$. Finally
-        $|\dot v_1|\leqslant b/m_2$.
+        $|\dot v_1|\leqslant b/m_2$. The same with $\int wu\,dt\leqslant\max|u|\int|w|\,dt$ bounds the peak.
         """,
         identity(
             r"$wu=\rho\dot v_1+\frac{\mathrm d}{\mathrm dt}\bigl[(\mu(T-t)-\nu)v_1+\mu x_1-a_1Sv_1-a_2(Rv_1+Sx_1)\bigr]$ along a stuck motion",
@@ -155,7 +155,7 @@ def for_all() -> Evidence:
         the numbers $\mu,\nu$ are, $\int_0^Tu^2\,dt\geqslant 2\mu D-\frac{2b}{m_2}\int_0^T|\rho|\,dt-\int_0^Tw^2\,dt$ with
         «misfit», $S=\int_t^Tw\,ds$, $R=\int_t^TS\,ds$.
         """,
-        misfit=equal("rho", MASS * weight + a1 * once + a2 * twice + nu - mu * (duration - t), cheapest.misfit),
+        misfit=equal(r"\rho", MASS * weight + a1 * once + a2 * twice + nu - mu * (duration - t), cheapest.misfit),
     ),
     clause(
         "least",
@@ -201,12 +201,12 @@ def for_all() -> Evidence:
         as the stuck one some need less than it if $\kappa\,\dot v_2<0$ at a time within an interval of $|\dot v_2|=b/m_2$, and none
         if there is no such time.
         """,
-        weight=equal("kappa", a1 * FORCE + a2 * once - m1 * FORCE_RATE, cheapest.slip_weight, lambda: FORCED),
+        weight=equal(r"\kappa", a1 * FORCE + a2 * once - m1 * FORCE_RATE, cheapest.slip_weight, lambda: FORCED),
     ),
     clause(
         "far",
         r"""
-        While stuck, $D=L+h$ with «width» and $h>0$ needs at least «stuck», in whatever time. With slips some $T$ and
+        While stuck, $D=L+h$ with «width» and $h>0$ needs «stuck», in whatever time. With slips some $T$ and
         $\int u^2\,dt$ that are proportional to $D$ are enough for large $D$: slipping is cheaper then, by any factor.
         """,
         width=equal("L", b * MASS / (a2 * m2), half_width),
@@ -226,10 +226,15 @@ def for_all() -> Evidence:
     ),
     clause(
         "peak",
-        r"Under the weak forces of minimum-transfer-time $U$ is the least peak of all forces that need no more than $T_w$.",
+        r"""
+        While stuck, $\max|u|\int_0^T|w|\,dt\geqslant\mu D-\frac{b}{m_2}\int_0^T|\rho|\,dt$, too, so the force for which a $w$ gives
+        equality has the least peak. If $w$ obeys the equation of $u_*$, $\rho=0$ for some $\nu$ and «multiplier» at $t=T$. The
+        weak forces of minimum-transfer-time attain that: $U$ is the least peak of all forces, in the time $T_w$ or less.
+        """,
+        multiplier=equal(r"\mu", a1 * weight - MASS * rate, cheapest.end_multiplier),
     ),
     open=(
-        "Whether slipping can be cheaper where the cheapest stuck transfer keeps friction below its limit, and by how much at most.",
+        "Whether slipping can be cheaper where the cheapest stuck transfer keeps friction below its limit, and by how much at most; the least peak where friction is at its limit.",
     ),
     assuming=UNDER_A_FORCE,
 )
@@ -248,5 +253,5 @@ def cheapest_transfer() -> Case:
         carried("slip", with_slip()),
         carried("far", far_away()),
         carried("all", for_all()),
-        carried("peak", transfers.weak_force()),
+        carried("peak", certificate(), transfers.weak_force()),
     )
