@@ -125,8 +125,8 @@ def test_the_least_energy_is_theorys_below_the_limit_and_above_its_bounds_beyond
     below = cheapest_transfer(Scene(Pair(1, 2, 3, 4), State(), until=1), "0.2", 2)
     values = letters(Pair(1, 2, 3, 4)) | {control.path: sp.Rational(1, 5), control.angle: 2}
     assert not below.is_at_limit
-    assert close(below.energy, cheapest.undamped_energy().subs(values))
-    far = cheapest_transfer(Scene(Pair(1, 1, 200, "0.5"), State(), until=1), "0.05", "1.2").energy
+    assert close(below.cost, cheapest.undamped_energy().subs(values))
+    far = cheapest_transfer(Scene(Pair(1, 1, 200, "0.5"), State(), until=1), "0.05", "1.2").cost
     stuck = cheapest.far_energy().subs(letters(Pair(1, 1, 200, "0.5")) | {cheapest.beyond: sp.Rational("0.045")})
     assert 18.3 < sp.N(stuck) < float(far) < 1.1 * sp.N(stuck)
 

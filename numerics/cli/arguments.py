@@ -66,7 +66,7 @@ _FIGURE = "write a figure: .svg, .pdf or .png"
 _PLOT = _file("--plot", _FIGURE)
 _SCENE = _option("scene", "TOML file, - for standard input, or the short name of a shipped scene", metavar="SCENE")
 _JSON, _DIGITS = _switch("--json", "print the result as JSON"), _count("--digits", 15, "right digits requested")
-_LEAST = ("time", "energy")
+_LEAST = ("time", "energy", "peak")
 _WORKING = _count("--max-digits", 20_000, "limit on the working digits")
 _ASKED = (
     _SCENE,
@@ -155,8 +155,8 @@ _COMMANDS: tuple[Command, ...] = (
         (
             *_ASKED,
             _option("--distance", "displacement of body 2, m; negative: backwards", required=True, metavar="D"),
-            _option("--least", "energy: the least int u^2 dt in a time (%(default)s)", choices=_LEAST, default="time"),
-            _option("--time", "duration, s; for --least energy", metavar="T"),
+            _option("--least", "energy: int u^2 dt; peak: max |u| (%(default)s)", choices=_LEAST, default="time"),
+            _option("--time", "duration, s; for --least energy and peak", metavar="T"),
             _option("--amplitude", "the force stays within -U and U, N; for the least time", metavar="U"),
             _option("--margin", "the load stays within (1 - E) b (%(default)s)", default="0", metavar="E"),
             _PLAN,

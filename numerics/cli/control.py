@@ -142,8 +142,8 @@ def print_transfer(options: argparse.Namespace) -> int:
     from numerics.control.transfer import TransferKind, fastest_transfer
     from numerics.scene.file import load_line
 
-    if (options.least == "energy") != (options.time is not None):
-        return refuse("--least energy and --time go together; leave both out for the least time", USAGE)
+    if (options.least == "time") is (options.time is not None):
+        return refuse("--least energy or peak and --time go together; leave both out for the least time", USAGE)
     if options.time is not None:
         return _cheapest(options)
     found = fastest_transfer(load_line(options.scene), options.distance, **asked(options, "amplitude", "margin"))
@@ -165,16 +165,17 @@ def print_transfer(options: argparse.Namespace) -> int:
 
 
 def _cheapest(options: argparse.Namespace) -> int:
-    """Print the transfer with the least int u^2 dt in a time."""
+    """Print the transfer with the least int u^2 dt or max |u| in a time."""
     from numerics.control.answers import solved_again
     from numerics.control.cheapest import cheapest_transfer
     from numerics.scene.file import load_line
 
     if options.amplitude is not None:
-        return refuse("--amplitude is for the least time; leave it out with --least energy", USAGE)
-    found = cheapest_transfer(load_line(options.scene), options.distance, options.time, **asked(options, "margin"))
+        return refuse("--amplitude is for the least time; leave it out with --least energy or peak", USAGE)
+    given = asked(options, "least", "margin")
+    found = cheapest_transfer(load_line(options.scene), options.distance, options.time, **given)
     draw(options, "draw_transfer", found, solved_again(found))
-    shown = numbers(found, "bound", "time", "energy", "least_energy")
+    shown = numbers(found, "bound", "time", **{options.least: found.cost, f"least_{options.least}": found.least_cost})
     record = {"sentence": found.road.value, **shown, "is_at_limit": found.is_at_limit, "digits": found.digits}
     limit = "at its limit, or the margin, for a part of the time" if found.is_at_limit else "below its limit"
     return _plan(options, found.scene, (record, [found.road.value, *number_lines(shown), f"friction is {limit}"]), "")

@@ -49,6 +49,7 @@ class TransferKind(Enum):
     SLIP = "body 1 slips ahead in the first half; the bodies stick in the second half"
     BANG_BANG = "the bodies stick throughout, under full force forwards, then backwards"
     CHEAPEST = "the bodies stick throughout, and no transfer in this time that sticks has less int u^2 dt"
+    GENTLEST = "the bodies stick throughout, and no transfer in this time that sticks has a lower peak of |u|"
     OPEN = "open: the minimum time for this amplitude is not known"
 
 
@@ -194,13 +195,13 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
     tau, squared = number(pair.m2 * far / pair.b).sqrt(), pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2
     if squared > 0 and number(squared).sqrt() * tau > arb.pi() / 2:
         return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
-    _, g, slope = _pushed(pair, tau)
+    _, g, slope = pushed(pair, tau)
     if proved_sign(slope, "does body 1 still run ahead at half time?") < 0:
         return None
     return number(pair.b) + number(pair.b / pair.m2) * tau / g
 
 
-def _pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
+def pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
     """Return where body 1 alone is under 1 N from rest at a time (s), its velocity g, and g'."""
     decay = pair.a1 / (2 * pair.m1)
     C, S = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
@@ -231,7 +232,7 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> C
     slow = (1 - _MET) * beta
     tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
     push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
-    x, v = rounded(number(push - pair.b) * _pushed(pair, number(tau))[0]), beta * tau
+    x, v = rounded(number(push - pair.b) * pushed(pair, number(tau))[0]), beta * tau
     end = x + v**2 / (2 * slow)
     if pair.a2 * end > most:
         return None

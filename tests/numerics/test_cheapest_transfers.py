@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from control_scenes import DAMPED, FREE, referred
-from scipy.optimize import lsq_linear
+from scipy.optimize import linprog, lsq_linear
 
 from numerics import (
     Force,
@@ -51,8 +51,8 @@ def test_the_bodies_stick_and_arrive_at_rest_by_the_reference(pair, distance, ti
         assert abs(run.v1) + abs(run.v2) < 1e-18
 
 
-def least_of_steps(pair, far, until, cells=160):
-    """The least int u^2 of accelerations that are constant on each of equal cells, by bounded least squares."""
+def by_cells(pair, until, cells):
+    """The force in the middle of equal cells, and v1 and x1 at the end, by the acceleration, constant on each cell."""
     h = until / cells
     middle = (np.arange(cells) + 0.5) * h
     since = middle[:, None] - np.arange(cells) * h
@@ -60,7 +60,12 @@ def least_of_steps(pair, far, until, cells=160):
     v, x = began, began * since - began**2 / 2
     u = float(pair.mass) * np.eye(cells) + float(pair.a1) * v + float(pair.a2) * x
     left = until - np.arange(cells) * h
-    arrives = np.array([np.full(cells, h), h * left - h * h / 2])
+    return u, np.array([np.full(cells, h), h * left - h * h / 2])
+
+
+def least_of_steps(pair, far, until, cells=160):
+    """The least int u^2 of accelerations that are constant on each of equal cells, by bounded least squares."""
+    h, (u, arrives) = until / cells, by_cells(pair, until, cells)
     weight = 1e4 * np.array([[1 / h], [1 / h / until]])
     most = float(pair.b / pair.m2)
     rows, goal = np.vstack([u, weight * arrives]), np.r_[np.zeros(cells), weight[:, 0] * (0, far)]
@@ -72,24 +77,24 @@ def least_of_steps(pair, far, until, cells=160):
 @pytest.mark.parametrize(("pair", "distance", "time"), ASKED)
 def test_a_quadratic_program_finds_the_same_energy(pair, distance, time):
     found = planned(pair, distance, time)
-    assert float(found.energy) == pytest.approx(least_of_steps(pair, abs(float(distance)), float(time)), rel=5e-3)
-    assert 0 <= float((found.energy - found.least_energy) / found.energy) < 1e-17
+    assert float(found.cost) == pytest.approx(least_of_steps(pair, abs(float(distance)), float(time)), rel=5e-3)
+    assert 0 <= float((found.cost - found.least_cost) / found.cost) < 1e-17
 
 
 def test_below_the_limit_it_is_the_closed_form():
     found, theta = planned(FREE, "0.001", "0.2"), 10 * 0.2
     closed = 4 * 10**3 * 0.001**2 * (2 * theta + math.sin(2 * theta)) / (theta**2 - math.sin(theta) ** 2)
-    assert (float(found.energy), found.is_at_limit) == (pytest.approx(closed, rel=1e-13), False)
+    assert (float(found.cost), found.is_at_limit) == (pytest.approx(closed, rel=1e-13), False)
 
 
 def test_it_costs_less_than_the_fastest_and_less_in_more_time():
-    energies = [float(planned(FREE, "0.01", time).energy) for time in ("0.282843", "0.3", "0.4")]
+    energies = [float(planned(FREE, "0.01", time).cost) for time in ("0.282843", "0.3", "0.4")]
     fastest = fastest_transfer(Scene(FREE, State(), 1), "0.01").scene.force
     times = (np.arange(4000) + 0.5) * 0.2828427 / 4000
     energies.insert(0, sum(float(fastest(Fraction(one))) ** 2 for one in times) * 0.2828427 / 4000)
     assert energies == sorted(energies, reverse=True)
     with_margin = planned(FREE, "0.01", "0.4", margin="0.2")
-    assert float(with_margin.energy) > energies[-1]
+    assert float(with_margin.cost) > energies[-1]
     assert with_margin.bound > planned(FREE, "0.01", "0.4").bound
 
 
@@ -113,10 +118,10 @@ def test_a_slip_at_the_limit_of_friction_can_be_cheaper(share, is_cheaper):
     energy = sum(float(scene.force(one)) ** 2 for one in times) * float(end) / 2000
     if is_cheaper:
         assert Mode.SLIP_MINUS in solved.modes
-        assert energy < 0.999 * float(found.least_energy)
+        assert energy < 0.999 * float(found.least_cost)
         assert np.allclose([float(one) for one in solved.final_state], [0.01 + float(gone), 0, 0.26, 0], atol=1e-15)
     else:
-        assert energy > 1.001 * float(found.energy)
+        assert energy > 1.001 * float(found.cost)
 
 
 @pytest.mark.parametrize("wrong", ["force", "nu", "mu", "later"])
@@ -140,6 +145,36 @@ def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong):
 
 
 @pytest.mark.parametrize(
+    ("pair", "distance", "time"),
+    [
+        (FREE, "0.001", "0.2"),
+        (FREE, "-0.0005", "1.7"),  # seven arcs
+        (DAMPED, "0.0005", "1.3"),
+        (Pair(1, 1, 200, "0.5", 60), "0.001", "0.3"),  # beyond critical damping
+    ],
+)
+def test_the_least_peak_arrives_and_no_program_finds_a_lower_one(pair, distance, time):
+    found, far, until, cells = planned(pair, distance, time, least="peak"), abs(float(distance)), float(time), 400
+    run = referred(found.scene)
+    with Ball(36).context():
+        assert abs(run.x2 - Ball.number(Fraction("0.25") + Fraction(distance))) < 1e-19
+    assert (list(run.events), run.mode, found.is_at_limit) == ([], 0, False)
+    assert abs(float((found.cost - found.least_cost) / found.cost)) < 1e-30
+    u, arrives = by_cells(pair, until, cells)
+    unknown = np.r_[np.zeros(cells), 1]
+    within = np.vstack([np.c_[u, -np.ones(cells)], np.c_[-u, -np.ones(cells)]])
+    bounds = [(-float(pair.b / pair.m2), float(pair.b / pair.m2))] * cells + [(0, None)]
+    least = linprog(unknown, within, np.zeros(2 * cells), np.c_[arrives, np.zeros(2)], (0, far), bounds)
+    assert float(found.cost) == pytest.approx(least.fun, rel=2e-2)
+
+
+def test_the_least_peak_is_that_of_the_fastest_transfer_under_it():
+    fastest = fastest_transfer(Scene(FREE, State(), 1), "0.0005", amplitude="0.5")
+    found = planned(FREE, "0.0005", fastest.time.str(35, radius=False), least="peak")
+    assert float(found.cost) == pytest.approx(0.5, rel=1e-14)
+
+
+@pytest.mark.parametrize(
     ("time", "error", "said"),
     [
         (
@@ -154,3 +189,10 @@ def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong):
 def test_a_time_that_does_not_do_is_refused(time, error, said):
     with pytest.raises(error, match=said):
         planned(FREE, "0.01", time)
+
+
+def test_a_least_peak_that_friction_does_not_allow_is_not_given():
+    with pytest.raises(NotSettled, match="the least peak was not found: friction would exceed its limit; give more"):
+        planned(FREE, "0.01", "0.3", least="peak")
+    with pytest.raises(InvalidScene, match="least = 'time' must be one of energy, peak"):
+        planned(FREE, "0.01", "0.3", least="time")

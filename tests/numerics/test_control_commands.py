@@ -102,8 +102,8 @@ def test_move_writes_the_transfer_of_the_least_energy(tmp_path, record):
 @pytest.mark.parametrize(
     ("flags", "said"),
     [
-        (("--least", "energy"), "--least energy and --time go together"),
-        (("--time", "1"), "--least energy and --time go together"),
+        (("--least", "energy"), "--least energy or peak and --time go together"),
+        (("--time", "1"), "--least energy or peak and --time go together"),
         (("--least", "energy", "--time", "1", "--amplitude", "1"), "--amplitude is for the least time"),
         (("--least", "energy", "--time", "0.1"), "as no transfer is faster; give more time"),
     ],
