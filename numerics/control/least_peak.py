@@ -18,35 +18,48 @@ from numerics.control.transfer import pushed
 from numerics.scene import Pair, Piece
 
 
+class Switched:
+    """The forces of 1 N that change their sign at s and every half period later; `bound` holds whatever s is."""
+
+    def __init__(self, pair: Pair, until: Fraction) -> None:
+        """Take the stuck pair as one body, and the time."""
+        self.pair, self.T = Pair(pair.mass, 1, pair.a2, 1, pair.a1), number(until)
+        self.square = pair.a2 / pair.mass - (pair.a1 / (2 * pair.mass)) ** 2
+        self.every = arb.pi() / number(self.square).sqrt() if self.square > 0 else self.T
+
+    def turns(self, s: arb) -> list[arb]:
+        """Return when the sign changes, s."""
+        every = (s + k * self.every for k in range(int(float(self.T / self.every)) + 1))
+        return [t for t in every if t < self.T]
+
+    def ends(self, s: arb) -> tuple[arb, arb]:
+        """Return x1 and v1 at T, m and m/s."""
+        x, v, _ = pushed(self.pair, self.T)
+        for k, t in enumerate(self.turns(s)):
+            place, speed, _ = pushed(self.pair, self.T - t)
+            x, v = x - 2 * (-1) ** k * place, v - 2 * (-1) ** k * speed
+        return x, v
+
+    def bound(self, far: Fraction, s: arb) -> arb:
+        """Return a lower bound on max |u| of all forces that arrive, N: the w of s has |mu| D = U int |w| at least."""
+        x, v = self.ends(s)
+        C, S = cosine_and_sine(self.square, self.T - s)
+        mu = number(self.pair.m1) * C - number(self.pair.a1) * S / 2
+        return abs(mu * number(far) / (mu * x - number(self.pair.m1) * S * v))
+
+
 def least_peak(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece], arb, arb, bool]:
     """Return the force by pieces, its peak, the least one of all that stick, N, and that friction is below its limit.
 
     Where it is not, the bodies slip under this force, which is for the caller to see.
     """
-    stuck, T = Pair(pair.mass, 1, pair.a2, 1, pair.a1), number(until)
-    square = pair.a2 / pair.mass - (pair.a1 / (2 * pair.mass)) ** 2
-    every = arb.pi() / number(square).sqrt() if square > 0 else T
-
-    def turns(s: arb) -> list[arb]:
-        return [s + k * every for k in range(int(float(T / every)) + 1) if s + k * every < T]
-
-    def ends(s: arb) -> tuple[arb, arb]:
-        """Return x1 and v1 at T for U = 1 N."""
-        x, v, _ = pushed(stuck, T)
-        for k, t in enumerate(turns(s)):
-            place, speed, _ = pushed(stuck, T - t)
-            x, v = x - 2 * (-1) ** k * place, v - 2 * (-1) ** k * speed
-        return x, v
-
-    low, high = arb(0), every.min(T)
-    begins = ends(low)[1] > 0
+    switched = Switched(pair, until)
+    low, high = arb(0), switched.every.min(switched.T)
+    begins = switched.ends(low)[1] > 0
     for _ in range(flint.ctx.prec):
         s = ((low + high) / 2).mid()
-        low, high = (s, high) if (ends(s)[1] > 0) == begins else (low, s)
-    x, v = ends(s)
-    C, S = cosine_and_sine(square, T - s)
-    mu = number(pair.mass) * C - number(pair.a1) * S / 2
-    peak = rounded(number(far) / x)
-    starts = [Fraction(0), *map(rounded, turns(s))]
-    bound = mu * number(far) / (mu * x - number(pair.mass) * S * v)
-    return [Piece(t, (peak * (-1) ** k,)) for k, t in enumerate(starts)], abs(number(peak)), abs(bound), False
+        low, high = (s, high) if (switched.ends(s)[1] > 0) == begins else (low, s)
+    peak = rounded(number(far) / switched.ends(s)[0])
+    starts = [Fraction(0), *map(rounded, switched.turns(s))]
+    pieces = [Piece(t, (peak * (-1) ** k,)) for k, t in enumerate(starts)]
+    return pieces, abs(number(peak)), switched.bound(far, s), False

@@ -23,6 +23,7 @@ from numerics import (
 )
 from numerics.arithmetic.ball import Ball
 from numerics.control.least_energy import Search
+from numerics.control.least_peak import Switched
 
 STIFF, HEAVY = Pair(1, 1, 200, "0.5", 40), Pair("0.7", 3, 90, "1.2", "0.2")
 ASKED = [
@@ -166,6 +167,15 @@ def test_the_least_peak_arrives_and_no_program_finds_a_lower_one(pair, distance,
     bounds = [(-float(pair.b / pair.m2), float(pair.b / pair.m2))] * cells + [(0, None)]
     least = linprog(unknown, within, np.zeros(2 * cells), np.c_[arrives, np.zeros(2)], (0, far), bounds)
     assert float(found.cost) == pytest.approx(least.fun, rel=2e-2)
+
+
+@pytest.mark.parametrize("pair", [FREE, DAMPED, Pair(1, 1, 200, "0.5", 60)])
+def test_the_bound_on_the_peak_holds_for_a_wrong_switching_time_too(pair):
+    found = planned(pair, "0.001", "0.2", least="peak")
+    with Ball(40).context():
+        switched, s = Switched(pair, Fraction("0.2")), Ball.number(found.scene.force.starts[1])
+        for wrong in (s * 0.99, s * 1.01, s * 0.9):
+            assert found.cost * 0.8 < switched.bound(Fraction("0.001"), wrong) < found.cost * (1 - 1e-6)
 
 
 def test_the_least_peak_is_that_of_the_fastest_transfer_under_it():
