@@ -24,7 +24,8 @@ def certificate() -> Evidence:
         r"""
         $u^2\geqslant 2wu-w^2$. By the identity $\int_0^Twu\,dt=\mu D+\int_0^T\rho\,\dot v_1\,dt$: the function whose rate
         is left is $0$ at the start, where $x_1=v_1=0$, and $\mu D$ at $T$, where $v_1=S=R=0$. Finally
-        $|\dot v_1|\leqslant b/m_2$. The same with $\int wu\,dt\leqslant\max|u|\int|w|\,dt$ bounds the peak.
+        $|\dot v_1|\leqslant b/m_2$. The same with $\int wu\,dt\leqslant\max|u|\int|w|\,dt$ bounds the peak, with equality
+        if $\rho=0$ and $u=U\,\mathrm{sgn}\,w$.
         """,
         identity(
             r"$wu=\rho\dot v_1+\frac{\mathrm d}{\mathrm dt}\bigl[(\mu(T-t)-\nu)v_1+\mu x_1-a_1Sv_1-a_2(Rv_1+Sx_1)\bigr]$ along a stuck motion",
@@ -227,9 +228,9 @@ def for_all() -> Evidence:
     clause(
         "peak",
         r"""
-        While stuck, $\max|u|\int_0^T|w|\,dt\geqslant\mu D-\frac{b}{m_2}\int_0^T|\rho|\,dt$, too, so the force for which a $w$ gives
-        equality has the least peak. If $w$ obeys the equation of $u_*$, $\rho=0$ for some $\nu$ and «multiplier» at $t=T$. The
-        weak forces of minimum-transfer-time attain that: $U$ is the least peak of all forces, in the time $T_w$ or less.
+        While stuck, $\max|u|\int_0^T|w|\,dt\geqslant\mu D-\frac{b}{m_2}\int_0^T|\rho|\,dt$, too. If $w$ obeys the equation of
+        $u_*$, $\rho=0$ for some $\nu$ and «multiplier» at $t=T$: a force $U\,\mathrm{sgn}\,w$ that arrives has the least peak.
+        Under the weak forces of minimum-transfer-time that is so of all forces, slipping or not, in the time $T_w$ or less.
         """,
         multiplier=equal(r"\mu", a1 * weight - MASS * rate, cheapest.end_multiplier),
     ),
