@@ -169,6 +169,23 @@ def draw_ring(found: Any) -> Figure:
     return figure
 
 
+def draw_damping(found: Any) -> Figure:
+    """Return both times of a Damping over a1, in float64, with their limits; the scene's damper, and the best one."""
+    a1, times = zip(*found.sampled, strict=True)
+    figure, ax = _panels(8, 5.6, 1)
+    for k, (name, color) in enumerate(((f"at rest within {float(found.tolerance):g} m", PURPLE), ("stuck", GREEN))):
+        several, heavy = [one[1 - k] or np.nan for one in times], found.heavy[1 - k]
+        ax.plot(a1, several, color=color, label=f"{name} permanently")
+        if 0 < heavy < np.inf:
+            ax.axhline(float(heavy), color=color, lw=0.8, ls="--", label=f"{name}: limit for large $a_1$")
+    for damper, style in ((found.scene.pair.a1, "-."), (found.best, ":")):
+        if damper:
+            ax.axvline(float(damper), color=GRAY, ls=style, label=f"$a_1$ = {float(damper):g} N s/m")
+    ax.set(xscale="log", yscale="log", xlabel="$a_1$ (N s/m)", ylabel="from t on (s)", title="What a damper does")
+    _legends_below([ax])
+    return figure
+
+
 def _legends_below(axes: Iterable[Any]) -> None:
     """Put legends where they cover no curve, and few numbers below the curves."""
     for ax in axes:
