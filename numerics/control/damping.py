@@ -15,7 +15,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -25,12 +24,12 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
 from numerics.arithmetic.protocol import Number
 from numerics.control.answers import most_digits, number
-from numerics.errors import NoForceHere, NotSettled
+from numerics.errors import NoForceHere, NotSettled, OutOfRange
 from numerics.free.abel import creeping_place
 from numerics.habits import helpful
 from numerics.linear.record import How
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, positive, require_digits
+from numerics.scene.decimals import Exact, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind, require_plain
 from numerics.scene.short_repr import ShortRepr
 from numerics.solver.solve import solve
@@ -39,6 +38,7 @@ from numerics.trajectory.trajectory import Trajectory
 
 _log = logging.getLogger(__name__)
 _SWINGS, _DOUBLINGS, _MOST_EVENTS = 16, 60, 10_000
+_LEAST, _MOST = 1e-300, 1e300
 _OCTAVES, _PER_OCTAVE, _ZOOMS, _PARTS = 8, 8, 3, 16
 """The best damper is looked for so many octaves about 2 sqrt(a2 M), then between the neighbours of the best one."""
 
@@ -94,6 +94,9 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
     size = positive(tolerance, "tolerance", "give the displacement that counts as rest, in m")
     if scene.is_forced:
         raise NoForceHere("damping is that of the free pair; leave the force and the changes of friction out")
+    for name, value in (("a2 M", scene.pair.a2 * scene.pair.mass), ("a2/M", scene.pair.a2 / scene.pair.mass)):
+        if not _LEAST < value < _MOST:
+            raise OutOfRange.of(f"{name} = {short(value)}", "the search for dampers", _LEAST, _MOST)
     level = scene.pair.a2 * size**2 / 2
     sampled = _sampled(scene, level)
     best = Fraction(f"{min(sampled, key=lambda one: one[1].rest)[0]:.4g}")
@@ -124,12 +127,12 @@ def _heavy(scene: Scene, size: Fraction) -> Times:
 def _sampled(scene: Scene, level: Fraction) -> list[tuple[float, Times]]:
     """Return the times of dampers about the critical one of the stuck pair, closer about the best; in float64."""
     found: list[tuple[float, Times]] = []
-    follow = partial(solve, max_events=_MOST_EVENTS)
     critical = 2 * math.sqrt(scene.pair.a2 * scene.pair.mass)
     dampers = critical * np.logspace(-_OCTAVES, _OCTAVES, 2 * _OCTAVES * _PER_OCTAVE + 1, base=2)
     for _ in range(_ZOOMS):
         _log.info("trying dampers from %.6g to %.6g N s/m", dampers[0], dampers[-1])
-        times = [_times(scene.replace(a1=Fraction(one)), level, follow) for one in dampers]
+        scenes = [scene.replace(a1=Fraction(a1)) for a1 in dampers]
+        times = [_times(one, level, lambda one: solve(one, max_events=_MOST_EVENTS)) for one in scenes]
         found += zip(dampers.tolist(), times, strict=True)
         at = min(range(len(times)), key=lambda k: times[k].rest)
         dampers = np.geomspace(dampers[max(at - 1, 0)], dampers[min(at + 1, len(times) - 1)], _PARTS + 1)
