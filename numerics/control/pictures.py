@@ -170,14 +170,12 @@ def draw_ring(found: Any) -> Figure:
 
 
 def draw_damping(found: Any) -> Figure:
-    """Return both times of a Damping over a1, in float64, with their limits; the scene's damper, and the best one."""
+    """Return both times of a Damping over a1, in float64; the damper of the scene, and the best one."""
     a1, times = zip(*found.sampled, strict=True)
     figure, ax = _panels(8, 5.6, 1)
-    for k, (name, color) in enumerate(((f"at rest within {float(found.tolerance):g} m", PURPLE), ("stuck", GREEN))):
-        several, heavy = [one[1 - k] or np.nan for one in times], found.heavy[1 - k]
-        ax.plot(a1, several, color=color, label=f"{name} permanently")
-        if 0 < heavy < np.inf:
-            ax.axhline(float(heavy), color=color, lw=0.8, ls="--", label=f"{name}: limit for large $a_1$")
+    names = "stuck permanently", f"at rest within {float(found.tolerance):g} m"
+    for name, several, color in zip(names, np.array(times, float).T, (PURPLE, GREEN), strict=True):
+        ax.plot(a1, np.where(several > 0, several, np.nan), color=color, label=name)
     for damper, style in ((found.scene.pair.a1, "-."), (found.best, ":")):
         if damper:
             ax.axvline(float(damper), color=GRAY, ls=style, label=f"$a_1$ = {float(damper):g} N s/m")

@@ -174,8 +174,8 @@ def decays() -> Evidence:
         "critical",
         r"""
         As $d\to 0$ with a fixed $a_1$, $R/\ln\frac1d$ tends to $1/\lambda$, where $\lambda$ is the smaller real part of
-        the rates at which the stuck pair decays: at most $\sqrt{a_2/M}$, and that for $a_1=2\sqrt{a_2M}$ only. The
-        exception is a motion that ends exactly on the faster of two real rates, and is faster.
+        the rates at which the stuck pair decays: at most $\sqrt{a_2/M}$, and that for $a_1=2\sqrt{a_2M}$ only. Two
+        exceptions are faster: a motion that ends exactly on the faster of two real rates, or at rest at a contact.
         """,
     ),
     open=("Which damper has the least $T$, or the least $R$, is found by trial, and not proved.",),
@@ -187,8 +187,7 @@ def synchronisation_against_damping() -> Case:
     return because(
         """
         A heavy damper stops body 1, and friction alone stops body 2; a light one takes, near the critical orbit, what
-        friction no longer takes. Each slip that a larger damper saves is a step of $T$ down, and between two steps it
-        may rise.
+        friction no longer takes. A larger damper saves slips: $T$ falls in steps, and between two of them it may rise.
         """,
         carried(
             "monotone",
@@ -219,7 +218,7 @@ def synchronisation_against_damping() -> Case:
             argument(
                 r"""
                 From $T$ on $E$ is that of the stuck pair, so $\ln E/t\to-2\lambda$, with the slower rate unless its part
-                is $0$. Of two rates with the product $a_2/M$ the smaller real part is at most $\sqrt{a_2/M}$, and that
+                is $0$, or all is. Of two rates with the product $a_2/M$ the smaller real part is at most $\sqrt{a_2/M}$, and that
                 only where they are equal.
                 """,
                 decays(),
