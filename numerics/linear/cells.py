@@ -37,11 +37,11 @@ Line = tuple[Fraction, Fraction]
 
 
 class FrictionLine(NamedTuple):
-    """F = side offset + slope w + pull z, N: friction in one cell."""
+    """F = side level b(t) + slope w + pull z, N: friction in one cell."""
 
-    offset: Fraction
     slope: Fraction
     pull: Fraction
+    level: Fraction
 
 
 Start = tuple[tuple[int, int], tuple[int, int, int, int]]
@@ -79,12 +79,11 @@ class Cells:
     def branch(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> FrictionLine:
         """Return friction in a cell."""
         scale, (p, slope), (q, pull) = self.scale(piece), self.by_speed[cell[0]], self.by_place[cell[1]]
-        return FrictionLine(scale * (p + q), scale * slope, scale * side * pull)
+        return FrictionLine(scale * slope, scale * side * pull, (p + q) / self.pair.b)
 
     def mode(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
         """Return the linear mode of a slip in a cell."""
-        offset, *line = self.branch(piece, side, cell)
-        return LinearMode(self.pair, side, piece.with_friction(offset), (line[0], line[1]))
+        return LinearMode(self.pair, side, piece, self.branch(piece, side, cell))
 
     def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, FrictionLine]:
         """Return the derivatives of friction in a cell by the numbers in it; `b` is the name of the piece's b."""
@@ -93,20 +92,20 @@ class Cells:
         (p, slope), (q, pull), scale = self.by_speed[k], self.by_place[j], self.scale(piece)
         for n, height in _by_heights(self.speeds, (k, k + 1)):
             name = f"weakening.speed[{n - 1}]"
-            found[f"{name}.b" if n else "b"] = FrictionLine(*height, Fraction(0))
+            found[f"{name}.b" if n else "b"] = FrictionLine(height[1], Fraction(0), height[0])
             if n:  # w = 0 is no number of the scene
-                found[f"{name}.w"] = FrictionLine(-slope * height[0], -slope * height[1], Fraction(0))
+                found[f"{name}.w"] = FrictionLine(-slope * height[1], Fraction(0), -slope * height[0])
         if k == last:
-            found["weakening.last_slope"] = FrictionLine(-self.speeds[k], Fraction(1), Fraction(0))
+            found["weakening.last_slope"] = FrictionLine(Fraction(1), Fraction(0), -self.speeds[k])
         for n, height in _by_heights(self.places, (j - 1, j)):
-            found[f"weakening.place[{n}].c"] = FrictionLine(height[0], Fraction(0), height[1])
-            found[f"weakening.place[{n}].z"] = FrictionLine(-pull * height[0], Fraction(0), -pull * height[1])
+            found[f"weakening.place[{n}].c"] = FrictionLine(Fraction(0), height[1], height[0])
+            found[f"weakening.place[{n}].z"] = FrictionLine(Fraction(0), -pull * height[1], -pull * height[0])
         found = {
-            name: FrictionLine(scale * one, scale * two, scale * side * three)
+            name: FrictionLine(scale * one, scale * side * two, three / self.pair.b)
             for name, (one, two, three) in found.items()
         }
         if b != "b":
-            whole = FrictionLine(p + q, slope, side * pull)
+            whole = FrictionLine(slope, side * pull, (p + q) / piece.b)
             found[b] = FrictionLine(*(one / self.pair.b for one in whole))
             own = found.get("b", FrictionLine(Fraction(0), Fraction(0), Fraction(0)))
             found["b"] = FrictionLine(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
@@ -153,16 +152,17 @@ class Cells:
         if cell not in self._guards:
             ends = enumerate(zip(self.ends(cell), (1, -1, 1, -1), strict=True))
             at = [(kind, sign, -sign * end) for kind, (end, sign) in ends if end is not None]
-            self._guards[cell] = at, self._may_vanish(cell)
+            self._guards[cell] = at, self.limit(cell) is not None
         return self._guards[cell]
 
-    def _may_vanish(self, cell: tuple[int, int]) -> bool:
-        """Return whether B + C <= 0 somewhere in a cell."""
+    def limit(self, cell: tuple[int, int]) -> Fraction | None:
+        """Return the |w| of a cell up to which B + C > 0 at all its places; None where it is positive everywhere."""
         (low, high, *sides), (p, slope), (q, pull) = self.ends(cell), self.by_speed[cell[0]], self.by_place[cell[1]]
-        if high is None and slope < 0:
-            return True
-        b = min(p + slope * w for w in (low, high) if w is not None)
-        return b + q + min([pull * z for z in sides if z is not None], default=Fraction(0)) <= 0
+        least = p + q + min([pull * z for z in sides if z is not None], default=Fraction(0))
+        if slope < 0:
+            limit = -least / slope
+            return limit if high is None or limit <= high else None
+        return None if least + slope * low > 0 else low
 
     def vanishing(self, w: float | Fraction, z: float | Fraction, at: str = "") -> InvalidScene:
         """Return the error for a motion that gets to a place where friction is not positive."""

@@ -16,6 +16,7 @@ from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
 from numerics.linear.cells import FORCE, LEFT, RIGHT
 from numerics.linear.flow import FEW, REACH, Expansion
+from numerics.linear.model import CONSTANT
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
 from numerics.linear.swings import Swings
@@ -180,7 +181,7 @@ def scanned(
 def long_step(path: EnclosedPath, at: At, motion: Expansion, most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
     flow = motion.flow
-    if at.orders[0] or (flow.slips and any(flow.mode.cell)):
+    if at.orders[0] or (flow.slips and flow.mode.cell != CONSTANT):
         return None
     swings, guards = Swings(flow, motion.z), guards_of(path, at, motion.short(flow.reach)[0])
     for limit in (arb(0), flow.fastest / 4):

@@ -97,7 +97,7 @@ class EnclosedPath:
             self.acting = at.piece, BallDrive(piece), {}
         flows = self.acting[2]
         if key not in flows:
-            cell = self.cells.branch(piece, at.mode, at.cell)[1:] if at.mode and self.varies else None
+            cell = self.cells.branch(piece, at.mode, at.cell) if at.mode and self.varies else None
             flows[key] = flow_of(self.bits, self.pair, at.mode != 0, piece.layout, cell)
         return flows[key]
 
@@ -105,12 +105,8 @@ class EnclosedPath:
         """Return the flow at a point, and z."""
         flow, piece = self.flow(at), self.pieces[at.piece]
         z = [*at.state, *self.acting[1].at(at.local, at.mode)]
-        if self.varies:  # what friction is where v1 - v2 and x1 - x2 are 0, or holds at rest
-            place = piece.layout.blocks[FRICTION][0]
-            if at.mode:
-                z[place] = at.mode * Ball.number(self.cells.branch(piece, at.mode, at.cell).offset)
-            else:
-                z[place] = self.held(at).mid()
+        if self.varies and not at.mode:
+            z[piece.layout.blocks[FRICTION][0]] = self.held(at).mid()
         if self.is_fixed:
             z[V2] = dot(flow.belt, z)
             z[V1] = z[V1] if at.mode else z[V2]

@@ -35,6 +35,7 @@ from numerics.linear.model import (
     SLIP,
     STICK,
     Bodies,
+    Cell,
     Layout,
     Rows,
     make_rows,
@@ -43,7 +44,7 @@ from numerics.linear.model import (
 )
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import Cell, LinearMode, Motion
+from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
@@ -145,10 +146,7 @@ class Variation:
         for which, ((name, piece), (first, terms, sines, _)) in enumerate(zip(self.signals, blocks, strict=True)):
             sign = (self.side or 1) if which == FRICTION else 1
             if which == FRICTION and self.is_weakened:
-                for number, line in self.lines.items():
-                    if number in self.column:
-                        found[first, self.column[number]] += sign * Ball.number(line.offset)
-                continue
+                continue  # of which `lines` say all
             power, of_b = [arb(1)], f"{name}.b" if name else "b"
             for j in range(terms):
                 if (place := self.column.get(f"{name}.polynomial[{j}]", self.column.get(of_b))) is not None:
@@ -266,9 +264,7 @@ def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int | 
     omegas = spread_omegas(layout)
     if place is not None:
         omegas[place] = Dual(omegas[place], Fraction(1))
-    here: tuple[Any, Any] = cell
-    if line is not None:
-        here = Dual(cell[0], line[1]), Dual(cell[1], line[2])
+    here: Any = cell if line is None else tuple(map(Dual, cell, line))
     rows = Rows(*(np.full(one.shape, Fraction(0)) for one in make_rows(layout.size)))
     put_rows(Bodies.of(numbers), layout.blocks, omegas, here, rows)  # type: ignore[arg-type]  # a pair of dual numbers
     return Rows(*map(_slopes, rows))
