@@ -23,8 +23,8 @@ from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
-from numerics.errors import InvalidScene
-from numerics.linear.model import V1, V2
+from numerics.errors import InvalidScene, OutOfRange
+from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2, X1, X2
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode
@@ -44,10 +44,11 @@ class FrictionLine(NamedTuple):
     level: Fraction
 
 
-Start = tuple[tuple[int, int], tuple[int, int, int, int]]
-"""Where a slip begins: its cell, and how many derivatives of its guards vanish there (FLOOR to RIGHT)."""
-FLOOR, CEILING, LEFT, RIGHT, FORCE = range(5)
-"""The guards of a slip: |w| falls to v_k (v_0 = 0 ends the slip), rises to v_k+1; z at either end; B + C gets to 0."""
+Start = tuple[tuple[int, int], tuple[int, int]]
+"""Where a slip begins: its cell, and how many derivatives of FLOOR and CEILING vanish there."""
+Numbered = tuple[float, int]
+VANISHES = 3
+"""Behind the guards of a slip: B + C gets to 0."""
 PLAIN = (0, 0)
 
 
@@ -70,7 +71,12 @@ class Cells:
         self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
         """At any time, at most: -B', N s/m; |C'|, N/m; |B'| next to rest."""
         self.pulling, self.steep = most * max(abs(slope) for _, slope in self.by_place), most * abs(self.by_speed[0][1])
-        self._guards: dict[tuple[int, int], tuple[list[tuple[int, int, Fraction]], bool]] = {}
+        self._guards: dict[tuple[int, tuple[int, int]], tuple[list[tuple[int, int, Fraction]], bool]] = {}
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Return how many intervals of |w| and of z there are."""
+        return len(self.by_speed), len(self.by_place)
 
     def scale(self, piece: ExactPiece) -> Fraction:
         """Return b(t)/b of a piece."""
@@ -147,22 +153,54 @@ class Cells:
         above = self.speeds[k + 1] if k + 1 < len(self.speeds) else None
         return self.speeds[k], above, self.places[j - 1] if j else None, self.places[j] if j < last else None
 
-    def guards(self, cell: tuple[int, int]) -> tuple[list[tuple[int, int, Fraction]], bool]:
-        """Return kind, sign and offset of the guards at the ends of a cell, and whether friction may vanish within."""
-        if cell not in self._guards:
-            ends = enumerate(zip(self.ends(cell), (1, -1, 1, -1), strict=True))
-            at = [(kind, sign, -sign * end) for kind, (end, sign) in ends if end is not None]
-            self._guards[cell] = at, self.limit(cell) is not None
-        return self._guards[cell]
+    def guards(self, side: int, cell: tuple[int, int]) -> tuple[list[tuple[int, int, Fraction]], bool]:
+        """Return kind, sign and offset of the guards of a slip in a cell, and whether friction may vanish within."""
+        if (side, cell) not in self._guards:
+            low, high, *sides = self.ends(cell)
+            ends = (low, side), (high, -side), (sides[side > 0], -side)
+            at = [
+                (kind, sign, -sign * end * (1 if kind == AHEAD else side))
+                for kind, (end, sign) in enumerate(ends)
+                if end is not None
+            ]
+            self._guards[side, cell] = at, self.limit(cell) is not None
+        return self._guards[side, cell]
 
     def limit(self, cell: tuple[int, int]) -> Fraction | None:
         """Return the |w| of a cell up to which B + C > 0 at all its places; None where it is positive everywhere."""
-        (low, high, *sides), (p, slope), (q, pull) = self.ends(cell), self.by_speed[cell[0]], self.by_place[cell[1]]
+        low, (_, high, *sides) = self.speeds[cell[0]], self.ends(cell)
+        (p, slope), (q, pull) = self.by_speed[cell[0]], self.by_place[cell[1]]
         least = p + q + min([pull * z for z in sides if z is not None], default=Fraction(0))
         if slope < 0:
-            limit = -least / slope
-            return limit if high is None or limit <= high else None
+            return -least / slope if high is None or least + slope * high <= 0 else None
         return None if least + slope * low > 0 else low
+
+    def is_open(self, cell: tuple[int, int]) -> bool:
+        """Return whether B + C > 0 at all places of a cell at first."""
+        limit = self.limit(cell)
+        return limit is None or limit > self.speeds[cell[0]]
+
+    def number(self, piece: ExactPiece, mode: int, local: Fraction, state: Sequence[SineForm], order: int) -> Numbered:
+        """Return the cell of a mode from an exact state, as the kernel counts it, and the order of its guard.
+
+        Raises OutOfRange if friction may vanish there.
+        """
+        z, (rows, columns) = (state[X1] - state[X2]).rational or Fraction(0), self.shape
+        if mode == 0:
+            kept = {self.place_line(z, side) for side in (1, -1)}
+            found, begun = sum(kept) / len(kept), [(0, j) for j in kept]
+        else:
+            (k, j), orders = self.start(piece, mode, local, state, order)
+            found, begun = float(((mode < 0) * rows + k) * columns + j), [(k, j)]
+            order = orders[FLOOR] or -orders[CEILING]
+        if not all(map(self.is_open, begun)):
+            raise OutOfRange('friction may vanish in the cell in which this run begins; use arithmetic="ball"')
+        return found, order
+
+    def numbered(self, found: NDArray[np.int64]) -> tuple[NDArray[np.int64], ...]:
+        """Return the cells that the kernel counts so."""
+        rows, columns = self.shape
+        return np.divmod(found % (rows * columns), columns)
 
     def vanishing(self, w: float | Fraction, z: float | Fraction, at: str = "") -> InvalidScene:
         """Return the error for a motion that gets to a place where friction is not positive."""
@@ -178,19 +216,17 @@ class Cells:
         if w is None or z is None:
             raise ArithmeticError("a slip begins from rational w and z")
         if w == 0:
-            j = self.place_line(z, side)
-            at = order + 1 if z in self.places else 0
-            return (0, j), (order, 0, at * (side > 0), at * (side < 0))
-        j, tie = self.place_line(z, side), int(z in self.places)
+            return (0, self.place_line(z, side)), (order, 0)
+        j = self.place_line(z, side)
         k = bisect_right(self.speeds, w) - 1
         (p, slope), (q, pull) = self.by_speed[k], self.by_place[j]
         if p + q + slope * w + pull * z <= 0:
             raise self.vanishing(w, z, " at t = 0")
-        orders = [0, 0, tie * (side > 0), tie * (side < 0)]
+        orders = [0, 0]
         if w == self.speeds[k]:
             rising, m = self._leaves(self.mode(piece, side, (k, j)), local, state)
             k, orders[FLOOR if rising else CEILING] = k - (not rising), m
-        return (k, j), (orders[0], orders[1], orders[2], orders[3])
+        return (k, j), (orders[0], orders[1])
 
     def _leaves(self, mode: LinearMode, local: Fraction, state: Sequence[SineForm]) -> tuple[bool, int]:
         """Return whether |w| rises from a knot, and which derivative says so (MARGINAL: none, it stays there)."""

@@ -34,6 +34,9 @@ X1, V1, X2, V2, FIRST = range(5)
 SLIP, STICK = 0, 1
 FORCE, FORCE_2, BELT, WALL, FRICTION = range(5)
 """The signals, in the order of their blocks."""
+FLOOR, CEILING, AHEAD = range(3)
+"""The guards of a slip in a cell of friction (cells.py): |v1 - v2| falls to where the cell begins, or v1 = v2, or rises
+to where it ends; x1 - x2, which only rises in a slip + and only falls in a slip -, gets to the end that is ahead."""
 LOAD, EDGE, KINETIC, DRIVEN = range(4)
 """Rows that are no guard: Lambda, b_static, b, and the velocity of an infinite body 2."""
 

@@ -32,7 +32,7 @@ from numerics.linear.pieces import pieces_of
 from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
 from numerics.scene import Law, Scene
 
-AWAY = (0, 0, 0, 0)
+AWAY = (0, 0)
 """No derivative of a guard vanishes."""
 
 
