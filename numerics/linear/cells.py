@@ -15,8 +15,8 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
-from typing import NamedTuple
+from itertools import pairwise, product
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from flint import arb
@@ -24,13 +24,16 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene, OutOfRange
-from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2, X1, X2
+from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode
 from numerics.linear.ties import MARGINAL, derivatives
 from numerics.scene import Pair, Scene, Weakening
 from numerics.scene.decimals import short
+
+if TYPE_CHECKING:
+    from numerics.linear.exact_start import ExactKnot
 
 Line = tuple[Fraction, Fraction]
 """p + q x as (p, q)."""
@@ -46,7 +49,6 @@ class FrictionLine(NamedTuple):
 
 Start = tuple[tuple[int, int], tuple[int, int]]
 """Where a slip begins: its cell, and how many derivatives of FLOOR and CEILING vanish there."""
-Numbered = tuple[float, int]
 VANISHES = 3
 """Behind the guards of a slip: B + C gets to 0."""
 PLAIN = (0, 0)
@@ -71,12 +73,12 @@ class Cells:
         self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
         """At any time, at most: -B', N s/m; |C'|, N/m; |B'| next to rest."""
         self.pulling, self.steep = most * max(abs(slope) for _, slope in self.by_place), most * abs(self.by_speed[0][1])
+        self.begun = [self.place_line(scene.initial.x1 - scene.initial.x2, side) for side in (-1, 1)]
+        """The intervals of z in which slip - and slip + begin, from a stick at the start."""
+        cells = list(product(range(len(self.by_speed)), range(len(self.by_place))))
+        self.all = [*product((1, -1), cells), (1, (0, self.begun[1]))]
+        """The cells as the kernel counts them, with the sign of the slip; the last one is the stick at the start."""
         self._guards: dict[tuple[int, tuple[int, int]], tuple[list[tuple[int, int, Fraction]], bool]] = {}
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Return how many intervals of |w| and of z there are."""
-        return len(self.by_speed), len(self.by_place)
 
     def scale(self, piece: ExactPiece) -> Fraction:
         """Return b(t)/b of a piece."""
@@ -175,32 +177,28 @@ class Cells:
             return -least / slope if high is None or least + slope * high <= 0 else None
         return None if least + slope * low > 0 else low
 
+    def behind(self, side: int, cell: tuple[int, int], kind: int) -> tuple[int, int]:
+        """Return the cell behind an end of a cell."""
+        k, j = cell
+        return {FLOOR: (k - 1, j), CEILING: (k + 1, j), AHEAD: (k, j + side)}[kind]
+
     def is_open(self, cell: tuple[int, int]) -> bool:
         """Return whether B + C > 0 at all places of a cell at first."""
         limit = self.limit(cell)
         return limit is None or limit > self.speeds[cell[0]]
 
-    def number(self, piece: ExactPiece, mode: int, local: Fraction, state: Sequence[SineForm], order: int) -> Numbered:
-        """Return the cell of a mode from an exact state, as the kernel counts it, and the order of its guard.
+    def number(self, piece: ExactPiece, knot: ExactKnot) -> tuple[int, int]:
+        """Return where in `all` the cell of an exact knot is, and the order of the guard; < 0: of the end above it.
 
         Raises OutOfRange if friction may vanish there.
         """
-        z, (rows, columns) = (state[X1] - state[X2]).rational or Fraction(0), self.shape
-        if mode == 0:
-            kept = {self.place_line(z, side) for side in (1, -1)}
-            found, begun = sum(kept) / len(kept), [(0, j) for j in kept]
-        else:
-            (k, j), orders = self.start(piece, mode, local, state, order)
-            found, begun = float(((mode < 0) * rows + k) * columns + j), [(k, j)]
-            order = orders[FLOOR] or -orders[CEILING]
+        found, order, begun = len(self.all) - 1, knot.order, [(0, j) for j in self.begun]
+        if knot.mode:
+            cell, (floor, ceiling) = self.start(piece, knot.mode, knot.local, knot.state, order)
+            found, order, begun = self.all.index((knot.mode, cell)), floor or -ceiling, [cell]
         if not all(map(self.is_open, begun)):
             raise OutOfRange('friction may vanish in the cell in which this run begins; use arithmetic="ball"')
         return found, order
-
-    def numbered(self, found: NDArray[np.int64]) -> tuple[NDArray[np.int64], ...]:
-        """Return the cells that the kernel counts so."""
-        rows, columns = self.shape
-        return np.divmod(found % (rows * columns), columns)
 
     def vanishing(self, w: float | Fraction, z: float | Fraction, at: str = "") -> InvalidScene:
         """Return the error for a motion that gets to a place where friction is not positive."""

@@ -17,7 +17,7 @@ from numerics.errors import EventUndecided
 from numerics.linear.cells import PLAIN, VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
-from numerics.linear.model import AHEAD, BELT, CEILING, FLOOR, V1, V2, X1, X2
+from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
 from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
@@ -186,11 +186,11 @@ class EnclosedRun(EnclosedPath):
 
     def crossed(self, at: At, root: Root, event: list[arb]) -> tuple[At, arb]:
         """Return a slip in the next cell, and a bound on int |error of friction| dt about the knot."""
-        cells, (k, j), kind = self.cells, at.cell, root.guard.kind
+        cells, kind = self.cells, root.guard.kind
         if kind == VANISHES:
             w, z = (float((event[n] - event[n + 2]).mid()) for n in (V1, X1))
             raise cells.vanishing(abs(w), z, f" at t = {self.time(at) + float(root.tau.mid()):.6g} s")
-        cell = {FLOOR: (k - 1, j), CEILING: (k + 1, j), AHEAD: (k, j + at.mode)}[kind]
+        cell = cells.behind(at.mode, at.cell, kind)
         # behind an end of |w| the other end of the next interval vanishes
         found = at._replace(cell=cell, orders=(int(kind == CEILING), int(kind == FLOOR)), late=arb(0))
         before, after = (cells.branch(self.pieces[at.piece], 1, one) for one in (at.cell, cell))

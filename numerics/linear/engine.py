@@ -131,9 +131,9 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | N
     rows, units = np.zeros((len(known), ROW)), prepared.units
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
-        cell, order = 0.0, one.order
+        cell, order = 0, one.order
         if cells is not None:
-            cell, order = cells.number(prepared.pieces[one.piece], one.mode, one.local, one.state, order)
+            cell, order = cells.number(prepared.pieces[one.piece], one)
         row[: len(CODES)] = one.mode, order, one.is_event, one.is_jump, one.piece, cell
         row[AT["local"] : AT["length"]] = halves(one.local, units.time)
         row[AT["length"]] = rounded(t - before, units.time)

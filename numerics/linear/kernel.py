@@ -112,7 +112,7 @@ def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
     x1, x2 = off_at(start, 0), off_at(start, 2)
     run.clock[0, 0], run.clock[0, 1] = start[_LOCAL], start[_REST]
     run.clock[1, :] = 0.0
-    order, cell = int(start[_ORDER]), start[_CELL]
+    order, cell = int(start[_ORDER]), int(start[_CELL])
     edge = 0 if order >= 0 else 1  # a slip that starts below its ceiling has a negative order
     now = Now(int(start[_PIECE]), int(start[_MODE]), cell, abs(order), edge, 0.0, 1e300, N, x1, x2, x1 + x2)
     return now, StepEnd(CONTACT if start[_JUMP] == 1.0 and start[_MODE] == 0.0 else PIECE, 0.0)

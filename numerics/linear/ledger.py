@@ -17,7 +17,7 @@ from numerics.linear.calm import doubled, matrix_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import V1, V2, X1, X2, Norm
 from numerics.linear.record import AT
-from numerics.linear.room import Problem, Run, contact_of, dot, form_z, mirror_of, polynomial_of, run_of, size_of
+from numerics.linear.room import Problem, Run, dot, form_z, meeting, polynomial_of, run_of, size_of
 from numerics.linear.table import LINES, POWERS, STATE, UNIT
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
@@ -72,7 +72,7 @@ def ledger(problem: Problem, space: Any, rows: Any, count: int, end: Any, taken:
 def off_in(run: Run, row: Any) -> float:
     """Return N of the error in a row; where friction has cells the root of m1 times what x1 - x2 is off by, if more."""
     off = row[_ERROR]
-    if mirror_of(run) > 0:
+    if len(run.tables.ends) > 1:
         off = max(off, row[_X1_ERROR] + row[_X1_ERROR + 2])
     return off * run.norm.root_m1
 
@@ -173,7 +173,7 @@ def form_at(form: Any, z: Any) -> float:
 def at_event(run: Run, row: Any) -> float:
     """Return twice what is at most taken while it is open whether an event has come: its mode may be any."""
     piece, N, total = int(row[_PIECE]), off_in(run, row), 0.0
-    tables, kind = run.tables, contact_of(run, piece, row[_CELL])
+    tables, kind = run.tables, meeting(run, piece, int(row[_CELL]), 0)
     form_z(run, piece, 1, True)
     for side in range(2):
         for k in range(6):

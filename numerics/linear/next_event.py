@@ -64,7 +64,7 @@ def next_event(run: Run, now: Now, step: Step) -> Next:
 def first_of_guard(run: Run, now: Now, guard: int, order: int, end: float) -> Next:
     """Return the first root of a guard, of which so many coefficients vanish here, up to an end."""
     tables, at, q = run.tables, place_of(run, now), run.q
-    value = 0.0 if now.mode == 0 else tables.ends[int(now.cell), guard]
+    value = 0.0 if now.mode == 0 else tables.ends[now.cell, guard]
     if value == math.inf:
         return Next(CLEAR, end, guard, 0.0, 0.0, 0.0)
     which = guard if now.mode == 0 else guard // AHEAD

@@ -23,7 +23,9 @@ from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
 from numerics.linear.cells import Cells, cells_of
 from numerics.linear.model import (
+    AHEAD,
     BELT,
+    CEILING,
     CONSTANT,
     DRIVEN,
     FIRST,
@@ -52,8 +54,8 @@ from numerics.scene.decimals import short
 Halves = tuple[float, float]
 Kind = tuple[Layout, Cell]
 """What the matrices of a piece depend on."""
-_MOST_CELLS = 400
-"""So many cells of friction are given tables."""
+_MOST_KINDS = 4_000
+"""For so many cells of friction in all pieces there are tables."""
 _EVENTS_PER_HALF_TURN = 3
 """So many events a half turn of the fastest rate (of body 1 alone, of a sine) is given room for."""
 _STATE = slice(AT["x1"], AT["x1"] + 4)
@@ -147,11 +149,13 @@ def _reach(scene: Scene) -> Fraction:
 def prepare(scene: Scene) -> Prepared:
     """Return a scene as the kernel reads it. Raises OutOfRange."""
     units, pieces = _units_of(scene.pair, scene.until, _reach(scene)), pieces_of(scene)
-    drive, kinds, longest = _drive(scene, pieces, units)
+    cells = cells_of(scene)
+    if cells and (any(not one.b for one in pieces) or len(cells.all) * len(pieces) > _MOST_KINDS):
+        raise OutOfRange("friction that vanishes, or of too many points and pieces, is solved in balls only")
+    drive, kinds, longest = _drive(cells, pieces, units)
     norm = _norm(scene.pair, units)
     tables = _tables(scene.pair, norm, kinds, units, longest)
-    if scene.friction.weakening is not None:
-        tables = _cut(tables, scene, norm.kappa, units)
+    tables = tables if cells is None else _cut(tables, cells, norm.kappa, units)
     at, start, place, speed = scene.initial, np.zeros(END_ROW), units.length, units.of(length=1, time=-1)
     start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
@@ -161,7 +165,9 @@ def prepare(scene: Scene) -> Prepared:
     return Prepared(problem, start, units, pieces, half_turns)
 
 
-def _drive(scene: Scene, pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, tuple[Kind, ...], float]:
+def _drive(
+    cells: Cells | None, pieces: Sequence[ExactPiece], units: KernelUnits
+) -> tuple[Drive, tuple[Kind, ...], float]:
     """Return the table of the pieces, the kinds in it, and the length of the longest piece."""
     second = units.time
     places: list[tuple[int, ...]] = []
@@ -169,7 +175,7 @@ def _drive(scene: Scene, pieces: Sequence[ExactPiece], units: KernelUnits) -> tu
     sines: list[tuple[Halves, Halves, Halves]] = []
     kinds: dict[tuple[Kind, ...], int] = {}
     for one in pieces:
-        own = _kinds(scene, one)
+        own = _kinds(cells, one)
         index = kinds.setdefault(own, len(kinds))
         places.append((index * len(own), len(coefficients), len(sines), int(one.is_jump), int(one.belt_jumps)))
         for signal, exponent in zip(one.signals, _dimensions(units), strict=True):
@@ -182,37 +188,31 @@ def _drive(scene: Scene, pieces: Sequence[ExactPiece], units: KernelUnits) -> tu
     return Drive(*arrays), tuple(chain.from_iterable(kinds)), float(length[:, 0].max())
 
 
-def _kinds(scene: Scene, piece: ExactPiece) -> tuple[Kind, ...]:
-    """Return the kinds of a piece, one for each cell. Raises OutOfRange where there are too many."""
-    cells = cells_of(scene)
+def _kinds(cells: Cells | None, piece: ExactPiece) -> tuple[Kind, ...]:
+    """Return the kinds of a piece, one for each cell."""
     if cells is None:
         return ((piece.layout, CONSTANT),)
-    if math.prod(cells.shape) > _MOST_CELLS or not piece.b:
-        raise OutOfRange(f"friction of more than {_MOST_CELLS} cells, or that vanishes, is solved in balls only")
-    return tuple((piece.layout, cells.branch(piece, side, at)) for side in (1, -1) for at in np.ndindex(*cells.shape))
+    return tuple((piece.layout, cells.branch(piece, *one)) for one in cells.all)
 
 
-def _cut(tables: Tables, scene: Scene, kappa: float, units: KernelUnits) -> Tables:
-    """Return tables with the ends of the cells of a scene."""
-    cells, speed = Cells(scene), units.of(length=1, time=-1)
-    shape = (2, *cells.shape)
-    ends, behind = np.full((*shape, 3), np.inf), np.full((*shape, 3), -1)
-    for n, k, j in np.ndindex(*shape):
-        side, (low, high, *sides), limit = 1 - 2 * n, cells.ends((k, j)), cells.limit((k, j))
-        above = (k + 1, j) if limit is None else (len(cells.speeds), j)
-        ways = (
-            (low, -1, speed, (k - 1, j)),
-            (limit or high, 1, speed, above),
-            (sides[1 - n], side, units.length, (k, j + side)),
-        )
-        for guard, (end, sign, unit, to) in enumerate(ways):
-            if end is not None:
-                ends[n, k, j, guard] = sign * rounded(end, unit)
-                if 0 <= to[0] < shape[1] and cells.is_open(to):
-                    behind[n, k, j, guard] = np.ravel_multi_index((n, *to), shape)
+def _cut(tables: Tables, cells: Cells, kappa: float, units: KernelUnits) -> Tables:
+    """Return tables with the ends of cells."""
+    numbers, speed = {one: n for n, one in enumerate(cells.all[:-1])}, units.of(length=1, time=-1)
+    ends, behind = np.full((len(cells.all), 3), np.inf), np.full((len(cells.all), 3), -1)
+    for n, (side, cell) in enumerate(cells.all):
+        limit = cells.limit(cell)
+        for kind, _, offset in cells.guards(side, cell)[0]:
+            ends[n, kind], to = (
+                rounded(offset, units.length if kind == AHEAD else speed),
+                cells.behind(side, cell, kind),
+            )
+            behind[n, kind] = numbers[side, to] if to[0] >= 0 and cells.is_open(to) else -1
+        if limit is not None:
+            ends[n, CEILING], behind[n, CEILING] = rounded(limit, speed), -1
+    meets = np.array([[numbers[side, (0, j)] for side in (-1, 1, 1)] for _, (_, j) in cells.all])
+    meets[-1, 0], meets[-1, 1] = numbers[-1, (0, cells.begun[0])], len(numbers)
     slope, pull = (np.abs(tables.lines[:, 0, OTHERS + KINETIC, place]).max() for place in (V1, X1))
-    steep = np.array([kappa * kappa * slope, kappa * pull])
-    return tables._replace(ends=ends.reshape(-1, 3), behind=behind.reshape(-1, 3), steep=steep)
+    return tables._replace(ends=ends, behind=behind, meets=meets, steep=np.array([kappa * kappa * slope, kappa * pull]))
 
 
 def _norm(pair: Pair, units: KernelUnits) -> Norm:

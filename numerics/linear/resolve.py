@@ -5,13 +5,12 @@ The event of the true motion is within late = 1.25 (error of the guard/slope) of
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.model import AHEAD, CEILING, EDGE, FLOOR, KINETIC, SLIP, STICK, V1, V2, X1, X2
 from numerics.linear.next_event import Next, parting
-from numerics.linear.room import Now, Run, contact_of, dot, load_off, mirror_of, place_of, size_of
+from numerics.linear.room import Now, Run, dot, load_off, meeting, place_of, size_of
 from numerics.linear.table import GUARDS, OTHERS, RATES, SIGNED, UNIT
 
 NOTHING, PIECE, CONTACT, SLIP_END, EXIT, NEXT_CELL = 0, 1, 2, 3, 4, 5
@@ -54,10 +53,10 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
     lines, (steep, pull) = tables.lines[place_of(run, now)], tables.steep
     factor, N = 1.0 + 4.0 * steep * late, now.N + 4.0 * pull * now.apart * late
     apart = now.apart + 2.0 * norm.kappa * now.N * late
-    if now.mode != 0 and (ahead.guard != FLOOR or tables.ends[int(now.cell), FLOOR] != 0.0):
-        behind, order = tables.behind[int(now.cell), ahead.guard], 0 if ahead.guard == AHEAD else 1
+    if now.mode != 0 and (ahead.guard != FLOOR or tables.ends[now.cell, FLOOR] != 0.0):
+        behind, order = tables.behind[now.cell, ahead.guard], 0 if ahead.guard == AHEAD else 1
         mode, edge = now.mode if behind >= 0 else UNDECIDED, CEILING if ahead.guard == FLOOR else FLOOR
-        cell, N = float(max(behind, 0)), factor * (N + 8.0 * (steep / norm.kappa + pull) * ahead.own * window)
+        cell, N = max(int(behind), 0), factor * (N + 8.0 * (steep / norm.kappa + pull) * ahead.own * window)
         return Now(piece, mode, cell, order, edge, late, 1e300, N, far, far_2, apart), StepEnd(NEXT_CELL, 0.0)
     z[X1], z[V1], z[X2], z[V2] = y[0], 0.0, y[2], 0.0  # at v1 = v2
     b = abs(dot(lines[OTHERS + KINETIC], z))
@@ -66,21 +65,12 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
     if now.mode == 0:
         N = factor * (N + 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window))
         mode, order, since = 1 - 2 * ahead.guard, 2 if above <= 0.0 else 1, 0.0 if above <= 0.0 else 1e300
-        cell = cell_of(run, now, mode)
+        cell = tables.meets[now.cell, 1 + mode]
         return Now(piece, mode, cell, order, now.edge, late, since, N, far, far_2, apart), StepEnd(EXIT, late)
     gap = abs(y[1] - y[3])
     y[1] = y[3]
     N = factor * (N + 2.0 * norm.kappa * b * window) + norm.root_m1 * gap
     return Now(piece, now.mode, now.cell, 0, 0, late, now.since, N, far, far_2, apart), StepEnd(SLIP_END, late)
-
-
-@compilable
-def cell_of(run: Run, now: Now, mode: int) -> float:
-    """Return the cell of a mode that follows at v1 = v2."""
-    cell = now.cell - mirror_of(run) if now.mode < 0 else now.cell
-    if mode == 0:
-        return cell
-    return float(math.floor(cell + 0.5) if mode > 0 else math.floor(cell) + mirror_of(run))
 
 
 @compilable
@@ -90,12 +80,12 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
     z is that of the event, with b unsigned.
     """
     mode, order, since, y = now.mode, now.order, now.since, run.y
-    lines = run.tables.lines[contact_of(run, now.piece, now.cell), STICK]
+    lines = run.tables.lines[meeting(run, now.piece, now.cell, 0), STICK]
     one, two = dot(lines[GUARDS], run.z), dot(lines[GUARDS + 1], run.z)
     gap = y[1] - y[3]
     if event.kind == CONTACT and gap != 0.0:  # the belt's velocity has jumped
         off = run.norm.kappa * now.N + 32.0 * UNIT * run.size[V2]
-        mode = UNDECIDED if abs(gap) <= off or mirror_of(run) > 0 else 1 if gap > 0.0 else -1
+        mode = UNDECIDED if abs(gap) <= off or len(run.tables.ends) > 1 else 1 if gap > 0.0 else -1
     elif event.kind in (CONTACT, SLIP_END):
         mode = mode_after(run, now, (one, two), event.late)
         if event.kind == SLIP_END and (mode == now.mode or is_at_end(run, now)):
@@ -105,16 +95,16 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
             since = 1e300 if mode != 0 else 0.0
     late = event.late if mode != now.mode or event.kind == EXIT else now.late
     edge = now.edge if event.kind == NEXT_CELL else 0 if mode != 0 or one <= two else 1
-    cell = cell_of(run, now, mode) if mode != now.mode else now.cell
+    cell = now.cell if mode in (now.mode, UNDECIDED) else run.tables.meets[now.cell, 1 + mode]
     return Now(now.piece, mode, cell, order, edge, late, since, now.N, now.far, now.far_2, now.apart)
 
 
 @compilable
 def is_at_end(run: Run, now: Now) -> bool:
     """Return whether x1 - x2 may be where two cells at v1 = v2 meet."""
-    ends, y, cell = run.tables.ends, run.y, int(cell_of(run, now, 0))
+    ends, y, (below, _, above) = run.tables.ends, run.y, run.tables.meets[now.cell]
     apart, off = y[0] - y[2], 2.0 * now.apart + 8.0 * UNIT * (abs(y[0]) + abs(y[2]))
-    return bool(ends[cell, AHEAD] - apart < off or ends[cell + mirror_of(run), AHEAD] + apart < off)
+    return bool(ends[above, AHEAD] - apart < off or ends[below, AHEAD] + apart < off)
 
 
 @compilable
@@ -122,9 +112,10 @@ def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> 
     """Return the mode that follows where v1 = v2 within `late` of now, from the values of the guards of stick."""
     if run.literal:
         return 0
-    tables, kind = run.tables, contact_of(run, now.piece, now.cell)
+    tables, kind = run.tables, meeting(run, now.piece, now.cell, 0)
     at_edge, fast = 0, 0.0
-    for at in ((kind, STICK), (kind, SLIP), (kind + mirror_of(run), SLIP)):
+    for mode in (-1, 0, 1):
+        at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
         for row in (RATES, RATES + 1):
             fast = max(fast, most_of(run, at, tables.lines[at][row], late))
     for g in range(2):
@@ -163,9 +154,9 @@ def most_of(run: Run, at: tuple[int, int], row: Any, late: float) -> float:
 @compilable
 def fastest(run: Run, now: Now, body: int, late: float) -> float:
     """Return the greatest |v1'| (body 0) or |v2'| (body 1) of any mode within `late` of where a run is."""
-    tables, kind = run.tables, contact_of(run, now.piece, now.cell)
     place, most = V2 if body == 1 else V1, 0.0
-    for at in ((kind, STICK), (kind, SLIP), (kind + mirror_of(run), SLIP)):
-        if at[1] == SLIP or run.literal:  # else stick's is between those of the slips
-            most = max(most, most_of(run, at, tables.A[at][place], late))
+    for mode in (-1, 0, 1):
+        at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
+        if mode != 0 or run.literal:  # else stick's is between those of the slips
+            most = max(most, most_of(run, at, run.tables.A[at][place], late))
     return most

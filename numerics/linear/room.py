@@ -68,8 +68,8 @@ class Now(NamedTuple):
 
     piece: int
     mode: int
-    cell: float
-    """Of friction; in a stick halfway between two if x1 - x2 is the end of both."""
+    cell: int
+    """Of friction."""
     order: int
     """How many coefficients of the guard `edge` vanish here."""
     edge: int
@@ -113,19 +113,13 @@ def run_of(problem: Problem, space: Any) -> Run:
 @compilable
 def place_of(run: Run, now: Now) -> tuple[int, int]:
     """Return where the tables of the mode are: the kind of piece, and 0 for slip, 1 for stick."""
-    return run.drive.places[now.piece, 0] + int(now.cell), 1 if now.mode == 0 else 0
+    return run.drive.places[now.piece, 0] + now.cell, 1 if now.mode == 0 else 0
 
 
 @compilable
-def contact_of(run: Run, piece: int, cell: float) -> int:
-    """Return the kind of the slip + and the stick that are next to a cell at v1 = v2."""
-    return run.drive.places[piece, 0] + int(cell) % max(1, mirror_of(run))
-
-
-@compilable
-def mirror_of(run: Run) -> int:
-    """Return by how many cells that of a slip - is behind that of the slip +; 0 where there is one for both."""
-    return run.tables.ends.shape[0] // 2
+def meeting(run: Run, piece: int, cell: int, mode: int) -> int:
+    """Return the kind of the mode that meets a cell at v1 = v2."""
+    return int(run.drive.places[piece, 0] + run.tables.meets[cell, 1 + mode])
 
 
 @compilable

@@ -59,9 +59,11 @@ class Tables(NamedTuple):
     """(kinds, 2, 6, n): how many terms of each there are, rounded up to an even number; later ones are 0."""
     ends: Any
     """(cells, 3): what the guards of a slip in a cell are where v1 - v2 and x1 - x2 are 0; inf if there is no such end.
-    One cell, or those of slip + and then those of slip -; the kinds of the cells of a piece follow each other."""
+    The kinds of the cells of a piece follow each other."""
     behind: Any
     """(cells, 3): the cell behind each end; -1 if that is not followed: friction may vanish there."""
+    meets: Any
+    """(cells, 3): the cells of slip -, stick and slip + at v1 = v2, for the place that a cell has."""
     steep: Any
     """(2,) the most of a slope times kappa^2, and of a pull times kappa, in any cell."""
 
@@ -76,7 +78,9 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
     steps, blocks = np.ones((kinds, 3)), np.zeros((kinds, 5, 4), dtype=np.int64)
     A, lines, rows = np.zeros((kinds, 2, n, n)), np.zeros((kinds, 2, LINES, n)), np.zeros((kinds, 2, 6, n, terms))
     degrees, ends = np.zeros((kinds, 2, 6, n), dtype=np.int64), np.array([[0.0, np.inf, np.inf]])
-    return Tables(steps, blocks, A, lines, rows, degrees, ends, np.full((1, 3), -1), np.zeros(2))
+    return Tables(
+        steps, blocks, A, lines, rows, degrees, ends, np.full((1, 3), -1), np.zeros((1, 3), dtype=np.int64), np.zeros(2)
+    )
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

@@ -263,7 +263,8 @@ class Rows(Answer):
         """Return the linear modes in which rows begin, and the index of each row's one."""
         rows = self.record.rows
         if isinstance(rows, np.ndarray):
-            cells = np.transpose(Cells(self.scene).numbered(rows[:, AT["cell"]].astype(int)))
+            known = Cells(self.scene).all
+            cells = np.array([known[int(n)][1] for n in rows[:, AT["cell"]]])
         else:
             cells = np.array([one.cell for one in rows])
         all_rows = np.column_stack([self.row_pieces, self.row_signs, cells])
