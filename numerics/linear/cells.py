@@ -18,11 +18,6 @@ from functools import lru_cache
 from itertools import pairwise, product
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-from flint import arb
-from numpy.typing import NDArray
-
-from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene, OutOfRange
 from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2
 from numerics.linear.pieces import ExactPiece
@@ -85,12 +80,12 @@ class Cells:
         return piece.b / self.pair.b
 
     def branch(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> FrictionLine:
-        """Return friction in a cell."""
+        """Return friction in a cell, in a slip or as what holds a stick."""
         scale, (p, slope), (q, pull) = self.scale(piece), self.by_speed[cell[0]], self.by_place[cell[1]]
-        return FrictionLine(scale * slope, scale * side * pull, (p + q) / self.pair.b)
+        return FrictionLine(scale * slope, scale * (side or 1) * pull, (p + q) / self.pair.b)
 
     def mode(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
-        """Return the linear mode of a slip in a cell."""
+        """Return a linear mode in a cell."""
         return LinearMode(self.pair, side, piece, self.branch(piece, side, cell))
 
     def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, FrictionLine]:
@@ -119,16 +114,6 @@ class Cells:
             found["b"] = FrictionLine(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
         return found
 
-    def held(self, piece: ExactPiece, z: arb) -> arb:
-        """Return B(0) + C over a ball of places x1 - x2."""
-        found: arb | None = None
-        for j, (q, pull) in enumerate(self.by_place):
-            _, _, low, high = self.ends((0, j))
-            if not ((low is not None and z < Ball.number(low)) or (high is not None and z > Ball.number(high))):
-                one = Ball.number(self.pair.b + q) + Ball.number(pull) * z
-                found = one if found is None else found.union(one)
-        return (arb("nan") if found is None else found) * Ball.number(self.scale(piece))
-
     def place_line(self, z: float | Fraction, side: int = 1) -> int:
         """Return the interval of a place; at a knot that towards which z moves."""
         return (bisect_right if side > 0 else bisect_left)(self.places, z)
@@ -139,15 +124,6 @@ class Cells:
         if self.pair.b + q + slope * z <= 0:
             raise self.vanishing(Fraction(0), z)
         return self.pair.b + q + slope * z
-
-    def relative(self, w: NDArray[np.float64], z: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return (B(|w|) + C(z))/b in binary64, for drawing."""
-        by_speed, by_place = (np.array(one, dtype=float) for one in (self.by_speed, self.by_place))
-        k, j = (
-            np.searchsorted(np.array(at, dtype=float), x) for at, x in ((self.speeds[1:], abs(w)), (self.places, z))
-        )
-        force = by_speed[k, 0] + by_speed[k, 1] * abs(w) + by_place[j, 0] + by_place[j, 1] * z
-        return np.asarray(force / float(self.pair.b))
 
     def ends(self, cell: tuple[int, int]) -> tuple[Fraction | None, ...]:
         """Return the ends of a cell: |w| from and to, z from and to; None where there is none."""
@@ -252,9 +228,7 @@ def _by_heights(at: Sequence[Fraction], ends: Sequence[int]) -> Iterator[tuple[i
 def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
     """Return the linear mode `side` of any scene in a piece, and in a cell where it has any."""
     cells = cells_of(scene)
-    if cells is not None and side:
-        return cells.mode(piece, side, cell)
-    return LinearMode(scene.pair, side, piece)
+    return LinearMode(scene.pair, side, piece) if cells is None else cells.mode(piece, side, cell)
 
 
 def _lines(points: Sequence[tuple[Fraction, Fraction]]) -> list[Line]:

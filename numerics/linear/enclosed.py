@@ -14,7 +14,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, proved_sign, widened
 from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided
-from numerics.linear.cells import PLAIN, VANISHES
+from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
 from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
@@ -174,15 +174,18 @@ class EnclosedRun(EnclosedPath):
 
     def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
         """Return a point at v1 = v2 in the cell in which its mode goes on."""
-        at = at._replace(cell=PLAIN, orders=(order, 0))
-        if at.mode == 0:
-            return at
+        at = at._replace(orders=(order, 0))
         if at.apart is not None:
-            return at._replace(cell=(0, self.cells.place_line(at.apart, at.mode)), apart=None)
+            exactly = at.apart if at.mode == 0 else None
+            return at._replace(cell=(0, self.cells.place_line(at.apart, at.mode or 1)), apart=exactly)
+        return at._replace(cell=(0, self.interval(at, state)))
+
+    def interval(self, at: At, state: Sequence[arb]) -> int:
+        """Return the interval of places in which a mode begins: a slip does not look at what is behind it."""
         apart, places = state[X1] - state[X2] + arb(0, at.place), [Ball.number(one) for one in self.cells.places]
         if any(apart.overlaps(one) for one in places):
-            raise self.undecided(at)  # what is behind it is not looked for in a slip
-        return at._replace(cell=(0, sum(apart > one for one in places)))
+            raise self.undecided(at)
+        return sum(apart > one for one in places)
 
     def crossed(self, at: At, root: Root, event: list[arb]) -> tuple[At, arb]:
         """Return a slip in the next cell, and a bound on int |error of friction| dt about the knot."""
@@ -268,10 +271,12 @@ class EnclosedRun(EnclosedPath):
             contact = x1 if (knot.v1 - knot.v2).sign() == 0 else None
             at = at._replace(contact=contact, is_slow=self.stays_slow(at, knot.local, x1, v1))
         if self.varies and knot.mode == 0:
-            at = at._replace(apart=(knot.x1 - knot.x2).rational)
+            at = at._replace(apart=(knot.x1 - knot.x2).rational, cell=(0, self.cells.begun[1]))
         elif self.varies:
             cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, knot.state, knot.order)
             at = at._replace(cell=cell, orders=orders)
+            if not self.arithmetic.number(0).is_zero():  # a box of starts
+                self.interval(at, state)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot
             flow, z = self.here(at)

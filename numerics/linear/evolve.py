@@ -66,8 +66,8 @@ def moved(run: Run, now: Now, time: TwoFloats, own: tuple[float, float, float], 
 def grown(run: Run, now: Now, N: float, t: float) -> tuple[float, float]:
     """Return bounds on N and on the error of x1 - x2 after a time in a mode, from N now.
 
-    They solve N' = fall N + pull P, P' = kappa N, with kappa^2 = 1/m1 + 1/m2: of the difference of two motions in a cell
-    (N^2/2)' = -a1 v1^2 - slope w^2 - pull z w, and |w| <= kappa N.
+    They solve N' = fall N + pull P, P' = kappa N, with kappa^2 = 1/m1 + 1/m2: of the difference of two motions in a
+    cell (N^2/2)' = -a1 v1^2 - slope w^2 - pull z w, and |w| <= kappa N.
     """
     kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
     fall, pull = kappa * kappa * max(0.0, -friction[V1]), kappa * abs(friction[X2])

@@ -154,20 +154,10 @@ class EnclosedPath:
         return wall + (force - side * b) / self.pair.a2
 
     def held(self, at: At) -> arb:
-        """Return what friction that depends on the state holds at rest where a point is, N; for the true motion.
-
-        Raises InvalidScene, EventUndecided where it is not > 0.
-        """
-        cells, piece, z = self.cells, self.pieces[at.piece], at.apart
-        if z is not None:
-            return Ball.number(cells.at_rest(z) * cells.scale(piece))
+        """Return what friction that depends on the state holds at rest where a point is, N; for the true motion."""
+        _, pull, level = self.cells.branch(self.pieces[at.piece], 1, at.cell)
         apart = at.state[X1] - at.state[X2] + arb(0, at.place)
-        edge = cells.held(piece, apart)
-        if edge <= 0:
-            raise cells.vanishing(0.0, float(apart.mid()), f" at t = {self.time(at):.6g} s")
-        if not edge > 0:
-            raise self.undecided(at)
-        return edge
+        return Ball.number(level * self.pieces[at.piece].b) + Ball.number(pull) * apart
 
     def edge(self, at: At, flow: Flow, z: Sequence[arb]) -> arb:
         """Return the greatest load that friction holds at a point in stick, N."""

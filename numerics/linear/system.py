@@ -116,7 +116,7 @@ class LinearMode(ShortRepr):
     @property
     def rows(self) -> Rows:
         """Return the exact matrices of both modes."""
-        return exact_rows(self.pair, self.layout, self.cell if self.side else CONSTANT)
+        return exact_rows(self.pair, self.layout, self.cell)
 
     @property
     def size(self) -> int:
@@ -249,7 +249,7 @@ class LocalNorm:
 
     def __init__(self, mode: LinearMode, g: Fraction | None = None) -> None:
         """Form the constants, in the present precision."""
-        (slope, pull, _), pair, number = mode.cell, mode.pair, Ball.number
+        (slope, pull, _), pair, number = mode.cell if mode.side else CONSTANT, mode.pair, Ball.number
         g = abs(pull) if g is None else g
         bodies = Bodies.of(pair)
         self.mode, self.is_fixed = mode, pair.is_fixed

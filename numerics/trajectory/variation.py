@@ -30,8 +30,6 @@ from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.model import (
     FIRST,
     FRICTION,
-    KINETIC,
-    LOAD,
     SLIP,
     STICK,
     Bodies,
@@ -120,7 +118,7 @@ class Variation:
         self.A = _balls(self.rows.A[kind])
         self.signals = _acting(scene, piece.start)
         b = f"{self.signals[FRICTION][0]}.b" if self.signals[FRICTION][0] else "b"
-        self.lines = cells.by_numbers(piece, side, cell, b) if cells and side else {}
+        self.lines = cells.by_numbers(piece, side or 1, cell, b) if cells else {}
         pair, layout, line = self.mode.pair, self.mode.layout, self.mode.cell
         omegas = {
             f"{name}.sines[{k}].omega": first + 2 * k + 1
@@ -177,26 +175,18 @@ class Variation:
         flow = _exponential(self.A * tau)[:FIRST] if flow is None else flow
         return found + np.array((arb_mat(flow.tolist()) * arb_mat(moved.tolist())).tolist())
 
-    def guard(self, end: Variation, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> Guard:
+    def guard(self, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> Guard:
         """Return the guard that ends this mode where it is 0: its row on states, its derivatives, and its rate.
 
-        That of a slip is v1 - v2; that of a stick which ends in the slip of a sign is the edge less that times the
-        load, where friction depends on the state by the slip's line in the cell of `end`.
+        That of a slip is v1 - v2, of a stick which ends in the slip of a sign the edge less that times the load.
         """
-        own = end if self.is_weakened and not self.side else self
-
-        def row(rows: Rows) -> Array:
-            if self.side:
-                return np.asarray(_balls(rows.guards[SLIP, 0]))
-            edge = rows.others[KINETIC] - exit_side * rows.others[LOAD]
-            return np.asarray(_balls(edge if own is end else rows.guards[STICK, 0 if exit_side > 0 else 1]))
-
-        z, moved = own.begun(state, t, y)
-        here = row(own.rows)
-        by, A = here @ moved, self.A if self.side else _balls(own.rows.A[STICK])
-        for name, one in own.moved.items():
-            by[self.column[name]] += row(one) @ z
-        return Guard(here[:FIRST], by, here @ (A @ z))
+        place = (SLIP, 0) if self.side else (STICK, 0 if exit_side > 0 else 1)
+        z, moved = self.begun(state, t, y)
+        here = _balls(self.rows.guards[place])
+        by = here @ moved
+        for name, one in self.moved.items():
+            by[self.column[name]] += _balls(one.guards[place]) @ z
+        return Guard(here[:FIRST], by, here @ (self.A @ z))
 
 
 def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:

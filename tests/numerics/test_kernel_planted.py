@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from draws import brought
 from flint import arb
-from kernel_runs import BOUNDS, STATE, a_scene, errors, exact, in_stick, moved, run
+from kernel_runs import BOUNDS, STATE, a_scene, a_weakened_scene, errors, exact, in_stick, moved, run
 from scene_files import scenes_in
 
 from numerics import EventUndecided, Force, OutOfRange, Pair, Piece, Scene, Sine, State, solve
@@ -45,11 +45,12 @@ def beside(scene, by):
     return moved(scene, in_stick(scene, by))
 
 
-def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp():
+@pytest.mark.parametrize(("drawn", "seed", "share"), [(a_scene, 17, 0.8), (a_weakened_scene, 18, 0.6)])
+def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp(drawn, seed, share):
     """Or the run is in doubt. Without new digits of the second run: it is off by rounding alone."""
-    random, largest, compared = np.random.default_rng(17), np.zeros(10), 0
+    random, largest, compared = np.random.default_rng(seed), np.zeros(10), 0
     for _ in range(RUNS):
-        scene = a_scene(random)
+        scene = drawn(random)
         by = errors(random, scene)
         one = run(scene, by)
         if one.modes is None:
@@ -58,7 +59,7 @@ def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp():
         found = np.hstack(quotients(one, run(beside(scene, corner * np.array(by, float)))))
         assert found.max() <= 1, (found, scene, by)
         largest, compared = np.maximum(largest, found), compared + 1
-    assert compared > 0.8 * RUNS
+    assert compared > share * RUNS
     assert (largest[:9] > 0.4).all()
 
 
