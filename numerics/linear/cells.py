@@ -16,9 +16,9 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise, product
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from numerics.errors import InvalidScene, OutOfRange
+from numerics.errors import InvalidScene
 from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
@@ -26,9 +26,6 @@ from numerics.linear.system import LinearMode
 from numerics.linear.ties import MARGINAL, derivatives
 from numerics.scene import Pair, Scene, Weakening
 from numerics.scene.decimals import short
-
-if TYPE_CHECKING:
-    from numerics.linear.exact_start import ExactKnot
 
 Line = tuple[Fraction, Fraction]
 """p + q x as (p, q)."""
@@ -162,19 +159,6 @@ class Cells:
         """Return whether B + C > 0 at all places of a cell at first."""
         limit = self.limit(cell)
         return limit is None or limit > self.speeds[cell[0]]
-
-    def number(self, piece: ExactPiece, knot: ExactKnot) -> tuple[int, int]:
-        """Return where in `all` the cell of an exact knot is, and the order of the guard; < 0: of the end above it.
-
-        Raises OutOfRange if friction may vanish there.
-        """
-        found, order, begun = len(self.all) - 1, knot.order, [(0, j) for j in self.begun]
-        if knot.mode:
-            cell, (floor, ceiling) = self.start(piece, knot.mode, knot.local, knot.state, order)
-            found, order, begun = self.all.index((knot.mode, cell)), floor or -ceiling, [cell]
-        if not all(map(self.is_open, begun)):
-            raise OutOfRange('friction may vanish in the cell in which this run begins; use arithmetic="ball"')
-        return found, order
 
     def vanishing(self, w: float | Fraction, z: float | Fraction, at: str = "") -> InvalidScene:
         """Return the error for a motion that gets to a place where friction is not positive."""

@@ -21,6 +21,7 @@ from numerics.linear.cells import Cells, cells_of
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.ledger import TINY, ledger
+from numerics.linear.pieces import ExactPiece
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import space_for
@@ -133,7 +134,7 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | N
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
         cell, order = 0, one.order
         if cells is not None:
-            cell, order = cells.number(prepared.pieces[one.piece], one)
+            cell, order = _begun(cells, prepared.pieces[one.piece], one)
         row[: len(CODES)] = one.mode, order, one.is_event, one.is_jump, one.piece, cell
         row[AT["local"] : AT["length"]] = halves(one.local, units.time)
         row[AT["length"]] = rounded(t - before, units.time)
@@ -143,6 +144,20 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | N
     norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T
     rows[:, AT["speed_error"]] = (norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2) / norm.root_m1
     return rows
+
+
+def _begun(cells: Cells, piece: ExactPiece, knot: ExactKnot) -> tuple[int, int]:
+    """Return where in `all` the cell of an exact knot is, and the order of its guard; < 0: of the end above it.
+
+    Raises OutOfRange if friction may vanish there.
+    """
+    found, order, begun = len(cells.all) - 1, knot.order, [(0, j) for j in cells.begun]
+    if knot.mode:
+        cell, (floor, ceiling) = cells.start(piece, knot.mode, knot.local, knot.state, order)
+        found, order, begun = cells.all.index((knot.mode, cell)), floor or -ceiling, [cell]
+    if not all(map(cells.is_open, begun)):
+        raise OutOfRange('friction may vanish in the cell in which this run begins; use arithmetic="ball"')
+    return found, order
 
 
 def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> None:
