@@ -6,8 +6,9 @@
     record        a row for the start of every segment (record.py)
 
 A step has so many Taylor terms that truncation is below rounding. Nothing is sampled; what the bound leaves open ends
-the run as DOUBT. The error of the state is one number N: no mode and no event makes it larger, so that it is the sum of
-what the steps round and of what events are misplaced. Only the clock keeps what its roundings leave out.
+the run as DOUBT. The error of the state is one number N: no mode and no event makes it larger, but for friction of the
+state (evolve.grown), so that it is the sum of what the steps round and of what events are misplaced. Only the clock
+keeps what its roundings leave out.
 """
 
 from __future__ import annotations

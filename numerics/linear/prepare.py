@@ -202,10 +202,8 @@ def _cut(tables: Tables, cells: Cells, kappa: float, units: KernelUnits) -> Tabl
     for n, (side, cell) in enumerate(cells.all):
         limit = cells.limit(cell)
         for kind, _, offset in cells.guards(side, cell)[0]:
-            ends[n, kind], to = (
-                rounded(offset, units.length if kind == AHEAD else speed),
-                cells.behind(side, cell, kind),
-            )
+            to = cells.behind(side, cell, kind)
+            ends[n, kind] = rounded(offset, units.length if kind == AHEAD else speed)
             behind[n, kind] = numbers[side, to] if to[0] >= 0 and cells.is_open(to) else -1
         if limit is not None:
             ends[n, CEILING], behind[n, CEILING] = rounded(limit, speed), -1

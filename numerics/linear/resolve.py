@@ -66,11 +66,11 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
         N = factor * (N + 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window))
         mode, order, since = 1 - 2 * ahead.guard, 2 if above <= 0.0 else 1, 0.0 if above <= 0.0 else 1e300
         cell = tables.meets[now.cell, 1 + mode]
-        return Now(piece, mode, cell, order, now.edge, late, since, N, far, far_2, apart), StepEnd(EXIT, late)
+        return Now(piece, mode, cell, order, FLOOR, late, since, N, far, far_2, apart), StepEnd(EXIT, late)
     gap = abs(y[1] - y[3])
     y[1] = y[3]
     N = factor * (N + 2.0 * norm.kappa * b * window) + norm.root_m1 * gap
-    return Now(piece, now.mode, now.cell, 0, 0, late, now.since, N, far, far_2, apart), StepEnd(SLIP_END, late)
+    return Now(piece, now.mode, now.cell, 0, FLOOR, late, now.since, N, far, far_2, apart), StepEnd(SLIP_END, late)
 
 
 @compilable
@@ -94,7 +94,7 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
         if mode != now.mode:
             since = 1e300 if mode != 0 else 0.0
     late = event.late if mode != now.mode or event.kind == EXIT else now.late
-    edge = now.edge if event.kind == NEXT_CELL else 0 if mode != 0 or one <= two else 1
+    edge = now.edge if mode == now.mode and mode != 0 else 0 if mode != 0 or one <= two else 1
     cell = now.cell if mode in (now.mode, UNDECIDED) else run.tables.meets[now.cell, 1 + mode]
     return Now(now.piece, mode, cell, order, edge, late, since, now.N, now.far, now.far_2, now.apart)
 

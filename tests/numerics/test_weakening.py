@@ -163,9 +163,17 @@ def test_two_coefficients_are_answered_by_those_of_the_pair():
         parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
 
 
-@pytest.mark.parametrize("name", [*SCENES, *BALLS])
-def test_float64_follows_them_as_balls_do(name):
-    run = solve((SCENES | BALLS)[name])
+ON_A_KNOT = {
+    "of speed, above it": weakened(FALLING, v1="0.05"),
+    "of speed, below it": weakened(FALLING, x1="-0.1", v1="0.05"),
+    "of place": weakened(BY_PLACE, x1="0.02", v1="0.3"),
+    "of place, in a stick": weakened(BY_PLACE, 3, Force.sine(2, 5), x2="0.02", x1="0.02"),
+}
+
+
+@pytest.mark.parametrize("scene", [*SCENES.values(), *BALLS.values(), *ON_A_KNOT.values()])
+def test_float64_follows_them_as_balls_do(scene):
+    run = solve(scene)
     assert (run.arithmetic.name, run.tried) == ("float64", "")
     assert run.right_digits > 8
     assert run.check().right
