@@ -93,7 +93,7 @@ def long_step(run: Run, now: Now) -> Now:
     kind, _ = place_of(run, now)
     h, count, scale = tables.steps[kind, STICK], len(run.z), (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
     levels = 1 + max(0, math.floor(math.log2((length - run.clock[0, 0]) / h)))
-    powers = doubled(tables.A[kind, STICK] * h, levels)
+    powers = doubled(tables.A[kind, STICK], h, levels)
     while True:
         left = length - run.clock[0, 0]
         level = min(levels - 1, math.floor(math.log2(left / h))) if left >= h else -1
@@ -112,28 +112,37 @@ def long_step(run: Run, now: Now) -> Now:
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def doubled(A: Any, levels: int) -> Any:
-    """Return exp(A 2^k) for k < levels."""
+def doubled(A: Any, h: float, levels: int) -> Any:
+    """Return exp(A h 2^k) for k < levels."""
     count = A.shape[0]
-    powers, term = np.zeros((levels, count, count)), np.zeros((count, count))
+    powers, terms = np.zeros((levels, count, count)), np.zeros((2, count, count))
     for i in range(count):
-        term[i, i] = 1.0
+        powers[0, i, i] = terms[0, i, i] = 1.0
     for k in range(1, 40):
-        powers[0] += term
-        term = matrix_product(term, A) / k
+        term = terms[k % 2]
+        put_product(terms[(k - 1) % 2], A, h / k, term)
+        add(term, powers[0])
     for level in range(1, levels):
-        powers[level] = matrix_product(powers[level - 1], powers[level - 1])
+        put_product(powers[level - 1], powers[level - 1], 1.0, powers[level])
     return powers
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
-def matrix_product(A: Any, B: Any) -> Any:
-    """Return A B; without a library for it, which would have to be installed."""
+@compilable_with(forceinline=False)
+def put_product(A: Any, B: Any, factor: float, to: Any) -> None:
+    """Write A B times a factor; without a library for it, which would have to be installed."""
     count = A.shape[0]
-    found = np.zeros((count, count))
     for i in range(count):
+        for j in range(count):
+            to[i, j] = 0.0
         for k in range(count):
             if A[i, k] != 0.0:
                 for j in range(count):
-                    found[i, j] += A[i, k] * B[k, j]
-    return found
+                    to[i, j] += factor * A[i, k] * B[k, j]
+
+
+@compilable
+def add(A: Any, to: Any) -> None:
+    """Add a matrix to another one."""
+    for i in range(A.shape[0]):
+        for j in range(A.shape[1]):
+            to[i, j] += A[i, j]

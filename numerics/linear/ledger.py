@@ -13,7 +13,7 @@ import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
-from numerics.linear.calm import doubled, matrix_product
+from numerics.linear.calm import add, doubled, put_product
 from numerics.linear.first_root import value_slope
 from numerics.linear.model import V1, V2, X1, X2, Norm
 from numerics.linear.record import AT
@@ -115,9 +115,9 @@ def by_powers(run: Run, here: tuple[int, int, int], left: float, N: float, taken
     tables, (piece, mode, kind) = run.tables, here
     side = 1 if mode == 0 else 0
     h, powers = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES]
-    A = tables.A[kind, side] * h
+    A = tables.A[kind, side]
     levels = min(_MOST_LEVELS, 1 + math.floor(math.log2(left / h)))
-    flows = doubled(A, levels)
+    flows = doubled(A, h, levels)
     forms = doubled_forms(A, powers, h, flows)
     while left > _LONG * h:
         level = min(levels - 1, math.floor(math.log2(left / h)))
@@ -141,8 +141,9 @@ def doubled_forms(A: Any, powers: Any, h: float, flows: Any) -> Any:
     """Return F of every power, of its first row squared and of its second, for the time of each of these flows."""
     levels, count = flows.shape[0], A.shape[0]
     forms, rows = np.zeros((levels, 6, 3, count, count)), np.zeros((2, count))
+    turned, half = np.zeros((count, count)), np.zeros((count, count))
     for n in range(NODES.shape[0]):
-        flow = doubled(A * NODES[n], 1)[0]
+        flow = doubled(A, h * NODES[n], 1)[0]
         for k in range(6):
             for i in range(2):
                 for j in range(count):
@@ -153,10 +154,14 @@ def doubled_forms(A: Any, powers: Any, h: float, flows: Any) -> Any:
                         forms[0, k, c, i, j] += WEIGHTS[n] * h * rows[a, i] * rows[b, j]
     for level in range(1, levels):
         flow = flows[level - 1]
+        for i in range(count):
+            for j in range(count):
+                turned[i, j] = flow[j, i]
         for k in range(6):
             for c in range(3):
-                before = forms[level - 1, k, c]
-                forms[level, k, c] = before + matrix_product(matrix_product(flow.T.copy(), before), flow)
+                put_product(turned, forms[level - 1, k, c], 1.0, half)
+                put_product(half, flow, 1.0, forms[level, k, c])
+                add(forms[level - 1, k, c], forms[level, k, c])
     return forms
 
 

@@ -202,7 +202,8 @@ def expand(A: Any, places: Any, h: float, row: Any, table: Any, total: Any, cut:
     """Write the Taylor coefficients of a row over a step h, its value at the end (n, 2), and what is cut off."""
     n, terms = A.shape[0], table.shape[1]
     r, after = np.zeros((n, 2)), np.zeros((n, 2))
-    r[:, 0] = row
+    for j in range(n):
+        r[j, 0] = row[j]
     total[:, :] = 0.0
     cut[:] = 0.0
     for k in range(terms + 2):
