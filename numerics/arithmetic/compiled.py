@@ -129,7 +129,7 @@ def _called(function: Any) -> Any:
 
 def _once_for_all_values(made: Any) -> Any:
     """Return a function of numba that is not compiled anew for each number or truth value that a caller writes out."""
-    from numba.core.types import unliteral
+    from numba.core.types.misc import unliteral
 
     template = made.get_call_template
     made.get_call_template = lambda given, named: template(tuple(map(unliteral, given)), named)
