@@ -132,7 +132,7 @@ def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         from numerics.habits import right_word
 
-        known = right_word(name, [*_HOMES]).replace("it takes", "it has")
+        known = right_word(name, [*_HOMES], "dir(numerics) lists what it has")
         raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
     value = getattr(importlib.import_module(_HOMES[name]), name)
     globals()[name] = value

@@ -141,11 +141,9 @@ class OneLineParser(argparse.ArgumentParser):
             message += "; leave one of them out"
         elif (unknown := re.match(r"unrecognized arguments: --([\w-]+)", message)) is not None:
             word, flags = unknown[1], self._flags()
-            is_elsewhere = f"--{word}" in flags
-            right = "--help lists the options" if is_elsewhere else right_word(word.replace("-", "_"), flags)
-            message = (
-                f"--{word} is no option of this command; {right}" if is_elsewhere else f"--{word} is not known: {right}"
-            )
+            is_elsewhere, otherwise = f"--{word}" in flags, "--help lists the options"
+            right = otherwise if is_elsewhere else right_word(word.replace("-", "_"), flags, otherwise)
+            message = f"--{word} is {'no option of this command' if is_elsewhere else 'not known'}; {right}"
         elif message.startswith(("the following", "unrecognized")) or "expected" in message:
             message += "; --help lists the options"
         self.exit(refuse(message, USAGE))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
+from numerics.meter import meter
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def solve_scene(options: argparse.Namespace) -> int:
         try:
             trajectory = trajectory.but(t_eval=options.times)
         except ValueError as error:
-            return refuse(str(error).replace("t_eval", "--times"), USAGE)
+            return refuse(f"--times: {error}", USAGE)
     if options.explain:
         print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
     if options.check:
@@ -65,7 +66,8 @@ def solve_scene(options: argparse.Namespace) -> int:
         from numerics.plane import pictures
         from numerics.trajectory import figures
 
-        write_figure((pictures if on_surface else figures).overview(trajectory), options.plot)
+        with meter("drawing"):
+            write_figure((pictures if on_surface else figures).overview(trajectory), options.plot)
     else:
         _print(trajectory, options, on_surface=on_surface)
     return OK if trajectory.success else refuse(trajectory.message, FAILED)

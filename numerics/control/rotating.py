@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import acb, acb_poly, arb
 
@@ -25,6 +25,9 @@ from numerics.errors import InvalidScene, MissingTool
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive
 from numerics.scene.plane import PlanePair, PlaneScene
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _SPARE = 20
 
@@ -56,7 +59,7 @@ class RotatingResponse:
     attracts: bool
     digits: int
 
-    def plot(self) -> Any:
+    def plot(self) -> Figure:
         """Return a matplotlib figure: the circles of positions and velocities. Raises MissingTool."""
         return pictures().draw_rotating(self)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import sys
 import tomllib
 from collections.abc import Callable, Iterator
@@ -13,7 +14,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from numerics.errors import InvalidScene
-from numerics.habits import right_word
+from numerics.habits import helpful, right_word
 from numerics.scene import Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
 from numerics.scene.decimals import decimal_text, listed, shown
 from numerics.scene.model import BUILD, read_law, require_kind
@@ -38,6 +39,7 @@ _SCENE = {
 _SINE = ("amplitude omega", "phase")
 _REPEATED = {"force", "friction", "belt", "wall", "reference"}
 """Tables of which there may be many."""
+_SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars", " ": "blanks"}
 _ON_A_LINE = ("weakening", "belt", "wall", "b_static", "body")
 _FOLDER = resources.files("numerics") / "scene"
 
@@ -61,6 +63,7 @@ def _shipped(folder: str, name: str) -> str:
     return (_FOLDER / folder / f"{name}.toml").read_text("utf-8")
 
 
+@helpful
 def load_scene(name_or_path: str | Path) -> Scene:
     """Return the scene of a shipped short name such as "velocities", or of a TOML file, "-" for standard input.
 
@@ -80,6 +83,7 @@ def load_line(name_or_path: str | Path) -> Scene:
     return scene
 
 
+@helpful
 def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
     """Return the pieces of a reference r(t) (m), of a shipped short name or a TOML file of [[reference]] tables.
 
@@ -119,13 +123,13 @@ def _content(name: str, what: str, remedy: str) -> str:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InvalidScene(f"no {what} {path!r}: {reason}; {remedy}") from None
-    named = "on standard input" if name == "-" else f"file {path!r}"
+    named = "on standard input" if name == "-" else repr(path)
     if len(data) > MAX_BYTES:
         raise InvalidScene(f"{what} {named} is larger than {MAX_BYTES} bytes; leave some of it out")
     try:  # some editors on Windows begin a file with a byte order mark
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise InvalidScene(f"{what} {named} is not UTF-8 text; save it as UTF-8") from None
+        raise InvalidScene(f"{what} {named} is not UTF-8 text; save it as plain text in UTF-8") from None
 
 
 def parse_scene(text: str, file: str = "") -> Scene:
@@ -189,16 +193,18 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     file = table["file"]
     if not isinstance(file, str) or table.keys() & set(_PIECE.split()):
         raise InvalidScene(f"file = {shown(file)} must be a text, beside kind alone; leave out {_PIECE}")
-    lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().split("\n")
-    names = lines[0].strip(' "#').lower()
+    lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().splitlines()
+    names = "".join(lines[:1]).strip(' "#').lower()
     first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))
     rows = [line.replace('"', "").split(",") for line in lines[first:]]
-    if lines == [""] or not rows:
+    if not rows:
         raise InvalidScene(f"{shown(file)} holds no samples; give a line t, u for each")
     for number, row in enumerate(rows, first + 1):
-        if len(row) != 2 or ";" in lines[number - 1]:
-            line = f"row {number} of {shown(file)}, {shown(lines[number - 1])}"
-            raise InvalidScene(f"{line}, is not a t and a u; write 0.5, 1.25 with decimal points and one comma")
+        line, place = lines[number - 1], f"row {number} of {shown(file)}, {shown(lines[number - 1])},"
+        separators = [name for sign, name in _SEPARATORS.items() if sign in line and (sign != " " or "," not in line)]
+        if len(row) != 2 or ";" in line:
+            found = f", but separated by {separators[0]}" if separators else ""
+            raise InvalidScene(f"{place} is not a t and a u{found}; write 0.5, 1.25 with decimal points and one comma")
     t, u = zip(*rows, strict=True)
     return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
 
@@ -213,13 +219,19 @@ def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) 
             raise InvalidScene(
                 f"{file!r} is a table, not a TOML {what}; name it as file = {file!r} in a [[force]] of a scene"
             ) from None
-        reason = " ".join(str(error).split())[:200]
+        reason = "a number has thousands of digits" if "integer string" in str(error) else " ".join(str(error).split())
+        place = re.search(r"at line (\d+)", reason)
+        line = f", {shown(text.splitlines()[int(place[1]) - 1])}" if place else ""
         named = "standard input" if file == "-" else repr(file)
-        raise InvalidScene(f"{f'{named} is ' if file else ''}not a TOML {what}: {reason}; correct that place") from None
+        remedy = "write key = 0.05, with a decimal point, texts in quotes"
+        raise InvalidScene(
+            f"{f'{named} is ' if file else ''}not a TOML {what}: {reason[:200]}{line}; {remedy}"
+        ) from None
     headed = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
     for name in tables:
         if name not in known:
-            raise InvalidScene(f"unknown table or key [{name[:40]!r}]; a {what} has {', '.join(headed.values())}")
+            right = right_word(name, [*known], f"a {what} has {', '.join(headed.values())}")
+            raise InvalidScene(f"unknown table or key [{name[:40]!r}]; {right}")
     for name, keys in known.items():
         if name not in _REPEATED:
             _require_keys(tables.get(name, {}), keys, headed[name])
@@ -279,6 +291,7 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
             raise InvalidScene(f"{where}: missing key {key}; give it")
 
 
+@helpful
 def scene_text(scene: Scene | PlaneScene) -> str:
     """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact.
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from flint import arb
 
+from numerics.habits import helpful
 from numerics.linear.modes import MODES
 from numerics.scene.model import require_kind
 from numerics.solver.solve import solve
@@ -104,6 +105,7 @@ class Check:
         return "\n".join(lines)
 
 
+@helpful
 def check(run: Trajectory) -> Check:
     """Solve the scene of a run again in balls, and return what each of its numbers is really off by.
 

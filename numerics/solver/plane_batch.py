@@ -18,7 +18,7 @@ from numerics.solver.batch import Ends
 from numerics.solver.inputs import near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
-from numerics.trajectory.columns import STATE, Floats, room
+from numerics.trajectory.columns import STATE, Counts, Floats, room
 from numerics.trajectory.status import Status
 
 _FEW = 8
@@ -48,6 +48,17 @@ class PlaneBatch(Ends):
     ([True, True], 'reached the horizon', [15, 15], [0.006, 0.012], ('energy', 'events', 'digits', 't'))
     """
 
+    mode: NDArray[np.object_]
+    t: Floats
+    energy: Floats
+    energy_error: Floats
+    y_error: Floats
+    digits: Counts
+    event_t: Floats
+    event_y: Floats
+    event_mode: NDArray[np.object_]
+    event_t_error: Floats
+    event_y_error: Floats
     ANSWERS = "energy", "events", "digits", "t"
     """What can be drawn."""
 
@@ -60,7 +71,7 @@ class PlaneBatch(Ends):
             setattr(self, name, np.moveaxis(array, -2, 0) if "y" in name.split("_") else array)
 
     @property
-    def inputs(self) -> dict[str, NDArray[np.float64]]:
+    def inputs(self) -> dict[str, Floats]:  # type: ignore[override]  # formed when it is asked for
         """Return "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until, (rows,) each, SI units."""
         named = {"until": [one.until for one in self.scenes]}
         for k in range(self.scenes[0].pair.axes):

@@ -18,6 +18,7 @@ from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Scene
+from numerics.solver.solve import solve
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import STATE, Counts, Floats
 from numerics.trajectory.run import run_scene
@@ -29,7 +30,7 @@ _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
 _TAKEN = AT["friction"]
 _FLOAT64, _DIGITS = Float64(), 68
-"""Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
+"""Where friction depends on the state a batch, too, begins in balls, of so many digits."""
 
 
 def form_ledgers(
@@ -73,16 +74,24 @@ def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Ite
         yield from pool.map(task, parts)  # who stops reading cancels those that have not begun
 
 
-def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
-    """Solve one scene, and write its first events and its end; their times count from the start of the run."""
+def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats, goes_on: bool) -> None:
+    """Solve one scene, and write its first events and its end; their times count from the start of the run.
+
+    A scene in doubt `goes_on` in balls, as in `solve`.
+    """
     kept[:] = end[:] = np.nan  # also what compiled code wrote, in units of its own, before it left the row to this
     try:
-        found = run_scene(scene, Ball(_DIGITS) if scene.friction.weakening else _FLOAT64, max_events)
+        try:
+            found = run_scene(scene, Ball(_DIGITS) if scene.friction.weakening else _FLOAT64, max_events)
+        except EventUndecided:
+            if not goes_on:
+                raise
+            found = solve(scene, max_events=max_events)
     except (EventUndecided, OutOfRange) as error:
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
         end[AT["mode"]] = end[AT["events"]] = 0.0
         return
-    rows, last = _in_floats(found) if scene.friction.weakening else (found.record.rows, found.record.end)
+    rows, last = (found.record.rows, found.record.end) if found.bounded else _in_floats(found)
     at = [0, *np.flatnonzero(rows[:, AT["event"]])[: len(kept) - 1]]
     kept[: len(at)], end[:] = rows[at], last
     for row in (*kept[: len(at)], end):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Unpack, get_args, overload
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, exhausted, to_digits
 from numerics.arithmetic.ball import Ball
@@ -15,9 +15,10 @@ from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from numerics.habits import helpful
 from numerics.meter import meter, shows
 from numerics.scene import Scene
-from numerics.scene.decimals import require_digits, require_function, shown
+from numerics.scene.decimals import Exact, require_digits, require_function, require_one_of
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
+from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.rows import require_times
 from numerics.trajectory.run import MAX_EVENTS, Progress, run_scene
@@ -51,21 +52,30 @@ class _Limits(NamedTuple):
         return run_scene(scene, arithmetic, self.events, self.progress)
 
 
-@overload
-def solve(scene: PlaneScene, **options: Any) -> PlaneTrajectory: ...
+class _Options(TypedDict, total=False):
+    digits: int | None
+    arithmetic: ArithmeticName | None
+    t_eval: Sequence[Exact] | Array | None
+    max_events: int
+    max_digits: int
+    progress: Progress | None
 
 
 @overload
-def solve(scene: Scene, **options: Any) -> Trajectory: ...
+def solve(scene: PlaneScene, **options: Unpack[_Options]) -> PlaneTrajectory: ...
 
 
-@helpful  # type: ignore[misc]  # the options are those below
+@overload
+def solve(scene: Scene, **options: Unpack[_Options]) -> Trajectory: ...
+
+
+@helpful
 def solve(
     scene: Scene | PlaneScene,
     *,
     digits: int | None = None,
     arithmetic: ArithmeticName | None = None,
-    t_eval: Sequence[Any] | None = None,
+    t_eval: Sequence[Exact] | Array | None = None,
     max_events: int = MAX_EVENTS,
     max_digits: int = MAX_DIGITS,
     progress: Progress | None = None,
@@ -141,8 +151,8 @@ def require_arithmetic(name: Any) -> None:
     """Raise ValueError for what names no arithmetic; None stands for the one that a scene needs."""
     if name == "double-double":
         raise ValueError('arithmetic = double-double is no longer offered; use digits=N, or arithmetic="ball"')
-    if name is not None and (not isinstance(name, str) or name not in get_args(ArithmeticName)):
-        raise ValueError(f"arithmetic = {shown(name)} is not one of {', '.join(get_args(ArithmeticName))}")
+    if name is not None:
+        require_one_of("arithmetic", name, get_args(ArithmeticName))
 
 
 def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Limits) -> Trajectory:

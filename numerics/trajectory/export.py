@@ -9,7 +9,7 @@ import csv
 import io
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import arb
@@ -23,12 +23,15 @@ from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.rendering import MOST_DIGITS, right_digits_text, with_radius
 
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
 END_NAMES = (*STATE, "energy", "energy_excess")
 Written = dict[str, str]
 Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
 UNITS = {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "load": "N"}
-OF_ANGLE = {"m": "rad", "m/s": "rad/s", "N": "N m"}
+OF_ANGLE = {"m": "rad", "m/s": "rad/s", "N": "N m", "kg": "kg m^2"}
 
 
 def is_enclosed(trajectory: Any) -> bool:
@@ -203,10 +206,10 @@ def write_npz(trajectory: Any, path: Path, extra: dict[str, Array] | None = None
         np.savez(file, **arrays(trajectory), **(extra or {}))  # type: ignore[arg-type]
 
 
-def dataframe(trajectory: Any) -> Any:
+def dataframe(trajectory: Any) -> DataFrame:
     """Return t, mode, the state (a column for each axis) and energies at `t` as a pandas DataFrame, in binary64.
 
-    The mode at an event is the one after it. Raises MissingTool.
+    The mode at an event is the one after it. `.attrs["units"]` has the units. Raises MissingTool.
     """
     try:
         import pandas as pd
@@ -216,4 +219,6 @@ def dataframe(trajectory: Any) -> Any:
     modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
     state = zip(_state_names(len(found["y"])), found["y"], strict=True)
     columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
-    return pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})
+    frame = pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})
+    frame.attrs["units"] = {name: unit_of(name) for name in frame}
+    return frame

@@ -10,7 +10,7 @@ import operator
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
@@ -19,15 +19,20 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN, mode_in
 from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
-from numerics.linear.modes import MODES
+from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Record
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
-from numerics.scene.decimals import short, shown
+from numerics.scene.decimals import require_one_of, short, shown
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
 from numerics.trajectory.flow import Moving, signals_at, steps_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from numerics.scene.decimals import Exact, Quantity, Times
 
 Side = Literal["left", "right"]
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
@@ -35,6 +40,8 @@ _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 class Rows(Answer):
     """A scene, the arithmetic it was solved in, and the rows of its record, in SI units."""
+
+    scene: Scene
 
     def __init__(self, scene: Scene, arithmetic: Arithmetic, record: Record) -> None:
         """Keep what a run wrote."""
@@ -108,6 +115,11 @@ class Rows(Answer):
         return Moment(*self._states[:, -1].tolist())
 
     @property
+    def final(self) -> Moment:
+        """Return the same, as `run.final.x1`; `final_mode` is its mode."""
+        return self.final_state
+
+    @property
     def initial(self) -> Moment:
         """Return (x1, v1, x2, v2) at the start."""
         return Moment(*self._states[:, 0].tolist())
@@ -140,7 +152,7 @@ class Rows(Answer):
         return self.row_states[:, self.event_rows]
 
     @cached_property
-    def end_time(self) -> Number:
+    def end_time(self) -> Quantity:
         """Return the time at the end, s."""
         with self.context():
             return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
@@ -209,12 +221,12 @@ class Rows(Answer):
         require_side(side)
         return np.maximum(np.searchsorted(self._row_points, self._middles(times), side=side) - 1, 0)
 
-    def row_at(self, t: Any, side: Side = "right") -> Counts:
+    def row_at(self, t: Times, side: Side = "right") -> Counts:
         """Return the rows whose segments hold time(s) t (s), flat; at an event that on the given side."""
         with self.context():
             return self._rows(self._times(t).ravel(), side)
 
-    def sol(self, t: Any, side: Side = "right") -> Array:
+    def sol(self, t: Times, side: Side = "right") -> Array:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
 
         t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
@@ -225,6 +237,12 @@ class Rows(Answer):
         with self.context():
             given = self._times(t)
             return self.row_values(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
+
+    @overload
+    def mode_at(self, t: Exact | Quantity, side: Side = "right") -> Mode: ...
+
+    @overload  # as balls are any type here, where flint is not read
+    def mode_at(self, t: Times, side: Side = "right") -> NDArray[np.object_]: ...
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
@@ -346,8 +364,7 @@ def exact_time(t: Any, name: str = "t") -> Fraction:
 
 def require_side(side: Any) -> None:
     """Raise ValueError for what is no side of an event."""
-    if not isinstance(side, str) or side not in ("left", "right"):
-        raise ValueError(f"side = {shown(side)} is not one of left, right")
+    require_one_of("side", side, ("left", "right"))
 
 
 def require_times(t_eval: Any, until: Fraction) -> None:

@@ -21,7 +21,7 @@ from mpmath.libmp import from_man_exp
 
 from numerics.arithmetic.ball import ball_of
 from numerics.errors import InvalidFile, InvalidScene
-from numerics.files import whole_file
+from numerics.files import path_of, whole_file
 from numerics.scene.decimals import require_digits, require_whole
 from numerics.scene.file import parse_scene, scene_text
 
@@ -33,7 +33,7 @@ def save(trajectory: Any, file: str | Path) -> None:
 
     Raises InvalidScene for a scene that no text of 1000 characters holds.
     """
-    path = Path(file)
+    path = path_of(file)
     if path.suffix not in {"", ".npz"}:
         raise ValueError(f"{str(path)!r} is a name of another kind of file; end it in .npz, or write to_csv() to it")
     text = json.dumps(contents(trajectory)).encode()
@@ -43,7 +43,7 @@ def save(trajectory: Any, file: str | Path) -> None:
 
 def load(file: str | Path, kind: Any) -> Any:
     """Return the trajectory in a file, an object of the class `kind`. Raises OSError, InvalidFile."""
-    path = Path(file)
+    path = path_of(file)
     try:
         opened = path.open("rb")
     except OSError as error:

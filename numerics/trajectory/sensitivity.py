@@ -24,7 +24,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from flint import arb
@@ -36,7 +36,7 @@ from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.habits import helpful, right_word
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
-from numerics.meter import metered
+from numerics.meter import meter
 from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
@@ -47,6 +47,9 @@ from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
 from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.variation import legs
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Times
 
 _GUARD_BITS = 64
 """So many bits more than those of the trajectory are worked with."""
@@ -91,13 +94,15 @@ def sensitivities(trajectory: Trajectory, *, wrt: Sequence[str] | None = None) -
 
 
 @overload
-def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right", wrt: Sequence[str] | None = None) -> Array: ...
+def sensitivities(
+    trajectory: Trajectory, t: Times, side: Side = "right", wrt: Sequence[str] | None = None
+) -> Array: ...
 
 
 @helpful
-@metered("derivatives")
+@meter("derivatives")
 def sensitivities(
-    trajectory: Trajectory, t: Any = None, side: Side = "right", wrt: Sequence[str] | None = None
+    trajectory: Trajectory, t: Times | None = None, side: Side = "right", wrt: Sequence[str] | None = None
 ) -> Sensitivity | Array:
     """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
 

@@ -14,7 +14,7 @@ from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
-from numerics.meter import metered
+from numerics.meter import meter
 from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
@@ -24,7 +24,10 @@ from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
 
 if TYPE_CHECKING:
+    from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
+
+    from numerics.scene.decimals import Quantity
 
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
@@ -246,7 +249,7 @@ class Trajectory(Rows):
             return np.asarray(energy_of(self, self.t, self.y))
 
     @property
-    def final_energy(self) -> Number:
+    def final_energy(self) -> Quantity:
         """Return the energy at the end, J, formed from the state."""
         with self.context():
             found: Number = energy_of(self, np.array([self.end_time]), self._states[:, -1:]).tolist()[0]
@@ -307,7 +310,7 @@ class Trajectory(Rows):
 
     # ------------------------------------------------------------------ where the energy went
     @property
-    def dissipated(self) -> Number:
+    def dissipated(self) -> Quantity:
         """Return what friction and viscosity took, J."""
         with self.context():
             return self.ledger.friction + self.ledger.viscous
@@ -319,15 +322,16 @@ class Trajectory(Rows):
             return ledger_of(self)
 
     # ------------------------------------------------------------------ pictures, text and files
-    @metered("drawing")
+    @meter("drawing")
     def plot(self, kind: Kind = "velocities", ax: Axes | None = None) -> Axes:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
         from numerics.trajectory.figures import draw
 
         return draw(self, kind, ax)
 
-    @metered("drawing")
-    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
+    def animate(
+        self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15
+    ) -> FuncAnimation:
         """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
 
         `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
