@@ -143,7 +143,7 @@ class OneLineParser(argparse.ArgumentParser):
             word, flags = unknown[1], self._flags()
             is_elsewhere, otherwise = f"--{word}" in flags, "--help lists the options"
             right = otherwise if is_elsewhere else right_word(word.replace("-", "_"), flags, otherwise)
-            message = f"--{word} is {'no option of this command' if is_elsewhere else 'not known'}; {right}"
+            message = f"--{word} is {'no option of this command;' if is_elsewhere else 'not known:'} {right}"
         elif message.startswith(("the following", "unrecognized")) or "expected" in message:
             message += "; --help lists the options"
         self.exit(refuse(message, USAGE))

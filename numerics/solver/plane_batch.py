@@ -46,6 +46,8 @@ class PlaneBatch(Ends):
     ((2, 2), ['slip', 'stick'], [[0.1081], [0.1735]], True)
     >>> found.success.tolist(), found.message[0], found.digits.tolist(), found.inputs["x1 x"].tolist(), found.ANSWERS
     ([True, True], 'reached the horizon', [15, 15], [0.006, 0.012], ('energy', 'events', 'digits', 't'))
+    >>> [*found.results], found.values("t").tolist()
+    (['status', 'success', 'energy', 'events', 'digits', 't'], [1.0, 1.0])
     """
 
     mode: NDArray[np.object_]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -112,7 +113,7 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
                 value = getattr(knot, name)
                 row[AT[name]] = float(value.mid())
                 row[late + place] = float(value.rad()) + abs(row[AT[name]]) * 2.0**-52
-        taken = [found.ledger.friction, found.ledger.viscous]
+        taken: list[Any] = [found.ledger.friction, found.ledger.viscous]
         friction, viscous = (float(one.mid()) for one in taken)
         off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
     table[-1, ROW:] = record.how, record.events, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off

@@ -20,8 +20,8 @@ from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import proved_digits
-from numerics.trajectory.rows import require_times
 from numerics.trajectory.run import MAX_EVENTS, Progress, run_scene
+from numerics.trajectory.times import require_times
 from numerics.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:

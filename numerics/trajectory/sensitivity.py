@@ -42,9 +42,10 @@ from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.rendering import right_digits_text, with_radius
-from numerics.trajectory.rows import Side, exact_time
+from numerics.trajectory.rows import Side
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
+from numerics.trajectory.times import exact_time
 from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.variation import legs
 

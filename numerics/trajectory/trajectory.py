@@ -19,7 +19,7 @@ from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced
-from numerics.trajectory.rows import Rows, Side
+from numerics.trajectory.rows import Rows
 from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
 
@@ -265,23 +265,8 @@ class Trajectory(Rows):
             if self.row_excess is None:
                 return np.asarray(formed)
             if self.t_eval is not None:
-                return np.array([self._excess(one, "right") for one in self._asked_times], dtype=object)
+                return np.array([self.row_excess_at(one, "right") for one in self._asked_times], dtype=object)
             return self.row_excess[np.append(self._starts, -1) if self.reached else self._starts]
-
-    def _excess(self, t: Any, side: Side) -> Number:
-        """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
-
-        What friction took since the last event is subtracted from what it was there: such a pair has no damper.
-        """
-        carried = self.row_excess
-        if carried is None:
-            return None
-
-        def left(rows: Array, since: Array) -> Array:
-            return np.asarray(carried[rows] - self.row_taken(rows, since)[0] / self._critical)
-
-        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
-        return found
 
     def end_numbers(self) -> tuple[Number, ...]:
         """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""

@@ -25,7 +25,7 @@ from numerics import (
     solve_many,
     solve_scenes,
 )
-from numerics.meter import meter, metered
+from numerics.meter import meter
 from numerics.scene.file import parse_scene, scene_text
 
 PAPER = load_scene("velocities")
@@ -55,7 +55,7 @@ RUN = solve(PAPER)
         (lambda: sensitivities(RUN, wrt=["k"]), "'k'"),
         (lambda: numerics.Solve, "did you mean solve"),
         (lambda: RUN["q"], "a run has t, y"),
-        (lambda: Force.sine(1, 1) + 3, "Force.step"),
+        (lambda: Force.sine(1, 1) + 3, "Force.constant"),
     ],
 )
 def test_a_word_from_elsewhere_is_answered_by_the_right_one(call, said):
@@ -169,7 +169,7 @@ def test_what_lasts_shows_a_line_on_a_terminal_alone(kind, monkeypatch):
             told(5, 10)
             time.sleep(0.1)
         assert inner is None
-    metered("derivatives")(time.sleep)(0.2)
+    meter("derivatives")(time.sleep)(0.2)
     shown = sys.stderr.getvalue()
     assert ("solving  50 %|##########          |" in shown) is (kind is Terminal)
     assert ("derivatives" in shown) is (kind is Terminal)

@@ -156,7 +156,7 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
         (lambda: solve(PAPER).animate(duration=1e9), "frames"),
         (lambda: Scene(PAPER.pair, State(), until=0), "until = 0 must be > 0"),
         (lambda: solve(Scene(PAPER.pair, State(v1="1e400"), 1), arithmetic="float64"), r"v1 = 1e\+400 is beyond the"),
-        (lambda: Pair(m1=[1, 2], m2=1, a2=1, b=1), r"not \[1, 2\]; give arrays to solve_many"),
+        (lambda: Pair(m1=[1, 2], m2=1, a2=1, b=1), r"not \[1, 2\]; give one number .solve_many takes"),
         (lambda: many(progress=3), "progress = 3 must be a function"),
         (lambda: many(sines=3), "must be a list"),
         (lambda: many().plot("heat"), "is not one of dissipated"),
