@@ -50,9 +50,10 @@ Exceptions:
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    __version__: str
     from numerics.control.response import response as response
     from numerics.control.ring import ring_entry as ring_entry
     from numerics.control.thresholds import thresholds as thresholds
@@ -123,20 +124,22 @@ _HOMES = {name: f"numerics.{module}" for module, names in _NAMES.items() for nam
 __all__ = sorted(_HOMES)  # noqa: PLE0605 - a list, of the names above
 
 
-def __getattr__(name: str) -> Any:
-    """Import a public name when it is first asked for: `--help` needs none of them."""
-    if name == "__version__":
-        from numerics.exits import version
+if not TYPE_CHECKING:
 
-        return version() or "0+source"
-    if name not in _HOMES:
-        from numerics.habits import right_word
+    def __getattr__(name: str) -> object:
+        """Import a public name when it is first asked for: `--help` needs none of them."""
+        if name == "__version__":
+            from numerics.exits import version
 
-        known = right_word(name, [*_HOMES], "dir(numerics) lists what it has")
-        raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
-    value = getattr(importlib.import_module(_HOMES[name]), name)
-    globals()[name] = value
-    return value
+            return version() or "0+source"
+        if name not in _HOMES:
+            from numerics.habits import right_word
+
+            known = right_word(name, [*_HOMES], "dir(numerics) lists what it has")
+            raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
+        value = getattr(importlib.import_module(_HOMES[name]), name)
+        globals()[name] = value
+        return value
 
 
 def __dir__() -> list[str]:

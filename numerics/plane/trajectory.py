@@ -207,7 +207,7 @@ class PlaneTrajectory(Answer):
             found += [(x, scale if x.contains(0) else x) for x in column]
         return min(digits_within(x.rad(), of, of) for x, of in found)
 
-    def record(self) -> dict[str, Any]:
+    def record(self) -> dict[str, object]:
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
         return export.as_record(self)
 

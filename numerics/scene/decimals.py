@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
     Quantity: TypeAlias = "float | mpf | arb"
     """A number of a result: a float, or where more digits were asked for a ball, or what mpmath has."""
-    Exacts: TypeAlias = Exact | ArrayLike | Sequence[Exact]
+    Exacts: TypeAlias = Exact | ArrayLike | Sequence[object]
     """One number or several."""
-    Times: TypeAlias = Exacts | Quantity | Sequence[Quantity]
+    Times: TypeAlias = Exacts | Quantity
     """One time or several, s."""
 
 MAX_EXPONENT = 1000

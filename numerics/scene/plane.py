@@ -57,9 +57,9 @@ class PlanePair(ShortRepr):
         self,
         m1: Exacts,
         m2: Exacts,
-        a2: Exacts | Sequence[Exacts],
+        a2: Exacts,
         b: Exacts,
-        a1: Exacts | Sequence[Exacts] = 0,
+        a1: Exacts = 0,
         shape: str = "ellipsoid",
         axes: int | None = None,
     ) -> None:

@@ -15,6 +15,7 @@ from numerics.arithmetic.protocol import Number
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
 from numerics.meter import meter
+from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
@@ -327,7 +328,7 @@ class Trajectory(Rows):
 
         return animate(self, file, duration, frames_per_second)
 
-    def check(self) -> Any:
+    def check(self) -> Check:
         """Return what every number of the run is really off by: `numerics.check` solves its scene again, in balls."""
         import numerics
 
