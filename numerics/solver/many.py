@@ -311,7 +311,9 @@ def _numbers(name: str, values: Any) -> Floats:
     try:
         given = np.asarray(values)
         if given.dtype.kind in "OU":  # texts are read as in a scene
-            given = np.vectorize(lambda one: float(exact_decimal(one, name)), otypes=[np.float64])(given)
+            given = np.vectorize(
+                lambda one: math.inf if one == "inf" else float(exact_decimal(one, name)), otypes=[np.float64]
+            )(given)
         # NumPy would make real numbers of complex ones, dates and truth values, too
         if given.dtype.kind in "iuf" and not _has_truth_values(values):
             return np.asarray(given, dtype=np.float64)
