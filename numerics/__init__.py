@@ -50,6 +50,7 @@ Exceptions:
 from __future__ import annotations
 
 import importlib
+from types import FunctionType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -127,17 +128,20 @@ __all__ = sorted(_HOMES)  # noqa: PLE0605 - a list, of the names above
 if not TYPE_CHECKING:
 
     def __getattr__(name: str) -> object:
-        """Import a public name when it is first asked for: `--help` needs none of them."""
+        """Import a public name when it is first asked for: `--help` needs none of them. Functions are `helpful`."""
+        from numerics.habits import helpful, right_word
+
         if name == "__version__":
             from numerics.exits import version
 
             return version() or "0+source"
         if name not in _HOMES:
-            from numerics.habits import right_word
-
             known = right_word(name, [*_HOMES], "dir(numerics) lists what it has")
             raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
         value = getattr(importlib.import_module(_HOMES[name]), name)
+        if isinstance(value, FunctionType):
+            value = helpful(value)
+            value.__module__ = __name__  # where a pickle finds it
         globals()[name] = value
         return value
 

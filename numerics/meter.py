@@ -46,11 +46,6 @@ class _Line:
             sys.stderr.flush()
 
 
-def shows() -> bool:
-    """Return whether stderr is a terminal on which nothing is shown yet."""
-    return sys.stderr is not None and sys.stderr.isatty() and not getattr(_ACTIVE, "line", False)
-
-
 @contextmanager
 def meter(
     what: str, given: Callable[..., None] | None = None, ticks: bool = True
@@ -59,7 +54,8 @@ def meter(
 
     With `ticks` it also counts the seconds of work that tells nothing. As a decorator it is the line of a function.
     """
-    if given is not None or not shows():
+    is_free = sys.stderr is not None and sys.stderr.isatty() and not getattr(_ACTIVE, "line", False)
+    if given is not None or not is_free:
         yield given
         return
     line, ended = _Line(what), threading.Event()

@@ -167,7 +167,8 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
     """Return the events, all or the first and the last, and the final state as lines; no digit is ever cut."""
     from numerics.scene.plane import AXES
     from numerics.solver.truth import record
-    from numerics.trajectory.export import END_NAMES, unit_of
+    from numerics.trajectory.export import END_NAMES
+    from numerics.trajectory.units import unit
 
     count = len(trajectory.event_times)
     left_out = 0 if whole else max(0, count - 2 * SHOWN)
@@ -180,11 +181,11 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
     for name in END_NAMES:
         if name not in final or (name == "energy_excess" and trajectory.scene.is_forced):
             continue  # E_cr is that of [pair] b at rest: under a force, or another friction, it decides nothing
-        value, unit = final[name], unit_of(name)
+        value, of = final[name], unit(name)
         if isinstance(value, list):
-            units = [unit_of(f"{name}_{axis}") for axis, _ in zip(AXES, value, strict=False)]
-            value, unit = ", ".join(value), ", ".join(units if len(set(units)) > 1 else units[:1])
-        lines.append(f"  {LABELS.get(name, name)} = {value} {unit}".rstrip())
+            units = [unit(f"{name}_{axis}") for axis, _ in zip(AXES, value, strict=False)]
+            value, of = ", ".join(value), ", ".join(units if len(set(units)) > 1 else units[:1])
+        lines.append(f"  {LABELS.get(name, name)} = {value} {of}".rstrip())
     return [*lines, f"{found['arithmetic']}, at least {found['digits']} right digits"]
 
 

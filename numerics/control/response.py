@@ -23,7 +23,6 @@ from numerics.control.search import MAX_EVENTS, search
 from numerics.control.stuck import entrained, others_stick, resonant_growth, stuck_motion, stuck_multipliers
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.meter import meter
 from numerics.scene import Force, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
@@ -108,7 +107,6 @@ class Response(ShortRepr):
             return self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
 
 
-@helpful
 def response(
     scene: Scene | PlaneScene,
     *,

@@ -32,7 +32,6 @@ from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
 from numerics.free.root import falling_root
-from numerics.habits import helpful
 from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
@@ -73,7 +72,6 @@ class Ring(ShortRepr):
     digits: int
 
 
-@helpful
 def ring_entry(
     scene: Scene,
     radius: Exact,

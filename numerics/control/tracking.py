@@ -25,7 +25,6 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import number, rounded
 from numerics.control.peak import largest_size
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.sine_form import SineForm
@@ -104,7 +103,6 @@ class Tracking(ShortRepr):
         return place, abs(place).max(arb(1))
 
 
-@helpful
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
 

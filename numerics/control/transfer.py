@@ -32,7 +32,6 @@ from numerics.control.answers import (
 from numerics.control.thresholds import cosine_and_sine
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
 from numerics.scene.model import BUILD, require_kind, require_plain
@@ -89,7 +88,6 @@ class Transfer(ShortRepr):
         return number(scene.initial.x2 + self.distance), number(abs(self.distance))
 
 
-@helpful
 def fastest_transfer(
     scene: Scene,
     distance: Exact,

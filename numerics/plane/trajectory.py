@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain, product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, overload
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from flint import arb, arb_poly
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
 
-    from numerics.scene.decimals import Exact, Quantity, Times
+    from numerics.scene.decimals import Quantity, Times
 
 
 class PlaneTrajectory(Answer):
@@ -169,19 +169,12 @@ class PlaneTrajectory(Answer):
         states = [[*chain(*self._at(one))] for one in given.flat]
         return np.array(states, dtype=object).T.reshape(4 * self.scene.pair.axes, *given.shape)
 
-    @overload
-    def mode_at(self, t: Exact | Quantity) -> str: ...
-
-    @overload
-    def mode_at(self, t: Times) -> list[str]: ...
-
-    def mode_at(self, t: Any) -> Any:
+    def mode_at(self, t: Times) -> str | list[str]:
         """Return the mode at time t (s), at an event the one after it; a list for several times."""
-        if np.ndim(t):
-            return [self.mode_at(one) for one in t]
+        given = np.asarray(t, dtype=object)
         with self.context():
-            time = self._time(t)
-            return self.modes[sum(1 for one in self.events if not one.t > time)]
+            found = [self.modes[sum(1 for one in self.events if not one.t > at)] for at in map(self._time, given.flat)]
+        return found if given.ndim else found[0]
 
     def _at(self, t: Any) -> PlaneState:
         with self.context():

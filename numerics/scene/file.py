@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from numerics.errors import InvalidScene
-from numerics.habits import helpful, right_word
+from numerics.habits import right_word
 from numerics.scene import Friction, Law, Pair, Piece, Scene, Signal, Sine, State, Weakening
 from numerics.scene.decimals import decimal_text, listed, shown
 from numerics.scene.model import BUILD, read_law, require_kind
@@ -63,7 +63,6 @@ def _shipped(folder: str, name: str) -> str:
     return (_FOLDER / folder / f"{name}.toml").read_text("utf-8")
 
 
-@helpful
 def load_scene(name_or_path: str | Path) -> Scene:
     """Return the scene of a shipped short name such as "velocities", or of a TOML file, "-" for standard input.
 
@@ -83,7 +82,6 @@ def load_line(name_or_path: str | Path) -> Scene:
     return scene
 
 
-@helpful
 def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
     """Return the pieces of a reference r(t) (m), of a shipped short name or a TOML file of [[reference]] tables.
 
@@ -291,7 +289,6 @@ def _require_keys(content: Any, keys: tuple[str, str], where: str) -> None:
             raise InvalidScene(f"{where}: missing key {key}; give it")
 
 
-@helpful
 def scene_text(scene: Scene | PlaneScene) -> str:
     """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact.
 

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from numerics.solver.inputs import unit, varying
+from numerics.solver.inputs import varying
 from numerics.trajectory.columns import STATE
 from numerics.trajectory.figures import BLUE, ORANGE, axes_for
+from numerics.trajectory.units import unit
 
 
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
@@ -78,5 +79,5 @@ def _direction(given: Any) -> int | None:
 
 
 def _label(name: str, quantity: str = "") -> str:
-    of = unit(quantity or name)
+    of = unit(quantity or name) or "sign of v1 - v2" * (name == "mode")
     return f"{name} ({of})" if of else name

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from numerics.errors import InvalidScene, NumericsError
-from numerics.habits import helpful
 from numerics.meter import meter
 from numerics.scene import Piece, Scene
 from numerics.scene.decimals import Exact, listed, positive, require_one_of, require_whole
@@ -89,7 +88,6 @@ class Bifurcation(ShortRepr, Tabled):
         return draw_bifurcation(self, answer, along, ax)
 
 
-@helpful
 def bifurcation(
     scenes: Sequence[Scene],
     *,

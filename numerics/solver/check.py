@@ -4,30 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from itertools import zip_longest
 from typing import Any, NamedTuple
 
 from flint import arb
 
-from numerics.habits import helpful
-from numerics.linear.modes import MODES
 from numerics.scene.model import require_kind
-from numerics.solver.solve import solve
-from numerics.trajectory.checked import Check, Difference, Off
+from numerics.solver.truth import in_balls
+from numerics.trajectory.checked import Check, Off
 from numerics.trajectory.columns import STATE
-from numerics.trajectory.comparison import as_ball
+from numerics.trajectory.comparison import as_ball, first_difference
 from numerics.trajectory.export import END_NAMES
 from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.units import unit
 
 _SPARE_DIGITS = 15
 """How many digits the balls have more than the run."""
-_UNITS = {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy_excess": "1"}
-"""All others are in J."""
 _SMALLEST = 5e-324
 """The least float above 0."""
 
 
-@helpful
 def check(run: Trajectory) -> Check:
     """Solve the scene of a run again in balls, and return what each of its numbers is really off by.
 
@@ -40,8 +35,7 @@ def check(run: Trajectory) -> Check:
     """
     require_kind("check", run, Trajectory, "give it what `solve` returns for a scene on a line")
     digits = run.arithmetic.digits + _SPARE_DIGITS
-    most = run.record.events + run.reached  # one more than were found shows a lost one
-    truth = solve(run.scene, digits=digits, arithmetic="ball", max_events=max(most, 1))
+    truth = in_balls(run, digits)
     difference = first_difference(run, truth)
     with truth.context():
         compared, true = (
@@ -53,20 +47,6 @@ def check(run: Trajectory) -> Check:
     worst = {one.quantity: one for one in reversed(off)}
     order = dict.fromkeys(one.quantity for one in compared)
     return Check(run.arithmetic.name, digits, len(run.events), difference, tuple(worst[name] for name in order))
-
-
-def first_difference(run: Trajectory, truth: Trajectory) -> Difference | None:
-    """Return the first event after which the modes of two runs differ, or which one of them does not have."""
-    for event, modes in enumerate(zip_longest(run.signs, truth.signs)):
-        if modes[0] != modes[1]:
-            times = (None if mode is None else _time(of, event) for of, mode in zip((run, truth), modes, strict=True))
-            names = [None if mode is None else MODES[mode].value for mode in modes]
-            return Difference(event, next(times), names[0], next(times), names[1])
-    return None
-
-
-def _time(run: Trajectory, event: int) -> float:
-    return float(as_ball(run.event_times[event - 1]).mid()) if event else 0.0
 
 
 class _Number(NamedTuple):
@@ -100,7 +80,7 @@ def _off(one: _Number, true: arb) -> Off:
     error = abs(as_ball(one.value).mid() - true)
     within = bound is None or not error > bound
     said = None if bound is None else _above(bound)
-    return Off(one.quantity, _UNITS.get(one.quantity, "J"), one.event, _above(error), said, within)
+    return Off(one.quantity, unit(one.quantity) or "1", one.event, _above(error), said, within)
 
 
 def _above(x: arb) -> float:

@@ -18,7 +18,6 @@ from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.linear.batch import follow_many
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN
 from numerics.meter import meter
@@ -58,7 +57,6 @@ class _BatchLimits(NamedTuple):
         return self
 
 
-@helpful
 def solve_many(
     m1: ArrayLike,
     m2: ArrayLike,
@@ -156,7 +154,6 @@ def solve_scenes(scenes: Sequence[PlaneScene], **options: Unpack[_Options]) -> P
 def solve_scenes(scenes: Sequence[Scene], **options: Unpack[_Options]) -> Batch: ...
 
 
-@helpful
 def solve_scenes(
     scenes: Sequence[Scene] | Sequence[PlaneScene],
     *,

@@ -12,8 +12,7 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
-from numerics.habits import helpful
-from numerics.meter import meter, shows
+from numerics.meter import meter
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, require_digits, require_function, require_one_of
 from numerics.scene.model import BUILD, require_kind
@@ -69,7 +68,6 @@ def solve(scene: PlaneScene, **options: Unpack[_Options]) -> PlaneTrajectory: ..
 def solve(scene: Scene, **options: Unpack[_Options]) -> Trajectory: ...
 
 
-@helpful
 def solve(
     scene: Scene | PlaneScene,
     *,
@@ -133,17 +131,13 @@ def solve(
         require_function("progress", progress, "(events, fraction)")
     if t_eval is not None:
         require_times(t_eval, scene.until)
-    if progress is None and shows():
-        with meter("solving", ticks=False) as line:
-            asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": line}
-            return solve(scene, **asked, max_events=max_events, max_digits=max_digits)
-    if isinstance(scene, PlaneScene):
-        from numerics.plane.solve import solve_plane
+    with meter("solving", progress, ticks=False) as line:
+        if isinstance(scene, PlaneScene):
+            from numerics.plane.solve import solve_plane
 
-        asked = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
-        return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
-    limits = _Limits(max_events, max_digits, progress)
-    found = _solve(scene, digits, arithmetic, limits)
+            asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": line}
+            return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
+        found = _solve(scene, digits, arithmetic, _Limits(max_events, max_digits, line))
     return found if t_eval is None else found.but(t_eval=t_eval)
 
 

@@ -9,8 +9,9 @@ import numpy as np
 
 from numerics.errors import MissingTool
 from numerics.habits import Helpful
-from numerics.solver.inputs import unit, varying
+from numerics.solver.inputs import varying
 from numerics.trajectory.columns import STATE, Array, Floats
+from numerics.trajectory.units import unit
 
 if TYPE_CHECKING:
     from pandas import DataFrame

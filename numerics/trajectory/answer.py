@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
@@ -80,20 +80,14 @@ class Answer(Helpful):
         convert = np.vectorize(self.arithmetic.to_float, otypes=[float])
         return np.asarray(convert(given) if given.dtype == object else given)
 
-    @overload
-    def __getitem__(self, name: Literal["t", "y", "x1", "v1", "x2", "v2", "energy", "energy_excess"]) -> Array: ...
-
-    @overload
-    def __getitem__(self, name: str) -> object: ...
-
-    def __getitem__(self, name: str) -> object:
-        """Return an attribute by its name, as SciPy's results do, or the row "x1", "v1", "x2" or "v2" of `y`."""
+    def __getitem__(self, name: str) -> Array:
+        """Return an array by its name, as SciPy's results do, or the row "x1", "v1", "x2" or "v2" of `y`."""
         run: Any = self
         if name in STATE:
             return np.reshape(run.y, (len(STATE), -1, len(run.t)))[STATE.index(name)].squeeze()
         if not isinstance(name, str) or name.startswith("_") or not hasattr(self, name):
             raise KeyError(f"{name!r}; a run has t, y, x1, v1, x2, v2, and all that dir(run) lists")
-        return getattr(self, name)
+        return getattr(run, name)
 
     def _shown(self) -> dict[str, Any]:
         """Return what a summary says, by its names."""

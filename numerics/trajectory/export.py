@@ -22,6 +22,7 @@ from numerics.scene.plane import AXES
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.rendering import MOST_DIGITS, right_digits_text, with_radius
+from numerics.trajectory.units import unit
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -30,8 +31,6 @@ END_NAMES = (*STATE, "energy", "energy_excess")
 Written = dict[str, str]
 Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
-UNITS = {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "load": "N"}
-OF_ANGLE = {"m": "rad", "m/s": "rad/s", "N": "N m", "kg": "kg m^2"}
 
 
 def is_enclosed(trajectory: Any) -> bool:
@@ -133,17 +132,6 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
     return write
 
 
-def unit_of(column: str) -> str:
-    """Return the SI unit of a column, or of its radius; none for modes and what is dimensionless.
-
-    An angle has rad for m, and a torque for a force.
-    """
-    whole = column.removesuffix("_radius")
-    name, _, axis = whole.rpartition("_")
-    unit = UNITS.get(name if axis in AXES else whole, "")
-    return OF_ANGLE.get(unit, unit) if axis == AXES[2] else unit
-
-
 def as_csv(record: dict[str, Any]) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     final = {"from": record["final"]["mode"], "to": "", **record["final"]}
@@ -156,7 +144,7 @@ def table(rows: list[dict[str, str]]) -> str:
     columns = list(dict.fromkeys(key for row in rows for key in row))
     buffer = io.StringIO()
     writer = csv.DictWriter(buffer, columns, restval="", lineterminator="\n")
-    writer.writerow({name: f"{name} ({unit})" if (unit := unit_of(name)) else name for name in columns})
+    writer.writerow({name: f"{name} ({of})" if (of := unit(name)) and name != "from" else name for name in columns})
     writer.writerows(rows)
     return buffer.getvalue()
 
@@ -220,5 +208,5 @@ def dataframe(trajectory: Any) -> DataFrame:
     state = zip(_state_names(len(found["y"])), found["y"], strict=True)
     columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
     frame = pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})
-    frame.attrs["units"] = {name: unit_of(name) for name in frame}
+    frame.attrs["units"] = {name: unit(name) for name in frame}
     return frame

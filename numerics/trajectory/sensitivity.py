@@ -33,7 +33,7 @@ from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
-from numerics.habits import helpful, right_word
+from numerics.habits import right_word
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.meter import meter
@@ -100,7 +100,6 @@ def sensitivities(
 ) -> Array: ...
 
 
-@helpful
 @meter("derivatives")
 def sensitivities(
     trajectory: Trajectory, t: Times | None = None, side: Side = "right", wrt: Sequence[str] | None = None

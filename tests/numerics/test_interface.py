@@ -2,6 +2,7 @@
 
 import doctest
 import inspect
+import pickle
 import re
 import sys
 from decimal import Decimal
@@ -17,6 +18,7 @@ from three_scenes import DAMPED, HOW, PAPER
 import numerics
 from numerics import (
     Force,
+    OutOfRange,
     Pair,
     Scene,
     State,
@@ -170,6 +172,18 @@ def test_a_mistake_is_told_in_one_sentence(call, said):
     with pytest.raises((NumericsError, ValueError, TypeError), match=said) as refused:
         call()
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("pair", [Pair(1, 1, 0, 1), Pair(1, "inf", 3, 0), Pair(1, "inf", 0, 0)])
+def test_a_number_out_of_range_is_named_also_without_a_critical_energy(pair):
+    scene = Scene(pair, State(v1="1e400"), 1)
+    with pytest.raises(OutOfRange, match=r"v1 = 1e\+400 is beyond"):
+        solve(scene, arithmetic="float64")
+    assert solve(scene).arithmetic.name == "ball"
+
+
+def test_a_function_from_the_package_is_pickled():
+    assert pickle.loads(pickle.dumps(solve)) is solve
 
 
 # short texts of records, pictures and films
