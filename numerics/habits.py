@@ -10,57 +10,48 @@ from typing import TYPE_CHECKING, NoReturn, ParamSpec, TypeVar
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
-_PARAMETERS = {
-    "k k1 c1 stiffness spring": "a2",
-    "c d c2 damping damper viscosity": "a1",
-    "m M mass masses": "m1 m2",
-    "mu_s f_s Fs static b_s": "b_static",
-    "mu mu_k f_k F_c Fc N normal_force mu_d b_k b_kinetic": "b",
-    "x position x0": "x1 x2",
-    "v velocity v0": "v1 v2",
-    "t_end t_span tspan tmax t_max tf T duration horizon end stop_time": "until",
-    "u F forces": "force",
-    "f": "force omega",
-    "state y0 initial_state ic x_0": "initial",
-    "freq frequency w hz": "omega",
-    "A amp height": "amplitude",
-    "phi phase_angle": "phase",
-    "times time ts t_eval": "t_eval times t",
-    "values forces y samples": "u",
-    "precision prec dps ndigits": "digits",
-    "n_jobs workers processes": "jobs",
-    "fps": "frames_per_second",
-    "path filename fname name": "file name_or_path",
-    "params parameters names by": "wrt",
-    "quantity what which y": "answer kind",
-}
-"""Other words for parameters; that of the function which was called is named."""
-_UNITS = {
-    "a1": "N s/m",
-    "a2": "N/m",
-    "b": "N, the coefficient of friction times the normal force",
-    "b_static": "N, the friction up to which a stick is kept; b is that in slip",
-    "until": "s",
-    "omega": "rad/s, 2 pi times the frequency in Hz",
-}
-_SENTENCES = {
-    "rtol atol tol eps tolerance": "no tolerance is needed; digits=N requests N right digits",
-    "method solver integrator": 'no step method is chosen; arithmetic="ball" or "float64" chooses the numbers',
-    "events event event_fn": "every change of mode is found, in run.events",
-    "dense_output": "run.sol(t) always gives the state at any time",
-    "max_step min_step first_step dt step h": "there is no step size; t_eval gives the times of run.y",
-    "t_end t_span tspan tmax t_max tf T duration horizon until": "the horizon is until=... (s) of the Scene",
-    "y0 initial x0 args params p": "initial state and numbers are those of the Scene; scene.replace(...) changes them",
-    "k m1 m2 a1 a2 b mu c force friction belt wall force_2 b_static weakening": (
-        "that is part of the Scene; scene.replace(...) changes it, solve_scenes takes lists of scenes"
-    ),
-    "x1 v1 x2 v2": 'State(...) has the initial ones; run["x1"] is the row of run.y, run.final.x1 its end',
-    "fun f func rhs": "the equations are those of the Scene",
-    "lambda_ function signal": "a force is made of Force.sine, .step, .ramp, .samples, and their sums",
-    "times t_eval t": "run.to_dataframe(times) is a table at these times, run.sol(t) the states",
-    "digits arithmetic precision": "solve(scene, digits=N) chooses digits and arithmetic",
-    "color colour title label style": "the axes that it returns take that, as ax.set_title(...)",
-}
+_PARAMETERS = """
+k k1 c1 stiffness spring: a2 (N/m)
+c d c2 damping damper viscosity: a1 (N s/m)
+m M mass masses: m1 m2
+mu_s f_s Fs static b_s: b_static (N, the friction up to which a stick is kept; b is that in slip)
+mu mu_k f_k F_c Fc N normal_force mu_d b_k b_kinetic: b (N, the coefficient of friction times the normal force)
+x position x0: x1 x2
+v velocity v0: v1 v2
+t_end t_span tspan tmax t_max tf T duration horizon end stop_time: until (s)
+u F forces: force
+f: force omega
+state y0 initial_state ic x_0: initial
+freq frequency w hz: omega (rad/s, 2 pi times the frequency in Hz)
+A amp height: amplitude
+phi phase_angle: phase
+times time ts t_eval: t_eval times t
+values forces y samples: u
+precision prec dps ndigits: digits
+n_jobs workers processes: jobs
+fps: frames_per_second
+path filename fname name: file name_or_path
+params parameters names by: wrt
+quantity what which y: answer kind
+"""
+"""Other words for parameters, and what is right: those of the function which was called are named."""
+_SENTENCES = """
+rtol atol tol eps tolerance: no tolerance is needed; digits=N requests N right digits
+method solver integrator: no step method is chosen; arithmetic="ball" or "float64" chooses the numbers
+events event event_fn: every change of mode is found, in run.events
+dense_output: run.sol(t) always gives the state at any time
+max_step min_step first_step dt step h: there is no step size; t_eval gives the times of run.y
+t_end t_span tspan tmax t_max tf T duration horizon until: the horizon is until=... (s) of the Scene
+y0 initial x0 args params p: initial state and numbers are those of the Scene; scene.replace(...) changes them
+k m1 m2 a1 a2 b mu c force friction belt wall force_2 b_static weakening: that is part of the Scene; \
+scene.replace(...) changes it, solve_scenes takes lists of scenes
+x1 v1 x2 v2: State(...) has the initial ones; run["x1"] is the row of run.y, run.final.x1 its end
+fun f func rhs: the equations are those of the Scene
+lambda_ function signal: a force is made of Force.sine, .step, .ramp, .samples, and their sums
+times t_eval t: run.to_dataframe(times) is a table at these times, run.sol(t) the states
+digits arithmetic precision: solve(scene, digits=N) chooses digits and arithmetic
+color colour title label style: the axes that it returns take that, as ax.set_title(...)
+"""
 _INSTEAD = {
     "solve_many": "solve_scenes takes a list of scenes",
     "Signal": "Force.constant(3), Force.samples(t, u) or Force.sine(amplitude, omega) make a force",
@@ -69,8 +60,9 @@ _INSTEAD = {
 """What is meant where the arguments of these do not fit."""
 
 
-def _spread(words: dict[str, str]) -> dict[str, str]:
-    return {word: found for several, found in words.items() for word in several.split()}
+def _spread(table: str) -> dict[str, str]:
+    lines = (line.split(": ", 1) for line in table.strip().splitlines())
+    return {word: right for words, right in lines for word in words.split()}
 
 
 _OTHERS, _ANSWERS = _spread(_PARAMETERS), _spread(_SENTENCES)
@@ -141,12 +133,11 @@ def right_word(word: str, known: list[str], otherwise: str = "") -> str:
     >>> right_word("m3", ["m1", "m2"]), right_word("red", ["m1", "m2"]), right_word("dps", ["--digits"])
     ('did you mean m2 or m1?', 'it takes m1, m2', 'write --digits')
     """
-    for words in (word, word.lower()):
-        meant = [one for other in _OTHERS.get(words, "").split() for one in known if one.lstrip("-") == other]
-        if meant:
-            unit = _UNITS.get(meant[0])
-            return f"write {' or '.join(meant)}" + (f" ({unit})" if unit else "")
-        if words in _ANSWERS:
-            return _ANSWERS[words]
+    for one in (word, word.lower()):
+        names, bracket, unit = _OTHERS.get(one, "").partition(" (")
+        if meant := [name for other in names.split() for name in known if name.lstrip("-") == other]:
+            return f"write {' or '.join(meant)}{bracket}{unit}"
+        if one in _ANSWERS:
+            return _ANSWERS[one]
     near = difflib.get_close_matches(word, known, n=2, cutoff=0.5)
     return f"did you mean {' or '.join(near)}?" if near else otherwise or f"it takes {', '.join(known[:30])}"

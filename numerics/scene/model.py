@@ -289,6 +289,7 @@ class Scene(ShortRepr):
             "a force on body 2": self.force_2.pieces,
             "a wall that moves": self.wall.pieces,
             "friction that varies within a piece": not self.friction.is_stepwise,
+            "friction that depends on the state": self.friction.weakening,
         }
         return self.pair.extra or next((name for name, is_so in found.items() if is_so), "")
 
@@ -301,20 +302,12 @@ class Scene(ShortRepr):
     def is_forced(self) -> bool:
         """Whether the scene has a force that is not 0, or friction other than one number b, or is not plain."""
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
-        return bool(pushes or self.friction.pieces or self.friction.weakening or not self.is_plain)
+        return bool(pushes or self.friction.pieces or not self.is_plain)
 
     @property
     def changes_later(self) -> bool:
         """Whether another piece of a signal or of friction begins at the horizon or after it."""
         return any(one.start >= self.until for pieces in self.pieces.values() for one in pieces)
-
-    def require_one_b(self, what: str) -> None:
-        """Raise InvalidScene, where only Coulomb friction is supported, if friction depends on the state."""
-        if self.friction.weakening:
-            raise InvalidScene(
-                f"{what} is not available for friction that depends on the state; "
-                "use solve with a late until, or leave [weakening] out"
-            )
 
     def require_filippov(self, what: str) -> None:
         """Raise InvalidScene for sgn(0) = 0 read literally: such a stick never ends, whatever friction it requires."""
@@ -335,7 +328,6 @@ class Scene(ShortRepr):
 
 def require_plain(scene: Scene, what: str) -> None:
     """Raise InvalidScene, where only plain scenes and one b are supported, for another one."""
-    scene.require_one_b(what)
     if scene.extra:
         raise InvalidScene(f"{what} is not available for {scene.extra}; leave that out, or use solve")
 

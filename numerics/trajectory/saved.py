@@ -28,9 +28,7 @@ from numerics.scene.file import parse_scene, scene_text
 _REMEDY = "give a file that `save` of such a run has written"
 _SAID = {
     "pickle": "it is no npz archive",
-    "zip file": "it is no whole npz archive",
     "No data left": "it is empty",
-    "context manager": "it is one array",
     "header is not": "it is an archive of plain arrays, as of --npz, which np.load reads",
     "'inertial-pair surface trajectory 4'": "it is a run on a surface, which PlaneTrajectory.load reads",
     "'inertial-pair trajectory 3'": "it is a run on a line, which Trajectory.load reads",

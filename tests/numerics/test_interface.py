@@ -72,7 +72,7 @@ FOR_THE_HOUSE = {
     "row",
 }
 FOR_THE_HOUSE |= {name for name in public(numerics.Trajectory) if name.startswith("row_")}
-FOR_THE_HOUSE |= {"require_filippov", "require_one_b", "signs"}
+FOR_THE_HOUSE |= {"require_filippov", "signs"}
 FOR_THE_HOUSE |= {"ARITHMETICS", "COLUMNS", "EVENT_COLUMNS", "FORMAT"}
 FOR_THE_HOUSE |= {"end_bounds", "end_numbers", "kept", "look_up_times", "restored"}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
