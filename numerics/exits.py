@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import importlib
 import os
 import re
 import sys
 import tempfile
 from pathlib import Path
+from types import ModuleType
 from typing import Any, NoReturn
 
+from numerics.errors import MissingTool
 from numerics.habits import right_word
 
 OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -92,6 +95,15 @@ def missing(module: str) -> str:
     """Return the sentence that says that a module is not installed, and what to do."""
     extra = {"matplotlib": "plot"}.get(module, "checks")
     return f"this needs {module}, which is not installed; python -m pip install 'inertial-pair[{extra}]'"
+
+
+def tool(module: str, what: str) -> ModuleType:
+    """Return an optional module that something needs. Raises MissingTool."""
+    try:
+        return importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        how = f"which is not installed; python -m pip install {error.name}"
+        raise MissingTool(f"{what} needs {error.name}, {how}") from None
 
 
 class Version(argparse.Action):

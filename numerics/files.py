@@ -93,9 +93,10 @@ def forget_unused(folder: Path, most: int, idle: float = A_DAY) -> None:
 
 def path_of(file: object) -> Path:
     """Return the path of what names a file. Raises TypeError."""
-    if not isinstance(file, str | os.PathLike):
-        raise TypeError(f"file = {str(file)[:40]!r} is no name of a file; give one as text or a Path")
-    return Path(file)
+    try:
+        return Path(file)  # type: ignore[arg-type]
+    except TypeError:
+        raise TypeError(f"file = {str(file)[:40]!r} is no name of a file; give one as text or a Path") from None
 
 
 @contextmanager

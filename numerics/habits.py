@@ -55,7 +55,7 @@ color colour title label style: the axes that it returns take that, as ax.set_ti
 _INSTEAD = {
     "solve_many": "solve_scenes takes a list of scenes",
     "Signal": "Force.constant(3), Force.samples(t, u) or Force.sine(amplitude, omega) make a force",
-    "Signal.samples": 'of a file, np.loadtxt(file, delimiter=",", unpack=True) reads t and u',
+    "samples": 'of a file, np.loadtxt(file, delimiter=",", unpack=True) reads t and u',
 }
 """What is meant where the arguments of these do not fit."""
 
@@ -87,9 +87,7 @@ def _wrong_call(function: Callable[..., object], given: tuple[object, ...], name
     """Return what a call does wrong, and the right word; "" where its arguments fit."""
     signature = inspect.signature(function)
     known = [name for name in signature.parameters if name not in {"self", "cls"}]
-    what, is_method = function.__qualname__.removesuffix(".__init__"), len(known) < len(signature.parameters)
-    if is_method and (owner := getattr(given[0], "__name__", type(given[0]).__name__)):
-        what = what.replace(what.partition(".")[0], owner)
+    what = function.__qualname__.removesuffix(".__init__").rpartition(".")[2]
     try:
         signature.bind(*given, **named)
     except TypeError as error:

@@ -6,7 +6,6 @@ import argparse
 import json
 import shutil
 import sys
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, write_text
@@ -16,7 +15,6 @@ from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
     from numerics.plane.trajectory import PlaneTrajectory
-    from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
@@ -42,7 +40,7 @@ def solve_scene(options: argparse.Namespace) -> int:
             or (None if (options.digits or options.check) and not options.times else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
-            progress=_progress(scene, options.max_events, say),
+            progress=lambda events, fraction: say(f"{events} events, {100 * fraction:.0f} % of the horizon"),
         )
     if options.times:
         try:
@@ -113,29 +111,6 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     return None
 
 
-_EARLY = 1000
-"""With fewer events there is no forecast of their number."""
-
-
-def _progress(scene: Any, most: int, say: Callable[[str], None]) -> Progress:
-    """Return what reports progress, and warns once, early, that the limit on events may come before the horizon."""
-    from numerics.scene import Scene
-    from numerics.trajectory.run import free_scene
-
-    is_free, said = isinstance(scene, Scene) and free_scene(scene), False
-    remedy = "choose an earlier horizon" + is_free * ", or use `energy` for a late time"
-
-    def show(events: int, fraction: float) -> None:
-        nonlocal said
-        if not said and events > max(_EARLY, fraction * most) and fraction < 1:
-            said = True
-            warning = f"at this rate the limit of {most} events is reached before the horizon"
-            print(f"{warning}: {remedy}", file=sys.stderr)
-        say(f"{events} events, {100 * fraction:.0f} % of the horizon")
-
-    return show
-
-
 def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:
     """Print a trajectory as JSON, as CSV or as a table, with its derivatives if they are wanted."""
     from numerics.solver.truth import record
@@ -197,7 +172,7 @@ def _of_a_line(events: list[dict[str, str]]) -> list[str]:
     narrow = sys.stdout.isatty() and sum(widths) + 2 * 4 > shutil.get_terminal_size().columns
     lines = []
     for row in rows if events else ():
-        cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
+        cells = [*map(str.ljust, row, widths)]
         parts = [cells[:2], ["", "", *cells[2:]]] if narrow else [cells]
         lines.append("\n".join("  ".join(part).rstrip() for part in parts))
     return lines

@@ -26,7 +26,7 @@ from numerics.errors import InvalidScene
 from numerics.meter import meter
 from numerics.scene import Force, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
 
@@ -137,8 +137,7 @@ def response(
             size, rate = rotating_force(scene, digits)
             amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
-    require_kind("response", scene, Scene, BUILD)
-    require_plain(scene, "a response")
+    require_plain("response", scene, "a response")
     drive = _drive_under(scene, amplitude=amplitude, omega=omega)
     known, orbit, sines = None, None, drive.piece.sines
     if len(sines) == 1:

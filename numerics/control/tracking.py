@@ -31,7 +31,7 @@ from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import require_digits, short
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
@@ -115,8 +115,7 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     >>> found.scene.force.starts, found.share.str(6, radius=False)
     ((Fraction(0, 1), Fraction(2, 1)), '0.288675')
     """
-    require_kind("track", scene, Scene, BUILD)
-    require_plain(scene, "tracking")
+    require_plain("track", scene, "tracking")
     require_digits(digits, max_digits=max_digits)
     _require(scene, reference)
     starts, pieces = [one.start for one in reference], pieces_of(replace(scene, force=Force(reference)))

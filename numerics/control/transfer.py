@@ -34,7 +34,7 @@ from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _MET = Fraction(1, 10**20)
@@ -107,8 +107,7 @@ def fastest_transfer(
     >>> found.time.str(8, radius=False), found.scene.force.starts[0]
     ('0.28284271', Fraction(0, 1))
     """
-    require_kind("fastest_transfer", scene, Scene, BUILD)
-    require_plain(scene, "a transfer")
+    require_plain("fastest_transfer", scene, "a transfer")
     require_digits(digits, max_digits=max_digits)
     by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
     most = None if amplitude is None else positive(amplitude, "amplitude", "leave it out for a force without bound")

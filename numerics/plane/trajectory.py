@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain, product
-from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from flint import arb, arb_poly
-from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.precision import cached_property
@@ -30,11 +29,11 @@ from numerics.scene.decimals import exact_decimal
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory import export, saved
 from numerics.trajectory.answer import Answer
+from numerics.trajectory.columns import Array
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
 
     from numerics.scene.decimals import Quantity, Times
@@ -92,6 +91,7 @@ class PlaneTrajectory(Answer):
             until = Ball.number(scene.until)
             end = (until, self.motion.at(until)) if self.success else (self.events[-1].t, self.events[-1].y)
             self.end_time, self.final_state = end
+            self.final: PlaneState = self.final_state
             self.digits: int = min(EXACT, self._right_digits())
 
     def look_up_times(self) -> None:
@@ -110,12 +110,12 @@ class PlaneTrajectory(Answer):
         return tuple(one.kind for one in self.events)
 
     @property
-    def event_times(self) -> NDArray[np.object_]:
+    def event_times(self) -> Array:
         """Return the times of the events, s."""
         return np.array([one.t for one in self.events], dtype=object)
 
     @cached_property
-    def _points(self) -> NDArray[np.object_]:
+    def _points(self) -> Array:
         """Return time and state at start, events and end, or at t_eval, shape (1 + 4 n, m)."""
         with self.context():
             given = self.t_eval
@@ -129,17 +129,17 @@ class PlaneTrajectory(Answer):
             return np.array([[t, *chain(*y)] for t, y in rows], dtype=object).T
 
     @property
-    def t(self) -> NDArray[np.object_]:
+    def t(self) -> Array:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
         return self._points[0]
 
     @property
-    def y(self) -> NDArray[np.object_]:
+    def y(self) -> Array:
         """Return the states at `t`, shape (4 n, m)."""
         return self._points[1:]
 
     @property
-    def energy(self) -> NDArray[np.object_]:
+    def energy(self) -> Array:
         """Return the energy at `t`, J, shape (m,)."""
         with self.context():
             return np.array([*map(self.energy_of, self.y.T)], dtype=object)
@@ -160,7 +160,7 @@ class PlaneTrajectory(Answer):
         with self.context():
             return *self.final_state, self.energy_of(self.final_state)
 
-    def sol(self, t: Times) -> NDArray[np.object_]:
+    def sol(self, t: Times) -> Array:
         """Return x1, v1, x2, v2 at time(s) t (s): shape (4 n,) for a number, (4 n, ...) for an array.
 
         Enclosed. Raises ValueError outside [0, end].
@@ -204,25 +204,15 @@ class PlaneTrajectory(Answer):
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
         return export.as_record(self)
 
+    def _pictures(self) -> ModuleType:
+        from numerics.plane import pictures
+
+        return pictures
+
     @meter("drawing")
     def plot(self, kind: str = "above", ax: Axes | None = None) -> Axes:
         """Draw "above" (both bodies, m) or "relative" (v1 - v2, m/s) into matplotlib axes and return them."""
-        from numerics.plane.pictures import draw
-
-        return draw(self, kind, ax)
-
-    def animate(
-        self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15
-    ) -> FuncAnimation:
-        """Return a matplotlib animation of both bodies from above; see Trajectory.animate."""
-        from numerics.plane.pictures import animate
-
-        return animate(self, file, duration, frames_per_second)
-
-    @property
-    def final(self) -> PlaneState:
-        """Return the state at the end, as `run.final.x1`."""
-        return self.final_state
+        return self._pictures().draw(self, kind, ax)
 
     @property
     def initial(self) -> PlaneState:

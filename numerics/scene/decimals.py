@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from decimal import Context, Decimal, Inexact
 from fractions import Fraction
 from numbers import Rational, Real
@@ -144,11 +144,10 @@ def listed(name: str, values: Any, of: str = "") -> Iterable[Any]:
     return values
 
 
-def require_one_of(name: str, value: Any, known: Iterable[str], error: type[ValueError] = ValueError) -> None:
+def require_one_of(name: str, value: Any, known: Collection[str], error: type[ValueError] = ValueError) -> None:
     """Raise an error, naming the argument, unless it is one of some words."""
-    words = [*known]
-    if not isinstance(value, str) or value not in words:
-        raise error(f"{name} = {shown(value)} is not one of {', '.join(words)}; choose one")
+    if not isinstance(value, str) or value not in known:
+        raise error(f"{name} = {shown(value)} is not one of {', '.join(known)}; choose one")
 
 
 def require_function(name: str, value: Any, of: str) -> None:

@@ -137,13 +137,13 @@ def parse_scene(text: str, file: str = "") -> Scene:
     """
     tables, folder = _tables(text, "scene", file, _SCENE), Path(file).parent
     pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
-    listed_keys = [key for key, one in (*pair.items(), *initial.items()) if isinstance(one, list)]
-    lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
+    lists = {key: one for key, one in (pair | initial).items() if isinstance(one, list)}
     law = read_law(run.get("law", Law.FILIPPOV))
     is_named = "shape" in pair or any("axis" in one for one in force)
-    if len(lists) == 1 and listed_keys[0] in pair and not is_named:
+    if len(lists) == 1 and lists.keys() <= pair.keys() and not is_named:
+        ((key, one),) = lists.items()
         raise InvalidScene(
-            f"{listed_keys[0]} = {shown(pair[listed_keys[0]])} is a list; give one number on a line, arrays to "
+            f"{key} = {shown(one)} is a list; give one number on a line, arrays to "
             'solve_many, and a pair on a surface also shape = "ellipsoid"'
         )
     if not (lists or is_named):
@@ -159,7 +159,7 @@ def parse_scene(text: str, file: str = "") -> Scene:
     if law is not Law.FILIPPOV:
         raise InvalidScene("on a surface the law is filippov; sgn(0) = 0 does not define a direction; leave it out")
     along = _signals(tables, "force", folder, "axis", AXES)
-    n = max([2, *lists, *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
+    n = max([2, *map(len, lists.values()), *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
     if any(one.keys() & {"polynomial", "sines"} for one in tables.get("friction", ())):
         raise InvalidScene("on a surface b is constant by pieces; give each [[friction]] a from and a b")
     changes = _read("friction", tables, _friction_piece)

@@ -182,8 +182,8 @@ class Scene(ShortRepr):
     >>> scene.changes_later, Scene(scene.pair, scene.initial, 5, force=Signal.sine(1, 2, start=8)).changes_later
     (False, True)
     >>> on_belt = Scene(Pair(m1=1, m2="inf", a2=200, b=1), State(), 5, belt=Signal.step(0, "0.1"))
-    >>> on_belt.initial.v2, on_belt.is_forced, on_belt.is_plain, on_belt.extra
-    (Fraction(1, 10), True, False, 'm2 = "inf"')
+    >>> on_belt.initial.v2, on_belt.is_forced, on_belt.extra
+    (Fraction(1, 10), True, 'm2 = "inf"')
     >>> on_belt.belt.starts, on_belt.wall, on_belt.force_2
     ((Fraction(0, 1),), Signal(), Signal())
     """
@@ -294,15 +294,10 @@ class Scene(ShortRepr):
         return self.pair.extra or next((name for name, is_so in found.items() if is_so), "")
 
     @property
-    def is_plain(self) -> bool:
-        """Whether there is nothing `extra`."""
-        return not self.extra
-
-    @property
     def is_forced(self) -> bool:
-        """Whether the scene has a force that is not 0, or friction other than one number b, or is not plain."""
+        """Whether the scene has a force that is not 0, or friction other than one number b, or something `extra`."""
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
-        return bool(pushes or self.friction.pieces or not self.is_plain)
+        return bool(pushes or self.friction.pieces or self.extra)
 
     @property
     def changes_later(self) -> bool:
@@ -326,8 +321,9 @@ class Scene(ShortRepr):
         return self.energy / self.pair.critical_energy - 1
 
 
-def require_plain(scene: Scene, what: str) -> None:
-    """Raise InvalidScene, where only plain scenes and one b are supported, for another one."""
+def require_plain(asking: str, scene: Scene, what: str) -> None:
+    """Raise InvalidScene, where only plain scenes are supported, for another one; TypeError for no scene."""
+    require_kind(asking, scene, Scene, BUILD)
     if scene.extra:
         raise InvalidScene(f"{what} is not available for {scene.extra}; leave that out, or use solve")
 

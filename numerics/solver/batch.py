@@ -184,12 +184,12 @@ class Batch(Ends):
     @cached_property
     def events(self) -> Counts:  # type: ignore[override]  # formed when it is asked for
         """Number of events of each run."""
-        return np.nan_to_num(self._end("events")[0]).astype(np.int64)
+        return _whole(self._end("events")[0])
 
     @cached_property
     def mode(self) -> Counts:
         """Return the sign of v1 - v2 at the end."""
-        return np.nan_to_num(self._end("mode")[0]).astype(np.int64)
+        return _whole(self._end("mode")[0])
 
     @cached_property
     def certain(self) -> Array:
@@ -256,7 +256,7 @@ class Batch(Ends):
     @cached_property
     def event_mode(self) -> Counts:
         """Return the sign of v1 - v2 after the first events."""
-        return np.nan_to_num(self._event("mode")[0]).astype(np.int64)
+        return _whole(self._event("mode")[0])
 
     @cached_property
     def event_t_error(self) -> Floats:
@@ -274,3 +274,7 @@ class Batch(Ends):
         with np.errstate(divide="ignore"):
             right = np.floor(-np.log10(np.maximum(self._judged[1], ROUNDING)))
         return np.where(self.certain, np.clip(right, 0, MOST_DIGITS), 0).astype(np.int64)
+
+
+def _whole(numbers: Floats) -> Counts:
+    return np.nan_to_num(numbers).astype(np.int64)

@@ -28,7 +28,7 @@ from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
 from numerics.solver.rows import form_ledgers, in_chunks, solve_one
-from numerics.trajectory.columns import Floats, room
+from numerics.trajectory.columns import STATE, Floats, room
 from numerics.trajectory.run import MAX_EVENTS
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ def solve_many(
             raise InvalidScene(f"sines[{k}] = {shown(sine)} must be a triple; give amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
     for name, values in named.items():
-        if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        if np.ma.is_masked(values):
             raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     if not isinstance(exact, bool | np.bool_):
         raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
@@ -200,9 +200,8 @@ def _of_one_kind(given: Any) -> Any:
 
 def _numbers_in(scene: Scene) -> Any:
     """Return the SI numbers of a scene as floats, nan beyond their range."""
-    pair, at = scene.pair, scene.initial
-    numbers = pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
-    return [near(one) for one in numbers]
+    own = {"until": scene.until, **{name: getattr(scene.initial, name) for name in STATE}}
+    return [near(own[name] if name in own else getattr(scene.pair, name)) for name in SI]
 
 
 def _scene(
@@ -296,13 +295,6 @@ def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
         raise ValueError(f"these shapes do not broadcast together: {given}; give arrays of one shape") from None
 
 
-def _has_truth_values(values: Any) -> bool:
-    """Return whether there are truth values in a list, of which NumPy would make 0 and 1."""
-    if isinstance(values, list | tuple):  # mostly of numbers, which their types say at once
-        return not set(map(type, values)) <= {float, int} and any(map(_has_truth_values, values))
-    return isinstance(values, bool) or getattr(getattr(values, "dtype", None), "kind", "") == "b"
-
-
 def _numbers(name: str, values: Any) -> Floats:
     """Return values as an array of binary64 numbers."""
     try:
@@ -312,7 +304,7 @@ def _numbers(name: str, values: Any) -> Floats:
                 lambda one: math.inf if one == "inf" else float(exact_decimal(one, name)), otypes=[np.float64]
             )(given)
         # NumPy would make real numbers of complex ones, dates and truth values, too
-        if given.dtype.kind in "iuf" and not _has_truth_values(values):
+        if given.dtype.kind in "iuf":
             return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         pass

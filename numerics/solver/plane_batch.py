@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from flint import arb
-from numpy.typing import NDArray
 
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.plane.solve import solve_plane
@@ -18,7 +17,7 @@ from numerics.solver.batch import Ends
 from numerics.solver.inputs import near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
-from numerics.trajectory.columns import STATE, Counts, Floats, room
+from numerics.trajectory.columns import STATE, Array, Counts, Floats, room
 from numerics.trajectory.status import Status
 
 _FEW = 8
@@ -50,7 +49,7 @@ class PlaneBatch(Ends):
     (['status', 'success', 'energy', 'events', 'digits', 't'], [1.0, 1.0])
     """
 
-    mode: NDArray[np.object_]
+    mode: Array
     t: Floats
     energy: Floats
     energy_error: Floats
@@ -58,7 +57,7 @@ class PlaneBatch(Ends):
     digits: Counts
     event_t: Floats
     event_y: Floats
-    event_mode: NDArray[np.object_]
+    event_mode: Array
     event_t_error: Floats
     event_y_error: Floats
     ANSWERS = "energy", "events", "digits", "t"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -113,8 +112,7 @@ def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
                 value = getattr(knot, name)
                 row[AT[name]] = float(value.mid())
                 row[late + place] = float(value.rad()) + abs(row[AT[name]]) * 2.0**-52
-        taken: list[Any] = [found.ledger.friction, found.ledger.viscous]
-        friction, viscous = (float(one.mid()) for one in taken)
-        off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
+        friction, viscous = float(found.ledger.friction), float(found.ledger.viscous)
+        off = float(found.dissipated.rad()) + 2.0**-51 * (friction + viscous)  # type: ignore[union-attr]  # a ball
     table[-1, ROW:] = record.how, record.events, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
     return table[:-1, :ROW], table[-1]

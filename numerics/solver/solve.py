@@ -143,8 +143,6 @@ def solve(
 
 def require_arithmetic(name: Any) -> None:
     """Raise ValueError for what names no arithmetic; None stands for the one that a scene needs."""
-    if name == "double-double":
-        raise ValueError('arithmetic = double-double is no longer offered; use digits=N, or arithmetic="ball"')
     if name is not None:
         require_one_of("arithmetic", name, get_args(ArithmeticName))
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from numerics.errors import MissingTool
+from numerics.exits import tool
 from numerics.habits import Helpful
 from numerics.solver.inputs import varying
 from numerics.trajectory.columns import STATE, Array, Floats
@@ -37,23 +37,18 @@ class Tabled(Helpful):
 
         `.attrs["units"]` has the units. x1, v1, x2, v2 are those at the start, x1_at_t, ... those at `t`.
         """
-        try:
-            import pandas as pd
-        except ImportError:
-            raise MissingTool("a data frame needs pandas, which is not installed; use inputs and results") from None
         columns = self._columns()
         whole = max((one.shape for one in columns.values()), key=len)
         wide = {name: one.reshape(*one.shape, *[1] * (len(whole) - one.ndim)) for name, one in columns.items()}
-        found = pd.DataFrame({name: np.broadcast_to(one, whole).ravel() for name, one in wide.items()})
+        found: DataFrame = tool("pandas", "a data frame").DataFrame(
+            {name: np.broadcast_to(one, whole).ravel() for name, one in wide.items()}
+        )
         found.attrs["units"] = {name: unit(name) for name in columns}
         return found
 
     def to_xarray(self) -> Dataset:
         """Return the same as an xarray Dataset, axes named by the inputs along them. Raises MissingTool."""
-        try:
-            import xarray as xr
-        except ImportError:
-            raise MissingTool("a Dataset needs xarray, which is not installed; use inputs and results") from None
+        make = tool("xarray", "a Dataset").Dataset
         names, columns, axes = [f"axis_{k}" for k in range(len(self.shape))], self._columns(), {}
         for name, one in varying(self.inputs).items():
             along = [k for k in range(one.ndim) if (one != one.take([0], axis=k)).any()]
@@ -61,7 +56,7 @@ class Tabled(Helpful):
                 names[along[0]] = name
                 axes[name] = np.moveaxis(one, along[0], 0).reshape(one.shape[along[0]], -1)[:, 0]
                 del columns[name]
-        found = xr.Dataset({name: ((*names, "point")[: one.ndim], one) for name, one in columns.items()}, axes)
+        found: Dataset = make({name: ((*names, "point")[: one.ndim], one) for name, one in columns.items()}, axes)
         for name in found.variables:
             found[name].attrs["units"] = unit(name)
         return found

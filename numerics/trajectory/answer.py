@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from contextlib import AbstractContextManager
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
@@ -20,6 +21,7 @@ from numerics.trajectory.status import Status
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from matplotlib.animation import FuncAnimation
     from numpy.typing import ArrayLike
     from pandas import DataFrame
 
@@ -135,6 +137,21 @@ class Answer(Helpful):
         At `times` (s), or at start, events and end. As CSV: `run.to_dataframe(times).to_csv(file)`.
         """
         return export.dataframe(self if times is None else self.but(t_eval=listed("times", times)))
+
+    def _pictures(self) -> ModuleType:
+        """Return what draws such a run."""
+        raise NotImplementedError
+
+    def animate(
+        self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15
+    ) -> FuncAnimation:
+        """Return a matplotlib animation: both bodies and their velocities, on a surface both bodies from above.
+
+        It is written to a .gif or .mp4 file, if given. `duration`: s that the film lasts, whatever the run does. A GIF
+        needs pillow, which comes with matplotlib, an MP4 needs ffmpeg. A frame takes some 80 ms. Raises MissingTool,
+        OSError, ValueError for other files or numbers that are not above 0.
+        """
+        return self._pictures().animate(self, file, duration, frames_per_second)
 
     def save(self, file: str | Path) -> None:
         """Write this trajectory to a file, exactly: no pickle, no digit lost. Raises OSError, InvalidScene."""

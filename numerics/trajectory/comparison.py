@@ -41,18 +41,17 @@ def require_same_sequence(points: Any, balls: Any) -> None:
 
 def first_difference(run: Any, truth: Any) -> Difference | None:
     """Return the first event after which the modes of two runs differ, or which one of them does not have."""
-    for event, signs in enumerate(zip_longest(run.signs, truth.signs)):
-        if signs[0] != signs[1]:
-            sides = (
-                (None, None) if sign is None else (_time(of, event), MODES[sign].value)
-                for of, sign in zip((run, truth), signs, strict=True)
-            )
-            return Difference(event, *next(sides), *next(sides))
+    for event, (one, two) in enumerate(zip_longest(run.signs, truth.signs)):
+        if one != two:
+            return Difference(event, *_after(run, event), *_after(truth, event))
     return None
 
 
-def _time(run: Any, event: int) -> float:
-    return float(as_ball(run.event_times[event - 1]).mid()) if event else 0.0
+def _after(run: Any, event: int) -> tuple[float | None, str | None]:
+    """Return when an event is, s, and the mode from then on; None for one that is not there."""
+    if event > len(run.event_times):
+        return None, None
+    return float(as_ball(run.event_times[event - 1]).mid()) if event else 0.0, MODES[run.signs[event]].value
 
 
 def distance(value: Number, ball: arb) -> arb:

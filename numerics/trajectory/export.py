@@ -15,7 +15,7 @@ import numpy as np
 from flint import arb
 
 from numerics.arithmetic.protocol import Number
-from numerics.errors import MissingTool
+from numerics.exits import tool
 from numerics.files import whole_file
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.plane import AXES
@@ -33,14 +33,9 @@ Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
 
 
-def is_enclosed(trajectory: Any) -> bool:
-    """Return whether the numbers of a trajectory are balls."""
-    return isinstance(trajectory.end_time, arb)
-
-
 def knows_its_digits(trajectory: Any) -> bool:
     """Return whether radii or error bounds say which digits of a trajectory are right."""
-    if is_enclosed(trajectory):
+    if trajectory.arithmetic.name == "ball":
         return True
     return trajectory.accuracy is not None and bool(trajectory.accuracy.bounded)
 
@@ -115,7 +110,7 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
             f"the number of right digits of this trajectory in {arithmetic.name} is not known; "
             "give `truth`, a solve of the same scene in balls"
         )
-    elif not is_enclosed(trajectory):
+    else:
         by_event, final = (trajectory.accuracy.t, *trajectory.accuracy.y.T), trajectory.end_bounds()
 
     def write(name: str, value: Number, index: int) -> Written:
@@ -199,14 +194,12 @@ def dataframe(trajectory: Any) -> DataFrame:
 
     The mode at an event is the one after it. `.attrs["units"]` has the units. Raises MissingTool.
     """
-    try:
-        import pandas as pd
-    except ImportError:
-        raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
     asked, found = trajectory.t_eval, arrays(trajectory)
     modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
     state = zip(_state_names(len(found["y"])), found["y"], strict=True)
     columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
-    frame = pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})
+    frame: DataFrame = tool("pandas", "a data frame").DataFrame(
+        columns | {name: found[name] for name in ("energy", "energy_excess") if name in found}
+    )
     frame.attrs["units"] = {name: unit(name) for name in frame}
     return frame

@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 
 from numerics.errors import MissingTool
+from numerics.exits import tool
 from numerics.files import path_of, whole_file
 from numerics.linear.modes import EventKind, Mode
 from numerics.meter import meter
 from numerics.scene import Law
-from numerics.scene.decimals import require_one_of
+from numerics.scene.decimals import positive, require_one_of
 from numerics.trajectory.curve import Curve, sampled
 from numerics.trajectory.export import word
 
@@ -83,10 +84,7 @@ def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> 
     require_one_of(name, kind, kinds)
     if ax is not None and not hasattr(ax, "set_title"):
         raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
-    try:
-        from matplotlib import pyplot as plt
-    except ImportError:
-        raise MissingTool("a plot needs matplotlib, which is not installed; python -m pip install matplotlib") from None
+    plt = tool("matplotlib.pyplot", "a plot")
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
@@ -330,10 +328,7 @@ def film(
 
     `drawn` takes times (s) and states there, in binary64. Raises MissingTool, OSError, ValueError.
     """
-    for name, value in (("duration", duration), ("frames_per_second", frames_per_second)):
-        if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < float("inf"):
-            raise ValueError(f"{name} = {str(value)[:40]!r} must be a finite number > 0")
-    count = round(duration * frames_per_second)
+    count = round(positive(duration, "duration") * positive(frames_per_second, "frames_per_second"))
     if not 2 <= count <= _MOST_FRAMES:
         shown = f"{duration:g} s with {frames_per_second:g} frames a second are {count} frames"
         raise ValueError(f"{shown}; choose 2 to {_MOST_FRAMES}")
@@ -342,11 +337,7 @@ def film(
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
     if path and not path.parent.is_dir():
         raise FileNotFoundError(2, "No such folder; create it, or write elsewhere", str(path.parent))
-    try:
-        from matplotlib import animation
-        from matplotlib import pyplot as plt
-    except ImportError:
-        raise MissingTool("an animation needs matplotlib; python -m pip install matplotlib") from None
+    plt, animation = (tool(f"matplotlib.{name}", "an animation") for name in ("pyplot", "animation"))
     if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
         raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     with meter("drawing") as line:

@@ -30,8 +30,6 @@ from numerics.trajectory.flow import Moving, signals_at, steps_of
 from numerics.trajectory.times import exact_time
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from numerics.scene.decimals import Exact, Quantity, Times
 
 Side = Literal["left", "right"]
@@ -111,13 +109,10 @@ class Rows(Answer):
 
     @property
     def final_state(self) -> Moment:
-        """Return (x1, v1, x2, v2) at the end."""
+        """Return (x1, v1, x2, v2) at the end, as `run.final.x1`; `final_mode` is its mode."""
         return Moment(*self._states[:, -1].tolist())
 
-    @property
-    def final(self) -> Moment:
-        """Return the same, as `run.final.x1`; `final_mode` is its mode."""
-        return self.final_state
+    final = final_state
 
     @property
     def initial(self) -> Moment:
@@ -242,7 +237,7 @@ class Rows(Answer):
     def mode_at(self, t: Exact | Quantity, side: Side = "right") -> Mode: ...
 
     @overload  # as balls are any type here, where flint is not read
-    def mode_at(self, t: Times, side: Side = "right") -> NDArray[np.object_]: ...
+    def mode_at(self, t: Times, side: Side = "right") -> Array: ...
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""

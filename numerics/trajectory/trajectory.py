@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
@@ -25,7 +25,6 @@ from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
 
 if TYPE_CHECKING:
-    from matplotlib.animation import FuncAnimation
     from matplotlib.axes import Axes
 
     from numerics.scene.decimals import Quantity
@@ -308,25 +307,15 @@ class Trajectory(Rows):
             return ledger_of(self)
 
     # ------------------------------------------------------------------ pictures, text and files
+    def _pictures(self) -> ModuleType:
+        from numerics.trajectory import figures
+
+        return figures
+
     @meter("drawing")
     def plot(self, kind: Kind = "velocities", ax: Axes | None = None) -> Axes:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
-        from numerics.trajectory.figures import draw
-
-        return draw(self, kind, ax)
-
-    def animate(
-        self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15
-    ) -> FuncAnimation:
-        """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
-
-        `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
-        MP4 needs ffmpeg. A frame takes some 80 ms. Raises MissingTool, OSError, ValueError for other files or
-        numbers that are not above 0.
-        """
-        from numerics.trajectory.figures import animate
-
-        return animate(self, file, duration, frames_per_second)
+        return self._pictures().draw(self, kind, ax)
 
     def check(self) -> Check:
         """Return what every number of the run is really off by: `numerics.check` solves its scene again, in balls."""

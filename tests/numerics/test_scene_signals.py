@@ -59,7 +59,7 @@ def test_a_scene_of_a_new_kind_survives_its_text_and_its_copies(scene):
 
 @given(brought_scenes())
 def test_a_scene_is_plain_or_forced_and_says_what_is_extra(scene):
-    if scene.is_plain:
+    if not scene.extra:
         require_plain(scene, "a ring")
         assert parameters(scene).keys() >= {"m2", "v2"}
         return
@@ -82,8 +82,8 @@ EXTRA = {
 @pytest.mark.parametrize("kind", EXTRA)
 def test_each_new_kind_alone_is_forced_and_not_plain(kind):
     scene = EXTRA[kind]
-    assert (scene.extra, scene.is_plain, scene.is_forced) == (kind, False, True)
-    assert Scene(PAIR, State(), 1).is_plain
+    assert (scene.extra, scene.is_forced) == (kind, True)
+    assert not Scene(PAIR, State(), 1).extra
     assert not Scene(PAIR, State(), 1).is_forced
 
 
