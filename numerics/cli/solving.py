@@ -6,6 +6,7 @@ import argparse
 import json
 import shutil
 import sys
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, write_text
@@ -15,6 +16,7 @@ from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
     from numerics.plane.trajectory import PlaneTrajectory
+    from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
@@ -40,7 +42,7 @@ def solve_scene(options: argparse.Namespace) -> int:
             or (None if (options.digits or options.check) and not options.times else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
-            progress=lambda events, fraction: say(f"{events} events, {100 * fraction:.0f} % of the horizon"),
+            progress=_progress(options.max_events, say),
         )
     if options.times:
         try:
@@ -109,6 +111,25 @@ def _wrong_on_a_surface(options: argparse.Namespace) -> str | None:
     if options.arithmetic not in (None, "ball"):
         return f"--arithmetic {options.arithmetic} is available on a line only: balls solve a surface; leave it out"
     return None
+
+
+_EARLY = 1000
+"""With fewer events there is no forecast of their number."""
+
+
+def _progress(most: int, say: Callable[[str], None]) -> Progress:
+    """Return what reports progress, and warns once, early, that the limit on events may come before the horizon."""
+    warned = False
+
+    def show(events: int, fraction: float) -> None:
+        nonlocal warned
+        if not warned and events > max(_EARLY, fraction * most) and fraction < 1:
+            warned = True
+            remedy = "choose an earlier one; for a free pair `energy` has late times"
+            print(f"at this rate the limit of {most} events is reached before the horizon: {remedy}", file=sys.stderr)
+        say(f"{events} events, {100 * fraction:.0f} % of the horizon")
+
+    return show
 
 
 def _print(trajectory: Any, options: argparse.Namespace, *, on_surface: bool) -> None:

@@ -147,7 +147,6 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
         (lambda: response(PAPER, amplitude=1, omega=1, digits=10**9), "digits = 1000000000 must be a whole number"),
         (lambda: solve(PAPER, t_eval=range(10**15)), "t_eval = .* has more times than memory holds; give fewer"),
         (lambda: solve(PAPER, arithmetic="decimal"), "is not one of float64"),
-        (lambda: solve(PAPER, arithmetic="double-double"), 'use digits=N, or arithmetic="ball"'),
         (lambda: solve(DAMPED, arithmetic="mpmath"), 'free pair only .*; use arithmetic="ball"'),
         (lambda: sensitivities(PAPER), r"give it solve\(scene\)"),
         (lambda: solve(PAPER, t_eval=1), "sequence of times"),

@@ -60,12 +60,12 @@ def test_a_scene_of_a_new_kind_survives_its_text_and_its_copies(scene):
 @given(brought_scenes())
 def test_a_scene_is_plain_or_forced_and_says_what_is_extra(scene):
     if not scene.extra:
-        require_plain(scene, "a ring")
+        require_plain("ring_entry", scene, "a ring")
         assert parameters(scene).keys() >= {"m2", "v2"}
         return
     assert scene.is_forced
     with pytest.raises(InvalidScene, match="a ring is not available for"):
-        require_plain(scene, "a ring")
+        require_plain("ring_entry", scene, "a ring")
 
 
 EXTRA = {
