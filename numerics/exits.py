@@ -93,17 +93,17 @@ def complete(parser: argparse.ArgumentParser) -> None:
 
 def missing(module: str) -> str:
     """Return the sentence that says that a module is not installed, and what to do."""
-    extra = {"matplotlib": "plot"}.get(module, "checks")
-    return f"this needs {module}, which is not installed; python -m pip install 'inertial-pair[{extra}]'"
+    own = {"matplotlib": "'inertial-pair[plot]'", "pandas": "pandas", "xarray": "xarray"}
+    how = own.get(module, "'inertial-pair[checks]'")
+    return f"this needs {module}, which is not installed; python -m pip install {how}"
 
 
-def tool(module: str, what: str) -> ModuleType:
-    """Return an optional module that something needs. Raises MissingTool."""
+def tool(module: str) -> ModuleType:
+    """Return an optional module, or one of this package that needs some. Raises MissingTool."""
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
-        how = f"which is not installed; python -m pip install {error.name}"
-        raise MissingTool(f"{what} needs {error.name}, {how}") from None
+        raise MissingTool(missing(str(error.name))) from None
 
 
 class Version(argparse.Action):

@@ -15,7 +15,6 @@ from numerics.meter import meter
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
-    from numerics.plane.trajectory import PlaneTrajectory
     from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
@@ -50,7 +49,7 @@ def solve_scene(options: argparse.Namespace) -> int:
         except ValueError as error:
             return refuse(f"--times: {error}", USAGE)
     if options.explain:
-        print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
+        print(_explained(trajectory, on_surface=on_surface), file=sys.stderr)
     if options.check:
         return _print_check(trajectory, options)
     if options.npz is not None:
@@ -118,16 +117,11 @@ _EARLY = 1000
 
 
 def _progress(most: int, say: Callable[[str], None]) -> Progress:
-    """Return what reports progress, and warns once, early, that the limit on events may come before the horizon."""
-    warned = False
+    """Return what reports progress, and says early that the limit on events may come before the horizon."""
 
     def show(events: int, fraction: float) -> None:
-        nonlocal warned
-        if not warned and events > max(_EARLY, fraction * most) and fraction < 1:
-            warned = True
-            remedy = "choose an earlier one; for a free pair `energy` has late times"
-            print(f"at this rate the limit of {most} events is reached before the horizon: {remedy}", file=sys.stderr)
-        say(f"{events} events, {100 * fraction:.0f} % of the horizon")
+        soon = f"; at this rate the limit of {most} events comes first" * (events > max(_EARLY, fraction * most))
+        say(f"{events} events, {100 * fraction:.0f} % of the horizon{soon}")
 
     return show
 
@@ -210,27 +204,18 @@ def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
     return lines
 
 
-def _explained(trajectory: Trajectory) -> str:
+def _explained(trajectory: Any, *, on_surface: bool) -> str:
     """Return how a scene was solved: arithmetic, digits, what was tried, events, and why no more were needed."""
-    from numerics.linear.modes import Mode
     from numerics.trajectory.run import free_scene
-    from numerics.trajectory.status import Status
 
-    located, arithmetic = trajectory.record.events, trajectory.arithmetic
+    located, arithmetic = len(trajectory.event_times), trajectory.arithmetic
     why = f"{located} events located one by one"
-    if free_scene(trajectory.scene):
+    if not on_surface and free_scene(trajectory.scene):
         why += ", as all of them were requested (`energy` skips most of them)"
-    if not located and trajectory.modes == (Mode.STICK,):
-        why = "the pair never slips: one closed form for every horizon"
-    elif trajectory.status is Status.STUCK_FOR_EVER:
+    if "permanently" in trajectory.message:
         why = f"after {located} events the pair sticks permanently: a later horizon takes no longer"
+        why = why if located else "the pair never slips: one closed form for every horizon"
     tried = f" ({trajectory.tried})" if trajectory.tried else ""
-    how = "digits are relative to the largest position, velocity or energy along the run, those of a time to that time"
-    return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}; {how}"
-
-
-def _surface_explained(trajectory: PlaneTrajectory) -> str:
-    """Return which arithmetic was used, and what its digits mean."""
-    how = "digits are relative to each number, or near 0 to the largest of its axis along the run"
-    working = f"{trajectory.arithmetic.name}, from a path with {trajectory.arithmetic.digits} working digits"
-    return f"{working}; {len(trajectory.events)} events located one by one; {how}"
+    how = "the largest position, velocity or energy along the run, those of a time to that time"
+    how = "each number, or near 0 to the largest of its axis along the run" if on_surface else how
+    return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}; digits are relative to {how}"

@@ -74,7 +74,7 @@ class RotatingResponse:
 
 def pictures() -> Any:
     """Return what draws answers. Raises MissingTool."""
-    return tool("numerics.control.pictures", "a plot")
+    return tool("numerics.control.pictures")
 
 
 def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:

@@ -67,8 +67,8 @@ class Friction(ShortRepr):
     on speed and displacement; b is then the friction at rest where C = 0. Raises InvalidScene.
 
     >>> friction = Friction([(4, "0.08")])
-    >>> friction, friction.pieces[0].constant, friction.starts, friction.is_stepwise, friction.weakening
-    (Friction(pieces=(Piece(...),)), Fraction(2, 25), (Fraction(4, 1),), True, None)
+    >>> friction, friction.steps, friction.starts, friction.is_stepwise, friction.weakening
+    (Friction(pieces=(Piece(...),)), ((Fraction(4, 1), Fraction(2, 25)),), (Fraction(4, 1),), True, None)
     """
 
     pieces: tuple[Piece, ...]
@@ -95,6 +95,16 @@ class Friction(ShortRepr):
     def is_stepwise(self) -> bool:
         """Whether every piece is one constant."""
         return all(one.constant is not None for one in self.pieces)
+
+    @property
+    def steps(self) -> tuple[tuple[Fraction, Fraction], ...]:
+        """The pieces as (start in s, b in N). Raises InvalidScene unless every one is a constant."""
+        found = []
+        for one in self.pieces:
+            if one.constant is None:
+                raise InvalidScene(f"b(t) varies from t = {short(one.start)} s on; this needs b by constant steps")
+            found.append((one.start, one.constant))
+        return tuple(found)
 
 
 def _points(given: Any, name: str, first: str, second: str) -> tuple[tuple[Fraction, Fraction], ...]:

@@ -42,7 +42,7 @@ class Ends(Tabled):
         ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
         ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
         failed = np.argwhere(~self.success)
-        which = ", ".join(str(one[0] if len(one) == 1 else tuple(one)) for one in failed[:5].tolist())
+        which = ", ".join(map(str, failed[:5].tolist()))
         more = f"; scene {which}{', ...' * (len(failed) > 5)}: {self.message[*failed[0]]}" if len(failed) else ""
         return f"Batch of {len(self)} scenes, shape {self.shape}{ended}{more}"
 

@@ -40,7 +40,7 @@ class Tabled(Helpful):
         columns = self._columns()
         whole = max((one.shape for one in columns.values()), key=len)
         wide = {name: one.reshape(*one.shape, *[1] * (len(whole) - one.ndim)) for name, one in columns.items()}
-        found: DataFrame = tool("pandas", "a data frame").DataFrame(
+        found: DataFrame = tool("pandas").DataFrame(
             {name: np.broadcast_to(one, whole).ravel() for name, one in wide.items()}
         )
         found.attrs["units"] = {name: unit(name) for name in columns}
@@ -48,7 +48,7 @@ class Tabled(Helpful):
 
     def to_xarray(self) -> Dataset:
         """Return the same as an xarray Dataset, axes named by the inputs along them. Raises MissingTool."""
-        make = tool("xarray", "a Dataset").Dataset
+        make = tool("xarray").Dataset
         names, columns, axes = [f"axis_{k}" for k in range(len(self.shape))], self._columns(), {}
         for name, one in varying(self.inputs).items():
             along = [k for k in range(one.ndim) if (one != one.take([0], axis=k)).any()]

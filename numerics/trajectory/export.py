@@ -198,7 +198,7 @@ def dataframe(trajectory: Any) -> DataFrame:
     modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
     state = zip(_state_names(len(found["y"])), found["y"], strict=True)
     columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
-    frame: DataFrame = tool("pandas", "a data frame").DataFrame(
+    frame: DataFrame = tool("pandas").DataFrame(
         columns | {name: found[name] for name in ("energy", "energy_excess") if name in found}
     )
     frame.attrs["units"] = {name: unit(name) for name in frame}

@@ -84,7 +84,7 @@ def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> 
     require_one_of(name, kind, kinds)
     if ax is not None and not hasattr(ax, "set_title"):
         raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
-    plt = tool("matplotlib.pyplot", "a plot")
+    plt = tool("matplotlib.pyplot")
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
@@ -337,7 +337,7 @@ def film(
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
     if path and not path.parent.is_dir():
         raise FileNotFoundError(2, "No such folder; create it, or write elsewhere", str(path.parent))
-    plt, animation = (tool(f"matplotlib.{name}", "an animation") for name in ("pyplot", "animation"))
+    plt, animation = (tool(f"matplotlib.{name}") for name in ("pyplot", "animation"))
     if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
         raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
     with meter("drawing") as line:

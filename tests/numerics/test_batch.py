@@ -126,11 +126,11 @@ def test_a_list_of_scenes_goes_on_in_balls_where_floats_leave_one_open(scene):
 def test_what_arrays_leave_open_is_said_in_a_sentence():
     third = float(solve(OPEN).events[2].t)
     found = solve_many(**PAPER, v1=0.15, until=[3.0, third, third])
-    assert "scene 1, 2: the error bounds do not decide" in repr(found)
+    assert "scene [1], [2]: the error bounds do not decide" in repr(found)
     assert repr(found).endswith("solve(scene) goes on in balls")
     assert found.message[1].endswith("goes on in balls")
     grid = solve_many(**PAPER, v1=[[0.15], [0.1]], until=[3.0, third])
-    assert "scene (0, 1): " in repr(grid)
+    assert "scene [0, 1]: " in repr(grid)
 
 
 def test_objects_and_exact_numbers_in_a_grid_have_its_shape():
