@@ -125,9 +125,10 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Each point is a periodic motion that is proved.",
     ),
     "static-friction": (
-        "Energy loss of a slip from the edge",
-        "With one friction coefficient the loss of a slip tends to 0 with the excess energy at its start, and the pair creeps. "
-        "With static friction above kinetic, and sticks that are kept, every such slip loses at least a fixed energy: there are few of them.",
+        "The $1/t$ law under other frictions",
+        "At the exits from $S_0$, for equal masses and a friction in slip of $b\\,(1-k|V_1-V_2|)$, $V_i=v_i/(L\\Omega)$: a finite slope keeps "
+        "the limit 1 and changes how it is approached, at the rate $1/\\sqrt t$. Friction that jumps from rest to slip, however "
+        "little, with sticks that are kept, ends creeping: the pair merges.",
     ),
     "two-motions": (
         "Two motions of one force",

@@ -293,6 +293,7 @@ FAULTS = {
         "theory.forced.energy_rate": plus(b),
     },
     "damping-for-tracking": {
+        "theory.forced.place_dependent_damper_rate": negated,
         "steering.PLACE": lambda place: place + 1,
         "steering.SINE": lambda scene: replace(scene, initial=steering.State()),
         "theory.forced.contraction_rate": negated,
@@ -308,6 +309,7 @@ FAULTS = {
         "theory.forced_control.strongest": doubled,
     },
     "varying-interface": {
+        "theory.finite_slope.scaled_field": doubled,
         "theory.forced.place_dependent_rate": negated,
     },
     "start-at-6mm-sticks": {

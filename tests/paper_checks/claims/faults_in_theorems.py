@@ -3,7 +3,7 @@
 import sympy as sp
 from flint import acb
 
-from theory.symbols import b, q, theta
+from theory.symbols import b, epsilon, q, theta
 
 from .faults import (
     changed,
@@ -12,6 +12,7 @@ from .faults import (
     entry,
     halved,
     negated,
+    part,
     plus,
     raised,
     squared,
@@ -47,6 +48,12 @@ FAULTS = {
         "rate.prove": (confused(">=", "<=", 0), confused("<=", ">=", 1)),
         "rate.bounds": changed(lambda bounds: bounds[::-1]),
         "rate.depth_of_angle": doubled,
+    },
+    "rate-with-error": {
+        "uniform_rate.reduced_slip": doubled,
+        "uniform_rate.excess_rate": doubled,
+        "uniform_rate.slip_from_ray": part("X", lambda one: one + theta),
+        "uniform_rate.prove": confused("<", "<=", 0, 1),
     },
     "uniform-rate": {
         "uniform_rate.first_contact_bound": halved,
@@ -106,6 +113,8 @@ FAULTS = {
         "theory.forced_response.non_stop_parts": entry(1, lambda one: -one),
         "theory.forced_response.short_slip": entry(1, lambda one: one / 2),
         "theory.forced_response.two_stop_conditions": entry(2, lambda one: one + 1),
+        "theory.forced.contraction_rate": doubled,
+        "theory.forced.relative_rate": plus(b),
     },
     "trackable-references": {
         "theory.forced_control.stuck_force": negated,
@@ -117,6 +126,12 @@ FAULTS = {
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
         "tolerance.prove": confused("<=", ">=", 0),
+    },
+    "static-friction-stops-creeping": {
+        "theory.finite_slope.strength": negated,
+        "theory.finite_slope.path": doubled,
+        "theory.finite_slope.gain": plus(epsilon),
+        "static_friction.inverse_step": doubled,
     },
     "damping-can-desynchronise": {
         "theory.forced.creeping_load": negated,
