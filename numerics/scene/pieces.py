@@ -74,7 +74,8 @@ class Piece(ShortRepr):
         """Read start and coefficients: those of a force are N, N/s, N/s^2, ..."""
         put(self, start=begun(start))
         coefficients = [
-            exact_decimal(one, f"polynomial[{k}]") for k, one in enumerate(listed("polynomial", polynomial))
+            exact_decimal(one, f"polynomial[{k}] of the piece from {self.start} s")
+            for k, one in enumerate(listed("polynomial", polynomial))
         ]
         kept = tuple(listed("sines", sines))
         require_all("sines", kept, Sine, "Sine(amplitude, omega, phase)")

@@ -13,6 +13,7 @@ from numerics import (
     Force,
     InvalidScene,
     Pair,
+    Piece,
     PlanePair,
     PlaneScene,
     Scene,
@@ -57,6 +58,10 @@ RUN = solve(PAPER)
         (lambda: RUN["q"], "a run has t, y"),
         (lambda: Force.sine(1, 1) + 3, "Force.constant"),
         (lambda: Force(3), "Force.constant.3., Force.samples"),
+        (
+            lambda: Force(Piece(t, [u]) for t, u in ((0, 1), (0.5, float("nan")))),
+            "polynomial.0. of the piece from 1/2 s",
+        ),
         (lambda: Force(np.zeros(3)), "Force.constant.3., Force.samples"),
         (lambda: Force([0, 1], [2, 3]), "Force.constant.3., Force.samples"),
         (lambda: Scene(PAPER.pair, State(), 5, force=3), "Force.constant.3., Force.samples"),
