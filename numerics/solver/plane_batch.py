@@ -63,7 +63,7 @@ class PlaneBatch(Ends):
     ANSWERS = "energy", "events", "digits", "t"
     """What can be drawn."""
 
-    def __init__(self, scenes: Sequence[PlaneScene], rows: Sequence[dict[str, Any]]) -> None:
+    def __init__(self, scenes: Sequence[PlaneScene], rows: Sequence[dict[str, object]]) -> None:
         """Take scenes with one number of axes, and the answers of each by the names of arrays."""
         self.scenes, self.shape = scenes, (len(scenes),)
         for name in rows[0]:
