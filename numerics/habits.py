@@ -94,7 +94,7 @@ def _wrong_call(function: Callable[..., object], given: tuple[object, ...], name
         if unknown := [name for name in named if name not in known]:
             return f"{what} has no {unknown[0]!r}: {right_word(unknown[0], known)}"
         remedy = _INSTEAD.get(what, "give all after the first by their names" if "many" in str(error) else "give it")
-        return f"{what}: {error}; it takes {', '.join(known) or 'nothing'}, in this order; {remedy}"
+        return f"{what}: {error}; it takes {', '.join(known) or 'none'}, in this order; {remedy}"
     return ""
 
 

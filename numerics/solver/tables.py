@@ -39,7 +39,7 @@ class Tabled(Helpful):
         """
         columns = self._columns()
         whole = max((one.shape for one in columns.values()), key=len)
-        wide = {name: one.reshape(*one.shape, *[1] * (len(whole) - one.ndim)) for name, one in columns.items()}
+        wide = {name: one.reshape(one.shape + (1,) * (len(whole) - one.ndim)) for name, one in columns.items()}
         found: DataFrame = tool("pandas").DataFrame(
             {name: np.broadcast_to(one, whole).ravel() for name, one in wide.items()}
         )

@@ -133,6 +133,12 @@ def test_what_arrays_leave_open_is_said_in_a_sentence():
     assert "scene [0, 1]: " in repr(grid)
 
 
+def test_a_batch_of_one_and_of_none_have_tables():
+    assert len(solve_many(**PAPER, until=1).to_dataframe()) == 1
+    assert len(solve_many(1, 1, 200, [], until=1).to_dataframe()) == len(solve_scenes([]).to_dataframe()) == 0
+    assert dict(solve_many(**PAPER, until=1).to_xarray().sizes) == {}
+
+
 def test_objects_and_exact_numbers_in_a_grid_have_its_shape():
     """Energies and inputs of scenes that are solved one by one."""
     for more in ({"exact": True}, {"force": Force.sine(1, 2)}):
