@@ -31,6 +31,7 @@ Control through the interface:
     response            the long-time response to a periodic force
     thresholds          amplitudes: the largest for permanent stick, the smallest for slip with two reversals a period
     fastest_transfer    the force that moves body 2 from rest to rest
+    cheapest_transfer   the one with the least int u^2 dt in a given time
     track               the force under which body 2 follows a reference
     load_reference      a reference from a TOML file, or a shipped one such as "s-curve"
     ring_entry          when the relative motion has settled
@@ -55,6 +56,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     __version__: str
+    from numerics.control.cheapest import cheapest_transfer as cheapest_transfer
     from numerics.control.response import response as response
     from numerics.control.ring import ring_entry as ring_entry
     from numerics.control.thresholds import thresholds as thresholds
@@ -110,6 +112,7 @@ _NAMES = {
     "plane.trajectory": "PlaneTrajectory",
     "trajectory.sensitivity": "sensitivities",
     "linear.modes": "Mode",
+    "control.cheapest": "cheapest_transfer",
     "control.response": "response",
     "control.ring": "ring_entry",
     "control.thresholds": "thresholds",

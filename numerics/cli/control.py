@@ -11,7 +11,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, asked, draw, in_brief, number_lines, numbers, write_text
-from numerics.exits import FAILED, OK, refuse
+from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import shown_steps
 
 if TYPE_CHECKING:
@@ -137,11 +137,15 @@ def print_tracking(options: argparse.Namespace) -> int:
 
 
 def print_transfer(options: argparse.Namespace) -> int:
-    """Print the fastest transfer from rest to rest, and write its force as a scene."""
+    """Print the transfer from rest to rest with the least time or energy, and write its force as a scene."""
     from numerics.control.answers import solved_again
     from numerics.control.transfer import TransferKind, fastest_transfer
     from numerics.scene.file import load_line
 
+    if (options.least == "time") is (options.time is not None):
+        return refuse("--least energy or peak and --time go together; leave both out for the least time", USAGE)
+    if options.time is not None:
+        return _cheapest(options)
     found = fastest_transfer(load_line(options.scene), options.distance, **asked(options, "amplitude", "margin"))
     solved = solved_again(found)
     if solved is not None:
@@ -158,6 +162,23 @@ def print_transfer(options: argparse.Namespace) -> int:
     return _plan(
         options, found.scene, (record, lines), "no transfer is given: the minimum time at this amplitude is not known"
     )
+
+
+def _cheapest(options: argparse.Namespace) -> int:
+    """Print the transfer with the least int u^2 dt or max |u| in a time."""
+    from numerics.control.answers import solved_again
+    from numerics.control.cheapest import cheapest_transfer
+    from numerics.scene.file import load_line
+
+    if options.amplitude is not None:
+        return refuse("--amplitude is for the least time; leave it out with --least energy or peak", USAGE)
+    given = asked(options, "least", "margin")
+    found = cheapest_transfer(load_line(options.scene), options.distance, options.time, **given)
+    draw(options, "draw_transfer", found, solved_again(found))
+    shown = numbers(found, "bound", "time", **{options.least: found.cost, f"least_{options.least}": found.least_cost})
+    record = {"sentence": found.road.value, **shown, "is_at_limit": found.is_at_limit, "digits": found.digits}
+    limit = "at its limit, or the margin, for a part of the time" if found.is_at_limit else "below its limit"
+    return _plan(options, found.scene, (record, [found.road.value, *number_lines(shown), f"friction is {limit}"]), "")
 
 
 def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherwise: str) -> int:

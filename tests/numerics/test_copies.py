@@ -15,6 +15,7 @@ from three_scenes import ARITHMETICS, DAMPED, PAPER
 from numerics import (
     Scene,
     State,
+    cheapest_transfer,
     fastest_transfer,
     load_reference,
     load_scene,
@@ -79,6 +80,7 @@ def test_a_run_on_a_surface(name, how):
         lambda: response(DAMPED, amplitude=3, omega=7),
         lambda: response(DAMPED, amplitude="0.1", omega=7),
         lambda: fastest_transfer(REST, "0.01"),
+        lambda: cheapest_transfer(REST, "0.001", "0.2"),
         lambda: track(REST, load_reference("s-curve")),
         lambda: ring_entry(PAPER, radius="0.001"),
         lambda: solve_many(1, 1, 200, 0.5, v1=[0.1, 0.2], until=1, keep_events=2).ends,

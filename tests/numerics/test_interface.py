@@ -127,6 +127,7 @@ def test_every_function_says_what_it_raises_and_has_an_example(name):
         "thresholds": (PAPER.pair, 5),
         "track": (numerics.load_scene("at-rest"), numerics.load_reference("s-curve")),
         "fastest_transfer": (numerics.load_scene("at-rest"), "0.1"),
+        "cheapest_transfer": (numerics.load_scene("at-rest"), "0.1", 2),
         "ring_entry": (PAPER, "0.001"),
     }.items(),
 )

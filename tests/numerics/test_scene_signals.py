@@ -24,6 +24,7 @@ from numerics import (
     Sine,
     State,
     Weakening,
+    cheapest_transfer,
     fastest_transfer,
     load_reference,
     response,
@@ -92,6 +93,7 @@ ASKED = {
     "ring_entry": lambda scene: ring_entry(scene, "0.01"),
     "track": lambda scene: track(scene, load_reference("s-curve")),
     "fastest_transfer": lambda scene: fastest_transfer(scene, 1),
+    "cheapest_transfer": lambda scene: cheapest_transfer(scene, 1, 9),
     "energy_at": lambda scene: energy_at(scene, 1),
     "theorem": lambda scene: theorem(solve(scene)),
 }

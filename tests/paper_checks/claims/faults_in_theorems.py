@@ -1,5 +1,7 @@
 """Of each theorem beyond the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
 
+from fractions import Fraction
+
 import sympy as sp
 from flint import acb
 
@@ -105,6 +107,16 @@ FAULTS = {
     "forced-resonance-bound": {
         "theory.forced_response.mean_absolute_cosine": doubled,
         "theory.forced_response.path_beside": doubled,
+        "theory.critical_resonance.gain": changed(lambda gained: 2 * gained),
+        "theory.critical_resonance.late": negated,
+        "theory.critical_resonance.moment": doubled,
+    },
+    "euler-error": {
+        "euler_error.RIGHT": lambda step: step + Fraction(1, 10**6),
+        "euler_error.WRONG": lambda step: step - Fraction(1, 10**6),
+        "euler_error.ALLOWED": lambda most: most / 2,
+        "euler_error.LATEST": lambda most: most / 2,
+        "static_friction.load": halved,
     },
     "entrainment-threshold": {
         "theory.forced_response.stuck_impedance": negated,
@@ -122,6 +134,12 @@ FAULTS = {
     "minimum-transfer-time": {
         "theory.forced_control.switching_cosines": entry(0, lambda one: one / 2),
         "theory.forced_control.pressed": doubled,
+    },
+    "cheapest-transfer": {
+        "theory.cheapest.along": doubled,
+        "theory.cheapest.gathered": negated,
+        "theory.cheapest.slip_gathered": negated,
+        "theory.cheapest.slip_force": doubled,
     },
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
