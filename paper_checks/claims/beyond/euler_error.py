@@ -73,7 +73,8 @@ def shows_adhesion(step: Fraction = SHOWS) -> Evidence:
         parts = [*((one, one.length) for one in slips[:-1]), (last, before)]
         away = [apart(one, arb(0), end) for one, end in parts]
         state = last.state(before)
-        place = last.state(before.union(last.length))[0].union(stick.state(arb(0).union(latest))[0])
+        end, begun = last.state(before.union(last.length))[0], stick.state(arb(0).union(latest))[0]
+        place = arb(end).union(begun)
         return argument(
             r"""
             Let $N$ stay below $N_1$ for a while. Where a slip of Euler may end within a step, $\dot z$ of the motion is small; so up to 0.01 s before the adhesion $|x_1|$ of both is beyond $S_0$.
