@@ -35,6 +35,7 @@ Control through the interface:
     track               the force under which body 2 follows a reference
     load_reference      a reference from a TOML file, or a shipped one such as "s-curve"
     ring_entry          when the relative motion has settled
+    damping             when a free pair sticks permanently, when it rests, and its best damper
 Exceptions:
     NumericsError       the base class
     InvalidScene        numbers or a file that are not a valid scene; also a ValueError
@@ -57,6 +58,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     __version__: str
     from numerics.control.cheapest import cheapest_transfer as cheapest_transfer
+    from numerics.control.damping import damping as damping
     from numerics.control.response import response as response
     from numerics.control.ring import ring_entry as ring_entry
     from numerics.control.thresholds import thresholds as thresholds
@@ -113,6 +115,7 @@ _NAMES = {
     "trajectory.sensitivity": "sensitivities",
     "linear.modes": "Mode",
     "control.cheapest": "cheapest_transfer",
+    "control.damping": "damping",
     "control.response": "response",
     "control.ring": "ring_entry",
     "control.thresholds": "thresholds",

@@ -173,6 +173,12 @@ _COMMANDS: tuple[Command, ...] = (
         ),
     ),
     (
+        "damping",
+        control.print_damping,
+        "the time from which the free pair sticks permanently, and that from which it rests; its best damper",
+        (*_ASKED, _option("--tolerance", "displacement that counts as rest, m", required=True, metavar="D")),
+    ),
+    (
         "trade",
         measure_trade,
         "measure time against accuracy, of this package and of other integrators",

@@ -1,4 +1,4 @@
-"""`python -m numerics response`, `track`, `move` and `ring`: control questions about a pair.
+"""`python -m numerics response`, `track`, `move`, `ring` and `damping`: control questions about a pair.
 
 Long-time response to a periodic force; references, transfers, settling. Each command computes its result, solves it
 again event by event where it is a scene, draws it, and prints it as JSON or as lines.
@@ -215,4 +215,29 @@ def print_ring(options: argparse.Namespace) -> int:
         f"{found.why}; {found.digits} right digits, proved",
     ]
     answer(options, record, lines)
+    return OK
+
+
+def print_damping(options: argparse.Namespace) -> int:
+    """Print when a free pair sticks permanently, when it rests, and the damper that is best for that."""
+    from numerics.control.damping import damping
+    from numerics.scene.decimals import decimal_text
+    from numerics.scene.file import load_line
+
+    with shown_steps():
+        found = damping(load_line(options.scene), **asked(options, "tolerance"))
+    draw(options, "draw_damping", found)
+    best = "" if found.best is None else decimal_text(found.best)
+    record: dict[str, Any] = {"own": found.own, "best": found.at_best, "heavy": found.heavy}
+    lines = []
+    for name, said in (
+        ("own", "with the damper of the scene:"),
+        ("best", f"with a1 = {best} N s/m, the best for rest of {len(found.sampled)} that were tried:"),
+        ("heavy", "as a1 grows without bound:"),
+    ):
+        if record[name] is not None:
+            record[name] = numbers(found, **record[name]._asdict())
+            lines += [said, *number_lines(record[name])]
+    record |= {"a1": best or None, "digits": found.digits}
+    answer(options, record, [*lines, f"{found.digits} right digits, proved; that no other damper is better is not"])
     return OK

@@ -38,6 +38,8 @@ NAMED = {
     "least_amplitude": ("minimum amplitude to arrive at the bound", "N"),
     "entry": ("stays inside the ring from t", "s"),
     "centre": ("its centre", "m"),
+    "stuck": ("time to permanent stick", "s"),
+    "rest": ("time to rest within the tolerance", "s"),
 }
 """Names and units of the numbers in a result."""
 

@@ -169,6 +169,21 @@ def draw_ring(found: Any) -> Figure:
     return figure
 
 
+def draw_damping(found: Any) -> Figure:
+    """Return both times of a Damping over a1, in float64; the damper of the scene, and the best one."""
+    a1, times = zip(*found.sampled, strict=True)
+    figure, ax = _panels(8, 5.6, 1)
+    names = "stuck permanently", f"at rest within {float(found.tolerance):g} m"
+    for name, several, color in zip(names, np.array(times, float).T, (PURPLE, GREEN), strict=True):
+        ax.plot(a1, np.where(several > 0, several, np.nan), color=color, label=name)
+    for damper, style in ((found.scene.pair.a1, "-."), (found.best, ":")):
+        if damper:
+            ax.axvline(float(damper), color=GRAY, ls=style, label=f"$a_1$ = {float(damper):g} N s/m")
+    ax.set(xscale="log", yscale="log", xlabel="$a_1$ (N s/m)", ylabel="from t on (s)", title="What a damper does")
+    _legends_below([ax])
+    return figure
+
+
 def _legends_below(axes: Iterable[Any]) -> None:
     """Put legends where they cover no curve, and few numbers below the curves."""
     for ax in axes:

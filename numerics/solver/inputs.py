@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+from flint import arb
 
 from numerics.scene import Scene
 from numerics.scene.model import parameters
@@ -22,6 +24,13 @@ def near(x: object) -> float:
         return float(x)  # type: ignore[arg-type]
     except OverflowError:
         return np.nan
+
+
+def floats_of(balls: Any) -> tuple[Floats, Floats]:
+    """Return the floats next to balls, and how far they may be off."""
+    near = np.vectorize(lambda x: float(x.mid()), otypes=[float])(balls)
+    off = np.vectorize(lambda x, y: float(abs(x - arb(y)).upper()), otypes=[float])(balls, near)
+    return near, off * (1 + 1e-15)
 
 
 def inputs_of(scenes: Sequence[Scene]) -> dict[str, Floats]:

@@ -8,13 +8,12 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
-from flint import arb
 
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.plane.solve import solve_plane
 from numerics.scene.plane import AXES, PlaneScene
 from numerics.solver.batch import Ends
-from numerics.solver.inputs import near
+from numerics.solver.inputs import floats_of, near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, room
@@ -89,7 +88,7 @@ def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[i
     try:
         run = solve_plane(scene, solve, max_events=max_events)
         with run.context():
-            (t, late), (energy, energy_off), both = (_floats(x) for x in (run.t, run.final_energy, run.y))
+            (t, late), (energy, energy_off), both = (floats_of(x) for x in (run.t, run.final_energy, run.y))
         y, off = (x.reshape(4, scene.pair.axes, -1).transpose(2, 0, 1) for x in both)
         if not np.isfinite(off).all():
             raise OutOfRange(Status.OUT_OF_RANGE.sentence)
@@ -109,13 +108,6 @@ def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[i
         found[name] = np.full((keep, *values.shape[1:]), np.nan)
         found[name][: len(modes)] = values[1 : len(modes) + 1]
     return row, found
-
-
-def _floats(balls: Any) -> tuple[Floats, Floats]:
-    """Return the floats next to balls, and how far they may be off."""
-    near = np.vectorize(lambda x: float(x.mid()), otypes=[float])(balls)
-    off = np.vectorize(lambda x, y: float(abs(x - arb(y)).upper()), otypes=[float])(balls, near)
-    return near, off * (1 + 1e-15)
 
 
 def solve_surfaces(

@@ -8,7 +8,6 @@ from functools import partial
 
 import numpy as np
 
-from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.precision import is_held
@@ -18,6 +17,7 @@ from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Scene
+from numerics.solver.inputs import floats_of
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores
 from numerics.trajectory.columns import STATE, Counts, Floats
@@ -29,8 +29,7 @@ _CHUNK = 4096
 _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
 _TAKEN = AT["friction"]
-_FLOAT64, _DIGITS = Float64(), 68
-"""Where friction depends on the state a batch, too, begins in balls, of so many digits."""
+_FLOAT64 = Float64()
 
 
 def form_ledgers(
@@ -82,7 +81,7 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats, goes_on:
     kept[:] = end[:] = np.nan  # also what compiled code wrote, in units of its own, before it left the row to this
     try:
         try:
-            found = run_scene(scene, Ball(_DIGITS) if scene.friction.weakening else _FLOAT64, max_events)
+            found = run_scene(scene, _FLOAT64, max_events)
         except EventUndecided:
             if not goes_on:
                 raise
@@ -102,17 +101,14 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats, goes_on:
 
 
 def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
-    """Return rows and the end of a run in balls as floats: the middles, and as bounds radii and rounding."""
-    record, late, numbers = found.record, AT["late"], ("local", *STATE)
-    table = np.zeros((len(record.rows) + 1, END_ROW))
-    with found.arithmetic.context():
-        for row, knot in zip(table, (*record.rows, record.end), strict=True):
-            row[: len(CODES)] = knot[: len(CODES)]
-            for place, name in enumerate(numbers):
-                value = getattr(knot, name)
-                row[AT[name]] = float(value.mid())
-                row[late + place] = float(value.rad()) + abs(row[AT[name]]) * 2.0**-52
-        friction, viscous = float(found.ledger.friction), float(found.ledger.viscous)
-        off = float(found.dissipated.rad()) + 2.0**-51 * (friction + viscous)  # type: ignore[union-attr]  # a ball
-    table[-1, ROW:] = record.how, record.events, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
+    """Return rows and the end of a run in balls as floats, with their distances from the true numbers as bounds."""
+    record, names, late = found.record, ("local", *STATE), AT["late"]
+    knots = (*record.rows, record.end)
+    table = np.zeros((len(knots), END_ROW))
+    table[:, : len(CODES)] = [one[: len(CODES)] for one in knots]
+    with found.context():
+        near, off = floats_of([[getattr(one, name) for name in names] for one in knots])
+        took, error = floats_of([found.ledger.friction, found.ledger.viscous, found.ledger.work])
+    table[:, [AT[name] for name in names]], table[:, late : late + len(names)] = near, off
+    table[-1, ROW:] = record.how, record.events, *took, 0.0, 0.0, 0.0, error.sum()
     return table[:-1, :ROW], table[-1]

@@ -31,7 +31,7 @@ _SAID = {
     "No data left": "it is empty",
     "header is not": "it is an archive of plain arrays, as of --npz, which np.load reads",
     "'inertial-pair surface trajectory 4'": "it is a run on a surface, which PlaneTrajectory.load reads",
-    "'inertial-pair trajectory 3'": "it is a run on a line, which Trajectory.load reads",
+    "'inertial-pair trajectory 4'": "it is a run on a line, which Trajectory.load reads",
 }
 """What is wrong with a file where an error says this."""
 

@@ -85,7 +85,7 @@ class Trajectory(Rows):
     True
     """
 
-    FORMAT = "inertial-pair trajectory 3"
+    FORMAT = "inertial-pair trajectory 4"
     ARITHMETICS = ("float64", "mpmath", "ball")
     COLUMNS = ("t", "y", "energy", "energy_excess")
 

@@ -168,6 +168,7 @@ def test_a_stuck_pair_without_a_damper_keeps_its_distances_exactly(record, file_
         ("move at-rest --distance -.001", ""),
         ("response at-rest --omega 1 --amplitude -1e-3", ""),
         ("ring at-rest --rate 1 --radius -1E-3", "must be"),
+        ("damping at-rest --tolerance -1e-3", "must be"),
         ("energy velocities --at -1e2", "must be"),
     ],
 )

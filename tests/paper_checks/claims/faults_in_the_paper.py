@@ -261,6 +261,7 @@ FAULTS = {
         "energy.captive_energy": squared,
         "energy.load": negated,
         "synchronisation.DAMPED": lambda point: {**point, a1: 0},
+        "damping.FIGURE": lambda point: {**point, m1: 2},
     },
     "two-descriptions": {
         "discussion.APART": lambda apart: 2 * apart,

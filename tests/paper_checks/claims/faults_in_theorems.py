@@ -5,7 +5,8 @@ from fractions import Fraction
 import sympy as sp
 from flint import acb
 
-from theory.symbols import b, epsilon, q, theta
+from theory.filippov import phi
+from theory.symbols import b, epsilon, q, theta, x1
 
 from .faults import (
     changed,
@@ -152,6 +153,12 @@ FAULTS = {
         "static_friction.inverse_step": doubled,
     },
     "damping-can-desynchronise": {
+        "theory.forced.creeping_load": negated,
+    },
+    "synchronisation-against-damping": {
+        "damping.STUCK": (lambda point: {**point, x1: -1}, lambda point: {**point, b: sp.Rational(1, 10)}),
+        "damping.load_threshold": doubled,
+        "damping.sliding_field": lambda _: lambda **_named: phi(1, damped=True),
         "theory.forced.creeping_load": negated,
     },
 }
