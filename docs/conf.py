@@ -14,7 +14,7 @@ sys.path[:0] = [str(Path(__file__).resolve().parent.parent), str(Path(__file__).
 
 from rendered import render  # noqa: E402
 
-from numerics.solver.inputs import unit  # noqa: E402
+from numerics.trajectory.units import unit  # noqa: E402
 
 project = "inertial-pair"
 author = "The inertial-pair authors"

@@ -52,9 +52,11 @@ Exceptions:
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from types import FunctionType
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    __version__: str
     from numerics.control.cheapest import cheapest_transfer as cheapest_transfer
     from numerics.control.damping import damping as damping
     from numerics.control.response import response as response
@@ -129,20 +131,25 @@ _HOMES = {name: f"numerics.{module}" for module, names in _NAMES.items() for nam
 __all__ = sorted(_HOMES)  # noqa: PLE0605 - a list, of the names above
 
 
-def __getattr__(name: str) -> Any:
-    """Import a public name when it is first asked for: `--help` needs none of them."""
-    if name == "__version__":
-        from numerics.exits import version
+if not TYPE_CHECKING:
 
-        return version() or "0+source"
-    if name not in _HOMES:
-        from numerics.habits import right_word
+    def __getattr__(name: str) -> object:
+        """Import a public name when it is first asked for: `--help` needs none of them. Functions are `helpful`."""
+        from numerics.habits import helpful, right_word
 
-        known = right_word(name, [*_HOMES]).replace("it takes", "it has")
-        raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
-    value = getattr(importlib.import_module(_HOMES[name]), name)
-    globals()[name] = value
-    return value
+        if name == "__version__":
+            from numerics.exits import version
+
+            return version() or "0+source"
+        if name not in _HOMES:
+            known = right_word(name, [*_HOMES], "dir(numerics) lists what it has")
+            raise AttributeError(f"module 'numerics' has no attribute {name!r}; {known}")
+        value = getattr(importlib.import_module(_HOMES[name]), name)
+        if isinstance(value, FunctionType):
+            value = helpful(value)
+            value.__module__ = __name__  # where a pickle finds it
+        globals()[name] = value
+        return value
 
 
 def __dir__() -> list[str]:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,6 +18,7 @@ from numerics.exits import (
     missing,
     open_streams,
     refuse,
+    tool,
     wrong_path,
 )
 
@@ -29,7 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     known = parser()
     complete(known)
     options = known.parse_args(arguments)
-    from numerics.errors import InvalidScene, MissingTool, NoForceHere, NumericsError
+    from numerics.errors import InvalidScene, NoForceHere, NumericsError
     from numerics.files import cache_refused
 
     if refused := cache_refused():
@@ -40,8 +40,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if isinstance(given, Path) and (wrong := wrong_path(given, f"--{name}" if name == options.figure else "")):
                 known.error(wrong)
         for module, is_needed in needs.items():
-            if is_needed and importlib.util.find_spec(module) is None:
-                raise MissingTool(missing(module))
+            if is_needed:
+                tool(module)
         code: int = options.run(options)
         sys.stdout.flush()  # here a full disk or a reader that left can still be answered
         return code

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import importlib
 import os
 import re
 import sys
 import tempfile
 from pathlib import Path
+from types import ModuleType
 from typing import Any, NoReturn
 
+from numerics.errors import MissingTool
 from numerics.habits import right_word
 
 OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -90,8 +93,17 @@ def complete(parser: argparse.ArgumentParser) -> None:
 
 def missing(module: str) -> str:
     """Return the sentence that says that a module is not installed, and what to do."""
-    extra = {"matplotlib": "plot"}.get(module, "checks")
-    return f"this needs {module}, which is not installed; python -m pip install 'inertial-pair[{extra}]'"
+    own = {"matplotlib": "'inertial-pair[plot]'", "pandas": "pandas", "xarray": "xarray"}
+    how = own.get(module, "'inertial-pair[checks]'")
+    return f"this needs {module}, which is not installed; python -m pip install {how}"
+
+
+def tool(module: str) -> ModuleType:
+    """Return an optional module, or one of this package that needs some. Raises MissingTool."""
+    try:
+        return importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        raise MissingTool(missing(str(error.name))) from None
 
 
 class Version(argparse.Action):
@@ -141,11 +153,9 @@ class OneLineParser(argparse.ArgumentParser):
             message += "; leave one of them out"
         elif (unknown := re.match(r"unrecognized arguments: --([\w-]+)", message)) is not None:
             word, flags = unknown[1], self._flags()
-            is_elsewhere = f"--{word}" in flags
-            right = "--help lists the options" if is_elsewhere else right_word(word.replace("-", "_"), flags)
-            message = (
-                f"--{word} is no option of this command; {right}" if is_elsewhere else f"--{word} is not known: {right}"
-            )
+            is_elsewhere, otherwise = f"--{word}" in flags, "--help lists the options"
+            right = otherwise if is_elsewhere else right_word(word.replace("-", "_"), flags, otherwise)
+            message = f"--{word} is {'no option of this command;' if is_elsewhere else 'not known:'} {right}"
         elif message.startswith(("the following", "unrecognized")) or "expected" in message:
             message += "; --help lists the options"
         self.exit(refuse(message, USAGE))

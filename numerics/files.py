@@ -91,6 +91,14 @@ def forget_unused(folder: Path, most: int, idle: float = A_DAY) -> None:
             shutil.rmtree(old, ignore_errors=True)
 
 
+def path_of(file: object) -> Path:
+    """Return the path of what names a file. Raises TypeError."""
+    try:
+        return Path(file)  # type: ignore[arg-type]
+    except TypeError:
+        raise TypeError(f"file = {str(file)[:40]!r} is no name of a file; give one as text or a Path") from None
+
+
 @contextmanager
 def whole_file(path: Path) -> Iterator[BinaryIO]:
     """Open a binary file that takes its name only when the block ends well; otherwise nothing is left behind.

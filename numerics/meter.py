@@ -5,16 +5,12 @@ solving  42 %|########            | 3 s, 4 s left
 
 from __future__ import annotations
 
-import functools
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import ParamSpec, TypeVar
 
-_P = ParamSpec("_P")
-_R = TypeVar("_R")
 _AFTER, _EVERY, _WIDTH = 2.0, 0.25, 20
 """Seconds before the first line and between two; characters of the bar."""
 _ACTIVE = threading.local()
@@ -50,20 +46,16 @@ class _Line:
             sys.stderr.flush()
 
 
-def shows() -> bool:
-    """Return whether stderr is a terminal on which nothing is shown yet."""
-    return sys.stderr is not None and sys.stderr.isatty() and not getattr(_ACTIVE, "line", False)
-
-
 @contextmanager
 def meter(
     what: str, given: Callable[..., None] | None = None, ticks: bool = True
 ) -> Iterator[Callable[..., None] | None]:
     """Yield what takes the progress of some work: what is `given`, or a line on a terminal, else None.
 
-    With `ticks` it also counts the seconds of work that tells nothing.
+    With `ticks` it also counts the seconds of work that tells nothing. As a decorator it is the line of a function.
     """
-    if given is not None or not shows():
+    is_free = sys.stderr is not None and sys.stderr.isatty() and not getattr(_ACTIVE, "line", False)
+    if given is not None or not is_free:
         yield given
         return
     line, ended = _Line(what), threading.Event()
@@ -84,17 +76,3 @@ def meter(
             ticker.join()
         _ACTIVE.line = False
         line.close()
-
-
-def metered(what: str) -> Callable[[Callable[_P, _R]], Callable[_P, _R]]:
-    """Return a decorator under which a function shows that it works."""
-
-    def decorate(function: Callable[_P, _R]) -> Callable[_P, _R]:
-        @functools.wraps(function)
-        def call(*given: _P.args, **named: _P.kwargs) -> _R:
-            with meter(what):
-                return function(*given, **named)
-
-        return call
-
-    return decorate

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from numerics.files import whole_file
+from numerics.meter import meter
 from numerics.shown import write_figure
 
 _SPARE = 20
@@ -94,7 +95,8 @@ def draw(options: argparse.Namespace, name: str, *what: Any) -> None:
     if options.plot is not None:
         from numerics.control import pictures
 
-        write_figure(getattr(pictures, name)(*what), options.plot)
+        with meter("drawing"):
+            write_figure(getattr(pictures, name)(*what), options.plot)
 
 
 def write_text(text: str, path: Path) -> None:

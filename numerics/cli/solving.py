@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, write_text
 from numerics.exits import FAILED, OK, USAGE, refuse
+from numerics.meter import meter
 from numerics.shown import shown_steps, write_figure
 
 if TYPE_CHECKING:
-    from numerics.plane.trajectory import PlaneTrajectory
     from numerics.trajectory.run import Progress
     from numerics.trajectory.trajectory import Trajectory
 
@@ -41,15 +41,15 @@ def solve_scene(options: argparse.Namespace) -> int:
             or (None if (options.digits or options.check) and not options.times else "ball"),
             max_events=options.max_events,
             max_digits=options.max_digits,
-            progress=_progress(scene, options.max_events, say),
+            progress=_progress(options.max_events, say),
         )
     if options.times:
         try:
             trajectory = trajectory.but(t_eval=options.times)
         except ValueError as error:
-            return refuse(str(error).replace("t_eval", "--times"), USAGE)
+            return refuse(f"--times: {error}", USAGE)
     if options.explain:
-        print((_surface_explained if on_surface else _explained)(trajectory), file=sys.stderr)
+        print(_explained(trajectory, on_surface=on_surface), file=sys.stderr)
     if options.check:
         return _print_check(trajectory, options)
     if options.npz is not None:
@@ -65,7 +65,8 @@ def solve_scene(options: argparse.Namespace) -> int:
         from numerics.plane import pictures
         from numerics.trajectory import figures
 
-        write_figure((pictures if on_surface else figures).overview(trajectory), options.plot)
+        with meter("drawing"):
+            write_figure((pictures if on_surface else figures).overview(trajectory), options.plot)
     else:
         _print(trajectory, options, on_surface=on_surface)
     return OK if trajectory.success else refuse(trajectory.message, FAILED)
@@ -115,21 +116,12 @@ _EARLY = 1000
 """With fewer events there is no forecast of their number."""
 
 
-def _progress(scene: Any, most: int, say: Callable[[str], None]) -> Progress:
-    """Return what reports progress, and warns once, early, that the limit on events may come before the horizon."""
-    from numerics.scene import Scene
-    from numerics.trajectory.run import free_scene
-
-    is_free, said = isinstance(scene, Scene) and free_scene(scene), False
-    remedy = "choose an earlier horizon" + is_free * ", or use `energy` for a late time"
+def _progress(most: int, say: Callable[[str], None]) -> Progress:
+    """Return what reports progress, and says early that the limit on events may come before the horizon."""
 
     def show(events: int, fraction: float) -> None:
-        nonlocal said
-        if not said and events > max(_EARLY, fraction * most) and fraction < 1:
-            said = True
-            warning = f"at this rate the limit of {most} events is reached before the horizon"
-            print(f"{warning}: {remedy}", file=sys.stderr)
-        say(f"{events} events, {100 * fraction:.0f} % of the horizon")
+        soon = f"; at this rate the limit of {most} events comes first" * (events > max(_EARLY, fraction * most))
+        say(f"{events} events, {100 * fraction:.0f} % of the horizon{soon}")
 
     return show
 
@@ -165,7 +157,8 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
     """Return the events, all or the first and the last, and the final state as lines; no digit is ever cut."""
     from numerics.scene.plane import AXES
     from numerics.solver.truth import record
-    from numerics.trajectory.export import END_NAMES, unit_of
+    from numerics.trajectory.export import END_NAMES
+    from numerics.trajectory.units import unit
 
     count = len(trajectory.event_times)
     left_out = 0 if whole else max(0, count - 2 * SHOWN)
@@ -178,11 +171,11 @@ def _table(trajectory: Any, lines_of: Any, *, whole: bool) -> list[str]:
     for name in END_NAMES:
         if name not in final or (name == "energy_excess" and trajectory.scene.is_forced):
             continue  # E_cr is that of [pair] b at rest: under a force, or another friction, it decides nothing
-        value, unit = final[name], unit_of(name)
+        value, of = final[name], unit(name)
         if isinstance(value, list):
-            units = [unit_of(f"{name}_{axis}") for axis, _ in zip(AXES, value, strict=False)]
-            value, unit = ", ".join(value), ", ".join(units if len(set(units)) > 1 else units[:1])
-        lines.append(f"  {LABELS.get(name, name)} = {value} {unit}".rstrip())
+            units = [unit(f"{name}_{axis}") for axis, _ in zip(AXES, value, strict=False)]
+            value, of = ", ".join(value), ", ".join(units if len(set(units)) > 1 else units[:1])
+        lines.append(f"  {LABELS.get(name, name)} = {value} {of}".rstrip())
     return [*lines, f"{found['arithmetic']}, at least {found['digits']} right digits"]
 
 
@@ -194,7 +187,7 @@ def _of_a_line(events: list[dict[str, str]]) -> list[str]:
     narrow = sys.stdout.isatty() and sum(widths) + 2 * 4 > shutil.get_terminal_size().columns
     lines = []
     for row in rows if events else ():
-        cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
+        cells = [*map(str.ljust, row, widths)]
         parts = [cells[:2], ["", "", *cells[2:]]] if narrow else [cells]
         lines.append("\n".join("  ".join(part).rstrip() for part in parts))
     return lines
@@ -211,27 +204,18 @@ def _of_a_surface(events: list[dict[str, Any]]) -> list[str]:
     return lines
 
 
-def _explained(trajectory: Trajectory) -> str:
+def _explained(trajectory: Any, *, on_surface: bool) -> str:
     """Return how a scene was solved: arithmetic, digits, what was tried, events, and why no more were needed."""
-    from numerics.linear.modes import Mode
     from numerics.trajectory.run import free_scene
-    from numerics.trajectory.status import Status
 
-    located, arithmetic = trajectory.record.events, trajectory.arithmetic
+    located, arithmetic = len(trajectory.event_times), trajectory.arithmetic
     why = f"{located} events located one by one"
-    if free_scene(trajectory.scene):
+    if not on_surface and free_scene(trajectory.scene):
         why += ", as all of them were requested (`energy` skips most of them)"
-    if not located and trajectory.modes == (Mode.STICK,):
-        why = "the pair never slips: one closed form for every horizon"
-    elif trajectory.status is Status.STUCK_FOR_EVER:
+    if "permanently" in trajectory.message:
         why = f"after {located} events the pair sticks permanently: a later horizon takes no longer"
+        why = why if located else "the pair never slips: one closed form for every horizon"
     tried = f" ({trajectory.tried})" if trajectory.tried else ""
-    how = "digits are relative to the largest position, velocity or energy along the run, those of a time to that time"
-    return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}; {how}"
-
-
-def _surface_explained(trajectory: PlaneTrajectory) -> str:
-    """Return which arithmetic was used, and what its digits mean."""
-    how = "digits are relative to each number, or near 0 to the largest of its axis along the run"
-    working = f"{trajectory.arithmetic.name}, from a path with {trajectory.arithmetic.digits} working digits"
-    return f"{working}; {len(trajectory.events)} events located one by one; {how}"
+    how = "the largest position, velocity or energy along the run, those of a time to that time"
+    how = "each number, or near 0 to the largest of its axis along the run" if on_surface else how
+    return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}; digits are relative to {how}"

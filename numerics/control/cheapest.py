@@ -14,7 +14,6 @@ from numerics.control.least_energy import Search
 from numerics.control.least_peak import least_peak
 from numerics.control.transfer import Transfer, TransferKind, read_transfer
 from numerics.errors import InvalidScene, NotSettled
-from numerics.habits import helpful
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, decimal_text, positive
 from numerics.scene.short_repr import ShortRepr
@@ -48,7 +47,6 @@ class CheapestTransfer(ShortRepr):
     sticks, goal = True, Transfer.goal
 
 
-@helpful
 def cheapest_transfer(
     scene: Scene,
     distance: Exact,

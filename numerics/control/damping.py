@@ -26,11 +26,10 @@ from numerics.arithmetic.protocol import Number
 from numerics.control.answers import most_digits, number
 from numerics.errors import NoForceHere, NotSettled, OutOfRange
 from numerics.free.abel import creeping_place
-from numerics.habits import helpful
 from numerics.linear.record import How
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 from numerics.solver.solve import solve
 from numerics.trajectory.run import run_scene
@@ -75,7 +74,6 @@ class Damping(ShortRepr):
     sampled: list[tuple[float, Times]] = field(repr=False)
 
 
-@helpful
 def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int | None = None) -> Damping:
     """Return when a free pair sticks permanently, and rests within a tolerance (m) > 0; and the damper best for that.
 
@@ -86,8 +84,7 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
     >>> damping(load_scene("velocities").replace(a1=5), "0.001").own.stuck.str(8, radius=False)
     '0.95690084'
     """
-    require_kind("damping", scene, Scene, BUILD)
-    require_plain(scene, "damping")
+    require_plain("damping", scene, "damping")
     scene.require_filippov("damping")
     require_digits(digits, max_digits=max_digits)
     size = positive(tolerance, "tolerance", "give the displacement that counts as rest, in m")

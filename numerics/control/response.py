@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
-from typing import Any, cast
+from typing import TYPE_CHECKING, cast
 
 from flint import acb, arb
 
@@ -23,12 +23,15 @@ from numerics.control.search import MAX_EVENTS, search
 from numerics.control.stuck import entrained, others_stick, resonant_growth, stuck_motion, stuck_multipliers
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
+from numerics.meter import meter
 from numerics.scene import Force, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _EVERY = "every motion tends to it"
 
@@ -83,7 +86,8 @@ class Response(ShortRepr):
         """Return whether every motion is proved to tend to this one."""
         return self.attraction.startswith(_EVERY)
 
-    def plot(self) -> Any:
+    @meter("drawing")
+    def plot(self) -> Figure:
         """Return a matplotlib figure: one period of the motion, its friction, and the thresholds over frequency.
 
         Raises MissingTool.
@@ -103,7 +107,6 @@ class Response(ShortRepr):
             return self.drive.one_period(begin, [rounded(one, kept) for one in at], kept)
 
 
-@helpful
 def response(
     scene: Scene | PlaneScene,
     *,
@@ -134,8 +137,7 @@ def response(
             size, rate = rotating_force(scene, digits)
             amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
-    require_kind("response", scene, Scene, BUILD)
-    require_plain(scene, "a response")
+    require_plain("response", scene, "a response")
     drive = _drive_under(scene, amplitude=amplitude, omega=omega)
     known, orbit, sines = None, None, drive.piece.sines
     if len(sines) == 1:

@@ -32,11 +32,10 @@ from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.abel import creeping_place
 from numerics.free.root import falling_root
-from numerics.habits import helpful
 from numerics.linear.system import W, Z
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, positive, require_digits, short
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
@@ -73,7 +72,6 @@ class Ring(ShortRepr):
     digits: int
 
 
-@helpful
 def ring_entry(
     scene: Scene,
     radius: Exact,
@@ -92,10 +90,9 @@ def ring_entry(
     >>> ring_entry(load_scene("velocities"), "0.001").entry.str(8, radius=False)
     '4.7556413'
     """
-    require_kind("ring_entry", scene, Scene, BUILD)
-    require_plain(scene, "a tolerance ring")
+    require_plain("ring_entry", scene, "a tolerance ring")
     require_digits(digits, max_digits=max_digits)
-    size, per = positive(radius, "radius", "give a positive radius"), positive(rate, "rate", "give a positive rate")
+    size, per = positive(radius, "radius"), positive(rate, "rate")
     drive = last_drive(scene)
     if drive is None:
         raise InvalidScene("the force grows without bound: for a ring its last piece must be a constant and sines")

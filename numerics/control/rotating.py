@@ -14,17 +14,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import acb, acb_poly, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, undecided
 from numerics.control.thresholds import entrainment_threshold, impedance, load_margin, round_pair
-from numerics.errors import InvalidScene, MissingTool
+from numerics.errors import InvalidScene
+from numerics.exits import tool
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive
 from numerics.scene.plane import PlanePair, PlaneScene
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _SPARE = 20
 
@@ -56,7 +60,7 @@ class RotatingResponse:
     attracts: bool
     digits: int
 
-    def plot(self) -> Any:
+    def plot(self) -> Figure:
         """Return a matplotlib figure: the circles of positions and velocities. Raises MissingTool."""
         return pictures().draw_rotating(self)
 
@@ -70,11 +74,7 @@ class RotatingResponse:
 
 def pictures() -> Any:
     """Return what draws answers. Raises MissingTool."""
-    try:
-        from numerics.control import pictures
-    except ModuleNotFoundError as error:
-        raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
-    return pictures
+    return tool("numerics.control.pictures")
 
 
 def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:

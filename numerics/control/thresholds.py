@@ -28,7 +28,6 @@ from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, positive, require_digits
 from numerics.scene.model import require_kind
@@ -62,7 +61,6 @@ class Thresholds(ShortRepr):
     digits: int
 
 
-@helpful
 def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_digits: int | None = None) -> Thresholds:
     """Return both thresholds at the frequency omega (rad/s) > 0. Raises InvalidScene, PrecisionExhausted, TypeError,
     ValueError (digits).

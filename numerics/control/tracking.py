@@ -25,14 +25,13 @@ from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.control.answers import number, rounded
 from numerics.control.peak import largest_size
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import require_digits, short
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
@@ -104,7 +103,6 @@ class Tracking(ShortRepr):
         return place, abs(place).max(arb(1))
 
 
-@helpful
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
 
@@ -117,8 +115,7 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     >>> found.scene.force.starts, found.share.str(6, radius=False)
     ((Fraction(0, 1), Fraction(2, 1)), '0.288675')
     """
-    require_kind("track", scene, Scene, BUILD)
-    require_plain(scene, "tracking")
+    require_plain("track", scene, "tracking")
     require_digits(digits, max_digits=max_digits)
     _require(scene, reference)
     starts, pieces = [one.start for one in reference], pieces_of(replace(scene, force=Force(reference)))

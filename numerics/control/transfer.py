@@ -32,10 +32,9 @@ from numerics.control.answers import (
 from numerics.control.thresholds import cosine_and_sine
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, positive, require_digits, short
-from numerics.scene.model import BUILD, require_kind, require_plain
+from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 
 _MET = Fraction(1, 10**20)
@@ -91,7 +90,6 @@ class Transfer(ShortRepr):
         return number(scene.initial.x2 + self.distance), number(abs(self.distance))
 
 
-@helpful
 def fastest_transfer(
     scene: Scene,
     distance: Exact,
@@ -132,8 +130,7 @@ def read_transfer(
     name: str, scene: Scene, by: Exact, share: Exact, digits: int, most: int | None
 ) -> tuple[Fraction, Fraction]:
     """Return the distance (m) and the margin of a transfer, exact; raises where they or the scene allow none."""
-    require_kind(name, scene, Scene, BUILD)
-    require_plain(scene, "a transfer")
+    require_plain(name, scene, "a transfer")
     require_digits(digits, max_digits=most)
     distance, margin = exact_decimal(by, "distance"), exact_decimal(share, "margin")
     at = scene.initial

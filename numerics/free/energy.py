@@ -79,7 +79,7 @@ def energy_at(
     at = exact_decimal(t, "t")
     if at <= 0:
         raise InvalidScene(f"t = {short(at)} must be > 0; give the time in seconds")
-    require_plain(scene, "the energy at one time")
+    require_plain("energy_at", scene, "the energy at one time")
     rate_squared = scene.pair.a2 / scene.pair.mass * at * at
     size = max(0, math.ceil((rate_squared.numerator.bit_length() - rate_squared.denominator.bit_length()) * 0.1506))
     road = _damped if scene.pair.a1 > 0 and not scene.is_forced else _free

@@ -6,18 +6,18 @@ box in parts, the header of each part's own trajectory.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import chain, product
-from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from flint import arb, arb_poly
-from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.modes import EventKind
-from numerics.meter import metered
+from numerics.meter import meter
 from numerics.plane.answer import PlaneEvent, PlaneState, Working
 from numerics.plane.box import Parts
 from numerics.plane.motion import Leg, Motion
@@ -29,11 +29,14 @@ from numerics.scene.decimals import exact_decimal
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory import export, saved
 from numerics.trajectory.answer import Answer
+from numerics.trajectory.columns import Array
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from numerics.scene.decimals import Quantity, Times
 
 
 class PlaneTrajectory(Answer):
@@ -65,6 +68,7 @@ class PlaneTrajectory(Answer):
     True
     """
 
+    scene: PlaneScene
     FORMAT = "inertial-pair surface trajectory 4"
     ARITHMETICS = ("ball",)
     COLUMNS = ("t", "y", "energy")
@@ -87,6 +91,7 @@ class PlaneTrajectory(Answer):
             until = Ball.number(scene.until)
             end = (until, self.motion.at(until)) if self.success else (self.events[-1].t, self.events[-1].y)
             self.end_time, self.final_state = end
+            self.final: PlaneState = self.final_state
             self.digits: int = min(EXACT, self._right_digits())
 
     def look_up_times(self) -> None:
@@ -105,12 +110,12 @@ class PlaneTrajectory(Answer):
         return tuple(one.kind for one in self.events)
 
     @property
-    def event_times(self) -> NDArray[Any]:
+    def event_times(self) -> Array:
         """Return the times of the events, s."""
         return np.array([one.t for one in self.events], dtype=object)
 
     @cached_property
-    def _points(self) -> NDArray[Any]:
+    def _points(self) -> Array:
         """Return time and state at start, events and end, or at t_eval, shape (1 + 4 n, m)."""
         with self.context():
             given = self.t_eval
@@ -124,17 +129,17 @@ class PlaneTrajectory(Answer):
             return np.array([[t, *chain(*y)] for t, y in rows], dtype=object).T
 
     @property
-    def t(self) -> NDArray[Any]:
+    def t(self) -> Array:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
         return self._points[0]
 
     @property
-    def y(self) -> NDArray[Any]:
+    def y(self) -> Array:
         """Return the states at `t`, shape (4 n, m)."""
         return self._points[1:]
 
     @property
-    def energy(self) -> NDArray[Any]:
+    def energy(self) -> Array:
         """Return the energy at `t`, J, shape (m,)."""
         with self.context():
             return np.array([*map(self.energy_of, self.y.T)], dtype=object)
@@ -144,18 +149,18 @@ class PlaneTrajectory(Answer):
         """Return the energy at the end, J."""
         return self.end_numbers()[-1]
 
-    def energy_of(self, y: Any) -> arb:
+    def energy_of(self, y: Sequence[Quantity]) -> arb:
         """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J. (A ball about 0 has no ** 2: flint answers nan.)"""
         pair, (x, v, _, w) = self.scene.pair, map(Vector, np.reshape(np.array(y, dtype=object), (4, -1)))
         found: arb = exact(pair.a2) @ x @ x + exact(pair.m1) * v @ v + exact(pair.m2) * w @ w
         return found / 2
 
-    def end_numbers(self) -> tuple[Any, ...]:
+    def end_numbers(self) -> tuple[Quantity, ...]:
         """Return x1, v1, x2, v2 and the energy at the end."""
         with self.context():
             return *self.final_state, self.energy_of(self.final_state)
 
-    def sol(self, t: Any) -> NDArray[Any]:
+    def sol(self, t: Times) -> Array:
         """Return x1, v1, x2, v2 at time(s) t (s): shape (4 n,) for a number, (4 n, ...) for an array.
 
         Enclosed. Raises ValueError outside [0, end].
@@ -164,13 +169,12 @@ class PlaneTrajectory(Answer):
         states = [[*chain(*self._at(one))] for one in given.flat]
         return np.array(states, dtype=object).T.reshape(4 * self.scene.pair.axes, *given.shape)
 
-    def mode_at(self, t: Any) -> Any:
+    def mode_at(self, t: Times) -> str | list[str]:
         """Return the mode at time t (s), at an event the one after it; a list for several times."""
-        if np.ndim(t):
-            return [self.mode_at(one) for one in t]
+        given = np.asarray(t, dtype=object)
         with self.context():
-            time = self._time(t)
-            return self.modes[sum(1 for one in self.events if not one.t > time)]
+            found = [self.modes[sum(1 for one in self.events if not one.t > at)] for at in map(self._time, given.flat)]
+        return found if given.ndim else found[0]
 
     def _at(self, t: Any) -> PlaneState:
         with self.context():
@@ -196,23 +200,19 @@ class PlaneTrajectory(Answer):
             found += [(x, scale if x.contains(0) else x) for x in column]
         return min(digits_within(x.rad(), of, of) for x, of in found)
 
-    def record(self) -> dict[str, Any]:
+    def record(self) -> dict[str, object]:
         """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
         return export.as_record(self)
 
-    @metered("drawing")
+    def _pictures(self) -> ModuleType:
+        from numerics.plane import pictures
+
+        return pictures
+
+    @meter("drawing")
     def plot(self, kind: str = "above", ax: Axes | None = None) -> Axes:
         """Draw "above" (both bodies, m) or "relative" (v1 - v2, m/s) into matplotlib axes and return them."""
-        from numerics.plane.pictures import draw
-
-        return draw(self, kind, ax)
-
-    @metered("drawing")
-    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
-        """Return a matplotlib animation of both bodies from above; see Trajectory.animate."""
-        from numerics.plane.pictures import animate
-
-        return animate(self, file, duration, frames_per_second)
+        return self._pictures().draw(self, kind, ax)
 
     @property
     def initial(self) -> PlaneState:

@@ -9,16 +9,27 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Sequence
 from decimal import Context, Decimal, Inexact
 from fractions import Fraction
 from numbers import Rational, Real
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numerics.errors import InvalidScene
 
 Exact = int | float | str | Decimal | Rational
 """What can be read as an exact decimal."""
+if TYPE_CHECKING:
+    from flint import arb
+    from mpmath import mpf
+    from numpy.typing import ArrayLike
+
+    Quantity: TypeAlias = "float | mpf | arb"
+    """A number of a result: a float, or where more digits were asked for a ball, or what mpmath has."""
+    Exacts: TypeAlias = Exact | ArrayLike | Sequence[object]
+    """One number or several."""
+    Times: TypeAlias = Exacts | Quantity
+    """One time or several, s."""
 
 MAX_EXPONENT = 1000
 MAX_CHARACTERS = 1000
@@ -52,7 +63,7 @@ def exact_decimal(value: object, name: str) -> Fraction:
             return _checked_size(Fraction(int(value.numerator), int(value.denominator)), name)
         if isinstance(value, Real):
             return _from_text(repr(float(value)), name)
-    remedy = "give arrays to solve_many" if isinstance(value, Iterable) else "write it as 0.05 or 5e-2"
+    remedy = "give one number (solve_many takes arrays)" if isinstance(value, Iterable) else "write it as 0.05 or 5e-2"
     raise InvalidScene(f"{name} must be a decimal number, not {shown(value)}; {remedy}")
 
 
@@ -131,6 +142,12 @@ def listed(name: str, values: Any, of: str = "") -> Iterable[Any]:
     if isinstance(values, str) or not isinstance(values, Iterable):
         raise InvalidScene(f"{name} = {shown(values)} must be a list{of}; write [...], also around one")
     return values
+
+
+def require_one_of(name: str, value: Any, known: Collection[str], error: type[ValueError] = ValueError) -> None:
+    """Raise an error, naming the argument, unless it is one of some words."""
+    if not isinstance(value, str) or value not in known:
+        raise error(f"{name} = {shown(value)} is not one of {', '.join(known)}; choose one")
 
 
 def require_function(name: str, value: Any, of: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import sys
 import tomllib
 from collections.abc import Callable, Iterator
@@ -38,6 +39,7 @@ _SCENE = {
 _SINE = ("amplitude omega", "phase")
 _REPEATED = {"force", "friction", "belt", "wall", "reference"}
 """Tables of which there may be many."""
+_SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars", " ": "blanks"}
 _ON_A_LINE = ("weakening", "belt", "wall", "b_static", "body")
 _FOLDER = resources.files("numerics") / "scene"
 
@@ -119,13 +121,13 @@ def _content(name: str, what: str, remedy: str) -> str:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InvalidScene(f"no {what} {path!r}: {reason}; {remedy}") from None
-    named = "on standard input" if name == "-" else f"file {path!r}"
+    named = "on standard input" if name == "-" else repr(path)
     if len(data) > MAX_BYTES:
         raise InvalidScene(f"{what} {named} is larger than {MAX_BYTES} bytes; leave some of it out")
     try:  # some editors on Windows begin a file with a byte order mark
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise InvalidScene(f"{what} {named} is not UTF-8 text; save it as UTF-8") from None
+        raise InvalidScene(f"{what} {named} is not UTF-8 text; save it as plain text in UTF-8") from None
 
 
 def parse_scene(text: str, file: str = "") -> Scene:
@@ -135,13 +137,13 @@ def parse_scene(text: str, file: str = "") -> Scene:
     """
     tables, folder = _tables(text, "scene", file, _SCENE), Path(file).parent
     pair, initial, run, force = tables["pair"], tables.get("initial", {}), tables["run"], tables.get("force", ())
-    listed_keys = [key for key, one in (*pair.items(), *initial.items()) if isinstance(one, list)]
-    lists = [len(one) for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
+    lists = {key: one for key, one in (pair | initial).items() if isinstance(one, list)}
     law = read_law(run.get("law", Law.FILIPPOV))
     is_named = "shape" in pair or any("axis" in one for one in force)
-    if len(lists) == 1 and listed_keys[0] in pair and not is_named:
+    if len(lists) == 1 and lists.keys() <= pair.keys() and not is_named:
+        ((key, one),) = lists.items()
         raise InvalidScene(
-            f"{listed_keys[0]} = {shown(pair[listed_keys[0]])} is a list; give one number on a line, arrays to "
+            f"{key} = {shown(one)} is a list; give one number on a line, arrays to "
             'solve_many, and a pair on a surface also shape = "ellipsoid"'
         )
     if not (lists or is_named):
@@ -157,7 +159,7 @@ def parse_scene(text: str, file: str = "") -> Scene:
     if law is not Law.FILIPPOV:
         raise InvalidScene("on a surface the law is filippov; sgn(0) = 0 does not define a direction; leave it out")
     along = _signals(tables, "force", folder, "axis", AXES)
-    n = max([2, *lists, *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
+    n = max([2, *map(len, lists.values()), *(AXES.index(one.get("axis", "x")) + 1 for one in force)])
     if any(one.keys() & {"polynomial", "sines"} for one in tables.get("friction", ())):
         raise InvalidScene("on a surface b is constant by pieces; give each [[friction]] a from and a b")
     changes = _read("friction", tables, _friction_piece)
@@ -189,16 +191,18 @@ def _samples(table: dict[str, Any], folder: Path) -> tuple[Piece, ...]:
     file = table["file"]
     if not isinstance(file, str) or table.keys() & set(_PIECE.split()):
         raise InvalidScene(f"file = {shown(file)} must be a text, beside kind alone; leave out {_PIECE}")
-    lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().split("\n")
-    names = lines[0].strip(' "#').lower()
+    lines = _content(str(folder / file), "file of samples", "give its path from the scene file").rstrip().splitlines()
+    names = "".join(lines[:1]).strip(' "#').lower()
     first = int(names[:1].isalpha() and not names.startswith(("nan", "inf")))
     rows = [line.replace('"', "").split(",") for line in lines[first:]]
-    if lines == [""] or not rows:
+    if not rows:
         raise InvalidScene(f"{shown(file)} holds no samples; give a line t, u for each")
     for number, row in enumerate(rows, first + 1):
-        if len(row) != 2 or ";" in lines[number - 1]:
-            line = f"row {number} of {shown(file)}, {shown(lines[number - 1])}"
-            raise InvalidScene(f"{line}, is not a t and a u; write 0.5, 1.25 with decimal points and one comma")
+        line, place = lines[number - 1], f"row {number} of {shown(file)}, {shown(lines[number - 1])},"
+        separators = [name for sign, name in _SEPARATORS.items() if sign in line and (sign != " " or "," not in line)]
+        if len(row) != 2 or ";" in line:
+            found = f", but separated by {separators[0]}" if separators else ""
+            raise InvalidScene(f"{place} is not a t and a u{found}; write 0.5, 1.25 with decimal points and one comma")
     t, u = zip(*rows, strict=True)
     return Signal.samples(t, u, table.get("kind", "linear"), first + 1).pieces
 
@@ -213,13 +217,19 @@ def _tables(text: str, what: str, file: str, known: dict[str, tuple[str, str]]) 
             raise InvalidScene(
                 f"{file!r} is a table, not a TOML {what}; name it as file = {file!r} in a [[force]] of a scene"
             ) from None
-        reason = " ".join(str(error).split())[:200]
+        reason = "a number has thousands of digits" if "integer string" in str(error) else " ".join(str(error).split())
+        place = re.search(r"at line (\d+)", reason)
+        line = f", {shown(text.splitlines()[int(place[1]) - 1])}" if place else ""
         named = "standard input" if file == "-" else repr(file)
-        raise InvalidScene(f"{f'{named} is ' if file else ''}not a TOML {what}: {reason}; correct that place") from None
+        remedy = "write key = 0.05, with a decimal point, texts in quotes"
+        raise InvalidScene(
+            f"{f'{named} is ' if file else ''}not a TOML {what}: {reason[:200]}{line}; {remedy}"
+        ) from None
     headed = {name: f"[[{name}]]" if name in _REPEATED else f"[{name}]" for name in known}
     for name in tables:
         if name not in known:
-            raise InvalidScene(f"unknown table or key [{name[:40]!r}]; a {what} has {', '.join(headed.values())}")
+            right = right_word(name, [*known], f"a {what} has {', '.join(headed.values())}")
+            raise InvalidScene(f"unknown table or key [{name[:40]!r}]; {right}")
     for name, keys in known.items():
         if name not in _REPEATED:
             _require_keys(tables.get(name, {}), keys, headed[name])

@@ -9,7 +9,6 @@ from itertools import pairwise
 from typing import Any, TypeVar
 
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, put, short, shown
 from numerics.scene.pieces import Piece, begun, require_order
 from numerics.scene.short_repr import ShortRepr
@@ -37,7 +36,6 @@ class Weakening(ShortRepr):
     last_slope: Fraction
     place: tuple[tuple[Fraction, Fraction], ...]
 
-    @helpful
     def __init__(
         self,
         speed: Iterable[tuple[Exact, Exact]] = (),
@@ -76,7 +74,6 @@ class Friction(ShortRepr):
     pieces: tuple[Piece, ...]
     weakening: Weakening | None
 
-    @helpful
     def __init__(self, pieces: Iterable[Piece | tuple[Exact, Exact]] = (), weakening: Weakening | None = None) -> None:
         """Read the pieces; each starts after the one before it."""
         if not isinstance(weakening, Weakening | None):

@@ -6,20 +6,22 @@ All quantities are SI and exact rationals (see decimals.py). A scene is frozen: 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, fields
 from enum import Enum
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.scene.decimals import Exact, exact_decimal, keep, nonnegative, positive, put, short, shown
 from numerics.scene.friction import Friction
 from numerics.scene.nonnegative import require_nonnegative
-from numerics.scene.pieces import Piece, Signal
+from numerics.scene.pieces import MAKERS, Piece, Signal
 from numerics.scene.replaced import replaced
 from numerics.scene.short_repr import ShortRepr
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Quantity
 
 
 class Law(Enum):
@@ -65,7 +67,6 @@ class Pair(ShortRepr):
     a1: Fraction
     b_static: Fraction | None
 
-    @helpful
     def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0, b_static: Exact | None = None) -> None:
         """Read every parameter as an exact decimal and check its bound."""
         is_fixed = isinstance(m2, str | float) and m2 in ("inf", math.inf)
@@ -125,7 +126,7 @@ class Pair(ShortRepr):
             raise InvalidScene("without friction, b = 0, there is no critical energy; give b > 0")
         return self.a2 * self.half_width**2 / 2
 
-    def energy(self, y: Any, number: Callable[[Fraction], Any] = Fraction) -> Any:
+    def energy(self, y: Iterable[Quantity], number: Callable[[Fraction], Quantity] = Fraction) -> Quantity:
         """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 of states (4, ...), J, without body 2 where m2 = inf.
 
         `number` reads the exact parameters.
@@ -148,7 +149,6 @@ class State(ShortRepr):
     x2: Fraction
     v2: Fraction
 
-    @helpful
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
@@ -182,8 +182,8 @@ class Scene(ShortRepr):
     >>> scene.changes_later, Scene(scene.pair, scene.initial, 5, force=Signal.sine(1, 2, start=8)).changes_later
     (False, True)
     >>> on_belt = Scene(Pair(m1=1, m2="inf", a2=200, b=1), State(), 5, belt=Signal.step(0, "0.1"))
-    >>> on_belt.initial.v2, on_belt.is_forced, on_belt.is_plain, on_belt.extra
-    (Fraction(1, 10), True, False, 'm2 = "inf"')
+    >>> on_belt.initial.v2, on_belt.is_forced, on_belt.extra
+    (Fraction(1, 10), True, 'm2 = "inf"')
     >>> on_belt.belt.starts, on_belt.wall, on_belt.force_2
     ((Fraction(0, 1),), Signal(), Signal())
     """
@@ -200,7 +200,6 @@ class Scene(ShortRepr):
     _hash: int = field(init=False, repr=False, compare=False)
     """The hash of all of it, formed once: what is derived from a scene is cached by the scene."""
 
-    @helpful
     def __init__(
         self,
         pair: Pair,
@@ -215,9 +214,7 @@ class Scene(ShortRepr):
     ) -> None:
         """Check the parts and read the horizon and the law."""
         parts = ((pair, Pair, "Pair(m1=..., m2=..., a2=..., b=...)"), (initial, State, "State(x1=..., v1=...)"))
-        signals = (
-            (one, Signal, "Force.sine(amplitude, omega) or Force.samples(t, u)") for one in (force, force_2, belt, wall)
-        )
+        signals = ((one, Signal, f"a Force: {MAKERS}") for one in (force, force_2, belt, wall))
         for part, kind, remedy in (*parts, *signals, (friction, Friction, "Friction([(start, b)])")):
             if not isinstance(part, kind):
                 given = f"{str(part)[:40]!r}, {type(part).__name__}"
@@ -269,7 +266,7 @@ class Scene(ShortRepr):
         """Return what pickles and copies are made of."""
         return Scene, tuple(getattr(self, one.name) for one in fields(self) if one.init)
 
-    def replace(self, **changes: Any) -> Scene:
+    def replace(self, **changes: object) -> Scene:
         """Return the scene with other parts, or with other numbers of its pair and its initial state.
 
         >>> scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5)
@@ -292,32 +289,20 @@ class Scene(ShortRepr):
             "a force on body 2": self.force_2.pieces,
             "a wall that moves": self.wall.pieces,
             "friction that varies within a piece": not self.friction.is_stepwise,
+            "friction that depends on the state": self.friction.weakening,
         }
         return self.pair.extra or next((name for name, is_so in found.items() if is_so), "")
 
     @property
-    def is_plain(self) -> bool:
-        """Whether there is nothing `extra`."""
-        return not self.extra
-
-    @property
     def is_forced(self) -> bool:
-        """Whether the scene has a force that is not 0, or friction other than one number b, or is not plain."""
+        """Whether the scene has a force that is not 0, or friction other than one number b, or something `extra`."""
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
-        return bool(pushes or self.friction.pieces or self.friction.weakening or not self.is_plain)
+        return bool(pushes or self.friction.pieces or self.extra)
 
     @property
     def changes_later(self) -> bool:
         """Whether another piece of a signal or of friction begins at the horizon or after it."""
         return any(one.start >= self.until for pieces in self.pieces.values() for one in pieces)
-
-    def require_one_b(self, what: str) -> None:
-        """Raise InvalidScene, where only Coulomb friction is supported, if friction depends on the state."""
-        if self.friction.weakening:
-            raise InvalidScene(
-                f"{what} is not available for friction that depends on the state; "
-                "use solve with a late until, or leave [weakening] out"
-            )
 
     def require_filippov(self, what: str) -> None:
         """Raise InvalidScene for sgn(0) = 0 read literally: such a stick never ends, whatever friction it requires."""
@@ -336,9 +321,9 @@ class Scene(ShortRepr):
         return self.energy / self.pair.critical_energy - 1
 
 
-def require_plain(scene: Scene, what: str) -> None:
-    """Raise InvalidScene, where only plain scenes and one b are supported, for another one."""
-    scene.require_one_b(what)
+def require_plain(asking: str, scene: Scene, what: str) -> None:
+    """Raise InvalidScene, where only plain scenes are supported, for another one; TypeError for no scene."""
+    require_kind(asking, scene, Scene, BUILD)
     if scene.extra:
         raise InvalidScene(f"{what} is not available for {scene.extra}; leave that out, or use solve")
 

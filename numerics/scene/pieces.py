@@ -11,11 +11,22 @@ from itertools import pairwise, zip_longest
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
-from numerics.scene.decimals import Exact, exact_decimal, keep, listed, nonnegative, positive, put, short, shown
+from numerics.scene.decimals import (
+    Exact,
+    exact_decimal,
+    keep,
+    listed,
+    nonnegative,
+    positive,
+    put,
+    require_one_of,
+    short,
+    shown,
+)
 from numerics.scene.short_repr import ShortRepr
 
 _DURATION, _RUN = "give a duration in seconds", "a run starts at t = 0"
+MAKERS = "Force.constant(3), Force.samples(t, u) and Force.sine(amplitude, omega) make a force"
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece; the last in one signal."""
 
@@ -33,7 +44,6 @@ class Sine(ShortRepr):
     omega: Fraction
     phase: Fraction
 
-    @helpful
     def __init__(self, amplitude: Exact, omega: Exact, phase: Exact = 0) -> None:
         """Read the numbers; raises InvalidScene unless omega > 0."""
         keep(self, amplitude=amplitude, phase=phase)
@@ -60,12 +70,12 @@ class Piece(ShortRepr):
     polynomial: tuple[Fraction, ...]
     sines: tuple[Sine, ...]
 
-    @helpful
     def __init__(self, start: Exact, polynomial: Iterable[Exact] = (), sines: Iterable[Sine] = ()) -> None:
         """Read start and coefficients: those of a force are N, N/s, N/s^2, ..."""
         put(self, start=begun(start))
         coefficients = [
-            exact_decimal(one, f"polynomial[{k}]") for k, one in enumerate(listed("polynomial", polynomial))
+            exact_decimal(one, f"polynomial[{k}] of the piece from {self.start} s")
+            for k, one in enumerate(listed("polynomial", polynomial))
         ]
         kept = tuple(listed("sines", sines))
         require_all("sines", kept, Sine, "Sine(amplitude, omega, phase)")
@@ -109,7 +119,7 @@ class Signal(ShortRepr):
     A force u(t) (N), on either body, the velocity of a belt (m/s), the displacement of the wall (m). `Force` is the
     same class by the name of its first use. f + g, f - g, c f and f/c are signals again.
 
-    >>> (Force.step(1, 2) + Force.ramp(0, 2, 4))(Fraction(3, 2)), (Force.step(0, 3) - Force.step(0, 1) / 2)(1)
+    >>> (Force.step(1, 2) + Force.ramp(0, 2, 4))(Fraction(3, 2)), (Force.constant(3) - Force.constant(1) / 2)(1)
     (Fraction(5, 1), Fraction(5, 2))
     >>> force = 2 * Force.sine("0.35", 5) + Force.trapezoid(2, 1, 1, 0, "0.2")
     >>> force.piece_at(Fraction(5, 2)).polynomial, force.pieces[0].sines
@@ -122,22 +132,24 @@ class Signal(ShortRepr):
 
     pieces: tuple[Piece, ...]
 
-    @helpful
     def __init__(self, pieces: Iterable[Piece] = ()) -> None:
         """Keep the pieces; each starts after the one before it."""
-        kept = tuple(listed("pieces", pieces))
-        require_all("pieces", kept, Piece, "Piece(start, polynomial, sines)")
+        kept = tuple(listed("pieces", pieces, f" of Pieces; {MAKERS}"))
+        require_all("pieces", kept, Piece, f"Piece(start, polynomial, sines); {MAKERS}")
         require_order("a signal", [one.start for one in kept])
         put(self, pieces=kept)
 
     @classmethod
-    @helpful
+    def constant(cls, height: Exact) -> Signal:
+        """Return `height` at all times."""
+        return cls.step(0, height)
+
+    @classmethod
     def step(cls, at: Exact, height: Exact) -> Signal:
         """Return 0 before the time `at` (s), `height` from then on."""
         return cls((Piece(at, (height,)),))
 
     @classmethod
-    @helpful
     def ramp(cls, start: Exact, end: Exact, height: Exact) -> Signal:
         """Return the signal that grows linearly from 0 at `start` to `height` at `end` > start, and stays there."""
         first = exact_decimal(start, "start")
@@ -151,7 +163,6 @@ class Signal(ShortRepr):
         return cls((*rise, Piece(at + length, (top,))))
 
     @classmethod
-    @helpful
     def trapezoid(cls, start: Exact, rise: Exact, hold: Exact, fall: Exact, height: Exact) -> Signal:
         """Return the signal that rises for `rise` s, stays at `height` for `hold` s and falls for `fall` s to 0.
 
@@ -164,13 +175,11 @@ class Signal(ShortRepr):
         return cls._edge(at, up, height) + -cls._edge(at + up + stay, down, height)
 
     @classmethod
-    @helpful
     def sine(cls, amplitude: Exact, omega: Exact, phase: Exact = 0, start: Exact = 0) -> Signal:
         """Return amplitude sin(omega t + phase) from `start` (s) on; t from the start of the run."""
         return cls((Piece(start, (), (Sine(amplitude, omega, phase),)),))
 
     @classmethod
-    @helpful
     def sweep(cls, amplitude: Exact, omegas: Iterable[Exact], duration: Exact, start: Exact = 0) -> Signal:
         """Return sines of stepped frequency, `duration` (s) each, with continuous phase; the last one does not end."""
         length = _length(duration, "duration")
@@ -183,14 +192,12 @@ class Signal(ShortRepr):
         return cls(pieces)
 
     @classmethod
-    @helpful
     def samples(cls, t: Iterable[Exact], u: Iterable[Exact], kind: str = "linear", first_row: int = 1) -> Signal:
         """Return the signal through samples u at the times t (s): linear between them, or ("hold") as the one before.
 
         After the last sample its value stays. Errors name the row, counted from `first_row`.
         """
-        if kind not in ("linear", "hold"):
-            raise InvalidScene(f"kind = {shown(kind)} is not one of linear, hold; leave it out for the first")
+        require_one_of("kind", kind, ("linear", "hold"), InvalidScene)
         times, values = list(listed("t", t)), list(listed("u", u))
         for name, given in (("t", t), ("u", u)):
             mask = getattr(given, "mask", None)
@@ -244,7 +251,7 @@ class Signal(ShortRepr):
     def __add__(self, other: Signal) -> Signal:
         """Return the sum; it has the jumps of both."""
         if not isinstance(other, Signal):
-            raise TypeError(f"a signal and {shown(other)} do not add up; write Force.step(0, 3) for a constant of 3")
+            raise TypeError(f"a signal and {shown(other)} do not add up; write Force.constant(3) for one of 3")
         starts = sorted({*self.starts, *other.starts})
         return Signal(_summed(*(one.piece_at(start).moved(start) for one in (self, other))) for start in starts)
 
@@ -268,7 +275,10 @@ class Signal(ShortRepr):
 
     def __truediv__(self, divisor: Exact) -> Signal:
         """Return the signal divided by an exact number."""
-        return self * (1 / exact_decimal(divisor, "divisor"))
+        by = exact_decimal(divisor, "divisor")
+        if not by:
+            raise InvalidScene("divisor = 0 must not be 0; give another number")
+        return self * (1 / by)
 
     def __neg__(self) -> Signal:
         """Return the opposite signal."""

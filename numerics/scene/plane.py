@@ -11,19 +11,21 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpq_mat
 
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.scene import decimals
-from numerics.scene.decimals import Exact, exact_decimal, listed, put, short, shown
+from numerics.scene.decimals import Exact, exact_decimal, listed, put, require_one_of, short, shown
 from numerics.scene.friction import friction_pieces
 from numerics.scene.model import HORIZON, NO_FORCE
 from numerics.scene.pieces import Force, require_all
 from numerics.scene.replaced import replaced
 from numerics.scene.short_repr import ShortRepr
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Exacts
 
 AXES = ("x", "y", "phi")
 SHAPES = ("ellipsoid", "box")
@@ -51,9 +53,15 @@ class PlanePair(ShortRepr):
     b: Vector
     shape: str
 
-    @helpful
     def __init__(
-        self, m1: Any, m2: Any, a2: Any, b: Any, a1: Any = 0, shape: str = "ellipsoid", axes: int | None = None
+        self,
+        m1: Exacts,
+        m2: Exacts,
+        a2: Exacts,
+        b: Exacts,
+        a1: Exacts = 0,
+        shape: str = "ellipsoid",
+        axes: int | None = None,
     ) -> None:
         """Read every number as an exact decimal and check its bound."""
         m1, m2, a2, b, a1 = map(_listed, (m1, m2, a2, b, a1))
@@ -64,8 +72,7 @@ class PlanePair(ShortRepr):
         n = axes or max([2, *(len(one) for one in (m1, m2, a2, b, a1) if isinstance(one, list))])
         if n > len(AXES):
             raise InvalidScene(f"a list of {n} numbers in [pair]; there are at most 3 axes: {', '.join(AXES)}")
-        if not isinstance(shape, str) or shape not in SHAPES:
-            raise InvalidScene(f"shape = {shown(shape)} is not one of {', '.join(SHAPES)}")
+        require_one_of("shape", shape, SHAPES, InvalidScene)
         for name, given in (("m1", m1), ("m2", m2), ("b", b)):
             put(self, **{name: positive(given, name, n)})
         put(self, a1=_matrix(a1, "a1", n), a2=_matrix(a2, "a2", n), shape=shape)
@@ -125,17 +132,16 @@ class PlaneScene(ShortRepr):
     force: tuple[Force, ...]
     friction: tuple[tuple[Fraction, Vector], ...]
 
-    @helpful
     def __init__(
         self,
         pair: PlanePair,
         until: Exact,
-        x1: Any = 0,
-        v1: Any = 0,
-        x2: Any = 0,
-        v2: Any = 0,
+        x1: Exacts = 0,
+        v1: Exacts = 0,
+        x2: Exacts = 0,
+        v2: Exacts = 0,
         force: Iterable[Force] = (),
-        friction: Iterable[tuple[Exact, Any]] = (),
+        friction: Iterable[tuple[Exact, Exacts]] = (),
     ) -> None:
         """Check the parts; raises InvalidScene."""
         if not isinstance(pair, PlanePair):
@@ -149,7 +155,7 @@ class PlaneScene(ShortRepr):
         changes = friction_pieces(listed("friction", friction, " of pairs (start, b)"), lambda b: positive(b, "b", n))
         put(self, pair=pair, force=forces + (NO_FORCE,) * (n - len(forces)), friction=changes, **state)
 
-    def replace(self, **changes: Any) -> PlaneScene:
+    def replace(self, **changes: object) -> PlaneScene:
         """Return the scene with other parts, or with other numbers of its pair."""
         return replaced(self, changes, ("pair",))
 

@@ -10,7 +10,7 @@ from numerics.habits import right_word
 _S = TypeVar("_S")
 
 
-def replaced(scene: _S, changes: dict[str, Any], inner: tuple[str, ...]) -> _S:
+def replaced(scene: _S, changes: dict[str, object], inner: tuple[str, ...]) -> _S:
     """Return a scene with other parts; a number goes to the one of its `inner` parts that has it."""
     owners = {key: name for name in inner for key in _parts(getattr(scene, name))}
     own, new = _parts(scene), dict(changes)

@@ -10,13 +10,14 @@ from html import escape
 from inspect import signature
 from typing import Any
 
+from numerics.habits import Helpful
 from numerics.scene.decimals import decimal_text, short
 
 _LONGEST = 60
 """Characters of one value; tuples of more than four show two."""
 
 
-class ShortRepr:
+class ShortRepr(Helpful):
     """Gives a dataclass a repr of one short line: fields that have their default value are left out.
 
     >>> from numerics import Pair, State

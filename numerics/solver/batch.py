@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,9 +12,11 @@ from numerics.arithmetic.precision import cached_property
 from numerics.linear.errors_of import errors_of_rows
 from numerics.linear.ledger import TINY
 from numerics.linear.record import AT, BOUNDS, How
+from numerics.meter import meter
+from numerics.scene.decimals import require_one_of
 from numerics.scene.short_repr import html_table
 from numerics.solver.inputs import SI, varying
-from numerics.solver.tables import dataframe, dataset, values_of
+from numerics.solver.tables import Tabled
 from numerics.trajectory.columns import STATE, Array, Counts, Floats
 from numerics.trajectory.digits import ROUNDING
 from numerics.trajectory.rendering import MOST_DIGITS
@@ -23,29 +24,27 @@ from numerics.trajectory.status import Status
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from pandas import DataFrame
-    from xarray import Dataset
+    from numpy.typing import ArrayLike
 
 
-class Ends:
+class Ends(Tabled):
     """What the ends of many runs are on a line and on a surface."""
 
     ANSWERS: tuple[str, ...] = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
     """What can be drawn."""
-    shape: tuple[int, ...]
-    status: Any
-    events: Any
-    inputs: Any
-
-    def __len__(self) -> int:
-        """Return how many scenes there were."""
-        return math.prod(self.shape)
+    status: Counts
+    events: Counts
+    message: Array
+    y: Floats
 
     def __repr__(self) -> str:
         """Return a short summary."""
         ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
         ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
-        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}"
+        failed = np.argwhere(~self.success)
+        which = ", ".join(map(str, failed[:5].tolist()))
+        more = f"; scene {which}{', ...' * (len(failed) > 5)}: {self.message[*failed[0]]}" if len(failed) else ""
+        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}{more}"
 
     @property
     def success(self) -> Array:
@@ -54,19 +53,24 @@ class Ends:
 
     def _repr_html_(self) -> str:
         """Return the inputs that vary, and the answers, as a table of a notebook."""
-        rows = {**varying(self.inputs), **{name: values_of(self, name) for name in self.ANSWERS}}
+        rows = {**varying(self.inputs), **{name: self.values(name) for name in self.ANSWERS}}
         spans = ((name, f"{np.nanmin(one):.6g} to {np.nanmax(one):.6g}") for name, one in rows.items() if np.size(one))
         return html_table(repr(self), spans)
 
-    def to_dataframe(self) -> DataFrame:
-        """Return inputs and answers as a pandas DataFrame, a row for each scene. Raises MissingTool."""
-        return dataframe(self)
+    def values(self, answer: str) -> Array:
+        """Return one of `ANSWERS`; x1, v1, x2, v2 are those at `t`. Raises ValueError."""
+        require_one_of("answer", answer, self.ANSWERS)
+        found: Array = self.y[STATE.index(answer)] if answer in STATE else getattr(self, answer)
+        return found
 
-    def to_xarray(self) -> Dataset:
-        """Return inputs and answers as an xarray Dataset, axes named by the inputs along them. Raises MissingTool."""
-        return dataset(self)
+    @property
+    def results(self) -> dict[str, Array]:  # type: ignore[override]  # formed when it is asked for
+        """Return how each run ended, and all of `ANSWERS`, by their names."""
+        ended = np.vectorize(lambda one: Status(one).name, otypes=[object])(self.status)
+        return {"status": ended, "success": self.success} | {name: self.values(name) for name in self.ANSWERS}
 
-    def plot(self, answer: str | None = None, along: Any = None, ax: Axes | None = None) -> Axes:
+    @meter("drawing")
+    def plot(self, answer: str | None = None, along: str | ArrayLike | None = None, ax: Axes | None = None) -> Axes:
         """Draw one answer over the inputs that vary, one or the first two of them, and return the matplotlib axes.
 
         `answer`: one of `ANSWERS`, the first of them if left out; x1, v1, x2, v2 are those at the end. `along`: an
@@ -82,6 +86,7 @@ class Batch(Ends):
     """Final states of many runs; arrays have the broadcast shape of the inputs, `y` and `y_error` (4, ...).
 
     status         a Status                       events    how many there were
+    message        the same as a sentence
     mode           -1, 0, +1: sign of v1 - v2     t         s, the horizon or the last event
     y              x1, v1, x2, v2 (m, m/s)        energy_excess   E/E_cr - 1, without cancellation where no force acts
     dissipated     J, by friction and viscosity, summed over the modes; under a force given as arrays it takes a second
@@ -100,8 +105,8 @@ class Batch(Ends):
     Batch of 2 scenes, shape (2,): 1 REACHED_HORIZON, 1 STUCK_FOR_EVER; 33 events
     >>> len(found), found.shape, found.success.tolist(), found.status.tolist(), found.certain.tolist()
     (2, (2,), [True, True], [1, 0], [True, True])
-    >>> len(found.to_dataframe())
-    2
+    >>> len(found.to_dataframe()), sorted(found.results)[:3], found.values("v1").shape, found.message[0]
+    (2, ['digits', 'dissipated', 'energy_excess'], (2,), 'reached the horizon; the pair sticks permanently')
     >>> found.events.tolist(), found.mode.tolist(), found.t.tolist(), found.inputs["v1"].tolist()
     ([1, 32], [0, 0], [5.0, 5.0], [0.05, 0.15])
     >>> found.ANSWERS[:2], found.y.shape, bool((found.y_error < 1e-12).all()), bool((found.digits > 9).all())
@@ -123,7 +128,7 @@ class Batch(Ends):
         kept: Floats,
         shape: tuple[int, ...],
         form_ledgers: Callable[[Floats], None] | None = None,
-        walls: Any = False,
+        walls: ArrayLike = False,
         more: Callable[[], dict[str, Floats]] = dict,
     ) -> None:
         """Keep SI numbers (n, 10), and rows that the runs wrote (linear/record.py): of ends, of start and first events.
@@ -132,11 +137,11 @@ class Batch(Ends):
         the ends what friction and viscosity took, where that is nan. `walls` says where a wall moves; `more` returns
         other inputs by their names.
         """
-        self.numbers, self.ends, self.kept, self.shape, self._form_ledgers = numbers, ends, kept, shape, form_ledgers
+        self.numbers, self.ends, self.kept, self.shape, self.form_ledgers = numbers, ends, kept, shape, form_ledgers
         self._walls, self._more = np.asarray(walls, bool), more
 
     @property
-    def inputs(self) -> dict[str, Floats]:
+    def inputs(self) -> dict[str, Floats]:  # type: ignore[override]  # formed when it is asked for
         """Return m1, m2, a2, b, x1, v1, x2, v2, until, a1 and all else that varies, SI units, each in the shape."""
         others = {name: np.broadcast_to(one, self.shape) for name, one in self._more().items() if name not in SI}
         return {name: self._given(name) for name in SI} | others
@@ -155,9 +160,9 @@ class Batch(Ends):
         return found.reshape(len(names), *self.shape, self.kept.shape[1] - 1)
 
     def _taken(self, *names: str) -> Floats:
-        if self._form_ledgers is not None:
-            self._form_ledgers(self.ends)
-            self._form_ledgers = None
+        if self.form_ledgers is not None:
+            self.form_ledgers(self.ends)
+            self.form_ledgers = None
         return self._end(*names)
 
     @cached_property
@@ -165,21 +170,26 @@ class Batch(Ends):
         return self.ends[:, AT["how"]].astype(np.int64).reshape(self.shape)
 
     @cached_property
-    def status(self) -> Counts:
+    def status(self) -> Counts:  # type: ignore[override]  # formed when it is asked for
         """Return how each run ended, a Status."""
         blank = (self._how < How.EVENT_LIMIT) & (self.digits == 0)
         ended = np.where(blank, int(Status.NO_RIGHT_DIGIT), self._how)
         return np.where(self._how == How.DOUBT, int(Status.SEQUENCE_OPEN), ended)
 
+    @property
+    def message(self) -> Array:  # type: ignore[override]  # formed when it is asked for
+        """Return how each run ended, as a sentence."""
+        return np.vectorize(lambda one: Status(one).sentence, otypes=[object])(self.status)
+
     @cached_property
-    def events(self) -> Counts:
+    def events(self) -> Counts:  # type: ignore[override]  # formed when it is asked for
         """Number of events of each run."""
-        return np.nan_to_num(self._end("events")[0]).astype(np.int64)
+        return _whole(self._end("events")[0])
 
     @cached_property
     def mode(self) -> Counts:
         """Return the sign of v1 - v2 at the end."""
-        return np.nan_to_num(self._end("mode")[0]).astype(np.int64)
+        return _whole(self._end("mode")[0])
 
     @cached_property
     def certain(self) -> Array:
@@ -192,7 +202,7 @@ class Batch(Ends):
         return np.where(self._how < How.EVENT_LIMIT, self._given("until"), self._end("local")[0])
 
     @cached_property
-    def y(self) -> Floats:
+    def y(self) -> Floats:  # type: ignore[override]  # formed when it is asked for
         """Return x1, v1, x2, v2 at the end."""
         return self._end(*STATE)
 
@@ -246,7 +256,7 @@ class Batch(Ends):
     @cached_property
     def event_mode(self) -> Counts:
         """Return the sign of v1 - v2 after the first events."""
-        return np.nan_to_num(self._event("mode")[0]).astype(np.int64)
+        return _whole(self._event("mode")[0])
 
     @cached_property
     def event_t_error(self) -> Floats:
@@ -264,3 +274,7 @@ class Batch(Ends):
         with np.errstate(divide="ignore"):
             right = np.floor(-np.log10(np.maximum(self._judged[1], ROUNDING)))
         return np.where(self.certain, np.clip(right, 0, MOST_DIGITS), 0).astype(np.int64)
+
+
+def _whole(numbers: Floats) -> Counts:
+    return np.nan_to_num(numbers).astype(np.int64)

@@ -7,13 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from numerics.solver.inputs import unit, varying
-from numerics.solver.tables import values_of
+from numerics.solver.inputs import varying
 from numerics.trajectory.columns import STATE
-from numerics.trajectory.export import UNITS
 from numerics.trajectory.figures import BLUE, ORANGE, axes_for
-
-_UNITS = {**UNITS, "dissipated": "J", "mode": "sign of v1 - v2"}
+from numerics.trajectory.units import unit
 
 
 def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
@@ -21,7 +18,7 @@ def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
     axes, ax = along_of(batch, along), axes_for(answer, batch.ANSWERS, ax, "answer")
     from matplotlib.ticker import AutoLocator
 
-    values = values_of(batch, answer)
+    values = batch.values(answer)
     right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
     points, ticks = [np.ravel(one) for one in axes.values()], AutoLocator()
     ticks.set_params(integer=values.dtype.kind in "iu", min_n_ticks=1)
@@ -53,7 +50,7 @@ def draw_bifurcation(found: Any, answer: str, along: Any, ax: Any) -> Any:
     x = np.broadcast_to(np.reshape(given, (-1, 1)), points.shape)
     ax.plot(x.ravel(), points.ravel(), ".", color=BLUE, ms=1.5, alpha=0.6, rasterized=True)
     ax.set_xlabel(_label(name))
-    ax.set_ylabel(f"{answer}, once a period ({_UNITS[answer.partition(' ')[0]]})")
+    ax.set_ylabel(f"{answer}, once a period ({unit(answer)})")
     return ax
 
 
@@ -82,5 +79,5 @@ def _direction(given: Any) -> int | None:
 
 
 def _label(name: str, quantity: str = "") -> str:
-    of = _UNITS.get(quantity or name) or unit(name)
+    of = unit(quantity or name) or "sign of v1 - v2" * (name == "mode")
     return f"{name} ({of})" if of else name

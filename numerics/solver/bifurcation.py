@@ -5,28 +5,29 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from numerics.errors import InvalidScene, NumericsError
-from numerics.habits import helpful
 from numerics.meter import meter
 from numerics.scene import Piece, Scene
-from numerics.scene.decimals import Exact, listed, positive, require_whole
+from numerics.scene.decimals import Exact, listed, positive, require_one_of, require_whole
 from numerics.scene.model import require_kind
 from numerics.scene.short_repr import ShortRepr
 from numerics.solver.inputs import inputs_of
 from numerics.solver.solve import solve
+from numerics.solver.tables import Tabled
 from numerics.tasks import run_tasks
 from numerics.trajectory.columns import STATE, Array, Floats
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Bifurcation(ShortRepr):
+class Bifurcation(ShortRepr, Tabled):
     """States once a period: `t` (n, keep) s, `y` (4, n, keep), `inputs` by their names, `success` (n,).
 
     Points that a run did not reach are nan.
@@ -42,8 +43,8 @@ class Bifurcation(ShortRepr):
     ([2.0, 8.0, 14.0], (3, 20))
     >>> bool(np.ptp(found.values("v1"), axis=1).max() < 1e-3), found.t[0, -1].round(3).item(), found.ANSWERS[0]
     (True, 59.69, 'v1')
-    >>> found.shape, len(found.scenes)
-    ((3,), 3)
+    >>> found.shape, len(found.scenes), [*found.results], found.to_dataframe().shape
+    ((3,), 3, ['success', 't', 'x1', 'v1', 'x2', 'v2'], (60, 20))
     >>> found.plot("v1 - v2").get_xlabel()
     'force[0].sines[0].amplitude (N)'
     """
@@ -56,21 +57,28 @@ class Bifurcation(ShortRepr):
     """What can be drawn."""
 
     @property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> tuple[int, ...]:  # type: ignore[override]  # of a frozen record
         """Return (n,)."""
         return self.success.shape
 
     @property
-    def inputs(self) -> dict[str, Floats]:
+    def inputs(self) -> dict[str, Floats]:  # type: ignore[override]
         """Return the numbers of the scenes by their names, (n,) each, SI units."""
         return inputs_of(self.scenes)
 
+    @property
+    def results(self) -> dict[str, Array]:  # type: ignore[override]
+        """Return success, and t, x1, v1, x2 and v2 at the points, by their names."""
+        return {"success": self.success, "t": self.t, **dict(zip(STATE, self.y, strict=True))}
+
     def values(self, answer: str) -> Floats:
-        """Return x1, v1, x2, v2, "x1 - x2" or "v1 - v2" at the points, (n, keep)."""
+        """Return one of `ANSWERS` at the points, (n, keep). Raises ValueError."""
+        require_one_of("answer", answer, self.ANSWERS)
         one, *two = (self.y[STATE.index(name)] for name in answer.split(" - "))
         return np.asarray(one - two[0] if two else one)
 
-    def plot(self, answer: str = "v1", along: Any = None, ax: Axes | None = None) -> Axes:
+    @meter("drawing")
+    def plot(self, answer: str = "v1", along: str | ArrayLike | None = None, ax: Axes | None = None) -> Axes:
         """Draw one of `ANSWERS` over the input that varies, or `along` (a name, or an array); return the axes.
 
         Raises ValueError, MissingTool.
@@ -80,7 +88,6 @@ class Bifurcation(ShortRepr):
         return draw_bifurcation(self, answer, along, ax)
 
 
-@helpful
 def bifurcation(
     scenes: Sequence[Scene],
     *,

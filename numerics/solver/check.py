@@ -2,106 +2,25 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
-from itertools import zip_longest
 from typing import Any, NamedTuple
 
 from flint import arb
 
-from numerics.linear.modes import MODES
 from numerics.scene.model import require_kind
-from numerics.solver.solve import solve
+from numerics.solver.truth import in_balls
+from numerics.trajectory.checked import Check, Off
 from numerics.trajectory.columns import STATE
-from numerics.trajectory.comparison import as_ball
+from numerics.trajectory.comparison import as_ball, first_difference
 from numerics.trajectory.export import END_NAMES
 from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.units import unit
 
 _SPARE_DIGITS = 15
 """How many digits the balls have more than the run."""
-_UNITS = {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy_excess": "1"}
-"""All others are in J."""
 _SMALLEST = 5e-324
 """The least float above 0."""
-
-
-@dataclass(frozen=True)
-class Off:
-    """The number of a quantity that is off the most; where some are off by more than their bounds, the most of those.
-
-    `event`: counted from 1, None at the end. `error`: at most so much is it really off. `bound`: what the run said,
-    None where it said nothing. `within`: whether it is not proved to be off by more.
-    """
-
-    quantity: str
-    unit: str
-    event: int | None
-    error: float
-    bound: float | None
-    within: bool
-
-
-@dataclass(frozen=True)
-class Difference:
-    """The first event that is not the true one, counted from 1; 0 is the start.
-
-    Times (s), and the modes from then on, of the run and in truth; None of one that has no such event.
-    """
-
-    event: int
-    t: float | None
-    mode: str | None
-    true_t: float | None
-    true_mode: str | None
-
-    def comes_after(self, one: _Number) -> bool:
-        """Return whether a number is one of an event before it."""
-        return one.event is not None and one.event < self.event
-
-    def __str__(self) -> str:
-        """Return it as a sentence."""
-        pairs = ((self.mode, self.t), (self.true_mode, self.true_t))
-        said, true = ("no such event" if mode is None else f"{mode} from {t:.12g} s on" for mode, t in pairs)
-        return f"event {self.event} differs: {said}; in truth {true}"
-
-
-@dataclass(frozen=True)
-class Check:
-    """What a run is really off by, quantity by quantity, held against balls of so many right digits.
-
-    Where an event differs, the events before it are compared, and nothing at the end.
-    """
-
-    arithmetic: str
-    digits: int
-    events: int
-    difference: Difference | None
-    off: tuple[Off, ...]
-
-    @property
-    def right(self) -> bool:
-        """Return whether the events are the true ones and no number is off by more than its bound."""
-        return self.difference is None and all(one.within for one in self.off)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return it as what JSON holds."""
-        return {"right": self.right} | asdict(self)
-
-    def __str__(self) -> str:
-        """Return it as a table below a sentence."""
-        beyond = ", ".join(one.quantity for one in self.off if not one.within)
-        lines = [
-            f"{self.arithmetic} against balls of {self.digits} digits: "
-            f"{self.difference or f'all {self.events} events are the true ones'}; "
-            f"{f'off by more than the bound: {beyond}' if beyond else 'no number is off by more than its bound'}",
-            f"{'':15}{'really off by':18}{'bound':18}worst at",
-        ]
-        for one in self.off:
-            bound = "none" if one.bound is None else f"{one.bound:.2g} {one.unit}"
-            where = "the end" if one.event is None else f"event {one.event}"
-            wrong = "" if one.within else ": MORE THAN THE BOUND"
-            lines.append(f"{one.quantity:15}{f'{one.error:.2g} {one.unit}':18}{bound:18}{where}{wrong}")
-        return "\n".join(lines)
 
 
 def check(run: Trajectory) -> Check:
@@ -116,32 +35,18 @@ def check(run: Trajectory) -> Check:
     """
     require_kind("check", run, Trajectory, "give it what `solve` returns for a scene on a line")
     digits = run.arithmetic.digits + _SPARE_DIGITS
-    most = run.record.events + run.reached  # one more than were found shows a lost one
-    truth = solve(run.scene, digits=digits, arithmetic="ball", max_events=max(most, 1))
+    truth = in_balls(run, digits)
     difference = first_difference(run, truth)
     with truth.context():
         compared, true = (
-            [one for one in _numbers(of) if difference is None or difference.comes_after(one)] for of in (run, truth)
+            [one for one in _numbers(of) if difference is None or (one.event or math.inf) < difference.event]
+            for of in (run, truth)
         )
         pairs = zip(compared, true, strict=True)
         off = sorted((_off(one, other.value) for one, other in pairs), key=lambda one: (one.within, -one.error))
     worst = {one.quantity: one for one in reversed(off)}
     order = dict.fromkeys(one.quantity for one in compared)
     return Check(run.arithmetic.name, digits, len(run.events), difference, tuple(worst[name] for name in order))
-
-
-def first_difference(run: Trajectory, truth: Trajectory) -> Difference | None:
-    """Return the first event after which the modes of two runs differ, or which one of them does not have."""
-    for event, modes in enumerate(zip_longest(run.signs, truth.signs)):
-        if modes[0] != modes[1]:
-            times = (None if mode is None else _time(of, event) for of, mode in zip((run, truth), modes, strict=True))
-            names = [None if mode is None else MODES[mode].value for mode in modes]
-            return Difference(event, next(times), names[0], next(times), names[1])
-    return None
-
-
-def _time(run: Trajectory, event: int) -> float:
-    return float(as_ball(run.event_times[event - 1]).mid()) if event else 0.0
 
 
 class _Number(NamedTuple):
@@ -175,7 +80,7 @@ def _off(one: _Number, true: arb) -> Off:
     error = abs(as_ball(one.value).mid() - true)
     within = bound is None or not error > bound
     said = None if bound is None else _above(bound)
-    return Off(one.quantity, _UNITS.get(one.quantity, "J"), one.event, _above(error), said, within)
+    return Off(one.quantity, unit(one.quantity) or "1", one.event, _above(error), said, within)
 
 
 def _above(x: arb) -> float:

@@ -1,10 +1,12 @@
-"""The numbers of many scenes by their names, with units: what a sweep varies."""
+"""The numbers of many scenes by their names: what a sweep varies."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+from flint import arb
 
 from numerics.scene import Scene
 from numerics.scene.model import parameters
@@ -14,25 +16,6 @@ SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
 """The numbers of a scene, as the compiled engines take them (free/frame.py)."""
 _MOST_PIECES = 100
 """A signal of more pieces is a table of samples, which nobody varies one by one."""
-_UNITS = (
-    "m1: kg, m2: kg, a1: N s/m, a2: N/m, b: N, b_static: N, until: s, x1: m, v1: m/s, x2: m, v2: m/s, from: s, "
-    "omega: rad/s, phase: rad, last_slope: N s/m, w: m/s, c: N, z: m"
-)
-UNITS = dict(one.split(": ") for one in _UNITS.split(", "))
-_OF_SIGNALS = {"belt": "m/s", "wall": "m"}
-
-
-def unit(name: str) -> str:
-    """Return the unit of a number of a scene; a signal without another name is a force.
-
-    >>> unit("a2"), unit("sines[0].amplitude"), unit("wall[1].polynomial[2]"), unit("belt[0].sines[0].omega")
-    ('N/m', 'N', 'm/s^2', 'rad/s')
-    """
-    last = name.rpartition(".")[2]
-    own, (key, _, order) = _OF_SIGNALS.get(name.partition("[")[0], "N"), last.rstrip("]").partition("[")
-    if key != "polynomial":
-        return own if last == "amplitude" else UNITS.get(last, "")
-    return own + ("" if order == "0" else "/s" if order == "1" else f"/s^{order}")
 
 
 def near(x: object) -> float:
@@ -41,6 +24,13 @@ def near(x: object) -> float:
         return float(x)  # type: ignore[arg-type]
     except OverflowError:
         return np.nan
+
+
+def floats_of(balls: Any) -> tuple[Floats, Floats]:
+    """Return the floats next to balls, and how far they may be off."""
+    near = np.vectorize(lambda x: float(x.mid()), otypes=[float])(balls)
+    off = np.vectorize(lambda x, y: float(abs(x - arb(y)).upper()), otypes=[float])(balls, near)
+    return near, off * (1 + 1e-15)
 
 
 def inputs_of(scenes: Sequence[Scene]) -> dict[str, Floats]:

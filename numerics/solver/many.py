@@ -11,14 +11,13 @@ import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import cache, partial
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import InvalidScene
-from numerics.habits import helpful
 from numerics.linear.batch import follow_many
 from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN
 from numerics.meter import meter
@@ -29,7 +28,7 @@ from numerics.scene.plane import PlaneScene
 from numerics.solver.batch import Batch
 from numerics.solver.inputs import SI, inputs_of, near
 from numerics.solver.rows import form_ledgers, in_chunks, solve_one
-from numerics.trajectory.columns import Floats, room
+from numerics.trajectory.columns import STATE, Floats, room
 from numerics.trajectory.run import MAX_EVENTS
 
 if TYPE_CHECKING:
@@ -58,7 +57,6 @@ class _BatchLimits(NamedTuple):
         return self
 
 
-@helpful
 def solve_many(
     m1: ArrayLike,
     m2: ArrayLike,
@@ -73,8 +71,8 @@ def solve_many(
     v2: ArrayLike = 0.0,
     polynomial: Sequence[ArrayLike] = (),
     sines: Sequence[tuple[ArrayLike, ArrayLike, ArrayLike]] = (),
-    force: Any = None,
-    friction: Any = None,
+    force: Force | Sequence[Force] | None = None,
+    friction: Friction | Sequence[Friction] | None = None,
     law: Law | str = Law.FILIPPOV,
     max_events: int = MAX_EVENTS,
     keep_events: int = 0,
@@ -85,7 +83,8 @@ def solve_many(
     """Solve one scene for each element of arrays that broadcast together; SI units as in Pair, State and Scene.
 
     Each scene is solved like solve(scene, arithmetic="float64"); if the error bounds do not decide its events, its
-    status says so. If friction depends on the state, the scenes are solved one after the other.
+    status and `message` say so: solve(scene) goes on in balls. With `exact`, `force` or `friction` the scenes are
+    solved one after the other, as by `solve_scenes`.
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
@@ -112,16 +111,18 @@ def solve_many(
             raise InvalidScene(f"sines[{k}] = {shown(sine)} must be a triple; give amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
     for name, values in named.items():
-        if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        if np.ma.is_masked(values):
             raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     if not isinstance(exact, bool | np.bool_):
         raise ValueError(f"exact = {shown(exact)} must be True or False; leave it out for binary numbers")
     law, limits, terms = read_law(law), _BatchLimits(max_events, keep_events, jobs, progress).checked(), len(polynomial)
     in_columns = not exact and force is None and friction is None
-    force, friction = NO_FORCE if force is None else force, SAME_FRICTION if friction is None else friction
     with np.errstate(over="ignore"):  # of long floats; refused as inf
         arrays = {name: np.asarray(one, object) if exact else _numbers(name, one) for name, one in named.items()}
-    objects = {"force": _all_of("force", Force, force), "friction": _all_of("friction", Friction, friction)}
+    objects = {
+        "force": _all_of("force", Force, force, NO_FORCE),
+        "friction": _all_of("friction", Friction, friction, SAME_FRICTION),
+    }
     shape = _common_shape(arrays | objects)
     flat = room(f"{math.prod(shape)} scenes", math.prod(shape), len(arrays))
     if not exact:
@@ -138,15 +139,21 @@ def solve_many(
     return Batch(numbers, ends, kept, shape, partial(form_ledgers, scene_of, flat, how, jobs), more=arrays.copy)
 
 
-@overload
-def solve_scenes(scenes: Sequence[PlaneScene], **options: Any) -> PlaneBatch: ...
+class _Options(TypedDict, total=False):
+    max_events: int
+    keep_events: int
+    jobs: int | None
+    progress: Progress | None
 
 
 @overload
-def solve_scenes(scenes: Sequence[Scene], **options: Any) -> Batch: ...
+def solve_scenes(scenes: Sequence[PlaneScene], **options: Unpack[_Options]) -> PlaneBatch: ...
 
 
-@helpful  # type: ignore[misc]  # the options are those below
+@overload
+def solve_scenes(scenes: Sequence[Scene], **options: Unpack[_Options]) -> Batch: ...
+
+
 def solve_scenes(
     scenes: Sequence[Scene] | Sequence[PlaneScene],
     *,
@@ -155,7 +162,7 @@ def solve_scenes(
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Batch | PlaneBatch:
-    """Solve each scene like solve(scene, arithmetic="float64"); the result has arrays of shape (len(scenes),).
+    """Solve each scene in float64, where that is in doubt in balls as `solve` does; arrays of shape (len(scenes),).
 
     Scenes on a surface must have the same number of axes; they run in balls, in `jobs` processes, which need joblib
     (default: all cores if it is installed), and give a PlaneBatch. Scenes on a line run in one thread; `solve_many` is
@@ -193,9 +200,8 @@ def _of_one_kind(given: Any) -> Any:
 
 def _numbers_in(scene: Scene) -> Any:
     """Return the SI numbers of a scene as floats, nan beyond their range."""
-    pair, at = scene.pair, scene.initial
-    numbers = pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1
-    return [near(one) for one in numbers]
+    own = {"until": scene.until, **{name: getattr(scene.initial, name) for name in STATE}}
+    return [near(own[name] if name in own else getattr(scene.pair, name)) for name in SI]
 
 
 def _scene(
@@ -225,12 +231,12 @@ def _scene_of_row(flat: Floats, terms: int, law: Law, row: int) -> Scene:
     return _scene([Fraction(one) for one in flat[row].tolist()], terms, law, {})
 
 
-def _all_of(name: str, kind: type, given: Any) -> Any:
+def _all_of(name: str, kind: type, given: Any, none: Any) -> Any:
     """Return objects of one kind as an array. Raises InvalidScene."""
-    array = np.asarray(given, dtype=object)
+    array = np.asarray(none if given is None else given, dtype=object)
     if wrong := [one for one in array.flat if not isinstance(one, kind)]:
-        what = kind.__name__
-        raise InvalidScene(f"{name} holds {shown(wrong[0])}; give a {what}([...]), or a list of them")
+        how = "a Friction([(start, b)])" if kind is Friction else "Force.constant(3), Force.sine(amplitude, omega)"
+        raise InvalidScene(f"{name} holds {shown(wrong[0])}; give {how}, or a list of them")
     return array
 
 
@@ -239,9 +245,13 @@ def _solve_objects(arrays: dict[str, Any], shape: tuple[int, ...], terms: int, l
     exactly, pairs = np.vectorize(Fraction, otypes=[object]), dict[tuple[int, ...], Pair]()
     each = (one if one.dtype == object else exactly(one) for one in arrays.values())
     rows = zip(*(np.broadcast_to(one, shape).ravel() for one in each), strict=True)
-    found = solve_scenes([_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows], **limits._asdict())
-    found.shape = shape
-    return found
+    scenes = [_scene(row[:-2], terms, law, pairs, *row[-2:]) for row in rows]
+    found = solve_scenes(scenes, **limits._asdict())
+
+    def more() -> dict[str, Floats]:
+        return {name: one.reshape(shape) for name, one in inputs_of(scenes).items()}
+
+    return Batch(found.numbers, found.ends, found.kept, shape, found.form_ledgers, more=more)
 
 
 def _solved(
@@ -264,7 +274,7 @@ def _solved(
         if run is not None and can_compile():
             run(part, kept[part], ends[part])
         for row in part.start + np.flatnonzero(hows == UNKNOWN):
-            solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row])
+            solve_one(scene_of(int(row)), limits.max_events, kept[row], ends[row], run is None)
         return len(hows)
 
     with meter("solving", limits.progress) as progress:
@@ -285,21 +295,16 @@ def _common_shape(arrays: dict[str, Any]) -> tuple[int, ...]:
         raise ValueError(f"these shapes do not broadcast together: {given}; give arrays of one shape") from None
 
 
-def _has_truth_values(values: Any) -> bool:
-    """Return whether there are truth values in a list, of which NumPy would make 0 and 1."""
-    if isinstance(values, list | tuple):  # mostly of numbers, which their types say at once
-        return not set(map(type, values)) <= {float, int} and any(map(_has_truth_values, values))
-    return isinstance(values, bool) or getattr(getattr(values, "dtype", None), "kind", "") == "b"
-
-
 def _numbers(name: str, values: Any) -> Floats:
     """Return values as an array of binary64 numbers."""
     try:
         given = np.asarray(values)
         if given.dtype.kind in "OU":  # texts are read as in a scene
-            given = np.vectorize(lambda one: float(exact_decimal(one, name)), otypes=[np.float64])(given)
+            given = np.vectorize(
+                lambda one: math.inf if one == "inf" else float(exact_decimal(one, name)), otypes=[np.float64]
+            )(given)
         # NumPy would make real numbers of complex ones, dates and truth values, too
-        if given.dtype.kind in "iuf" and not _has_truth_values(values):
+        if given.dtype.kind in "iuf":
             return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         pass

@@ -8,17 +8,15 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
-from flint import arb
-from numpy.typing import NDArray
 
 from numerics.errors import InvalidScene, NumericsError, OutOfRange
 from numerics.plane.solve import solve_plane
 from numerics.scene.plane import AXES, PlaneScene
 from numerics.solver.batch import Ends
-from numerics.solver.inputs import near
+from numerics.solver.inputs import floats_of, near
 from numerics.solver.solve import solve
 from numerics.tasks import available_cores, run_tasks
-from numerics.trajectory.columns import STATE, Floats, room
+from numerics.trajectory.columns import STATE, Array, Counts, Floats, room
 from numerics.trajectory.status import Status
 
 _FEW = 8
@@ -46,12 +44,25 @@ class PlaneBatch(Ends):
     ((2, 2), ['slip', 'stick'], [[0.1081], [0.1735]], True)
     >>> found.success.tolist(), found.message[0], found.digits.tolist(), found.inputs["x1 x"].tolist(), found.ANSWERS
     ([True, True], 'reached the horizon', [15, 15], [0.006, 0.012], ('energy', 'events', 'digits', 't'))
+    >>> [*found.results], found.values("t").tolist()
+    (['status', 'success', 'energy', 'events', 'digits', 't'], [1.0, 1.0])
     """
 
+    mode: Array
+    t: Floats
+    energy: Floats
+    energy_error: Floats
+    y_error: Floats
+    digits: Counts
+    event_t: Floats
+    event_y: Floats
+    event_mode: Array
+    event_t_error: Floats
+    event_y_error: Floats
     ANSWERS = "energy", "events", "digits", "t"
     """What can be drawn."""
 
-    def __init__(self, scenes: Sequence[PlaneScene], rows: Sequence[dict[str, Any]]) -> None:
+    def __init__(self, scenes: Sequence[PlaneScene], rows: Sequence[dict[str, object]]) -> None:
         """Take scenes with one number of axes, and the answers of each by the names of arrays."""
         self.scenes, self.shape = scenes, (len(scenes),)
         for name in rows[0]:
@@ -60,7 +71,7 @@ class PlaneBatch(Ends):
             setattr(self, name, np.moveaxis(array, -2, 0) if "y" in name.split("_") else array)
 
     @property
-    def inputs(self) -> dict[str, NDArray[np.float64]]:
+    def inputs(self) -> dict[str, Floats]:  # type: ignore[override]  # formed when it is asked for
         """Return "m1 x", "m1 y", ..., m2, b, x1, v1, x2, v2 by axes, and until, (rows,) each, SI units."""
         named = {"until": [one.until for one in self.scenes]}
         for k in range(self.scenes[0].pair.axes):
@@ -77,7 +88,7 @@ def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[i
     try:
         run = solve_plane(scene, solve, max_events=max_events)
         with run.context():
-            (t, late), (energy, energy_off), both = (_floats(x) for x in (run.t, run.final_energy, run.y))
+            (t, late), (energy, energy_off), both = (floats_of(x) for x in (run.t, run.final_energy, run.y))
         y, off = (x.reshape(4, scene.pair.axes, -1).transpose(2, 0, 1) for x in both)
         if not np.isfinite(off).all():
             raise OutOfRange(Status.OUT_OF_RANGE.sentence)
@@ -97,13 +108,6 @@ def _solved(keep: int, max_events: int, task: tuple[int, PlaneScene]) -> tuple[i
         found[name] = np.full((keep, *values.shape[1:]), np.nan)
         found[name][: len(modes)] = values[1 : len(modes) + 1]
     return row, found
-
-
-def _floats(balls: Any) -> tuple[Floats, Floats]:
-    """Return the floats next to balls, and how far they may be off."""
-    near = np.vectorize(lambda x: float(x.mid()), otypes=[float])(balls)
-    off = np.vectorize(lambda x, y: float(abs(x - arb(y)).upper()), otypes=[float])(balls, near)
-    return near, off * (1 + 1e-15)
 
 
 def solve_surfaces(

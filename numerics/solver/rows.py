@@ -15,11 +15,14 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.batch import follow_many
 from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
-from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, How
+from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Scene
+from numerics.solver.inputs import floats_of
+from numerics.solver.solve import solve
 from numerics.tasks import available_cores
-from numerics.trajectory.columns import Counts, Floats
+from numerics.trajectory.columns import STATE, Counts, Floats
 from numerics.trajectory.run import run_scene
+from numerics.trajectory.trajectory import Trajectory
 
 _CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
@@ -70,16 +73,24 @@ def in_chunks(task: Callable[[slice], int], count: int, jobs: int | None) -> Ite
         yield from pool.map(task, parts)  # who stops reading cancels those that have not begun
 
 
-def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
-    """Solve one scene, and write its first events and its end; their times count from the start of the run."""
+def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats, goes_on: bool) -> None:
+    """Solve one scene, and write its first events and its end; their times count from the start of the run.
+
+    A scene in doubt `goes_on` in balls, as in `solve`.
+    """
     kept[:] = end[:] = np.nan  # also what compiled code wrote, in units of its own, before it left the row to this
     try:
-        found = run_scene(scene, _FLOAT64, max_events)
+        try:
+            found = run_scene(scene, _FLOAT64, max_events)
+        except EventUndecided:
+            if not goes_on:
+                raise
+            found = solve(scene, max_events=max_events)
     except (EventUndecided, OutOfRange) as error:
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
         end[AT["mode"]] = end[AT["events"]] = 0.0
         return
-    rows, last = found.record.rows, found.record.end
+    rows, last = (found.record.rows, found.record.end) if found.bounded else _in_floats(found)
     at = [0, *np.flatnonzero(rows[:, AT["event"]])[: len(kept) - 1]]
     kept[: len(at)], end[:] = rows[at], last
     for row in (*kept[: len(at)], end):
@@ -87,3 +98,17 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
         row[AT["piece"]] = 0.0
     if scene.changes_later and found.record.how == How.STUCK:
         end[AT["how"]] = How.REACHED
+
+
+def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
+    """Return rows and the end of a run in balls as floats, with their distances from the true numbers as bounds."""
+    record, names, late = found.record, ("local", *STATE), AT["late"]
+    knots = (*record.rows, record.end)
+    table = np.zeros((len(knots), END_ROW))
+    table[:, : len(CODES)] = [one[: len(CODES)] for one in knots]
+    with found.context():
+        near, off = floats_of([[getattr(one, name) for name in names] for one in knots])
+        took, error = floats_of([found.ledger.friction, found.ledger.viscous, found.ledger.work])
+    table[:, [AT[name] for name in names]], table[:, late : late + len(names)] = near, off
+    table[-1, ROW:] = record.how, record.events, *took, 0.0, 0.0, 0.0, error.sum()
+    return table[:-1, :ROW], table[-1]

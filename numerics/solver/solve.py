@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, Unpack, get_args, overload
 
 from numerics.arithmetic.attempts import SPARE_DIGITS, exhausted, to_digits
 from numerics.arithmetic.ball import Ball
@@ -12,15 +12,15 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
-from numerics.habits import helpful
-from numerics.meter import meter, shows
+from numerics.meter import meter
 from numerics.scene import Scene
-from numerics.scene.decimals import require_digits, require_function, shown
+from numerics.scene.decimals import Exact, require_digits, require_function, require_one_of
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
+from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import proved_digits
-from numerics.trajectory.rows import require_times
 from numerics.trajectory.run import MAX_EVENTS, Progress, run_scene
+from numerics.trajectory.times import require_times
 from numerics.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -51,21 +51,29 @@ class _Limits(NamedTuple):
         return run_scene(scene, arithmetic, self.events, self.progress)
 
 
-@overload
-def solve(scene: PlaneScene, **options: Any) -> PlaneTrajectory: ...
+class _Options(TypedDict, total=False):
+    digits: int | None
+    arithmetic: ArithmeticName | None
+    t_eval: Sequence[Exact] | Array | None
+    max_events: int
+    max_digits: int
+    progress: Progress | None
 
 
 @overload
-def solve(scene: Scene, **options: Any) -> Trajectory: ...
+def solve(scene: PlaneScene, **options: Unpack[_Options]) -> PlaneTrajectory: ...
 
 
-@helpful  # type: ignore[misc]  # the options are those below
+@overload
+def solve(scene: Scene, **options: Unpack[_Options]) -> Trajectory: ...
+
+
 def solve(
     scene: Scene | PlaneScene,
     *,
     digits: int | None = None,
     arithmetic: ArithmeticName | None = None,
-    t_eval: Sequence[Any] | None = None,
+    t_eval: Sequence[Exact] | Array | None = None,
     max_events: int = MAX_EVENTS,
     max_digits: int = MAX_DIGITS,
     progress: Progress | None = None,
@@ -123,26 +131,20 @@ def solve(
         require_function("progress", progress, "(events, fraction)")
     if t_eval is not None:
         require_times(t_eval, scene.until)
-    if progress is None and shows():
-        with meter("solving", ticks=False) as line:
-            asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": line}
-            return solve(scene, **asked, max_events=max_events, max_digits=max_digits)
-    if isinstance(scene, PlaneScene):
-        from numerics.plane.solve import solve_plane
+    with meter("solving", progress, ticks=False) as line:
+        if isinstance(scene, PlaneScene):
+            from numerics.plane.solve import solve_plane
 
-        asked = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
-        return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
-    limits = _Limits(max_events, max_digits, progress)
-    found = _solve(scene, digits, arithmetic, limits)
+            asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": line}
+            return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
+        found = _solve(scene, digits, arithmetic, _Limits(max_events, max_digits, line))
     return found if t_eval is None else found.but(t_eval=t_eval)
 
 
 def require_arithmetic(name: Any) -> None:
     """Raise ValueError for what names no arithmetic; None stands for the one that a scene needs."""
-    if name == "double-double":
-        raise ValueError('arithmetic = double-double is no longer offered; use digits=N, or arithmetic="ball"')
-    if name is not None and (not isinstance(name, str) or name not in get_args(ArithmeticName)):
-        raise ValueError(f"arithmetic = {shown(name)} is not one of {', '.join(get_args(ArithmeticName))}")
+    if name is not None:
+        require_one_of("arithmetic", name, get_args(ArithmeticName))
 
 
 def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Limits) -> Trajectory:

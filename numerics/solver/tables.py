@@ -1,52 +1,62 @@
-"""The answers of a batch as tables of pandas and xarray."""
+"""Inputs and results of many scenes, as tables of pandas and xarray."""
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from numerics.errors import MissingTool
+from numerics.exits import tool
+from numerics.habits import Helpful
 from numerics.solver.inputs import varying
-from numerics.trajectory.columns import STATE
-from numerics.trajectory.status import Status
+from numerics.trajectory.columns import STATE, Array, Floats
+from numerics.trajectory.units import unit
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
-def values_of(batch: Any, answer: str) -> Any:
-    """Return an answer of a batch by its name, x1, v1, x2 and v2 at the end among them."""
-    return batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)
+class Tabled(Helpful):
+    """What has `inputs` and `results` by their names, in its `shape`; results may have points along one axis more."""
 
+    shape: tuple[int, ...]
+    inputs: dict[str, Floats]
+    results: dict[str, Array]
 
-def _columns(batch: Any) -> dict[str, Any]:
-    """Return the inputs, how each run ended, and the answers; those of the end that an input is called like: x1_end."""
-    status = np.vectorize(lambda one: Status(one).name, otypes=[object])(batch.status)
-    answers = {name: values_of(batch, name) for name in batch.ANSWERS}
-    inputs = batch.inputs
-    return (
-        inputs | {"status": status} | {f"{name}_end" if name in inputs else name: one for name, one in answers.items()}
-    )
+    def __len__(self) -> int:
+        """Return how many scenes there were."""
+        return math.prod(self.shape)
 
+    def _columns(self) -> dict[str, Array]:
+        return self.inputs | {f"{name}_at_t" if name in STATE else name: one for name, one in self.results.items()}
 
-def dataframe(batch: Any) -> Any:
-    """Return a pandas DataFrame; see Batch.to_dataframe."""
-    try:
-        import pandas as pd
-    except ImportError:
-        raise MissingTool("a data frame needs pandas, which is not installed; use inputs, y and dissipated") from None
-    return pd.DataFrame({name: np.ravel(one) for name, one in _columns(batch).items()})
+    def to_dataframe(self) -> DataFrame:
+        """Return inputs and results as a pandas DataFrame, a row for each scene, or point of it. Raises MissingTool.
 
+        `.attrs["units"]` has the units. x1, v1, x2, v2 are those at the start, x1_at_t, ... those at `t`.
+        """
+        columns = self._columns()
+        whole = max((one.shape for one in columns.values()), key=len)
+        wide = {name: one.reshape(one.shape + (1,) * (len(whole) - one.ndim)) for name, one in columns.items()}
+        found: DataFrame = tool("pandas").DataFrame(
+            {name: np.broadcast_to(one, whole).ravel() for name, one in wide.items()}
+        )
+        found.attrs["units"] = {name: unit(name) for name in columns}
+        return found
 
-def dataset(batch: Any) -> Any:
-    """Return an xarray Dataset; see Batch.to_xarray."""
-    try:
-        import xarray as xr
-    except ImportError:
-        raise MissingTool("a Dataset needs xarray, which is not installed; use inputs, y and dissipated") from None
-    names, columns, axes = [f"axis_{k}" for k in range(len(batch.shape))], _columns(batch), {}
-    for name, one in varying(batch.inputs).items():
-        along = [k for k in range(one.ndim) if (one != one.take([0], axis=k)).any()]
-        if len(along) == 1 and names[along[0]].startswith("axis_"):
-            names[along[0]] = name
-            axes[name] = np.moveaxis(one, along[0], 0).reshape(one.shape[along[0]], -1)[:, 0]
-            del columns[name]
-    return xr.Dataset({name: (names, one) for name, one in columns.items()}, axes)
+    def to_xarray(self) -> Dataset:
+        """Return the same as an xarray Dataset, axes named by the inputs along them. Raises MissingTool."""
+        make = tool("xarray").Dataset
+        names, columns, axes = [f"axis_{k}" for k in range(len(self.shape))], self._columns(), {}
+        for name, one in varying(self.inputs).items():
+            along = [k for k in range(one.ndim) if (one != one.take([0], axis=k)).any()]
+            if len(along) == 1 and names[along[0]].startswith("axis_"):
+                names[along[0]] = name
+                axes[name] = np.moveaxis(one, along[0], 0).reshape(one.shape[along[0]], -1)[:, 0]
+                del columns[name]
+        found: Dataset = make({name: ((*names, "point")[: one.ndim], one) for name, one in columns.items()}, axes)
+        for name in found.variables:
+            found[name].attrs["units"] = unit(name)
+        return found

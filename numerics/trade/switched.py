@@ -45,9 +45,7 @@ def unknown(scene: Any) -> str | None:
         return "a surface"
     if scene.law is not Law.FILIPPOV:
         return f'law = "{scene.law.value}"'
-    if scene.friction.weakening is not None:
-        return "friction that depends on the state"
-    return None if getattr(scene, "is_plain", True) else "a pair of another kind than the paper's under a force"
+    return scene.extra or None
 
 
 class Span(NamedTuple):

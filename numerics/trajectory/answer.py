@@ -5,25 +5,35 @@ from __future__ import annotations
 import json
 from contextlib import AbstractContextManager
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
 from numerics.arithmetic.protocol import Arithmetic
-from numerics.scene.decimals import short
+from numerics.habits import Helpful
+from numerics.scene.decimals import listed, short
 from numerics.scene.short_repr import html_table
 from numerics.trajectory import export, saved
-from numerics.trajectory.columns import STATE, Floats
+from numerics.trajectory.columns import STATE, Array, Floats
 from numerics.trajectory.status import Status
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.animation import FuncAnimation
+    from numpy.typing import ArrayLike
     from pandas import DataFrame
+
+    from numerics.scene import Scene
+    from numerics.scene.decimals import Exact, Quantity, Times
+    from numerics.scene.plane import PlaneScene
 
 _AT_ASKED_TIMES = {"_asked_times", "_asked_states", "_points", "energy", "energy_excess"}
 """What depends on t_eval, and is made when it is looked at."""
 
 
-class Answer:
+class Answer(Helpful):
     """A solved scene; two are equal if every number is."""
 
     FORMAT: ClassVar[str]
@@ -34,16 +44,16 @@ class Answer:
     """What an archive of plain arrays has of numbers at `t`."""
     EVENT_COLUMNS: ClassVar[tuple[str, ...]] = ()
     """What an event has besides its time, its modes and its state."""
-    scene: Any
+    scene: Scene | PlaneScene
     status: Status
     arithmetic: Arithmetic
     digits: int | None = None
     """Right digits that were asked for and reached."""
     tried: str = ""
     """What did not answer."""
-    t_eval: Any = None
+    t_eval: Sequence[Exact] | None = None
 
-    def but(self, **changed: Any) -> Self:
+    def but(self, **changed: object) -> Self:
         """Return the same trajectory with other `digits`, `tried` or `t_eval`."""
         new = object.__new__(type(self))
         new.__dict__ = {name: value for name, value in vars(self).items() if name not in _AT_ASKED_TIMES} | changed
@@ -66,26 +76,20 @@ class Answer:
         """Return the context of the arithmetic."""
         return self.arithmetic.context()
 
-    def floats(self, numbers: Any) -> Floats:
+    def floats(self, numbers: Quantity | ArrayLike) -> Floats:
         """Return numbers of the arithmetic in binary64, in their shape."""
         given = np.asarray(numbers)
         convert = np.vectorize(self.arithmetic.to_float, otypes=[float])
         return np.asarray(convert(given) if given.dtype == object else given)
 
-    @property
-    def final(self) -> Any:
-        """Return the state at the end, `.x1`, `.v1`, `.x2`, `.v2` in SI units; `final_mode` is its mode."""
-        run: Any = self
-        return run.final_state
-
-    def __getitem__(self, name: str) -> Any:
-        """Return an attribute by its name, as SciPy's results do, or the row "x1", "v1", "x2" or "v2" of `y`."""
+    def __getitem__(self, name: str) -> Array:
+        """Return an array by its name, as SciPy's results do, or the row "x1", "v1", "x2" or "v2" of `y`."""
         run: Any = self
         if name in STATE:
             return np.reshape(run.y, (len(STATE), -1, len(run.t)))[STATE.index(name)].squeeze()
         if not isinstance(name, str) or name.startswith("_") or not hasattr(self, name):
             raise KeyError(f"{name!r}; a run has t, y, x1, v1, x2, v2, and all that dir(run) lists")
-        return getattr(self, name)
+        return getattr(run, name)
 
     def _shown(self) -> dict[str, Any]:
         """Return what a summary says, by its names."""
@@ -113,25 +117,41 @@ class Answer:
         count, at, until = len(run.event_times), float(run.floats(run.end_time)), short(run.scene.until)
         return f"stopped at max_events = {count}, t = {at:g} s of {until} s; raise it, or shorten until"
 
-    def to_csv(self, truth: Any = None) -> str:
+    def to_csv(self, truth: Answer | None = None) -> str:
         """Return events and final state as CSV text, with units.
 
         Numbers have the digits that are right. Those of mpmath do not know them: `truth`, the same scene solved in
         balls, does. Raises ValueError without it, SequenceDiffers if the events are not the true ones.
         """
-        if not (truth is None or isinstance(truth, Answer)):
-            shown = str(truth)[:100]
+        given: object = truth
+        if not isinstance(given, Answer | None):
+            shown = str(given)[:100]
             raise TypeError(
                 f"truth = {shown!r} is no run; to_csv returns text: Path({shown!r}).write_text(run.to_csv())"
             )
         return export.as_csv(export.as_record(self, truth))
 
-    def to_dataframe(self, times: Any = None) -> DataFrame:
+    def to_dataframe(self, times: Times | None = None) -> DataFrame:
         """Return t, mode, the state and energies as a pandas DataFrame, in binary64. Raises MissingTool, ValueError.
 
         At `times` (s), or at start, events and end. As CSV: `run.to_dataframe(times).to_csv(file)`.
         """
-        return export.dataframe(self if times is None else self.but(t_eval=times))
+        return export.dataframe(self if times is None else self.but(t_eval=listed("times", times)))
+
+    def _pictures(self) -> ModuleType:
+        """Return what draws such a run."""
+        raise NotImplementedError
+
+    def animate(
+        self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15
+    ) -> FuncAnimation:
+        """Return a matplotlib animation: both bodies and their velocities, on a surface both bodies from above.
+
+        It is written to a .gif or .mp4 file, if given. `duration`: s that the film lasts, whatever the run does. A GIF
+        needs pillow, which comes with matplotlib, an MP4 needs ffmpeg. A frame takes some 80 ms. Raises MissingTool,
+        OSError, ValueError for other files or numbers that are not above 0.
+        """
+        return self._pictures().animate(self, file, duration, frames_per_second)
 
     def save(self, file: str | Path) -> None:
         """Write this trajectory to a file, exactly: no pickle, no digit lost. Raises OSError, InvalidScene."""

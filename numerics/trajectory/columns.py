@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Quantity
 
 Array = NDArray[Any]
 """Of floats, or of the numbers of an arithmetic."""
@@ -18,10 +21,10 @@ STATE = ("x1", "v1", "x2", "v2")
 class Moment(NamedTuple):
     """A state in SI units: m and m/s."""
 
-    x1: Any
-    v1: Any
-    x2: Any
-    v2: Any
+    x1: Quantity
+    v1: Quantity
+    x2: Quantity
+    v2: Quantity
 
 
 def room(what: str, *shape: int) -> Floats:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import zip_longest
 from typing import Any
 
 from flint import arb
@@ -10,6 +11,8 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Number
 from numerics.errors import NumericsError
+from numerics.linear.modes import MODES
+from numerics.trajectory.checked import Difference
 
 
 class SequenceDiffers(NumericsError):
@@ -32,17 +35,23 @@ def as_ball(value: Number) -> arb:
 
 def require_same_sequence(points: Any, balls: Any) -> None:
     """Raise SequenceDiffers, naming the first event at which the two itineraries part."""
-    for number, (one, two) in enumerate(zip(points.events, balls.events, strict=False), start=1):
-        if (one.before, one.after) != (two.before, two.after):
-            raise SequenceDiffers(
-                f"{points.arithmetic.name} goes to {one.after.value} at event {number}, the proved mode is "
-                f"{two.after.value} (t = {float(two.t.mid()):.17g} s); use ball arithmetic"
-            )
-    if len(points.events) != len(balls.events):
-        raise SequenceDiffers(
-            f"{points.arithmetic.name} finds {len(points.events)} events, the proved number is "
-            f"{len(balls.events)}; use ball arithmetic"
-        )
+    if difference := first_difference(points, balls):
+        raise SequenceDiffers(f"{points.arithmetic.name}: {difference}; use ball arithmetic")
+
+
+def first_difference(run: Any, truth: Any) -> Difference | None:
+    """Return the first event after which the modes of two runs differ, or which one of them does not have."""
+    for event, (one, two) in enumerate(zip_longest(run.signs, truth.signs)):
+        if one != two:
+            return Difference(event, *_after(run, event), *_after(truth, event))
+    return None
+
+
+def _after(run: Any, event: int) -> tuple[float | None, str | None]:
+    """Return when an event is, s, and the mode from then on; None for one that is not there."""
+    if event > len(run.event_times):
+        return None, None
+    return float(as_ball(run.event_times[event - 1]).mid()) if event else 0.0, MODES[run.signs[event]].value
 
 
 def distance(value: Number, ball: arb) -> arb:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 from flint import arb_mat
@@ -26,6 +27,9 @@ from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Array, Counts, Floats
 from numerics.trajectory.rows import Rows
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Quantity
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -43,11 +47,11 @@ class Event(ShortRepr):
     [0.00035, 0.00555, -0.0002, 0.00555]
     """
 
-    t: Number
+    t: Quantity
     kind: EventKind
     before: Mode
     after: Mode
-    y: tuple[Number, Number, Number, Number]
+    y: tuple[Quantity, Quantity, Quantity, Quantity]
     reduced: ReducedState = field(repr=False)
     cause: str = "guard"
 
@@ -69,13 +73,13 @@ class Segment(ShortRepr):
     """
 
     mode: Mode
-    start: Number
-    end: Number
-    length: Number
+    start: Quantity
+    end: Quantity
+    length: Quantity
     rows: range = field(repr=False)
     run: Rows = field(repr=False, compare=False)
 
-    def state(self, since: Number) -> tuple[Number, Number, Number, Number]:
+    def state(self, since: Quantity) -> tuple[Quantity, Quantity, Quantity, Quantity]:
         """Return (x1, v1, x2, v2) at `since` (s) after the start, m and m/s; in the arithmetic's context."""
         row = self.rows[0]
         for later in self.rows[1:]:  # pieces of force begin within
@@ -86,7 +90,7 @@ class Segment(ShortRepr):
         x1, v1, x2, v2 = self.run.row_flow(np.array([row]), np.array([since]))[:, 0].tolist()
         return x1, v1, x2, v2
 
-    def losses(self) -> tuple[Number, Number]:
+    def losses(self) -> tuple[Quantity, Quantity]:
         """Return what friction and viscosity take in it, b int |v1 - v2| and a1 int v1^2, J."""
         friction, viscous, *_ = taken_in(self.run, self.rows)
         return friction, viscous
@@ -109,16 +113,16 @@ class EnergyLedger(ShortRepr):
     (True, 0.0, 0.0, 0.0, 0.0)
     """
 
-    initial: Number
-    final: Number
-    friction: Number
-    viscous: Number
-    residual: Number
-    work: Number
-    force: Number
-    force_2: Number
-    belt: Number
-    wall: Number
+    initial: Quantity
+    final: Quantity
+    friction: Quantity
+    viscous: Quantity
+    residual: Quantity
+    work: Quantity
+    force: Quantity
+    force_2: Quantity
+    belt: Quantity
+    wall: Quantity
     error: float
     """A bound on the errors of what is integrated, in float64; 0 for balls and mpmath."""
 

@@ -9,36 +9,33 @@ import csv
 import io
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import arb
 
 from numerics.arithmetic.protocol import Number
-from numerics.errors import MissingTool
+from numerics.exits import tool
 from numerics.files import whole_file
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.plane import AXES
 from numerics.trajectory.columns import STATE, Array
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.rendering import MOST_DIGITS, right_digits_text, with_radius
+from numerics.trajectory.units import unit
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 END_NAMES = (*STATE, "energy", "energy_excess")
 Written = dict[str, str]
 Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
-UNITS = {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "load": "N"}
-OF_ANGLE = {"m": "rad", "m/s": "rad/s", "N": "N m"}
-
-
-def is_enclosed(trajectory: Any) -> bool:
-    """Return whether the numbers of a trajectory are balls."""
-    return isinstance(trajectory.end_time, arb)
 
 
 def knows_its_digits(trajectory: Any) -> bool:
     """Return whether radii or error bounds say which digits of a trajectory are right."""
-    if is_enclosed(trajectory):
+    if trajectory.arithmetic.name == "ball":
         return True
     return trajectory.accuracy is not None and bool(trajectory.accuracy.bounded)
 
@@ -113,7 +110,7 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
             f"the number of right digits of this trajectory in {arithmetic.name} is not known; "
             "give `truth`, a solve of the same scene in balls"
         )
-    elif not is_enclosed(trajectory):
+    else:
         by_event, final = (trajectory.accuracy.t, *trajectory.accuracy.y.T), trajectory.end_bounds()
 
     def write(name: str, value: Number, index: int) -> Written:
@@ -130,17 +127,6 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
     return write
 
 
-def unit_of(column: str) -> str:
-    """Return the SI unit of a column, or of its radius; none for modes and what is dimensionless.
-
-    An angle has rad for m, and a torque for a force.
-    """
-    whole = column.removesuffix("_radius")
-    name, _, axis = whole.rpartition("_")
-    unit = UNITS.get(name if axis in AXES else whole, "")
-    return OF_ANGLE.get(unit, unit) if axis == AXES[2] else unit
-
-
 def as_csv(record: dict[str, Any]) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     final = {"from": record["final"]["mode"], "to": "", **record["final"]}
@@ -153,7 +139,7 @@ def table(rows: list[dict[str, str]]) -> str:
     columns = list(dict.fromkeys(key for row in rows for key in row))
     buffer = io.StringIO()
     writer = csv.DictWriter(buffer, columns, restval="", lineterminator="\n")
-    writer.writerow({name: f"{name} ({unit})" if (unit := unit_of(name)) else name for name in columns})
+    writer.writerow({name: f"{name} ({of})" if (of := unit(name)) and name != "from" else name for name in columns})
     writer.writerows(rows)
     return buffer.getvalue()
 
@@ -203,17 +189,17 @@ def write_npz(trajectory: Any, path: Path, extra: dict[str, Array] | None = None
         np.savez(file, **arrays(trajectory), **(extra or {}))  # type: ignore[arg-type]
 
 
-def dataframe(trajectory: Any) -> Any:
+def dataframe(trajectory: Any) -> DataFrame:
     """Return t, mode, the state (a column for each axis) and energies at `t` as a pandas DataFrame, in binary64.
 
-    The mode at an event is the one after it. Raises MissingTool.
+    The mode at an event is the one after it. `.attrs["units"]` has the units. Raises MissingTool.
     """
-    try:
-        import pandas as pd
-    except ImportError:
-        raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
     asked, found = trajectory.t_eval, arrays(trajectory)
     modes = [*trajectory.modes, trajectory.final_mode] if asked is None else trajectory.mode_at(asked)
     state = zip(_state_names(len(found["y"])), found["y"], strict=True)
     columns = {"t": found["t"], "mode": [*map(word, modes)], **dict(state)}
-    return pd.DataFrame(columns | {name: found[name] for name in ("energy", "energy_excess") if name in found})
+    frame: DataFrame = tool("pandas").DataFrame(
+        columns | {name: found[name] for name in ("energy", "energy_excess") if name in found}
+    )
+    frame.attrs["units"] = {name: unit(name) for name in frame}
+    return frame

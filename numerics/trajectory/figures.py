@@ -11,9 +11,12 @@ from typing import Any
 import numpy as np
 
 from numerics.errors import MissingTool
-from numerics.files import whole_file
+from numerics.exits import tool
+from numerics.files import path_of, whole_file
 from numerics.linear.modes import EventKind, Mode
+from numerics.meter import meter
 from numerics.scene import Law
+from numerics.scene.decimals import positive, require_one_of
 from numerics.trajectory.curve import Curve, sampled
 from numerics.trajectory.export import word
 
@@ -78,14 +81,10 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
 
 def axes_for(kind: Any, kinds: Collection[str], ax: Any, name: str = "kind") -> Any:
     """Return axes to draw one of some kinds into, or new ones. Raises ValueError, TypeError, MissingTool."""
-    if not isinstance(kind, str) or kind not in kinds:
-        raise ValueError(f"{name} = {str(kind)[:40]!r} is not one of {', '.join(kinds)}")
+    require_one_of(name, kind, kinds)
     if ax is not None and not hasattr(ax, "set_title"):
         raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
-    try:
-        from matplotlib import pyplot as plt
-    except ImportError:
-        raise MissingTool("a plot needs matplotlib, which is not installed; python -m pip install matplotlib") from None
+    plt = tool("matplotlib.pyplot")
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
@@ -329,42 +328,36 @@ def film(
 
     `drawn` takes times (s) and states there, in binary64. Raises MissingTool, OSError, ValueError.
     """
-    for name, value in (("duration", duration), ("frames_per_second", frames_per_second)):
-        if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < float("inf"):
-            raise ValueError(f"{name} = {str(value)[:40]!r} must be a finite number > 0")
-    count = round(duration * frames_per_second)
+    count = round(positive(duration, "duration") * positive(frames_per_second, "frames_per_second"))
     if not 2 <= count <= _MOST_FRAMES:
         shown = f"{duration:g} s with {frames_per_second:g} frames a second are {count} frames"
         raise ValueError(f"{shown}; choose 2 to {_MOST_FRAMES}")
-    path = None if file is None else Path(file)
+    path = None if file is None else path_of(file)
     if path and path.suffix not in {".gif", ".mp4"}:
         raise ValueError(f"file = {path.name!r} must end in .gif or .mp4")
     if path and not path.parent.is_dir():
-        raise FileNotFoundError(2, "No such folder", str(path.parent))
-    try:
-        from matplotlib import animation
-        from matplotlib import pyplot as plt
-    except ImportError:
-        raise MissingTool("an animation needs matplotlib; python -m pip install matplotlib") from None
+        raise FileNotFoundError(2, "No such folder; create it, or write elsewhere", str(path.parent))
+    plt, animation = (tool(f"matplotlib.{name}") for name in ("pyplot", "animation"))
     if path and path.suffix == ".mp4" and not animation.writers.is_available("ffmpeg"):
         raise MissingTool("an .mp4 file needs ffmpeg, which is not installed; write a .gif, or install ffmpeg")
-    times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-    figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
-    modes = trajectory.mode_at(times)
+    with meter("drawing") as line:
+        times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
+        figure, show = drawn(times, trajectory.floats(trajectory.sol(times)))
+        modes = trajectory.mode_at(times)
 
-    def frame(k: int) -> None:
-        show(k)
-        figure.axes[0].set_title(f"t = {times[k]:.3f} s, {word(modes[k])}", fontsize="medium")
+        def frame(k: int) -> None:
+            show(k)
+            figure.axes[0].set_title(f"t = {times[k]:.3f} s, {word(modes[k])}", fontsize="medium")
 
-    frame(0)
-    figure.canvas.draw()
-    figure.set_layout_engine(None)  # the axes stay where they are: to lay them out anew takes as long as a frame
-    made = animation.FuncAnimation(figure, frame, frames=count, interval=1000 / frames_per_second, blit=False)
-    if path:
-        with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
-            kept = Path(folder) / path.name
-            figure.canvas.draw_idle = int  # nothing: the writer draws each frame, matplotlib would before it
-            made.save(kept, writer="pillow" if path.suffix == ".gif" else "ffmpeg", fps=frames_per_second)
-            opened.write(kept.read_bytes())
-        plt.close(figure)
+        frame(0)
+        figure.canvas.draw()
+        figure.set_layout_engine(None)  # the axes stay where they are: to lay them out anew takes as long as a frame
+        made = animation.FuncAnimation(figure, frame, frames=count, interval=1000 / frames_per_second, blit=False)
+        if path:
+            with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
+                kept, writer = Path(folder) / path.name, "pillow" if path.suffix == ".gif" else "ffmpeg"
+                figure.canvas.draw_idle = int  # nothing: the writer draws each frame, matplotlib would before it
+                made.save(kept, writer=writer, fps=frames_per_second, progress_callback=line)
+                opened.write(kept.read_bytes())
+            plt.close(figure)
     return made

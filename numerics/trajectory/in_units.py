@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from numerics.free.frame import ReducedState
-from numerics.trajectory.rows import Side
+from numerics.trajectory.rows import Rows, Side
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Quantity, Times
 
 
 class Reduced:
@@ -17,17 +21,17 @@ class Reduced:
     (0.173401, 0.0, 13.389309)
     """
 
-    def __init__(self, run: Any) -> None:
+    def __init__(self, run: Rows) -> None:
         """Take a run on a line."""
         self.run = run
 
-    def __call__(self, t: Any, side: Side = "right") -> ReducedState:
+    def __call__(self, t: Times, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
         with self.run.context():
             y = self.run.sol(t, side)
-            return self.run.frame.reduced(y.tolist() if y.ndim == 1 else y, self.run._excess(t, side))
+            return self.run.frame.reduced(y.tolist() if y.ndim == 1 else y, self.run.row_excess_at(t, side))
 
-    def row(self, y: Any, row: int) -> ReducedState:
+    def row(self, y: Iterable[Quantity], row: int) -> ReducedState:
         """Return the reduced state y at a row, or at the end (-1)."""
         with self.run.context():
             return self.run.frame.reduced(y, None if self.run.row_excess is None else self.run.row_excess[row])

@@ -6,11 +6,10 @@ Which row's segment holds a time, and the motion from that row's state (flow.py)
 from __future__ import annotations
 
 import math
-import operator
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
@@ -19,15 +18,19 @@ from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
 from numerics.linear.cells import Cells, mode_in
 from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
-from numerics.linear.modes import MODES
+from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import AT, How, Record
 from numerics.linear.system import LinearMode
 from numerics.scene import Scene
-from numerics.scene.decimals import short, shown
+from numerics.scene.decimals import require_one_of
 from numerics.trajectory.answer import Answer
 from numerics.trajectory.columns import STATE, Array, Counts, Floats, Moment
 from numerics.trajectory.flow import Moving, signals_at, steps_of
+from numerics.trajectory.times import exact_time
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Exact, Quantity, Times
 
 Side = Literal["left", "right"]
 _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
@@ -35,6 +38,8 @@ _union = np.frompyfunc(lambda one, two: one.union(two), 2, 1)
 
 class Rows(Answer):
     """A scene, the arithmetic it was solved in, and the rows of its record, in SI units."""
+
+    scene: Scene
 
     def __init__(self, scene: Scene, arithmetic: Arithmetic, record: Record) -> None:
         """Keep what a run wrote."""
@@ -104,8 +109,10 @@ class Rows(Answer):
 
     @property
     def final_state(self) -> Moment:
-        """Return (x1, v1, x2, v2) at the end."""
+        """Return (x1, v1, x2, v2) at the end, as `run.final.x1`; `final_mode` is its mode."""
         return Moment(*self._states[:, -1].tolist())
+
+    final = final_state
 
     @property
     def initial(self) -> Moment:
@@ -140,7 +147,7 @@ class Rows(Answer):
         return self.row_states[:, self.event_rows]
 
     @cached_property
-    def end_time(self) -> Number:
+    def end_time(self) -> Quantity:
         """Return the time at the end, s."""
         with self.context():
             return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
@@ -206,15 +213,15 @@ class Rows(Answer):
         return self._middles(self.row_times)
 
     def _rows(self, times: Array, side: Side) -> Counts:
-        require_side(side)
+        require_one_of("side", side, ("left", "right"))
         return np.maximum(np.searchsorted(self._row_points, self._middles(times), side=side) - 1, 0)
 
-    def row_at(self, t: Any, side: Side = "right") -> Counts:
+    def row_at(self, t: Times, side: Side = "right") -> Counts:
         """Return the rows whose segments hold time(s) t (s), flat; at an event that on the given side."""
         with self.context():
             return self._rows(self._times(t).ravel(), side)
 
-    def sol(self, t: Any, side: Side = "right") -> Array:
+    def sol(self, t: Times, side: Side = "right") -> Array:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
 
         t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
@@ -225,6 +232,12 @@ class Rows(Answer):
         with self.context():
             given = self._times(t)
             return self.row_values(self.row_flow, given.ravel(), side).reshape(4, *given.shape)
+
+    @overload
+    def mode_at(self, t: Exact | Quantity, side: Side = "right") -> Mode: ...
+
+    @overload  # as balls are any type here, where flint is not read
+    def mode_at(self, t: Times, side: Side = "right") -> Array: ...
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
         """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
@@ -290,6 +303,21 @@ class Rows(Answer):
         """Return what is taken and given (model.TAKEN) from the starts of rows on for times (s), J; not in binary64."""
         return _columns([self.row_motion(row).taken(tau) for row, tau in zip(rows, since, strict=True)])
 
+    def row_excess_at(self, t: Any, side: Side) -> Number:
+        """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
+
+        What friction took since the last event is subtracted from what it was there: such a pair has no damper.
+        """
+        carried = self.row_excess
+        if carried is None:
+            return None
+
+        def left(rows: Array, since: Array) -> Array:
+            return np.asarray(carried[rows] - self.row_taken(rows, since)[0] / self._critical)
+
+        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
+        return found
+
     @cached_property
     def _begun(self) -> tuple[Floats, Floats, Floats]:
         """Return when each row begins in its piece, s, what its rounding left out, and its state, in binary64."""
@@ -334,45 +362,3 @@ def _acting(mode: LinearMode) -> Floats:
 
 def _columns(found: list[Any]) -> Array:
     return np.array(found, dtype=object).T if found else np.empty((4, 0), dtype=object)
-
-
-def exact_time(t: Any, name: str = "t") -> Fraction:
-    """Return a time as an exact rational: text as a decimal, a float as its binary value. Raises ValueError."""
-    try:
-        if isinstance(t, bool):
-            raise TypeError
-        if hasattr(t, "as_integer_ratio"):
-            return Fraction(*t.as_integer_ratio())
-        return Fraction(t if isinstance(t, str) else operator.index(t))
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        raise ValueError(f"{name} = {shown(t)} is not a time in seconds; give a finite number >= 0") from None
-
-
-def require_side(side: Any) -> None:
-    """Raise ValueError for what is no side of an event."""
-    if not isinstance(side, str) or side not in ("left", "right"):
-        raise ValueError(f"side = {shown(side)} is not one of left, right")
-
-
-def require_times(t_eval: Any, until: Fraction) -> None:
-    """Raise ValueError unless these are times (s) of a run, in order; balls and mpmath's are looked at later."""
-    try:
-        given = np.asarray(t_eval)
-    except ValueError:  # rows that differ in length
-        given = np.asarray(None)
-    except MemoryError:
-        raise ValueError(f"t_eval = {shown(t_eval)} has more times than memory holds; give fewer at once") from None
-    if given.ndim != 1:
-        raise ValueError(f"t_eval = {shown(t_eval)} must be a sequence of times in seconds; give one such as [0, 0.5]")
-    last, listed = float(min(until, Fraction(10**300))), given.tolist()
-    if given.dtype.kind in "fiu":
-        times = given.astype(float)
-    else:
-        exact = (one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]") for k, one in enumerate(listed))
-        times = np.array([float(one) if one <= 2 * last else math.inf for one in exact])
-    for k in np.flatnonzero(~((times >= 0) & (times <= last)))[:1]:
-        exact_time(listed[k], f"t_eval[{k}]")
-        outside = f"t_eval[{k}] = {str(listed[k])[:40]} s is outside the run, [0, {short(until)}] s"
-        raise ValueError(f"{outside}; give times within it, or a later until")
-    for k in np.flatnonzero(np.diff(times) < 0)[:1] + 1:
-        raise ValueError(f"t_eval[{k}] = {str(listed[k])[:40]} s comes after a later time; put the times in order")

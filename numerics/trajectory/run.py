@@ -41,14 +41,11 @@ def _named(scene: Scene, error: OutOfRange) -> OutOfRange:
     """Return the error with the name of the number of a scene or of its start that is out of range, if one is."""
     if error.beyond is None:
         return error
-    (_, least, most), width, level = error.beyond, scene.pair.half_width, scene.pair.critical_energy
-    made = parameters(scene) | {
-        "until": scene.until,
-        "L = b (m1 + m2)/(a2 m2)": width,
-        "E_cr": level,
-        "E at t = 0": scene.energy,
-    }
-    made |= {"E/E_cr - 1 at t = 0": scene.energy_excess}
+    (_, least, most), pair = error.beyond, scene.pair
+    made = parameters(scene) | {"until": scene.until, "E at t = 0": scene.energy}
+    if pair.a2 and pair.b:
+        made |= {"L = b (m1 + m2)/(a2 m2)": pair.half_width, "E_cr": pair.critical_energy}
+        made |= {"E/E_cr - 1 at t = 0": scene.energy_excess}
     for is_beyond in (lambda size: size > most, lambda size: 0 < size < least):  # what is too large fails oftener
         for name, value in made.items():
             if is_beyond(abs(value)):

@@ -21,11 +21,19 @@ from mpmath.libmp import from_man_exp
 
 from numerics.arithmetic.ball import ball_of
 from numerics.errors import InvalidFile, InvalidScene
-from numerics.files import whole_file
+from numerics.files import path_of, whole_file
 from numerics.scene.decimals import require_digits, require_whole
 from numerics.scene.file import parse_scene, scene_text
 
-_REMEDY = "give a file that `save` of such a run has written (Trajectory's or PlaneTrajectory's; --npz is another form)"
+_REMEDY = "give a file that `save` of such a run has written"
+_SAID = {
+    "pickle": "it is no npz archive",
+    "No data left": "it is empty",
+    "header is not": "it is an archive of plain arrays, as of --npz, which np.load reads",
+    "'inertial-pair surface trajectory 4'": "it is a run on a surface, which PlaneTrajectory.load reads",
+    "'inertial-pair trajectory 4'": "it is a run on a line, which Trajectory.load reads",
+}
+"""What is wrong with a file where an error says this."""
 
 
 def save(trajectory: Any, file: str | Path) -> None:
@@ -33,7 +41,7 @@ def save(trajectory: Any, file: str | Path) -> None:
 
     Raises InvalidScene for a scene that no text of 1000 characters holds.
     """
-    path = Path(file)
+    path = path_of(file)
     if path.suffix not in {"", ".npz"}:
         raise ValueError(f"{str(path)!r} is a name of another kind of file; end it in .npz, or write to_csv() to it")
     text = json.dumps(contents(trajectory)).encode()
@@ -43,7 +51,7 @@ def save(trajectory: Any, file: str | Path) -> None:
 
 def load(file: str | Path, kind: Any) -> Any:
     """Return the trajectory in a file, an object of the class `kind`. Raises OSError, InvalidFile."""
-    path = Path(file)
+    path = path_of(file)
     try:
         opened = path.open("rb")
     except OSError as error:
@@ -54,7 +62,7 @@ def load(file: str | Path, kind: Any) -> Any:
             return restored(header, kind)
     except Exception as error:  # noqa: BLE001 - whatever may come of what somebody wrote or changed
         reason = " ".join(str(error).split())[:200] or type(error).__name__
-        reason = "it is no npz archive" if "pickle" in reason else reason
+        reason = next((said for word, said in _SAID.items() if word in reason), reason)
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
 
 
@@ -78,7 +86,7 @@ def restored(header: dict[str, Any], kind: Any) -> Any:
     Raises ValueError, and what else others' files can bring about.
     """
     if header["format"] != kind.FORMAT:
-        raise ValueError(f"its format is {str(header['format'])[:40]!r}, not {kind.FORMAT!r}")
+        raise ValueError(f"its format is {str(header['format'])[:40]!r}, not that of a {kind.__name__}")
     (name, digits), right = header["arithmetic"], header["digits"]
     if name not in kind.ARITHMETICS:
         raise ValueError(f"its arithmetic is {str(name)[:40]!r}")

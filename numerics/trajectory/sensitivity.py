@@ -24,7 +24,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from flint import arb
@@ -33,20 +33,24 @@ from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
-from numerics.habits import helpful, right_word
+from numerics.habits import right_word
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
-from numerics.meter import metered
+from numerics.meter import meter
 from numerics.scene.decimals import shown
 from numerics.scene.model import parameters, require_kind
 from numerics.trajectory.columns import STATE, Array, Counts
 from numerics.trajectory.comparison import as_ball
 from numerics.trajectory.rendering import right_digits_text, with_radius
-from numerics.trajectory.rows import Side, exact_time
+from numerics.trajectory.rows import Side
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.saltation import Chain
+from numerics.trajectory.times import exact_time
 from numerics.trajectory.trajectory import Trajectory
 from numerics.trajectory.variation import legs
+
+if TYPE_CHECKING:
+    from numerics.scene.decimals import Times
 
 _GUARD_BITS = 64
 """So many bits more than those of the trajectory are worked with."""
@@ -91,13 +95,14 @@ def sensitivities(trajectory: Trajectory, *, wrt: Sequence[str] | None = None) -
 
 
 @overload
-def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right", wrt: Sequence[str] | None = None) -> Array: ...
-
-
-@helpful
-@metered("derivatives")
 def sensitivities(
-    trajectory: Trajectory, t: Any = None, side: Side = "right", wrt: Sequence[str] | None = None
+    trajectory: Trajectory, t: Times, side: Side = "right", wrt: Sequence[str] | None = None
+) -> Array: ...
+
+
+@meter("derivatives")
+def sensitivities(
+    trajectory: Trajectory, t: Times | None = None, side: Side = "right", wrt: Sequence[str] | None = None
 ) -> Sensitivity | Array:
     """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
 

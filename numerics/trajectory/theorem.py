@@ -88,8 +88,6 @@ def _uncovered(trajectory: Trajectory) -> str:
         return f'the checker knows no law = "{scene.law.value}"; leave the law out, for "filippov"'
     if scene.extra:
         return f"the checker does not cover {scene.extra}; leave that out"
-    if scene.friction.weakening is not None:
-        return "the checker knows no friction that depends on speed or place; leave [weakening] out"
     if not trajectory.success:
         return f"the run {trajectory.message}"
     if scene.energy_excess == 0 and at.v1 == at.v2 and scene.pair.a1 == 0 and not scene.is_forced:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
@@ -14,17 +14,20 @@ from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Number
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
-from numerics.meter import metered
+from numerics.meter import meter
+from numerics.trajectory.checked import Check
 from numerics.trajectory.columns import Array
 from numerics.trajectory.digits import FEW_DIGITS, ROUNDING, Accuracy, Judged, accuracy_of, judged
 from numerics.trajectory.events import EnergyLedger, Event, Segment, energy_of, ledger_of
 from numerics.trajectory.in_units import Reduced
-from numerics.trajectory.rows import Rows, Side
+from numerics.trajectory.rows import Rows
 from numerics.trajectory.saved import plain
 from numerics.trajectory.status import Status
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from numerics.scene.decimals import Quantity
 
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
@@ -246,7 +249,7 @@ class Trajectory(Rows):
             return np.asarray(energy_of(self, self.t, self.y))
 
     @property
-    def final_energy(self) -> Number:
+    def final_energy(self) -> Quantity:
         """Return the energy at the end, J, formed from the state."""
         with self.context():
             found: Number = energy_of(self, np.array([self.end_time]), self._states[:, -1:]).tolist()[0]
@@ -262,23 +265,8 @@ class Trajectory(Rows):
             if self.row_excess is None:
                 return np.asarray(formed)
             if self.t_eval is not None:
-                return np.array([self._excess(one, "right") for one in self._asked_times], dtype=object)
+                return np.array([self.row_excess_at(one, "right") for one in self._asked_times], dtype=object)
             return self.row_excess[np.append(self._starts, -1) if self.reached else self._starts]
-
-    def _excess(self, t: Any, side: Side) -> Number:
-        """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
-
-        What friction took since the last event is subtracted from what it was there: such a pair has no damper.
-        """
-        carried = self.row_excess
-        if carried is None:
-            return None
-
-        def left(rows: Array, since: Array) -> Array:
-            return np.asarray(carried[rows] - self.row_taken(rows, since)[0] / self._critical)
-
-        found: Number = self.row_values(left, self._times(t).reshape(1), side).tolist()[0]
-        return found
 
     def end_numbers(self) -> tuple[Number, ...]:
         """Return x1, v1, x2, v2, energy and, where there is E_cr, excess at the end."""
@@ -307,7 +295,7 @@ class Trajectory(Rows):
 
     # ------------------------------------------------------------------ where the energy went
     @property
-    def dissipated(self) -> Number:
+    def dissipated(self) -> Quantity:
         """Return what friction and viscosity took, J."""
         with self.context():
             return self.ledger.friction + self.ledger.viscous
@@ -319,26 +307,17 @@ class Trajectory(Rows):
             return ledger_of(self)
 
     # ------------------------------------------------------------------ pictures, text and files
-    @metered("drawing")
+    def _pictures(self) -> ModuleType:
+        from numerics.trajectory import figures
+
+        return figures
+
+    @meter("drawing")
     def plot(self, kind: Kind = "velocities", ax: Axes | None = None) -> Axes:
         """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
-        from numerics.trajectory.figures import draw
+        return self._pictures().draw(self, kind, ax)
 
-        return draw(self, kind, ax)
-
-    @metered("drawing")
-    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
-        """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
-
-        `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
-        MP4 needs ffmpeg. A frame takes some 80 ms. Raises MissingTool, OSError, ValueError for other files or
-        numbers that are not above 0.
-        """
-        from numerics.trajectory.figures import animate
-
-        return animate(self, file, duration, frames_per_second)
-
-    def check(self) -> Any:
+    def check(self) -> Check:
         """Return what every number of the run is really off by: `numerics.check` solves its scene again, in balls."""
         import numerics
 

@@ -39,6 +39,7 @@ from numerics.trajectory.run import MAX_EVENTS
 from numerics.trajectory.status import Status
 
 PAPER = {"m1": 1, "m2": 1, "a2": 200, "b": 0.5}
+OPEN = Scene(Pair(1, 1, 200, "0.5"), State(v1=Fraction(0.15)), 3)
 
 
 def same(found: Batch, other: Batch) -> bool:
@@ -52,8 +53,13 @@ def require_alone(found: Batch, k, scene, most=MAX_EVENTS, within=1e-13, bounds=
     try:
         one = solve(replace(scene), arithmetic="float64", max_events=most)  # of nothing that the batch has made
     except (EventUndecided, OutOfRange) as error:
-        refused = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else Status.SEQUENCE_OPEN
-        assert found.status[k] == refused
+        if isinstance(error, OutOfRange) or found.status[k] == Status.SEQUENCE_OPEN:
+            refused = Status.OUT_OF_RANGE if isinstance(error, OutOfRange) else Status.SEQUENCE_OPEN
+            assert found.status[k] == refused
+            return
+        one = solve(replace(scene), max_events=most)  # scene by scene a batch goes on in balls
+        assert (found.events[k], found.status[k]) == (len(one.events), one.status)
+        assert (abs(found.y[:, k] - one.floats(one.final)) <= found.y_error[:, k]).all()
         return
     assert bool(found.certain[k]) == one.accuracy.certain
     if not one.certain:
@@ -83,19 +89,62 @@ def require_alone(found: Batch, k, scene, most=MAX_EVENTS, within=1e-13, bounds=
 
 
 def against_balls(found: Batch, scene):
-    """Each number of a batch of one scene, with its first three events, how far it is off, and its bound."""
+    """Each number of a batch of one scene, with its first events, how far it is off, and its bound."""
     truth = solve(scene, digits=40, arithmetic="ball")
     assert (found.events[0], found.status[0]) == (len(truth.events), truth.status)
+    kept = found.event_t.shape[-1]
     with truth.arithmetic.context():
         numbers = [
             (found.y, truth.final_state, found.y_error),
-            (found.event_t[0], truth.event_times[:3], found.event_t_error[0]),
+            (found.event_t[0], truth.event_times[:kept], found.event_t_error[0]),
             (found.dissipated, [truth.ledger.friction + truth.ledger.viscous], found.dissipated_error),
-            (found.event_y[:, 0], truth.event_states[:, :3], found.event_y_error[:, 0]),
+            (found.event_y[:, 0], truth.event_states[:, :kept], found.event_y_error[:, 0]),
         ]
         for three in numbers:
             for x, y, bound in zip(*map(np.ravel, three), strict=True):
                 yield float(x), distance(float(x), y), float(bound)
+
+
+SPRING_ON_BELT = Pair(m1=2, m2="inf", a2=50, b=4)
+IN_DOUBT = {
+    "a cycle that only touches the belt's speed": Scene(SPRING_ON_BELT, State(), 10, belt=Force.constant("0.3")),
+    "rest exactly at the edge": Scene(SPRING_ON_BELT, State(x1="0.4"), 20),
+    "a horizon next to an event": Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), float(solve(OPEN).events[2].t)),
+}
+
+
+@pytest.mark.parametrize("scene", IN_DOUBT.values(), ids=IN_DOUBT)
+def test_a_list_of_scenes_goes_on_in_balls_where_floats_leave_one_open(scene):
+    with pytest.raises(EventUndecided):
+        solve(scene, arithmetic="float64")
+    found = solve_scenes([scene], keep_events=2)
+    assert found.success.all()
+    for _, off, bound in against_balls(found, scene):
+        assert off <= bound
+
+
+def test_what_arrays_leave_open_is_said_in_a_sentence():
+    third = float(solve(OPEN).events[2].t)
+    found = solve_many(**PAPER, v1=0.15, until=[3.0, third, third])
+    assert "scene [1], [2]: the error bounds do not decide" in repr(found)
+    assert repr(found).endswith("solve(scene) goes on in balls")
+    assert found.message[1].endswith("goes on in balls")
+    grid = solve_many(**PAPER, v1=[[0.15], [0.1]], until=[3.0, third])
+    assert "scene [0, 1]: " in repr(grid)
+
+
+def test_a_batch_of_one_and_of_none_have_tables():
+    assert len(solve_many(**PAPER, until=1).to_dataframe()) == 1
+    assert len(solve_many(1, 1, 200, [], until=1).to_dataframe()) == len(solve_scenes([]).to_dataframe()) == 0
+    assert dict(solve_many(**PAPER, until=1).to_xarray().sizes) == {}
+
+
+def test_objects_and_exact_numbers_in_a_grid_have_its_shape():
+    """Energies and inputs of scenes that are solved one by one."""
+    for more in ({"exact": True}, {"force": Force.sine(1, 2)}):
+        found = solve_many(1, 1, 200, [[0.05], [0.1], [0.2]], v1=[0.1, 0.2], until=1, **more)
+        assert {one.shape for one in found.inputs.values()} == {found.energy_excess.shape} == {(3, 2)}
+        assert len(found.to_dataframe()) == 6
 
 
 def test_the_batch_has_the_results_of_solve():
@@ -296,7 +345,7 @@ def test_without_numba_the_same_numbers_come_out():
         ({"v1": np.array([0.1 + 0.2j])}, "v1 = .* must be real numbers"),
         ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
         ({"v1": np.ma.masked_array([0.1, 0.2], [True, False]), "exact": True}, "masked"),
-        ({"b": [1, 2, 3], "friction": [(1, 0.5)]}, r"give a Friction\(\[...\]\), or a list"),
+        ({"b": [1, 2, 3], "friction": [(1, 0.5)]}, r"give a Friction.*, or a list"),
         ({"max_events": 10**20}, "from 1 to 2"),
         ({"exact": "x"}, "exact = 'x' must be True"),
         ({"keep_events": -1}, "keep_events = -1"),

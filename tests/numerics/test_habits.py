@@ -13,6 +13,7 @@ from numerics import (
     Force,
     InvalidScene,
     Pair,
+    Piece,
     PlanePair,
     PlaneScene,
     Scene,
@@ -25,7 +26,7 @@ from numerics import (
     solve_many,
     solve_scenes,
 )
-from numerics.meter import meter, metered
+from numerics.meter import meter
 from numerics.scene.file import parse_scene, scene_text
 
 PAPER = load_scene("velocities")
@@ -55,7 +56,37 @@ RUN = solve(PAPER)
         (lambda: sensitivities(RUN, wrt=["k"]), "'k'"),
         (lambda: numerics.Solve, "did you mean solve"),
         (lambda: RUN["q"], "a run has t, y"),
-        (lambda: Force.sine(1, 1) + 3, "Force.step"),
+        (lambda: Force.sine(1, 1) + 3, "Force.constant"),
+        (lambda: Force(3), "Force.constant.3., Force.samples"),
+        (
+            lambda: Force(Piece(t, [u]) for t, u in ((0, 1), (0.5, float("nan")))),
+            "polynomial.0. of the piece from 1/2 s",
+        ),
+        (lambda: Force(np.zeros(3)), "Force.constant.3., Force.samples"),
+        (lambda: Force([0, 1], [2, 3]), "Force.constant.3., Force.samples"),
+        (lambda: Scene(PAPER.pair, State(), 5, force=3), "Force.constant.3., Force.samples"),
+        (lambda: Force.sine(1, 1) / 0, "divisor = 0"),
+        (lambda: Force.samples("u.csv"), "np.loadtxt"),
+        (lambda: Force.samples([[0, 1]], [[1, 2]]), "give one number"),
+        (lambda: Pair(1, 1, 200), "missing a required argument: 'b'; it takes m1, m2, a2, b, a1"),
+        (lambda: RUN.to_csv(times=[1]), "run.to_dataframe.times."),
+        (lambda: RUN.to_dataframe(0.5), "times = 0.5 must be a list"),
+        (lambda: RUN.plot(colour="red"), "the axes that it returns"),
+        (lambda: RUN.animate(fps=3), "write frames_per_second"),
+        (lambda: RUN.sol(times=[1]), "sol has no 'times': write t"),
+        (RUN.sol, "sol: missing"),
+        (lambda: RUN.x1, 'run."x1".'),
+        (lambda: RUN.tt, "did you mean t"),
+        (lambda: PAPER.pair.k, "write a2"),
+        (lambda: PAPER.t_end, "write until"),
+        (lambda: sensitivities(RUN, params=["b"]), "write wrt"),
+        (lambda: solve_many([PAPER, PAPER]), "solve_scenes takes a list"),
+        (lambda: solve_many(1, 1, 200, 1, until=5, digits=20), "solve.scene, digits=N."),
+        (lambda: solve_many(1, 1, 200, 1, until=5, belt=Force()), "solve_scenes takes lists"),
+        (lambda: solve_many(1, "inf", 200, 1, until=5), "m2 = inf must be > 0 and finite; solve_scenes takes"),
+        (lambda: solve_many(1, 1, 200, 1, until=5).plot(red="b"), "it takes answer, along, ax"),
+        (load_scene, "load_scene: missing"),
+        (lambda: numerics.check(RUN, digits=3), "check has no 'digits'"),
     ],
 )
 def test_a_word_from_elsewhere_is_answered_by_the_right_one(call, said):
@@ -128,6 +159,24 @@ def test_b_beside_sines_is_their_middle():
     assert parse_scene(head + "b=3\n") == parse_scene(head + "polynomial=[3]\n")
 
 
+def test_tables_of_runs_sweeps_and_diagrams_are_alike():
+    """Results have the names and units of a run's table, a state beside inputs is x1_at_t; inputs have theirs."""
+    scenes = [load_scene("belt").replace(force=Force.sine(one, 9)) for one in (1, 2)]
+    diagram, batch = bifurcation(scenes, keep=2), solve_scenes(scenes)
+    assert {*diagram.inputs} == {*batch.inputs} - {"m2", "v2"}
+    tables = [solve(scenes[0]).to_dataframe(), diagram.to_dataframe(), batch.to_dataframe()]
+    assert [len(one) for one in tables[1:]] == [4, 2]
+    units = [one.attrs["units"] for one in tables]
+    for name, unit in {"x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s"}.items():
+        assert [one[name if k == 0 else f"{name}_at_t"] for k, one in enumerate(units)] == [unit] * 3
+    assert {one["t"] for one in units} == {"s"}
+    assert units[1]["force[0].sines[0].amplitude"] == units[2]["force[0].sines[0].amplitude"] == "N"
+    assert tables[1]["x1_at_t"].to_numpy() == pytest.approx(diagram.values("x1").ravel())
+    grid = diagram.to_xarray()
+    assert grid["v1_at_t"].dims == ("force[0].sines[0].amplitude", "point")
+    assert (grid["v1_at_t"].attrs["units"], grid["t"].attrs["units"]) == ("m/s", "s")
+
+
 def test_a_sweep_has_names_and_tables():
     found = solve_many(1, 1, 200, 0.05, a1=0.5, sines=[([0.1, 0.5, 1], 5, 0)], until=2)
     assert found.inputs["sines[0].amplitude"].tolist() == [0.1, 0.5, 1]
@@ -169,7 +218,7 @@ def test_what_lasts_shows_a_line_on_a_terminal_alone(kind, monkeypatch):
             told(5, 10)
             time.sleep(0.1)
         assert inner is None
-    metered("derivatives")(time.sleep)(0.2)
+    meter("derivatives")(time.sleep)(0.2)
     shown = sys.stderr.getvalue()
     assert ("solving  50 %|##########          |" in shown) is (kind is Terminal)
     assert ("derivatives" in shown) is (kind is Terminal)

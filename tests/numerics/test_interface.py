@@ -2,8 +2,10 @@
 
 import doctest
 import inspect
+import pickle
 import re
 import sys
+import typing
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -17,6 +19,7 @@ from three_scenes import DAMPED, HOW, PAPER
 import numerics
 from numerics import (
     Force,
+    OutOfRange,
     Pair,
     Scene,
     State,
@@ -71,7 +74,7 @@ FOR_THE_HOUSE = {
     "row",
 }
 FOR_THE_HOUSE |= {name for name in public(numerics.Trajectory) if name.startswith("row_")}
-FOR_THE_HOUSE |= {"require_filippov", "require_one_b", "signs"}
+FOR_THE_HOUSE |= {"require_filippov", "signs"}
 FOR_THE_HOUSE |= {"ARITHMETICS", "COLUMNS", "EVENT_COLUMNS", "FORMAT"}
 FOR_THE_HOUSE |= {"end_bounds", "end_numbers", "kept", "look_up_times", "restored"}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
@@ -85,6 +88,28 @@ def test_every_attribute_of_what_a_user_meets_is_told_and_shown_in_an_example_th
         static = inspect.getattr_static(kind, name)
         assert not callable(static) or inspect.getdoc(static)
         assert re.search(rf"\b{name}\b", examples) or f".{name}(" in GUIDE, name
+
+
+def signatures(one):
+    """The annotations of a function, as a type checker reads them: those of its overloads, where it has some."""
+    function = inspect.unwrap(getattr(one, "__func__", getattr(one, "fget", getattr(one, "func", one))))
+    if not inspect.isfunction(function):
+        return []  # of Python itself
+    return [inspect.get_annotations(each) for each in typing.get_overloads(function) or [function]]
+
+
+@pytest.mark.parametrize("name", dir(numerics))
+def test_no_public_signature_is_without_a_type(name):
+    public_name = getattr(numerics, name)
+    if not inspect.isclass(public_name):
+        found = {name: signatures(public_name)}
+    else:
+        members = {key: one for kind in reversed(public_name.__mro__) for key, one in vars(kind).items()}
+        told = {key: one for key, one in members.items() if key in {*public(public_name), "__init__"} - FOR_THE_HOUSE}
+        found = {key: signatures(one) for key, one in told.items() if callable(one) or hasattr(one, "fget")}
+        found["fields"] = [{key: one for key, one in inspect.get_annotations(public_name).items() if key[0] != "_"}]
+    untyped = [f"{key}: {each}" for key, some in found.items() for each in some if re.search(r"\bAny\b", str(each))]
+    assert not untyped
 
 
 @pytest.mark.parametrize("name", [one for one in dir(numerics) if inspect.isfunction(getattr(numerics, one))])
@@ -148,7 +173,6 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
         (lambda: response(PAPER, amplitude=1, omega=1, digits=10**9), "digits = 1000000000 must be a whole number"),
         (lambda: solve(PAPER, t_eval=range(10**15)), "t_eval = .* has more times than memory holds; give fewer"),
         (lambda: solve(PAPER, arithmetic="decimal"), "is not one of float64"),
-        (lambda: solve(PAPER, arithmetic="double-double"), 'use digits=N, or arithmetic="ball"'),
         (lambda: solve(DAMPED, arithmetic="mpmath"), 'free pair only .*; use arithmetic="ball"'),
         (lambda: sensitivities(PAPER), r"give it solve\(scene\)"),
         (lambda: solve(PAPER, t_eval=1), "sequence of times"),
@@ -159,7 +183,7 @@ many = partial(solve_many, 1, 1, 200, 1, until=5)
         (lambda: solve(PAPER).animate(duration=1e9), "frames"),
         (lambda: Scene(PAPER.pair, State(), until=0), "until = 0 must be > 0"),
         (lambda: solve(Scene(PAPER.pair, State(v1="1e400"), 1), arithmetic="float64"), r"v1 = 1e\+400 is beyond the"),
-        (lambda: Pair(m1=[1, 2], m2=1, a2=1, b=1), r"not \[1, 2\]; give arrays to solve_many"),
+        (lambda: Pair(m1=[1, 2], m2=1, a2=1, b=1), r"not \[1, 2\]; give one number .solve_many takes"),
         (lambda: many(progress=3), "progress = 3 must be a function"),
         (lambda: many(sines=3), "must be a list"),
         (lambda: many().plot("heat"), "is not one of dissipated"),
@@ -173,6 +197,18 @@ def test_a_mistake_is_told_in_one_sentence(call, said):
     with pytest.raises((NumericsError, ValueError, TypeError), match=said) as refused:
         call()
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("pair", [Pair(1, 1, 0, 1), Pair(1, "inf", 3, 0), Pair(1, "inf", 0, 0)])
+def test_a_number_out_of_range_is_named_also_without_a_critical_energy(pair):
+    scene = Scene(pair, State(v1="1e400"), 1)
+    with pytest.raises(OutOfRange, match=r"v1 = 1e\+400 is beyond"):
+        solve(scene, arithmetic="float64")
+    assert solve(scene).arithmetic.name == "ball"
+
+
+def test_a_function_from_the_package_is_pickled():
+    assert pickle.loads(pickle.dumps(solve)) is solve
 
 
 # short texts of records, pictures and films

@@ -121,3 +121,24 @@ def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
     np.savez(tmp_path / "other.npz", header=np.array([{}], dtype=object))  # a pickle
     with pytest.raises(InvalidFile):
         Trajectory.load(tmp_path / "other.npz")
+
+
+@pytest.mark.parametrize(
+    ("write", "said"),
+    [
+        (lambda file: file.write_bytes(b""), "it is empty"),
+        (lambda file: file.write_text("t,x1\n", encoding="utf-8"), "no npz archive"),
+        (lambda file: np.savez(file, t=np.zeros(3)), "archive of plain arrays, as of --npz"),
+    ],
+)
+def test_what_else_a_file_is_is_said(tmp_path, write, said):
+    file = tmp_path / "run.npz"
+    write(file)
+    with pytest.raises(InvalidFile, match=said):
+        Trajectory.load(file)
+
+
+def test_a_name_of_a_file_is_text_or_a_path():
+    for call in (Trajectory.load, solve(PAPER).save, solve(PAPER).animate):
+        with pytest.raises(TypeError, match="file = '3' is no name of a file; give one"):
+            call(3)

@@ -61,13 +61,13 @@ def test_a_scene_of_a_new_kind_survives_its_text_and_its_copies(scene):
 
 @given(brought_scenes())
 def test_a_scene_is_plain_or_forced_and_says_what_is_extra(scene):
-    if scene.is_plain:
-        require_plain(scene, "a ring")
+    if not scene.extra:
+        require_plain("ring_entry", scene, "a ring")
         assert parameters(scene).keys() >= {"m2", "v2"}
         return
     assert scene.is_forced
     with pytest.raises(InvalidScene, match="a ring is not available for"):
-        require_plain(scene, "a ring")
+        require_plain("ring_entry", scene, "a ring")
 
 
 EXTRA = {
@@ -84,8 +84,8 @@ EXTRA = {
 @pytest.mark.parametrize("kind", EXTRA)
 def test_each_new_kind_alone_is_forced_and_not_plain(kind):
     scene = EXTRA[kind]
-    assert (scene.extra, scene.is_plain, scene.is_forced) == (kind, False, True)
-    assert Scene(PAIR, State(), 1).is_plain
+    assert (scene.extra, scene.is_forced) == (kind, True)
+    assert not Scene(PAIR, State(), 1).extra
     assert not Scene(PAIR, State(), 1).is_forced
 
 
@@ -252,7 +252,8 @@ FORCED = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[run]\nuntil = 5\n[[force]]
 
 
 @pytest.mark.parametrize(
-    "text", ["0,1\n0.5,2\n", "t,u\n0,1\n0.5,2", '\ufeff"t (s)", "u (N)"\r\n0 , 1\r\n5e-1, 2\r\n\r\n']
+    "text",
+    ["0,1\n0.5,2\n", "t,u\n0,1\n0.5,2", "t,u\r0,1\r0.5,2\r", '\ufeff"t (s)", "u (N)"\r\n0 , 1\r\n5e-1, 2\r\n\r\n'],
 )
 def test_a_file_of_samples_is_read_beside_its_scene(tmp_path, text):
     (tmp_path / "u.csv").write_text(text, encoding="utf-8", newline="")
@@ -270,7 +271,10 @@ FILES = {
     "t = 0.5 in row 3 is not after 1": "0,1\n1,2\n0.5,3",
     "t in row 1 = -1 must be >= 0": "-1,1",
     "row 1 of 'u.csv', '0,5;1,25', is not a t and a u": "0,5;1,25",
-    "row 2 of 'u.csv', '0;1,5', is not a t and a u": "t;u,\n0;1,5",
+    "row 2 of 'u.csv', '0;1,5', is not a t and a u, but separated by semicolons": "t;u,\n0;1,5",
+    "row 1 of 'u.csv', .*, is not a t and a u, but separated by tabs": "0,5\t1,5",
+    "row 1 of 'u.csv', '0 1', is not a t and a u, but separated by blanks": "0 1",
+    "row 1 of 'u.csv', '0,0,1,5', is not a t and a u; write 0.5, 1.25 with": "0,0,1,5",
     "row 2 of 'u.csv', '', is not a t and a u": "0,1\n\n1,2",
     "row 2 of 'u.csv', '1,2,3', is not": "0,1\n1,2,3",
     "'u.csv' holds no samples; give": "",

@@ -53,7 +53,8 @@ def shows_adhesion(step: Fraction = SHOWS) -> Evidence:
     with run.arithmetic.context():
         spring, friction = point(pair.a2), point(pair.b)
         omega, last = spring.sqrt(), slips[-1]
-        speeds = [(2 * pair.energy(one.state(arb(0)), point)).sqrt() + point(ALLOWED) for one in slips]
+        energies: list[arb] = [pair.energy(one.state(arb(0)), point) for one in slips]
+        speeds = [(2 * one).sqrt() + point(ALLOWED) for one in energies]
         rates = [omega * one + friction for one in speeds]
         lengths = [one.length + h for one in slips[:-1]] + [last.length + latest + h]
         smooth = omega / 2 * sum(rate * length for rate, length in zip(rates, lengths, strict=True))
@@ -68,11 +69,12 @@ def shows_adhesion(step: Fraction = SHOWS) -> Evidence:
             middle = (start + end) / 2
             return bool(end - start > h) and apart(part, start, middle) and apart(part, middle, end)
 
-        before = last.length - latest
+        before: arb = last.length - latest
         parts = [*((one, one.length) for one in slips[:-1]), (last, before)]
         away = [apart(one, arb(0), end) for one, end in parts]
         state = last.state(before)
-        place = last.state(before.union(last.length))[0].union(stick.state(arb(0).union(latest))[0])
+        end, begun = last.state(before.union(last.length))[0], stick.state(arb(0).union(latest))[0]
+        place = arb(end).union(begun)
         return argument(
             r"""
             Let $N$ stay below $N_1$ for a while. Where a slip of Euler may end within a step, $\dot z$ of the motion is small; so up to 0.01 s before the adhesion $|x_1|$ of both is beyond $S_0$.

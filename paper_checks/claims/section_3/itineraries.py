@@ -160,10 +160,11 @@ PLUS, MINUS, STICK = Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK
 
 def _points(trajectory: Trajectory, names: tuple[str, ...]) -> str:
     """Return the named events as a line of the derivation: time and position on S."""
+    rows = zip(names, trajectory.event_times, *trajectory.event_states, strict=False)
     places = [
-        f"${name}$: $t={event.t.mid().str(6, radius=False)}$ s, $x_1={event.y[0].mid().str(5, radius=False)}$ m, "
-        f"$v={event.y[1].mid().str(5, radius=False)}$ m/s"
-        for name, event in zip(names, trajectory.events, strict=False)
+        f"${name}$: $t={t.mid().str(6, radius=False)}$ s, $x_1={x1.mid().str(5, radius=False)}$ m, "
+        f"$v={v1.mid().str(5, radius=False)}$ m/s"
+        for name, t, x1, v1, *_ in rows
     ]
     return "; ".join(places) + "."
 

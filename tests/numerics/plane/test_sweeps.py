@@ -114,7 +114,7 @@ def test_a_sweep_is_drawn():
     assert ax.lines[0].get_ydata().tolist() == found.events.tolist()
     starts = [PlaneScene(PAIR, "0.1", x1=[x, 0]) for x in ("0.012", "0.002")]
     ax = solve_scenes(starts, jobs=1).plot()
-    assert ax.get_xlabel() == "x1 x"
+    assert ax.get_xlabel() == "x1 x (m)"
     with pytest.raises(ValueError, match="not one of energy, events, digits, t"):
         found.plot("dissipated")
     pyplot.close("all")

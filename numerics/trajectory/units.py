@@ -1,0 +1,34 @@
+"""SI units, by the names that numbers of scenes and of results have everywhere."""
+
+from __future__ import annotations
+
+import re
+
+_TEXT = (
+    "m1: kg, m2: kg, a1: N s/m, a2: N/m, b: N, b_static: N, until: s, x1: m, v1: m/s, x2: m, v2: m/s, from: s, "
+    "omega: rad/s, phase: rad, last_slope: N s/m, w: m/s, c: N, z: m, t: s, load: N, energy: J, dissipated: J, "
+    "friction: J, viscous: J, work: J, residual: J"
+)
+_UNITS = dict(one.split(": ") for one in _TEXT.split(", "))
+_OF_SIGNALS = {"belt": "m/s", "wall": "m"}
+_OF_ANGLES = {"m": "rad", "m/s": "rad/s", "N": "N m", "kg": "kg m^2"}
+
+
+def unit(name: str) -> str:
+    """Return the unit of a number of a scene or of a result, or of its radius; "" for none.
+
+    A signal without another name is a force; x1_phi is an angle.
+
+    >>> unit("a2"), unit("sines[0].amplitude"), unit("wall[1].polynomial[2]"), unit("belt[0].sines[0].omega")
+    ('N/m', 'N', 'm/s^2', 'rad/s')
+    >>> unit("v1 - v2"), unit("x1_at_t"), unit("m1 phi"), unit("load_x_radius"), unit("events")
+    ('m/s', 'm', 'kg m^2', 'N', '')
+    """
+    whole, _, is_angle = re.fullmatch(r"(.*?)([ _](x|y|(phi)))?(_radius|_at_t)?", name).group(1, 3, 4)  # type: ignore[union-attr]
+    word = whole.partition(" ")[0]
+    last = word.rpartition(".")[2]
+    own, (key, _, order) = _OF_SIGNALS.get(word.partition("[")[0], "N"), last.rstrip("]").partition("[")
+    if key == "polynomial":
+        return own + ("" if order == "0" else "/s" if order == "1" else f"/s^{order}")
+    found = own if last == "amplitude" else _UNITS.get(last, "")
+    return _OF_ANGLES.get(found, found) if is_angle else found
