@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import decimals, sine_scenes
 
-from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening, response
+from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response
 from numerics.arithmetic.ball import Ball
 from numerics.control.response import Regime, Response, steady_drive
 from numerics.control.stuck import stuck_motion
@@ -147,17 +147,3 @@ def test_the_last_piece_and_the_last_friction_decide():
     scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
     one = response(Scene(DAMPED, State(), 1), amplitude="0.5", omega=12)
     assert steady_drive(scene) == one.drive == answer(DAMPED, "0.5").drive
-
-
-@pytest.mark.parametrize(
-    ("scene", "more", "said"),
-    [
-        (Scene(DAMPED, State(), 1, force=Force.ramp(0, 1, 1)), {}, "periodic"),
-        (under(DAMPED, 1, law="three-valued-sgn"), {}, "law"),
-        (Scene(DAMPED, State(), 1, force=Force.sine(1, 3) + Force.sine(1, 5)), {"amplitude": 1}, "one sine"),
-        (under(DAMPED, "0.4", friction=Friction((), Weakening([("0.3", "0.15")]))), {}, "depends on the state"),
-    ],
-)
-def test_what_has_no_periodic_response_is_refused(scene, more, said):
-    with pytest.raises(InvalidScene, match=said):
-        response(scene, **more)

@@ -107,11 +107,6 @@ def test_a_file_in_which_a_byte_was_changed_or_is_missing_is_refused_or_holds_th
     assert refused > len(changed) // 2
 
 
-def test_a_run_is_saved_under_no_name_of_another_kind_of_file(tmp_path):
-    with pytest.raises(ValueError, match=r"end it in .npz, or write to_csv\(\) to it"):
-        solve(PAPER).save(tmp_path / "run.csv")
-
-
 def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
     (tmp_path / "text").write_text("hello")
     with pytest.raises(InvalidFile, match="holds no saved trajectory"):
