@@ -1,31 +1,21 @@
 """The engine in balls, disturbed: what a step, an event or a polynomial is off by is in what is said of the answer."""
 
 import math
-from copy import copy
 from fractions import Fraction
 
-import numpy as np
 import pytest
 from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, same, under
 from flint import arb, arb_poly
-from scipy.linalg import eigh, expm
 from sixty_digits import forced_scene
 
-from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
+from numerics import EventUndecided, Force, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
-from numerics.linear.cells import cells_of
-from numerics.linear.enclosed import EnclosedRun
-from numerics.linear.flow import FEW, Expansion, Flow, exponential
-from numerics.linear.model import V1, V2, X1, X2, Layout
-from numerics.linear.next_enclosed import guards_of
-from numerics.linear.path_enclosed import At
-from numerics.linear.pieces import pieces_of
+from numerics.linear.flow import Expansion, Flow, exponential
 from numerics.linear.record import How
-from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
 from numerics.linear.swings import Swings
-from numerics.linear.system import LinearMode, LocalNorm, dot
+from numerics.linear.system import LinearMode, dot
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -82,54 +72,7 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
     assert max(one.rad() for one in numbers(scene, found.end)) > 1e-60
 
 
-PAIRS = Pair("0.3", 2, 50, 1), Pair("0.3", 2, 50, 1, "0.5"), Pair(2, "0.3", 50, 1, 60)
 BALLS = Ball(40)
-CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
-
-
-LAYOUT = Layout((3, 2, 0, 2, 1), ((Fraction(3), Fraction(11)), (), (), (Fraction(2),), (Fraction(5),)))
-BELT = Layout((3, 0, 2, 2, 1), ((Fraction(3),), (), (Fraction(7),), (), (Fraction(5),)))
-ON_BELT = Pair("0.3", "inf", 50, 1, "0.5"), Pair("0.3", "inf", 0, 1)
-
-
-def flows():
-    for pair, layout in (*((one, LAYOUT) for one in PAIRS), *((one, BELT) for one in ON_BELT)):
-        yield from (Flow(BALLS.bits, pair, slips, layout) for slips in (False, True))
-        yield from (
-            Flow(BALLS.bits, pair, True, layout, tuple(map(Fraction, one))) for one in CELLS[: 4 if pair.a2 else 0]
-        )
-
-
-def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
-    """For every number of z alone, so that no other hides it: of the state, its rates, and the rows of the guards."""
-    for flow in flows():
-        few = copy(flow)
-        few.expand(5)
-        for k in range(flow.size):
-            z = [arb(int(k == n or (not flow.slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
-            if k == V2 and not flow.slips:
-                continue
-            _holds(flow, z, (flow.reach / 2).mid(), Expansion(few, z, flow.reach / 2))
-
-
-def _holds(flow, z, t, motion):
-    """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
-    A = [[(k, Ball.number(c)) for k, c in enumerate(row)] for row in flow.mode.generator()]
-    there = exponential(flow.mode.generator(), t, z)
-    rate = [dot(row, there) for row in A]
-    assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
-    assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
-    full = Expansion(flow, z, t)
-    rows, rests = full.short(t)
-    for which, row in enumerate(flow.guarded):
-        curve, true = motion.guard(which), dot(row, there)
-        assert abs(curve(t) - true) < motion.guard_off(which, t, 0) + OFF
-        assert abs(curve.derivative()(t) - dot(row, rate)) < motion.guard_off(which, t, 1) + OFF
-        for order in (3, 5, 8):
-            off = abs(sum((c * t**n for n, c in enumerate(rows[which][:order])), arb(0)) - true)
-            sizes = full.sizes(order, t)
-            assert not off > sum((abs(c) * sizes[k] for k, c in row), arb(0)) * t**order
-        assert not abs(sum((c * t**n for n, c in enumerate(rows[which])), arb(0)) - true) > rests[which] * t**FEW + OFF
 
 
 @pytest.mark.parametrize("slips", [False, True])
@@ -152,66 +95,6 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
                 assert not off > taken.amplitude + taken.rest * t ** len(taken.row) + OFF
                 nearest = max(nearest, float((off / taken.amplitude).mid()))
     assert nearest > 0.6
-
-
-@pytest.mark.parametrize("place", [(), ((0, 1), (1, 31)), ((0, 31), (1, 1))])
-@pytest.mark.parametrize("slope", [Fraction(1, 2), Fraction(-1, 2)])
-def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
-    """At once, where one is worst: N of a cell, and that of derivatives, which has the same g everywhere."""
-    pair, apart = PAIRS[0], np.array([1, 0, -1, 0])
-    scene = Scene(pair, State(), 1, friction=Friction((), Weakening((), slope, place)))
-    cells, piece = cells_of(scene), pieces_of(scene)[0]
-    for j in range(len(cells.by_place)):
-        mode, branch = cells.mode(piece, 1, (0, j)), cells.branch(piece, 1, (0, j))
-        for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, LocalNorm(mode, cells.pulling).mu)):
-            kept = [X1, V1, X2, V2] if g else [X1, V1, V2]
-            N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g) * np.outer(apart, apart)
-            A, N2 = (np.array(one, dtype=float)[np.ix_(kept, kept)] for one in (mode.generator(), N2))
-            rate = eigh(A.T @ N2 + N2 @ A, 2 * N2, eigvals_only=True)[-1]  # of N'/N the greatest
-            assert 0.5 * float(most) - 1e-9 < rate < float(most) + 1e-9
-
-
-@pytest.mark.parametrize("order", range(4))
-@pytest.mark.parametrize(
-    "weakening", [None, Weakening([(1, 1)], -2, [(0, 0), (1, -20)]), Weakening((), 3, [(0, 0), (1, 9)])]
-)
-def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(weakening, order):
-    """N = 1: the worst of all differences, by the inverse of the matrix of N^2; up to the end of a step."""
-    for pair in PAIRS:
-        path = EnclosedRun(Scene(pair, State(v1=2), 1, friction=Friction((), weakening)), BALLS)
-        cells = [(1, (k, 1)) for k in range(len(path.cells.speeds))] if weakening else [(0, (0, 0)), (1, (0, 0))]
-        for mode, cell in cells:
-            one, zero = arb(1), arb(0)
-            at = At(mode, (order,) * 4, 0, zero, (one, one, zero, one - mode), one, zero, one, zero, cell)
-            flow = path.flow(at)
-            g, apart = path.weight(at), np.array([1, 0, -1, 0])
-            at = at._replace(place=1 / g) if g > 0 else at
-            N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g**2) * np.outer(apart, apart)
-            onto = np.diag([1, 1, 0, 1])
-            if mode == 0:  # body 2 goes with body 1
-                onto[3], N2[1, 1], N2[3, 3] = onto[1], float(pair.mass), 0
-            A = np.array(flow.mode.generator(), dtype=float)[:4, :4]
-            for guard in guards_of(path, at, path.motion(at).short(flow.reach)[0]):
-                row = np.zeros(5)
-                for k, c in flow.guarded[guard.row]:
-                    row[min(k, 4)] = float(c)
-                for t in np.linspace(0, float(flow.reach), 5):
-                    there = (
-                        row[:4] @ np.linalg.matrix_power(A, guard.order) @ expm(A * t) @ (np.eye(4) if g > 0 else onto)
-                    )
-                    assert (there @ np.linalg.pinv(N2) @ there) ** 0.5 <= float(guard.margin.upper()) * (1 + 1e-9)
-
-
-@pytest.mark.parametrize("a1", [1, 14, 100])
-@pytest.mark.parametrize("t", ["0.5", 2, 9])
-def test_in_a_damped_stick_errors_are_as_large_as_the_flow_makes_them(a1, t):
-    pair = Pair(m1=2, m2=1, a2=12, b=1, a1=a1)
-    path, units = EnclosedRun(Scene(pair, State(), 20), BALLS), np.sqrt([12.0, 3.0])
-    flow = expm(np.array([[0, 1], [-4, -a1 / 3]]) * float(Fraction(t)))
-    true = np.linalg.norm(flow * units[:, None] / units, 2)
-    found = float(path.shrunk(arb(1), Ball.number(Fraction(t))).upper())
-    assert true * (1 - 1e-9) <= found
-    assert found == 1 or found <= true * (1 + 1e-9)
 
 
 def boxed(scene, radius):
@@ -239,45 +122,3 @@ def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
 def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
     with pytest.raises((InvalidScene, EventUndecided)):
         run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
-
-
-def test_what_a_row_leaves_out_counts_from_where_it_was_expanded():
-    guards, row = [Guard(1, arb("-0.999"), 0, arb(0))], [arb(1)] + [arb(0)] * 13
-    assert scan([row], guards, [arb("0.002")], arb("0.5")) == CLEAR
-    assert scan([row], guards, [arb("0.002")], arb("0.5"), arb("0.5")) == UNKNOWN
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("at_end", ["0.3", "-0.3"])
-def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_its_row_leaves_out(sign, at_end):
-    """It falls from 1 along a line; what is left at the end of a step exceeds both together where it is known."""
-    row, h = [sign * arb(1), sign * 2 * (arb(at_end) - 1)] + [arb(0)] * 6, arb("0.5")
-    known = ("0.16", "0.13", True), ("0.16", "0.15", False), ("0.1", "0.21", False)
-    for margin, rest, is_known in (*known, ("0.05", "0.17", at_end > "0")):  # the last one's slope may be off by 2.7
-        guards = [Guard(sign, arb(0), 0, arb(margin))]
-        found = scan([row], guards, [arb(rest) * 2**8], h)
-        assert found == ((CLEAR if at_end > "0" else 0) if is_known else UNKNOWN)
-
-
-@pytest.mark.parametrize(
-    ("row", "order", "margin", "rest", "found"),
-    [
-        (("0.5", -1), 0, 0, 0, 0),
-        (("0.5", -1), 0, "0.6", 0, UNKNOWN),  # the true guard may be positive at the end
-        (("0.5", -1), 0, 0, "0.1", UNKNOWN),  # what is left out may turn it: by 14 times as much
-        (("0.1", -1, "0.525"), 0, 0, 0, UNKNOWN),  # it rises at the very end
-        ((0, 0, 1, "-0.4"), 2, 0, 0, UNKNOWN),
-    ],
-)
-def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margin, rest, found):
-    row, guard = [*map(arb, row), *[arb(0)] * (FEW - len(row))], Guard(1, arb(0), order, arb(margin))
-    assert scan([row], [guard], [arb(rest)], arb(1)) == found
-    assert scan([row], [guard, guard], [arb(rest)], arb(1)) == UNKNOWN
-
-
-def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
-    path = EnclosedRun(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
-    zero, off = arb(0), arb("0.1")
-    at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
-    flow = path.flow(at)
-    assert all(one.margin > off * 8.999 for one in guards_of(path, at, path.motion(at).short(flow.reach)[0]))

@@ -13,7 +13,6 @@ from numerics import (
     Pair,
     Scene,
     State,
-    Trajectory,
     sensitivities,
     solve,
 )
@@ -24,7 +23,7 @@ STEP = Fraction(1, 10**16)
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_floats_are_balls_and_the_books_close(name, tmp_path):
+def test_floats_are_balls_and_the_books_close(name):
     scene = SCENES[name]
     run, truth = (solve(scene, max_events=40, arithmetic=one) for one in ("float64", "ball"))
     times = np.linspace(0, float(run.end_time), 40)
@@ -38,8 +37,6 @@ def test_floats_are_balls_and_the_books_close(name, tmp_path):
     assert abs(books.residual) <= 6 * books.error + 1e-14
     assert run.energy == pytest.approx(truth.floats(truth.energy), abs=1e-12)
     assert len(run.to_dataframe()) == len(truth.to_csv().splitlines()) - 1 + 1
-    run.save(tmp_path / "run.npz")
-    assert Trajectory.load(tmp_path / "run.npz") == run
     run.plot("energy")
 
 
