@@ -7,6 +7,7 @@ import sys
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from itertools import chain
 
 import numpy as np
 import pytest
@@ -98,30 +99,65 @@ def against_balls(found: Batch, scene):
                 yield float(x), distance(float(x), y), float(bound)
 
 
-def test_the_batch_has_the_results_of_solve():
-    speeds = np.linspace(0.02, 0.3, 29)
-    found = solve_many(**PAPER, v1=speeds, until=5, keep_events=80)
-    for k, v1 in enumerate(speeds):
-        require_alone(found, k, Scene(Pair(1, 1, 200, "0.5"), State(v1=Fraction(v1)), 5), bounds=3)
+PARTS = {Pair: ("m1", "m2", "a2", "b", "a1"), State: ("x1", "v1", "x2", "v2")}
 
 
-SLIDING = Scene(Pair(1, 100, 200, "0.5"), State(v1="0.125", x2=3, v2="3.125"), until=700)
-"""Body 2 slides for ten minutes before the first event."""
-DAMPED = Scene(Pair(1, 1, 200, "0.5", a1=4), State(v1="0.4375"), until=3)
-FORCED = Scene(Pair(1, 1, 200, "0.0625", "0.5"), State(v1="0.125"), until=3, force=Force.sine("0.375", 5))
+def scenes_of(given):
+    """The scenes of the rows of a sweep: the same binary numbers, exactly."""
+    more = {name: one for name, one in given.items() if name in {"law", "friction"}}
+    powers, sines = given.get("polynomial", []), given.get("sines", [])
+    numbers = {name: one for name, one in given.items() if name in {*PARTS[Pair], *PARTS[State], "until"}}
+    for row in np.broadcast(*numbers.values(), *powers, *chain(*sines)):
+        exact = iter([Fraction(float(one)) for one in row])
+        named = {name: next(exact) for name in numbers}
+        pair, at = (kind(**{name: named[name] for name in of if name in named}) for kind, of in PARTS.items())
+        push = Piece(0, [next(exact) for _ in powers], [Sine(next(exact), next(exact), next(exact)) for _ in sines])
+        yield Scene(pair, at, named["until"], force=Force([push] if powers or sines else ()), **more)
 
 
-@pytest.mark.parametrize("scene", [SLIDING, DAMPED, FORCED])
-def test_the_bounds_of_a_batch_are_those_of_a_single_solve_and_hold(scene):
-    numbers = {name: float(getattr(scene.pair, name)) for name in ("m1", "m2", "a2", "b", "a1")}
-    numbers |= {name: float(getattr(scene.initial, name)) for name in ("x1", "v1", "x2", "v2")}
-    sines = [(float(s.amplitude), float(s.omega), 0.0) for piece in scene.force.pieces for s in piece.sines]
-    found = solve_many(**numbers, until=[float(scene.until)], sines=sines, keep_events=3)
-    require_alone(found, 0, scene, within=1e-11, bounds=3)
-    for _, off, bound in against_balls(found, scene):
-        assert off <= bound
-    if scene is SLIDING:
-        assert found.event_y_error[2, 0, 0] > 10 * found.event_y_error[0, 0, 0]  # x2 has a bound of its own
+SOME = np.random.default_rng(11)
+BESIDE = {"b": 0.0625, "a1": 1, "x1": SOME.choice([0, 0.02], 24), "until": SOME.choice([0.5, 0.9, 1.5, 4], 24)}
+PHASES = np.where(np.arange(24) % 3, SOME.uniform(-3, 3, 24), -4.5)  # -4.5: sin(5 t - 4.5) is 0 at t = 0.9
+BESIDE |= {"sines": [(SOME.uniform(0, 1, 24), 5, PHASES)], "keep_events": 9}
+JUMPS = [("0.9", "0.02"), ("1.7", "1/3")]
+SWEEPS = {
+    "speeds": {"v1": np.linspace(0.02, 0.3, 29), "keep_events": 80},
+    "body 2 slides for ten minutes": {"m2": 100, "v1": [0.125], "x2": 3, "v2": 3.125, "until": 700, "keep_events": 3},
+    "a damper": {"a1": [4], "v1": 0.4375, "until": 3, "keep_events": 3},
+    "a sine": {"b": 0.0625, "a1": [0.5], "v1": 0.125, "until": 3, "sines": [(0.375, 5, 0)], "keep_events": 3},
+    "amplitudes from 0 on": {"x1": 0.02, "until": 3, "sines": [([0, 1], 5, 0)]},
+    "horizons before and after jumps of friction": BESIDE | {"friction": Friction(JUMPS)},
+    "the same from its own friction on": BESIDE | {"friction": Friction([(0, "0.3"), *JUMPS])},
+    **{
+        f"friction jumps at {t}": {"v1": 0.125, "a1": 3, "until": [5], "friction": Friction([(t, "0.5")])}
+        for t in (2, 5, 7)
+    },
+}
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_rows_are_what_their_scenes_are_by_themselves(name):
+    given = PAPER | {"until": 5} | SWEEPS[name]
+    found, scenes = solve_many(**given), list(scenes_of(given))
+    for k, scene in enumerate(scenes):
+        require_alone(found, k, scene, within=1e-9, bounds=None if "friction" in given else 3)
+    if given.get("keep_events") == 3:
+        for _, off, bound in against_balls(found, scenes[0]):
+            assert off <= bound
+
+
+def test_no_stick_is_for_ever_where_friction_changes_at_the_horizon_or_after_it():
+    for t, ended in ((2, Status.STUCK_FOR_EVER), (5, Status.REACHED_HORIZON), (7, Status.REACHED_HORIZON)):
+        given = PAPER | SWEEPS[f"friction jumps at {t}"]
+        assert solve_many(**given).status[0] == solve_scenes([*scenes_of(given)]).status[0] == ended
+
+
+def test_x2_has_a_bound_of_its_own_and_a_sine_of_amplitude_0_is_no_force():
+    errors = solve_many(**PAPER | SWEEPS["body 2 slides for ten minutes"]).event_y_error
+    assert errors[2, 0, 0] > 10 * errors[0, 0, 0]
+    given = PAPER | SWEEPS["amplitudes from 0 on"]
+    rows, scenes = solve_many(**given).y.T, scenes_of(given)
+    assert rows.tolist() == [list(solve(one, arithmetic="float64").final_state) for one in scenes]
 
 
 @given(st.integers(0, 2**32 - 1), st.sampled_from(Law))
@@ -129,33 +165,21 @@ def test_the_bounds_of_a_batch_are_those_of_a_single_solve_and_hold(scene):
 def test_rows_under_a_force_are_what_their_scenes_give_by_themselves_in_any_order(seed, law):
     """Numbers are binary fractions; some rows differ from one before by one number alone."""
     random = np.random.default_rng(seed)
-    names = ["m1", "m2", "a2", "b", "a1", "x1", "v1", "x2", "v2", "until", "u", "amplitude", "omega", "phase"]
-    rows = [random.integers(1, 64, len(names)) / 16]
+    rows = [random.integers(1, 64, 14) / 16]
     for _ in range(4):
         row = rows[random.integers(len(rows))].copy() if random.random() < 0.5 else random.integers(1, 64, 14) / 16
-        row[random.integers(len(names))] = random.integers(1, 64) / 16
+        row[random.integers(14)] = random.integers(1, 64) / 16
         rows.append(row)
 
-    def solved(table):
-        column = dict(zip(names, np.array(table).T, strict=True))
-        u, *sine = (column.pop(name) for name in names[10:])
-        return solve_many(**column, polynomial=[u], sines=[tuple(sine)], law=law, keep_events=6, max_events=40)
+    def swept(table):
+        u, *sine = (columns := np.array(table).T)[10:]
+        named = dict(zip((*PARTS[Pair], *PARTS[State], "until"), columns, strict=False))
+        return named | {"polynomial": [u], "sines": [sine], "law": law, "keep_events": 6, "max_events": 40}
 
-    found, backwards = solved(rows), solved(rows[::-1])
+    found, backwards = (solve_many(**swept(table)) for table in (rows, rows[::-1]))
     np.testing.assert_allclose(backwards.y[:, ::-1], found.y, rtol=1e-9, atol=1e-200)
-    for k, row in enumerate(rows):
-        m1, m2, a2, b, a1, x1, v1, x2, v2, until, u, *sine = map(Fraction, row.tolist())
-        force = Force([Piece(0, [u], [Sine(*sine)])])
-        require_alone(found, k, Scene(Pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force), 40, 1e-9)
-
-
-def test_a_sweep_of_amplitudes_may_begin_at_0():
-    """There the row is one of the free pair, and so is the scene: a sine of amplitude 0 is no force."""
-    found = solve_many(1, 1, 200, "0.5", x1=0.02, until=3, sines=iter([([0, 1], 5, 0)]))
-    for k in range(2):
-        scene = Scene(Pair(1, 1, 200, "0.5"), State(x1=Fraction(0.02)), until=3, force=Force.sine(k, 5))
-        require_alone(found, k, scene)
-        assert found.y[:, k].tolist() == list(solve(scene, arithmetic="float64").final_state)
+    for k, scene in enumerate(scenes_of(swept(rows))):
+        require_alone(found, k, scene, 40, 1e-9)
 
 
 def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
@@ -165,31 +189,6 @@ def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
     found = solve_scenes(scenes, keep_events=5, max_events=40)
     for k, one in enumerate(scenes):
         require_alone(found, k, one, 40, within=1e-15, bounds=3)
-
-
-def test_one_friction_by_pieces_beside_sines_is_what_the_scenes_are_by_themselves():
-    """Horizons before and after its jumps, phases that cancel there, its own b from the start on or the row's."""
-    random, count = np.random.default_rng(11), 24
-    phase = np.where(np.arange(count) % 3, random.uniform(-3, 3, count), -4.5)  # -4.5: sin(5 t - 4.5) at t = 0.9
-    until, x1 = random.choice([0.5, 0.9, 1.5, 4], count), random.choice([0, 0.02], count)
-    amplitude = random.uniform(0, 1, count)
-    for first in ([], [(0, "0.3")]):
-        friction, pair = Friction([*first, ("0.9", "0.02"), ("1.7", "1/3")]), Pair(1, 1, 200, "0.0625", 1)
-        sines = [(amplitude, 5, phase)]
-        found = solve_many(1, 1, 200, 0.0625, a1=1, x1=x1, until=until, sines=sines, friction=friction, keep_events=9)
-        for k in range(count):
-            force = Force.sine(*(Fraction(float(one)) for one in (amplitude[k], 5, phase[k])))
-            start, end = State(x1=Fraction(float(x1[k]))), Fraction(float(until[k]))
-            require_alone(found, k, Scene(pair, start, end, force=force, friction=friction), within=1e-9)
-
-
-def test_no_stick_is_for_ever_where_friction_changes_at_the_horizon_or_after_it():
-    for jump, ended in ((2, Status.STUCK_FOR_EVER), (5, Status.REACHED_HORIZON), (7, Status.REACHED_HORIZON)):
-        friction = Friction([(jump, "0.5")])
-        found = solve_many(**PAPER, v1=0.125, a1=3, until=[5], friction=friction)
-        scene = Scene(Pair(1, 1, 200, "0.5", 3), State(v1="0.125"), 5, friction=friction)
-        assert found.status[0] == solve_scenes([scene]).status[0] == ended
-        require_alone(found, 0, scene)
 
 
 def test_friction_of_the_state_is_solved_in_balls_whose_radii_are_the_bounds():
