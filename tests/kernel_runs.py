@@ -10,11 +10,11 @@ import numpy as np
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.compiled import compiled
-from numerics.linear.kernel import Log, follow
+from numerics.linear.kernel import Log, begin, follow
 from numerics.linear.ledger import ledger
 from numerics.linear.prepare import Prepared, prepare
 from numerics.linear.record import AT, END_ROW, ROW
-from numerics.linear.room import space_for
+from numerics.linear.room import form_z, run_of, space_for
 
 BOUNDS = [AT[name] for name in ("late", "x1_error", "v1_error", "x2_error", "v2_error")]
 STATE = [AT[name] for name in ("x1", "v1", "x2", "v2")]
@@ -107,3 +107,13 @@ def in_stick(scene, by):
     """Differences of a start, which sticks where the scene's does."""
     x1, v1, x2, v2 = (exact(one, 15) for one in by)
     return x1, v1, x2, v1 if scene.initial.v1 == scene.initial.v2 else v2
+
+
+def begun(scene, mode=0, by=NOTHING):
+    """A run in which its start stands with z, and where it is, in a mode of its first piece."""
+    prepared = prepare(scene)
+    start, run = prepared.start.copy(), run_of(prepared.problem, space_for(prepared.problem.tables))
+    start[AT["mode"]], start[AT["jump"]], start[BOUNDS[1:]] = mode, 0, by
+    now, _ = begin(run, start)
+    form_z(run, 0, mode, False)
+    return run, now

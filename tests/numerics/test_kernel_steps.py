@@ -1,0 +1,76 @@
+"""Single steps of the kernel: what is clear, which root is the first one, and what follows a late event."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from kernel_runs import begun, exact
+from strategies import polynomials_of_roots
+
+from numerics import Force, Pair, Piece, Scene, State
+from numerics.linear.first_root import ROOT, UNDECIDED, first_root
+from numerics.linear.resolve import UNDECIDED as NO_MODE
+from numerics.linear.resolve import mode_after
+from numerics.linear.room import form_z
+from numerics.linear.table import GUARDS, UNIT
+
+TERMS = 24
+
+
+def value(q, s):
+    return np.polynomial.polynomial.polyval(s, q)
+
+
+def padded(*q):
+    return np.pad(np.array(q, float), (0, TERMS - len(q)))
+
+
+def rooted(q, margins, theta):
+    return first_root(q, margins, theta, np.zeros(8))
+
+
+@given(polynomials_of_roots(TERMS), st.data())
+@settings(max_examples=150)
+def test_what_is_clear_exceeds_its_margin_and_a_root_is_the_first_and_alone(one, data):
+    theta, q, scale = one
+    m0, m1, m2 = (scale * data.draw(st.sampled_from([0.0, 0.0, 1e-12, 1e-7, 1e-3])) for _ in range(3))
+    how, s, alone = rooted(q, (m0, m1, m2), theta)
+    assert 0 < s <= theta
+    end = s - alone
+    if how != UNDECIDED:
+        assert value(q, np.linspace(0, end, 801)).min() > m0 + m1 * end + m2 / end - 1e-15
+    if how == ROOT:
+        slopes = value(np.polynomial.polynomial.polyder(q), np.linspace(end, s + alone / 16, 801))
+        assert abs(value(q, s)) <= 1e-9 * abs(q).max()
+        assert slopes.max() < 0.55 * slopes.min() < 0
+
+
+@pytest.mark.parametrize("power", [7, 8, 9, 14])
+def test_no_power_is_left_out_of_what_is_clear(power):
+    how, s, _ = rooted(padded(1, *[0] * (power - 1), -1.5), (0.0, 0.0, 0.0), 1.0)
+    assert s < 1.5 ** (-1 / power) or (how == ROOT and s == pytest.approx(1.5 ** (-1 / power)))
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize(("off", "after"), [(-1e-4, 0), (1e-4, 1)])
+def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_comes(side, off, after):
+    """In stick b is 0.6 and the load 0.6 (u - 2.3); it changes by 0.6 (1 + 0.3 v1') a second at most."""
+    u = 2.3 + side * (1 + off)
+    force = Force([Piece(0, [exact(u, 15)])])
+    run, now = begun(Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(2, 1, 0, 1), 9, force=force))
+    form_z(run, 0, 0, True)
+    edge = tuple(float(run.tables.lines[0, 1, GUARDS + g] @ run.z) for g in range(2))
+    gap = min(map(abs, edge))
+    fastest = 0.6 * max(abs(1 + 0.3 * (side * (1 + off) + one * 0.6) / 0.4) for one in (1, -1))
+    for N, late, mode in (
+        (0.0, 0.0, side * after),
+        (0.9 * gap / run.norm.load, 0.0, side * after),
+        (1.1 * gap / run.norm.load, 0.0, NO_MODE),
+        (0.0, 0.3 * gap / fastest, side * after),
+        (0.0, 1.01 * gap / fastest, NO_MODE),
+    ):
+        assert mode_after(run, now._replace(N=N), edge, late) == mode, (N, late)
+    near = tuple(one if abs(one) > gap else UNIT * 4 * math.copysign(1, one) for one in edge)
+    assert mode_after(run, now._replace(N=0.0), near, 0.0) == NO_MODE
