@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from control_scenes import DAMPED, FREE, answer, referred, under
 from flint import arb
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import decimals, sine_scenes
+from strategies import decimals, fewer, sine_scenes
 
 from numerics import EventUndecided, Force, Friction, Pair, Piece, Scene, Sine, State, Weakening, response
 from numerics.arithmetic.ball import Ball
@@ -32,7 +32,7 @@ def comes_back(found: Response, digits: int) -> None:
 
 @reaching
 @given(sine_scenes())
-@settings(max_examples=12)
+@fewer(2)
 def test_a_periodic_motion_comes_back_by_the_reference(case):
     scene, regime = case
     found = response(scene, digits=20)
@@ -44,7 +44,7 @@ def test_a_periodic_motion_comes_back_by_the_reference(case):
 
 
 @given(decimals(-2, 1), decimals(-2, 1), decimals(-1, 2), decimals(-6, -2), st.sampled_from([0, "1e-5", "-0.5"]))
-@settings(max_examples=5)
+@fewer(5)
 @example(Fraction(1), Fraction(1), Fraction(10), Fraction(1, 20_000_000), 0)
 def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1, m2, omega, share, apart):
     """U = share b; the sine is at the resonance of the stuck pair, or so far from it that friction holds no more."""
@@ -55,7 +55,7 @@ def test_a_weak_force_at_resonance_keeps_the_pair_next_to_its_critical_orbit(m1,
 
 
 @given(decimals(-1, 1, 2), st.sampled_from([(), ("0.3",)]))
-@settings(max_examples=8)
+@fewer(3)
 def test_the_stuck_response_comes_back_by_the_reference(a1, constant):
     """The product of its multipliers is what damping leaves of an area."""
     force = Force.sine("0.3", 4, 1) + Force.sine("0.2", 6, "-0.7") + Force([Piece(0, constant)])

@@ -8,9 +8,9 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 from flint import arb
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
-from strategies import plane_scenes
+from strategies import fewer, plane_scenes
 
 from numerics import Force, NumericsError, PlanePair, PlaneScene, solve, solve_scenes
 from numerics.trajectory.status import Status
@@ -22,7 +22,7 @@ BEYOND_FLOATS = PlaneScene(PlanePair(1, 1, 1, "1e420"), 1, x1=["1e400", 0])
 needs_joblib = pytest.mark.skipif(not find_spec("joblib"), reason="joblib is not installed")
 
 
-@settings(max_examples=8)
+@fewer(5)
 @given(st.lists(plane_scenes(), max_size=3))
 def test_each_row_is_what_solve_says_of_its_scene(drawn):
     scenes = [*drawn, *PUSHED[:1]]
