@@ -10,13 +10,14 @@ from kernel_runs import begun, exact
 from strategies import polynomials_of_roots
 
 from numerics import Force, Pair, Piece, Scene, State
-from numerics.linear.first_root import ROOT, UNDECIDED, first_root
+from numerics.linear.first_root import CLEAR, ROOT, UNDECIDED, first_root
+from numerics.linear.next_event import Step, next_event
 from numerics.linear.resolve import UNDECIDED as NO_MODE
 from numerics.linear.resolve import mode_after
 from numerics.linear.room import form_z
-from numerics.linear.table import GUARDS, UNIT
+from numerics.linear.table import GUARDS, STATE, SUMS, UNIT
 
-TERMS = 24
+TERMS, WHOLE = 24, Step(1.0, False, 0.0)
 
 
 def value(q, s):
@@ -51,6 +52,36 @@ def test_what_is_clear_exceeds_its_margin_and_a_root_is_the_first_and_alone(one,
 def test_no_power_is_left_out_of_what_is_clear(power):
     how, s, _ = rooted(padded(1, *[0] * (power - 1), -1.5), (0.0, 0.0, 0.0), 1.0)
     assert s < 1.5 ** (-1 / power) or (how == ROOT and s == pytest.approx(1.5 ** (-1 / power)))
+
+
+@pytest.mark.parametrize("mode", [1, -1, 0])
+@pytest.mark.parametrize("order", [0, 1, 2])
+@pytest.mark.parametrize("since", [0.0, 0.1, 1e300])
+def test_a_guard_is_clear_where_it_exceeds_what_N_lateness_or_rounding_may_take_of_it(mode, order, since):
+    """N takes kappa N of v1 - v2, bend N a second since both were there, load N of the load; of a slip twice that."""
+    scene = Scene(Pair("0.9", "0.1", 1, "0.1", "0.3"), State(1, 1, 0, 1 - mode), 9)
+    run, now = begun(scene, mode)
+    h, norm = float(run.tables.steps[0, int(mode == 0)]), run.norm
+    if mode == 0 and (order or since):
+        return
+    slip = norm.kappa if since > 9 else norm.bend * (since + 1) * h
+    by_N = norm.load if mode == 0 else [2 * slip, 2 * norm.bend * h, 16 * norm.bend * h][order]
+    rows, degrees = run.tables.rows[0, int(mode == 0)], run.tables.degrees[0, int(mode == 0)]
+    sums = run.tables.lines[0, int(mode == 0), SUMS + 2 * order + 1].sum() * UNIT
+    rows[STATE:], degrees[STATE:] = 0.0, 0
+    rows[STATE:, 0, order : order + 2], degrees[STATE:, 0] = [[1.0, 0.0]], order + 2
+    for N, size, late in ((1e-3, 0.0, 0.0), (0.0, 1e6, 0.0), (0.0, 0.0, 1e-3 * h)):
+        if late and not order:
+            continue
+        run.size[:], run.z[:] = size, 0.0
+        unit = N * by_N + size * sums + (0.0 if not late else (1 + order) * late / h * 1e-3)
+        for factor, is_clear in ((0.99, False), (1.01, True)):
+            # of the late one the guard is 1e-3 (s - s_0)
+            rows[STATE:, 0, order + 1] = 1e-3 / (factor * unit) if late else 0.0
+            run.z[0] = factor * unit * (-1 if mode < 0 else 1)
+            at = now._replace(order=order, since=since * h, N=N, late=late)
+            found = next_event(run, at, WHOLE)
+            assert (found.how == CLEAR and found.s == 1.0) == is_clear, (N, size, late, factor)
 
 
 @pytest.mark.parametrize("side", [1, -1])
