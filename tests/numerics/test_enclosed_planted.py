@@ -1,6 +1,7 @@
 """The engine in balls, disturbed: what a step, an event or a polynomial is off by is in what is said of the answer."""
 
 import math
+from copy import copy
 from fractions import Fraction
 
 import pytest
@@ -12,8 +13,10 @@ from numerics import EventUndecided, Force, InvalidScene, Pair, Piece, Scene, Si
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
-from numerics.linear.flow import Expansion, Flow, exponential
+from numerics.linear.flow import FEW, Expansion, Flow, exponential
+from numerics.linear.model import V1, V2, Layout
 from numerics.linear.record import How
+from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
 from numerics.linear.swings import Swings
 from numerics.linear.system import LinearMode, dot
 
@@ -72,7 +75,54 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
     assert max(one.rad() for one in numbers(scene, found.end)) > 1e-60
 
 
+PAIRS = Pair("0.3", 2, 50, 1), Pair("0.3", 2, 50, 1, "0.5"), Pair(2, "0.3", 50, 1, 60)
 BALLS = Ball(40)
+CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
+
+
+LAYOUT = Layout((3, 2, 0, 2, 1), ((Fraction(3), Fraction(11)), (), (), (Fraction(2),), (Fraction(5),)))
+BELT = Layout((3, 0, 2, 2, 1), ((Fraction(3),), (), (Fraction(7),), (), (Fraction(5),)))
+ON_BELT = Pair("0.3", "inf", 50, 1, "0.5"), Pair("0.3", "inf", 0, 1)
+
+
+def flows():
+    for pair, layout in (*((one, LAYOUT) for one in PAIRS), *((one, BELT) for one in ON_BELT)):
+        yield from (Flow(BALLS.bits, pair, slips, layout) for slips in (False, True))
+        yield from (
+            Flow(BALLS.bits, pair, True, layout, tuple(map(Fraction, one))) for one in CELLS[: 4 if pair.a2 else 0]
+        )
+
+
+def test_what_a_polynomial_of_few_terms_leaves_out_is_within_its_bound():
+    """For every number of z alone, so that no other hides it: of the state, its rates, and the rows of the guards."""
+    for flow in flows():
+        few = copy(flow)
+        few.expand(5)
+        for k in range(flow.size):
+            z = [arb(int(k == n or (not flow.slips and {k, n} == {V1, V2}))) for n in range(flow.size)]
+            if k == V2 and not flow.slips:
+                continue
+            _holds(flow, z, (flow.reach / 2).mid(), Expansion(few, z, flow.reach / 2))
+
+
+def _holds(flow, z, t, motion):
+    """Whether a motion at t from z, and the guards of `flow`, are what exp(A t) makes of them."""
+    A = [[(k, Ball.number(c)) for k, c in enumerate(row)] for row in flow.mode.generator()]
+    there = exponential(flow.mode.generator(), t, z)
+    rate = [dot(row, there) for row in A]
+    assert all(one.overlaps(two) for one, two in zip(motion.state(t), there, strict=False))
+    assert all(not one < abs(two) for one, two in zip(motion.bends(t), (rate[V1], rate[V2]), strict=True))
+    full = Expansion(flow, z, t)
+    rows, rests = full.short(t)
+    for which, row in enumerate(flow.guarded):
+        curve, true = motion.guard(which), dot(row, there)
+        assert abs(curve(t) - true) < motion.guard_off(which, t, 0) + OFF
+        assert abs(curve.derivative()(t) - dot(row, rate)) < motion.guard_off(which, t, 1) + OFF
+        for order in (3, 5, 8):
+            off = abs(sum((c * t**n for n, c in enumerate(rows[which][:order])), arb(0)) - true)
+            sizes = full.sizes(order, t)
+            assert not off > sum((abs(c) * sizes[k] for k, c in row), arb(0)) * t**order
+        assert not abs(sum((c * t**n for n, c in enumerate(rows[which])), arb(0)) - true) > rests[which] * t**FEW + OFF
 
 
 @pytest.mark.parametrize("slips", [False, True])
@@ -122,3 +172,37 @@ def test_what_starts_within_a_box_of_a_jump_or_of_an_edge_is_in_doubt():
 def test_friction_that_comes_to_nothing_at_the_end_of_a_cell_is_refused():
     with pytest.raises((InvalidScene, EventUndecided)):
         run(under(EVEN, 1, (0, 2), Weakening((), 0, [(0, 0), (1, "-0.5")])))
+
+
+def test_what_a_row_leaves_out_counts_from_where_it_was_expanded():
+    guards, row = [Guard(1, arb("-0.999"), 0, arb(0))], [arb(1)] + [arb(0)] * 13
+    assert scan([row], guards, [arb("0.002")], arb("0.5")) == CLEAR
+    assert scan([row], guards, [arb("0.002")], arb("0.5"), arb("0.5")) == UNKNOWN
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("at_end", ["0.3", "-0.3"])
+def test_a_guard_is_clear_or_falls_once_by_more_than_its_margin_and_what_its_row_leaves_out(sign, at_end):
+    """It falls from 1 along a line; what is left at the end of a step exceeds both together where it is known."""
+    row, h = [sign * arb(1), sign * 2 * (arb(at_end) - 1)] + [arb(0)] * 6, arb("0.5")
+    known = ("0.16", "0.13", True), ("0.16", "0.15", False), ("0.1", "0.21", False)
+    for margin, rest, is_known in (*known, ("0.05", "0.17", at_end > "0")):  # the last one's slope may be off by 2.7
+        guards = [Guard(sign, arb(0), 0, arb(margin))]
+        found = scan([row], guards, [arb(rest) * 2**8], h)
+        assert found == ((CLEAR if at_end > "0" else 0) if is_known else UNKNOWN)
+
+
+@pytest.mark.parametrize(
+    ("row", "order", "margin", "rest", "found"),
+    [
+        (("0.5", -1), 0, 0, 0, 0),
+        (("0.5", -1), 0, "0.6", 0, UNKNOWN),  # the true guard may be positive at the end
+        (("0.5", -1), 0, 0, "0.1", UNKNOWN),  # what is left out may turn it: by 14 times as much
+        (("0.1", -1, "0.525"), 0, 0, 0, UNKNOWN),  # it rises at the very end
+        ((0, 0, 1, "-0.4"), 2, 0, 0, UNKNOWN),
+    ],
+)
+def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margin, rest, found):
+    row, guard = [*map(arb, row), *[arb(0)] * (FEW - len(row))], Guard(1, arb(0), order, arb(margin))
+    assert scan([row], [guard], [arb(rest)], arb(1)) == found
+    assert scan([row], [guard, guard], [arb(rest)], arb(1)) == UNKNOWN
