@@ -13,8 +13,11 @@ from numerics import EventUndecided, Force, InvalidScene, Pair, Piece, Scene, Si
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
+from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.flow import FEW, Expansion, Flow, exponential
 from numerics.linear.model import V1, V2, Layout
+from numerics.linear.next_enclosed import guards_of
+from numerics.linear.path_enclosed import At
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
 from numerics.linear.swings import Swings
@@ -206,3 +209,11 @@ def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margi
     row, guard = [*map(arb, row), *[arb(0)] * (FEW - len(row))], Guard(1, arb(0), order, arb(margin))
     assert scan([row], [guard], [arb(rest)], arb(1)) == found
     assert scan([row], [guard, guard], [arb(rest)], arb(1)) == UNKNOWN
+
+
+def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
+    path = EnclosedRun(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
+    zero, off = arb(0), arb("0.1")
+    at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
+    flow = path.flow(at)
+    assert all(one.margin > off * 8.999 for one in guards_of(path, at, path.motion(at).short(flow.reach)[0]))
