@@ -24,6 +24,8 @@ from numerics import (
     PlaneScene,
     PlaneTrajectory,
     Trajectory,
+    cheapest_transfer,
+    damping,
     fastest_transfer,
     load_reference,
     load_scene,
@@ -103,6 +105,8 @@ def test_a_run_and_all_that_it_answers_comes_back(scene, how, tmp_path):
         lambda: response(DAMPED, amplitude=3, omega=7),
         lambda: response(DAMPED, amplitude="0.1", omega=7),
         lambda: fastest_transfer(load_scene("at-rest"), "0.01"),
+        lambda: cheapest_transfer(load_scene("at-rest"), "0.001", "0.2"),
+        lambda: damping(load_scene("at-rest"), "0.001"),
         lambda: track(load_scene("at-rest"), load_reference("s-curve")),
         lambda: ring_entry(PAPER, radius="0.001"),
         lambda: sensitivities(solve(replace(PAPER, until="0.1"), digits=40)),
@@ -197,7 +201,7 @@ def test_so_is_one_of_a_surface(tmp_path, right, wrong):
         b"{}",
         b"7",
         b"\xff\xfe",
-        b'{"format": "inertial-pair trajectory 3"}',
+        b'{"format": "inertial-pair trajectory 4"}',
         b'{"ball": ["0x1", ' + b"9" * 300 + b', "0x0", 0]}',
         b'{"ratio": ["0x1", "0x0"]}',
         b'{"floats": ["AAAA", 1000000000000]}',
@@ -227,7 +231,7 @@ def test_a_file_in_which_a_byte_was_changed_or_is_missing_is_refused_or_holds_th
 def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
     path = tmp_path / "run.npz"
     for scene, other, said in (
-        (PAPER, PlaneTrajectory, "its format is 'inertial-pair trajectory 3'"),
+        (PAPER, PlaneTrajectory, "its format is 'inertial-pair trajectory 4'"),
         (load_scene("plane-box"), Trajectory, "surface trajectory 4'"),
     ):
         solve(scene).save(path)

@@ -19,6 +19,7 @@ from numerics import (
     Pair,
     Scene,
     State,
+    damping,
     fastest_transfer,
     load_scene,
     response,
@@ -121,6 +122,7 @@ def test_every_record_is_shown_in_one_short_line():
     records = [PAPER.pair, PAPER.initial, PAPER, forced, load_scene("forced-sweep"), Force.sine(1, 2), run.events[0]]
     records += [run.segments[0], run.ledger, run.accuracy, found, found.thresholds, found.orbit]
     records += [fastest_transfer(load_scene("at-rest"), "0.01"), ring_entry(load_scene("velocities"), "0.001")]
+    records += [damping(load_scene("at-rest"), "0.001")]
     for one in records:
         assert repr(one).startswith(type(one).__name__)
         assert len(repr(one)) < 260

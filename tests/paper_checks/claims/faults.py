@@ -128,7 +128,7 @@ def unbounded_sign(_):
 
 def planted() -> Iterator[tuple[str, str, Callable[..., Any]]]:
     """Each claim, the place of a fault and the fault, as faults.toml lists them."""
-    homes = {name: name for name in ("flint", "numerics", "theory", "types")} | HOMES
+    homes = {name: name for name in ("flint", "fractions", "numerics", "theory", "types")} | HOMES
     known = vars(symbols) | vars(points) | {name: importlib.import_module(home) for name, home in homes.items()}
     for row, places in tomllib.loads(Path(__file__).with_name("faults.toml").read_text("utf-8")).items():
         for place, faults in places.items():
