@@ -25,9 +25,14 @@ NEAR = [Fraction(1, 10**n) for n in (10, 5, 2)]
 GRID = [*NEAR, *(Fraction(n, 12) for n in range(1, 12)), *(1 - one for one in reversed(NEAR))]
 
 
+def solved(scene: Scene, **how: Any) -> Any:
+    """Return a run in many digits."""
+    return solve(scene, **{"arithmetic": "ball", "digits": DIGITS, "max_digits": 2000} | how)
+
+
 def motion(scene: Scene, **how: Any) -> Any:
     """Return a run in many digits that was found to be the motion of its scene."""
-    run = solve(scene, **{"arithmetic": "ball", "digits": DIGITS, "max_digits": 2000} | how)
+    run = solved(scene, **how)
     assert not (found := next(faults(run), "")), found
     return run
 

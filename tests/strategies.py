@@ -13,6 +13,7 @@ from typing import Any
 import draws
 import numpy as np
 from flint import arb
+from hypothesis import settings
 from hypothesis import strategies as st
 
 from numerics import Force, Law, Pair, Scene, State, thresholds
@@ -45,6 +46,11 @@ extreme_scenes = {kind: drawn(draw) for kind, draw in draws.KINDS.items()}
 """Scenes of masses, rates, frictions and energies of many magnitudes, and on a surface."""
 forces = partial(drawn, draws.force, Fraction(1), Fraction(3), Fraction(10))
 frictions = partial(drawn, draws.friction, Fraction(1), Fraction(10))
+
+
+def fewer(times: int) -> settings:
+    """Settings of a test whose cases are long: it tries so many times fewer than the others."""
+    return settings(max_examples=max(2, settings().max_examples // times))
 
 
 def signed(values: st.SearchStrategy[Fraction]) -> st.SearchStrategy[Fraction]:

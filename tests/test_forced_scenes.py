@@ -42,7 +42,9 @@ TIES = ("tie-by-second-derivative-slips", "contact-to-third-order", "sine-at-thr
 ROUNDED = ("triangular-wave", "sine-stick-slip", "damping-heavy")
 
 
-@pytest.mark.parametrize("exponent", [9, 20, 60, -9, -20, -60])
+@pytest.mark.parametrize(
+    "exponent", [9, 20, -9, -20, *(pytest.param(one, marks=pytest.mark.long) for one in (60, -60))]
+)
 @pytest.mark.parametrize(
     ("name", "way"), [*((name, "ball") for name in TIES), *((name, "float64") for name in ROUNDED)]
 )

@@ -30,22 +30,8 @@ def test_every_event_is_that_of_the_reference(name):
 
 
 def test_there_are_nine():
-    assert (
-        sorted(
-            [
-                "ground",
-                "belt",
-                "incline",
-                "moving-wall",
-                "newmark-block",
-                "friction-damper",
-                "conveyor",
-                "drill-string",
-                "dither",
-            ]
-        )
-        == PROBLEMS
-    )
+    known = "ground belt incline moving-wall newmark-block friction-damper conveyor drill-string dither"
+    assert sorted(known.split()) == PROBLEMS
 
 
 def test_a_box_on_the_ground():

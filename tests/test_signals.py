@@ -141,7 +141,7 @@ def test_drawn_scenes_are_those_of_the_reference(seed):
 def test_who_starts_within_a_box_stays_in_what_is_said_of_it():
     """From its corners; where more holds at rest, a motion that leaves a stick later parts from one that did not."""
     told = 0
-    for seed in range(160):
+    for seed in range(80):
         draw = random.Random(seed)
         scene, by = drawn(draw), Fraction(1, 10 ** draw.choice([3, 4, 6, 8]))
         x1, v1, x2, v2 = (by * draw.choice([-1, 1]) for _ in range(4))
@@ -158,4 +158,4 @@ def test_who_starts_within_a_box_stays_in_what_is_said_of_it():
                 told += 1
         except EventUndecided:
             pass
-    assert told > 100
+    assert told > 50

@@ -127,11 +127,6 @@ def test_a_run_that_was_cut_off_is_held_against_as_many_events():
     assert found.events == 10
 
 
-def test_only_runs_on_a_line_are_checked():
-    with pytest.raises(TypeError, match="give it what `solve` returns"):
-        Trajectory.check(Scene(Pair(1, 1, 200, "0.5"), State(), 1))
-
-
 def test_the_command_prints_it(run, record):
     assert record("solve", "velocities", "--check")["right"] is True
     code, out, _ = run("solve", "velocities", "--check")

@@ -3,7 +3,6 @@
 from fractions import Fraction
 from functools import cache
 from itertools import product
-from random import Random
 
 import mpmath
 import pytest
@@ -15,7 +14,7 @@ from strategies import decimals
 from numerics import EventUndecided
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.free.contact import contact, ray_contact
+from numerics.free.contact import contact
 
 
 def rise(theta):
@@ -60,35 +59,6 @@ def test_every_slip_of_a_ball_is_enclosed_or_none_is(gap, push, wider, faster):
         for d, u in product(*([low, low + by / 3, low + by] for low, by in ((gap, wider), (push, faster)))):
             theta = slip_angle(d, u)
             assert all(map(holds, found, (theta, depth(theta), 1 - mpmath.cos(theta))))
-
-
-@given(st.integers(1, 89), hundredths, widths)
-def test_the_excess_after_a_slip_from_a_ray_is_enclosed(share, excess, wider):
-    with Ball(16).context():
-        r, w = arb(share) / 100, arb(excess).union(arb(excess + wider))
-        ball = ray_contact(w, arb(0), 1 - r, r)[2]
-        for w in (excess, excess + wider / 2, excess + wider):
-            deep = depth(slip_angle(0, mpmath.sqrt(w / (1 - share / 100))))
-            assert holds(ball, w - share / 100 * (1 - share / 100) * deep**2)
-
-
-def test_the_contact_of_balls_holds_those_of_points_inside():
-    """One argument is a wide ball, so that no other one covers for it."""
-    random = Random(2)
-    with Ball(40).context():
-        for _ in range(300):
-            gap, push, w = (arb(10 ** random.uniform(-3, 1.3)) for _ in range(3))
-            sign, off, q = random.choice([-1, 1]), 10 ** random.uniform(-9, -2), arb(random.uniform(0.02, 0.98))
-            for end in (
-                lambda x, gap=gap, push=sign * push: contact(gap * x, push),
-                lambda x, gap=gap, push=sign * push: contact(gap, push * x),
-                lambda x, push=push: contact(arb(0), push * x),
-                lambda x, w=w, q=q: ray_contact(w * x, (w * x / q).sqrt(), q, 1 - q),
-            ):
-                wide = end(1 + off * arb(0, 1))
-                for place in (-1, 1):
-                    inside = end(1 + off * arb(place) * (1 - 1e-6))
-                    assert all(one.overlaps(two) for one, two in zip(wide, inside, strict=True))
 
 
 @given(decimals(-40, 40), decimals(-40, 40) | decimals(-3, 1), st.booleans(), st.booleans())

@@ -1,20 +1,29 @@
-"""What the public functions answer can be pickled and copied, in every arithmetic, and is the same to the last bit."""
+"""What the public functions answer can be pickled, copied and saved, in every arithmetic, to the last bit.
+
+What is no saved trajectory is refused in a sentence.
+"""
 
 import copy
+import json
 import math
 import pickle
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
+from archives import header_of, write_header
 from flint import acb, arb, arb_mat, arb_poly
 from hypothesis import example, given
 from strategies import balls
-from three_scenes import ARITHMETICS, DAMPED, PAPER
+from three_scenes import DAMPED, HOW, PAPER, STUCK
 
 from numerics import (
-    Scene,
-    State,
+    InvalidScene,
+    PlanePair,
+    PlaneScene,
+    PlaneTrajectory,
+    Trajectory,
     cheapest_transfer,
     damping,
     fastest_transfer,
@@ -30,9 +39,21 @@ from numerics import (
     track,
 )
 from numerics.arithmetic.ball import Ball
+from numerics.errors import InvalidFile
+from numerics.trajectory.run import free_scene
 
 COPIES = [lambda one: pickle.loads(pickle.dumps(one)), copy.copy, copy.deepcopy]
-REST = Scene(PAPER.pair, State(), 3)
+TIMES = [0, "0.1", "1/3", 0.5, 2]
+COUPLED = [[200, 0, 60], [0, 90, 0], [60, 0, 120]]
+BOX, ROUND = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box"), PlanePair(1, 1, 200, "0.5")
+LINES = [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces"), load_scene("conveyor").replace(until=3)]
+RUNS = [(scene, how) for scene in LINES for how in HOW if free_scene(scene) or how.get("arithmetic") != "mpmath"]
+RUNS += [(PAPER, {"digits": 20, "t_eval": TIMES}), (load_scene("plane-box"), {"digits": 20})]
+RUNS += [
+    (PlaneScene(BOX, 2, x1=["0.012", 0], v1=["0.1", "-0.2"], x2=[0, "1/3"]), {"digits": 12}),  # two motions of the line
+    (PlaneScene(PlanePair(1, 1, COUPLED, "0.5", shape="box"), 2, x1="0.01", v1="0.1", x2=[1, 2, 3]), {}),  # two parts
+    (PlaneScene(ROUND, 2, v1=["0.06", "0.01"]), {"t_eval": TIMES}),
+]
 
 
 def bits(value):
@@ -54,24 +75,27 @@ def same_in_all_copies(answer):
     return all(bits(make(answer)) == bits(answer) and repr(make(answer)) == repr(answer) for make in COPIES)
 
 
-@pytest.mark.parametrize("how", [*ARITHMETICS, {"digits": 40}])
-def test_a_run_and_all_that_it_answers(how):
-    run = solve(PAPER, **how)
-    for one in (run.ledger, run.events, run.accuracy, run.final, run.units, run.y, run.t_events):
-        assert same_in_all_copies(one)
-    assert same_in_all_copies(sensitivities(solve(replace(PAPER, until="0.1"), **how)))
-    assert [make(run) == run for make in COPIES] == [True] * 3
+def answered(run):
+    """What a run answers, also when it is looked at later, in bits."""
     with run.context():
-        assert [bits(make(run.segments[1]).losses()) for make in COPIES] == [bits(run.segments[1].losses())] * 3
+        numbers = [run.t, run.y, run.events, run.modes, *map(run.sol, run.t)]
+        if isinstance(run, Trajectory):
+            numbers += [run.ledger, run.accuracy, run.final, run.y_events, run.segments[0].losses()]
+            numbers += [run.units, sensitivities(run.but(t_eval=None), 0)] if run.has_frame else []
+        return bits(numbers)
 
 
-@pytest.mark.parametrize("name", ["plane-box", "plane-circle-merges"])
-@pytest.mark.parametrize("how", [{}, {"digits": 20}])
-def test_a_run_on_a_surface(name, how):
-    run = solve(load_scene(name), **how)
+@pytest.mark.parametrize(("scene", "how"), RUNS)
+def test_a_run_and_all_that_it_answers_comes_back(scene, how, tmp_path):
+    run = solve(scene, **how)
+    run.save(tmp_path / "run.npz")
+    for again in (type(run).load(tmp_path / "run.npz"), *(make(run) for make in COPIES)):
+        assert again == run
+        assert (repr(again), again.scene, again.tried) == (repr(run), scene, run.tried)
+        assert answered(again) == answered(run)
     assert same_in_all_copies(run.events)
-    assert same_in_all_copies([run.y, run.end_time, run.final_state])
-    assert [make(run) == run for make in COPIES] == [True] * 3
+    assert solve(scene, **how) == run != solve(scene, arithmetic="ball", digits=13)
+    assert [path.name for path in tmp_path.iterdir()] == ["run.npz"]
 
 
 @pytest.mark.parametrize(
@@ -80,11 +104,12 @@ def test_a_run_on_a_surface(name, how):
         lambda: thresholds(PAPER.pair, omega=7),
         lambda: response(DAMPED, amplitude=3, omega=7),
         lambda: response(DAMPED, amplitude="0.1", omega=7),
-        lambda: fastest_transfer(REST, "0.01"),
-        lambda: cheapest_transfer(REST, "0.001", "0.2"),
-        lambda: track(REST, load_reference("s-curve")),
+        lambda: fastest_transfer(load_scene("at-rest"), "0.01"),
+        lambda: cheapest_transfer(load_scene("at-rest"), "0.001", "0.2"),
+        lambda: damping(load_scene("at-rest"), "0.001"),
+        lambda: track(load_scene("at-rest"), load_reference("s-curve")),
         lambda: ring_entry(PAPER, radius="0.001"),
-        lambda: damping(REST, "0.001"),
+        lambda: sensitivities(solve(replace(PAPER, until="0.1"), digits=40)),
         lambda: solve_many(1, 1, 200, 0.5, v1=[0.1, 0.2], until=1, keep_events=2).ends,
         lambda: solve_scenes([load_scene("plane-box")], jobs=1, keep_events=2),
     ],
@@ -93,10 +118,16 @@ def test_answers_of_control_and_batches(ask):
     assert same_in_all_copies(ask())
 
 
-@pytest.mark.parametrize("make", COPIES)
-def test_a_batch_answers_as_before(make):
+def test_a_batch_answers_as_before():
     batch = solve_many(1, 1, 200, 0.5, v1=[0.1, 0.2], until=1, keep_events=2)
-    assert bits(make(batch).dissipated) == bits(batch.dissipated)
+    assert [bits(make(batch).dissipated) for make in COPIES] == [bits(batch.dissipated)] * 3
+
+
+def test_a_scene_that_no_file_holds_is_compared_and_pickled_all_the_same():
+    run = solve(PlaneScene(ROUND, 2, v1=[Fraction(6, 100) + Fraction(1, 7**1500), "0.01"]))
+    assert pickle.loads(pickle.dumps(run)) == run
+    with pytest.raises(InvalidScene, match="at most 1000 are read"):
+        run.save("run.npz")
 
 
 @given(balls())
@@ -111,3 +142,127 @@ def test_every_ball_at_whatever_precision_is_set(ball):
     for digits in (1, 100):
         with Ball(digits).context():
             assert all(bits(make(wide)) == bits(wide) for make in COPIES)
+
+
+# what is no saved trajectory
+
+
+def refused(path, text, kind=Trajectory):
+    """The sentence in which an archive with another header is refused."""
+    write_header(path, text)
+    with pytest.raises(InvalidFile, match="holds no saved trajectory") as found:
+        kind.load(path)
+    assert "\n" not in str(found.value)
+    return str(found.value)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"format": "another"},
+        {"arithmetic": ["ball", 20]},
+        {"how": 17},
+        {"rest": [10**9, True, 0, 0, 0]},
+        {"scene": "[pair]"},
+        {"t_eval": [99]},
+        {"rows": {"floats": ["", 0, 3]}},
+    ],
+)
+def test_a_file_with_another_header_is_refused_in_a_sentence(tmp_path, changes):
+    path = tmp_path / "run.npz"
+    solve(PAPER).save(path)
+    header = json.loads(header_of(path))
+    write_header(path, json.dumps(header))
+    assert Trajectory.load(path).success
+    refused(path, json.dumps(header | changes))
+    refused(path, json.dumps(header | {"rows": [[math.nan] * header["rows"]["floats"][2]]}))
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ('"legs": [[', '"legs": [7, ['),
+        ('"ball", ', '"mpmath", '),
+        ('shape = \\"box\\"', 'shape = \\"star\\"'),
+        ('"mode": ', '"start": '),
+    ],
+)
+def test_so_is_one_of_a_surface(tmp_path, right, wrong):
+    path = tmp_path / "run.npz"
+    solve(load_scene("plane-box")).save(path)
+    assert right in header_of(path)
+    refused(path, header_of(path).replace(right, wrong, 1), PlaneTrajectory)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"[" * 200_000,
+        b"{}",
+        b"7",
+        b"\xff\xfe",
+        b'{"format": "inertial-pair trajectory 4"}',
+        b'{"ball": ["0x1", ' + b"9" * 300 + b', "0x0", 0]}',
+        b'{"ratio": ["0x1", "0x0"]}',
+        b'{"floats": ["AAAA", 1000000000000]}',
+    ],
+)
+def test_what_somebody_wrote_is_refused_in_a_sentence(tmp_path, text):
+    assert "; give a file that `save`" in refused(tmp_path / "run.npz", text)
+
+
+@pytest.mark.parametrize(("scene", "kind"), [(PAPER, Trajectory), (load_scene("plane-box"), PlaneTrajectory)])
+def test_a_file_in_which_a_byte_was_changed_or_is_missing_is_refused_or_holds_the_same_run(tmp_path, scene, kind):
+    path, other = tmp_path / "run.npz", tmp_path / "other.npz"
+    run = solve(scene, max_events=2)
+    run.save(path)
+    whole = path.read_bytes()
+    changed = [whole[:k] + bytes([whole[k] ^ 8]) + whole[k + 1 :] for k in range(0, len(whole), 1 + len(whole) // 200)]
+    count = 0
+    for wrong in [*changed, *(whole[:k] for k in range(0, len(whole), 1 + len(whole) // 60))]:
+        other.write_bytes(wrong)
+        try:
+            assert kind.load(other) == run  # of what the archive says twice, once may be changed
+        except InvalidFile:
+            count += 1
+    assert count > len(changed) // 2
+
+
+def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
+    path = tmp_path / "run.npz"
+    for scene, other, said in (
+        (PAPER, PlaneTrajectory, "a run on a line, which Trajectory.load reads"),
+        (load_scene("plane-box"), Trajectory, "a run on a surface, which PlaneTrajectory.load reads"),
+    ):
+        solve(scene).save(path)
+        with pytest.raises(InvalidFile, match=said):
+            other.load(path)
+    path.write_text("hello")
+    with pytest.raises(InvalidFile, match="holds no saved trajectory"):
+        Trajectory.load(path)
+    with pytest.raises(FileNotFoundError, match="give a file that `save`"):
+        Trajectory.load(tmp_path / "absent")
+    np.savez(path, header=np.array([{}], dtype=object))  # a pickle
+    with pytest.raises(InvalidFile):
+        Trajectory.load(path)
+
+
+@pytest.mark.parametrize(
+    ("write", "said"),
+    [
+        (lambda file: file.write_bytes(b""), "it is empty"),
+        (lambda file: file.write_text("t,x1\n", encoding="utf-8"), "no npz archive"),
+        (lambda file: np.savez(file, t=np.zeros(3)), "archive of plain arrays, as of --npz"),
+    ],
+)
+def test_what_else_a_file_is_is_said(tmp_path, write, said):
+    file = tmp_path / "run.npz"
+    write(file)
+    with pytest.raises(InvalidFile, match=said):
+        Trajectory.load(file)
+
+
+def test_a_name_of_a_file_is_text_or_a_path():
+    for call in (Trajectory.load, solve(PAPER).save, solve(PAPER).animate):
+        with pytest.raises(TypeError, match="file = '3' is no name of a file; give one"):
+            call(3)

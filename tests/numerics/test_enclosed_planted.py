@@ -4,28 +4,24 @@ import math
 from copy import copy
 from fractions import Fraction
 
-import numpy as np
 import pytest
 from enclosed_runs import EVEN, ONE_ANSWER, events, itinerary, numbers, run, same, under
 from flint import arb, arb_poly
-from scipy.linalg import eigh, expm
 from sixty_digits import forced_scene
 
-from numerics import EventUndecided, Force, Friction, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
+from numerics import EventUndecided, Force, InvalidScene, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
 from numerics.linear import enclosed, next_enclosed
-from numerics.linear.cells import cells_of
 from numerics.linear.enclosed import EnclosedRun
 from numerics.linear.flow import FEW, Expansion, Flow, exponential
-from numerics.linear.model import V1, V2, X1, X2, Layout
+from numerics.linear.model import V1, V2, Layout
 from numerics.linear.next_enclosed import guards_of
 from numerics.linear.path_enclosed import At
-from numerics.linear.pieces import pieces_of
 from numerics.linear.record import How
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
 from numerics.linear.swings import Swings
-from numerics.linear.system import LinearMode, LocalNorm, dot
+from numerics.linear.system import LinearMode, dot
 
 OFF, LATE = arb("1e-14"), {"a slower body 2, at the event": arb("0.0002")}
 """So late body 2 rests: where it was at its event is of second order."""
@@ -152,66 +148,6 @@ def test_a_guard_keeps_to_what_a_long_step_says_of_it(a1, m2, slips):
                 assert not off > taken.amplitude + taken.rest * t ** len(taken.row) + OFF
                 nearest = max(nearest, float((off / taken.amplitude).mid()))
     assert nearest > 0.6
-
-
-@pytest.mark.parametrize("place", [(), ((0, 1), (1, 31)), ((0, 31), (1, 1))])
-@pytest.mark.parametrize("slope", [Fraction(1, 2), Fraction(-1, 2)])
-def test_errors_grow_at_most_as_fast_as_said_and_some_do(slope, place):
-    """At once, where one is worst: N of a cell, and that of derivatives, which has the same g everywhere."""
-    pair, apart = PAIRS[0], np.array([1, 0, -1, 0])
-    scene = Scene(pair, State(), 1, friction=Friction((), Weakening((), slope, place)))
-    cells, piece = cells_of(scene), pieces_of(scene)[0]
-    for j in range(len(cells.by_place)):
-        mode, branch = cells.mode(piece, 1, (0, j)), cells.branch(piece, 1, (0, j))
-        for g, most in ((abs(branch.pull), LocalNorm(mode).mu), (cells.pulling, LocalNorm(mode, cells.pulling).mu)):
-            kept = [X1, V1, X2, V2] if g else [X1, V1, V2]
-            N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g) * np.outer(apart, apart)
-            A, N2 = (np.array(one, dtype=float)[np.ix_(kept, kept)] for one in (mode.generator(), N2))
-            rate = eigh(A.T @ N2 + N2 @ A, 2 * N2, eigvals_only=True)[-1]  # of N'/N the greatest
-            assert 0.5 * float(most) - 1e-9 < rate < float(most) + 1e-9
-
-
-@pytest.mark.parametrize("order", range(4))
-@pytest.mark.parametrize(
-    "weakening", [None, Weakening([(1, 1)], -2, [(0, 0), (1, -20)]), Weakening((), 3, [(0, 0), (1, 9)])]
-)
-def test_guards_of_motions_that_differ_by_n_part_by_no_more_than_their_margin(weakening, order):
-    """N = 1: the worst of all differences, by the inverse of the matrix of N^2; up to the end of a step."""
-    for pair in PAIRS:
-        path = EnclosedRun(Scene(pair, State(v1=2), 1, friction=Friction((), weakening)), BALLS)
-        cells = [(1, (k, 1)) for k in range(len(path.cells.speeds))] if weakening else [(0, (0, 0)), (1, (0, 0))]
-        for mode, cell in cells:
-            one, zero = arb(1), arb(0)
-            at = At(mode, (order,) * 4, 0, zero, (one, one, zero, one - mode), one, zero, one, zero, cell)
-            flow = path.flow(at)
-            g, apart = path.weight(at), np.array([1, 0, -1, 0])
-            at = at._replace(place=1 / g) if g > 0 else at
-            N2 = np.diag(list(map(float, (pair.a2, pair.m1, 0, pair.m2)))) + float(g**2) * np.outer(apart, apart)
-            onto = np.diag([1, 1, 0, 1])
-            if mode == 0:  # body 2 goes with body 1
-                onto[3], N2[1, 1], N2[3, 3] = onto[1], float(pair.mass), 0
-            A = np.array(flow.mode.generator(), dtype=float)[:4, :4]
-            for guard in guards_of(path, at, path.motion(at).short(flow.reach)[0]):
-                row = np.zeros(5)
-                for k, c in flow.guarded[guard.row]:
-                    row[min(k, 4)] = float(c)
-                for t in np.linspace(0, float(flow.reach), 5):
-                    there = (
-                        row[:4] @ np.linalg.matrix_power(A, guard.order) @ expm(A * t) @ (np.eye(4) if g > 0 else onto)
-                    )
-                    assert (there @ np.linalg.pinv(N2) @ there) ** 0.5 <= float(guard.margin.upper()) * (1 + 1e-9)
-
-
-@pytest.mark.parametrize("a1", [1, 14, 100])
-@pytest.mark.parametrize("t", ["0.5", 2, 9])
-def test_in_a_damped_stick_errors_are_as_large_as_the_flow_makes_them(a1, t):
-    pair = Pair(m1=2, m2=1, a2=12, b=1, a1=a1)
-    path, units = EnclosedRun(Scene(pair, State(), 20), BALLS), np.sqrt([12.0, 3.0])
-    flow = expm(np.array([[0, 1], [-4, -a1 / 3]]) * float(Fraction(t)))
-    true = np.linalg.norm(flow * units[:, None] / units, 2)
-    found = float(path.shrunk(arb(1), Ball.number(Fraction(t))).upper())
-    assert true * (1 - 1e-9) <= found
-    assert found == 1 or found <= true * (1 + 1e-9)
 
 
 def boxed(scene, radius):

@@ -1,16 +1,15 @@
 """What follows a tie Lambda = s b is said by its first derivative that does not vanish: on all sides, to any order."""
 
 from fractions import Fraction
-from math import factorial
 
 import pytest
 
-from numerics import Pair, Piece, Sine
+from numerics import Pair, Piece
 from numerics.arithmetic.ball import Ball
 from numerics.linear.polynomial_root import first_crossing, touches
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode
-from numerics.linear.ties import MARGINAL, mode_after
+from numerics.linear.ties import mode_after
 
 
 def after(pair, force, x, v, literal=False):
@@ -24,29 +23,6 @@ def test_a_turned_form_is_that_of_its_signed_angle(angle):
     form, x = SineForm.turned(Fraction(angle), Fraction(3), Fraction(-4)), Ball.number(Fraction(angle))
     assert (form.enclosed(64) - 3 * x.sin() + 4 * x.cos()).contains(0)
     assert form.sign() == (-1 if 3 * x.sin() < 4 * x.cos() else 1)
-
-
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize("sine", [(), (Sine(3, 2),)], ids=["polynomial", "sine"])
-@pytest.mark.parametrize("a1", [0, "0.7"])
-@pytest.mark.parametrize("order", range(6))
-def test_a_tie_is_decided_by_the_first_derivative_that_does_not_vanish(order, a1, sine, side):
-    """At t = 0, v1 = v2 = v = 1/2: of u are chosen the derivatives up to that one; the last one has either sign."""
-    pair, v, beyond = Pair("0.4", "0.6", 3, "0.3", a1), Fraction(1, 2), side * Fraction(1, 10**30)
-    brake, waves = side * pair.b / pair.m2, [0, 6, 0, -24, 0, 96] if sine else [0] * 6
-    ties = [side * pair.b * pair.mass / pair.m2 + pair.a1 * v, pair.a2 * v + pair.a1 * brake, pair.a2 * brake, 0, 0]
-    for sign in (1, -1):
-        chosen = [u + (beyond * sign if k == order else 0) for k, u in enumerate(ties)]
-        chosen = [Fraction(u - wave) / factorial(k) for k, (u, wave) in enumerate(zip(chosen, waves, strict=False))]
-        chosen = chosen[: max(order + 1, 3)] if not sine else chosen
-        found = after(pair, Piece(0, chosen, sine), 0, v)
-        if order == 0:
-            assert found == ((side, 1) if sign > 0 else (0, 0))
-        elif order < 5:
-            assert found == ((side, order + 1) if sign > 0 else (0, order))
-        else:
-            assert found == (((side, 6) if side > 0 else (0, 5)) if sine else (0, MARGINAL))
-    assert after(pair, Piece(0, chosen, sine), 0, v, literal=True) == (0, 0)
 
 
 def test_a_tie_without_a_force_is_decided_by_the_speed():

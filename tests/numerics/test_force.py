@@ -7,7 +7,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import MODERATE, decimals, forces, frictions, pairs, signed, states
 
-from numerics import Force, Friction, InvalidScene, Pair, Piece, Scene, State, scene_text
+from numerics import Force, Scene, scene_text
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.file import parse_scene
 
@@ -74,22 +74,3 @@ def test_a_scene_survives_its_text(pair, data, force, friction):
 @example(Fraction(2**80, 3))
 def test_every_number_survives_its_text(value):
     assert exact_decimal(decimal_text(value), "x1") == value
-
-
-@pytest.mark.parametrize(
-    ("make", "name"),
-    [
-        (lambda: Force((1,)), "Piece"),
-        (lambda: Friction((1,)), "friction"),
-        (lambda: Piece(0, 5), "polynomial = 5 must be a list"),
-        (lambda: Force.ramp(1, 1, 2), "end - start"),
-        (lambda: Force.trapezoid(1, -1, 2, 1, 2), "rise"),
-        (lambda: Force.trapezoid(1, 0, 0, 0, 2), "rise"),
-        (lambda: Force.sweep(1, [1, 0], 2), "omega"),
-        (lambda: Scene(Pair(1, 1, 1, 1), State(), 1, force=1), "Force"),
-        (lambda: Force.step(0, 1) + 1, "a signal and 1 do not add up"),
-    ],
-)
-def test_what_is_no_force_is_refused_by_name(make, name):
-    with pytest.raises((InvalidScene, TypeError), match=name):
-        make()

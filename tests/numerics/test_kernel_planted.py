@@ -22,7 +22,7 @@ from numerics.trajectory.run import run_scene
 
 OURS = 1e-13
 """What both runs of a comparison round, relative to 1."""
-RUNS, BORDERS, BROUGHT = (300, 30, 60) if can_compile() else (30, 3, 6)
+RUNS, BORDERS, BROUGHT = (300, 30, 30) if can_compile() else (30, 3, 6)
 TAKEN = slice(AT["friction"], AT["ledger_error"])
 
 

@@ -11,8 +11,7 @@ from three_scenes import DAMPED, PAPER
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, State, load_scene, solve, solve_many, solve_scenes
 from numerics.arithmetic.ball import Ball, widened
-from numerics.linear.errors_of import errors_of
-from numerics.linear.record import AT, END_ROW, ROW
+from numerics.linear.record import AT
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.rendering import right_digits_text
 from numerics.trajectory.status import Status
@@ -66,19 +65,6 @@ def test_each_number_of_a_trajectory_counts_by_its_radius_or_its_bound(scene):
             assert 6 < digits(balls, place, wide) <= 9
             assert proved_digits(balls) >= 30
             assert digits(floats, place, uncertain) == 8
-
-
-def test_energy_is_off_by_what_the_errors_of_a_state_make_of_it_and_by_roundings():
-    rounding, critical, weights = 2.0**-12, 7.0, np.array([2.0, 3.0, 5.0])
-    rows, end = np.zeros((1, ROW)), np.zeros(END_ROW)
-    rows[0, [AT["event"], AT["local"], AT["late"]]] = 1, 11, 0.25
-    state, errors = np.array([-1.0, 2.0, 4.0]), np.array([0.5, 0.25, 1.0])
-    end[[AT["x1"], AT["v1"], AT["v2"]]], end[[AT[f"{one}_error"] for one in ("x1", "v1", "v2")]] = state, errors
-    late, energy, excess, _ = errors_of(rows, end, np.zeros(1), tuple(weights), critical, rounding)
-    largest, last = (weights @ x**2 / 2 for x in (abs(state) + errors, state))
-    assert late == [0.25 + 44 * rounding]
-    assert energy == pytest.approx(largest - last + 8 * rounding * last, rel=1e-12)
-    assert excess == pytest.approx(energy / critical + 8 * rounding * (1 + last / critical), rel=1e-12)
 
 
 def test_a_position_that_passes_zero_has_the_digits_of_its_neighbours():

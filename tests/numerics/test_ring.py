@@ -8,20 +8,17 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from control_scenes import DAMPED, outside, under
+from control_scenes import DAMPED, outside
 from flint import arb
 
 from numerics import (
     Force,
-    Friction,
-    InvalidScene,
     NotSettled,
     Pair,
     Piece,
     Scene,
     Sine,
     State,
-    Weakening,
     load_scene,
     response,
     ring_entry,
@@ -79,24 +76,6 @@ def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
     found = ring_entry(Scene(Pair(1, 1, 200, "0.5"), State(x1="0.001"), 1), 1)
     assert found.entry.is_zero()
     assert "sticks" in found.why
-
-
-@pytest.mark.parametrize(
-    ("scene", "error", "said"),
-    [
-        (under(DAMPED, "0.4", friction=Friction((), Weakening([("0.3", "0.15")]))), InvalidScene, "tolerance ring"),
-        (Scene(DAMPED, State(), 1, force=Force((Piece(0, [0, 1]),))), InvalidScene, "grows"),
-        (under(Pair(1, 1, 100, "0.5"), "0.7", 10), InvalidScene, "grows without bound"),
-        (
-            Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=Force.sine("0.02", 7)),
-            NotSettled,
-            "not known to settle.*a larger radius does not help: the pair is not proved",
-        ),
-    ],
-)
-def test_what_has_no_ring_is_refused(scene, error, said):
-    with pytest.raises(error, match=said):
-        ring_entry(scene, "0.001")
 
 
 def test_the_ring_of_a_motion_that_slowly_closes_in_is_where_it_is_so_near_to_itself_many_periods_later():

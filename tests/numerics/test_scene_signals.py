@@ -23,7 +23,6 @@ from numerics import (
     Signal,
     Sine,
     State,
-    Weakening,
     cheapest_transfer,
     damping,
     fastest_transfer,
@@ -32,7 +31,6 @@ from numerics import (
     ring_entry,
     scene_text,
     solve,
-    thresholds,
     track,
 )
 from numerics.errors import NoProof
@@ -108,12 +106,6 @@ def test_what_knows_plain_scenes_only_refuses_each_new_kind(asked, kind):
         ASKED[asked](EXTRA[kind])
 
 
-@pytest.mark.parametrize("pair", [replace(PAIR, a2=0), replace(PAIR, b=0), GROUND, replace(PAIR, b_static=1)])
-def test_thresholds_refuse_a_pair_that_they_do_not_know(pair):
-    with pytest.raises(InvalidScene, match=f"thresholds are not available for {re.escape(pair.extra)}; leave"):
-        thresholds(pair, 3)
-
-
 def test_ground_and_belt_carry_body_2():
     belt = Signal.step(0, "0.25") + Signal.sine(1, 3)
     on_belt = Scene(GROUND, State(x1=1), 1, belt=belt)
@@ -125,33 +117,6 @@ def test_ground_and_belt_carry_body_2():
     assert GROUND.critical_energy == Fraction(1, 1600)
     assert Pair(1, math.inf, 200, "0.5") == GROUND != PAIR
     assert parse_scene("[pair]\nm1 = 1\nm2 = inf\na2 = 200\nb = 0.5\n[run]\nuntil = 1").pair == GROUND
-
-
-SENSELESS = {
-    "no total mass": lambda: GROUND.mass,
-    "no half width": lambda: replace(PAIR, a2=0).half_width,
-    "has no half width": lambda: Scene(replace(PAIR, a2=0), State(), 1).energy_excess,
-    "no critical energy": lambda: Scene(replace(PAIR, b=0), State(), 1).energy_excess,
-    "v2 = 2 is not the belt's velocity at 0, 1;": lambda: Scene(GROUND, State(v2=2), 1, belt=PUSH),
-    "v2 = 2 is not the belt's velocity at 0, 0;": lambda: Scene(GROUND, State(v2=2), 1),
-    "at 0, 0.841471; leave v2 out": lambda: Scene(GROUND, State(v2=1), 1, belt=Signal.sine(1, 1, 1)),
-    "at 0, 1.84147; leave v2 out": lambda: Scene(GROUND, State(v2=1), 1, belt=PUSH + Signal.sine(1, 1, 1)),
-    "a force on body 2 does not move it": lambda: Scene(GROUND, State(), 1, force_2=PUSH),
-    "a belt moves a body 2 of any mass": lambda: Scene(PAIR, State(), 1, belt=PUSH),
-    "must be at least b = 0 > 0": lambda: Pair(1, 1, 1, 0, b_static=1),
-    "b = -1 must be >= 0": lambda: Friction([(0, -1)]),
-    "the wall jumps from 0 m to 1 m": lambda: Scene(replace(PAIR, a1=1), State(), 2, wall=Signal.step(1, 1)),
-    "by constant steps": lambda: Scene(PAIR, State(), 1, friction=Friction([Piece(0, (1, 1))], Weakening())),
-    "varies from t = 2 s": lambda: Friction([(0, 1), Piece(2, (1, 1))]).steps,
-    "needs a Signal": lambda: Scene(PAIR, State(), 1, wall=3),
-}
-
-
-@pytest.mark.parametrize("said", SENSELESS)
-def test_what_makes_no_sense_is_refused_in_one_sentence(said):
-    with pytest.raises(InvalidScene, match=said) as caught:
-        SENSELESS[said]()
-    assert len(str(caught.value)) < 200
 
 
 def test_a_wall_that_does_not_jump_may_have_a_damper():
@@ -290,23 +255,6 @@ def test_a_file_that_holds_no_samples_is_refused_by_row_and_value(tmp_path, said
         parse_scene(FORCED, str(tmp_path / "scene.toml"))
     assert str(caught.value).startswith("[[force]] number 1: ")
     assert str(caught.value).isprintable()
-
-
-@pytest.mark.parametrize(
-    ("t", "u", "said"),
-    [
-        ([0, 1], [1], "t has 2 samples and u 1"),
-        (0, [1], "t = 0 must be a list"),
-        ([0, 1], [1, math.nan], "u in row 2"),
-        ([0, True], [1, 2], "t in row 2"),
-        ([0, 0], [1, 2], "t = 0 in row 2 is not after 0"),
-    ],
-)
-def test_samples_that_are_none_are_refused(t, u, said):
-    with pytest.raises(InvalidScene, match=said):
-        Force.samples(t, u)
-    with pytest.raises(InvalidScene, match="kind = 'cubic' is not one of linear, hold"):
-        Force.samples([0], [1], "cubic")
 
 
 def test_a_constant_b_is_written_as_b():

@@ -11,7 +11,7 @@ from flint import arb
 from hypothesis import example, given
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
-from strategies import driven_scenes, scenes
+from strategies import driven_scenes, fewer, scenes
 
 from numerics import (
     EventUndecided,
@@ -88,6 +88,7 @@ def test_differences_by_each_number(name):
 
 
 @reaching
+@fewer(3)
 @example(Scene(Pair(1, 10, 1, 1, "2e-9"), State("-1.1"), "20.7289"))
 @given(driven_scenes() | scenes(damped=None, periods=(1, 1), exponents=(-1, 1)))
 def test_differences_of_random_solves(scene):

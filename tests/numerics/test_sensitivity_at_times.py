@@ -58,12 +58,3 @@ def test_a_ball_of_times_that_holds_an_event_gets_both_sides(scene):
     for near in (left, right):
         gaps = found - sensitivities(trajectory, near)
         assert all(abs(one).lower() < 1e-6 for one in gaps.ravel())
-
-
-def test_what_is_refused(scene):
-    with pytest.raises(TypeError, match=r"solve\(scene\)"):
-        sensitivities(scene)
-    trajectory = solve(scene)
-    for t in (-1, 3, "1e400", [0, 3]):
-        with pytest.raises(ValueError, match="outside the solved time"):
-            sensitivities(trajectory, t)

@@ -11,7 +11,7 @@ from scene_files import scenes_in
 from numerics import solve
 from numerics.arithmetic.ball import Ball, widened
 from numerics.trajectory import sensitivity
-from numerics.trajectory.saltation import CarriedDerivatives, Chain
+from numerics.trajectory.saltation import Chain
 from numerics.trajectory.sensitivity import parameters
 from numerics.trajectory.variation import legs
 
@@ -62,48 +62,3 @@ def test_the_worst_column_says_the_digits(worst):
         for arrays in ((first, second), (second, first)):
             assert sensitivity._right_digits(arrays, 40) == 9
         assert sensitivity._right_digits((first, np.full((2, 1), arb(0, 1e-30))), 20) == 5  # it may be 0, and may not
-
-
-@pytest.fixture(scope="module", params=SCENES)
-def chain(request):
-    scene = SCENES[request.param]
-    trajectory = solve(scene, arithmetic="ball", digits=30)
-    with Ball(30).context():
-        return Chain(scene, legs(trajectory), tuple(parameters(scene)))
-
-
-@pytest.mark.parametrize("row", range(4))
-def test_what_is_carried_as_points_keeps_its_radii(chain, row):
-    with Ball(30).context():
-        y, zeros = chain.starts[0].y + arb(0), chain.starts[0].norm * 0
-        y[row] += arb(0, 1)
-        again = chain._enclosed(chain._pointed(CarriedDerivatives(y, zeros, zeros, zeros)))
-        assert all(one.contains(two) for one, two in zip(again.ravel(), y.ravel(), strict=True))
-
-
-@pytest.mark.parametrize("off", [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1), (1, 1, 0, 1)], ids=str)
-def test_a_bound_holds_what_starts_within_it(chain, off):
-    """Of every leg: in it, at the event that ends it, and after that."""
-    with Ball(30).context():
-        pair, zeros = chain.scene.pair, chain.starts[0].norm * 0
-        norm = sum(abs(x) * Ball.number(c).sqrt() for x, c in zip(off, (pair.a2, pair.m1, 0, pair.m2), strict=True))
-        norm += abs(off[0] - off[2]) * Ball.number(chain.cells.pulling if chain.cells else 0).sqrt()
-        for index, leg in enumerate(chain.legs[:-1]):
-            if leg.side == 0 and off[1] != off[3]:
-                continue
-            y, kept = chain.starts[index].y, len(chain.t)
-            found = []
-            for carried in (
-                CarriedDerivatives(y, zeros + norm, zeros + abs(off[0]), zeros + abs(off[0] - off[2])),
-                CarriedDerivatives(y + np.array(off)[:, None], zeros, zeros, zeros),
-            ):
-                within = Chain.__new__(Chain)
-                within.__dict__ |= chain.__dict__ | {"starts": [*chain.starts]}
-                within.starts[index] = carried
-                crossed = within._enclosed(within._crossed(index))
-                parts = [within.at(index, (leg.end - leg.start) / 2), crossed]
-                if len(chain.t) > kept:
-                    parts += [chain.t.pop(), chain.y.pop(), chain.before.pop()]
-                found.append(np.concatenate([np.ravel(one) for one in parts]))
-            for wide, point in zip(*found, strict=True):
-                assert widened(wide, point.rad() + arb("1e-25")).contains(point)

@@ -9,12 +9,10 @@ from scene_files import scenes_in
 
 from numerics import (
     Force,
-    InvalidScene,
     NumericsError,
     Pair,
     Scene,
     State,
-    Trajectory,
     sensitivities,
     solve,
 )
@@ -25,7 +23,7 @@ STEP = Fraction(1, 10**16)
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_floats_are_balls_and_the_books_close(name, tmp_path):
+def test_floats_are_balls_and_the_books_close(name):
     scene = SCENES[name]
     run, truth = (solve(scene, max_events=40, arithmetic=one) for one in ("float64", "ball"))
     times = np.linspace(0, float(run.end_time), 40)
@@ -39,8 +37,6 @@ def test_floats_are_balls_and_the_books_close(name, tmp_path):
     assert abs(books.residual) <= 6 * books.error + 1e-14
     assert run.energy == pytest.approx(truth.floats(truth.energy), abs=1e-12)
     assert len(run.to_dataframe()) == len(truth.to_csv().splitlines()) - 1 + 1
-    run.save(tmp_path / "run.npz")
-    assert Trajectory.load(tmp_path / "run.npz") == run
     run.plot("energy")
 
 
@@ -56,9 +52,6 @@ def test_a_pair_without_a_spring_has_no_excess_and_says_so():
     run = solve(SCENES["no-spring"])
     assert np.isnan(run.energy_excess).all()
     assert "excess" not in run.to_csv()
-    for ask in (lambda: run.reduced.final, lambda: run.units):
-        with pytest.raises(InvalidScene, match="spring"):
-            ask()
     assert run.final.v1 == run.y[1, -1]
 
 
@@ -100,6 +93,3 @@ def test_only_the_chosen_columns_are_computed():
         assert (chosen.final[:, chosen.wrt.index(name)] == found.final[:, found.wrt.index(name)]).all()
     assert abs(chosen.final[:, 1]).max() > 0
     assert (sensitivities(run, 2, wrt=["m1"])[:, 0] == sensitivities(run, 2)[:, 4]).all()
-    for wrong in (["b", "nothing"], "b", [], ["b", "b"]):
-        with pytest.raises(ValueError, match="wrt"):
-            sensitivities(run, wrt=wrong)

@@ -45,7 +45,7 @@ from numerics.linear.enclosed import run_enclosed
 from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
-from numerics.scene.file import shipped_scenes
+from numerics.scene.file import described_scenes, shipped_scenes
 from numerics.trajectory.run import free_scene
 from oracle.reading import HERE
 
@@ -83,19 +83,7 @@ def runs() -> Iterator[Run]:
             yield Run("balls", f"{name} {engine.__name__}", partial(in_balls, scene, engine), of_balls)
 
 
-PROBLEMS = {
-    *[
-        "ground",
-        "belt",
-        "incline",
-        "moving-wall",
-        "newmark-block",
-        "friction-damper",
-        "conveyor",
-        "drill-string",
-        "dither",
-    ]
-}
+PROBLEMS = {name for name, what in described_scenes().items() if what.startswith("Your problem")}
 """Shipped after the freeze; tests/test_problems.py has their right values."""
 STEADY = Force([Piece(0, (), [Sine("0.234", 5)]), Piece(1, ["1.4"])])
 STUCK = Scene(Pair(1, 1, 200, "0.5", 6), State("-0.0003", "0.0075", 0, "0.0075"), 3, force=STEADY)

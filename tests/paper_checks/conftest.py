@@ -1,15 +1,19 @@
-"""A small ledger with a finding of every verdict, heavy mathematics and hostile texts."""
+"""A small ledger with a finding of every verdict, heavy mathematics and hostile texts; the kernel is asked once."""
 
+import pickle
 from dataclasses import dataclass, replace
 from functools import cache
 
 import pytest
 from matplotlib.figure import Figure
 
+from numerics.arithmetic.compiled import _alone
 from paper_checks.decide import smt
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
+from paper_checks.proofs import kernel, library
+from paper_checks.proofs.audit import register
 from paper_checks.running.graph import proofs
 from paper_checks.running.runner import Row
 
@@ -71,6 +75,25 @@ class Decided(Claim):
 
 def claim(name, recorded=Verdict.HOLDS, section="III", where="after (8)", statement="$E$ decreases."):
     return Decided(name, section, where, statement, recorded)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def the_kernel_is_asked_once(tmp_path_factory, testrun_uid):
+    """About all theorems, when a test first needs one; of the processes that test one asks, the others wait."""
+    answers, prepare = tmp_path_factory.getbasetemp().parent / testrun_uid, library.prepare
+
+    def prepared(ids, jobs=2):
+        missing = [one for one in ids if one not in library._known]
+        if missing and not kernel.why_not():
+            with _alone(answers.with_suffix(".lock")):
+                if not answers.exists():
+                    answers.write_bytes(pickle.dumps(library.prove(register(), jobs=jobs)))
+            library.know(pickle.loads(answers.read_bytes()))
+        return prepare(missing, jobs)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(library, "prepare", prepared)
+        yield
 
 
 ask_once = cache(smt.ask)

@@ -5,9 +5,9 @@ from fractions import Fraction
 import flint
 import pytest
 from flint import arb
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from plane_paths import agree, overlap
-from strategies import plane_scenes
+from strategies import fewer, plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.errors import EventUndecided, NumericsError
@@ -43,7 +43,7 @@ def test_without_couplings_every_axis_is_the_pair_of_the_paper_digit_for_digit()
         force=[Force(), Force.step("0.1", 1), Force.sine(1, 7)],
     )
 )
-@settings(max_examples=3)
+@fewer(5)
 def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
     try:
         found, high = followed(scene, 30, LIMITS), solve(scene, digits=30)

@@ -5,9 +5,9 @@ from itertools import chain
 import numpy as np
 import pytest
 from flint import arb
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from plane_paths import agree, overlap, path_of
-from strategies import plane_scenes
+from strategies import fewer, plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
@@ -73,7 +73,7 @@ def test_a_slip_ends_along_the_load_of_a_round_pair():
 @example(  # late: the time has more bits than the state, and a slip's clock began at a rounded one
     PlaneScene(PlanePair(6, 1, 1, "0.5"), 40, x1=["-0.15", 21], v1=["0.43", 1], v2=["0.49", "-0.18"])
 )
-@settings(max_examples=3)
+@fewer(5)
 def test_what_a_bound_says_holds_at_more_digits(scene):
     try:
         low, high = solve(scene), solve(scene, digits=22)

@@ -6,9 +6,10 @@ from fractions import Fraction
 
 import pytest
 from flint import arb, arb_poly
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from plane_paths import agree, path_of, said
+from strategies import fewer
 
 from numerics import Force, NotSettled, Piece
 from numerics.errors import EventUndecided
@@ -155,7 +156,7 @@ def expanded_with(spoil):
         yield
 
 
-@settings(max_examples=20)
+@fewer(2)
 @given(st.integers(0, 40), st.none() | st.integers(0, 27), st.integers(-70, 20))
 @example(0, None, -40)  # s
 @example(6, None, -50)  # t, whose beginning is that of the step

@@ -5,7 +5,7 @@ import json
 import pytest
 from flint import acb, arb
 
-from numerics import Force, Piece, Sine, response, solve, thresholds
+from numerics import Force, solve, thresholds
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.control.rotating import rotating_response
@@ -65,20 +65,6 @@ def test_a_pair_without_a_damper_is_attracted_but_at_two_frequencies():
     assert not rotating_response(pair, "0.2", 4).attracts  # stuck, it keeps a free oscillation
     with pytest.raises(InvalidScene, match="resonance"):
         rotating_response(pair, 9, 10)
-
-
-@pytest.mark.parametrize("how", [{"b": ["0.2", "0.3"]}, {"b": "0.2", "shape": "box"}])
-def test_what_is_not_round_has_no_closed_form(how):
-    with pytest.raises(InvalidScene, match="only an isotropic pair"):
-        thresholds(PlanePair(1, 1, 200, **how), 10)
-
-
-@pytest.mark.parametrize(
-    "wrong", [Force.sine(1, 11), Force.sine(1, 10, 1), Force([Piece(0, [1], [Sine(1, 10)])])], ids=str
-)
-def test_a_force_that_does_not_rotate_has_no_closed_form(wrong):
-    with pytest.raises(InvalidScene, match="does not rotate"):
-        response(PlaneScene(PAIR, 1, force=[turning(1)[0], wrong]))
 
 
 def test_the_commands_know_a_surface(capsys, tmp_path):

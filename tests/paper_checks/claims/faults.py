@@ -1,14 +1,19 @@
 """Faults to plant in theory, in the steps of an argument or in what is printed: each takes the original."""
 
+import importlib
 import itertools
-from collections.abc import Callable
+import tomllib
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
 from paper_checks.claims import SUBJECTS
+from paper_checks.claims.section_5 import points
 from paper_checks.decide.polynomial import RELATIONAL
+from theory import symbols
 
 HOMES = {name.rpartition(".")[2]: name for name in SUBJECTS}
 """The module of each subject, by its last name."""
@@ -25,10 +30,32 @@ def changed(change: Callable[[Any], Any]) -> Callable[..., Any]:
     return lambda original: lambda *arguments, **named: change(original(*arguments, **named))
 
 
-negated = changed(lambda one: -one)
-doubled = changed(lambda one: 2 * one)
-halved = changed(lambda one: one / 2)
-squared = changed(lambda one: one**2)
+def minus(value):
+    """The other sign."""
+    return -value
+
+
+def twice(value):
+    """Double."""
+    return 2 * value
+
+
+def half(value):
+    """Half."""
+    return value / 2
+
+
+negated, doubled, halved, squared = map(changed, (minus, twice, half, lambda one: one**2))
+
+
+def replaced(other: Any) -> Callable[..., Any]:
+    """Return a fault that puts something else in the place of a value."""
+    return lambda _: other
+
+
+def at(values: dict[Any, Any]) -> Callable[..., Any]:
+    """Return a fault that moves a point."""
+    return lambda point: {**point, **values}
 
 
 def plus(term: Any) -> Callable[..., Any]:
@@ -97,3 +124,13 @@ crossing_contact = changed(lambda contact: replace(contact, first=contact.second
 def unbounded_sign(_):
     """Friction that may exceed b on S."""
     return lambda value, velocity: sp.And(sp.Le(sp.Abs(value), 2), sp.Lt(sp.Abs(velocity), 1))
+
+
+def planted() -> Iterator[tuple[str, str, Callable[..., Any]]]:
+    """Each claim, the place of a fault and the fault, as faults.toml lists them."""
+    homes = {name: name for name in ("flint", "fractions", "numerics", "theory", "types")} | HOMES
+    known = vars(symbols) | vars(points) | {name: importlib.import_module(home) for name, home in homes.items()}
+    for row, places in tomllib.loads(Path(__file__).with_name("faults.toml").read_text("utf-8")).items():
+        for place, faults in places.items():
+            for fault in faults if isinstance(faults, list) else [faults]:
+                yield row, target(place), eval(fault, known | globals())

@@ -9,16 +9,9 @@ from paper_checks.claims.section_3 import convergence, near_critical
 from paper_checks.evidence.finding import Verdict
 from paper_checks.running.runner import Context, decide
 
-from . import faults_in_the_paper, faults_in_theorems
 from .conftest import CHECKS
-from .faults import target
+from .faults import planted
 
-PLANTED = [
-    (row, target(place), fault)
-    for row, places in (faults_in_the_paper.FAULTS | faults_in_theorems.FAULTS).items()
-    for place, faults in places.items()
-    for fault in (faults if isinstance(faults, tuple) else (faults,))
-]
 REMEMBERED = [
     (module, name, cache(getattr(module, name)))
     for module, *names in (
@@ -38,7 +31,7 @@ def runs_are_remembered(monkeypatch):
         monkeypatch.setattr(module, name, remembered)
 
 
-@pytest.mark.parametrize(("row", "place", "fault"), PLANTED)
+@pytest.mark.parametrize(("row", "place", "fault"), [*planted()])
 def test_a_fault_in_a_step_or_a_point_turns_its_row(plant, row, place, fault):
     """Found by deciding: a case that raises is undecided too, and may say only that the fault broke the program."""
     plant(place, fault)

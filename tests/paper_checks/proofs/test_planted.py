@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from paper_checks.proofs import kernel
+from paper_checks.proofs import kernel, library
+from paper_checks.proofs.audit import register
 from paper_checks.proofs.sources import Source, needed, read
 
 TIES = ["tie_critical_energy", "tie_non_stop_damped"]
@@ -19,6 +20,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("needs_kernel")]
 
 @pytest.fixture(scope="session")
 def compiled():
+    library.prepare(register())
     sources = read()
     assert not kernel.compile_files(sources, sources).broken
     return sources
