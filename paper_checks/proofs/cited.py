@@ -140,6 +140,10 @@ _FREE: dict[str, tuple[str, str]] = {
         "SharpLaw.two_sided",
         r"Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the upper one where $6\sqrt{w_0}<\pi$.",
     ),
+    "rate-bounds": (
+        "RateBounds.rate_bounds",
+        r"From an exit ray with $y_0\leqslant\tfrac{4}{9}$ on, $w$ lies between $q/(1/y_0+A(s/T_-+1))$ and $q/(1/y_0+a'(s/T_+-1))$, the constants explicit in the first excursion.",
+    ),
     "one-over-t": (
         "OneOverT.one_over_t",
         r"From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.",

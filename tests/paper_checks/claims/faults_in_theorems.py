@@ -43,10 +43,8 @@ FAULTS = {
         "rate.depth_series": entry(0, raised),
     },
     "rate-bounds-explicit": {
-        "rate.stick_rotation": entry(1, lambda one: -one),
-        "rate.prove": (confused(">=", "<=", 0), confused("<=", ">=", 1)),
-        "rate.bounds": changed(lambda bounds: bounds[::-1]),
-        "rate.depth_of_angle": doubled,
+        "theory.rate_bounds.gains": changed(lambda gains: gains[::-1]),
+        "theory.rate_bounds.cycle_times": changed(lambda times: times[::-1]),
     },
     "uniform-rate": {
         "uniform_rate.first_contact_bound": halved,
