@@ -59,11 +59,7 @@ FAULTS = {
     },
     "merging-set": {
         "critical_ratio.depth": doubled,
-        "merging.ray_excess": plus(1),
         "merging.half_angle": doubled,
-        "merging.prove": (confused("<=", ">=", 0), confused(">", "<", 0)),
-        "critical_ratio.critical_share": doubled,
-        "critical_ratio.critical_mass_ratio_residual": plus(theta),
     },
     "critical-mass-ratio": {
         "critical_ratio.ratio_slope_residual": plus(1),
