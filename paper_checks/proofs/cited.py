@@ -144,6 +144,15 @@ _FREE: dict[str, tuple[str, str]] = {
         "RateBounds.rate_bounds",
         r"From an exit ray with $y_0\leqslant\tfrac{4}{9}$ on, $w$ lies between $q/(1/y_0+A(s/T_-+1))$ and $q/(1/y_0+a'(s/T_+-1))$, the constants explicit in the first excursion.",
     ),
+    "cycle-time-exact": (
+        "RateBounds.cycle_time_exact",
+        r"From a ray with $h\leqslant\tfrac{2}{3}$ a cycle takes $(\pi+\sqrt q\,\theta-\arctan(\sqrt q\sqrt{h^2-r\,c^2})-\arctan\frac{\sqrt q\,(\theta-h)}{1-q\,c})/\Omega$.",
+    ),
+    "law-with-error": (
+        "LawWithError.law_with_error",
+        r"From a ray with $y_0\leqslant(\pi/2-1)^2$, given bounds $g_1\leqslant 0\leqslant g_2$ of $\pi G/c^2$ and $f_1\leqslant 0\leqslant f_2$ of $F\,(1+\sqrt{1-rs})/(h\,s)$ at all slip angles up to $\pi/2$: "
+        r"$g_1y_0-f_2\sqrt{y_0}\leqslant r\,R_n\leqslant g_2y_0-f_1\sqrt{y_0}$ at every exit.",
+    ),
     "one-over-t": (
         "OneOverT.one_over_t",
         r"From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.",

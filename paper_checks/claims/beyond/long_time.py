@@ -131,8 +131,8 @@ def long_time_expansion() -> Case:
         error $O(\tau^{-1/2})$ of the second tail. Solved for $y$ that is the expansion. Only $K$ depends on the start.
         """,
         *landings()[3:],
-        *coefficients(),
-        cycle_time(),
+        coefficients(),
+        *cycle_time(),
         *expansion(),
         carried("balanced"),
         constant_found_again(HALF, Fraction(3, 2)),

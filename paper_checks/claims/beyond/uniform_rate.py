@@ -5,16 +5,15 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
-from paper_checks.claims.beyond.excursions import angle_of_excursion, never_merges
-from paper_checks.claims.beyond.rate import one_cycle, one_step
+from paper_checks.claims.beyond.rate import one_step
 from paper_checks.claims.beyond.rate_error import ranges
 from paper_checks.claims.beyond.slips import contact, depth_grows, landings, one_contact
 from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision, shown
-from theory.long_time import abel_defect, leading_coefficient, logarithm_weight, map_coefficients
-from theory.near_critical import cycle
+from theory.long_time import leading_coefficient, logarithm_weight
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth
 from theory.symbols import r as share_of_q
@@ -32,36 +31,6 @@ EXCESS, SHARE, LOST = symbols("y_0 r s", positive=True)
 
 
 @cache
-def one_more_cycle() -> Evidence:
-    """What a cycle adds to both sides of the law, in the numbers that are enclosed."""
-    first = map_coefficients()[0]
-    after = EXCESS * (1 - r * LOST)
-    return argument(
-        r"""
-        With $s=c^2/y$ a cycle takes $y$ to $y'=y(1-rs)$ and adds $1+G$ to $\frac{1}{\alpha y}+B\ln y$,
-        $G=\frac{4}{9}\frac{s/y}{1-rs}-1+(1-\frac{2}{5r})\ln(1-rs)$, and $\pi+F$ to the time, $F=\sqrt
-        q\,\theta-\arctan\sqrt{w'}-\arctan\frac{-V'}{X'}$.
-        """,
-        *angle_of_excursion(),
-        *never_merges(),
-        *landings()[3:],
-        *one_cycle(),
-        identity(
-            r"$\frac{1}{\alpha y'}-\frac{1}{\alpha y}=\frac{4}{9}\,\frac{s/y}{1-rs}$ with $\alpha=\frac{9r}{4}$",
-            (1 / after - 1 / EXCESS) / first,
-            Rational(4, 9) * LOST / EXCESS / (1 - r * LOST),
-        ),
-        identity(r"$\frac{\pi}{\alpha y}=\frac{C}{w}$", pi / first * q, leading_coefficient()),
-        identity(r"$G=O(y^2)$", abel_defect()),
-        identity(
-            r"$F=O(y^{3/2})$",
-            [expand(cycle().cycle_duration).coeff(epsilon, n) for n in range(3)],
-            [pi, 0, 0],
-        ),
-    )
-
-
-@cache
 def quotients() -> Evidence:
     """The bounds of both quotients."""
     (low, high), (short, long) = ranges()
@@ -69,26 +38,14 @@ def quotients() -> Evidence:
     texts = [f"{end.str(5, radius=False)}" for end in (low, high, short, long)]
     return enclosed(
         r"""
-        for $0<\theta\leqslant\pi/2$ and every $r\in(0,1)$: bounds of $\pi G\,r/(y-y')$ and of $F\,r/(\sqrt
-        y-\sqrt{y'})$, by Taylor polynomials with Cauchy's estimate near $\theta=0$ and centred forms beyond
+        for $0<\theta\leqslant\pi/2$ and every $r\in(0,1)$: bounds of $\pi G/c^2$ and of $F\,(1+\sqrt{1-rs})/(h\,s)$, with
+        $s=c^2/h^2$, $G=\frac{4}{9}\frac{s/h^2}{1-rs}-1+(1-\frac{2}{5r})\ln(1-rs)$ and $F=\sqrt
+        q\,\theta-\arctan(\sqrt q\,h\sqrt{1-rs})-\arctan\frac{\sqrt q\,(\theta-h)}{1-q\,c}$, by Taylor polynomials with
+        Cauchy's estimate near $\theta=0$ and centred forms beyond
         """,
         good,
         f"{texts[0]} to {texts[1]}, and {texts[2]} to {texts[3]}",
         4,
-    )
-
-
-@cache
-def law_with_error() -> Evidence:
-    """The bounds of R_n."""
-    return argument(
-        r"""
-        Along the exits $y$ falls, so $\sum(y_k-y_{k+1})\leqslant y_0$ and
-        $\sum(\sqrt{y_k}-\sqrt{y_{k+1}})\leqslant\sqrt{y_0}$: what the cycles add, $\pi G-F$ each, sums up to $R_n$
-        within the bounds of the quotients.
-        """,
-        one_more_cycle(),
-        quotients(),
     )
 
 
@@ -212,7 +169,7 @@ def rate_with_error() -> Case:
         cycle adds $\pi G-F$ to the remainder. Each of the two is at most a constant, the same for every mass ratio,
         times a difference that telescopes along the exits; so the sum is bounded.
         """,
-        carried("error", law_with_error()),
+        carried("error", kernel.step("law-with-error"), quotients()),
         derivation=(
             "$$\\frac{C}{w_n}+\\pi B\\ln\\frac{w_n}{w_0}=\\frac{C}{w_0}+\\tau_n+R_n,\\qquad R_n=\\sum_{k<n}(\\pi G_k-F_k).$$",
             "The bounds are uniform in $n$; they are loose for small $r=m_2/M$, where the law itself sets in late.",

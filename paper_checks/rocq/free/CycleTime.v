@@ -19,7 +19,7 @@ Theorem cycle_time_sharp p : ok m1 m2 p -> hh p <= 2 / 3 ->
 Proof.
   intros Hok Hu. pose proof (ok_pi m1 m2 p Hok) as Hp. destruct (ok_push m1 m2 Hm1 Hm2 p Hp Hu) as (_ & C1 & P3).
   destruct (cycle_between m1 m2 a2 Hm1 Hm2 Ha2 p Hp Hu) as (Lo & _). fold q om in Lo.
-  destruct (cycle_angles m1 m2 a2 Hm1 Hm2 Ha2 p Hp Hu) as (U' & A & B & EA & HA & HB). fold q om in EA, HA, HB.
+  destruct (cycle_angles m1 m2 a2 Hm1 Hm2 Ha2 p Hp Hu) as (EA & U' & HA & HB). fold q om in EA, HA, HB.
   destruct (next_ok m1 m2 Hm1 Hm2 p Hok) as (Hn & En). fold r in En. pose proof (hh_pos _ (ok_pi m1 m2 _ Hn)) as N0.
   pose proof (hh_pos p Hp) as U0. pose proof (depth_pos p Hp) as C0. pose proof (depth_upper p Hp) as C2.
   pose proof (back p (proj1 Hok)) as P2. pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. pose proof (r_pos m1 m2 Hm1 Hm2) as R0.

@@ -79,39 +79,50 @@ Proof.
 Qed.
 
 (** *** A cycle: its slip, and its stick between two angles *)
-Lemma cycle_angles p : 0 < p < PI -> hh p <= 2 / 3 -> let u' := hh (next m1 m2 p) in let rho := amp m1 m2 (u' ^ 2) in
-  u' <= hh p /\ exists A B, om * cyc m1 m2 a2 p = PI + sqrt q * (2 * p) - A - B /\ sqrt q * u' / rho <= A <= sqrt q * u' /\
+Theorem cycle_angles p : 0 < p < PI -> hh p <= 2 / 3 -> let u' := hh (next m1 m2 p) in let rho := amp m1 m2 (u' ^ 2) in
+  let A := atan (sqrt q * u') in let B := atan (sqrt q * (2 * p - hh p) / (1 - q * depth p)) in
+  om * cyc m1 m2 a2 p = PI + sqrt q * (2 * p) - A - B /\ u' <= hh p /\ sqrt q * u' / rho <= A <= sqrt q * u' /\
   sqrt q * (2 * p - hh p) / rho <= B <= sqrt q * (2 * p - hh p) / (1 - q * depth p).
 Proof.
-  intros Hp Hh u' rho. destruct (ok_push p Hp Hh) as (Hok & C1 & _). destruct (next_ok m1 m2 Hm1 Hm2 p Hok) as (Hn & En).
+  intros Hp Hh u' rho A B. destruct (ok_push p Hp Hh) as (Hok & C1 & _). destruct (next_ok m1 m2 Hm1 Hm2 p Hok) as (Hn & En).
   fold r in En. pose proof (hh_pos _ (ok_pi m1 m2 _ Hn)) as N0. pose proof (hh_pos p Hp) as U0.
   pose proof (depth_pos p Hp) as C0. pose proof (back p (proj1 Hok)) as P2. pose proof (back_identity p Hp) as Bk.
   pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O0. fold om in O0. pose proof (o1_pos m1 a2 Hm1 Ha2) as O1.
-  unfold cyc. fold q om u'. fold u' in En, N0. set (u := hh p) in *. set (c := depth p) in *. fold rho. assert (Y2 : 0 < u' ^ 2) by positive.
+  unfold cyc, A, B. fold q om u'. fold u' in En, N0. set (u := hh p) in *. set (c := depth p) in *. fold rho. assert (Y2 : 0 < u' ^ 2) by positive.
   assert (R1 : 1 <= rho) by (apply amp_ge; auto; lra).
     assert (R2 : rho * rho = 1 + q * u' ^ 2) by (apply amp_sq; auto; lra).
   assert (I1 : 0 < / rho <= 1). { split; [positive|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
-  assert (0 <= c ^ 2) by positive. assert (U' : u' <= u) by nra. split; [auto|].
+  assert (0 <= c ^ 2) by positive. assert (U' : u' <= u) by nra.
   assert (Sq : 0 < sqrt q) by positive. assert (SS : sqrt q * sqrt q = q) by (apply sqrt_sqrt; lra).
   assert (Qc : 0 < q * c < 1) by (split; [positive|nra]).
   assert (Angle : forall z w, 0 < z <= 1 -> 0 <= w -> z ^ 2 + q * w ^ 2 = rho * rho ->
-    sqrt q * w / rho <= acos (z / rho) <= sqrt q * w / z).
-  { intros z w Hz Hw E. pose proof (acos_between (z / rho) ltac:(split; [positive|unfold Rdiv; nra])) as B.
+    acos (z / rho) = atan (sqrt q * w / z) /\ sqrt q * w / rho <= atan (sqrt q * w / z) <= sqrt q * w / z).
+  { intros z w Hz Hw E. assert (Z : 0 < z / rho <= 1) by (split; [positive|unfold Rdiv; nra]). pose proof (acos_between _ Z) as Bt.
     assert (Root : sqrt (1 - (z / rho) ^ 2) = sqrt q * w / rho).
     { replace (1 - (z / rho) ^ 2) with ((sqrt q * w / rho) ^ 2); [apply sqrt_pow2; positive|].
       replace ((sqrt q * w / rho) ^ 2) with (sqrt q * sqrt q * w ^ 2 / (rho * rho)) by (field; lra). rewrite SS.
       replace (q * w ^ 2) with (rho * rho - z ^ 2) by lra. field. lra. }
-    rewrite Root in B. replace (sqrt q * w / z) with (sqrt q * w / rho / (z / rho)) by (field; lra). exact B. }
-  exists (acos (1 / rho)), (acos ((1 - q * c) / rho)). rewrite acos_opp. replace (/ rho) with (1 / rho) by lra. split; [|split].
-  - pose proof (om_o1 m1 m2 a2 Hm1 Hm2 Ha2) as Oo. fold q om in Oo. rewrite <- Oo. field. lra.
-  - replace (sqrt q * u') with (sqrt q * u' / 1) at 2 by field. apply Angle; lra.
-  - apply Angle; [lra|lra|]. rewrite R2, En, Bk. replace r with (1 - q) by lra. ring.
+    assert (Eq : sqrt (1 - (z / rho) ^ 2) / (z / rho) = sqrt q * w / z) by (rewrite Root; field; lra).
+    assert (At : acos (z / rho) = atan (sqrt q * w / z)) by (rewrite acos_atan, Rsqr_pow2, Eq by lra; auto).
+    rewrite Eq, Root, At in Bt. auto. }
+  destruct (Angle 1 u') as (A1 & A2); [lra|lra|lra|]. rewrite Rdiv_1 in A1, A2.
+  destruct (Angle (1 - q * c) (2 * p - u)) as (B1 & B2); [lra|lra|rewrite R2, En, Bk; replace r with (1 - q) by lra; ring|].
+  split; [|auto]. rewrite acos_opp, <- B1. replace (/ rho) with (1 / rho) by lra. rewrite A1.
+  pose proof (om_o1 m1 m2 a2 Hm1 Hm2 Ha2) as Oo. fold q om in Oo. rewrite <- Oo. field. lra.
+Qed.
+(** its time, in closed form *)
+Theorem cycle_time_exact p : 0 < p < PI -> hh p <= 2 / 3 -> om * cyc m1 m2 a2 p = PI + sqrt q * (2 * p) -
+  atan (sqrt q * sqrt (hh p ^ 2 - r * depth p ^ 2)) - atan (sqrt q * (2 * p - hh p) / (1 - q * depth p)).
+Proof.
+  intros Hp Hh. destruct (ok_push p Hp Hh) as (Hok & _). destruct (next_ok m1 m2 Hm1 Hm2 p Hok) as (Hn & En). fold r in En.
+  rewrite <- En, sqrt_pow2 by (apply Rlt_le, hh_pos, (ok_pi m1 m2); auto). apply (cycle_angles p Hp Hh).
 Qed.
 (** its time, by its first excursion *)
 Theorem cycle_between p : 0 < p < PI -> hh p <= 2 / 3 ->
   PI - sqrt q * (2 * p - hh p) * (q * depth p / (1 - q * depth p)) <= om * cyc m1 m2 a2 p <= PI + sqrt q * (2 * p).
 Proof.
-  intros Hp Hh. destruct (ok_push p Hp Hh) as (Hok & C1 & _). destruct (cycle_angles p Hp Hh) as (Le & A & B & -> & HA & HB).
+  intros Hp Hh. destruct (ok_push p Hp Hh) as (Hok & C1 & _). destruct (cycle_angles p Hp Hh) as (-> & Le & HA & HB).
+  set (A := atan _) in *. set (B := atan (_ / _)) in *.
   destruct (next_ok m1 m2 Hm1 Hm2 p Hok) as (Hn & _). pose proof (hh_pos _ (ok_pi m1 m2 _ Hn)). pose proof (back p (proj1 Hok)).
   assert (R1 : 1 <= amp m1 m2 (hh (next m1 m2 p) ^ 2)) by (apply amp_ge; auto; positive).
   assert (Sq : 0 < sqrt q) by positive. pose proof (depth_pos p Hp). assert (Qc : q * depth p < 1) by nra. split.

@@ -1,7 +1,6 @@
 """Of each theorem beyond the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
 
 import sympy as sp
-from flint import acb
 
 from theory.symbols import b, q, theta
 
@@ -35,9 +34,10 @@ FAULTS = {
         "slips.depth_slope_residual": plus(1),
     },
     "return-map-expansion": {
-        "return_map.quarter_rim": lambda rim: lambda: (acb(4), *rim()),
         "return_map.printed_depth_coefficients": entry(2, raised),
         "return_map.depth_series": entry(6, raised),
+        "return_map.delay": doubled,
+        "return_map._coefficients": entry(2, lambda one: -one),
     },
     "sharp-rate-constant": {
         "rate.depth_series": entry(0, raised),
