@@ -71,5 +71,12 @@ Proof.
   replace (v1 r - v2 r - (v1 t - v2 t)) with (- (v1 t - v2 t)) in K by lra. rewrite Rabs_Ropp in K. lra.
 Qed.
 
-
-
+(** times of change lie between the ends *)
+Lemma times_within (n : nat) (p : nat -> R) : (forall i, (i < n)%nat -> p i <= p (S i)) ->
+  forall i, (i <= n)%nat -> p O <= p i <= p n.
+Proof.
+  intros Step. assert (Up : forall j i, (i + j <= n)%nat -> p i <= p (i + j)%nat).
+  { induction j as [|j IH]; intros i Hi; [rewrite Nat.add_0_r; lra|]. specialize (IH i ltac:(lia)).
+    specialize (Step (i + j)%nat ltac:(lia)). replace (i + S j)%nat with (S (i + j)) by lia. lra. }
+  intros i Hi. split; [apply (Up i O); lia|]. replace n with (i + (n - i))%nat by lia. apply Up. lia.
+Qed.
