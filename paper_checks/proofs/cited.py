@@ -150,8 +150,8 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "law-with-error": (
         "LawWithError.law_with_error",
-        r"From a ray with $y_0\leqslant(\pi/2-1)^2$, given bounds $g_1\leqslant 0\leqslant g_2$ of $\pi G/c^2$ and $f_1\leqslant 0\leqslant f_2$ of $F\,(1+\sqrt{1-rs})/(h\,s)$ at all slip angles up to $\pi/2$: "
-        r"$g_1y_0-f_2\sqrt{y_0}\leqslant r\,R_n\leqslant g_2y_0-f_1\sqrt{y_0}$ at every exit.",
+        r"From a ray with $y_0\leqslant(\pi/2-1)^2$, given $g\leqslant\pi G/c^2$, $\pi G/(r\,c^2)\leqslant g'$ and $F\,(1+\sqrt{1-rs})/(h\,s)\leqslant f$ at all slip angles up to $\pi/2$, with $g\leqslant 0\leqslant g',f$: "
+        r"$(g\,y_0-f\sqrt{y_0})/r\leqslant R_n\leqslant g'y_0$ at every exit.",
     ),
     "one-over-t": (
         "OneOverT.one_over_t",

@@ -1,7 +1,7 @@
 """What one cycle adds to both sides of the $1/t$ law, enclosed."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
@@ -216,39 +216,52 @@ ZEROS: dict[Quotient, int] = {of_map: 4, of_time: 3}
 """Order of the zero of numerator and denominator at theta = 0: the Abel equation to leading order, and the time of a cycle."""
 
 
-TARGETS: dict[Quotient, tuple[Fraction, Fraction]] = {
-    of_map: (Fraction(-14, 100), Fraction(155, 100)),
-    of_time: (Fraction(-9, 100), Fraction(43, 100)),
+TARGETS: dict[Quotient, Callable[[arb], tuple[arb, arb]]] = {
+    of_map: lambda share: (point(Fraction(-14, 100)), share * point(Fraction(155, 100))),
+    of_time: lambda _: (point(Fraction(-9, 100)), point(Fraction(43, 100))),
 }
-"""What the quotients are to be found within: boxes on which they are not are cut."""
+"""What the quotients are to be found within for a least r: boxes on which they are not are cut."""
 
 
 @cache
-def ranges() -> tuple[tuple[arb, arb], tuple[arb, arb]]:
-    """Return bounds of the quotients of map (times pi) and time for all slip angles up to pi/2 and all mass ratios."""
+def ranges() -> tuple[arb, arb, arb]:
+    """Return bounds for all slip angles up to pi/2 and all mass ratios.
+
+    The lower one of pi G r/(y - y'), the upper one of pi G/(y - y'), and the upper one of F r/(sqrt y - sqrt y').
+    """
     with precision(5):
-        maps, times = (list(_values(quotient)) for quotient in (of_map, of_time))
-        return _hull([arb.pi() * value for value in maps]), _hull(times)
+        maps = [(arb.pi() * value, share) for value, share in _values(of_map)]
+        # where a value is negative, r may be as small as it likes
+        gains = (value.upper() / share if not value < 0 else arb(0) for value, share in maps)
+        times = [value.upper() for value, _ in _values(of_time)]
+        return _least([-value.lower() for value, _ in maps], -1), _least(gains, 1), _least(times, 1)
 
 
-def _values(quotient: Quotient) -> Iterator[arb]:
+def _values(quotient: Quotient) -> Iterator[tuple[arb, arb]]:
+    """Yield enclosures of a quotient on boxes, each with the least r there."""
     slips = near()
     for wide in _pieces(arb(0), arb(1), RIMS):  # what is left out is small: wider boxes do for it
         missed = rest(quotient, slips, wide)
         for p in _pieces(wide.lower(), wide.upper(), NEAR):
-            yield near_zero(quotient, slips, p, missed)
+            yield near_zero(quotient, slips, p, missed), _least_share(p)
     for theta in _pieces(point(SPLIT), arb.pi() / 2, LONG):
-        yield from _refined(quotient, theta, list(_pieces(arb(0), arb(1), WIDE)), 3)
+        yield from _refined(quotient, theta, list(_pieces(arb(0), arb(1), WIDE)), 4)
 
 
-def _refined(quotient: Quotient, theta: arb, ratios: Sequence[arb], times: int) -> Iterator[arb]:
+def _least_share(p: arb) -> arb:
+    """Return a lower bound of r = 1 - p^2 on a box."""
+    return (1 - p * p).lower().max(arb(0))
+
+
+def _refined(quotient: Quotient, theta: arb, ratios: Sequence[arb], times: int) -> Iterator[tuple[arb, arb]]:
     """Enclose a quotient on boxes, each cut in four as long as it is not within what is looked for."""
-    slips, (low, high) = slips_on(theta), (point(end) for end in TARGETS[quotient])
+    slips = slips_on(theta)
     open_still: list[arb] = []
     for p in ratios:
-        value = beyond(quotient, slips, p)
+        value, share = beyond(quotient, slips, p), _least_share(p)
+        low, high = TARGETS[quotient](share)
         if not times or (value > low and value < high):
-            yield value
+            yield value, share
         else:
             open_still += _pieces(p.lower(), p.upper(), 2)
     if open_still:
@@ -262,13 +275,14 @@ def _pieces(low: arb, high: arb, number: int) -> Iterator[arb]:
         yield (low + (high - low) * n / number).union(low + (high - low) * (n + 1) / number)
 
 
-def _hull(values: list[arb]) -> tuple[arb, arb]:
-    low, high = values[0].lower(), values[0].upper()
+def _least(values: Iterable[arb], sign: int) -> arb:
+    """Return sign times the largest of some upper bounds."""
+    found = arb(0)
     for value in values:
         if not value.is_finite():
             raise ArithmeticError("a quotient is not enclosed")
-        low, high = low.min(value.lower()), high.max(value.upper())
-    return low, high
+        found = found.max(value)
+    return sign * found
 
 
 def _rim() -> Iterator[acb]:

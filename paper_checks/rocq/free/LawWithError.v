@@ -1,13 +1,10 @@
 (** The 1/t law with its logarithm: C/w + pi B ln w grows along the exits as the time does, up to what the bounds of one
     cycle leave: they telescope. *)
-From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate RateBounds.
+From InertialPair Require Import Dini Pair Stick Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate RateBounds CycleLength.
 
 (** what a cycle adds to 1/(al y) + B ln y beyond 1, al = 9/4 r, B = 1 - 2/(5 r), by its half angle *)
 Definition gain r p := let s := (depth p / hh p) ^ 2 in
   4 / 9 * (s / hh p ^ 2) / (1 - r * s) - 1 + (1 - 2 / (5 * r)) * ln (1 - r * s).
-(** and to the time beyond pi/Omega, times Omega *)
-Definition delay r p := let s := (depth p / hh p) ^ 2 in let q := 1 - r in
-  sqrt q * (2 * p) - atan (sqrt q * (hh p * sqrt (1 - r * s))) - atan (sqrt q * (2 * p - hh p) / (1 - q * depth p)).
 
 Section Law.
 Variables m1 m2 a2 b : R.
@@ -20,17 +17,17 @@ Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 
 (** From a ray with y0 <= (pi/2 - 1)^2, for bounds of one cycle at all half angles up to pi/4. *)
-Theorem law_with_error lo hi short long : lo <= 0 <= hi -> short <= 0 <= long ->
-  (forall p, 0 < p <= PI / 4 -> let s := (depth p / hh p) ^ 2 in lo * depth p ^ 2 <= PI * gain r p <= hi * depth p ^ 2 /\
-    short * (hh p * s) <= delay r p * (1 + sqrt (1 - r * s)) <= long * (hh p * s)) ->
+Theorem law_with_error lo hi long : lo <= 0 <= hi -> 0 <= long ->
+  (forall p, 0 < p <= PI / 4 -> let s := (depth p / hh p) ^ 2 in lo * depth p ^ 2 <= PI * gain r p <= hi * (r * depth p ^ 2) /\
+    delay r p * (1 + sqrt (1 - r * s)) <= long * (hh p * s)) ->
   forall k t0 p, k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> hh p <= PI / 2 - 1 -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
   forall n, let t := tim m1 m2 a2 t0 p n in let y0 := hh p ^ 2 in let C := 4 * PI * q / (9 * r) in let B := 1 - 2 / (5 * r) in
   w t0 = q * y0 /\ on_ray m1 m2 a2 b (k * (-1) ^ n) (hh (orb m1 m2 p n)) x v1 v2 t /\
   (lo * y0 - long * sqrt y0) / r <= C / w t + PI * B * ln (w t / w t0) - (C / w t0 + om * (t - t0)) <=
-  (hi * y0 - short * sqrt y0) / r.
+  hi * y0.
 Proof.
   intros Lo Sh Bounds k t0 p Hk Ht Hp Hh HR n t y0 C B. pose proof PI_4 as P4. pose proof PI2_3_2 as P3.
-  assert (PI <= 10 / 3) by (pose proof (proj2 (PI_ineq 3)) as Q; unfold tg_alt, PI_tg in Q; simpl in Q; lra).
+  pose proof pi_below.
   destruct (ok_push m1 m2 Hm1 Hm2 p Hp ltac:(lra)) as (Hok & _).
   pose proof (q_pos m1 m2 Hm1 Hm2) as Q0. pose proof (r_pos m1 m2 Hm1 Hm2) as R0. pose proof (qr_one m1 m2 Hm1 Hm2) as QR.
   fold q r in Q0, R0, QR.
@@ -51,9 +48,9 @@ Proof.
   (* one cycle *)
   assert (Step : forall i, C / (q * y (S i)) - C / (q * y i) + PI * B * ln (y (S i) / y i) - om * cyc m1 m2 a2 (ph i) =
     PI * gain r (ph i) - delay r (ph i) /\
-    lo * (y i - y (S i)) <= r * (PI * gain r (ph i)) <= hi * (y i - y (S i)) /\
-    short * (sqrt (y i) - sqrt (y (S i))) <= r * delay r (ph i) <= long * (sqrt (y i) - sqrt (y (S i)))).
-  { intros i. destruct (Bounds (ph i) (Quarter i)) as (Bg & Bd). pose proof (next_ok m1 m2 Hm1 Hm2 (ph i) (Ok i)) as (_ & En).
+    lo * (y i - y (S i)) <= r * (PI * gain r (ph i)) /\ PI * gain r (ph i) <= hi * (y i - y (S i)) /\
+    0 <= delay r (ph i) /\ r * delay r (ph i) <= long * (sqrt (y i) - sqrt (y (S i)))).
+  { intros i. destruct (Bounds (ph i) (Quarter i)) as (Bg & Bd). pose proof (delay_pos r (ph i) ltac:(lra) (Quarter i)) as Dp. pose proof (next_ok m1 m2 Hm1 Hm2 (ph i) (Ok i)) as (_ & En).
     change (hh (next m1 m2 (ph i)) ^ 2) with (y (S i)) in En. fold r (y i) in En.
     pose proof (proj1 (cycle_angles m1 m2 a2 Hm1 Hm2 Ha2 (ph i) (Pi i) ltac:(pose proof (Push i); lra))) as Cy.
     change (hh (next m1 m2 (ph i))) with (hh (ph (S i))) in Cy. fold q om in Cy. unfold delay, gain in *.
@@ -65,22 +62,23 @@ Proof.
     { rewrite Ys, sqrt_mult_alt, Ru by lra. auto. }
     assert (Eu : hh (ph (S i)) = u * sqrt (1 - r * z)) by (rewrite <- Ru'; symmetry; apply sqrt_pow2; lra). rewrite Eu in Cy.
     assert (Sz : 0 < sqrt (1 - r * z)) by positive. assert (Sz2 : sqrt (1 - r * z) * sqrt (1 - r * z) = 1 - r * z) by (apply sqrt_sqrt; lra).
-    split; [|split].
+    split; [|split; [|split; [|split]]].
     - rewrite Cy, Ys. replace (y i * (1 - r * z) / y i) with (1 - r * z) by (field; lra). unfold C, B.
       change (u ^ 2) with (y i). field. lra.
-    - replace (lo * (y i - y (S i))) with (r * (lo * c ^ 2)) by (rewrite En; ring).
-      replace (hi * (y i - y (S i))) with (r * (hi * c ^ 2)) by (rewrite En; ring). split; scale; lra.
+    - replace (lo * (y i - y (S i))) with (r * (lo * c ^ 2)) by (rewrite En; ring). apply Rmult_le_compat_l; lra.
+    - replace (hi * (y i - y (S i))) with (hi * (r * c ^ 2)) by (rewrite En; ring). lra.
+    - exact Dp.
     - rewrite Ru, Ru'. set (D := sqrt q * _ - _ - _) in *. set (S := sqrt (1 - r * z)) in *.
       assert (E : forall g, r * (g * (u * z)) = g * (u - u * S) * (1 + S)).
       { intros g. replace (g * (u - u * S) * (1 + S)) with (g * u * (1 - S * S)) by ring. rewrite Sz2. ring. }
-      split; apply Rmult_le_reg_r with (1 + S); try lra; rewrite <- E, (Rmult_assoc r D); apply Rmult_le_compat_l; lra. }
+      apply Rmult_le_reg_r with (1 + S); [lra|]. rewrite <- E, (Rmult_assoc r D). apply Rmult_le_compat_l; lra. }
   assert (Z0 : 0 < y0) by exact (Y 0%nat).
   assert (Sum : forall i, let R := C / (q * y i) + PI * B * ln (y i / y0) - (C / (q * y0) + om * (tim m1 m2 a2 t0 p i - t0)) in
-    lo * (y0 - y i) - long * (sqrt y0 - sqrt (y i)) <= r * R <= hi * (y0 - y i) - short * (sqrt y0 - sqrt (y i))).
+    lo * (y0 - y i) - long * (sqrt y0 - sqrt (y i)) <= r * R /\ R <= hi * (y0 - y i)).
   { induction i as [|i IH]; cbv zeta in *.
     - change (y 0%nat) with y0. replace (y0 / y0) with 1 by (field; lra). rewrite ln_1. simpl tim. lra.
     - change (tim m1 m2 a2 t0 p (S i)) with (tim m1 m2 a2 t0 p i + cyc m1 m2 a2 (ph i)).
-      destruct (Step i) as (E & G & D). pose proof (Y i) as Yi. pose proof (Y (S i)) as Y'.
+      destruct (Step i) as (E & G & G' & D & D'). pose proof (Y i) as Yi. pose proof (Y (S i)) as Y'.
       assert (L : ln (y (S i) / y0) = ln (y (S i) / y i) + ln (y i / y0)).
       { rewrite <- ln_mult by positive. f_equal. field. lra. }
       rewrite L. set (t' := tim m1 m2 a2 t0 p i) in *. set (R' := C / (q * y i) + _ - _) in IH.
@@ -91,7 +89,7 @@ Proof.
   assert (Sq : 0 < sqrt (y n) <= sqrt y0) by (split; [positive|apply sqrt_le_1_alt; lra]).
   replace (w t / w t0) with (y n / y0) by (unfold t; rewrite W, W0; field; split; lra). set (R' := C / w t + _ - _) in *.
   assert (lo * y0 <= lo * (y0 - y n)) by nra. assert (hi * (y0 - y n) <= hi * y0) by nra.
-  assert (long * (sqrt y0 - sqrt (y n)) <= long * sqrt y0) by nra. assert (short * sqrt y0 <= short * (sqrt y0 - sqrt (y n))) by nra.
-  split; [apply Rle_div_l|apply Rle_div_r]; lra.
+  assert (long * (sqrt y0 - sqrt (y n)) <= long * sqrt y0) by nra.
+  split; [apply Rle_div_l|]; lra.
 Qed.
 End Law.

@@ -46,6 +46,10 @@ FAULTS = {
         "theory.rate_bounds.gains": changed(lambda gains: gains[::-1]),
         "theory.rate_bounds.cycle_times": changed(lambda times: times[::-1]),
     },
+    "rate-with-error": {
+        "theory.long_time.leading_coefficient": doubled,
+        "theory.long_time.logarithm_weight": halved,
+    },
     "uniform-rate": {
         "uniform_rate.first_contact_bound": halved,
         "uniform_rate.prove": confused(">=", "<=", 0),
