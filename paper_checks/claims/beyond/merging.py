@@ -5,11 +5,7 @@ from functools import cache
 
 from flint import arb
 
-from paper_checks.claims.beyond.critical_ratio import (
-    depth,
-    half_angle,
-    rise,
-)
+from paper_checks.claims.beyond.critical_ratio import depth, half_angle, rise, threshold
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, shown
@@ -114,6 +110,7 @@ def merging_set() -> Case:
         short slips in turn, and its re-entry, at the end of a short one, is above $E_{cr}$.
         """,
         windows(),
+        *threshold(),
         derivation=(
             r"""
             $$\text{merges at the first re-entry}\iff q\,h(\theta_a)^2\leqslant w\leqslant q\,h(\theta_b)^2,\qquad

@@ -64,6 +64,8 @@ FAULTS = {
     "merging-set": {
         "critical_ratio.depth": doubled,
         "merging.half_angle": doubled,
+        "critical_ratio.critical_share": doubled,
+        "critical_ratio.critical_mass_ratio_residual": plus(theta),
     },
     "critical-mass-ratio": {
         "critical_ratio.ratio_slope_residual": plus(1),

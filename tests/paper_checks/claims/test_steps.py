@@ -128,7 +128,7 @@ def test_what_is_not_there_is_not_found(plant):
 
 def test_the_threshold_has_fifty_digits():
     """The share r*, both mass ratios and the angle theta*."""
-    values = " ".join(item.value for item in CHECKS["critical-mass-ratio"].decide().evidence)
+    values = " ".join(item.value for item in CHECKS["merging-set"].decide().evidence)
     for digits in (
         "0.5578390907215263120660191803836715226398464348069",
         "0.7926316327286585619957260792416169570660259003587",
@@ -152,8 +152,9 @@ ROOT = sp.sqrt(Y)
         (">=", -sp.Rational(2, 5) * (Y + ROOT) / R, False),
         ("<=", -sp.Rational(9, 20) * (Y + ROOT), False),
         ("<=", 5 * Y**2, None),
+        ("<=", 5 * Y - Y**2, None),
         ("<=", 5 * Y / R, None),
-        (">=", -sp.Rational(9, 20) * (Y + ROOT), None),
+        ("=", 5 * Y, None),
     ],
 )
 def test_bounds_of_the_error_next_to_the_edge(relation, right, passed):
