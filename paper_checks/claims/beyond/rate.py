@@ -5,16 +5,13 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.claims.beyond.excursions import vanishes
 from paper_checks.claims.letters import R, limit_of_energy, of_share
 from paper_checks.claims.words import *
-from theory.excursion import excursion, h, half_tangent_form
-from theory.near_critical import stick_rotation
+from theory.excursion import h
 from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
-from theory.symbols import put
 
 
 @cache
@@ -28,53 +25,13 @@ def depth_over_excess() -> Evidence:
 
 
 @cache
-def one_step() -> Steps:
-    """a' y^2 <= y - y' <= a y^2, and what that makes of 1/y."""
-    before, after, low, high, part = symbols("y z a' a kappa", positive=True)
-    given = [after < before, before - after >= low * before**2, before - after <= high * before**2]
-    return (
-        prove(
-            r"$a'y^2\leqslant y-y'$ gives $\frac{1}{y'}-\frac{1}{y}\geqslant a'$ (here $z=y'$)",
-            given,
-            sp.Ge(before - after, low * before * after, evaluate=False),
-        ),
-        prove(
-            r"$y-y'\leqslant a\,y^2$ and $y-y'\leqslant\kappa\,y$ with $\kappa<1$ give $\frac{1}{y'}-\frac{1}{y}\leqslant\frac{a}{1-\kappa}$",
-            [*given, part < 1, before - after <= part * before],
-            sp.Le((1 - part) * (before - after), high * before * after, evaluate=False),
-        ),
-        identity(
-            r"$h'(\pi/2)=c(\pi/2)=2-\frac{\pi}{2}<1$: for $\theta\leqslant\pi/2$, $\theta-h$ rises ($h'$ rises) and $q\,c<1$",
-            [diff(h(), theta).subs(theta, pi / 2), depth_of_angle().subs(theta, pi / 2)],
-            (2 - pi / 2) * sp.ones(2, 1),
-        ),
-    )
-
-
-@cache
-def one_cycle() -> Steps:
-    """Slip and stick last between T_- and T_+."""
-    one = excursion()
-    landed = -one.velocity / one.position
-    speed = Symbol("e", positive=True)
-    state = {x1_0: one.position, v1_0: one.velocity, epsilon: speed}
-    _, sine = (put(part, state) for part in stick_rotation())
-    # sin(pi - alpha - beta), tan alpha = e, tan beta = -V'/X', times the two radii
-    expected = (speed * one.position - one.velocity) / (one.position**2 + one.velocity**2)
-    shortfall = sqrt(q) * (theta - h()) * q * in_trigonometry(depth_of_angle())
-    return (
-        vanishes(
-            r"the stick turns $(X',V')$ to $(-1,-\varepsilon')$, $\varepsilon'=\sqrt{w'}$: by $\pi-\arctan\varepsilon'-\arctan\frac{-V'}{X'}<\pi$",
-            half_tangent_form((sine - expected).subs(speed**2, one.position**2 + one.velocity**2 - 1)),
-        ),
-        vanishes(
-            r"""
-            so a cycle is shorter than $\pi+\sqrt q\,\theta$, and with $\arctan x\leqslant x$,
-            $\varepsilon'<\varepsilon$ it is longer than $\pi+\sqrt q\,\theta-\varepsilon-\frac{-V'}{X'}=\pi-\sqrt
-            q\,(\theta-h)\frac{q\,c}{1-q\,c}$
-            """,
-            half_tangent_form((sqrt(q) * theta - sqrt(q) * h() - landed) * one.position + shortfall),
-        ),
+def one_step() -> Evidence:
+    """What a loss of at least a' y^2 makes of 1/y."""
+    before, after, low = symbols("y z a'", positive=True)
+    return prove(
+        r"$a'y^2\leqslant y-y'$ gives $\frac{1}{y'}-\frac{1}{y}\geqslant a'$ (here $z=y'$)",
+        [after < before, before - after >= low * before**2],
+        sp.Ge(before - after, low * before * after, evaluate=False),
     )
 
 

@@ -119,7 +119,7 @@ def from_above() -> Evidence:
         ),
         few_crossings(),
         *depth_grows(),
-        one_step()[0],
+        one_step(),
     )
 
 
