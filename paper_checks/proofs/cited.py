@@ -153,6 +153,10 @@ _FREE: dict[str, tuple[str, str]] = {
         r"From a ray with $y_0\leqslant(\pi/2-1)^2$, given $g\leqslant\pi G/c^2$, $\pi G/(r\,c^2)\leqslant g'$ and $F\,(1+\sqrt{1-rs})/(h\,s)\leqslant f$ at all slip angles up to $\pi/2$, with $g\leqslant 0\leqslant g',f$: "
         r"$(g\,y_0-f\sqrt{y_0})/r\leqslant R_n\leqslant g'y_0$ at every exit.",
     ),
+    "long-time": (
+        "LongTime.long_time",
+        r"A solution that never merges comes to exits where $w=\frac{C}{\tau}(1-\frac{\pi B\ln(\alpha\tau/\pi)+K}{\tau}+O(\tau^{-3/2}))$, given the bounds of law-with-error.",
+    ),
     "one-over-t": (
         "OneOverT.one_over_t",
         r"From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.",
