@@ -108,6 +108,8 @@ def rate_bounds_explicit() -> Case:
         falls with $y$ from $\tfrac{3}{2}$ and $c^2/y$ rises, so $1/y$ gains between $a'$ and $A$ per excursion; a cycle
         lasts between $T_-$ and $T_+$; and between two exits $w$ lies between its values there.
         """,
+        depth_over_excess(),
+        one_step(),
         derivation=(
             "$$\\frac{1}{y_0}+n\\,a'\\leqslant\\frac{1}{y_n}\\leqslant\\frac{1}{y_0}+n\\,A,\\qquad n\\,T_-\\leqslant\\tau_n-\\tau_0\\leqslant n\\,T_+.$$",
             "For $\\tau_n\\leqslant\\tau<\\tau_{n+1}$, $s=\\tau-\\tau_0$: $n>s/T_+-1$ and $n+1\\leqslant s/T_-+1$, with $w_{n+1}\\leqslant w\\leqslant w_n$.",
