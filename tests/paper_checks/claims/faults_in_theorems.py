@@ -1,6 +1,7 @@
 """Of each theorem beyond the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
 
 import sympy as sp
+from flint import arb
 
 from theory.symbols import b, q, theta
 
@@ -43,12 +44,11 @@ FAULTS = {
         "rate.depth_series": entry(0, raised),
     },
     "rate-bounds-explicit": {
-        "theory.rate_bounds.gains": changed(lambda gains: gains[::-1]),
-        "theory.rate_bounds.cycle_times": changed(lambda times: times[::-1]),
+        "rate.depth_series": entry(0, raised),
+        "rate.prove": confused(">=", "<=", 0),
     },
     "rate-with-error": {
-        "theory.long_time.leading_coefficient": doubled,
-        "theory.long_time.logarithm_weight": halved,
+        "uniform_rate.ranges": changed(lambda ends: [arb("inf") for _ in ends]),
     },
     "uniform-rate": {
         "uniform_rate.first_contact_bound": halved,
@@ -111,8 +111,8 @@ FAULTS = {
         "theory.forced_control.stuck_force": negated,
     },
     "minimum-transfer-time": {
-        "theory.forced_control.switching_cosines": entry(0, lambda one: one / 2),
-        "theory.forced_control.pressed": doubled,
+        "theory.forced_control.strongest": doubled,
+        "theory.forced_control.stuck_force": doubled,
     },
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,

@@ -51,7 +51,7 @@ def test_the_logarithm_refuses_what_its_series_does_not_reach():
 
 
 def test_what_the_first_terms_leave_out_is_no_more_than_is_said():
-    """At points, from 100 digits; and a defect that has a zero of a lower order is refused."""
+    """At points, from 100 digits; and a defect that has a zero of a lower order has no bound."""
     cubic = return_map.less(lambda slip: slip.depth, return_map.printed_depth_coefficients(), 1)
     most = return_map.at_most(cubic, 8)
     with precision(100):
@@ -60,5 +60,4 @@ def test_what_the_first_terms_leave_out_is_no_more_than_is_said():
             y = exact.height * exact.height
             left = exact.depth - 3 * y / 2 + 27 * y * y / 40 - 243 * y * y * y / 560
             assert abs(left) < most * y**4
-    with pytest.raises(ArithmeticError, match="no zero of order 10"):
-        return_map.at_most(cubic, 10)
+    assert not return_map.at_most(cubic, 10).is_finite()
