@@ -31,9 +31,11 @@ Control through the interface:
     response            the long-time response to a periodic force
     thresholds          amplitudes: the largest for permanent stick, the smallest for slip with two reversals a period
     fastest_transfer    the force that moves body 2 from rest to rest
+    cheapest_transfer   the one with the least int u^2 dt in a given time
     track               the force under which body 2 follows a reference
     load_reference      a reference from a TOML file, or a shipped one such as "s-curve"
     ring_entry          when the relative motion has settled
+    damping             when a free pair sticks permanently, when it rests, and its best damper
 Exceptions:
     NumericsError       the base class
     InvalidScene        numbers or a file that are not a valid scene; also a ValueError
@@ -53,6 +55,8 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from numerics.control.cheapest import cheapest_transfer as cheapest_transfer
+    from numerics.control.damping import damping as damping
     from numerics.control.response import response as response
     from numerics.control.ring import ring_entry as ring_entry
     from numerics.control.thresholds import thresholds as thresholds
@@ -108,6 +112,8 @@ _NAMES = {
     "plane.trajectory": "PlaneTrajectory",
     "trajectory.sensitivity": "sensitivities",
     "linear.modes": "Mode",
+    "control.cheapest": "cheapest_transfer",
+    "control.damping": "damping",
     "control.response": "response",
     "control.ring": "ring_entry",
     "control.thresholds": "thresholds",

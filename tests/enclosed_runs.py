@@ -45,7 +45,7 @@ def under(pair, until, start, weakening, *u):
     return Scene(pair, State(*start), until, force=Force([Piece(0, u)]), friction=Friction((), weakening))
 
 
-RISES, VANISHES = Weakening((), 0, [("0.1", 0), ("10.1", 1000)]), Weakening((), 0, [(0, 0), (1, -1)])
+RISES, VANISHES = Weakening((), 0, [("0.1", 0), ("10.1", 1000)]), Weakening((), 0, [(-1, 1), (1, -1)])
 PARTS = Weakening([("0.3", "0.2")], -1)
 ONE_ANSWER = {
     "a slower body 2, at the event": (Scene(BELT, State(v2=-1), 3), (0, 0, 0, 1)),

@@ -258,7 +258,7 @@ def compared(scene: Scene, arithmetic: str) -> tuple[Trajectory, list[Compared]]
     if not run.certain:
         raise LeftOut
     rows = against(run, truth := solved_truly(scene))
-    if arithmetic == "float64" or scene.friction.weakening:
+    if arithmetic == "float64":
         with truth.context():
             batch = solve_scenes([scene], max_events=EVENTS, keep_events=EVENTS)
             rows += claimed(run, batch_held(batch, 0, truth))

@@ -8,8 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.arithmetic.compiled import compiled
+from numerics.linear.cells import cells_of
+from numerics.linear.engine import _exact_rows
+from numerics.linear.exact_start import exact_knots
 from numerics.linear.kernel import Log, begin, follow
 from numerics.linear.ledger import ledger
 from numerics.linear.prepare import Prepared, prepare
@@ -47,8 +50,11 @@ class Run(NamedTuple):
 
 def run(scene, by=NOTHING, most=60):
     """A run that is told that x1, v1, x2 and v2 may be off by so much at the start."""
-    prepared = prepare(scene)
+    prepared, cells = prepare(scene), cells_of(scene)
     start, rows, end = prepared.start.copy(), np.empty((500, ROW)), np.zeros(END_ROW)
+    if cells is not None:
+        start[:ROW] = _exact_rows(prepared, exact_knots(scene, prepared.pieces)[:1], cells)[0]
+        start[AT["jump"]] = start[BOUNDS[1:]] = 0.0
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
     space = space_for(prepared.problem.tables)
@@ -93,6 +99,23 @@ def a_scene(random):
     at = State(x1, v1, x2, v1 if random.random() < 0.25 else v2)
     law = Law.THREE_VALUED_SGN if random.random() < 0.15 else Law.FILIPPOV
     return Scene(Pair(m1, 1 - m1, 1, 1 - m1, exact(a1)), at, horizon, law, Force(pieces), Friction(frictions))
+
+
+def a_weakened_scene(random):
+    """The same with friction that falls and rises with speed, and with the place."""
+    scene = a_scene(random)
+    b, speed, place = scene.pair.b, Fraction(0), Fraction(0)
+    speeds, places = [], []
+    for _ in range(random.integers(0, 4)):
+        speed += exact(random.uniform(0.05, 1.5))
+        speeds.append((speed, b * exact(random.uniform(0.5, 1.5))))
+    for _ in range(random.choice([0, 0, 2, 3])):
+        place += exact(random.uniform(0.1, 2))
+        places.append((place - 2, b * exact(random.uniform(-0.3, 1))))
+    table = Weakening(speeds, b * exact(random.uniform(-0.2, 0.5)), places)
+    steps = [one.start for one in scene.friction.pieces]
+    friction = Friction([(t, b * exact(random.uniform(0.3, 2))) for t in steps], table)
+    return replace(scene, law=Law.FILIPPOV, friction=friction)
 
 
 def errors(random, scene):

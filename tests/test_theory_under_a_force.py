@@ -8,11 +8,11 @@ from flint import arb
 from hypothesis import given
 from strategies import MODERATE, decimals, pairs
 
-from numerics import Force, Mode, Pair, Piece, Scene, State, fastest_transfer, solve, track
+from numerics import Force, Mode, Pair, Piece, Scene, State, cheapest_transfer, fastest_transfer, solve, track
 from numerics.arithmetic.ball import Ball
 from numerics.control.response import response as forced_response_of
 from numerics.control.thresholds import square_wave_response, thresholds
-from theory import forced
+from theory import cheapest, forced
 from theory import forced_control as control
 from theory import forced_response as response
 from theory.symbols import a1, a2, b, m1, m2
@@ -119,6 +119,36 @@ def test_a_weak_force_takes_the_time_of_both_arcs():
     found = fastest_transfer(Scene(pair, State(), until=1), "0.2", amplitude=1)
     first, second = (one.subs(control.reduced, sp.Rational(3, 5)) for one in control.switching())
     assert close(found.time, (first + second) / sp.sqrt(1))
+
+
+def test_the_least_energy_is_theorys_below_the_limit_and_above_its_bounds_beyond():
+    below = cheapest_transfer(Scene(Pair(1, 2, 3, 4), State(), until=1), "0.2", 2)
+    values = letters(Pair(1, 2, 3, 4)) | {control.path: sp.Rational(1, 5), control.angle: 2}
+    assert not below.is_at_limit
+    assert close(below.cost, cheapest.undamped_energy().subs(values))
+    far = cheapest_transfer(Scene(Pair(1, 1, 200, "0.5"), State(), until=1), "0.05", "1.2").cost
+    stuck = cheapest.far_energy().subs(letters(Pair(1, 1, 200, "0.5")) | {cheapest.beyond: sp.Rational("0.045")})
+    assert 18.3 < sp.N(stuck) < float(far) < 1.1 * sp.N(stuck)
+
+
+def test_hops_are_cheaper_than_every_stuck_transfer_over_five_centimetres():
+    """The pair moves forward stuck, then body 1 goes back, slipping; all is as before but for x2."""
+    pair, far, go, back = Pair(1, 1, 200, "0.5"), Fraction("0.004"), Fraction("0.25"), Fraction("0.07")
+    gain = pair.b / pair.m2
+    met = back * (1 - gain * back**2 / (6 * far))  # from then on body 1 is the slower one
+    ways = [(0, (0, 0, 3 * far / go**2, -2 * far / go**3)), (go, (far, 0, -3 * far / back**2, 2 * far / back**3))]
+    force = pair.a2 * Force((*(Piece(*one) for one in ways), Piece(go + back, (0,))))
+    bends = [Piece(start, (2 * way[2], 6 * way[3])) for start, way in ways]
+    force += pair.mass * Force((bends[0], Piece(go, (0,)))) + pair.m1 * Force((bends[1], Piece(go + back, (0,))))
+    force += Force((Piece(go, (-pair.b,)), Piece(go + met, (pair.b,)), Piece(go + 2 * met, (0,))))
+    solved = solve(Scene(pair, State(), until=1, force=force), digits=15, arithmetic="ball")
+    hop = far - gain * met**2
+    assert [mode.value for mode in solved.modes] == ["stick", "slip-", "slip+", "stick"]
+    assert all(abs(float(one) - float(to)) < 1e-18 for one, to in zip(solved.final_state, (0, 0, hop, 0), strict=True))
+    energy = sum(float(force(Fraction(2 * k + 1, 8000))) ** 2 for k in range(4000)) / 4000
+    beyond = sp.Rational(str(25 * hop - pair.half_width))
+    assert 0.05 < 25 * hop < 0.051
+    assert 25 * energy < 0.8 * sp.N(cheapest.far_energy().subs(letters(pair) | {cheapest.beyond: beyond}))
 
 
 def test_the_force_of_a_reference_is_that_of_the_stuck_pair():

@@ -128,6 +128,7 @@ def distance_rate() -> Expr:
 
 
 b_other = Symbol(r"\tilde{b}", positive=True)  # the friction at the place of the second solution, N
+a1_other = Symbol(r"\tilde{a}_1", positive=True)  # the damper there, N s/m
 
 
 def place_dependent_rate(sign: int) -> Expr:
@@ -135,6 +136,12 @@ def place_dependent_rate(sign: int) -> Expr:
     second = put(other(forced_system(sigma, u)), {other(sigma): sign, b: b_other})
     difference = forced_system(sigma).subs(sigma, sign) - second
     return inner_product(STATE - other(STATE), difference).expand().subs(a1, 0)
+
+
+def place_dependent_damper_rate() -> Expr:
+    """The rate of half the squared distance of two motions with one friction and the dampers a1 and a1~, W."""
+    second = put(other(forced_system(sigma)), {other(sigma): sigma, other(u): u, a1: a1_other})
+    return inner_product(STATE - other(STATE), forced_system(sigma) - second).expand()
 
 
 def growth_by_place(slope: Expr) -> Expr:

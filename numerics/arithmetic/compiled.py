@@ -106,7 +106,7 @@ def _kept(function: Any) -> Any:
                 return compile_for(types)
 
     made._cache.load_overload, made.compile = loaded, compile_alone
-    return made
+    return _once_for_all_values(made)
 
 
 def _with_compiled(function: Any) -> Any:
@@ -124,7 +124,16 @@ def _called(function: Any) -> Any:
         return _kept(function)
     import numba
 
-    return numba.njit(_with_compiled(function), **{**_INNER, **_OPTIONS[function]})
+    return _once_for_all_values(numba.njit(_with_compiled(function), **{**_INNER, **_OPTIONS[function]}))
+
+
+def _once_for_all_values(made: Any) -> Any:
+    """Return a function of numba that is not compiled anew for each number or truth value that a caller writes out."""
+    from numba.core.types import unliteral
+
+    template = made.get_call_template
+    made.get_call_template = lambda given, named: template(tuple(map(unliteral, given)), named)
+    return made
 
 
 @cache

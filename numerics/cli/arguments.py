@@ -66,6 +66,7 @@ _FIGURE = "write a figure: .svg, .pdf or .png"
 _PLOT = _file("--plot", _FIGURE)
 _SCENE = _option("scene", "TOML file, - for standard input, or the short name of a shipped scene", metavar="SCENE")
 _JSON, _DIGITS = _switch("--json", "print the result as JSON"), _count("--digits", 15, "right digits requested")
+_LEAST = ("time", "energy", "peak")
 _WORKING = _count("--max-digits", 20_000, "limit on the working digits")
 _ASKED = (
     _SCENE,
@@ -150,11 +151,13 @@ _COMMANDS: tuple[Command, ...] = (
     (
         "move",
         control.print_transfer,
-        "the fastest transfer from rest to rest, with its force as a scene",
+        "the transfer from rest to rest with the least time or energy, and its force as a scene",
         (
             *_ASKED,
             _option("--distance", "displacement of body 2, m; negative: backwards", required=True, metavar="D"),
-            _option("--amplitude", "the force stays within -U and U, N", metavar="U"),
+            _option("--least", "energy: int u^2 dt; peak: max |u| (%(default)s)", choices=_LEAST, default="time"),
+            _option("--time", "duration, s; for --least energy and peak", metavar="T"),
+            _option("--amplitude", "the force stays within -U and U, N; for the least time", metavar="U"),
             _option("--margin", "the load stays within (1 - E) b (%(default)s)", default="0", metavar="E"),
             _PLAN,
         ),
@@ -168,6 +171,12 @@ _COMMANDS: tuple[Command, ...] = (
             _option("--radius", "radius of the ring about the limit of x1 - x2, m", required=True, metavar="R"),
             _option("--rate", "rate that divides v1 - v2 to give metres, 1/s (%(default)s)", default="1", metavar="W"),
         ),
+    ),
+    (
+        "damping",
+        control.print_damping,
+        "the time from which the free pair sticks permanently, and that from which it rests; its best damper",
+        (*_ASKED, _option("--tolerance", "displacement that counts as rest, m", required=True, metavar="D")),
     ),
     (
         "trade",

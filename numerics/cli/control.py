@@ -1,4 +1,4 @@
-"""`python -m numerics response`, `track`, `move` and `ring`: control questions about a pair.
+"""`python -m numerics response`, `track`, `move`, `ring` and `damping`: control questions about a pair.
 
 Long-time response to a periodic force; references, transfers, settling. Each command computes its result, solves it
 again event by event where it is a scene, draws it, and prints it as JSON or as lines.
@@ -11,7 +11,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import answer, asked, draw, in_brief, number_lines, numbers, write_text
-from numerics.exits import FAILED, OK, refuse
+from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import shown_steps
 
 if TYPE_CHECKING:
@@ -137,11 +137,15 @@ def print_tracking(options: argparse.Namespace) -> int:
 
 
 def print_transfer(options: argparse.Namespace) -> int:
-    """Print the fastest transfer from rest to rest, and write its force as a scene."""
+    """Print the transfer from rest to rest with the least time or energy, and write its force as a scene."""
     from numerics.control.answers import solved_again
     from numerics.control.transfer import TransferKind, fastest_transfer
     from numerics.scene.file import load_line
 
+    if (options.least == "time") is (options.time is not None):
+        return refuse("--least energy or peak and --time go together; leave both out for the least time", USAGE)
+    if options.time is not None:
+        return _cheapest(options)
     found = fastest_transfer(load_line(options.scene), options.distance, **asked(options, "amplitude", "margin"))
     solved = solved_again(found)
     if solved is not None:
@@ -158,6 +162,23 @@ def print_transfer(options: argparse.Namespace) -> int:
     return _plan(
         options, found.scene, (record, lines), "no transfer is given: the minimum time at this amplitude is not known"
     )
+
+
+def _cheapest(options: argparse.Namespace) -> int:
+    """Print the transfer with the least int u^2 dt or max |u| in a time."""
+    from numerics.control.answers import solved_again
+    from numerics.control.cheapest import cheapest_transfer
+    from numerics.scene.file import load_line
+
+    if options.amplitude is not None:
+        return refuse("--amplitude is for the least time; leave it out with --least energy or peak", USAGE)
+    given = asked(options, "least", "margin")
+    found = cheapest_transfer(load_line(options.scene), options.distance, options.time, **given)
+    draw(options, "draw_transfer", found, solved_again(found))
+    shown = numbers(found, "bound", "time", **{options.least: found.cost, f"least_{options.least}": found.least_cost})
+    record = {"sentence": found.road.value, **shown, "is_at_limit": found.is_at_limit, "digits": found.digits}
+    limit = "at its limit, or the margin, for a part of the time" if found.is_at_limit else "below its limit"
+    return _plan(options, found.scene, (record, [found.road.value, *number_lines(shown), f"friction is {limit}"]), "")
 
 
 def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherwise: str) -> int:
@@ -194,4 +215,29 @@ def print_ring(options: argparse.Namespace) -> int:
         f"{found.why}; {found.digits} right digits, proved",
     ]
     answer(options, record, lines)
+    return OK
+
+
+def print_damping(options: argparse.Namespace) -> int:
+    """Print when a free pair sticks permanently, when it rests, and the damper that is best for that."""
+    from numerics.control.damping import damping
+    from numerics.scene.decimals import decimal_text
+    from numerics.scene.file import load_line
+
+    with shown_steps():
+        found = damping(load_line(options.scene), **asked(options, "tolerance"))
+    draw(options, "draw_damping", found)
+    best = "" if found.best is None else decimal_text(found.best)
+    record: dict[str, Any] = {"own": found.own, "best": found.at_best, "heavy": found.heavy}
+    lines = []
+    for name, said in (
+        ("own", "with the damper of the scene:"),
+        ("best", f"with a1 = {best} N s/m, the best for rest of {len(found.sampled)} that were tried:"),
+        ("heavy", "as a1 grows without bound:"),
+    ):
+        if record[name] is not None:
+            record[name] = numbers(found, **record[name]._asdict())
+            lines += [said, *number_lines(record[name])]
+    record |= {"a1": best or None, "digits": found.digits}
+    answer(options, record, [*lines, f"{found.digits} right digits, proved; that no other damper is better is not"])
     return OK

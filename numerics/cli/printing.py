@@ -29,10 +29,16 @@ NAMED = {
     "friction_across": ("friction across it", "N"),
     "bound": ("no force arrives before", "s"),
     "time": ("duration of this transfer", "s"),
+    "energy": ("int u^2 dt of this transfer", "N^2 s"),
+    "least_energy": ("no transfer in this time that sticks has less int u^2 dt than", "N^2 s"),
+    "peak": ("max |u| of this transfer", "N"),
+    "least_peak": ("no transfer in this time that sticks has a lower max |u| than", "N"),
     "stuck_amplitude": ("amplitude required for sticking at the limit, or at the margin below it", "N"),
     "least_amplitude": ("minimum amplitude to arrive at the bound", "N"),
     "entry": ("stays inside the ring from t", "s"),
     "centre": ("its centre", "m"),
+    "stuck": ("time to permanent stick", "s"),
+    "rest": ("time to rest within the tolerance", "s"),
 }
 """Names and units of the numbers in a result."""
 

@@ -14,6 +14,7 @@ from matplotlib.patches import Ellipse
 from matplotlib.ticker import LogLocator
 
 from numerics.arithmetic.ball import Ball
+from numerics.control.cheapest import CheapestTransfer
 from numerics.control.thresholds import edges
 from numerics.control.tracking import Tracking, acceleration
 from numerics.control.transfer import Transfer
@@ -128,7 +129,7 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
     return figure
 
 
-def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
+def draw_transfer(found: Transfer | CheapestTransfer, solved: Trajectory) -> Figure:
     """Return both positions, both velocities, and the force beside the friction that it asks for, of a solved scene."""
     curve = sampled(solved)
     apart = abs(curve.y[1] - curve.y[3])
@@ -165,6 +166,21 @@ def draw_ring(found: Any) -> Figure:
     time.axhline(radius, color="black", ls="--", lw=0.9)
     time.axvline(entry, color=GRAY, lw=1)
     time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="Inside permanently from the line on")
+    return figure
+
+
+def draw_damping(found: Any) -> Figure:
+    """Return both times of a Damping over a1, in float64; the damper of the scene, and the best one."""
+    a1, times = zip(*found.sampled, strict=True)
+    figure, ax = _panels(8, 5.6, 1)
+    names = "stuck permanently", f"at rest within {float(found.tolerance):g} m"
+    for name, several, color in zip(names, np.array(times, float).T, (PURPLE, GREEN), strict=True):
+        ax.plot(a1, np.where(several > 0, several, np.nan), color=color, label=name)
+    for damper, style in ((found.scene.pair.a1, "-."), (found.best, ":")):
+        if damper:
+            ax.axvline(float(damper), color=GRAY, ls=style, label=f"$a_1$ = {float(damper):g} N s/m")
+    ax.set(xscale="log", yscale="log", xlabel="$a_1$ (N s/m)", ylabel="from t on (s)", title="What a damper does")
+    _legends_below([ax])
     return figure
 
 

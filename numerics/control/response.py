@@ -203,20 +203,21 @@ def last_drive(scene: Scene) -> PeriodicDrive | None:
 def _entrained(drive: PeriodicDrive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
+    tends = "each tends to one in which the bodies stick permanently"
     stays = (
         "a1 = 0, so not all motions tend to it: a free oscillation of the stuck pair does not decay, and motions that "
         "slip may do so for thousands of periods"
     )
-    if len(sines) == 1 and pair.a1 == 0 and load_margin(pair, sines[0].amplitude, sines[0].omega) > 0:
-        stays = f"{stays}, but each tends to one in which the bodies stick permanently"
+    if len(sines) == 1:
+        stays = f"{stays}, but {tends}"
     if known is not None and known.exception is not None:  # a1 = 0
         why = f"{stays}; others"
         if not entrained(drive):
             breaks = "but motions with a free oscillation that flattens the peaks of the load"
-            why = f"not all motions do; the stuck response itself breaks, {breaks}"
+            why = f"{tends}; the stuck response itself breaks, {breaks}"
         why = f"{why} stick up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
     elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
-        multipliers, why = None, f"{_EVERY if pair.a1 > 0 else 'attraction is open'}; its load touches the limit"
+        multipliers, why = None, f"{_EVERY if pair.a1 > 0 else tends}; its load touches the limit"
     else:
         why = f"{_EVERY}, and sticks after a finite time" if pair.a1 > 0 else stays
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)

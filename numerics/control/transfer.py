@@ -48,6 +48,8 @@ class TransferKind(Enum):
     STUCK = "the bodies stick throughout, at the limit of friction or the margin below it"
     SLIP = "body 1 slips ahead in the first half; the bodies stick in the second half"
     BANG_BANG = "the bodies stick throughout, under full force forwards, then backwards"
+    CHEAPEST = "the bodies stick throughout, and no transfer in this time that sticks has less int u^2 dt"
+    GENTLEST = "the bodies stick throughout, and no transfer in this time that sticks has a lower peak of |u|"
     OPEN = "open: the minimum time for this amplitude is not known"
 
 
@@ -109,12 +111,8 @@ def fastest_transfer(
     >>> found.time.str(8, radius=False), found.scene.force.starts[0]
     ('0.28284271', Fraction(0, 1))
     """
-    require_kind("fastest_transfer", scene, Scene, BUILD)
-    require_plain(scene, "a transfer")
-    require_digits(digits, max_digits=max_digits)
-    by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
+    by, part = read_transfer("fastest_transfer", scene, distance, margin, digits, max_digits)
     most = None if amplitude is None else positive(amplitude, "amplitude", "leave it out for a force without bound")
-    _require(scene, by, part)
 
     def attempt(_: Ball) -> tuple[Transfer, list[arb]]:
         pair, far = scene.pair, abs(by)
@@ -130,7 +128,14 @@ def fastest_transfer(
     return to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
 
 
-def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
+def read_transfer(
+    name: str, scene: Scene, by: Exact, share: Exact, digits: int, most: int | None
+) -> tuple[Fraction, Fraction]:
+    """Return the distance (m) and the margin of a transfer, exact; raises where they or the scene allow none."""
+    require_kind(name, scene, Scene, BUILD)
+    require_plain(scene, "a transfer")
+    require_digits(digits, max_digits=most)
+    distance, margin = exact_decimal(by, "distance"), exact_decimal(share, "margin")
     at = scene.initial
     if distance == 0:
         raise InvalidScene("distance = 0 must not be 0; give a distance in metres")
@@ -143,6 +148,7 @@ def _require(scene: Scene, distance: Fraction, margin: Fraction) -> None:
     scene.require_filippov("a transfer")
     if scene.is_forced:
         raise InvalidScene("a transfer computes its own force, for constant b; leave [[force]] and [[friction]] out")
+    return distance, margin
 
 
 Choice = tuple[TransferKind, arb | None, str, Force | None]
@@ -189,13 +195,13 @@ def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
     tau, squared = number(pair.m2 * far / pair.b).sqrt(), pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2
     if squared > 0 and number(squared).sqrt() * tau > arb.pi() / 2:
         return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
-    _, g, slope = _pushed(pair, tau)
+    _, g, slope = pushed(pair, tau)
     if proved_sign(slope, "does body 1 still run ahead at half time?") < 0:
         return None
     return number(pair.b) + number(pair.b / pair.m2) * tau / g
 
 
-def _pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
+def pushed(pair: Pair, t: arb) -> tuple[arb, arb, arb]:
     """Return where body 1 alone is under 1 N from rest at a time (s), its velocity g, and g'."""
     decay = pair.a1 / (2 * pair.m1)
     C, S = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
@@ -226,7 +232,7 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> C
     slow = (1 - _MET) * beta
     tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
     push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
-    x, v = rounded(number(push - pair.b) * _pushed(pair, number(tau))[0]), beta * tau
+    x, v = rounded(number(push - pair.b) * pushed(pair, number(tau))[0]), beta * tau
     end = x + v**2 / (2 * slow)
     if pair.a2 * end > most:
         return None

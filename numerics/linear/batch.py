@@ -74,7 +74,7 @@ def follow_rows(given: Any, work: Work, literal: bool, max_events: int, has_ledg
         found, end, norm, longest = kept[row % kept.shape[0]], ends[row], norm_of(bodies), drive.length[0, 0]
         if is_new(work, bodies, longest):
             clear(work.rows)
-            put_rows(bodies, work.blocks, work.asked[:-5], (0.0, 0.0), work.rows)
+            put_rows(bodies, work.blocks, work.asked[:-5], (0.0, 0.0, 1.0), work.rows)
             form(tables, drive.places[0, 0], norm, work.blocks, work.rows, _ROUNDINGS, longest)
         problem, log = Problem(norm, drive, tables, literal), Log(found, end, max_events, False)
         how, count = follow(problem, work.space, start, -1.0, log)

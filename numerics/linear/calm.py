@@ -16,7 +16,7 @@ from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats
 from numerics.linear.evolve import moved
 from numerics.linear.model import EDGE, FORCE, FRICTION, LOAD, STICK, V1, X1
-from numerics.linear.room import Now, Run, dot, form_z
+from numerics.linear.room import Now, Run, dot, form_z, load_off, place_of
 from numerics.linear.table import OTHERS, RATES, STATE, UNIT
 
 _MOST_COLUMNS, _MOST_STEPS = 64, 2.0**36
@@ -34,7 +34,7 @@ class Calm(NamedTuple):
 @compilable
 def step_over(run: Run, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
     """Stick through the rest of a piece but for less than a step, if it is long, and time to look, and calm."""
-    kind = run.drive.places[now.piece, 0]
+    kind, _ = place_of(run, now)
     left = run.drive.length[now.piece, 0] - run.clock[0, 0]
     if now.mode != 0 or now.order != 0 or step < calm.look or not left > 8.0 * run.tables.steps[kind, STICK]:
         return now, calm
@@ -42,7 +42,7 @@ def step_over(run: Run, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
     if not (is_calm and (run.literal or rest_is_calm(run, now))):
         return now, Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
     if left > _MOST_STEPS * run.tables.steps[kind, STICK]:
-        lost = Now(now.piece, 0, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
+        lost = Now(now.piece, 0, now.cell, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
         return lost, Calm(True, step, calm.begun)  # with an error beyond all range
     return long_step(run, now), Calm(True, step, calm.begun)
 
@@ -50,7 +50,7 @@ def step_over(run: Run, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
 @compilable
 def rest_is_calm(run: Run, now: Now) -> bool:
     """Return whether |Lambda| < b is proved from here to the end of the piece, however late that is."""
-    tables, kind, z = run.tables, run.drive.places[now.piece, 0], run.z
+    tables, (kind, _), z = run.tables, place_of(run, now), run.z
     A, others, blocks = tables.A[kind, STICK], tables.lines[kind, STICK, OTHERS:RATES], tables.blocks[kind]
     first, terms, sines, waves = blocks[FORCE]
     numbers = 0
@@ -83,17 +83,17 @@ def rest_is_calm(run: Run, now: Now) -> bool:
         most += peak
         size += peak * (1.0 + omega / math.sqrt(stiff))
     most += math.sqrt(free * free + rate * rate / stiff) + 1e-13 * size
-    return most + run.norm.load * now.N < (1.0 - 1e-12) * dot(edge, z)
+    return most + load_off(run, kind, now) < (1.0 - 1e-12) * dot(edge, z)
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
 def long_step(run: Run, now: Now) -> Now:
     """Stick to the end of the piece but for less than a step, the longest powers of exp(A h) first."""
     norm, tables, length = run.norm, run.tables, run.drive.length[now.piece, 0]
-    kind = run.drive.places[now.piece, 0]
+    kind, _ = place_of(run, now)
     h, count, scale = tables.steps[kind, STICK], len(run.z), (norm.root_a2, norm.root_m1, 0.0, norm.root_m2)
     levels = 1 + max(0, math.floor(math.log2((length - run.clock[0, 0]) / h)))
-    powers = doubled(tables.A[kind, STICK] * h, levels)
+    powers = doubled(tables.A[kind, STICK], h, levels)
     while True:
         left = length - run.clock[0, 0]
         level = min(levels - 1, math.floor(math.log2(left / h))) if left >= h else -1
@@ -112,28 +112,37 @@ def long_step(run: Run, now: Now) -> Now:
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def doubled(A: Any, levels: int) -> Any:
-    """Return exp(A 2^k) for k < levels."""
+def doubled(A: Any, h: float, levels: int) -> Any:
+    """Return exp(A h 2^k) for k < levels."""
     count = A.shape[0]
-    powers, term = np.zeros((levels, count, count)), np.zeros((count, count))
+    powers, terms = np.zeros((levels, count, count)), np.zeros((2, count, count))
     for i in range(count):
-        term[i, i] = 1.0
+        powers[0, i, i] = terms[0, i, i] = 1.0
     for k in range(1, 40):
-        powers[0] += term
-        term = matrix_product(term, A) / k
+        term = terms[k % 2]
+        put_product(terms[(k - 1) % 2], A, h / k, term)
+        add(term, powers[0])
     for level in range(1, levels):
-        powers[level] = matrix_product(powers[level - 1], powers[level - 1])
+        put_product(powers[level - 1], powers[level - 1], 1.0, powers[level])
     return powers
 
 
-@compilable_with(makes_arrays=True, forceinline=False)
-def matrix_product(A: Any, B: Any) -> Any:
-    """Return A B; without a library for it, which would have to be installed."""
+@compilable_with(forceinline=False)
+def put_product(A: Any, B: Any, factor: float, to: Any) -> None:
+    """Write A B times a factor; without a library for it, which would have to be installed."""
     count = A.shape[0]
-    found = np.zeros((count, count))
     for i in range(count):
+        for j in range(count):
+            to[i, j] = 0.0
         for k in range(count):
             if A[i, k] != 0.0:
                 for j in range(count):
-                    found[i, j] += A[i, k] * B[k, j]
-    return found
+                    to[i, j] += factor * A[i, k] * B[k, j]
+
+
+@compilable
+def add(A: Any, to: Any) -> None:
+    """Add a matrix to another one."""
+    for i in range(A.shape[0]):
+        for j in range(A.shape[1]):
+            to[i, j] += A[i, j]

@@ -15,16 +15,11 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
-import numpy as np
-from flint import arb
-from numpy.typing import NDArray
-
-from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene
-from numerics.linear.model import V1, V2
+from numerics.linear.model import AHEAD, CEILING, FLOOR, V1, V2
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
 from numerics.linear.system import LinearMode
@@ -37,17 +32,17 @@ Line = tuple[Fraction, Fraction]
 
 
 class FrictionLine(NamedTuple):
-    """F = side offset + slope w + pull z, N: friction in one cell."""
+    """F = side level b(t) + slope w + pull z, N: friction in one cell."""
 
-    offset: Fraction
     slope: Fraction
     pull: Fraction
+    level: Fraction
 
 
-Start = tuple[tuple[int, int], tuple[int, int, int, int]]
-"""Where a slip begins: its cell, and how many derivatives of its guards vanish there (FLOOR to RIGHT)."""
-FLOOR, CEILING, LEFT, RIGHT, FORCE = range(5)
-"""The guards of a slip: |w| falls to v_k (v_0 = 0 ends the slip), rises to v_k+1; z at either end; B + C gets to 0."""
+Start = tuple[tuple[int, int], tuple[int, int]]
+"""Where a slip begins: its cell, and how many derivatives of FLOOR and CEILING vanish there."""
+VANISHES = 3
+"""Behind the guards of a slip: B + C gets to 0."""
 PLAIN = (0, 0)
 
 
@@ -70,21 +65,25 @@ class Cells:
         self.falling = most * max(Fraction(0), *(-slope for _, slope in self.by_speed))
         """At any time, at most: -B', N s/m; |C'|, N/m; |B'| next to rest."""
         self.pulling, self.steep = most * max(abs(slope) for _, slope in self.by_place), most * abs(self.by_speed[0][1])
-        self._guards: dict[tuple[int, int], tuple[list[tuple[int, int, Fraction]], bool]] = {}
+        self.begun = [self.place_line(scene.initial.x1 - scene.initial.x2, side) for side in (-1, 1)]
+        """The intervals of z in which slip - and slip + begin, from a stick at the start."""
+        cells = list(product(range(len(self.by_speed)), range(len(self.by_place))))
+        self.all = [*product((1, -1), cells), (1, (0, self.begun[1]))]
+        """The cells as the kernel counts them, with the sign of the slip; the last one is the stick at the start."""
+        self._guards: dict[tuple[int, tuple[int, int]], tuple[list[tuple[int, int, Fraction]], bool]] = {}
 
     def scale(self, piece: ExactPiece) -> Fraction:
         """Return b(t)/b of a piece."""
         return piece.b / self.pair.b
 
     def branch(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> FrictionLine:
-        """Return friction in a cell."""
+        """Return friction in a cell, in a slip or as what holds a stick."""
         scale, (p, slope), (q, pull) = self.scale(piece), self.by_speed[cell[0]], self.by_place[cell[1]]
-        return FrictionLine(scale * (p + q), scale * slope, scale * side * pull)
+        return FrictionLine(scale * slope, scale * (side or 1) * pull, (p + q) / self.pair.b)
 
     def mode(self, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
-        """Return the linear mode of a slip in a cell."""
-        offset, *line = self.branch(piece, side, cell)
-        return LinearMode(self.pair, side, piece.with_friction(offset), (line[0], line[1]))
+        """Return a linear mode in a cell."""
+        return LinearMode(self.pair, side, piece, self.branch(piece, side, cell))
 
     def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, FrictionLine]:
         """Return the derivatives of friction in a cell by the numbers in it; `b` is the name of the piece's b."""
@@ -93,34 +92,24 @@ class Cells:
         (p, slope), (q, pull), scale = self.by_speed[k], self.by_place[j], self.scale(piece)
         for n, height in _by_heights(self.speeds, (k, k + 1)):
             name = f"weakening.speed[{n - 1}]"
-            found[f"{name}.b" if n else "b"] = FrictionLine(*height, Fraction(0))
+            found[f"{name}.b" if n else "b"] = FrictionLine(height[1], Fraction(0), height[0])
             if n:  # w = 0 is no number of the scene
-                found[f"{name}.w"] = FrictionLine(-slope * height[0], -slope * height[1], Fraction(0))
+                found[f"{name}.w"] = FrictionLine(-slope * height[1], Fraction(0), -slope * height[0])
         if k == last:
-            found["weakening.last_slope"] = FrictionLine(-self.speeds[k], Fraction(1), Fraction(0))
+            found["weakening.last_slope"] = FrictionLine(Fraction(1), Fraction(0), -self.speeds[k])
         for n, height in _by_heights(self.places, (j - 1, j)):
-            found[f"weakening.place[{n}].c"] = FrictionLine(height[0], Fraction(0), height[1])
-            found[f"weakening.place[{n}].z"] = FrictionLine(-pull * height[0], Fraction(0), -pull * height[1])
+            found[f"weakening.place[{n}].c"] = FrictionLine(Fraction(0), height[1], height[0])
+            found[f"weakening.place[{n}].z"] = FrictionLine(Fraction(0), -pull * height[1], -pull * height[0])
         found = {
-            name: FrictionLine(scale * one, scale * two, scale * side * three)
+            name: FrictionLine(scale * one, scale * side * two, three / self.pair.b)
             for name, (one, two, three) in found.items()
         }
         if b != "b":
-            whole = FrictionLine(p + q, slope, side * pull)
+            whole = FrictionLine(slope, side * pull, (p + q) / piece.b)
             found[b] = FrictionLine(*(one / self.pair.b for one in whole))
             own = found.get("b", FrictionLine(Fraction(0), Fraction(0), Fraction(0)))
             found["b"] = FrictionLine(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
         return found
-
-    def held(self, piece: ExactPiece, z: arb) -> arb:
-        """Return B(0) + C over a ball of places x1 - x2."""
-        found: arb | None = None
-        for j, (q, pull) in enumerate(self.by_place):
-            _, _, low, high = self.ends((0, j))
-            if not ((low is not None and z < Ball.number(low)) or (high is not None and z > Ball.number(high))):
-                one = Ball.number(self.pair.b + q) + Ball.number(pull) * z
-                found = one if found is None else found.union(one)
-        return (arb("nan") if found is None else found) * Ball.number(self.scale(piece))
 
     def place_line(self, z: float | Fraction, side: int = 1) -> int:
         """Return the interval of a place; at a knot that towards which z moves."""
@@ -133,36 +122,43 @@ class Cells:
             raise self.vanishing(Fraction(0), z)
         return self.pair.b + q + slope * z
 
-    def relative(self, w: NDArray[np.float64], z: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return (B(|w|) + C(z))/b in binary64, for drawing."""
-        by_speed, by_place = (np.array(one, dtype=float) for one in (self.by_speed, self.by_place))
-        k, j = (
-            np.searchsorted(np.array(at, dtype=float), x) for at, x in ((self.speeds[1:], abs(w)), (self.places, z))
-        )
-        force = by_speed[k, 0] + by_speed[k, 1] * abs(w) + by_place[j, 0] + by_place[j, 1] * z
-        return np.asarray(force / float(self.pair.b))
-
     def ends(self, cell: tuple[int, int]) -> tuple[Fraction | None, ...]:
         """Return the ends of a cell: |w| from and to, z from and to; None where there is none."""
         (k, j), last = cell, len(self.places)
         above = self.speeds[k + 1] if k + 1 < len(self.speeds) else None
         return self.speeds[k], above, self.places[j - 1] if j else None, self.places[j] if j < last else None
 
-    def guards(self, cell: tuple[int, int]) -> tuple[list[tuple[int, int, Fraction]], bool]:
-        """Return kind, sign and offset of the guards at the ends of a cell, and whether friction may vanish within."""
-        if cell not in self._guards:
-            ends = enumerate(zip(self.ends(cell), (1, -1, 1, -1), strict=True))
-            at = [(kind, sign, -sign * end) for kind, (end, sign) in ends if end is not None]
-            self._guards[cell] = at, self._may_vanish(cell)
-        return self._guards[cell]
+    def guards(self, side: int, cell: tuple[int, int]) -> tuple[list[tuple[int, int, Fraction]], bool]:
+        """Return kind, sign and offset of the guards of a slip in a cell, and whether friction may vanish within."""
+        if (side, cell) not in self._guards:
+            low, high, *sides = self.ends(cell)
+            ends = (low, side), (high, -side), (sides[side > 0], -side)
+            at = [
+                (kind, sign, -sign * end * (1 if kind == AHEAD else side))
+                for kind, (end, sign) in enumerate(ends)
+                if end is not None
+            ]
+            self._guards[side, cell] = at, self.limit(cell) is not None
+        return self._guards[side, cell]
 
-    def _may_vanish(self, cell: tuple[int, int]) -> bool:
-        """Return whether B + C <= 0 somewhere in a cell."""
-        (low, high, *sides), (p, slope), (q, pull) = self.ends(cell), self.by_speed[cell[0]], self.by_place[cell[1]]
-        if high is None and slope < 0:
-            return True
-        b = min(p + slope * w for w in (low, high) if w is not None)
-        return b + q + min([pull * z for z in sides if z is not None], default=Fraction(0)) <= 0
+    def limit(self, cell: tuple[int, int]) -> Fraction | None:
+        """Return the |w| of a cell up to which B + C > 0 at all its places; None where it is positive everywhere."""
+        low, (_, high, *sides) = self.speeds[cell[0]], self.ends(cell)
+        (p, slope), (q, pull) = self.by_speed[cell[0]], self.by_place[cell[1]]
+        least = p + q + min([pull * z for z in sides if z is not None], default=Fraction(0))
+        if slope < 0:
+            return -least / slope if high is None or least + slope * high <= 0 else None
+        return None if least + slope * low > 0 else low
+
+    def behind(self, side: int, cell: tuple[int, int], kind: int) -> tuple[int, int]:
+        """Return the cell behind an end of a cell."""
+        k, j = cell
+        return {FLOOR: (k - 1, j), CEILING: (k + 1, j), AHEAD: (k, j + side)}[kind]
+
+    def is_open(self, cell: tuple[int, int]) -> bool:
+        """Return whether B + C > 0 at all places of a cell at first."""
+        limit = self.limit(cell)
+        return limit is None or limit > self.speeds[cell[0]]
 
     def vanishing(self, w: float | Fraction, z: float | Fraction, at: str = "") -> InvalidScene:
         """Return the error for a motion that gets to a place where friction is not positive."""
@@ -178,19 +174,17 @@ class Cells:
         if w is None or z is None:
             raise ArithmeticError("a slip begins from rational w and z")
         if w == 0:
-            j = self.place_line(z, side)
-            at = order + 1 if z in self.places else 0
-            return (0, j), (order, 0, at * (side > 0), at * (side < 0))
-        j, tie = self.place_line(z, side), int(z in self.places)
+            return (0, self.place_line(z, side)), (order, 0)
+        j = self.place_line(z, side)
         k = bisect_right(self.speeds, w) - 1
         (p, slope), (q, pull) = self.by_speed[k], self.by_place[j]
         if p + q + slope * w + pull * z <= 0:
             raise self.vanishing(w, z, " at t = 0")
-        orders = [0, 0, tie * (side > 0), tie * (side < 0)]
+        orders = [0, 0]
         if w == self.speeds[k]:
             rising, m = self._leaves(self.mode(piece, side, (k, j)), local, state)
             k, orders[FLOOR if rising else CEILING] = k - (not rising), m
-        return (k, j), (orders[0], orders[1], orders[2], orders[3])
+        return (k, j), (orders[0], orders[1])
 
     def _leaves(self, mode: LinearMode, local: Fraction, state: Sequence[SineForm]) -> tuple[bool, int]:
         """Return whether |w| rises from a knot, and which derivative says so (MARGINAL: none, it stays there)."""
@@ -218,9 +212,7 @@ def _by_heights(at: Sequence[Fraction], ends: Sequence[int]) -> Iterator[tuple[i
 def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:
     """Return the linear mode `side` of any scene in a piece, and in a cell where it has any."""
     cells = cells_of(scene)
-    if cells is not None and side:
-        return cells.mode(piece, side, cell)
-    return LinearMode(scene.pair, side, piece)
+    return LinearMode(scene.pair, side, piece) if cells is None else cells.mode(piece, side, cell)
 
 
 def _lines(points: Sequence[tuple[Fraction, Fraction]]) -> list[Line]:

@@ -14,10 +14,10 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, proved_sign, widened
 from numerics.arithmetic.precision import precision
 from numerics.errors import EventUndecided
-from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, PLAIN, RIGHT
+from numerics.linear.cells import VANISHES
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.flow import Expansion
-from numerics.linear.model import BELT, V1, V2, X1, X2
+from numerics.linear.model import BELT, CEILING, FLOOR, V1, V2, X1, X2
 from numerics.linear.modes import UNDECIDED, mode_on_surface
 from numerics.linear.next_enclosed import SHY, Bracket, Root, next_event, short_step
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
@@ -174,29 +174,28 @@ class EnclosedRun(EnclosedPath):
 
     def entered(self, at: At, order: int, state: Sequence[arb]) -> At:
         """Return a point at v1 = v2 in the cell in which its mode goes on."""
-        cells, z = self.cells, at.apart
-        at = at._replace(cell=PLAIN, orders=(order, 0, 0, 0))
-        if at.mode == 0:
-            return at
-        if z is None:
-            apart = state[X1] - state[X2]
-            j = sum(apart.mid() > Ball.number(one).mid() for one in cells.places)
-        else:
-            j, tie = cells.place_line(z, at.mode), (order + 1) * (z in cells.places)
-            at = at._replace(orders=(order, 0, tie * (at.mode > 0), tie * (at.mode < 0)), apart=None)
-        return at._replace(cell=(0, j))
+        at = at._replace(orders=(order, 0))
+        if at.apart is not None:
+            exactly = at.apart if at.mode == 0 else None
+            return at._replace(cell=(0, self.cells.place_line(at.apart, at.mode or 1)), apart=exactly)
+        return at._replace(cell=(0, self.interval(at, state)))
+
+    def interval(self, at: At, state: Sequence[arb]) -> int:
+        """Return the interval of places in which a mode begins: a slip does not look at what is behind it."""
+        apart, places = state[X1] - state[X2] + arb(0, at.place), [Ball.number(one) for one in self.cells.places]
+        if any(apart.overlaps(one) for one in places):
+            raise self.undecided(at)
+        return sum(apart > one for one in places)
 
     def crossed(self, at: At, root: Root, event: list[arb]) -> tuple[At, arb]:
         """Return a slip in the next cell, and a bound on int |error of friction| dt about the knot."""
-        cells, (k, j), kind = self.cells, at.cell, root.guard.kind
-        if kind == FORCE:
+        cells, kind = self.cells, root.guard.kind
+        if kind == VANISHES:
             w, z = (float((event[n] - event[n + 2]).mid()) for n in (V1, X1))
             raise cells.vanishing(abs(w), z, f" at t = {self.time(at) + float(root.tau.mid()):.6g} s")
-        of_speed, step = kind in {FLOOR, CEILING}, 1 if kind in {CEILING, RIGHT} else -1
-        cell = (k + step, j) if of_speed else (k, j + step)
-        # behind an end of |w| the other end of the next interval vanishes, and so for z
-        behind = {FLOOR: CEILING, CEILING: FLOOR, LEFT: RIGHT, RIGHT: LEFT}[kind]
-        found = at._replace(cell=cell, orders=tuple(int(n == behind) for n in range(4)), late=arb(0))
+        cell = cells.behind(at.mode, at.cell, kind)
+        # behind an end of |w| the other end of the next interval vanishes
+        found = at._replace(cell=cell, orders=(int(kind == CEILING), int(kind == FLOOR)), late=arb(0))
         before, after = (cells.branch(self.pieces[at.piece], 1, one) for one in (at.cell, cell))
         bend = Ball.number(abs(after.slope - before.slope) + abs(after.pull - before.pull))
         return found, 4 * bend * root.value * root.window
@@ -266,16 +265,18 @@ class EnclosedRun(EnclosedPath):
     def begin(self, knot: ExactKnot) -> At:
         """Return an exact knot as a point; the motion starts within its rounding."""
         state, zero, local = self.exactly(knot), arb(0), Ball.number(knot.local)
-        at = At(knot.mode, (knot.order, 0, 0, 0), knot.piece, local, state, zero, zero, zero, zero)
+        at = At(knot.mode, (knot.order, 0), knot.piece, local, state, zero, zero, zero, zero)
         x1, v1 = knot.x1.rational, knot.v1.rational
         if knot.mode and x1 is not None and v1 is not None:
             contact = x1 if (knot.v1 - knot.v2).sign() == 0 else None
             at = at._replace(contact=contact, is_slow=self.stays_slow(at, knot.local, x1, v1))
         if self.varies and knot.mode == 0:
-            at = at._replace(apart=(knot.x1 - knot.x2).rational)
+            at = at._replace(apart=(knot.x1 - knot.x2).rational, cell=(0, self.cells.begun[1]))
         elif self.varies:
             cell, orders = self.cells.start(self.pieces[knot.piece], knot.mode, knot.local, knot.state, knot.order)
             at = at._replace(cell=cell, orders=orders)
+            if not self.arithmetic.number(0).is_zero():  # a box of starts
+                self.interval(at, state)
         start = local.lower()
         if knot.local:  # a time that is rounded, by as much before the knot
             flow, z = self.here(at)

@@ -17,9 +17,11 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange
+from numerics.linear.cells import Cells, cells_of
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import TOO_MANY, Log, follow
 from numerics.linear.ledger import TINY, ledger
+from numerics.linear.pieces import ExactPiece
 from numerics.linear.prepare import Prepared, halves, prepare, rounded
 from numerics.linear.record import AT, CODES, END_ROW, ROW, How, Record, finish
 from numerics.linear.room import space_for
@@ -39,8 +41,6 @@ _OF_EXACT = [AT[name] for name in ("order", "event", "jump", "length")]
 def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange."""
     if isinstance(arithmetic, Float64):
-        if scene.friction.weakening:
-            raise OutOfRange('friction that depends on the state is solved in balls only; use arithmetic="ball"')
         return run_floats(scene, max_events, progress)
     if not isinstance(arithmetic, Ball):
         raise InvalidScene(
@@ -54,12 +54,14 @@ def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: 
 @np.errstate(all="ignore")  # where nothing is compiled numpy's scalars warn of what the kernel itself looks for
 def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene in float64. Raises EventUndecided, OutOfRange."""
-    prepared = prepare(scene)
-    how, rows, end = _run(prepared, prepared.start, -1.0, max_events)
+    prepared, cells = prepare(scene), cells_of(scene)
+    how: int = How.DOUBT
+    if cells is None:
+        how, rows, end = _run(prepared, prepared.start, -1.0, max_events)
     if how == How.DOUBT:
         known = exact_knots(scene, prepared.pieces)
-        if len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
-            how, rows, end = _from_exact(prepared, known, max_events)
+        if cells or len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
+            how, rows, end = _from_exact(prepared, known, cells, max_events)
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
@@ -99,22 +101,23 @@ def _run(
 
 
 def _from_exact(
-    prepared: Prepared, known: Sequence[ExactKnot], most: int
+    prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | None, most: int
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return the run from the last start that is known exactly, the exact ones before it."""
     events = [index for index, one in enumerate(known) if one.is_event]
     is_cut = len(events) > most
     if is_cut:
         known = known[: events[most - 1] + 1]
-    rows, last = _exact_rows(prepared, known), known[-1]
-    if not is_cut and last.order > _MOST_ORDER and not last.quiet > last.local:
+    rows, last = _exact_rows(prepared, known, cells), known[-1]
+    order = int(rows[-1, AT["order"]])
+    if not is_cut and abs(order) > _MOST_ORDER and not last.quiet > last.local:
         return How.DOUBT, rows[:0], np.zeros(END_ROW)
     start = np.zeros(END_ROW)
     start[:ROW] = rows[-1]
     if is_cut:
         start[AT["how"]], start[AT["events"]] = How.EVENT_LIMIT, most
         return How.EVENT_LIMIT, rows, start
-    start[AT["order"]], start[AT["jump"]] = min(last.order, _MOST_ORDER), 0.0
+    start[AT["order"]], start[AT["jump"]] = min(order, _MOST_ORDER), 0.0
     how, found, end = _run(prepared, start, halves(last.quiet, prepared.units.time)[0], most - len(events))
     found[:1, _OF_EXACT] = rows[-1, _OF_EXACT]
     piece = prepared.pieces[-1]
@@ -124,12 +127,15 @@ def _from_exact(
     return how, np.concatenate([rows[:-1], found]), end
 
 
-def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.float64]:
+def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot], cells: Cells | None) -> NDArray[np.float64]:
     """Return the rows of starts that are known exactly, in the kernel's units; their states are rounded once."""
     rows, units = np.zeros((len(known), ROW)), prepared.units
     times, speed = [prepared.pieces[one.piece].start + one.local for one in known], units.of(length=1, time=-1)
     for row, one, t, before in zip(rows, known, times, [times[0], *times], strict=False):
-        row[: len(CODES)] = one.mode, one.order, one.is_event, one.is_jump, one.piece
+        cell, order = 0, one.order
+        if cells is not None:
+            cell, order = _begun(cells, prepared.pieces[one.piece], one)
+        row[: len(CODES)] = one.mode, order, one.is_event, one.is_jump, one.piece, cell
         row[AT["local"] : AT["length"]] = halves(one.local, units.time)
         row[AT["length"]] = rounded(t - before, units.time)
         state = (form.rounded(256) for form in (one.x1, one.v1, one.x2, one.v2))
@@ -138,6 +144,20 @@ def _exact_rows(prepared: Prepared, known: Sequence[ExactKnot]) -> NDArray[np.fl
     norm, (x1, v1, _, v2) = prepared.problem.norm, rows[:, AT["x1_error"] : AT["speed_error"]].T
     rows[:, AT["speed_error"]] = (norm.root_a2 * x1 + norm.root_m1 * v1 + norm.root_m2 * v2) / norm.root_m1
     return rows
+
+
+def _begun(cells: Cells, piece: ExactPiece, knot: ExactKnot) -> tuple[int, int]:
+    """Return where in `all` the cell of an exact knot is, and the order of its guard; < 0: of the end above it.
+
+    Raises OutOfRange if friction may vanish there.
+    """
+    found, order, begun = len(cells.all) - 1, knot.order, [(0, j) for j in cells.begun]
+    if knot.mode:
+        cell, (floor, ceiling) = cells.start(piece, knot.mode, knot.local, knot.state, order)
+        found, order, begun = cells.all.index((knot.mode, cell)), floor or -ceiling, [cell]
+    if not all(map(cells.is_open, begun)):
+        raise OutOfRange('friction may vanish in the cell in which this run begins; use arithmetic="ball"')
+    return found, order
 
 
 def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64]) -> None:

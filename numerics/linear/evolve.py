@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
-from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
 from numerics.linear.first_root import value_slope
-from numerics.linear.model import X1, X2
+from numerics.linear.model import KINETIC, V1, X1, X2
 from numerics.linear.room import Now, Run, dot, place_of, polynomial_of
-from numerics.linear.table import FLOW, OWN, STATE, UNIT
+from numerics.linear.table import FLOW, OTHERS, OWN, STATE, UNIT
 
 
 @compilable
@@ -19,8 +20,8 @@ def evolve(run: Run, now: Now, s: float) -> Now:
     h, lines = tables.steps[at], tables.lines[at]
     for i in range(STATE):
         if is_part:
-            polynomial_of(tables.rows[at][i], tables.degrees[at][i], run.z, 0, run.q[0])
-            run.y[i], _ = value_slope(run.q[0], s)
+            polynomial_of(tables.rows[at][i], tables.degrees[at][i], run.z, 0, run.q)
+            run.y[i], _ = value_slope(run.q, s)
         else:
             run.y[i] = dot(lines[FLOW + i], run.z)
     own = rounded(lines, 0, s, run.size), rounded(lines, 1, s, run.size), rounded(lines, 2, s, run.size)
@@ -42,20 +43,40 @@ def rounded(lines: Any, which: int, s: float, size: Any) -> float:
 def moved(run: Run, now: Now, time: TwoFloats, own: tuple[float, float, float], factor: float) -> Now:
     """Move clock and errors by a step of the state, which was rounded by `own` in N, x1 and x2.
 
-    N shrinks by a factor; until then positions may part as fast as before.
+    N of a stick shrinks by a factor; until then positions may part as fast as before.
     """
-    norm, y, z = run.norm, run.y, run.z
-    most, N, parted = now.N + own[0], now.N * factor + own[0], own[1] + own[2]
+    norm, y, z, parted = run.norm, run.y, run.z, own[1] + own[2]
+    N, apart = grown(run, now, now.N + own[0], time.high)
+    most = N
     if now.mode == 0:  # body 2 goes where body 1 does
+        N = now.N * factor + own[0]
         y[3] = y[1]
         y[2] = z[X2] + (y[0] - z[X1])
         parted = 2.0 * UNIT * (abs(y[0]) + abs(z[X1]) + abs(z[X2]) + abs(y[2]))
-    else:
-        parted += norm.kappa * most * time.high
     for i in range(2):
         put(run.clock[i], plus(pair_of(run.clock[i]), time))
-    apart = now.apart + parted
     far = now.far + own[1] + most / norm.root_m1 * time.high
     own_2 = own[1] + parted if now.mode == 0 else own[2]
     far_2 = now.far_2 + own_2 + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
-    return Now(now.piece, now.mode, 0, now.edge, now.late, now.since + time.high, N, far, far_2, apart)
+    since, apart = now.since + time.high, apart + parted
+    return Now(now.piece, now.mode, now.cell, 0, now.edge, now.late, since, N, far, far_2, apart)
+
+
+@compilable_with(forceinline=False)
+def grown(run: Run, now: Now, N: float, t: float) -> tuple[float, float]:
+    """Return bounds on N and on the error of x1 - x2 after a time in a mode, from N now.
+
+    They solve N' = fall N + pull P, P' = kappa N, with kappa^2 = 1/m1 + 1/m2: of the difference of two motions in a
+    cell (N^2/2)' = -a1 v1^2 - slope w^2 - pull z w, and |w| <= kappa N.
+    """
+    kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
+    fall, pull = kappa * kappa * max(0.0, -friction[V1]), kappa * abs(friction[X2])
+    root = math.sqrt(fall * fall + 4.0 * kappa * pull)
+    if now.mode == 0:
+        return N, now.apart
+    if root == 0.0:
+        return N, now.apart + kappa * N * t
+    all_at, half = math.exp(0.5 * fall * t), 0.5 * root * t
+    slow, part = all_at * math.exp(-half), 2.0 * all_at * math.sinh(half) / root
+    up, down = slow + 0.5 * (root + fall) * part, slow + 0.5 * (root - fall) * part
+    return up * N + pull * part * now.apart, kappa * part * N + down * now.apart

@@ -18,8 +18,8 @@ from flint import arb, arb_mat, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.arithmetic.precision import precision
-from numerics.linear.model import FRICTION, V1, X1, X2, Layout
-from numerics.linear.system import CONSTANT, BallRow, Cell, LinearMode, LocalNorm, Row, Z, matrix, sparse
+from numerics.linear.model import CONSTANT, FRICTION, V1, X1, X2, Cell, Layout
+from numerics.linear.system import BallRow, LinearMode, LocalNorm, Row, Z, matrix, sparse
 from numerics.scene import Pair
 
 REACH = 2
@@ -69,8 +69,8 @@ class Flow:
         self.rows, self.guards = ([x1, x2], _OF_SLIP[:1]) if slips else ([x1, self.load, self.edge], _OF_STICK)
         if slips and cell:
             self.rows.append(_in_balls(self.mode.signal(FRICTION)))
-            of_state = ((k, d, c * f) for f, of in zip(map(number, cell), _OF_SLIP, strict=True) for k, d, c in of)
-            self.guards = [*_OF_SLIP, [(2, 0, 1), *of_state]]
+            of_state = ((k, d, c * f) for f, of in zip(map(number, cell), _OF_SLIP, strict=False) for k, d, c in of)
+            self.guards = [*_OF_SLIP, [(2, 0, number(cell[2])), *of_state]]
         guarded = [*self.mode.guards, *((Z, self.mode.friction) if cell else ())]
         self.guarded = list(map(_in_balls, guarded))
         stiff = A[V1][X1]

@@ -6,8 +6,9 @@
     record        a row for the start of every segment (record.py)
 
 A step has so many Taylor terms that truncation is below rounding. Nothing is sampled; what the bound leaves open ends
-the run as DOUBT. The error of the state is one number N: no mode and no event makes it larger, so that it is the sum of
-what the steps round and of what events are misplaced. Only the clock keeps what its roundings leave out.
+the run as DOUBT. The error of the state is one number N: no mode and no event makes it larger, but for friction of the
+state (evolve.grown), so that it is the sum of what the steps round and of what events are misplaced. Only the clock
+keeps what its roundings leave out.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from numerics.linear.evolve import evolve
 from numerics.linear.first_root import ROOT, UNDECIDED
 from numerics.linear.model import V2
 from numerics.linear.next_event import Next, Step, next_event, step_from
-from numerics.linear.record import AT, ROW
+from numerics.linear.record import AT, CODES, ROW
 from numerics.linear.resolve import (
     CONTACT,
     EXIT,
@@ -39,7 +40,7 @@ from numerics.linear.table import STATE, UNIT
 GOES_ON, REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, TOO_MANY = -1, 0, 1, 2, 3, 4, 5
 """How a call ended, if it did: the first five as in record.How; or more steps are needed."""
 MOST_STEPS = 400_000
-_MODE, _ORDER, _EVENT, _JUMP, _PIECE = (AT[name] for name in ("mode", "order", "event", "jump", "piece"))
+_MODE, _ORDER, _EVENT, _JUMP, _PIECE, _CELL = (AT[name] for name in CODES)
 _LOCAL, _REST, _LENGTH = (AT[name] for name in ("local", "local_rest", "length"))
 _X1, _LATE, _ERRORS = (AT[name] for name in ("x1", "late", "x1_error"))
 _HOW, _EVENTS = AT["how"], AT["events"]
@@ -112,7 +113,9 @@ def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
     x1, x2 = off_at(start, 0), off_at(start, 2)
     run.clock[0, 0], run.clock[0, 1] = start[_LOCAL], start[_REST]
     run.clock[1, :] = 0.0
-    now = Now(int(start[_PIECE]), int(start[_MODE]), int(start[_ORDER]), 0, 0.0, 1e300, N, x1, x2, x1 + x2)
+    order, cell = int(start[_ORDER]), int(start[_CELL])
+    edge = 0 if order >= 0 else 1  # a slip that starts below its ceiling has a negative order
+    now = Now(int(start[_PIECE]), int(start[_MODE]), cell, abs(order), edge, 0.0, 1e300, N, x1, x2, x1 + x2)
     return now, StepEnd(CONTACT if start[_JUMP] == 1.0 and start[_MODE] == 0.0 else PIECE, 0.0)
 
 
@@ -125,8 +128,8 @@ def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[
     if ahead.how == ROOT:
         h = run.tables.steps[place_of(run, now)]
         now, event = arrived(run, now, ahead)
-        is_near = ahead.alone * h < 16.0 * event.late or (step.end - ahead.s) * h < 4.0 * event.late
-        return now, event, DOUBT if is_near else GOES_ON
+        is_near = ahead.alone * h < 16.0 * now.late or (step.end - ahead.s) * h < 4.0 * now.late
+        return now, event, DOUBT if is_near or run.tables.steep[0] * now.late > 0.25 else GOES_ON
     if not step.is_last or ahead.s != step.end:
         return now, nothing, GOES_ON
     places, piece = run.drive.places, now.piece + 1
@@ -135,7 +138,7 @@ def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[
     run.clock[0, :] = 0.0
     kind = CONTACT if places[piece, 4] == 1 or (now.mode == 0 and places[piece, 3] == 1) else PIECE
     return (
-        Now(piece, now.mode, 0, now.edge, now.late, now.since, now.N, now.far, now.far_2, now.apart),
+        Now(piece, now.mode, now.cell, 0, now.edge, now.late, now.since, now.N, now.far, now.far_2, now.apart),
         StepEnd(kind, 0.0),
         GOES_ON,
     )
@@ -168,7 +171,7 @@ def record(run: Run, now: Now, event: StepEnd, is_event: bool, log: Log) -> int:
 def write(run: Run, row: Any, now: Now, late: float) -> None:
     """Write the state at the clock, and its bounds: within `late` of an event either mode may act."""
     norm, y = run.norm, run.y
-    row[_MODE], row[_PIECE] = now.mode, now.piece
+    row[_MODE], row[_PIECE], row[_CELL] = now.mode, now.piece, now.cell
     row[_LOCAL], row[_REST], row[_LENGTH] = run.clock[0, 0], run.clock[0, 1], run.clock[1, 0]
     for i in range(STATE):
         row[_X1 + i] = y[i]

@@ -13,11 +13,11 @@ import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, put, two_product
-from numerics.linear.calm import doubled, matrix_product
+from numerics.linear.calm import add, doubled, put_product
 from numerics.linear.first_root import value_slope
-from numerics.linear.model import V1, V2, X1, Norm
+from numerics.linear.model import V1, V2, X1, X2, Norm
 from numerics.linear.record import AT
-from numerics.linear.room import Problem, Run, dot, form_z, polynomial_of, run_of, size_of
+from numerics.linear.room import Problem, Run, dot, form_z, meeting, polynomial_of, run_of, size_of
 from numerics.linear.table import LINES, POWERS, STATE, UNIT
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
@@ -27,8 +27,8 @@ TINY = 2.0**-1060
 _LONG, _MOST_LEVELS, _MOST_STEPS = 256.0, 36, 1_000_000
 """From so many steps on a segment is taken by powers of its flow, each the square of the one before it, of so many at
 most; further steps are not waited for."""
-_MODE, _PIECE, _LOCAL, _LENGTH = (AT[name] for name in ("mode", "piece", "local", "length"))
-_REST, _X1, _ERROR, _LATE = (AT[name] for name in ("local_rest", "x1", "speed_error", "late"))
+_MODE, _PIECE, _CELL, _LOCAL, _REST = (AT[name] for name in ("mode", "piece", "cell", "local", "local_rest"))
+_LENGTH, _X1, _LATE, _X1_ERROR, _ERROR = (AT[name] for name in ("length", "x1", "late", "x1_error", "speed_error"))
 
 
 @compilable
@@ -49,36 +49,39 @@ def ledger(problem: Problem, space: Any, rows: Any, count: int, end: Any, taken:
     for k in range(count):
         row, after = rows[k], rows[k + 1] if k + 1 < count else end
         piece, mode = int(row[_PIECE]), int(row[_MODE])
-        kind, side = run.drive.places[piece, 0], 1 if mode == 0 else 0
+        here = piece, mode, run.drive.places[piece, 0] + int(row[_CELL])
         for i in range(STATE):
             run.y[i] = row[_X1 + i]
         run.clock[0, 0], run.clock[0, 1] = row[_LOCAL], row[_REST]
-        taken[6] += row[_LATE] * at_event(run, piece, row[_ERROR] * run.norm.root_m1)
-        h, left, N = run.tables.steps[kind, side], after[_LENGTH], after[_ERROR]
+        taken[6] += at_event(run, row)
+        h, left, N = run.tables.steps[here[2], 1 if mode == 0 else 0], after[_LENGTH], off_in(run, after)
         if left > _LONG * h:
-            left = by_powers(run, (piece, mode), left, N * run.norm.root_m1, taken)
+            left = by_powers(run, here, left, N, taken)
         while left > 0.0 and steps < _MOST_STEPS:
             s = min(1.0, left / h)
-            step(run, (piece, mode), s, N * run.norm.root_m1, taken)
+            step(run, here, s, N, taken)
             left = left - h if s == 1.0 else 0.0
             steps += 1
     if count > 0:
-        taken[6] += end[_LATE] * at_event(run, int(end[_PIECE]), end[_ERROR] * run.norm.root_m1)
+        taken[6] += at_event(run, end)
     if steps == _MOST_STEPS:
         taken[:] = np.nan
 
 
 @compilable
-def step(
-    run: Run,
-    here: tuple[int, int],
-    s: float,
-    N: float,
-    taken: Any,
-) -> None:
-    """Add what is taken over a part of a step, and move the state to its end; N of the error."""
-    tables, (piece, mode) = run.tables, here
-    kind, side = run.drive.places[piece, 0], 1 if mode == 0 else 0
+def off_in(run: Run, row: Any) -> float:
+    """Return N of the error in a row; where friction has cells the root of m1 times what x1 - x2 is off by, if more."""
+    off = row[_ERROR]
+    if len(run.tables.ends) > 1:
+        off = max(off, row[_X1_ERROR] + row[_X1_ERROR + 2])
+    return off * run.norm.root_m1
+
+
+@compilable
+def step(run: Run, here: tuple[int, int, int], s: float, N: float, taken: Any) -> None:
+    """Add what is taken over a part of a step (in a piece, mode and kind), and move on by it; N of the error."""
+    tables, (piece, mode, kind) = run.tables, here
+    side = 1 if mode == 0 else 0
     h, powers, cut = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES], parts(tables.rows.shape[4])
     form_z(run, piece, mode, False)
     for i in range(STATE):
@@ -103,18 +106,18 @@ def step(
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def by_powers(run: Run, here: tuple[int, int], left: float, N: float, taken: Any) -> float:
+def by_powers(run: Run, here: tuple[int, int, int], left: float, N: float, taken: Any) -> float:
     """Add what is taken over most of a long segment, and move the state there; return how much of it is left.
 
     The integral of a product of rows over a time is a quadratic form F of z, and F(2 t) = F(t) + E F(t) E with the flow
     E(t). What is integrated of |p| is at most sqrt(t int p^2).
     """
-    tables, (piece, mode) = run.tables, here
-    kind, side = run.drive.places[piece, 0], 1 if mode == 0 else 0
+    tables, (piece, mode, kind) = run.tables, here
+    side = 1 if mode == 0 else 0
     h, powers = tables.steps[kind, side], tables.lines[kind, side, POWERS:LINES]
-    A = tables.A[kind, side] * h
+    A = tables.A[kind, side]
     levels = min(_MOST_LEVELS, 1 + math.floor(math.log2(left / h)))
-    flows = doubled(A, levels)
+    flows = doubled(A, h, levels)
     forms = doubled_forms(A, powers, h, flows)
     while left > _LONG * h:
         level = min(levels - 1, math.floor(math.log2(left / h)))
@@ -138,8 +141,9 @@ def doubled_forms(A: Any, powers: Any, h: float, flows: Any) -> Any:
     """Return F of every power, of its first row squared and of its second, for the time of each of these flows."""
     levels, count = flows.shape[0], A.shape[0]
     forms, rows = np.zeros((levels, 6, 3, count, count)), np.zeros((2, count))
+    turned, half = np.zeros((count, count)), np.zeros((count, count))
     for n in range(NODES.shape[0]):
-        flow = doubled(A * NODES[n], 1)[0]
+        flow = doubled(A, h * NODES[n], 1)[0]
         for k in range(6):
             for i in range(2):
                 for j in range(count):
@@ -150,10 +154,14 @@ def doubled_forms(A: Any, powers: Any, h: float, flows: Any) -> Any:
                         forms[0, k, c, i, j] += WEIGHTS[n] * h * rows[a, i] * rows[b, j]
     for level in range(1, levels):
         flow = flows[level - 1]
+        for i in range(count):
+            for j in range(count):
+                turned[i, j] = flow[j, i]
         for k in range(6):
             for c in range(3):
-                before = forms[level - 1, k, c]
-                forms[level, k, c] = before + matrix_product(matrix_product(flow.T.copy(), before), flow)
+                put_product(turned, forms[level - 1, k, c], 1.0, half)
+                put_product(half, flow, 1.0, forms[level, k, c])
+                add(forms[level - 1, k, c], forms[level, k, c])
     return forms
 
 
@@ -167,16 +175,17 @@ def form_at(form: Any, z: Any) -> float:
 
 
 @compilable
-def at_event(run: Run, piece: int, N: float) -> float:
-    """Return twice the greatest powers in any mode where the room is: about an event it may be either."""
-    tables, kind, total = run.tables, run.drive.places[piece, 0], 0.0
+def at_event(run: Run, row: Any) -> float:
+    """Return twice what is at most taken while it is open whether an event has come: its mode may be any."""
+    piece, N, total = int(row[_PIECE]), off_in(run, row), 0.0
+    tables, kind = run.tables, meeting(run, piece, int(row[_CELL]), 0)
     form_z(run, piece, 1, True)
     for side in range(2):
         for k in range(6):
             one, a = factor(run, tables.lines[kind, side, POWERS + 2 * k], N)
             two, b = factor(run, tables.lines[kind, side, POWERS + 2 * k + 1], N)
             total += 2.0 * (abs(one) + a) * (abs(two) + b)
-    return total
+    return float(row[_LATE] * total)
 
 
 @compilable_with(forceinline=False)
@@ -189,7 +198,7 @@ def factor(run: Run, row: Any, N: float) -> tuple[float, float]:
 @compilable
 def reach(norm: Norm, row: Any) -> float:
     """Return by how much a row may be off for N = 1."""
-    found = abs(row[V1]) / norm.root_m1
+    found = (abs(row[V1]) + abs(row[X2])) / norm.root_m1
     if norm.root_a2 > 0.0:
         found += abs(row[X1]) / norm.root_a2
     if norm.root_m2 > 0.0:

@@ -34,6 +34,9 @@ X1, V1, X2, V2, FIRST = range(5)
 SLIP, STICK = 0, 1
 FORCE, FORCE_2, BELT, WALL, FRICTION = range(5)
 """The signals, in the order of their blocks."""
+FLOOR, CEILING, AHEAD = range(3)
+"""The guards of a slip in a cell of friction (cells.py): |v1 - v2| falls to where the cell begins, or v1 = v2, or rises
+to where it ends; x1 - x2, which only rises in a slip + and only falls in a slip -, gets to the end that is ahead."""
 LOAD, EDGE, KINETIC, DRIVEN = range(4)
 """Rows that are no guard: Lambda, b_static, b, and the velocity of an infinite body 2."""
 
@@ -158,11 +161,10 @@ def add_rate(row: Any, block: Any, omegas: Any, factor: Any) -> None:
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], rows: Rows) -> None:
+def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any, Any], rows: Rows) -> None:
     """Write the matrices of a pair, in the numbers of `bodies`; omegas (n,): that of a sine stands at its cosine.
 
-    `cell`: friction of a slip + is b + slope (v1 - v2) + pull (x1 - x2), N s/m and N/m; the block of b then holds what
-    is left of it where both are 0.
+    `cell`: slope (N s/m), pull (N/m) and level of friction, level b + slope (v1 - v2) + pull (x1 - x2) in a slip +.
     """
     (A, guards, others, powers), n = rows, omegas.shape[0]
     push, second, belt_rate = np.zeros_like(others[0]), np.zeros_like(others[0]), np.zeros_like(others[0])
@@ -175,17 +177,20 @@ def put_rows(bodies: Bodies, blocks: Any, omegas: Any, cell: tuple[Any, Any], ro
     add_signal(second, blocks[FORCE_2], 1)
     add_rate(belt_rate, blocks[BELT], omegas, 1)
     add_signal(others[DRIVEN], blocks[BELT], 1)
-    add_signal(others[KINETIC], blocks[FRICTION], 1)
-    add_signal(others[EDGE], blocks[FRICTION], bodies.static)
+    slope, pull, level = cell
+    add_signal(others[KINETIC], blocks[FRICTION], level)
+    add_signal(others[EDGE], blocks[FRICTION], bodies.static * level)
+    for edge in (KINETIC, EDGE):
+        others[edge, X1] += pull
+        others[edge, X2] -= pull
     for j in range(n):
         load = bodies.share_2 * push[j] - bodies.share_1 * second[j] - bodies.m1 * belt_rate[j]
         others[LOAD, j] = load
         guards[STICK, 0, j], guards[STICK, 1, j] = others[EDGE, j] - load, others[EDGE, j] + load
     guards[SLIP, 0, V1] += 1
     guards[SLIP, 0, V2] -= 1
-    slope, pull = cell
-    for place, factor in ((V1, slope), (V2, -slope), (X1, pull), (X2, -pull)):
-        others[KINETIC, place] += factor
+    others[KINETIC, V1] += slope
+    others[KINETIC, V2] -= slope
     for j in range(n):
         A[SLIP, V1, j] = bodies.inverse_1 * (push[j] - others[KINETIC, j])
         A[SLIP, V2, j] = bodies.inverse_2 * (second[j] + others[KINETIC, j]) + belt_rate[j]
@@ -227,8 +232,13 @@ def put_drive(A: Any, blocks: Any, omegas: Any) -> None:
             A[place + 1, place] -= omegas[place + 1]
 
 
+Cell = tuple[Fraction, Fraction, Fraction]
+"""Slope, pull and level of the friction of a slip (put_rows)."""
+CONSTANT: Cell = (Fraction(0), Fraction(0), Fraction(1))
+
+
 @lru_cache(maxsize=256)
-def exact_rows(pair: Pair, layout: Layout, cell: tuple[Fraction, Fraction] = (Fraction(0), Fraction(0))) -> Rows:
+def exact_rows(pair: Pair, layout: Layout, cell: Cell = CONSTANT) -> Rows:
     """Return the exact matrices of a pair, arrays of Fraction; `cell` as in `put_rows`."""
     n, zero = layout.size, Fraction(0)
     rows = Rows(*(np.full(one.shape, zero) for one in make_rows(n)))

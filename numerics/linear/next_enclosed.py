@@ -14,8 +14,9 @@ from flint import arb, arb_poly, ctx
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
-from numerics.linear.cells import FORCE, LEFT, RIGHT
+from numerics.linear.cells import VANISHES
 from numerics.linear.flow import FEW, REACH, Expansion
+from numerics.linear.model import AHEAD, CONSTANT
 from numerics.linear.path_enclosed import AWAY, At, EnclosedPath
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, scan
 from numerics.linear.swings import Swings
@@ -116,16 +117,16 @@ def guards_of(path: EnclosedPath, at: At, rows: Sequence[Sequence[arb]]) -> list
             for which, order in enumerate(orders)
         ]
     place = at.place + path.kappa * norm * flow.reach if path.varies else at.place
-    ends, may_vanish = cells.guards(at.cell)
+    ends, may_vanish = cells.guards(side, at.cell)
     found = []
     for kind, sign, offset in ends:
-        of_place, order = kind in {LEFT, RIGHT}, at.orders[kind]
-        margin = place if of_place and not order else flow.apart(of_place, order) * norm
-        found.append(Guard(sign if of_place else sign * side, number(offset), order, margin, int(of_place), kind))
+        of_place, order = kind == AHEAD, 0 if kind == AHEAD else at.orders[kind]
+        margin = place if of_place else flow.apart(0, order) * norm
+        found.append(Guard(sign, number(offset), order, margin, int(of_place), kind))
     if may_vanish and path.varies:
         branch = cells.branch(path.pieces[at.piece], side, at.cell)
         margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
-        found.append(Guard(side, arb(0), 0, margin, 2, FORCE))
+        found.append(Guard(side, arb(0), 0, margin, 2, VANISHES))
     return found
 
 
@@ -180,7 +181,7 @@ def scanned(
 def long_step(path: EnclosedPath, at: At, motion: Expansion, most: arb) -> arb | None:
     """Return the longest of `most`, about half of it, ... in which the guards exceed an amplitude; long ones only."""
     flow = motion.flow
-    if at.orders[0] or (flow.slips and any(flow.mode.cell)):
+    if at.orders[0] or (flow.slips and flow.mode.cell != CONSTANT):
         return None
     swings, guards = Swings(flow, motion.z), guards_of(path, at, motion.short(flow.reach)[0])
     for limit in (arb(0), flow.fastest / 4):

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable
+from numerics.linear.evolve import grown
 from numerics.linear.first_root import CLEAR, ROOT, first_root, value_slope
-from numerics.linear.model import Norm
-from numerics.linear.room import Now, Run, dot, place_of, polynomial_of
-from numerics.linear.table import ORDERS, STATE, SUMS, UNIT
+from numerics.linear.model import AHEAD, FLOOR, KINETIC, V1, X2
+from numerics.linear.room import Now, Run, dot, load_off, place_of, polynomial_of
+from numerics.linear.table import ORDERS, OTHERS, STATE, SUMS, UNIT
 
 
 class Step(NamedTuple):
@@ -50,29 +52,36 @@ def next_event(run: Run, now: Now, step: Step) -> Next:
     is_stick = now.mode == 0
     if step.clear > 0.0 or (is_stick and run.literal):
         return Next(CLEAR, min(step.end, step.clear) if step.clear > 0.0 else step.end, 0, 0.0, 0.0, 0.0)
-    if not is_stick:
-        return first_of_guard(run, now, 0, now.order, step.end)
-    # both over the whole step, so that mirrored motions have mirrored events
-    one = first_of_guard(run, now, now.edge, now.order, step.end)
-    two = first_of_guard(run, now, 1 - now.edge, 0, step.end)
-    return one if one.s < two.s or (one.s == two.s and one.how != CLEAR) else two
+    count, first = 2 if is_stick else 3, Next(CLEAR, step.end, 0, 0.0, 0.0, 0.0)
+    for n in range(count):  # all over the whole step, so that mirrored motions have mirrored events
+        found = first_of_guard(run, now, (now.edge + n) % count, now.order if n == 0 else 0, step.end)
+        if found.s < first.s or (found.s == first.s and first.how == CLEAR):
+            first = found
+    return first
 
 
 @compilable
 def first_of_guard(run: Run, now: Now, guard: int, order: int, end: float) -> Next:
     """Return the first root of a guard, of which so many coefficients vanish here, up to an end."""
-    tables, at, q = run.tables, place_of(run, now), run.q[guard]
-    h, row, sums = tables.steps[at], STATE + guard, SUMS + 2 * (ORDERS * guard + order)
+    tables, at, q = run.tables, place_of(run, now), run.q
+    value = 0.0 if now.mode == 0 else tables.ends[now.cell, guard]
+    if value == math.inf:
+        return Next(CLEAR, end, guard, 0.0, 0.0, 0.0)
+    which = guard if now.mode == 0 else guard // AHEAD
+    h, row, sums = tables.steps[at], STATE + which, SUMS + 2 * (ORDERS * which + order)
     polynomial_of(tables.rows[at][row], tables.degrees[at][row], run.z, order, q)
-    if now.mode < 0:
+    if now.mode * (1 if guard == FLOOR else -1) < 0:
         for k in range(q.shape[0]):
             q[k] = -q[k]
+    if order == 0:
+        q[0] += value
     off = UNIT * dot(tables.lines[at][sums], run.size)
     rise = UNIT * dot(tables.lines[at][sums + 1], run.size) - off
+    off += 4.0 * UNIT * abs(value)
     if now.mode == 0:
-        margins = off + run.norm.load * now.N, rise, 0.0
+        margins = off + load_off(run, at[0], now), rise, 0.0
     else:
-        margins = slip_margins(run.norm, h, order, (off, rise), now, end)
+        margins = slip_margins(run, now, guard, order, (off, rise), end * h)
     if order > 0 and now.late > 0.0:  # the true segment began up to `late` away: as much as its guard changes meanwhile
         shift = (1.0 + order) * now.late / h * abs_slope(q)
         margins = margins[0] + shift, margins[1], margins[2]
@@ -94,18 +103,29 @@ def abs_slope(q: Any) -> float:
 
 
 @compilable
-def slip_margins(
-    norm: Norm, h: float, order: int, own: tuple[float, float], now: Now, end: float
-) -> tuple[float, float, float]:
-    """Return the margin of the guard of a slip, up to s = end, for `first_root`.
+def parting(run: Run, now: Now, N: float, apart: float) -> float:
+    """Return by how much two motions in one cell may part in v1' - v2', with these bounds on their difference."""
+    kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
+    return run.norm.bend * N + kappa * kappa * (abs(friction[V1]) * kappa * N + abs(friction[X2]) * apart)
 
-    Two motions in one mode part in v1' by no more than bend N, and so in the guard since both were at v1 = v2.
+
+@compilable
+def slip_margins(
+    run: Run, now: Now, guard: int, order: int, own: tuple[float, float], end: float
+) -> tuple[float, float, float]:
+    """Return the margin of a guard of a slip, up to a time, for `first_root`.
+
+    Two motions part in v1 - v2 by no more than they do in its rate since both were at v1 = v2, or at the same end.
     """
-    (off, rise), bend = own, norm.bend * now.N * h
+    (off, rise), kappa, h = own, run.norm.kappa, run.tables.steps[place_of(run, now)]
+    N, apart = grown(run, now, now.N, end)
+    bend = parting(run, now, N, apart)
+    if guard == AHEAD:
+        return off + 2.0 * apart, rise, 0.0
     if order >= 2:
-        return off, rise, 16.0 * bend
+        return off, rise, 16.0 * bend * h
     if order == 1:
-        return off + 2.0 * bend, rise, 0.0
-    if norm.bend * (now.since + end * h) < norm.kappa:
-        return off + 2.0 * norm.bend * now.since * now.N, rise + 2.0 * bend, 0.0
-    return off + 2.0 * norm.kappa * now.N, rise, 0.0
+        return off + 2.0 * bend * h, rise, 0.0
+    if bend * (now.since + end) < kappa * N:
+        return off + 2.0 * bend * now.since, rise + 2.0 * bend * h, 0.0
+    return off + 2.0 * kappa * N, rise, 0.0

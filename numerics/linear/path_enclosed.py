@@ -32,7 +32,7 @@ from numerics.linear.pieces import pieces_of
 from numerics.linear.system import BallDrive, LinearMode, LocalNorm, dot
 from numerics.scene import Law, Scene
 
-AWAY = (0, 0, 0, 0)
+AWAY = (0, 0)
 """No derivative of a guard vanishes."""
 
 
@@ -97,7 +97,7 @@ class EnclosedPath:
             self.acting = at.piece, BallDrive(piece), {}
         flows = self.acting[2]
         if key not in flows:
-            cell = self.cells.branch(piece, at.mode, at.cell)[1:] if at.mode and self.varies else None
+            cell = self.cells.branch(piece, at.mode, at.cell) if at.mode and self.varies else None
             flows[key] = flow_of(self.bits, self.pair, at.mode != 0, piece.layout, cell)
         return flows[key]
 
@@ -105,12 +105,8 @@ class EnclosedPath:
         """Return the flow at a point, and z."""
         flow, piece = self.flow(at), self.pieces[at.piece]
         z = [*at.state, *self.acting[1].at(at.local, at.mode)]
-        if self.varies:  # what friction is where v1 - v2 and x1 - x2 are 0, or holds at rest
-            place = piece.layout.blocks[FRICTION][0]
-            if at.mode:
-                z[place] = at.mode * Ball.number(self.cells.branch(piece, at.mode, at.cell).offset)
-            else:
-                z[place] = self.held(at).mid()
+        if self.varies and not at.mode:
+            z[piece.layout.blocks[FRICTION][0]] = self.held(at).mid()
         if self.is_fixed:
             z[V2] = dot(flow.belt, z)
             z[V1] = z[V1] if at.mode else z[V2]
@@ -158,20 +154,10 @@ class EnclosedPath:
         return wall + (force - side * b) / self.pair.a2
 
     def held(self, at: At) -> arb:
-        """Return what friction that depends on the state holds at rest where a point is, N; for the true motion.
-
-        Raises InvalidScene, EventUndecided where it is not > 0.
-        """
-        cells, piece, z = self.cells, self.pieces[at.piece], at.apart
-        if z is not None:
-            return Ball.number(cells.at_rest(z) * cells.scale(piece))
+        """Return what friction that depends on the state holds at rest where a point is, N; for the true motion."""
+        _, pull, level = self.cells.branch(self.pieces[at.piece], 1, at.cell)
         apart = at.state[X1] - at.state[X2] + arb(0, at.place)
-        edge = cells.held(piece, apart)
-        if edge <= 0:
-            raise cells.vanishing(0.0, float(apart.mid()), f" at t = {self.time(at):.6g} s")
-        if not edge > 0:
-            raise self.undecided(at)
-        return edge
+        return Ball.number(level * self.pieces[at.piece].b) + Ball.number(pull) * apart
 
     def edge(self, at: At, flow: Flow, z: Sequence[arb]) -> arb:
         """Return the greatest load that friction holds at a point in stick, N."""

@@ -9,6 +9,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -20,15 +21,41 @@ from numerics.arithmetic.compiled import compiled
 from numerics.arithmetic.pair import nearest
 from numerics.arithmetic.precision import precision
 from numerics.errors import OutOfRange
-from numerics.linear.model import BELT, DRIVEN, FIRST, WALL, Bodies, Layout, Norm, Rows, exact_rows, make_rows, norm_of
+from numerics.linear.cells import Cells, cells_of
+from numerics.linear.model import (
+    AHEAD,
+    BELT,
+    CEILING,
+    CONSTANT,
+    DRIVEN,
+    FIRST,
+    KINETIC,
+    SLIP,
+    V1,
+    WALL,
+    X1,
+    X2,
+    Bodies,
+    Cell,
+    Layout,
+    Norm,
+    Rows,
+    exact_rows,
+    make_rows,
+    norm_of,
+)
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, END_ROW
 from numerics.linear.room import Drive, Problem
-from numerics.linear.table import REACH, Tables, form, make_tables, most_terms
+from numerics.linear.table import OTHERS, REACH, Tables, form, make_tables, most_terms
 from numerics.scene import Law, Pair, Scene
 from numerics.scene.decimals import short
 
 Halves = tuple[float, float]
+Kind = tuple[Layout, Cell]
+"""What the matrices of a piece depend on."""
+_MOST_KINDS = 4_000
+"""For so many cells of friction in all pieces there are tables."""
 _EVENTS_PER_HALF_TURN = 3
 """So many events a half turn of the fastest rate (of body 1 alone, of a sine) is given room for."""
 _STATE = slice(AT["x1"], AT["x1"] + 4)
@@ -122,9 +149,13 @@ def _reach(scene: Scene) -> Fraction:
 def prepare(scene: Scene) -> Prepared:
     """Return a scene as the kernel reads it. Raises OutOfRange."""
     units, pieces = _units_of(scene.pair, scene.until, _reach(scene)), pieces_of(scene)
-    drive, layouts, longest = _drive(pieces, units)
+    cells = cells_of(scene)
+    if cells and (any(not one.b for one in pieces) or len(cells.all) * len(pieces) > _MOST_KINDS):
+        raise OutOfRange("friction that vanishes, or of too many points and pieces, is solved in balls only")
+    drive, kinds, longest = _drive(cells, pieces, units)
     norm = _norm(scene.pair, units)
-    tables = _tables(scene.pair, norm, tuple(layouts), units, longest)
+    tables = _tables(scene.pair, norm, kinds, units, longest)
+    tables = tables if cells is None else _cut(tables, cells, norm.kappa, units)
     at, start, place, speed = scene.initial, np.zeros(END_ROW), units.length, units.of(length=1, time=-1)
     start[_STATE] = rounded(at.x1, place), rounded(at.v1, speed), rounded(at.x2, place), rounded(at.v2, speed)
     start[AT["mode"]] = gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: floats may be equal
@@ -134,16 +165,19 @@ def prepare(scene: Scene) -> Prepared:
     return Prepared(problem, start, units, pieces, half_turns)
 
 
-def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dict[Layout, int], float]:
-    """Return the table of the pieces, the layouts in it, and the length of the longest piece."""
+def _drive(
+    cells: Cells | None, pieces: Sequence[ExactPiece], units: KernelUnits
+) -> tuple[Drive, tuple[Kind, ...], float]:
+    """Return the table of the pieces, the kinds in it, and the length of the longest piece."""
     second = units.time
     places: list[tuple[int, ...]] = []
     coefficients: list[float] = []
     sines: list[tuple[Halves, Halves, Halves]] = []
-    layouts: dict[Layout, int] = {}
+    kinds: dict[tuple[Kind, ...], int] = {}
     for one in pieces:
-        index = layouts.setdefault(one.layout, len(layouts))
-        places.append((index, len(coefficients), len(sines), int(one.is_jump), int(one.belt_jumps)))
+        own = _kinds(cells, one)
+        index = kinds.setdefault(own, len(kinds))
+        places.append((index * len(own), len(coefficients), len(sines), int(one.is_jump), int(one.belt_jumps)))
         for signal, exponent in zip(one.signals, _dimensions(units), strict=True):
             coefficients += [rounded(c, exponent - k * second) for k, c in enumerate(signal.polynomial)]
             for sine in signal.sines:
@@ -151,7 +185,32 @@ def _drive(pieces: Sequence[ExactPiece], units: KernelUnits) -> tuple[Drive, dic
                 sines.append((halves(sine.amplitude, exponent), halves(sine.omega, -second), halves(phase)))
     length = np.array([halves(one.length, second) for one in pieces])
     arrays = np.array(places, dtype=np.int64), length, np.array(coefficients), np.array(sines).reshape(-1, 3, 2)
-    return Drive(*arrays), layouts, float(length[:, 0].max())
+    return Drive(*arrays), tuple(chain.from_iterable(kinds)), float(length[:, 0].max())
+
+
+def _kinds(cells: Cells | None, piece: ExactPiece) -> tuple[Kind, ...]:
+    """Return the kinds of a piece, one for each cell."""
+    if cells is None:
+        return ((piece.layout, CONSTANT),)
+    return tuple((piece.layout, cells.branch(piece, *one)) for one in cells.all)
+
+
+def _cut(tables: Tables, cells: Cells, kappa: float, units: KernelUnits) -> Tables:
+    """Return tables with the ends of cells."""
+    numbers, speed = {one: n for n, one in enumerate(cells.all[:-1])}, units.of(length=1, time=-1)
+    ends, behind = np.full((len(cells.all), 3), np.inf), np.full((len(cells.all), 3), -1)
+    for n, (side, cell) in enumerate(cells.all):
+        limit = cells.limit(cell)
+        for kind, _, offset in cells.guards(side, cell)[0]:
+            to = cells.behind(side, cell, kind)
+            ends[n, kind] = rounded(offset, units.length if kind == AHEAD else speed)
+            behind[n, kind] = numbers[side, to] if to[0] >= 0 and cells.is_open(to) else -1
+        if limit is not None:
+            ends[n, CEILING], behind[n, CEILING] = rounded(limit, speed), -1
+    meets = np.array([[numbers[side, (0, j)] for side in (-1, 1, 1)] for _, (_, j) in cells.all])
+    meets[-1, 0], meets[-1, 1] = numbers[-1, (0, cells.begun[0])], len(numbers)
+    slope, pull = (np.abs(tables.lines[:, 0, OTHERS + KINETIC, place]).max() for place in (V1, X1))
+    return tables._replace(ends=ends, behind=behind, meets=meets, steep=np.array([kappa * kappa * slope, kappa * pull]))
 
 
 def _norm(pair: Pair, units: KernelUnits) -> Norm:
@@ -162,12 +221,13 @@ def _norm(pair: Pair, units: KernelUnits) -> Norm:
 
 
 @lru_cache(maxsize=64)
-def _tables(pair: Pair, norm: Norm, layouts: tuple[Layout, ...], units: KernelUnits, longest: float) -> Tables:
+def _tables(pair: Pair, norm: Norm, kinds: tuple[Kind, ...], units: KernelUnits, longest: float) -> Tables:
     """Return the tables of all kinds of pieces; every entry of a matrix is rounded once."""
-    n, terms = max(one.size for one in layouts), max(max(one.terms) for one in layouts)
-    tables = make_tables(len(layouts), n, most_terms(terms))
-    for index, layout in enumerate(layouts):
-        rows = _in_units(exact_rows(pair, layout), layout, units)
+    n, terms = max(one.size for one, _ in kinds), max(max(one.terms) for one, _ in kinds)
+    tables = make_tables(len(kinds), n, most_terms(terms))
+    for index, (layout, cell) in enumerate(kinds):
+        rows = _in_units(exact_rows(pair, layout, cell), layout, units)
+        rows.guards[SLIP, 1, X1], rows.guards[SLIP, 1, X2] = (1.0, -1.0) if cell is not CONSTANT else (0.0, 0.0)
         compiled(form)(tables, index, norm, layout.blocks, rows, 1.0, longest)
     return tables
 

@@ -15,9 +15,10 @@ import numpy as np
 
 from numerics.arithmetic.compiled import compilable_with
 
-CODES = ("mode", "order", "event", "jump", "piece")
+CODES = ("mode", "order", "event", "jump", "piece", "cell")
 """Floats: the mode that starts (-1, 0, +1: the sign of v1 - v2), how many derivatives of its guard vanish at its start,
-whether the mode changed, whether a piece begins here (the cause of an event is then a jump), which piece it is in."""
+whether the mode changed, whether a piece begins here (the cause of an event is then a jump), which piece it is in, and
+which cell of friction (Tables.ends)."""
 NUMBERS = ("local", "local_rest", "length", "x1", "v1", "x2", "v2")
 """Numbers: the time since the piece began, what its rounding left out (for a run that starts again there), how long the
 segment before was (s), the state (m, m/s)."""

@@ -8,14 +8,15 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.linear.model import EDGE, KINETIC, SLIP, STICK, V1, V2
-from numerics.linear.next_event import Next
-from numerics.linear.room import Now, Run, dot, place_of, size_of
+from numerics.linear.model import AHEAD, CEILING, EDGE, FLOOR, KINETIC, SLIP, STICK, V1, V2, X1, X2
+from numerics.linear.next_event import Next, parting
+from numerics.linear.room import Now, Run, dot, load_off, meeting, place_of, size_of
 from numerics.linear.table import GUARDS, OTHERS, RATES, SIGNED, UNIT
 
-NOTHING, PIECE, CONTACT, SLIP_END, EXIT = 0, 1, 2, 3, 4
+NOTHING, PIECE, CONTACT, SLIP_END, EXIT, NEXT_CELL = 0, 1, 2, 3, 4, 5
 """At the end of a step: the mode goes on; it does so in a new piece, or in a run whose mode is known; bodies that are
-together start, or something jumps; a slip comes to v1 = v2; the load of stick comes to the edge."""
+together start, or something jumps; a slip comes to v1 = v2; the load of stick comes to the edge; a slip goes on in
+another cell of friction."""
 UNDECIDED = 2
 """As a mode: the bounds leave open which one follows."""
 
@@ -30,9 +31,13 @@ class StepEnd(NamedTuple):
 @compilable
 def lateness(run: Run, now: Now, ahead: Next) -> tuple[float, float]:
     """Return by how much the true event may be late, and by how much rounding alone may have misplaced it."""
-    norm = run.norm
-    reach = norm.load if now.mode == 0 else min(norm.kappa, norm.bend * now.since)
-    return 1.25 * (reach * now.N + ahead.own) / ahead.slope, 1.25 * ahead.own / ahead.slope
+    if now.mode == 0:
+        off = load_off(run, place_of(run, now)[0], now)
+    elif ahead.guard == AHEAD:
+        off = now.apart
+    else:
+        off = min(run.norm.kappa * now.N, parting(run, now, now.N, now.apart) * now.since)
+    return 1.25 * (off + ahead.own) / ahead.slope, 1.25 * ahead.own / ahead.slope
 
 
 @compilable
@@ -40,22 +45,32 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
     """Return where the run is when a guard has vanished; the errors grow by what the event may be misplaced.
 
     During that time friction is off by 2 b, where static friction lets go or takes hold by b_static - b; at an exit
-    both motions leave v1 = v2 with w' = 0, so that little comes of it.
+    both motions leave v1 = v2 with w' = 0, so that little comes of it. They may be in different cells: N then grows by
+    the steepest of their slopes and pulls.
     """
-    norm, y = run.norm, run.y
+    norm, tables, y, z, piece, far, far_2 = run.norm, run.tables, run.y, run.z, now.piece, now.far, now.far_2
     late, window = lateness(run, now, ahead)
-    lines = run.tables.lines[place_of(run, now)]
-    b = abs(dot(lines[OTHERS + KINETIC], run.z))
-    above = abs(dot(lines[OTHERS + EDGE], run.z)) - b
-    N, apart = now.N + norm.kappa * above * late, now.apart + 2.0 * norm.kappa * now.N * late
+    lines, (steep, pull) = tables.lines[place_of(run, now)], tables.steep
+    factor, N = 1.0 + 4.0 * steep * late, now.N + 4.0 * pull * now.apart * late
+    apart = now.apart + 2.0 * norm.kappa * now.N * late
+    if now.mode != 0 and (ahead.guard != FLOOR or tables.ends[now.cell, FLOOR] != 0.0):
+        behind, order = tables.behind[now.cell, ahead.guard], 0 if ahead.guard == AHEAD else 1
+        mode, edge = now.mode if behind >= 0 else UNDECIDED, CEILING if ahead.guard == FLOOR else FLOOR
+        cell, N = max(int(behind), 0), factor * (N + 8.0 * (steep / norm.kappa + pull) * ahead.own * window)
+        return Now(piece, mode, cell, order, edge, late, 1e300, N, far, far_2, apart), StepEnd(NEXT_CELL, 0.0)
+    z[X1], z[V1], z[X2], z[V2] = y[0], 0.0, y[2], 0.0  # at v1 = v2
+    b = abs(dot(lines[OTHERS + KINETIC], z))
+    above = abs(dot(lines[OTHERS + EDGE], z)) - b
+    N += norm.kappa * above * late
     if now.mode == 0:
-        N += 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window)
+        N = factor * (N + 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window))
         mode, order, since = 1 - 2 * ahead.guard, 2 if above <= 0.0 else 1, 0.0 if above <= 0.0 else 1e300
-        return Now(now.piece, mode, order, now.edge, late, since, N, now.far, now.far_2, apart), StepEnd(EXIT, late)
+        cell = tables.meets[now.cell, 1 + mode]
+        return Now(piece, mode, cell, order, FLOOR, late, since, N, far, far_2, apart), StepEnd(EXIT, late)
     gap = abs(y[1] - y[3])
     y[1] = y[3]
-    N += 2.0 * norm.kappa * b * window + norm.root_m1 * gap
-    return Now(now.piece, now.mode, 0, now.edge, late, now.since, N, now.far, now.far_2, apart), StepEnd(SLIP_END, late)
+    N = factor * (N + 2.0 * norm.kappa * b * window) + norm.root_m1 * gap
+    return Now(piece, now.mode, now.cell, 0, FLOOR, late, now.since, N, far, far_2, apart), StepEnd(SLIP_END, late)
 
 
 @compilable
@@ -64,23 +79,32 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
 
     z is that of the event, with b unsigned.
     """
-    mode, order, since = now.mode, now.order, now.since
-    lines = run.tables.lines[run.drive.places[now.piece, 0], STICK]
+    mode, order, since, y = now.mode, now.order, now.since, run.y
+    lines = run.tables.lines[meeting(run, now.piece, now.cell, 0), STICK]
     one, two = dot(lines[GUARDS], run.z), dot(lines[GUARDS + 1], run.z)
-    edge = 0 if one <= two else 1
-    gap = run.y[1] - run.y[3]
+    gap = y[1] - y[3]
     if event.kind == CONTACT and gap != 0.0:  # the belt's velocity has jumped
         off = run.norm.kappa * now.N + 32.0 * UNIT * run.size[V2]
-        mode = UNDECIDED if abs(gap) <= off else 1 if gap > 0.0 else -1
+        mode = UNDECIDED if abs(gap) <= off or len(run.tables.ends) > 1 else 1 if gap > 0.0 else -1
     elif event.kind in (CONTACT, SLIP_END):
         mode = mode_after(run, now, (one, two), event.late)
-        if event.kind == SLIP_END and mode == now.mode:
+        if event.kind == SLIP_END and (mode == now.mode or is_at_end(run, now)):
             mode = UNDECIDED
         order = 1 if mode != 0 else 0
         if mode != now.mode:
             since = 1e300 if mode != 0 else 0.0
     late = event.late if mode != now.mode or event.kind == EXIT else now.late
-    return Now(now.piece, mode, order, edge, late, since, now.N, now.far, now.far_2, now.apart)
+    edge = now.edge if mode == now.mode and mode != 0 else 0 if mode != 0 or one <= two else 1
+    cell = now.cell if mode in (now.mode, UNDECIDED) else run.tables.meets[now.cell, 1 + mode]
+    return Now(now.piece, mode, cell, order, edge, late, since, now.N, now.far, now.far_2, now.apart)
+
+
+@compilable
+def is_at_end(run: Run, now: Now) -> bool:
+    """Return whether x1 - x2 may be where two cells at v1 = v2 meet."""
+    ends, y, (below, _, above) = run.tables.ends, run.y, run.tables.meets[now.cell]
+    apart, off = y[0] - y[2], 2.0 * now.apart + 8.0 * UNIT * (abs(y[0]) + abs(y[2]))
+    return bool(ends[above, AHEAD] - apart < off or ends[below, AHEAD] + apart < off)
 
 
 @compilable
@@ -88,15 +112,15 @@ def mode_after(run: Run, now: Now, values: tuple[float, float], late: float) -> 
     """Return the mode that follows where v1 = v2 within `late` of now, from the values of the guards of stick."""
     if run.literal:
         return 0
-    tables, kind = run.tables, run.drive.places[now.piece, 0]
-    at_edge = 0
+    tables, kind = run.tables, meeting(run, now.piece, now.cell, 0)
+    at_edge, fast = 0, 0.0
+    for mode in (-1, 0, 1):
+        at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
+        for row in (RATES, RATES + 1):
+            fast = max(fast, most_of(run, at, tables.lines[at][row], late))
     for g in range(2):
-        off = run.norm.load * now.N + 32.0 * UNIT * size_of(tables.lines[kind, STICK, GUARDS + g], run.size)
-        if late > 0.0:
-            fast = 0.0
-            for mode in range(2):
-                fast = max(fast, most_of(run, (kind, mode), tables.lines[kind, mode, RATES + g], late))
-            off += 1.25 * late * fast
+        off = load_off(run, kind, now) + 32.0 * UNIT * size_of(tables.lines[kind, STICK, GUARDS + g], run.size)
+        off += 1.25 * late * fast
         if values[g] < -off:
             return 1 - 2 * g
         at_edge += 0 if values[g] > off else 1
@@ -130,9 +154,9 @@ def most_of(run: Run, at: tuple[int, int], row: Any, late: float) -> float:
 @compilable
 def fastest(run: Run, now: Now, body: int, late: float) -> float:
     """Return the greatest |v1'| (body 0) or |v2'| (body 1) of any mode within `late` of where a run is."""
-    tables, kind = run.tables, run.drive.places[now.piece, 0]
     place, most = V2 if body == 1 else V1, 0.0
-    for mode in (SLIP, STICK):
-        if mode == SLIP or run.literal:  # else stick's is between those of the slips
-            most = max(most, most_of(run, (kind, mode), tables.A[kind, mode, place], late))
+    for mode in (-1, 0, 1):
+        at = meeting(run, now.piece, now.cell, mode), SLIP if mode != 0 else STICK
+        if mode != 0 or run.literal:  # else stick's is between those of the slips
+            most = max(most, most_of(run, at, run.tables.A[at][place], late))
     return most

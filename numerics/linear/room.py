@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats, pair_of, plus, product, times
-from numerics.linear.model import DRIVEN, FIRST, V1, V2, Norm
+from numerics.linear.model import DRIVEN, EDGE, FIRST, STICK, V1, V2, X2, Norm
 from numerics.linear.table import OTHERS, SIGNED, STATE, Tables
 
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
@@ -55,7 +55,7 @@ class Run(NamedTuple):
     size: Any
     """(n,) what the roundings of z are counted in."""
     q: Any
-    """(2, terms) Taylor coefficients of the guards, without those that are exactly 0; of a row of the state."""
+    """(terms,) Taylor coefficients of a guard, without those that are exactly 0; of a row of the state."""
     bernstein: Any
     curves: Any
     """(4, terms) Taylor coefficients of the state."""
@@ -68,10 +68,12 @@ class Now(NamedTuple):
 
     piece: int
     mode: int
+    cell: int
+    """Of friction."""
     order: int
     """How many coefficients of the guard `edge` vanish here."""
     edge: int
-    """The guard of stick that is nearer, or was where the segment began: 0 or 1."""
+    """The guard of stick that is nearer, or was where the segment began; that of a slip which vanished there."""
     late: float
     """By how much the event that the segment began with may be misplaced, s."""
     since: float
@@ -96,7 +98,7 @@ def space_for(tables: Tables) -> NDArray[np.float64]:
 def run_of(problem: Problem, space: Any) -> Run:
     """Return a run of a problem in some space; tuples of arrays are made where no references are counted."""
     norm, drive, tables, literal = problem
-    n, q, curves = tables.rows.shape[3], space[7:9], space[9:13]
+    n, q, curves = tables.rows.shape[3], space[7], space[9:13]
     y, clock, z, size, bernstein, counts = (
         space[0, :STATE],
         space[1:3, :2],
@@ -111,7 +113,19 @@ def run_of(problem: Problem, space: Any) -> Run:
 @compilable
 def place_of(run: Run, now: Now) -> tuple[int, int]:
     """Return where the tables of the mode are: the kind of piece, and 0 for slip, 1 for stick."""
-    return run.drive.places[now.piece, 0], 1 if now.mode == 0 else 0
+    return run.drive.places[now.piece, 0] + now.cell, 1 if now.mode == 0 else 0
+
+
+@compilable
+def meeting(run: Run, piece: int, cell: int, mode: int) -> int:
+    """Return the kind of the mode that meets a cell at v1 = v2."""
+    return int(run.drive.places[piece, 0] + run.tables.meets[cell, 1 + mode])
+
+
+@compilable
+def load_off(run: Run, kind: int, now: Now) -> float:
+    """Return by how much a guard of stick may be off."""
+    return run.norm.load * now.N + abs(run.tables.lines[kind, STICK, OTHERS + EDGE, X2]) * now.apart
 
 
 @compilable_with(**FAST)

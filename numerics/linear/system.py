@@ -1,8 +1,7 @@
 """One mode under one piece of the signals, z' = A z in balls: its matrices, its norm, its flow by exp(A t).
 
 z and A are those of model.py; in a slip s the block of b in z is multiplied by s. A is exact, resonance is no special
-case, and a flow over a ball of times encloses the flow at each of them. Friction on body 2 in a slip is
-b + slope (v1 - v2) + pull (x1 - x2), where it depends on the state (cells.py).
+case, and a flow over a ball of times encloses the flow at each of them.
 """
 
 from __future__ import annotations
@@ -18,6 +17,7 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.precision import cached_property
 from numerics.linear.model import (
+    CONSTANT,
     FIRST,
     FRICTION,
     KINETIC,
@@ -29,6 +29,7 @@ from numerics.linear.model import (
     X1,
     X2,
     Bodies,
+    Cell,
     Layout,
     Rows,
     add_signal,
@@ -44,9 +45,6 @@ W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
 Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
 """The relative velocity w = v1 - v2, and x1 - x2."""
 BallRow = Sequence[tuple[int, arb]]
-Cell = tuple[Fraction, Fraction]
-"""Slope (N s/m) and pull (N/m) of the friction of a slip."""
-CONSTANT: Cell = (Fraction(0), Fraction(0))
 _FURTHER = 4
 """Further terms of Taylor in a bound on a remainder."""
 
@@ -118,7 +116,7 @@ class LinearMode(ShortRepr):
     @property
     def rows(self) -> Rows:
         """Return the exact matrices of both modes."""
-        return exact_rows(self.pair, self.layout, self.cell if self.side else CONSTANT)
+        return exact_rows(self.pair, self.layout, self.cell)
 
     @property
     def size(self) -> int:
@@ -251,7 +249,7 @@ class LocalNorm:
 
     def __init__(self, mode: LinearMode, g: Fraction | None = None) -> None:
         """Form the constants, in the present precision."""
-        (slope, pull), pair, number = mode.cell, mode.pair, Ball.number
+        (slope, pull, _), pair, number = mode.cell if mode.side else CONSTANT, mode.pair, Ball.number
         g = abs(pull) if g is None else g
         bodies = Bodies.of(pair)
         self.mode, self.is_fixed = mode, pair.is_fixed

@@ -57,6 +57,15 @@ class Tables(NamedTuple):
     """(kinds, 2, 6, n, terms): the coefficients of x1, v1, x2, v2 and the guards in (t/h)^k by components of z."""
     degrees: Any
     """(kinds, 2, 6, n): how many terms of each there are, rounded up to an even number; later ones are 0."""
+    ends: Any
+    """(cells, 3): what the guards of a slip in a cell are where v1 - v2 and x1 - x2 are 0; inf if there is no such end.
+    The kinds of the cells of a piece follow each other."""
+    behind: Any
+    """(cells, 3): the cell behind each end; -1 if that is not followed: friction may vanish there."""
+    meets: Any
+    """(cells, 3): the cells of slip -, stick and slip + at v1 = v2, for the place that a cell has."""
+    steep: Any
+    """(2,) the most of a slope times kappa^2, and of a pull times kappa, in any cell."""
 
 
 def most_terms(coefficients: int) -> int:
@@ -65,10 +74,13 @@ def most_terms(coefficients: int) -> int:
 
 
 def make_tables(kinds: int, n: int, terms: int) -> Tables:
-    """Return empty tables; n columns at most."""
+    """Return empty tables of one cell; n columns at most."""
     steps, blocks = np.ones((kinds, 3)), np.zeros((kinds, 5, 4), dtype=np.int64)
     A, lines, rows = np.zeros((kinds, 2, n, n)), np.zeros((kinds, 2, LINES, n)), np.zeros((kinds, 2, 6, n, terms))
-    return Tables(steps, blocks, A, lines, rows, np.zeros((kinds, 2, 6, n), dtype=np.int64))
+    degrees, ends = np.zeros((kinds, 2, 6, n), dtype=np.int64), np.array([[0.0, np.inf, np.inf]])
+    return Tables(
+        steps, blocks, A, lines, rows, degrees, ends, np.full((1, 3), -1), np.zeros((1, 3), dtype=np.int64), np.zeros(2)
+    )
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -115,7 +127,7 @@ def form_mode(
     own, sums = lines[OWN:SUMS], lines[SUMS:POWERS]
     own[:, :] = 0.0
     row, cut, counts, total = np.zeros(n), np.zeros(n), np.zeros((2 * ORDERS, n)), np.zeros((n, 2))
-    for index in range(STATE + 1 + mode):
+    for index in range(STATE + 2):
         for j in range(n):
             row[j] = guards[index - STATE, j] if index >= STATE else 1.0 if j == index else 0.0
         table = tables.rows[at][index]
@@ -175,7 +187,8 @@ def places_of(A: Any) -> Any:
 @compilable
 def step_of(A: Any, places: Any, longest: float) -> float:
     """Return the length of a step, of 20 bits: steps of it add up exactly."""
-    rate = abs(A[V1, V1]) + abs(A[V2, V2]) + math.sqrt(abs(A[V1, X1]) + abs(A[V2, X2]))
+    stiff = max(abs(A[V1, X1]), abs(A[V1, X2])) + abs(A[V2, X2])
+    rate = abs(A[V1, V1]) + abs(A[V2, V2]) + math.sqrt(stiff)
     for e in range(len(places)):
         i, j = places[e]
         if i >= FIRST and A[j, i] == -A[i, j]:  # of a sine
@@ -189,7 +202,8 @@ def expand(A: Any, places: Any, h: float, row: Any, table: Any, total: Any, cut:
     """Write the Taylor coefficients of a row over a step h, its value at the end (n, 2), and what is cut off."""
     n, terms = A.shape[0], table.shape[1]
     r, after = np.zeros((n, 2)), np.zeros((n, 2))
-    r[:, 0] = row
+    for j in range(n):
+        r[j, 0] = row[j]
     total[:, :] = 0.0
     cut[:] = 0.0
     for k in range(terms + 2):

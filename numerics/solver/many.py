@@ -85,7 +85,7 @@ def solve_many(
     """Solve one scene for each element of arrays that broadcast together; SI units as in Pair, State and Scene.
 
     Each scene is solved like solve(scene, arithmetic="float64"); if the error bounds do not decide its events, its
-    status says so. If friction depends on the state, the scenes are solved in balls, one after the other.
+    status says so. If friction depends on the state, the scenes are solved one after the other.
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the

@@ -8,7 +8,6 @@ from functools import partial
 
 import numpy as np
 
-from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.precision import is_held
@@ -16,20 +15,18 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.batch import follow_many
 from numerics.linear.engine import ledger_of
 from numerics.linear.pieces import starts_of
-from numerics.linear.record import AT, CODES, END_ROW, ROW, UNKNOWN, How
+from numerics.linear.record import AT, END_ROW, ROW, UNKNOWN, How
 from numerics.scene import Scene
 from numerics.tasks import available_cores
-from numerics.trajectory.columns import STATE, Counts, Floats
+from numerics.trajectory.columns import Counts, Floats
 from numerics.trajectory.run import run_scene
-from numerics.trajectory.trajectory import Trajectory
 
 _CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
 _TOO_FEW = 256
 """Scenes that one thread solves before another has started."""
 _TAKEN = AT["friction"]
-_FLOAT64, _DIGITS = Float64(), 68
-"""Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
+_FLOAT64 = Float64()
 
 
 def form_ledgers(
@@ -77,12 +74,12 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
     """Solve one scene, and write its first events and its end; their times count from the start of the run."""
     kept[:] = end[:] = np.nan  # also what compiled code wrote, in units of its own, before it left the row to this
     try:
-        found = run_scene(scene, Ball(_DIGITS) if scene.friction.weakening else _FLOAT64, max_events)
+        found = run_scene(scene, _FLOAT64, max_events)
     except (EventUndecided, OutOfRange) as error:
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
         end[AT["mode"]] = end[AT["events"]] = 0.0
         return
-    rows, last = _in_floats(found) if scene.friction.weakening else (found.record.rows, found.record.end)
+    rows, last = found.record.rows, found.record.end
     at = [0, *np.flatnonzero(rows[:, AT["event"]])[: len(kept) - 1]]
     kept[: len(at)], end[:] = rows[at], last
     for row in (*kept[: len(at)], end):
@@ -90,21 +87,3 @@ def solve_one(scene: Scene, max_events: int, kept: Floats, end: Floats) -> None:
         row[AT["piece"]] = 0.0
     if scene.changes_later and found.record.how == How.STUCK:
         end[AT["how"]] = How.REACHED
-
-
-def _in_floats(found: Trajectory) -> tuple[Floats, Floats]:
-    """Return rows and the end of a run in balls as floats: the middles, and as bounds radii and rounding."""
-    record, late, numbers = found.record, AT["late"], ("local", *STATE)
-    table = np.zeros((len(record.rows) + 1, END_ROW))
-    with found.arithmetic.context():
-        for row, knot in zip(table, (*record.rows, record.end), strict=True):
-            row[: len(CODES)] = knot[: len(CODES)]
-            for place, name in enumerate(numbers):
-                value = getattr(knot, name)
-                row[AT[name]] = float(value.mid())
-                row[late + place] = float(value.rad()) + abs(row[AT[name]]) * 2.0**-52
-        taken = [found.ledger.friction, found.ledger.viscous]
-        friction, viscous = (float(one.mid()) for one in taken)
-        off = float(sum(one.rad() for one in taken)) + 2.0**-51 * (friction + viscous)
-    table[-1, ROW:] = record.how, record.events, friction, viscous, float(found.ledger.work), 0.0, 0.0, 0.0, off
-    return table[:-1, :ROW], table[-1]

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from numerics.linear.cells import cells_of
 from numerics.trajectory.columns import Array, Counts, Floats
 from numerics.trajectory.events import energy_in_floats, wall_in_floats
 from numerics.trajectory.rows import Rows
@@ -54,7 +53,7 @@ def sampled(trajectory: Rows) -> Curve:
 
     At a jump of u or b, as at an event, there are two points.
     """
-    scene, number, cells = trajectory.scene, trajectory.floats, cells_of(trajectory.scene)
+    scene, number = trajectory.scene, trajectory.floats
     with trajectory.arithmetic.context():
         lengths, excess = number(trajectory.row_lengths), trajectory.row_excess
     m1, a1, a2 = [float(one) for one in (scene.pair.m1, scene.pair.a1, scene.pair.a2)]
@@ -66,8 +65,6 @@ def sampled(trajectory: Rows) -> Curve:
     since, stick = lengths[at] * share, trajectory.row_signs[at] == 0
     found = trajectory.row_changes(at, since)
     y, (u, load, kinetic, edge) = number(trajectory.row_states)[:, at] + found[:4], found[4:]
-    if cells is not None:
-        edge = edge * cells.relative(y[1] - y[3], y[0] - y[2])
     segment = np.searchsorted(trajectory.event_rows, at, side="right")
     t = number(trajectory.row_times)[at] + since
     energy = energy_in_floats(scene, t, y)

@@ -22,9 +22,9 @@ from numerics.arithmetic.ball import Ball, as_float, exact_middle, magnitude_bit
 from numerics.arithmetic.pair import TwoFloats, nearest, plus, product, times
 from numerics.arithmetic.precision import precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.model import BELT, FIRST, FRICTION, SLIP, STICK, TAKEN, WALL, Layout
+from numerics.linear.model import BELT, FIRST, FRICTION, SLIP, STICK, TAKEN, WALL, Cell, Layout
 from numerics.linear.prepare import reduced
-from numerics.linear.system import Cell, LinearMode, LocalNorm, Motion, Row, matrix, sparse
+from numerics.linear.system import LinearMode, LocalNorm, Motion, Row, matrix, sparse
 from numerics.scene import Pair
 from numerics.trajectory.columns import Floats
 from numerics.trajectory.comparison import as_ball

@@ -17,7 +17,7 @@ import numpy as np
 from numerics.arithmetic.precision import cached_property
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
-from numerics.linear.cells import PLAIN, mode_in
+from numerics.linear.cells import Cells, mode_in
 from numerics.linear.model import EDGE, FIRST, FORCE, KINETIC, LOAD, add_signal
 from numerics.linear.modes import MODES
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
@@ -262,7 +262,11 @@ class Rows(Answer):
     def _modes(self) -> tuple[list[LinearMode], Counts]:
         """Return the linear modes in which rows begin, and the index of each row's one."""
         rows = self.record.rows
-        cells = np.array([PLAIN] * len(rows) if isinstance(rows, np.ndarray) else [one.cell for one in rows])
+        if isinstance(rows, np.ndarray):
+            known = Cells(self.scene).all
+            cells = np.array([known[int(n)][1] for n in rows[:, AT["cell"]]])
+        else:
+            cells = np.array([one.cell for one in rows])
         all_rows = np.column_stack([self.row_pieces, self.row_signs, cells])
         kinds, which = np.unique(all_rows, axis=0, return_inverse=True)
         found = [mode_in(self.scene, self.pieces[k], sign, (i, j)) for k, sign, i, j in kinds.tolist()]

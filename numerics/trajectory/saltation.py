@@ -32,7 +32,7 @@ from numerics.errors import NotDifferentiable
 from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.model import DRIVEN, EDGE, FRICTION, KINETIC, LOAD, WALL, Bodies
 from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.system import LinearMode, LocalNorm
+from numerics.linear.system import LocalNorm
 from numerics.linear.ties import signal_form
 from numerics.scene import Law, Piece, Scene
 from numerics.trajectory.columns import STATE, Array
@@ -198,10 +198,8 @@ class Chain:
     def _by_guard(self, leg: Leg, after: Leg, ended: CarriedDerivatives) -> Shift:
         """Return how an event by a guard moves."""
         norm, here = self._norm(leg), (after.state, after.start)
-        end = self._of(after._replace(side=after.side or 1))
-        end = self.variation(after.piece, 1, (0, after.cell[1])) if self.cells and not leg.side else end
         before = field(self._of(leg).mode, *here)
-        by_state, moved, rate = self._of(leg).guard(end, after.side, *here, ended.y)
+        by_state, moved, rate = self._of(leg).guard(after.side, *here, ended.y)
         off = ended.norm * norm.most(by_state.tolist()) + ended.place * abs(by_state[2])
         off = off + (ended.far * abs(by_state[0] + by_state[2]) if not norm.root_a2 > 0 else 0)
         behind = field(self._of(after).mode, *here) if leg.side or self.bodies.static != 1 else None
@@ -229,7 +227,7 @@ class Chain:
         names = {k: name for k, name in enumerate(_starts(scene, here.start)) if name in self.column}
         jumping = [k for k in names if _jumps_at(before, here, k)]
         alone = [_with(here, k, before) for k in jumping]  # the piece in front of each jump alone
-        fields = [self._field_from_contact(one, *at) for one in alone]
+        fields = [self._field_from_contact(one, *at, leg) for one in alone]
         if index and len(jumping) > 1 and (leg.is_event or not (leg.side or literal or all(one[1] for one in fields))):
             both = " and ".join(SIGNALS[k] for k in jumping)
             when = f"at t = {float(leg.start):.6g} s {both} both jump, and which of them comes first"
@@ -251,14 +249,13 @@ class Chain:
             state[1] = state[1] if leg.side else state[3]
         return field(mode, state, t)
 
-    def _field_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb]) -> tuple[Array, bool]:
+    def _field_from_contact(self, piece: ExactPiece, t: arb, state: Sequence[arb], leg: Leg) -> tuple[Array, bool]:
         """Return the same in the mode that follows v1 = v2, and whether that is surely a stick."""
-        mode = LinearMode(self.scene.pair, 0, piece)
+        leg = leg._replace(side=0, cell=(0, leg.cell[1]))
+        mode = mode_in(self.scene, piece, 0, leg.cell)
         z, others = mode.begin(state, t), mode.rows.others
         load, edge, b = (_dot(others[k], z) for k in (LOAD, EDGE, KINETIC))
-        if self.cells:
-            edge = b = self.cells.held(piece, state[0] - state[2])
-        surely, held = abs(load) < edge, self._field(piece, t, state, self.legs[0]._replace(side=0))
+        surely, held = abs(load) < edge, self._field(piece, t, state, leg)
         push = load if surely else load.min(b).max(-b)
         one, two = (Ball.number(k) * (load - push) for k in (self.bodies.inverse_1, self.bodies.inverse_2))
         return held + np.array([arb(0), one, arb(0), -two]), bool(surely)

@@ -82,7 +82,7 @@ class Trajectory(Rows):
     True
     """
 
-    FORMAT = "inertial-pair trajectory 3"
+    FORMAT = "inertial-pair trajectory 4"
     ARITHMETICS = ("float64", "mpmath", "ball")
     COLUMNS = ("t", "y", "energy", "energy_excess")
 

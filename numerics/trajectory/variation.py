@@ -30,11 +30,10 @@ from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.model import (
     FIRST,
     FRICTION,
-    KINETIC,
-    LOAD,
     SLIP,
     STICK,
     Bodies,
+    Cell,
     Layout,
     Rows,
     make_rows,
@@ -43,7 +42,7 @@ from numerics.linear.model import (
 )
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
-from numerics.linear.system import Cell, LinearMode, Motion
+from numerics.linear.system import LinearMode, Motion
 from numerics.scene import Pair, Piece, Scene
 from numerics.trajectory.columns import Array
 from numerics.trajectory.trajectory import Trajectory
@@ -119,7 +118,7 @@ class Variation:
         self.A = _balls(self.rows.A[kind])
         self.signals = _acting(scene, piece.start)
         b = f"{self.signals[FRICTION][0]}.b" if self.signals[FRICTION][0] else "b"
-        self.lines = cells.by_numbers(piece, side, cell, b) if cells and side else {}
+        self.lines = cells.by_numbers(piece, side or 1, cell, b) if cells else {}
         pair, layout, line = self.mode.pair, self.mode.layout, self.mode.cell
         omegas = {
             f"{name}.sines[{k}].omega": first + 2 * k + 1
@@ -145,10 +144,7 @@ class Variation:
         for which, ((name, piece), (first, terms, sines, _)) in enumerate(zip(self.signals, blocks, strict=True)):
             sign = (self.side or 1) if which == FRICTION else 1
             if which == FRICTION and self.is_weakened:
-                for number, line in self.lines.items():
-                    if number in self.column:
-                        found[first, self.column[number]] += sign * Ball.number(line.offset)
-                continue
+                continue  # of which `lines` say all
             power, of_b = [arb(1)], f"{name}.b" if name else "b"
             for j in range(terms):
                 if (place := self.column.get(f"{name}.polynomial[{j}]", self.column.get(of_b))) is not None:
@@ -179,26 +175,18 @@ class Variation:
         flow = _exponential(self.A * tau)[:FIRST] if flow is None else flow
         return found + np.array((arb_mat(flow.tolist()) * arb_mat(moved.tolist())).tolist())
 
-    def guard(self, end: Variation, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> Guard:
+    def guard(self, exit_side: int, state: Sequence[arb], t: arb, y: Array) -> Guard:
         """Return the guard that ends this mode where it is 0: its row on states, its derivatives, and its rate.
 
-        That of a slip is v1 - v2; that of a stick which ends in the slip of a sign is the edge less that times the
-        load, where friction depends on the state by the slip's line in the cell of `end`.
+        That of a slip is v1 - v2, of a stick which ends in the slip of a sign the edge less that times the load.
         """
-        own = end if self.is_weakened and not self.side else self
-
-        def row(rows: Rows) -> Array:
-            if self.side:
-                return np.asarray(_balls(rows.guards[SLIP, 0]))
-            edge = rows.others[KINETIC] - exit_side * rows.others[LOAD]
-            return np.asarray(_balls(edge if own is end else rows.guards[STICK, 0 if exit_side > 0 else 1]))
-
-        z, moved = own.begun(state, t, y)
-        here = row(own.rows)
-        by, A = here @ moved, self.A if self.side else _balls(own.rows.A[STICK])
-        for name, one in own.moved.items():
-            by[self.column[name]] += row(one) @ z
-        return Guard(here[:FIRST], by, here @ (A @ z))
+        place = (SLIP, 0) if self.side else (STICK, 0 if exit_side > 0 else 1)
+        z, moved = self.begun(state, t, y)
+        here = _balls(self.rows.guards[place])
+        by = here @ moved
+        for name, one in self.moved.items():
+            by[self.column[name]] += _balls(one.guards[place]) @ z
+        return Guard(here[:FIRST], by, here @ (self.A @ z))
 
 
 def _acting(scene: Scene, t: Fraction) -> list[tuple[str, Piece]]:
@@ -266,9 +254,7 @@ def _moved_rows(pair: Pair, layout: Layout, cell: Cell, name: str, place: int | 
     omegas = spread_omegas(layout)
     if place is not None:
         omegas[place] = Dual(omegas[place], Fraction(1))
-    here: tuple[Any, Any] = cell
-    if line is not None:
-        here = Dual(cell[0], line[1]), Dual(cell[1], line[2])
+    here: Any = cell if line is None else tuple(map(Dual, cell, line))
     rows = Rows(*(np.full(one.shape, Fraction(0)) for one in make_rows(layout.size)))
     put_rows(Bodies.of(numbers), layout.blocks, omegas, here, rows)  # type: ignore[arg-type]  # a pair of dual numbers
     return Rows(*map(_slopes, rows))

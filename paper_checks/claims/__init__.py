@@ -28,8 +28,8 @@ efficient-control-is-challenging varying-interface excursion-closed-form
 excursion-monotone return-map-expansion sharp-rate-constant rate-bounds-explicit merging-set critical-mass-ratio
 merging-bands merging-share long-time-expansion rate-with-error uniform-rate forced-mode-rule forced-no-zeno
 forced-contraction forced-periodic-response forced-resonance-bound entrainment-threshold trackable-references
-minimum-transfer-time tolerance-ring damping-can-desynchronise static-friction-stops-creeping
-friction-in-any-direction stuck-ellipses rotating-force euler-error
+minimum-transfer-time cheapest-transfer tolerance-ring damping-can-desynchronise synchronisation-against-damping
+static-friction-stops-creeping friction-in-any-direction stuck-ellipses rotating-force euler-error
 """
 """Of the paper, section by section, then of what is past it; a claim that is not named here comes last."""
 

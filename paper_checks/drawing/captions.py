@@ -101,13 +101,19 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "resonance": (
         "At the resonance of body 1",
-        "Left: a force just below $4b/\\pi$, and the velocities stay bounded. Right: just above, and body 1 grows at least as the dotted "
-        "lines do. Body 2 does not follow.",
+        "Left: a force just below $4b/\\pi$, and the velocities stay bounded. Middle: just above, and body 1 grows at least as the dotted "
+        "lines do. Body 2 does not follow. Right: at $4b/\\pi$ a sine alone leaves the amplitude bounded; with a part at half the frequency it tends "
+        "to the dotted lines, which grow as $t^{1/3}$.",
     ),
     "tracked-reference": (
         "A reference that body 2 follows",
         "Top: the reference. Middle: the friction required, inside the green band of the friction available. Bottom: the force on body 1 "
         "under which body 2 follows.",
+    ),
+    "cheapest-transfer": (
+        "One centimetre in 0.4 s with the least energy of the force",
+        "Positions, velocities, the force on body 1, and the friction that it asks for, which is at its limit at the end. No transfer that "
+        "sticks and takes this time has less $\\int u^2\\,dt$.",
     ),
     "fastest-transfer": (
         "One millimetre in the least time",
@@ -125,9 +131,10 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Each point is a periodic motion that is proved.",
     ),
     "static-friction": (
-        "Energy loss of a slip from the edge",
-        "With one friction coefficient the loss of a slip tends to 0 with the excess energy at its start, and the pair creeps. "
-        "With static friction above kinetic, and sticks that are kept, every such slip loses at least a fixed energy: there are few of them.",
+        "The $1/t$ law under other frictions",
+        "At the exits from $S_0$, for equal masses and a friction in slip of $b\\,(1-k|V_1-V_2|)$, $V_i=v_i/(L\\Omega)$: a finite slope keeps "
+        "the limit 1 and changes how it is approached, at the rate $1/\\sqrt t$. Friction that jumps from rest to slip, however "
+        "little, with sticks that are kept, ends creeping: the pair merges.",
     ),
     "two-motions": (
         "Two motions of one force",

@@ -1,9 +1,8 @@
-"""Beyond the paper's pair: static friction above kinetic, two motions of one force, stuck ellipses, a rotating force."""
+"""Beyond the paper's pair: friction that jumps or falls, two motions of one force, stuck ellipses, a rotating force."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 
@@ -14,43 +13,43 @@ from numpy.typing import NDArray
 
 from numerics.control.rotating import rotating_response
 from numerics.control.thresholds import thresholds
+from numerics.linear.modes import EventKind
 from numerics.scene import Force, Friction, Pair, Scene, State, Weakening
-from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair
 from numerics.solver.solve import solve
 from paper_checks.drawing.style import BODY_1, BODY_2, MM, SLIDING, panels
 
-EXCESSES = tuple(range(-10, 1))
-"""Decimal logarithms of the excess with which a slip begins."""
-DROPS = (0, 5, 10, 30)
-"""How much kinetic friction is below static friction, per cent."""
+FRICTIONS = (
+    ("rises, $k=-1.5$", (("0.1", "0.575"),), "#8a8a8a"),
+    ("constant", (), "black"),
+    ("falls, $k=0.3$", (("0.1", "0.485"),), "#2e8b3d"),
+    ("falls, $k=1.5$", (("0.1", "0.425"),), BODY_2),
+    ("jumps by 0.2 %", None, BODY_1),
+)
+"""Friction in slip beside 1/2 at rest: its points by the speed, in units L Omega; None is the jump."""
 _COLOURS = ("black", "#2e8b3d", BODY_2, BODY_1)
 
 
 @cache
-def first_loss(drop: int, power: int) -> float:
-    """Return what the first slip from the edge costs with the excess 10^power, in E_cr of static friction, binary64."""
-    scene = load_scene("velocities")
-    edge, rate = scene.pair.half_width, math.sqrt(scene.pair.a2 / scene.pair.mass)
-    speed = Fraction(float(edge) * rate * 10 ** (power / 2))
-    pair = replace(scene.pair, b=scene.pair.b * (100 - drop) / 100)
-    lost = solve(Scene(pair, State(-edge, -speed, 0, -speed), until=1), digits=30)
-    with lost.arithmetic.context():
-        paid = lost.energy[0] - lost.energy[1]
-    return float(paid) / float(scene.pair.critical_energy)
+def exits(points: tuple[tuple[str, str], ...] | None, until: int = 500) -> NDArray[np.float64]:
+    """Return the times of the exits from one start with w = 0.04, and tau w over its limit there; L = Omega = M = 1."""
+    half, start = Fraction(1, 2), State(1, "0.2", 0, "0.2")
+    friction = Friction((), Weakening(speed=points)) if points else Friction()
+    pair = Pair(half, half, 1, half) if points is not None else Pair(half, half, 1, "0.499", b_static=half)
+    run = solve(Scene(pair, start, until, friction=friction))
+    times = np.array([float(one.t) for one in run.events if one.kind is EventKind.EXIT])
+    x1, v1, _, _ = (np.array([float(value) for value in row]) for row in run.sol(times))
+    return np.array([times, times * (x1**2 + v1**2 - 1) * 9 / (4 * math.pi)])
 
 
 def static_friction() -> Figure:
-    """Draw what a slip from the edge costs by the excess, for kinetic friction at and below static friction."""
-    figure, axes = panels(4.4, 3.6)
-    for drop, colour in zip(DROPS, _COLOURS, strict=True):
-        label = f"kinetic {drop} % below static" if drop else "one coefficient"
-        axes.loglog([10.0**k for k in EXCESSES], [first_loss(drop, k) for k in EXCESSES], color=colour, label=label)
-    axes.set(
-        xlabel="excess $E/E_{cr}-1$ at the start of the slip (dimensionless)",
-        ylabel="energy lost in $E_{cr}$ (dimensionless)",
-    )
-    axes.legend(loc="lower right")
+    """Draw t (E - E_cr) over its limit for friction that is constant, falls with the speed, or jumps."""
+    figure, axes = panels(4.8, 3.4)
+    for label, points, colour in FRICTIONS:
+        axes.semilogx(*exits(points), color=colour, label=label)
+    axes.axhline(1, color="#777777", lw=0.8, ls=":")
+    axes.set(xlabel=r"$\tau=\Omega t$ (dimensionless)", ylabel="$t\\,(E-E_{cr})$ over its limit (dimensionless)")
+    axes.legend(loc="best")
     return figure
 
 

@@ -6,11 +6,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import solved_again
+from numerics.control.cheapest import cheapest_transfer
 from numerics.control.orbit import Orbit, PeriodicDrive, solve_orbit
 from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_tracking, draw_transfer
 from numerics.control.response import response, steady_drive
@@ -21,9 +23,16 @@ from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.file import load_reference, load_scene
 from numerics.solver.solve import solve
 from paper_checks.drawing.style import BODY_1, BODY_2, panels, samples
+from theory import critical_resonance as critical
+from theory.forced_response import natural
+from theory.symbols import b, m1
 
 PAIR, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 2)
 """The paper's case study with b = 0.5 N, and the same with a damper."""
+RESONANT = Pair(1, 1, 100, "0.5")
+"""A pair whose body 1 alone has the frequency 10/s."""
+EDGE = 4 * float(RESONANT.b) / np.pi
+"""The amplitude at that frequency, N, that friction can just take, in double precision."""
 DRIVEN = Scene(DAMPED, State(), until=4, force=Force.sine("0.5", 12))
 SHARES = tuple(Fraction(k, 20) for k in range(21))
 """Amplitudes of the second harmonic as parts of the first."""
@@ -44,23 +53,44 @@ def thresholds_over_frequency() -> Figure:
 
 
 def resonance() -> Figure:
-    """Draw v1 at the resonance of body 1, a1 = 0: bounded below U = 4b/pi, growing above it by (U - 4b/pi) t/(2 m1)."""
-    figure, both = panels(9.4, 3.9, 1, 2)
-    pair = Pair(1, 1, 100, "0.5")
-    edge = 4 * float(pair.b) / np.pi
-    for ax, amplitude in zip(both, ("0.6", "0.7"), strict=True):
-        solved = solve(Scene(pair, State(), until=20, force=Force.sine(amplitude, 10)))
+    """Draw v1 at the resonance of body 1 below and above U = 4b/pi, a1 = 0, and how the amplitude grows at U = 4b/pi."""
+    figure, (below, above, at_edge) = panels(12.6, 3.9, 1, 3)
+    for ax, amplitude in ((below, "0.6"), (above, "0.7")):
+        solved = solve(Scene(RESONANT, State(), until=20, force=Force.sine(amplitude, 10)))
         t, y = samples(solved, 24)
         ax.plot(t, y[1], color=BODY_1, lw=0.9, label="$v_1$")
         ax.plot(t, y[3], color=BODY_2, lw=0.9, ls="--", label="$v_2$")
-        rate = (float(amplitude) - edge) / (2 * float(pair.m1))
+        rate = (float(amplitude) - EDGE) / (2 * float(RESONANT.m1))
         if rate > 0:
             for side in (1, -1):
                 label = r"$(U-4b/\pi)\,t/(2m_1)$" if side > 0 else None
                 ax.plot(t, side * rate * t, color="black", lw=0.8, ls=":", label=label)
-        ax.set(xlabel="$t$ (s)", ylabel="velocity (m/s)", title=f"$U={amplitude}$ N, $4b/\\pi={edge:.4f}$ N")
+        ax.set(xlabel="$t$ (s)", ylabel="velocity (m/s)", title=f"$U={amplitude}$ N, $4b/\\pi={EDGE:.4f}$ N")
+    _draw_third_root(at_edge)
+    for ax in (below, above, at_edge):
         ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=3)
     return figure
+
+
+def _draw_third_root(ax: Axes) -> None:
+    """Draw |A| period by period at U = 4b/pi: of a sine alone, and with a part at half its frequency beside it."""
+    omega, times = float(RESONANT.a2 / RESONANT.m1) ** 0.5, 0.4 * np.pi * np.geomspace(1, 2000, 60).round()
+    for push, colour in ((0, BODY_2), ("0.5", BODY_1), (1, "black")):
+        force = Force([Piece(0, (), [Sine(EDGE, 10, 0), Sine(push, 5, "0.3")])])
+        run = solve(Scene(RESONANT, State(), until=2600, force=force), t_eval=times, max_events=20_000)
+        name = f"$p={push}$ N" if push else "the sine alone"
+        ax.loglog(times, np.hypot(run.y[1], omega * run.y[0]), color=colour, label=name)
+        if push:
+            known = {
+                critical.push: push,
+                critical.order: Fraction(1, 2),
+                natural: omega,
+                m1: RESONANT.m1,
+                b: RESONANT.b,
+            }
+            limit = float(critical.growth_by_one_part().subs(known))
+            ax.loglog(times, (limit * times) ** (1 / 3), color=colour, lw=0.8, ls=":")
+    ax.set(xlabel="$t$ (s)", ylabel="$|A|$ (m/s)", title=r"$U=4b/\pi$, beside it $p\,\sin(\omega_1t/2+0.3)$")
 
 
 def tracked_reference() -> Figure:
@@ -72,6 +102,14 @@ def tracked_reference() -> Figure:
 def transfer() -> Figure:
     """Draw the fastest transfer over 1 mm with a force of at most 1.08 N: body 1 runs ahead, and is met at half time."""
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
+    solved = solved_again(found)
+    assert solved is not None
+    return draw_transfer(found, solved)
+
+
+def cheapest() -> Figure:
+    """Draw the transfer over 1 cm in 0.4 s with the least int u^2 dt: friction is at its limit at the end."""
+    found = cheapest_transfer(load_scene("at-rest"), "0.01", "0.4")
     solved = solved_again(found)
     assert solved is not None
     return draw_transfer(found, solved)

@@ -104,4 +104,8 @@ BEYOND: dict[str, tuple[str, str]] = {
         "EulerLaw.euler_law",
         r"Forward Euler with the step $h$ and a friction in $[-b,b]$ of the sign of the slip: $N(t)^2\leqslant N(0)^2+h\,t\,C(C+C')$, $C$ and $C'$ the speeds of its steps and of the motion in the energy norm.",
     ),
+    "euler-slip-step": (
+        "EulerSlip.euler_slip_step",
+        r"For $a_1=0$, $\omega_1^2=a_2/m_1$: a step $h$ of forward Euler in which the slip with the friction at its beginning does not end adds at most $\frac12h^2\omega_1B$ to the energy distance from a motion, $B^2=a_2v_1^2+m_1\dot v_1^2$.",
+    ),
 }

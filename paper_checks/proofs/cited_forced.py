@@ -290,6 +290,10 @@ FORCED: dict[str, tuple[str, str]] = {
         "AtResonance.edge_bounded",
         r"With $a_1=0$, every motion under $u=\frac{4b}{\pi}\sin\omega_1t$ is bounded.",
     ),
+    "third-root-law": (
+        "ThirdRoot.third_root_law",
+        r"For $c,\kappa,K>0$: if $X$ is large at first and $V=0$, and from step to step, while $X$ is large and $V\leqslant 1$, $X$ does not fall and gains $c/X^2$ within $(K\sqrt V+K/X)/X^2$, and $V\geqslant 0$ gains at most $-\kappa V/X+K/X^2$, then $X\to\infty$, $V\to 0$ and $X_n^3/n\to 3c$.",
+    ),
     "controlled-approach": (
         "Approach.controlled_approach",
         r"With a damper $a_1(t)$ between two positive bounds and a bounded force every motion tends to each that is bounded.",

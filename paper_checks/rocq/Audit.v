@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -277,6 +277,12 @@ Forward Euler with the step $h$ and a friction in $[-b,b]$ of the sign of the sl
 uses: no other". Abort.
 Check @EulerLaw.euler_law.
 Print Assumptions EulerLaw.euler_law.
+
+Goal True. idtac "== euler-slip-step
+For $a_1=0$, $\omega_1^2=a_2/m_1$: a step $h$ of forward Euler in which the slip with the friction at its beginning does not end adds at most $\frac12h^2\omega_1B$ to the energy distance from a motion, $B^2=a_2v_1^2+m_1\dot v_1^2$.
+uses: arc-begins, forced-contraction, free-case". Abort.
+Check @EulerSlip.euler_slip_step.
+Print Assumptions EulerSlip.euler_slip_step.
 
 Goal True. idtac "== excursion-depth
 $c'=h$; $c$ takes every positive value once on $(0,2\pi)$ and is concave as a function of $h^2$.
@@ -1178,6 +1184,12 @@ uses: no other". Abort.
 Check @Entrainment.third_harmonic.
 Print Assumptions Entrainment.third_harmonic.
 
+Goal True. idtac "== third-root-law
+For $c,\kappa,K>0$: if $X$ is large at first and $V=0$, and from step to step, while $X$ is large and $V\leqslant 1$, $X$ does not fall and gains $c/X^2$ within $(K\sqrt V+K/X)/X^2$, and $V\geqslant 0$ gains at most $-\kappa V/X+K/X^2$, then $X\to\infty$, $V\to 0$ and $X_n^3/n\to 3c$.
+uses: no other". Abort.
+Check @ThirdRoot.third_root_law.
+Print Assumptions ThirdRoot.third_root_law.
+
 Goal True. idtac "== tie-captive
 With damping: the level whose ellipse lies in the sliding region.
 uses: no other". Abort.
@@ -1721,6 +1733,12 @@ Print EulerLaw.euler.
 Goal True. idtac "== EulerLaw.pull". Abort.
 Print EulerLaw.pull.
 
+Goal True. idtac "== EulerSlip.slip_v1". Abort.
+Print EulerSlip.slip_v1.
+
+Goal True. idtac "== EulerSlip.slip_v2". Abort.
+Print EulerSlip.slip_v2.
+
 Goal True. idtac "== Excursion.h". Abort.
 Print Excursion.h.
 
@@ -2071,6 +2089,9 @@ Print Switching.switching.
 
 Goal True. idtac "== SwitchingSurface.normal_rate". Abort.
 Print SwitchingSurface.normal_rate.
+
+Goal True. idtac "== ThirdRoot.period_of_growth". Abort.
+Print ThirdRoot.period_of_growth.
 
 Goal True. idtac "== Trajectory.ending". Abort.
 Print Trajectory.ending.

@@ -71,6 +71,10 @@ def test_who_waits_sees_what_is_being_done(run, monkeypatch, on_terminal):
         (("track", "at-rest", "--reference", "s-curve"), "within b = 0.5 N"),
         (("move", "at-rest", "--distance", "0.001", "--amplitude", "1.08"), "slips of about 10^-20 m"),
         (("move", "at-rest", "--distance", "0.01"), "friction is at its limit to within 10^-18"),
+        (
+            ("move", "at-rest", "--distance", "0.001", "--least", "energy", "--time", "0.2"),
+            "# friction is below its limit",
+        ),
         (("ring", "velocities", "--radius", "0.001"), "stays inside the ring from t = 4.755641299"),
     ],
 )
@@ -84,6 +88,29 @@ def test_move_writes_a_scene_that_arrives(tmp_path, record):
     found = record("move", "at-rest", "--distance", "0.001", "--amplitude", "1.08", "--out", file)
     assert (found["road"], found["time"][:17]) == ("slip", "0.089442719099991")
     assert float(solve(load_scene(file), digits=12).final_state[2]) == pytest.approx(0.001, abs=1e-12)
+
+
+def test_move_writes_the_transfer_of_the_least_energy(tmp_path, record):
+    file = tmp_path / "moved.toml"
+    found = record("move", "at-rest", "--distance", "-0.01", "--least", "energy", "--time", "0.3", "--out", file)
+    assert (found["energy"][:12], found["least_energy"][:12], found["is_at_limit"]) == (*["0.2950460991"] * 2, True)
+    solved = solve(load_scene(file), digits=12)
+    assert set(solved.modes) == {Mode.STICK}
+    assert float(solved.final_state[2]) == pytest.approx(-0.01, abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (("--least", "energy"), "--least energy or peak and --time go together"),
+        (("--time", "1"), "--least energy or peak and --time go together"),
+        (("--least", "energy", "--time", "1", "--amplitude", "1"), "--amplitude is for the least time"),
+        (("--least", "energy", "--time", "0.1"), "as no transfer is faster; give more time"),
+    ],
+)
+def test_move_refuses_flags_that_do_not_fit(run, flags, said):
+    code, _, err = run("move", "at-rest", "--distance", "0.01", *flags)
+    assert (code, said in err, err.count("\n")) == (2, True, 1)
 
 
 def test_what_is_said_of_how_near_to_its_limit_friction_is_is_true(output):
@@ -141,6 +168,7 @@ def test_a_stuck_pair_without_a_damper_keeps_its_distances_exactly(record, file_
         ("move at-rest --distance -.001", ""),
         ("response at-rest --omega 1 --amplitude -1e-3", ""),
         ("ring at-rest --rate 1 --radius -1E-3", "must be"),
+        ("damping at-rest --tolerance -1e-3", "must be"),
         ("energy velocities --at -1e2", "must be"),
     ],
 )

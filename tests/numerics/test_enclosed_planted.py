@@ -84,7 +84,7 @@ def test_polynomials_of_few_terms_lead_to_balls_about_the_same_motion(name, monk
 
 PAIRS = Pair("0.3", 2, 50, 1), Pair("0.3", 2, 50, 1, "0.5"), Pair(2, "0.3", 50, 1, 60)
 BALLS = Ball(40)
-CELLS = ((Fraction(1, 2), 0), (Fraction(-1, 2), 3), (0, -30), (5, -3))
+CELLS = ((Fraction(1, 2), 0, 1), (Fraction(-1, 2), 3, 2), (0, -30, 1), (5, -3, 1))
 
 
 LAYOUT = Layout((3, 2, 0, 2, 1), ((Fraction(3), Fraction(11)), (), (), (Fraction(2),), (Fraction(5),)))
@@ -278,6 +278,6 @@ def test_a_guard_that_falls_once_is_told_from_one_that_may_not(row, order, margi
 def test_the_edge_of_a_stick_is_off_by_where_it_may_be():
     path = EnclosedRun(under(PAIRS[0], 1, (), Weakening((), 0, [(0, 0), (1, 9)])), BALLS)
     zero, off = arb(0), arb("0.1")
-    at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero)
+    at = At(0, (0,) * 4, 0, zero, (arb("0.5"), zero, zero, zero), zero, zero, off, zero, (0, 1))
     flow = path.flow(at)
     assert all(one.margin > off * 8.999 for one in guards_of(path, at, path.motion(at).short(flow.reach)[0]))

@@ -20,6 +20,7 @@ from numerics import (
     Pair,
     Scene,
     State,
+    damping,
     fastest_transfer,
     load_scene,
     response,
@@ -102,7 +103,9 @@ def test_every_function_says_what_it_raises_and_has_an_example(name):
         "thresholds": (PAPER.pair, 5),
         "track": (numerics.load_scene("at-rest"), numerics.load_reference("s-curve")),
         "fastest_transfer": (numerics.load_scene("at-rest"), "0.1"),
+        "cheapest_transfer": (numerics.load_scene("at-rest"), "0.1", 2),
         "ring_entry": (PAPER, "0.001"),
+        "damping": (PAPER, "0.001"),
     }.items(),
 )
 def test_digits_that_are_no_whole_number_are_refused_by_name(name, of, wrong):
@@ -182,6 +185,7 @@ def test_every_record_is_shown_in_one_short_line():
     records = [PAPER.pair, PAPER.initial, PAPER, forced, load_scene("forced-sweep"), Force.sine(1, 2), run.events[0]]
     records += [run.segments[0], run.ledger, run.accuracy, found, found.thresholds, found.orbit]
     records += [fastest_transfer(load_scene("at-rest"), "0.01"), ring_entry(load_scene("velocities"), "0.001")]
+    records += [damping(load_scene("at-rest"), "0.001")]
     for one in records:
         assert repr(one).startswith(type(one).__name__)
         assert len(repr(one)) < 260

@@ -169,7 +169,7 @@ def test_a_guard_is_clear_where_it_exceeds_what_N_lateness_or_rounding_may_take_
 def test_an_event_is_as_late_as_N_and_rounding_over_the_slope_and_its_errors_are_in_N(mode):
     scene = Scene(Pair("0.4", "0.6", 1, "0.6", "0.3", b_static="0.75"), State(2, 1, 0, 1), 9)
     run, now = begun(scene, mode)
-    norm, ahead = run.norm, Next(ROOT, 0.5, 1, 0.1, slope=2.0, own=1e-6)
+    norm, ahead = run.norm, Next(ROOT, 0.5, int(mode == 0), 0.1, slope=2.0, own=1e-6)
     b = abs(run.z[int(run.tables.blocks[0, 4, 0])])
     form_z(run, 0, mode, True)
     for since in (1e-3, 1e300):

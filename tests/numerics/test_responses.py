@@ -112,7 +112,7 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
     [
         (FREE, "0.5", 20, "ENTRAINED", True, "but each tends to one in which the bodies stick permanently"),  # below U*
         # beside it no other motion sticks for ever
-        (FREE, "0.75", 20, "ENTRAINED", False, "attraction is open; its load touches the limit"),
+        (FREE, "0.75", 20, "ENTRAINED", False, "permanently; its load touches the limit"),
         (Pair(1, 1, 68, "0.5", 5), "0.5", 4, "ENTRAINED", True, "every motion tends to it, and sticks"),
         (Pair(1, 1, 68, "0.5", 12), "1.875", 4, "ENTRAINED", False, "every motion"),  # Z = |36 + 48 i| = 60
         (Pair(1, 1, 68, "0.5", 12), "1.8750000000001", 4, "STICK_SLIP", True, "every motion"),

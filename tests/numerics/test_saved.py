@@ -77,7 +77,7 @@ def test_a_file_that_holds_no_trajectory_is_refused_in_a_sentence(tmp_path, chan
         b"{}",
         b"7",
         b"\xff\xfe",
-        b'{"format": "inertial-pair trajectory 3"}',
+        b'{"format": "inertial-pair trajectory 4"}',
         b'{"ball": ["0x1", ' + b"9" * 300 + b', "0x0", 0]}',
         b'{"ratio": ["0x1", "0x0"]}',
         b'{"floats": ["AAAA", 1000000000000]}',

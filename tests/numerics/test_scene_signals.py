@@ -24,6 +24,8 @@ from numerics import (
     Sine,
     State,
     Weakening,
+    cheapest_transfer,
+    damping,
     fastest_transfer,
     load_reference,
     response,
@@ -90,8 +92,10 @@ def test_each_new_kind_alone_is_forced_and_not_plain(kind):
 ASKED = {
     "response": lambda scene: response(scene, amplitude=1, omega=3),
     "ring_entry": lambda scene: ring_entry(scene, "0.01"),
+    "damping": lambda scene: damping(scene, "0.01"),
     "track": lambda scene: track(scene, load_reference("s-curve")),
     "fastest_transfer": lambda scene: fastest_transfer(scene, 1),
+    "cheapest_transfer": lambda scene: cheapest_transfer(scene, 1, 9),
     "energy_at": lambda scene: energy_at(scene, 1),
     "theorem": lambda scene: theorem(solve(scene)),
 }

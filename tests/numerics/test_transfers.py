@@ -20,7 +20,7 @@ def planned(distance, pair=FREE, **asked):
     return fastest_transfer(Scene(pair, State(x2="0.25"), 1), distance, **asked)
 
 
-STUCK, SLIP, BANG, OPEN = TransferKind
+STUCK, SLIP, BANG, *_, OPEN = TransferKind
 AHEAD = Pair("4.2", "1.1", 87, "0.9")
 
 

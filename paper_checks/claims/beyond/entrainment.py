@@ -8,7 +8,8 @@ from flint import arb
 from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.beyond.forced_modes import strict_rule
 from paper_checks.claims.beyond.response import natural_frequency, one_response
-from paper_checks.claims.beyond.stuck import undamped_stuck
+from paper_checks.claims.beyond.stuck import tends_to_stuck, undamped_stuck
+from paper_checks.claims.beyond.two_stops import beside_thresholds, near_first, near_last, only_one
 from paper_checks.claims.words import *
 from paper_checks.decide import kernel
 from theory import forced
@@ -160,11 +161,6 @@ def _gain() -> Expr:
     return 1 / sqrt(response.size_squared(response.slip_impedance()))
 
 
-OPEN = (
-    "For $a_1=0$ and $U=U_*$, whether every motion tends to one that sticks permanently.",
-    "At which amplitudes between $U_*$ and $U_{**}$ a motion with two stops exists; at that of the example above there is none. Where one does, it is the only motion of the force's period for $a_1>0$, and for $a_1=0$ if $\\omega_1t_s\\notin 2\\pi\\mathbb Z$ (forced-periodic-response); for other $t_s$ without a damper there may be several.",
-    "Motions that slip permanently and turn at other times than after each half period of the force are not treated except in this example: from which amplitude on they exist, with or without a damper, is open.",
-)
 LIGHT = Scene(Pair(m1="0.1", m2=1, a1="0.02", a2=90, b="0.01"), State(), 1, force=Force.sine(1, 10))
 """A light damper, and a body 1 alone of three times the frequency of its force: U** is far above the amplitudes at which stops end."""
 
@@ -229,6 +225,10 @@ def _above_six_turns() -> arb:
         distance from the stuck response at $t=0$.
         """,
         kernel="undamped-entrained",
+    ),
+    clause(
+        "undamped-edge",
+        "Without a damper every motion tends to one that sticks permanently wherever some motion does so, thus at $U=U_*$, too.",
     ),
     clause(
         "letters",
@@ -350,7 +350,23 @@ def _above_six_turns() -> arb:
             lambda: response.exit_speed + response.two_stop_conditions()[2] / 2,
         ),
     ),
-    open=OPEN,
+    clause(
+        "near-ends",
+        r"""
+        Then all $U$ slightly above $U_*$ have a motion with two stops and short slips; and all slightly below $U_{**}$ have
+        one with two stops and short sticks, if at $U_{**}$ $\dot z>0$ between the turns and $\dot\Lambda>0$ at the first one.
+        """,
+    ),
+    clause(
+        "only-one",
+        r"""
+        Where a motion with two stops exists, every motion tends to it, and no other has the force's period, if $a_1>0$,
+        or if $a_1=0$ and not both $\omega_1t_s\in 2\pi\mathbb Z$ and $\Omega\,(\pi/\omega-t_s)\in\pi\mathbb Z$.
+        """,
+    ),
+    open=(
+        "At which amplitudes further from both thresholds motions with two stops exist (at that of the example above there is none), and from which on those that slip permanently and turn at other times than after each half period of the force.",
+    ),
     assuming=f"{POSITIVE} A sine $u(t)$ on body 1; $a_1\\geqslant 0$, as each part states.",
 )
 def entrainment_threshold() -> Case:
@@ -362,7 +378,10 @@ def entrainment_threshold() -> Case:
         carried("below", below_non_stop()),
         carried("over-damped", over_damped()),
         carried("more-turns", six_turns(), one_response()),
+        carried("undamped-edge", tends_to_stuck()),
         carried("two-ends", two_ends()),
+        carried("near-ends", near_first(), near_last(), beside_thresholds(0), beside_thresholds(1)),
+        carried("only-one", one_response(), only_one()),
         derivation=(
             r"$$\ddot x_1\propto\cos\varphi-\tfrac1n\sin\tfrac{\pi}{2n}\cos n\varphi,\qquad\max=\cos\tfrac{\pi}{2n}\ \text{at}\ \varphi=\pm\tfrac{\pi}{2n}.$$",
         ),

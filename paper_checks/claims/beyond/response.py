@@ -1,16 +1,15 @@
-"""The response to a periodic force: the one that attracts, what moves body 2 on, and resonance."""
+"""The response to a periodic force: the one that attracts, and what moves body 2 on."""
 
 from functools import cache
 
 import sympy as sp
 
 from paper_checks.claims.beyond import jumping_force
-from paper_checks.claims.beyond.contraction import energy_rate, force_cancels, never_apart, one_solution
+from paper_checks.claims.beyond.contraction import force_cancels, never_apart, one_solution
 from paper_checks.claims.beyond.forced_modes import strict_rule, tie_rule
 from paper_checks.claims.section_5 import plane
 from paper_checks.claims.words import *
 from theory import forced
-from theory import forced_response as response
 from theory import jumping_force as jumping
 from theory.energy import sigma
 from theory.forced_response import natural, rates
@@ -111,70 +110,9 @@ def undamped_attraction() -> Evidence:
     )
 
 
-@cache
-def resonant_rate() -> Evidence:
-    """z' has no state in it."""
-    return identity(
-        r"with $a_2=m_1\omega_1^2$, $e^{i\omega_1t}\dot A=(u-b\sigma)/m_1$",
-        response.amplitude_rate(),
-        (u - b * Symbol("sigma", real=True)) / m1,
-    )
-
-
-@cache
-def most_friction() -> Evidence:
-    """The mean of |cos| over a period."""
-    return identity(r"the mean of $|\cos|$ is $2/\pi$", response.mean_absolute_cosine(), 2 / pi)
-
-
-@cache
-def grows() -> Evidence:
-    """Above the bound every motion grows."""
-    return argument(
-        r"""
-        Over a period $T$ the force adds $U_1T/(2m_1)$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$,
-        removes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
-        """,
-        resonant_rate(),
-        most_friction(),
-        identity(
-            r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
-            response.growth_rate(),
-            (response.amplitude / 2 - 2 * b / pi) / m1,
-        ),
-    )
-
-
-@cache
-def stays_bounded() -> Evidence:
-    """Below the bound the energy falls over periods in which it is large."""
-    offset = Symbol("c", positive=True)
-    slope = diff(response.path_beside(offset), offset)
-    return argument(
-        r"""
-        Over $n$ periods $A$ and $v_2$ change by at most a constant, $|A|=R$. So the work of $u$ is at most $R\,U_1nT/2$
-        and a constant (for $\omega_1T\notin 2\pi\mathbb Z$: $R\,\epsilon nT$, with $\epsilon$ arbitrarily small for
-        large $n$), and the path of $\dot z$ is at least the integral of $|R\cos\omega_1t-v_2|$ with one $v_2$, less a
-        constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over $n$ periods $E$ falls wherever it is
-        large enough, and in between it rises by a bounded factor only.
-        """,
-        energy_rate(),
-        resonant_rate(),
-        most_friction(),
-        identity(
-            r"$\int|\cos s-c|\,ds$ over a turn is $4$ at $c=0$ and has the slope $4\arcsin c\geqslant 0$",
-            [response.path_beside(offset).subs(offset, 0), slope],
-            [4, 4 * sp.asin(offset)],
-        ),
-    )
-
-
-SIGMA = Symbol("sigma", real=True)
-
-
 def natural_frequency() -> Formula:
     """The frequency of body 1 alone without a damper."""
-    return equal(natural, sqrt(a2 / m1), lambda: undamped(response.rates()[1]))
+    return equal(natural, sqrt(a2 / m1), lambda: undamped(rates()[1]))
 
 
 AHEAD, NATURAL = Symbol("beta", real=True), Symbol("omega_1", positive=True)
@@ -262,57 +200,4 @@ def forced_periodic_response() -> Case:
         carried("round", goes_round()),
         carried("undamped", undamped_attraction()),
         carried("jump", jumping_force.keeps_apart()),
-    )
-
-
-@theorem(
-    "forced-resonance-bound",
-    clause(
-        "rate",
-        r"""
-        Let $a_1=0$, «natural», $u$ of period $T$, and $U_1$ its Fourier amplitude at $\omega_1$ ($0$ if
-        $\omega_1T\notin 2\pi\mathbb Z$). The amplitude $A=e^{-i\omega_1t}(v_1+i\omega_1x_1)$ has «rate», where
-        $\sigma$ is the value of $\mathrm{sign}(\dot z)$.
-        """,
-        natural=natural_frequency(),
-        rate=equal(r"e^{i\omega_1t}\,\dot A", (u - b * SIGMA) / m1, response.amplitude_rate),
-    ),
-    clause(
-        "grows",
-        r"If $U_1>U_{\mathrm{res}}$, «threshold», every motion grows: $|A(t)|\geqslant\rho t-A_0$ with «growth», $U=U_1$, and a constant $A_0$.",
-        threshold=equal(r"U_{\mathrm{res}}", 4 * b / pi, response.resonant_amplitude),
-        growth=equal(r"\rho", (response.amplitude - 4 * b / pi) / (2 * m1), response.growth_rate),
-    ),
-    clause(
-        "bounded",
-        r"If $U_1<U_{\mathrm{res}}$, every motion has bounded $x_1,v_1,v_2$; body 2 may drift away nevertheless.",
-    ),
-    clause(
-        "sine",
-        r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
-        limit=Formula("U_{**}", "->", 4 * b / pi, equals(response.resonant_non_stop_amplitude)),
-    ),
-    clause(
-        "edge",
-        r"""
-        At $U_1=U_{\mathrm{res}}$ for such a sine every motion is bounded. For each $c\geqslant\frac{\pi b}{2m_2\omega_1}$ there
-        is one that slips permanently, with $v_1=\bigl(c+\frac{2b}{\pi m_1}t\bigr)\sin\omega_1t-\frac{\pi
-        b}{2m_2\omega_1}\cos\omega_1t$ and $\dot z>0$ for half a period, and half a period later is its own negative.
-        """,
-        kernel="resonance-edge resonance-edge-bounded",
-    ),
-    open=("What happens at $U_1=U_{\\mathrm{res}}$ for a force with other components beside that at $\\omega_1$.",),
-    assuming=f"{POSITIVE} No damper, $a_1=0$; a periodic force $u(t)$ on body 1.",
-)
-def forced_resonance_bound() -> Case:
-    """What friction can take out of a resonant oscillation at most."""
-    return because(
-        r"Without a damper a resonant force makes every motion grow if it exceeds what the interface can dissipate: friction of magnitude $b$ takes at most the mean of $b|\cos|$ out of an oscillation.",
-        carried("rate"),
-        carried("grows", grows()),
-        carried("bounded", stays_bounded()),
-        carried("sine"),
-        derivation=(
-            r"$$\Bigl|\int_0^Te^{-i\omega_1t}b\sigma\,dt\Bigr|\leqslant b\int_0^T|\cos(\omega_1t-\gamma)|\,dt=\frac{2b}{\pi}\,T.$$",
-        ),
     )

@@ -1,10 +1,20 @@
-"""Is creeping robust? Static friction above kinetic, by any jump, ends it."""
+"""Is creeping robust? Static friction above kinetic, by any jump, ends it; a finite slope of friction keeps its rate."""
 
+from fractions import Fraction
 from functools import cache
 
+from numerics.scene import Friction, Pair, Scene, State, Weakening
+from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.words import *
+from paper_checks.decide import kernel
+from paper_checks.decide.enclosure import compare, exact, solved
+from theory import finite_slope
+from theory.finite_slope import END, SCALED, scaled_time, slope
 from theory.forced import load
 from theory.model import slip
+from theory.near_critical import inverse_step
+from theory.scaling import to_si
+from theory.symbols import r as share_of_q
 
 
 @cache
@@ -15,6 +25,98 @@ def slip_rate() -> Evidence:
         r"a slip of sign $+$ has $\ddot z=\kappa(\Lambda-b)$, $\kappa=\frac1{m_1}+\frac1{m_2}$",
         there.acceleration1 - there.acceleration2,
         (1 / m1 + 1 / m2) * (load() - b),
+    )
+
+
+@cache
+def merges_or_tends() -> Evidence:
+    """With a finite slope a motion merges, or from some time on its excess tends to 0 from ray to ray."""
+    return argument(
+        r"""
+        $E$ falls, and as $b(\cdot)\geqslant b_{\min}$ the velocities agree again and again. Where they do with
+        $E\leqslant E_{cr}$ the pair sticks permanently: that is a motion, and there is only one. Otherwise $E>E_{cr}$
+        always; $\dot z\to 0$, so friction in slip tends to $b$, and the path of $\dot z$ is finite, so the pair tends
+        to a stuck motion whose load is within $b$. Hence $E\to E_{cr}$. Where that motion has $|\Lambda|<b$ the pair
+        sticks from some time on, up to $|\Lambda|=b$: it leaves $S_0$ by the rays, with $w\to 0$.
+        """,
+        slip_rate(),
+        kernel.step("interface-synchronises"),
+        kernel.step("state-well-posed"),
+    )
+
+
+@cache
+def slope_drops_out() -> Evidence:
+    """One excursion: in scaled time its equations tend to those of a constant friction, and its end is simple."""
+    place, speed, relative = SCALED
+    end = finite_slope.path().subs({epsilon: 0, scaled_time: END})
+    return argument(
+        r"""
+        Let $b(\cdot)=(1-g)\,b$ in a slip from a ray with the speed $\varepsilon=\sqrt w$. In the time $\varepsilon s$,
+        $X=1+\varepsilon^2\xi$, $V_2=\varepsilon\eta$ and $V_2-V_1=\varepsilon^3y$ have $\xi'=\eta-\varepsilon^2y$,
+        $\eta'=-1+g$, $y'=(\xi+g/\varepsilon^2)/q$, and $|g|\leqslant\ell\,\varepsilon^3|y|$ as the slope is bounded: it
+        drops out as $\varepsilon\to 0$. On $s\leqslant 4$ the quotient $y/s^2$ tends uniformly to $(3-s)/(6q)$, so the
+        slip ends at $s\to 3$. It loses $2r\varepsilon^4\int(1-g)\,y\,ds$, in the limit as much as with constant
+        friction, so $\frac1{w'}-\frac1w\to\frac{9r}{4q}$. It ends with $X=1-\frac32w+o(w)$,
+        $V=-2\varepsilon+o(\varepsilon)$, inside $S_0$, with $0<w'<w$, and the pair sticks until it leaves by the other
+        ray, $\pi+o(\varepsilon)$ after the first exit. So it goes on without end if $w$ is small.
+        """,
+        identity(
+            r"with $g=k\,\varepsilon^3y$ these are the equations",
+            finite_slope.scaled_field(),
+            [
+                speed - epsilon**2 * relative,
+                slope * epsilon**3 * relative - 1,
+                (place + slope * epsilon * relative) / q,
+            ],
+        ),
+        identity(
+            r"as $\varepsilon\to 0$, $y\to s^2(3-s)/(6q)$",
+            finite_slope.path()[2].coeff(epsilon, 0),
+            scaled_time**2 * (3 - scaled_time) / (6 * q),
+        ),
+        identity(r"$\xi=-\frac32$, $\eta=-2$ and $y=0$ at its end", end, Matrix([-Rational(3, 2), -2, 0])),
+        identity(
+            r"and with constant friction $\frac1{w'}-\frac1w\to\frac{9r}{4q}$", inverse_step(), 9 * share_of_q / (4 * q)
+        ),
+    )
+
+
+def one_excursion(share: Fraction, fall: int) -> Evidence:
+    """Enclose what 1/w gains in an excursion with w = 1e-8, beside the first two terms of its expansion."""
+    speed = Fraction(1, 10**4)
+    friction = Friction((), Weakening(last_slope=-fall * (1 - share)))
+    scene = Scene(Pair(share, 1 - share, 1, 1 - share), State(1, speed, 0, speed), until="0.01", friction=friction)
+    run = solved(scene, 45)
+    with run.arithmetic.context():
+        before, end = exact(Rational(speed) ** 2), run.sol(scene.until)
+        after = end[0] ** 2 + end[1] ** 2 - 1
+        gained = (1 / after - 1 / before) * exact(Rational(4 * share / (9 * (1 - share))))
+        terms = finite_slope.gain().subs({slope: fall, q: Rational(share), epsilon: Rational(speed)})
+        return compare(
+            f"$q={share}$, $k={fall}$, $w=10^{{-8}}$: the gain over its limit is within $10^{{-5}}$ of both terms",
+            abs(gained - exact(terms)),
+            "<",
+            exact(Rational(1, 10**5)),
+        ).as_support()
+
+
+CASES = [(Fraction(1, 2), 0), (Fraction(1, 2), 5), (Fraction(1, 2), -5), (Fraction(1, 5), 1), (Fraction(4, 5), 5)]
+
+
+@cache
+def next_term() -> Evidence:
+    """What the slope adds to the gain, and the sum of that."""
+    return argument(
+        r"""
+        With $b(\rho)/b=1-\kappa\rho+o(\rho)$ the same limits are taken with the next power of $\varepsilon$; as $y_0$
+        vanishes at $s=3$, the end of the slip changes the loss at the power after that only. So $\frac1{w_n}$ is
+        $an+2c\sqrt{an}+o(\sqrt n)$ with $a=\frac{9r}{4q}$, $c=\frac{6k}{5q}$, and the time is $\pi n+o(\sqrt n)$. Between two
+        exits $w$ and the time change by the factor $1+O(1/n)$.
+        """,
+        slope_drops_out(),
+        *(one_excursion(*case) for case in CASES),
+        cites=("Stolz and Cesàro",),
     )
 
 
@@ -44,15 +146,56 @@ def slip_rate() -> Evidence:
         kernel="jump-ill-posed",
     ),
     clause("exists", r"A motion that keeps them exists from every state.", kernel="static-kept"),
-    open=(
-        "With a friction that falls from rest on with a finite slope, whether $t(E-E_{cr})$ keeps its limit is not decided here.",
+    clause(
+        "slope",
+        r"""
+        A finite slope is no jump. Let friction in slip be $b(|\dot z|)\geqslant b_{\min}>0$ with a bounded slope, at rest up
+        to $b=b(0)$, $u=0$, $a_1=0$. Then every motion that never merges has «limit», whatever the slope; and all that
+        leave $S_0$ by a ray with a small enough $w=E/E_{cr}-1$ never merge.
+        """,
+        limit=limit_of_energy(),
     ),
-    assuming="$m_1,m_2,a_2>0$, $a_1\\geqslant 0$. No force, $u=0$; and not Coulomb's law with one $b$: friction at rest is larger than in slip.",
+    clause(
+        "step",
+        r"""
+        If $b(\rho)=b\,(1-\kappa\rho+o(\rho))$, then with $k=\kappa L\Omega$ an excursion from a ray to the next has
+        «gain», but for $o(\sqrt w)$,
+        """,
+        gain=equal(
+            r"\tfrac{4q}{9r}\bigl(\tfrac1{w'}-\tfrac1w\bigr)",
+            1 + 6 * slope * sqrt(w) / (5 * q),
+            finite_slope.gain,
+            lambda: {sqrt(w): epsilon},
+        ),
+    ),
+    clause(
+        "approach",
+        r"""
+        so that, with $\tau=\Omega t$ and $C=\frac{4\pi q}{9r}$, «approach»: friction that falls lets $t\,(E-E_{cr})$ come to its
+        limit from below, friction that rises from above.
+        """,
+        approach=Formula(
+            r"\sqrt\tau\,\bigl(\tfrac{\tau w}C-1\bigr)",
+            "->",
+            -Rational(8, 5) * slope * (m1 + m2) * sqrt(pi / (m1 * m2)),
+            equals(lambda: to_si(finite_slope.approach())),
+        ),
+    ),
+    assuming="$m_1,m_2,a_2>0$. No force, $u=0$; and not Coulomb's law with one $b$: friction at rest is larger than in slip, or friction depends on the speed of slip.",
 )
 def static_friction_stops_creeping() -> Case:
-    """Every slip begins with more than friction takes, and so costs a fixed energy."""
+    """Every slip after a jump begins with more than friction takes; a slope is felt by its square root of w only."""
     return because(
-        "With static friction above kinetic the free pair sticks permanently from a finite time on, if sticks are kept. A stick that is kept up to $b_s$ ends with a load that exceeds kinetic friction by $b_s-b_k$, and the load changes at a bounded rate: the slip that follows has a least duration and a least loss. Without the jump slips may lose arbitrarily little, and so some motions never merge.",
+        r"""
+        With static friction above kinetic by any jump the free pair sticks permanently from a finite time on, if sticks are
+        kept; with any finite slope the $1/t$ law keeps its constant. A stick that is kept up to $b_s$ ends with a load that
+        exceeds kinetic friction by $b_s-b_k$, and the load changes at a bounded rate: the slip that follows has a least
+        duration and a least loss. Without the jump slips near $E_{cr}$ are so slow, $|\dot z|$ of the order $w^{3/2}$, that
+        friction is almost $b$ in them, and they may lose arbitrarily little.
+        """,
         slip_rate(),
+        carried("slope", merges_or_tends(), slope_drops_out()),
+        carried("step", next_term()),
+        carried("approach", next_term()),
         figure="static-friction",
     )

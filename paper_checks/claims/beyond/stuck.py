@@ -4,8 +4,11 @@ from functools import cache
 
 import sympy as sp
 
+from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.words import *
+from theory import forced
 from theory import forced_response as response
+from theory.energy import sigma, sigma_other
 from theory.forced_response import amplitude, multiple, omega
 from theory.model import stick
 
@@ -84,4 +87,28 @@ def undamped_stuck() -> Evidence:
         stuck_response(),
         harmonic_curve(),
         geometric(),
+    )
+
+
+@cache
+def tends_to_stuck() -> Evidence:
+    """What sticks permanently with less than b at almost all times is approached by all that slips."""
+    force = Symbol("f", real=True)
+    return argument(
+        r"""
+        Let $\eta$ be a stuck motion of the force's period with $|\Lambda_\eta|\leqslant b$, the response or, for
+        $\Omega=n\omega$, the one that is flattened. Its load is a sum of sinusoids, so $|\Lambda_\eta|=b$ at isolated
+        instants only, and a motion that slips comes closer to it: in particular none of the force's period slips. For any motion
+        $N$ has a limit, and limits of its shifts by periods keep their distance from $\eta$: they have $\dot z=0$, and
+        stick permanently. So from some time on the motion is arbitrarily close to motions of the stuck pair that need at
+        most $b$ from then on, and so at all times, as sums of sinusoids come back to what they were. It does not move away from
+        any of them, and two of them keep their distance, so they converge, to one such motion to which it tends.
+        """,
+        identity(
+            r"$\frac12\frac{d}{dt}N^2=-(b\sigma-\Lambda_\eta)\,\dot z$, which is $-(b-\sigma\Lambda_\eta)|\dot z|$",
+            put(forced.contraction_rate().subs(a1, 0), {sigma_other: force / b, v2_other: v1_other}),
+            -(b * sigma - force) * (v1 - v2),
+        ),
+        undamped_stuck(),
+        one_solution(),
     )

@@ -56,9 +56,6 @@ def load_and_place() -> Evidence:
         """,
         kernel="plane-landing",
     ),
-    open=(
-        "Which slipping motions on a surface eventually stick permanently, and how fast the others converge, is not decided here.",
-    ),
     assuming="On a surface, with scalar masses and springs, and friction against the slip of at most $b$ in every direction; no damper and no force.",
 )
 def stuck_ellipses() -> Case:

@@ -192,5 +192,5 @@ EFFICIENT = quoted(
     Energy- and performance-efficient control of friction-coupled systems (2)–(4) is expected to be challenging; various
     cases of $u\\neq 0$, and a case study with application-motivated controls, will be the subject of future works.
     """,
-    "It is an expectation and a plan. What a force can do is in trackable-references and minimum-transfer-time.",
+    "It is an expectation and a plan. What a force can do is in trackable-references, minimum-transfer-time and cheapest-transfer.",
 )

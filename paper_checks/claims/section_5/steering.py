@@ -2,7 +2,7 @@
 
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Scene, State
-from paper_checks.claims.beyond import contraction, response, tolerance
+from paper_checks.claims.beyond import contraction, response, static_friction, tolerance
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
 from paper_checks.decide import kernel
@@ -131,6 +131,19 @@ def off_the_place() -> Steps:
             kernel="controlled-approach",
         ),
         clause(
+            "damper",
+            r"""
+            A damper whose force on body 1 does not fall with the speed keeps the flow non-expansive, too
+            (friction-in-any-direction). One that depends on $x_1$ need not: two motions in which friction is the same have
+            «apart», which is positive where the faster one has the weaker damper, and by enough.
+            """,
+            apart=equal(
+                r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
+                -(a1 * v1 - forced.a1_other * v1_other) * (v1 - v1_other),
+                forced.place_dependent_damper_rate,
+            ),
+        ),
+        clause(
             "place",
             r"The position $x_2$ does not: a motion that differs only in $x_2(0)$ keeps that difference permanently,",
             kernel="displacement-unseen forced-well-posed",
@@ -140,9 +153,6 @@ def off_the_place() -> Steps:
             r"and one that starts with the position and the velocity of the reference, but with another motion of body 1, can keep an offset.",
             kernel="keeps-offset forced-well-posed",
         ),
-    ),
-    open=(
-        "With a damper whose force on body 1 does not fall with speed the flow is still non-expansive (friction-in-any-direction). A damper that depends on position, and a force that depends on the motion, are not treated.",
     ),
 )
 def damping_for_tracking() -> Case:
@@ -155,7 +165,8 @@ def damping_for_tracking() -> Case:
         motion follows the reference. With a damper and a bounded force every other motion approaches it in
         $(x_1,v_1,v_2)$; without a damper a free oscillation may persist. But no force depends on $x_2$, which the paper
         calls a variable of interest. The damper costs $a_1\dot x_{\mathrm{ref}}$ in that force. It does not speed up
-        every motion: see damping-can-desynchronise.
+        every motion: see damping-can-desynchronise. All this is for forces that are given in time; one that depends on the
+        motion may act against it.
         """,
         counterexample(
             (
@@ -166,6 +177,16 @@ def damping_for_tracking() -> Case:
             *offset,
         ),
         carried("approach", response.approach()),
+        carried(
+            "damper",
+            kernel.step("system-contraction"),
+            kernel.step("pair-inclusion"),
+            exhibit(
+                "the faster motion has half the damper, and the distance grows",
+                {a1: 1, forced.a1_other: 2, v1: 3, v1_other: 2},
+                (forced.place_dependent_damper_rate(), ">", 0),
+            ),
+        ),
         carried("place", tolerance.blind_to_x2()),
         carried("offset", *offset),
         free_difference(),
@@ -239,9 +260,17 @@ def damping_for_tracking() -> Case:
             r"As long as $b$ stays between some $b_{\min}>0$ and some $b_{\max}$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
             kernel="interface-synchronises",
         ),
+        clause(
+            "long-run",
+            r"""
+            If $b$ depends on $|\dot z|$ alone, without a jump at $0$ and with a bounded slope, $a_1=0$, then $E_{cr}$ and the
+            limit of $t\,(E-E_{cr})$ are those of a constant friction $b(0)$; if it is $b(0)$ at rest, a smaller constant in slip,
+            and sticks are kept, every motion merges (static-friction-stops-creeping).
+            """,
+        ),
     ),
     open=(
-        "The long-run motion for a friction that varies with time or depends on the state (which motions merge, how fast the others converge) is not decided here, except for static friction above kinetic where sticks are kept (static-friction-stops-creeping): $E_{cr}$ and the $1/t$ law are those of a constant $b$.",
+        "The long-run motion for a friction that varies with time or place (which motions merge, how fast the others converge) is not decided here.",
     ),
 )
 def varying_interface() -> Case:
@@ -252,13 +281,19 @@ def varying_interface() -> Case:
         Part of the problem is not open: with a friction that varies in time each initial state has one motion, and the
         flow is non-expansive. With a friction that varies with the state two motions may separate, but if it varies
         without jumps, with bounded slopes, each initial state still has one motion; and without a force, friction that
-        stays above some positive value, whatever it depends on, brings every relative motion to rest. The long-run
-        motion is open in both cases.
+        stays above some positive value, whatever it depends on, brings every relative motion to rest. How it does so is
+        known for a friction that depends on the speed of slip.
         """,
         counterexample(
             "For $b(t)\\geqslant 0$ with a continuous integral this much of the effect is known: from every initial state there is one solution, and the flow is non-expansive in the norm $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
             kernel.step("interface-well-posed"),
             kernel.step("interface-contraction"),
+        ),
+        carried(
+            "long-run",
+            static_friction.merges_or_tends(),
+            static_friction.slope_drops_out(),
+            kernel.step("static-sticks-at-last"),
         ),
         carried(
             "state",

@@ -2,6 +2,7 @@
 
 from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
+from paper_checks.claims.beyond import damping
 from paper_checks.claims.beyond.excursions import creeps_for_ever
 from paper_checks.claims.beyond.tolerance import sticks_for_ever_below
 from paper_checks.claims.section_3 import energy as dissipation
@@ -188,6 +189,15 @@ def merges_with_a_damper() -> Steps:
             """,
             kernel="no-merging-from-S0 exit-and-entry-times viscous-rest",
         ),
+        clause(
+            "time",
+            r"""
+            Less damping may do it sooner: in Fig. 5 (a) the pair sticks permanently from $t=T(a_1)$ s on, and «sooner»,
+            «later», $a_1$ in N s/m. How $T$ depends on $a_1$ is said by synchronisation-against-damping.
+            """,
+            sooner=damping.lasts("0.56", "3.2046"),
+            later=damping.lasts("0.63", "3.2378"),
+        ),
     ),
 )
 def viscous_accelerates() -> Case:
@@ -222,6 +232,7 @@ def viscous_accelerates() -> Case:
             ),
         ),
         carried("alternates", creeps_for_ever()),
+        carried("time"),
         derivation=(
             *dissipation.SYNCHRONISATION,
             *dissipation.REST,

@@ -49,6 +49,7 @@ PICTURED = {
     "forced-resonance-bound": "resonance",
     "trackable-references": "tracked-reference",
     "minimum-transfer-time": "fastest-transfer",
+    "cheapest-transfer": "cheapest-transfer",
     "tolerance-ring": "tolerance-ring-of-a-scene",
     "ring-of-tolerance": "tolerance-ring-of-a-scene",
 }
@@ -58,6 +59,7 @@ DRAWINGS: Figures = {
     "resonance": drawing.resonance,
     "tracked-reference": drawing.tracked_reference,
     "fastest-transfer": drawing.transfer,
+    "cheapest-transfer": drawing.cheapest,
     "tolerance-ring-of-a-scene": drawing.tolerance_ring,
     "drift-against-asymmetry": drawing.drift_against_asymmetry,
 }
@@ -136,6 +138,11 @@ def _resonance() -> Iterator[Block]:
         f"makes every motion grow; with less, $x_1$ and both velocities stay bounded (`forced-resonance-bound`). For $b={float(drawing.PAIR.b):g}$ N that is "
         f"{_digits(edge)} N. The growth is at least" + _formula("forced-resonance-bound", "grows", "growth")
     )
+    yield Paragraph(
+        "With just as much, the rest of the force decides. If it has the period of that oscillation, every motion is bounded. A part at a fraction $r$ of its "
+        "frequency makes friction turn a little early or late, and every motion grows as $t^{1/3}$:"
+        + _formula("forced-resonance-bound", "one-part", "limit")
+    )
     yield picture("resonance")
 
 
@@ -166,6 +173,11 @@ def _transfer() -> Iterator[Block]:
         f"may slip ahead in the first half, {rounded(least, 4)} N are enough, and no smaller force arrives in time."
     )
     yield picture("fastest-transfer")
+    yield Paragraph(
+        "In a longer time the force can be cheaper. While the pair sticks, the least $\\int u^2\\,dt$ is known and proved (`cheapest-transfer`); without a "
+        "damper, and below the limit of friction, it is" + _formula("cheapest-transfer", "undamped", "energy")
+    )
+    yield picture("cheapest-transfer")
 
 
 def _ring() -> Iterator[Block]:

@@ -58,7 +58,7 @@ def test_what_was_saved_comes_back_to_the_last_bit(scene, asked, tmp_path):
 def test_what_is_no_such_file_is_refused(tmp_path):
     run, path = solve(SCENES[0]), tmp_path / "run.npz"
     solve(load_scene("velocities")).save(path)
-    with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 3'"):
+    with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 4'"):
         PlaneTrajectory.load(path)
     run.save(path)
     with pytest.raises(InvalidFile, match="surface trajectory 4'"):

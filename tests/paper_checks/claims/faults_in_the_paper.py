@@ -261,6 +261,7 @@ FAULTS = {
         "energy.captive_energy": squared,
         "energy.load": negated,
         "synchronisation.DAMPED": lambda point: {**point, a1: 0},
+        "damping.FIGURE": lambda point: {**point, m1: 2},
     },
     "two-descriptions": {
         "discussion.APART": lambda apart: 2 * apart,
@@ -293,6 +294,7 @@ FAULTS = {
         "theory.forced.energy_rate": plus(b),
     },
     "damping-for-tracking": {
+        "theory.forced.place_dependent_damper_rate": negated,
         "steering.PLACE": lambda place: place + 1,
         "steering.SINE": lambda scene: replace(scene, initial=steering.State()),
         "theory.forced.contraction_rate": negated,
@@ -308,6 +310,7 @@ FAULTS = {
         "theory.forced_control.strongest": doubled,
     },
     "varying-interface": {
+        "theory.finite_slope.scaled_field": doubled,
         "theory.forced.place_dependent_rate": negated,
     },
     "start-at-6mm-sticks": {

@@ -1,9 +1,12 @@
 """Of each theorem beyond the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
 
+from fractions import Fraction
+
 import sympy as sp
 from flint import arb
 
-from theory.symbols import b, q, theta
+from theory.filippov import phi
+from theory.symbols import b, epsilon, q, theta, x1
 
 from .faults import (
     changed,
@@ -98,6 +101,16 @@ FAULTS = {
     "forced-resonance-bound": {
         "theory.forced_response.mean_absolute_cosine": doubled,
         "theory.forced_response.path_beside": doubled,
+        "theory.critical_resonance.gain": changed(lambda gained: 2 * gained),
+        "theory.critical_resonance.late": negated,
+        "theory.critical_resonance.moment": doubled,
+    },
+    "euler-error": {
+        "euler_error.RIGHT": lambda step: step + Fraction(1, 10**6),
+        "euler_error.WRONG": lambda step: step - Fraction(1, 10**6),
+        "euler_error.ALLOWED": lambda most: most / 2,
+        "euler_error.LATEST": lambda most: most / 2,
+        "static_friction.load": halved,
     },
     "entrainment-threshold": {
         "theory.forced_response.stuck_impedance": negated,
@@ -106,6 +119,8 @@ FAULTS = {
         "theory.forced_response.non_stop_parts": entry(1, lambda one: -one),
         "theory.forced_response.short_slip": entry(1, lambda one: one / 2),
         "theory.forced_response.two_stop_conditions": entry(2, lambda one: one + 1),
+        "theory.forced.contraction_rate": doubled,
+        "theory.forced.relative_rate": plus(b),
     },
     "trackable-references": {
         "theory.forced_control.stuck_force": negated,
@@ -114,11 +129,29 @@ FAULTS = {
         "theory.forced_control.strongest": doubled,
         "theory.forced_control.stuck_force": doubled,
     },
+    "cheapest-transfer": {
+        "theory.cheapest.along": doubled,
+        "theory.cheapest.gathered": negated,
+        "theory.cheapest.slip_gathered": negated,
+        "theory.cheapest.slip_force": doubled,
+    },
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
         "tolerance.prove": confused("<=", ">=", 0),
     },
+    "static-friction-stops-creeping": {
+        "theory.finite_slope.strength": negated,
+        "theory.finite_slope.path": doubled,
+        "theory.finite_slope.gain": plus(epsilon),
+        "static_friction.inverse_step": doubled,
+    },
     "damping-can-desynchronise": {
+        "theory.forced.creeping_load": negated,
+    },
+    "synchronisation-against-damping": {
+        "damping.STUCK": (lambda point: {**point, x1: -1}, lambda point: {**point, b: sp.Rational(1, 10)}),
+        "damping.load_threshold": doubled,
+        "damping.sliding_field": lambda _: lambda **_named: phi(1, damped=True),
         "theory.forced.creeping_load": negated,
     },
 }

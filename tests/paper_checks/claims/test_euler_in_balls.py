@@ -3,10 +3,12 @@
 from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
 from numerics import Pair, Scene, State, load_scene
 from numerics.trade.forward_euler import forward_euler
+from paper_checks.claims.beyond.euler_error import ALLOWED, LATEST, SHOWS, shows_adhesion
 from paper_checks.claims.section_3.itineraries import never_merges
 from paper_checks.claims.section_4 import euler
 from paper_checks.decide import euler_in_balls as decide_euler
@@ -48,3 +50,24 @@ def test_the_argument_for_endless_slips_refuses_a_heavier_driven_body():
     scene = replace(load_scene("velocities"), pair=Pair(m1=1, m2=2, a2=200, b="0.05"))
     with pytest.raises(ValueError, match="m2 <= m1"):
         never_merges(solved(scene), "heavier")
+
+
+@pytest.mark.parametrize("step", [Fraction(2, 10**5), Fraction(13, 10**6)])
+def test_small_steps_show_the_first_adhesion_and_stay_within_their_bound(step):
+    """The program's own runs: N where the motion is looked at, and the first flip in S0."""
+    scene = replace(load_scene("velocities"), until=Fraction("4.57"))
+    true, program = solved(scene), forward_euler(scene, float(step))
+    width, adhesion = float(scene.pair.half_width), float(true.events[20].t)
+    flips = np.flatnonzero((program.sign[1:] != program.sign[:-1]) & (abs(program.y[0, 1:]) < width)) + 1
+    assert abs(program.t[flips[0]] - adhesion) < float(LATEST)
+    weights = [200, 1, 0, 1]
+    apart = [
+        sum(weights * (program.y[:, n] - [float(one) for one in true.sol(program.t[n])]) ** 2) ** 0.5
+        for n in range(0, flips[0], 5000)
+    ]
+    assert max(apart) < float(ALLOWED) * float(step / SHOWS)
+    assert shows_adhesion(step).passed
+
+
+def test_a_step_beyond_is_not_said_to_show_it():
+    assert not shows_adhesion(Fraction(3, 10**5)).passed

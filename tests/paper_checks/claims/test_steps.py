@@ -176,7 +176,7 @@ def test_samples_that_neither_merge_nor_creep_turn_the_dichotomy(plant):
 
 
 def test_no_step_of_the_proofs_under_a_force_is_a_sample():
-    subjects = ("forced_modes", "contraction", "response", "entrainment", "control", "tolerance")
+    subjects = ("forced_modes", "contraction", "response", "resonance", "entrainment", "control", "tolerance")
     ours = [one for one in CLAIMS if one.kind is Kind.THEOREM and one.case.__module__.rpartition(".")[2] in subjects]
     assert len(ours) == 10
     assert all(step.kind.decisive for claim in ours for step in closure(claim.decide().evidence))

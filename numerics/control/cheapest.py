@@ -1,0 +1,110 @@
+"""From rest to rest over a distance in a given time with the least int u^2 dt, or max |u|, among motions that stick."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from flint import arb
+
+from numerics.arithmetic.attempts import to_digits
+from numerics.arithmetic.ball import Ball
+from numerics.control.answers import KEPT_DIGITS, SecondSolveDiffers, number, solved_again
+from numerics.control.least_energy import Search
+from numerics.control.least_peak import least_peak
+from numerics.control.transfer import Transfer, TransferKind, read_transfer
+from numerics.errors import InvalidScene, NotSettled
+from numerics.habits import helpful
+from numerics.scene import Force, Pair, Piece, Scene
+from numerics.scene.decimals import Exact, decimal_text, positive
+from numerics.scene.short_repr import ShortRepr
+
+
+@dataclass(frozen=True, repr=False)
+class CheapestTransfer(ShortRepr):
+    """A transfer over `distance` (m) in the time `time` (s), and its force as a scene; `digits` right digits.
+
+    `bound` (s): lower bound on the time of every transfer. `road`: what it has least of. `cost`: int u^2 dt (N^2 s), or
+    max |u| (N), up to that time; `least_cost`: proved lower bound on it for all transfers that stick and keep the
+    margin, which is less by a part of some 10^-18 if `is_at_limit`: whether friction is at its limit, or at the margin,
+    at times.
+
+    >>> from numerics import load_scene
+    >>> found = cheapest_transfer(load_scene("at-rest"), "0.01", "0.3")
+    >>> [one.str(15, radius=False) for one in (found.cost, found.least_cost)], found.is_at_limit
+    (['0.295046099130115', '0.295046099130115'], True)
+    """
+
+    distance: Fraction
+    time: arb
+    bound: arb
+    road: TransferKind
+    cost: arb
+    least_cost: arb
+    is_at_limit: bool
+    scene: Scene
+    digits: int
+
+    sticks, goal = True, Transfer.goal
+
+
+@helpful
+def cheapest_transfer(
+    scene: Scene,
+    distance: Exact,
+    time: Exact,
+    *,
+    least: str = "energy",
+    margin: Exact = 0,
+    digits: int = 15,
+    max_digits: int | None = None,
+) -> CheapestTransfer:
+    """Return the transfer of a scene's pair over a distance (m) in a time (s) that sticks and has the least int u^2 dt.
+
+    `least="peak"`: the least max |u| up to that time instead, where friction need not be at its limit. The load is at
+    most (1 - margin) b. Raises InvalidScene (a time below the least one among others), NotSettled (no force was found),
+    PrecisionExhausted, TypeError (no scene), ValueError (digits).
+
+    >>> from numerics import load_scene
+    >>> found = cheapest_transfer(load_scene("at-rest"), "0.001", "0.2")
+    >>> found.cost.str(6, radius=False), found.is_at_limit, len(found.scene.force.pieces)
+    ('0.00408826', False, 3)
+    >>> cheapest_transfer(load_scene("at-rest"), "0.001", "0.2", least="peak").cost.str(6, radius=False)
+    '0.167016'
+    """
+    by, part = read_transfer("cheapest_transfer", scene, distance, margin, digits, max_digits)
+    pair, far, until = scene.pair, abs(by), positive(time, "time")
+    tight = replace(pair, b=(1 - part) * pair.b)
+    if least not in _FIND:
+        raise InvalidScene(f"least = {least!r} must be one of {', '.join(_FIND)}; leave it out for the least energy")
+    road, find = _FIND[least]
+
+    def attempt(_: Ball) -> tuple[CheapestTransfer, list[arb]]:
+        bound = 2 * number(tight.m2 * far / tight.b).sqrt()
+        if number(until) < bound:
+            raise InvalidScene(
+                f"time = {decimal_text(until)} s must be at least 2 sqrt(m2 D/((1 - margin) b)) = "
+                f"{bound.str(15, radius=False)} s, as no transfer is faster; give more time, or less distance or margin"
+            )
+        pieces, cost, least_cost, at_limit = find(tight, far, until)
+        force = Force((*pieces, Piece(until, (pair.a2 * far,))))
+        planned = Scene(pair, scene.initial, until=until * 3 / 2, force=force if by > 0 else -force)
+        found = CheapestTransfer(by, number(until), bound, road, cost, least_cost, at_limit, planned, digits)
+        return found, [cost, least_cost]
+
+    found = to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
+    try:
+        solved_again(replace(found, scene=replace(found.scene, pair=tight)))
+    except SecondSolveDiffers as error:
+        raise NotSettled(f"the least {least} was not found: friction would exceed its limit; give more time") from error
+    return found
+
+
+def _energy(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece], arb, arb, bool]:
+    search = Search(pair, far, until)
+    found = search.force(pair.b / pair.m2)
+    pieces, sides = zip(*found.parts, strict=True)
+    return list(pieces), *search.bound(found, pair.b / pair.m2), any(sides)
+
+
+_FIND = {"energy": (TransferKind.CHEAPEST, _energy), "peak": (TransferKind.GENTLEST, least_peak)}

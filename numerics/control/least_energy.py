@@ -1,0 +1,155 @@
+"""The stuck motion from rest to rest over D in the time T with the least int u^2 dt, where |x''| <= beta.
+
+Its acceleration a is all there is to choose, as u/M = a + c v + k x, c = a1/M, k = a2/M. Whatever w(t), nu and mu are,
+
+    int (u/M)^2 >= 2 int w u/M - int w^2 >= 2 mu D - 2 beta int |rho| - int w^2,
+    rho = w + c S + k int_t^T S + nu - mu (T - t), S = int_t^T w,
+
+and this is attained, with w = u/M, if rho = 0 where |a| < beta and rho has the sign of -a else. With q = rho - w and
+r = q' + c w these are equations for (x, v, q, r), linear but that a = -q - c v - k x is cut off at beta. The numbers
+q(0), r(0) that bring it to (D, 0) are searched for by Newton's method while the limit comes down to beta. Nothing rests
+on the search: the bound is computed from the force that it finds, in balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from flint import arb, arb_mat, arb_poly
+
+from numerics.arithmetic.ball import exact_middle
+from numerics.control.answers import number, rounded
+from numerics.control.tracking import is_never_negative
+from numerics.errors import NotSettled
+from numerics.scene import Pair, Piece
+
+_NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _LEAST_STEP = 12, 1000, 40, 8, 0.9999
+_LITTLE = Fraction(1, 10**20)
+"""By this part the force stays below the limit of friction, so that the bodies stick beyond doubt."""
+_NOT_FOUND = NotSettled(
+    "no force of least energy was found: the time is next to the least one, or too long to search; give another time"
+)
+
+
+class Motion(NamedTuple):
+    """The motion from rest with given q(0) and r(0).
+
+    `parts`: its force by pieces, each with the side, 1, 0 or -1, on which its acceleration is at the limit; `ends`:
+    (x, v, q, r) at T and the derivatives by q(0), r(0) and the limit; `largest`: |a| before it is cut off, m/s^2.
+    """
+
+    q: arb
+    r: arb
+    parts: list[tuple[Piece, int]]
+    ends: list[list[arb]]
+    largest: arb
+
+    def moved(self, x: arb, v: arb) -> tuple[arb, arb]:
+        """Return the q(0), r(0) that add so much to x and v at T, to first order."""
+        by = arb_mat([one[:2] for one in self.ends[1:3]]).transpose().solve(arb_mat([[x], [v]]))
+        return (self.q + by[0, 0]).mid(), (self.r + by[1, 0]).mid()
+
+
+class Search:
+    """The search for the force on a pair over a distance (m) in a time (s); `bound` proves what it finds."""
+
+    def __init__(self, pair: Pair, far: Fraction, until: Fraction) -> None:
+        """Take the numbers in the arithmetic of the context."""
+        self.mass, self.far, self.until = number(pair.mass), number(far), until
+        self.c, self.k = number(pair.a1 / pair.mass), number(pair.a2 / pair.mass)
+
+    def series(self, state: Sequence[arb], limit: arb | None) -> list[arb_poly]:
+        """Return the Taylor polynomials of x, v, q, r, of a before it is cut off, and of u/M; a is `limit` if given."""
+        terms = []
+        for k in range(1, _TERMS):
+            x, v, q, r = state
+            pull = self.c * v + self.k * x
+            a, limit = (-q - pull, None) if limit is None else (limit, arb(0))
+            terms.append((*state, -q - pull, a + pull))
+            state = [one / k for one in (v, a, r - self.c * (a + pull), self.k * (a + pull))]
+        return [arb_poly(list(one)) for one in zip(*terms, strict=True)]
+
+    def follow(self, q: arb, r: arb, limit: arb) -> Motion:
+        """Return the motion whose acceleration is cut off at a limit."""
+        start, side, parts, largest = arb(0), 0, list[tuple[Piece, int]](), arb(0)
+        ends = [[arb(one) for one in row] for row in ((0, 0, q, r), (0, 0, 1, 0), (0, 0, 0, 1), (0, 0, 0, 0))]
+        while (left := (number(self.until) - start).mid()) > number(self.until * _LITTLE**2):
+            step = left.min((1 / (self.k.sqrt() + self.c)).mid())
+            *_, a, u = self.series(ends[0], side * limit if side else None)
+            low = end = arb(0)
+            for k in range(bool(parts), _CHECKS + 1):  # a part begins on its side
+                low, end = end, (step * k / _CHECKS).mid()
+                largest = largest.max(abs(a(end)).mid())
+                then = int(a(end) >= limit) - int(a(end) <= -limit)
+                if then != side:
+                    break
+            if then != side:
+                high = end
+                for _ in range(_NEWTON):
+                    end -= (a(end) - (side or then) * limit) / a.derivative()(end)
+                    end = end.mid().max(low).min(high)
+            if end > 0:
+                parts.append((Piece(rounded(start), [rounded(self.mass * one) for one in u.coeffs()]), side))
+            for k, given in enumerate((side * limit, arb(0), arb(0), arb(side))):
+                ends[k] = [one(end).mid() for one in self.series(ends[k], given if side else None)[:4]]
+            start, side = (start + end).mid(), then if side in (0, then) else 0
+            if len(parts) > _MOST_PARTS:
+                raise _NOT_FOUND
+        return Motion(q, r, parts, ends, largest)
+
+    def arrive(self, q: arb, r: arb, limit: arb) -> Motion:
+        """Return the motion that arrives, from q(0), r(0) near its own."""
+        for _ in range(_NEWTON):
+            found = self.follow(q, r, limit)
+            x, v, *_ = found.ends[0]
+            if abs(self.far - x) + abs(v) * number(self.until) < self.far * number(_LITTLE**2):
+                return found
+            q, r = found.moved(self.far - x, -v)
+        raise _NOT_FOUND
+
+    def force(self, most: Fraction) -> Motion:
+        """Return the motion that arrives with |a| <= most; raises NotSettled."""
+        found, share = self.arrive(arb(0), arb(0), arb(10) ** 300), arb("0.7")
+        limit, last = found.largest, number(most * (1 - _LITTLE))
+        while limit > last:
+            lower = (limit * share).mid().max(last)
+            x, v, *_ = found.ends[3]
+            try:
+                found = self.arrive(*found.moved((limit - lower) * x, (limit - lower) * v), lower)
+                limit, share = lower, share * share
+            except (NotSettled, ZeroDivisionError):
+                share = share.sqrt()
+                if share > _LEAST_STEP:
+                    raise _NOT_FOUND from None
+        return found
+
+    def bound(self, found: Motion, most: Fraction) -> tuple[arb, arb]:
+        """Return int u^2 of a force and the least that any under which the bodies stick can have, N^2 s, enclosures.
+
+        The bound holds whatever the force is.
+        """
+        _, _, nu, mu = found.ends[0]
+        cost = lost = once = twice = arb(0)  # S and int_t^T S at the end of a part
+        until = self.until
+        for piece, side in reversed(found.parts):
+            length, w = number(until - piece.start), arb_poly([number(one) / self.mass for one in piece.polynomial])
+            S = _from_end(w, length, once)
+            R = _from_end(S, length, twice)
+            rho = w + self.c * S + self.k * R + nu - mu * arb_poly([number(self.until - piece.start), -1])
+            size = sum((abs(one) * length**k for k, one in enumerate(rho.coeffs())), arb(0)) * length
+            if side:
+                little = size * number(_LITTLE) / length
+                least = [exact_middle(one.lower()) for one in (little - side * rho).coeffs()]
+                size = 2 * little * length - side * rho.integral()(length)
+                if not is_never_negative(least, until - piece.start):
+                    raise _NOT_FOUND
+            cost, lost = cost + (w * w).integral()(length), lost + size
+            once, twice, until = S(0), R(0), piece.start
+        return self.mass**2 * cost, self.mass**2 * (2 * mu * self.far - 2 * number(most) * lost - cost)
+
+
+def _from_end(f: arb_poly, length: arb, after: arb) -> arb_poly:
+    """Return the integral of f from t to the end of its part, and what comes after."""
+    return after + f.integral()(length) - f.integral()

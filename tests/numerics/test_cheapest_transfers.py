@@ -1,0 +1,208 @@
+"""Transfers of the least int u^2 dt: forces against the independent reference, energies against a quadratic program."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from control_scenes import DAMPED, FREE, referred
+from scipy.optimize import linprog, lsq_linear
+
+from numerics import (
+    Force,
+    InvalidScene,
+    Mode,
+    NotSettled,
+    Pair,
+    Piece,
+    Scene,
+    State,
+    cheapest_transfer,
+    fastest_transfer,
+    solve,
+)
+from numerics.arithmetic.ball import Ball
+from numerics.control.least_energy import Search
+from numerics.control.least_peak import Switched
+
+STIFF, HEAVY = Pair(1, 1, 200, "0.5", 40), Pair("0.7", 3, 90, "1.2", "0.2")
+ASKED = [
+    (FREE, "0.01", "0.3"),  # at the limit in the end
+    (FREE, "0.01", "0.283"),  # at both ends
+    (DAMPED, "-0.01", "0.57"),  # in the middle and in the end
+    (FREE, "0.001", "0.2"),  # nowhere
+    (HEAVY, "0.03", "0.6"),
+    (FREE, "0.05", "0.76"),  # body 2 goes backwards first
+    (STIFF, "0.05", "1.2"),
+]
+
+
+def planned(pair, distance, time, **asked):
+    """The transfer of the least energy from rest."""
+    return cheapest_transfer(Scene(pair, State(x2="0.25"), 1), distance, time, **asked)
+
+
+@pytest.mark.parametrize(("pair", "distance", "time"), ASKED[:5])
+def test_the_bodies_stick_and_arrive_at_rest_by_the_reference(pair, distance, time):
+    found = planned(pair, distance, time)
+    run = referred(found.scene)
+    assert (list(run.events), run.mode) == ([], 0)
+    with Ball(36).context():
+        assert abs(run.x2 - Ball.number(Fraction("0.25") + Fraction(distance))) < 1e-19
+        assert abs(run.v1) + abs(run.v2) < 1e-18
+
+
+def by_cells(pair, until, cells):
+    """The force in the middle of equal cells, and v1 and x1 at the end, by the acceleration, constant on each cell."""
+    h = until / cells
+    middle = (np.arange(cells) + 0.5) * h
+    since = middle[:, None] - np.arange(cells) * h
+    began = np.clip(since, 0, h)
+    v, x = began, began * since - began**2 / 2
+    u = float(pair.mass) * np.eye(cells) + float(pair.a1) * v + float(pair.a2) * x
+    left = until - np.arange(cells) * h
+    return u, np.array([np.full(cells, h), h * left - h * h / 2])
+
+
+def least_of_steps(pair, far, until, cells=160):
+    """The least int u^2 of accelerations that are constant on each of equal cells, by bounded least squares."""
+    h, (u, arrives) = until / cells, by_cells(pair, until, cells)
+    weight = 1e4 * np.array([[1 / h], [1 / h / until]])
+    most = float(pair.b / pair.m2)
+    rows, goal = np.vstack([u, weight * arrives]), np.r_[np.zeros(cells), weight[:, 0] * (0, far)]
+    found = lsq_linear(rows, goal, (-most, most), method="bvls", tol=1e-14, max_iter=4000)
+    assert abs(arrives @ found.x - (0, far)).max() < 1e-4 * far
+    return h * np.sum((u @ found.x) ** 2)
+
+
+@pytest.mark.parametrize(("pair", "distance", "time"), ASKED)
+def test_a_quadratic_program_finds_the_same_energy(pair, distance, time):
+    found = planned(pair, distance, time)
+    assert float(found.cost) == pytest.approx(least_of_steps(pair, abs(float(distance)), float(time)), rel=5e-3)
+    assert 0 <= float((found.cost - found.least_cost) / found.cost) < 1e-17
+
+
+def test_below_the_limit_it_is_the_closed_form():
+    found, theta = planned(FREE, "0.001", "0.2"), 10 * 0.2
+    closed = 4 * 10**3 * 0.001**2 * (2 * theta + math.sin(2 * theta)) / (theta**2 - math.sin(theta) ** 2)
+    assert (float(found.cost), found.is_at_limit) == (pytest.approx(closed, rel=1e-13), False)
+
+
+def test_it_costs_less_than_the_fastest_and_less_in_more_time():
+    energies = [float(planned(FREE, "0.01", time).cost) for time in ("0.282843", "0.3", "0.4")]
+    fastest = fastest_transfer(Scene(FREE, State(), 1), "0.01").scene.force
+    times = (np.arange(4000) + 0.5) * 0.2828427 / 4000
+    energies.insert(0, sum(float(fastest(Fraction(one))) ** 2 for one in times) * 0.2828427 / 4000)
+    assert energies == sorted(energies, reverse=True)
+    with_margin = planned(FREE, "0.01", "0.4", margin="0.2")
+    assert float(with_margin.cost) > energies[-1]
+    assert with_margin.bound > planned(FREE, "0.01", "0.4").bound
+
+
+@pytest.mark.parametrize(("share", "is_cheaper"), [("0.02", True), ("-0.02", False)])
+def test_a_slip_at_the_limit_of_friction_can_be_cheaper(share, is_cheaper):
+    """In the end friction brakes body 2 at its limit: body 1 may brake more, and x2(t) stays as it is."""
+    found = planned(FREE, "0.01", "0.3")
+    *_, start, end = found.scene.force.starts
+    length = end - start
+    # z' = -c s^2 (length - s)^2, z and z'' are exact
+    c = Fraction(share) / length**4
+    slope = [0, 0, *(-c * one for one in (length**2, -2 * length, 1))]
+    place = [0, *(one / (k + 1) for k, one in enumerate(slope))]
+    bend = [k * one for k, one in enumerate(slope)][1:]
+    extra = [FREE.a2 * one for one in place]
+    extra = [one + (FREE.m1 * bend[k] if k < len(bend) else 0) for k, one in enumerate(extra)]
+    gone = sum(one * length**k for k, one in enumerate(place))
+    scene = found.scene.replace(force=found.scene.force + Force((Piece(start, extra), Piece(end, (FREE.a2 * gone,)))))
+    solved = solve(scene, digits=15, arithmetic="ball")
+    times = [Fraction(2 * k + 1, 4000) * end for k in range(2000)]
+    energy = sum(float(scene.force(one)) ** 2 for one in times) * float(end) / 2000
+    if is_cheaper:
+        assert Mode.SLIP_MINUS in solved.modes
+        assert energy < 0.999 * float(found.least_cost)
+        assert np.allclose([float(one) for one in solved.final_state], [0.01 + float(gone), 0, 0.26, 0], atol=1e-15)
+    else:
+        assert energy > 1.001 * float(found.cost)
+
+
+@pytest.mark.parametrize("wrong", ["force", "nu", "mu", "later"])
+def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong):
+    """What is proved does not rest on the search: another force has a bound that is true, and a gap."""
+    with Ball(60).context():
+        search, most = Search(FREE, Fraction("0.001"), Fraction("0.2")), FREE.b
+        found = search.force(most)
+        cost, bound = search.bound(found, most)
+        assert 0 <= cost - bound < cost * 1e-30
+        if wrong == "force":
+            found = search.arrive(found.q, found.r, found.largest * 0.9)
+        elif wrong == "later":
+            found = Search(FREE, Fraction("0.001"), Fraction("0.201")).force(most)
+        else:
+            end = found.ends[0]
+            end[2 if wrong == "nu" else 3] *= 1 + Ball.number(Fraction(1, 1000))
+        more, less = search.bound(found, most)
+        assert less < bound
+        assert more - less > cost * 1e-8
+
+
+@pytest.mark.parametrize(
+    ("pair", "distance", "time"),
+    [
+        (FREE, "0.001", "0.2"),
+        (FREE, "-0.0005", "1.7"),  # seven arcs
+        (DAMPED, "0.0005", "1.3"),
+        (Pair(1, 1, 200, "0.5", 60), "0.001", "0.3"),  # beyond critical damping
+    ],
+)
+def test_the_least_peak_arrives_and_no_program_finds_a_lower_one(pair, distance, time):
+    found, far, until, cells = planned(pair, distance, time, least="peak"), abs(float(distance)), float(time), 400
+    run = referred(found.scene)
+    with Ball(36).context():
+        assert abs(run.x2 - Ball.number(Fraction("0.25") + Fraction(distance))) < 1e-19
+    assert (list(run.events), run.mode, found.is_at_limit) == ([], 0, False)
+    assert abs(float((found.cost - found.least_cost) / found.cost)) < 1e-30
+    u, arrives = by_cells(pair, until, cells)
+    unknown = np.r_[np.zeros(cells), 1]
+    within = np.vstack([np.c_[u, -np.ones(cells)], np.c_[-u, -np.ones(cells)]])
+    bounds = [(-float(pair.b / pair.m2), float(pair.b / pair.m2))] * cells + [(0, None)]
+    least = linprog(unknown, within, np.zeros(2 * cells), np.c_[arrives, np.zeros(2)], (0, far), bounds)
+    assert float(found.cost) == pytest.approx(least.fun, rel=2e-2)
+
+
+@pytest.mark.parametrize("pair", [FREE, DAMPED, Pair(1, 1, 200, "0.5", 60)])
+def test_the_bound_on_the_peak_holds_for_a_wrong_switching_time_too(pair):
+    found = planned(pair, "0.001", "0.2", least="peak")
+    with Ball(40).context():
+        switched, s = Switched(pair, Fraction("0.2")), Ball.number(found.scene.force.starts[1])
+        for wrong in (s * 0.99, s * 1.01, s * 0.9):
+            assert found.cost * 0.8 < switched.bound(Fraction("0.001"), wrong) < found.cost * (1 - 1e-6)
+
+
+def test_the_least_peak_is_that_of_the_fastest_transfer_under_it():
+    fastest = fastest_transfer(Scene(FREE, State(), 1), "0.0005", amplitude="0.5")
+    found = planned(FREE, "0.0005", fastest.time.str(35, radius=False), least="peak")
+    assert float(found.cost) == pytest.approx(0.5, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("time", "error", "said"),
+    [
+        (
+            "0.28",
+            InvalidScene,
+            r"time = 0.28 s must be at least .* = 0.282842712474619 s",
+        ),
+        (0, InvalidScene, "time = 0 must be > 0"),
+        (10**5, NotSettled, "too long to search; give another time"),
+    ],
+)
+def test_a_time_that_does_not_do_is_refused(time, error, said):
+    with pytest.raises(error, match=said):
+        planned(FREE, "0.01", time)
+
+
+def test_a_least_peak_that_friction_does_not_allow_is_not_given():
+    with pytest.raises(NotSettled, match="the least peak was not found: friction would exceed its limit; give more"):
+        planned(FREE, "0.01", "0.3", least="peak")
+    with pytest.raises(InvalidScene, match="least = 'time' must be one of energy, peak"):
+        planned(FREE, "0.01", "0.3", least="time")
