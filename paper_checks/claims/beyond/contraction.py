@@ -2,6 +2,8 @@
 
 from functools import cache
 
+import sympy as sp
+
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
 from theory import forced
@@ -61,6 +63,28 @@ def one_solution() -> Evidence:
         same_modes(),
         never_apart(),
         cites=("Filippov's theorem on existence",),
+    )
+
+
+@cache
+def forces_apart() -> Evidence:
+    """Two forces: the distance grows at most as their difference."""
+    work = forced.distance_rate() - forced.contraction_rate()
+    letters = {one: Symbol(f"k{n}", real=True) for n, one in enumerate((x1_other, v1_other, v2_other))}
+    squared = forced.distance_squared().subs(letters)
+    return argument(
+        r"$N\dot N\leqslant(u-\tilde u)(v_1-\tilde v_1)\leqslant|u-\tilde u|\,N/\sqrt{m_1}$; integrate.",
+        never_apart(),
+        identity(
+            r"two forces add the work of their difference to $\tfrac12\frac{d}{dt}N^2$",
+            work.subs(forced.u_other, 0).subs(u, Symbol("f", real=True)),
+            Symbol("f", real=True) * (v1 - v1_other),
+        ),
+        prove(
+            r"$m_1(v_1-\tilde v_1)^2\leqslant N^2$ (here $k$ for the second solution)",
+            [],
+            sp.Le(m1 * (v1 - letters[v1_other]) ** 2, squared, evaluate=False),
+        ),
     )
 
 
