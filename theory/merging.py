@@ -1,7 +1,7 @@
 """Merging and creeping, decided in closed form for every mass ratio (a1 = 0, reduced coordinates).
 
 A slip from a ray of slip angle 2 phi has the push h and the depth c = 2 (1 - C), C = phi cot(phi). The excess after it
-is q (h^2 - r c^2) (`ray_excess`): the pair merges exactly where R = h/c has R^2 <= r. All expressions are exact,
+is q (h^2 - r c^2): the pair merges exactly where R = h/c has R^2 <= r. All expressions are exact,
 dimensionless, and hold for 0 < phi < pi.
 """
 
@@ -40,11 +40,6 @@ def over_q(gap_value: Expr, push_value: Expr) -> Expr:
 def ray_push() -> Expr:
     """h in the half angle: (phi - sin phi cos phi)/sin^2 phi."""
     return (angle - sin(angle) * cos(angle)) / sin(angle) ** 2
-
-
-def ray_excess() -> Expr:
-    """w'/q of the excursion from the ray: h^2 - r c^2."""
-    return ray_push() ** 2 - 4 * share * (1 - centre()) ** 2
 
 
 @cache

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from paper_checks.claims.beyond.excursions import angle_of_excursion, never_merges, vanishes
-from paper_checks.claims.beyond.return_map import LEFT_OUT, remainder
+from paper_checks.claims.beyond.return_map import LEFT_OUT, remainders
 from paper_checks.claims.beyond.slips import depth_grows, one_contact
 from paper_checks.claims.letters import R
 from paper_checks.claims.words import *
@@ -168,8 +168,9 @@ EXPANSION = Stage(
     (
         Line(
             "Expand $c$ in powers of $y=h^2$ by reverting the series of $h$, up to $y^3$.",
-            MAP,
-            of_clause(MAP, "series"),
+            "return-map-expansion/series",
+            of_clause("return-map-expansion/series", "series"),
+            steps=lambda: remainders()[:1],
         ),
         Line(
             r"Substitute $y=w/q$ and expand, up to $w^3$. There is no linear loss: a slip costs an energy of the order $w^2$.",
@@ -184,9 +185,9 @@ EXPANSION = Stage(
             ),
         ),
         Line(
-            f"Bound what the expansion of $y'$ up to $y^8$ leaves out: at most ${LEFT_OUT}$ for $0<y\\leqslant 4/9$.",
+            f"Bound what the expansion of $y'$ up to $y^8$ leaves out: at most ${LEFT_OUT}$ for $\\theta\\leqslant 2$.",
             "return-map-expansion/remainder",
-            steps=remainder,
+            steps=lambda: remainders()[1:],
         ),
     ),
 )

@@ -140,6 +140,23 @@ _FREE: dict[str, tuple[str, str]] = {
         "SharpLaw.two_sided",
         r"Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the upper one where $6\sqrt{w_0}<\pi$.",
     ),
+    "rate-bounds": (
+        "RateBounds.rate_bounds",
+        r"From an exit ray with $y_0\leqslant\tfrac{4}{9}$ on, $w$ lies between $q/(1/y_0+A(s/T_-+1))$ and $q/(1/y_0+a'(s/T_+-1))$, the constants explicit in the first excursion.",
+    ),
+    "cycle-time-exact": (
+        "RateBounds.cycle_time_exact",
+        r"From a ray with $h\leqslant\tfrac{2}{3}$ a cycle takes $(\pi+\sqrt q\,\theta-\arctan(\sqrt q\sqrt{h^2-r\,c^2})-\arctan\frac{\sqrt q\,(\theta-h)}{1-q\,c})/\Omega$.",
+    ),
+    "law-with-error": (
+        "LawWithError.law_with_error",
+        r"From a ray with $y_0\leqslant(\pi/2-1)^2$, given $g\leqslant\pi G/c^2$, $\pi G/(r\,c^2)\leqslant g'$ and $F\,(1+\sqrt{1-rs})/(h\,s)\leqslant f$ at all slip angles up to $\pi/2$, with $g\leqslant 0\leqslant g',f$: "
+        r"$(g\,y_0-f\sqrt{y_0})/r\leqslant R_n\leqslant g'y_0$ at every exit.",
+    ),
+    "long-time": (
+        "LongTime.long_time",
+        r"A solution that never merges comes to exits where $w=\frac{C}{\tau}(1-\frac{\pi B\ln(\alpha\tau/\pi)+K}{\tau}+O(\tau^{-3/2}))$, given the bounds of law-with-error.",
+    ),
     "one-over-t": (
         "OneOverT.one_over_t",
         r"From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.",

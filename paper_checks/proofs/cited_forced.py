@@ -144,6 +144,15 @@ FORCED: dict[str, tuple[str, str]] = {
         "Forced.least_time_attained",
         r"The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained.",
     ),
+    "weak-sticks": (
+        "WeakTransfer.sticks_half_turn",
+        r"From rest at $x_1=0$ no force of at most $F$, $3F\leqslant bM/m_2$, breaks the undamped pair within $\pi/\Omega$.",
+    ),
+    "weak-takes": (
+        "WeakTransfer.weak_takes",
+        r"Under such forces, where $a_2D\leqslant F$, from rest at $x_1=0$ to rest at $D$ takes at least the time of two arcs, under $F$ and then under $-F$.",
+    ),
+    "weak-attained": ("WeakTransfer.weak_attained", "Both arcs are a motion, and the pair can then be held there."),
     "entrained-iff": (
         "Entrainment.entrained_iff",
         "The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most $U_*$.",

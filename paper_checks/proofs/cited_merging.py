@@ -57,11 +57,20 @@ MERGING: dict[str, tuple[str, str]] = {
         "From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips, for "
         "every mass ratio.",
     ),
+    "ray-energy": ("ExitOrbit.ray_energy", r"On an exit ray with the exit speed $h$ the energy is $E_{cr}(1+q\,h^2)$."),
+    "first-landing": (
+        "AfterOneSlip.merges_at_first_landing",
+        r"From a ray with the exit speed of an angle: one slip up to that angle, to the energy $E_{cr}(1+q(h^2-r\,c^2))$, and merging there exactly if $h^2\leqslant r\,c^2$.",
+    ),
+    "light-driver": (
+        "MergingAngles.light_driver",
+        r"As $m_1/m_2\to 0$ the values of $h^2$ at both roots of $h=\sqrt r\,c$ tend to those at the two roots of $h=c$.",
+    ),
     "merging-set": (
         "MergingEnergies.merging_set",
         r"For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the "
         "energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, "
-        "at the first re-entry, after any number of crossings.",
+        "at the first re-entry, after any number of crossings; those below never merge.",
     ),
     "no-low-level": (
         "LevelAfterSlip.no_low_level",

@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LeastAmplitude LeastTimeTransfer LevelAfterSlip MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -151,6 +151,12 @@ With slip angle up to $\pi$ and $r\,c^2<h^2$ the time of a cycle differs from $\
 uses: depth-upper, h-increases, turning-point". Abort.
 Check @ExitOrbit.cycle_time.
 Print Assumptions ExitOrbit.cycle_time.
+
+Goal True. idtac "== cycle-time-exact
+From a ray with $h\leqslant\tfrac{2}{3}$ a cycle takes $(\pi+\sqrt q\,\theta-\arctan(\sqrt q\sqrt{h^2-r\,c^2})-\arctan\frac{\sqrt q\,(\theta-h)}{1-q\,c})/\Omega$.
+uses: depth-upper, h-increases, turning-point". Abort.
+Check @RateBounds.cycle_time_exact.
+Print Assumptions RateBounds.cycle_time_exact.
 
 Goal True. idtac "== cycle-time-sharp
 With $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where $h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$.
@@ -304,7 +310,7 @@ Print Assumptions OneOverT.times.
 
 Goal True. idtac "== exit-energy
 Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$.
-uses: exits". Abort.
+uses: exits, ray-energy". Abort.
 Check @ExitOrbit.exit_energy.
 Print Assumptions ExitOrbit.exit_energy.
 
@@ -350,6 +356,12 @@ uses: free-case, trajectory-velocities". Abort.
 Check @FirstAdhesion.first_adhesion.
 Print Assumptions FirstAdhesion.first_adhesion.
 
+Goal True. idtac "== first-landing
+From a ray with the exit speed of an angle: one slip up to that angle, to the energy $E_{cr}(1+q(h^2-r\,c^2))$, and merging there exactly if $h^2\leqslant r\,c^2$.
+uses: gap-slip, sticks-iff". Abort.
+Check @AfterOneSlip.merges_at_first_landing.
+Print Assumptions AfterOneSlip.merges_at_first_landing.
+
 Goal True. idtac "== first-re-entry
 From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips, for every mass ratio.
 uses: crossing, energy-decreases, gap-slip, h-increases". Abort.
@@ -358,7 +370,7 @@ Print Assumptions ReturnToS0.returns.
 
 Goal True. idtac "== first-slip
 From $S_0$ above $E_{cr}$: stick, one slip, and merging there exactly if $h^2\leqslant r\,c^2$.
-uses: arc-to-ray, gap-slip, sticks-iff". Abort.
+uses: arc-to-ray, first-landing". Abort.
 Check @AfterOneSlip.first_slip.
 Print Assumptions AfterOneSlip.first_slip.
 
@@ -454,7 +466,7 @@ Print Assumptions Excursion.h_increases.
 
 Goal True. idtac "== heavy-never-merges
 For $m_1/m_2>-\cos 2\varphi^*$: no solution that has touched $S$ above $E_{cr}$ ever merges, after whatever number of slips.
-uses: arc-to-ray, energy-decreases, first-re-entry, gap-slip, h-increases, no-low-level, no-merging-from-S0, sticks-iff". Abort.
+uses: arc-to-ray, energy-decreases, first-landing, first-re-entry, gap-slip, h-increases, no-low-level, no-merging-from-S0". Abort.
 Check @MergingByMassRatio.heavy_never_merges.
 Print Assumptions MergingByMassRatio.heavy_never_merges.
 
@@ -572,6 +584,12 @@ uses: case-study-reduction, forced-switching-iff, switching-iff". Abort.
 Check @CaseStudy.law_case_study.
 Print Assumptions CaseStudy.law_case_study.
 
+Goal True. idtac "== law-with-error
+From a ray with $y_0\leqslant(\pi/2-1)^2$, given $g\leqslant\pi G/c^2$, $\pi G/(r\,c^2)\leqslant g'$ and $F\,(1+\sqrt{1-rs})/(h\,s)\leqslant f$ at all slip angles up to $\pi/2$, with $g\leqslant 0\leqslant g',f$: $(g\,y_0-f\sqrt{y_0})/r\leqslant R_n\leqslant g'y_0$ at every exit.
+uses: depth-upper, exit-energy, exits, h-increases, turning-point". Abort.
+Check @LawWithError.law_with_error.
+Print Assumptions LawWithError.law_with_error.
+
 Goal True. idtac "== least-amplitude
 To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.
 uses: arc-begins, arrival-needs, follow-forced-arc". Abort.
@@ -602,6 +620,12 @@ uses: arc-to-left-ray, gap-slip". Abort.
 Check @ExcursionShape.leaves_by.
 Print Assumptions ExcursionShape.leaves_by.
 
+Goal True. idtac "== light-driver
+As $m_1/m_2\to 0$ the values of $h^2$ at both roots of $h=\sqrt r\,c$ tend to those at the two roots of $h=c$.
+uses: depth-upper, h-increases, turning-point". Abort.
+Check @MergingAngles.light_driver.
+Print Assumptions MergingAngles.light_driver.
+
 Goal True. idtac "== literal-reference
 A pair that sticks has the velocity $v$ under (3), (4) and some force exactly if $v$ is absolutely continuous with $|\dot v|<b/m_2$ at almost every time, wherever body 1 starts.
 uses: forced-switching-iff". Abort.
@@ -620,6 +644,12 @@ uses: no other". Abort.
 Check @StuckReferences.literal_transfer.
 Print Assumptions StuckReferences.literal_transfer.
 
+Goal True. idtac "== long-time
+A solution that never merges comes to exits where $w=\frac{C}{\tau}(1-\frac{\pi B\ln(\alpha\tau/\pi)+K}{\tau}+O(\tau^{-3/2}))$, given the bounds of law-with-error.
+uses: arc-to-ray, contact, cycle-time, depth-lower, depth-upper, energy-decreases, energy-limit, exit-energy, exits, first-re-entry, h-increases, law-with-error, return-map-rate, turning-point". Abort.
+Check @LongTime.long_time.
+Print Assumptions LongTime.long_time.
+
 Goal True. idtac "== margin
 The one numerical inequality of the merging set, enclosed in balls by the kernel.
 uses: no other". Abort.
@@ -628,7 +658,7 @@ Print Assumptions ShortSlipMargin.margin.
 
 Goal True. idtac "== merges-iff
 From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ at all later times exactly if $r\,c^2<h^2$.
-uses: arc-to-ray, gap-slip, never-merges, sticks-iff". Abort.
+uses: arc-to-ray, first-landing, never-merges". Abort.
 Check @FirstLanding.merges_iff.
 Print Assumptions FirstLanding.merges_iff.
 
@@ -639,8 +669,8 @@ Check @Stick.merging.
 Print Assumptions Stick.merging.
 
 Goal True. idtac "== merging-set
-For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, at the first re-entry, after any number of crossings.
-uses: alternation, arc-to-ray, depth-upper, first-re-entry, gap-slip, h-increases, kappa-large, margin, merging-threshold, re-entry, sticks-iff, turning-point". Abort.
+For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, at the first re-entry, after any number of crossings; those below never merge.
+uses: alternation, arc-to-ray, depth-upper, energy-decreases, first-landing, first-re-entry, gap-slip, h-increases, kappa-large, margin, merging-threshold, no-merging-from-S0, ray-energy, re-entry, sticks-iff, turning-point". Abort.
 Check @MergingEnergies.merging_set.
 Print Assumptions MergingEnergies.merging_set.
 
@@ -814,7 +844,7 @@ Print Assumptions FrictionSystems.pair_is_an_inclusion.
 
 Goal True. idtac "== peaks-fall
 Where a motion never merges, the peaks of $|v_1|$ between entries tend to $L\Omega$ like $1/t$: at late entries each is at $x_1=0$, in stick, and $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$.
-uses: arc-to-ray, contact, cycle, cycle-time, depth-lower, depth-upper, energy-decreases, energy-limit, exits, first-re-entry, gap-slip, h-increases, sharp-law, sticks-iff, turning-point". Abort.
+uses: arc-to-ray, contact, cycle, cycle-time, depth-lower, depth-upper, energy-decreases, energy-limit, exits, first-landing, first-re-entry, gap-slip, h-increases, ray-energy, sharp-law, turning-point". Abort.
 Check @Fading.peaks_fall.
 Print Assumptions Fading.peaks_fall.
 
@@ -860,11 +890,23 @@ uses: no other". Abort.
 Check @SwitchingSurface.rate_below.
 Print Assumptions SwitchingSurface.rate_below.
 
+Goal True. idtac "== rate-bounds
+From an exit ray with $y_0\leqslant\tfrac{4}{9}$ on, $w$ lies between $q/(1/y_0+A(s/T_-+1))$ and $q/(1/y_0+a'(s/T_+-1))$, the constants explicit in the first excursion.
+uses: cycle-time, depth-lower, depth-upper, energy-decreases, exit-energy, h-increases, never-merges, turning-point". Abort.
+Check @RateBounds.rate_bounds.
+Print Assumptions RateBounds.rate_bounds.
+
 Goal True. idtac "== ray-crossing
 From a ray with the exit speed of an angle whose depth is above $2/q$ the pair crosses $S$ and slips on with the other sign.
 uses: crossing". Abort.
 Check @AfterOneSlip.ray_crossing.
 Print Assumptions AfterOneSlip.ray_crossing.
+
+Goal True. idtac "== ray-energy
+On an exit ray with the exit speed $h$ the energy is $E_{cr}(1+q\,h^2)$.
+uses: no other". Abort.
+Check @ExitOrbit.ray_energy.
+Print Assumptions ExitOrbit.ray_energy.
 
 Goal True. idtac "== re-entry
 A slip from $S$ with a gap and the initial speed of an angle that ends in $S_0$ sticks there permanently exactly if its energy is not above $E_{cr}$.
@@ -1000,7 +1042,7 @@ Print Assumptions StartFromRest.slips_from_rest.
 
 Goal True. idtac "== slips-on-ray
 On an edge of $S_0$, moving outwards, every solution slips at once, with $\dot z$ of the sign of $-x_1$.
-uses: gap-slip, sticks-iff". Abort.
+uses: first-landing". Abort.
 Check @SwitchingSurface.slips_on_ray.
 Print Assumptions SwitchingSurface.slips_on_ray.
 
@@ -1492,13 +1534,13 @@ Print Assumptions TurningFunction.root.
 
 Goal True. idtac "== two-arcs
 A level above $E_{cr}$ meets $S_0$ in two arcs, the graphs of a speed and of its negative over $[-L,L]$; each is run through by a motion, which slips at its end: from the left ray into $v_1>v_2$, from the right one into $v_1<v_2$.
-uses: arc-to-left-ray, energy-decreases, slips-on-ray, well-posed". Abort.
+uses: arc-to-left-ray, energy-decreases, ray-energy, slips-on-ray, well-posed". Abort.
 Check @TwoArcs.two_arcs.
 Print Assumptions TwoArcs.two_arcs.
 
 Goal True. idtac "== two-sided-rate
 Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the upper one where $6\sqrt{w_0}<\pi$.
-uses: arc-to-ray, cycle-time, depth-lower, depth-upper, energy-decreases, exit-energy, h-increases, never-merges, turning-point". Abort.
+uses: arc-to-ray, cycle-time, depth-lower, depth-upper, energy-decreases, exit-energy, h-increases, never-merges, ray-energy, turning-point". Abort.
 Check @SharpLaw.two_sided.
 Print Assumptions SharpLaw.two_sided.
 
@@ -1549,6 +1591,24 @@ With $a_1>0$: one time after which every solution that starts below a level stic
 uses: captive-merges, energy-decreases, viscous-decay". Abort.
 Check @Viscous.rest.
 Print Assumptions Viscous.rest.
+
+Goal True. idtac "== weak-attained
+Both arcs are a motion, and the pair can then be held there.
+uses: no other". Abort.
+Check @WeakTransfer.weak_attained.
+Print Assumptions WeakTransfer.weak_attained.
+
+Goal True. idtac "== weak-sticks
+From rest at $x_1=0$ no force of at most $F$, $3F\leqslant bM/m_2$, breaks the undamped pair within $\pi/\Omega$.
+uses: no other". Abort.
+Check @WeakTransfer.sticks_half_turn.
+Print Assumptions WeakTransfer.sticks_half_turn.
+
+Goal True. idtac "== weak-takes
+Under such forces, where $a_2D\leqslant F$, from rest at $x_1=0$ to rest at $D$ takes at least the time of two arcs, under $F$ and then under $-F$.
+uses: weak-sticks". Abort.
+Check @WeakTransfer.weak_takes.
+Print Assumptions WeakTransfer.weak_takes.
 
 Goal True. idtac "== well-posed
 From every initial state there is exactly one solution, with or without damping.
@@ -1630,6 +1690,9 @@ Print Cycle.on_ray.
 
 Goal True. idtac "== Cycle.ray". Abort.
 Print Cycle.ray.
+
+Goal True. idtac "== CycleLength.delay". Abort.
+Print CycleLength.delay.
 
 Goal True. idtac "== Dini.cont". Abort.
 Print Dini.cont.
@@ -1774,6 +1837,9 @@ Print Interface.rubs.
 
 Goal True. idtac "== InterfaceExists.rubs_by_state". Abort.
 Print InterfaceExists.rubs_by_state.
+
+Goal True. idtac "== LawWithError.gain". Abort.
+Print LawWithError.gain.
 
 Goal True. idtac "== LeastAmplitude.arrives". Abort.
 Print LeastAmplitude.arrives.

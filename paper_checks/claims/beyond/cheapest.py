@@ -5,6 +5,7 @@ from functools import cache
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from theory import cheapest, forced
 from theory.cheapest import beyond, height, mu, nu, once, rate, twice, weight
 from theory.energy import energy, sigma
@@ -254,5 +255,5 @@ def cheapest_transfer() -> Case:
         carried("slip", with_slip()),
         carried("far", far_away()),
         carried("all", for_all()),
-        carried("peak", certificate(), transfers.weak_force()),
+        carried("peak", certificate(), *map(kernel.step, ("weak-sticks", "weak-takes", "weak-attained"))),
     )

@@ -226,10 +226,10 @@ def trackable_references() -> Case:
     ),
     clause(
         "weak",
-        """
-        For a weak force, $a_1=0$, «weak» and «held», «share», no such force breaks adhesion in that time, and from rest
-        at $x_1=0$ to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
-        angle, $-U$ over the second.
+        r"""
+        For a weak force, $a_1=0$, «weak» and «held», «share», no such force breaks adhesion within $\pi/\Omega$, and from
+        rest at $x_1=0$ to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
+        angle, $-U$ over the second attain that.
         """,
         weak=sharp(
             3 * strength, "<=", b * MASS / m2, lambda: (control.pressed().subs(angle, pi), "<=", load_threshold())
@@ -250,6 +250,7 @@ def trackable_references() -> Case:
             lambda: control.switching_cosines()[1],
             lambda: {PART: control.reduced},
         ),
+        kernel="weak-sticks weak-takes weak-attained",
     ),
     open=(
         "The minimum transfer time for forces between the weak ones and those that attain the bound, and for weak forces with $a_2D>U$ or with a damper.",
@@ -260,6 +261,7 @@ def minimum_transfer_time() -> Case:
     """A bound for every control, and what attaining it costs."""
     return because(
         "The minimum time is set by the interface alone, whatever the force. The force amplitude needed is another matter: if body 1 slips ahead of body 2 in the first half, and both have the same velocity at half time, less is needed than if the pair sticks all the way.",
-        carried("weak", transfers.weak_force()),
+        transfers.gentle(),
+        transfers.stuck_force(),
         derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),
     )

@@ -11,9 +11,10 @@ from numerics.linear.modes import Mode
 from numerics.scene import Pair, Scene, State
 from paper_checks.claims.beyond.rate import HALF, MOST
 from paper_checks.claims.beyond.return_map import coefficients, cycle_time
-from paper_checks.claims.beyond.slips import landings
+from paper_checks.claims.beyond.uniform_rate import quotients
 from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from theory.long_time import (
     abel_defect,
     balanced_share,
@@ -107,9 +108,9 @@ def constant_found_again(share: Fraction, speed: Fraction) -> Evidence:
     clause(
         "expansion",
         r"""
-        With $\tau=\Omega t$, at the exits of a trajectory that never merges, $w=\frac{C}{\tau}\Bigl(1-\frac{\pi
-        B\ln(\alpha\tau/\pi)+K}{\tau}+O(\tau^{-3/2})\Bigr)$ with «leading», «alpha», «weight» and one number $K$ that
-        alone depends on the start. At other times the time to the next exit is added to $K$ during stick.
+        With $\tau=\Omega t$, from some exit of a trajectory that never merges on, at the exits,
+        $w=\frac{C}{\tau}\Bigl(1-\frac{\pi B\ln(\alpha\tau/\pi)+K}{\tau}+O(\tau^{-3/2})\Bigr)$ with «leading», «alpha»,
+        «weight» and one number $K$.
         """,
         leading=of_share("C", 4 * pi * q / (9 * R), leading_coefficient),
         alpha=of_share(r"\alpha", Rational(9, 4) * R, lambda: map_coefficients()[0]),
@@ -130,9 +131,9 @@ def long_time_expansion() -> Case:
         errors are summable, as $y_n\sim\frac{1}{\alpha n}$, so $\pi A(y_n)-\tau_n$ tends to a number $K$, with the
         error $O(\tau^{-1/2})$ of the second tail. Solved for $y$ that is the expansion. Only $K$ depends on the start.
         """,
-        *landings()[3:],
-        *coefficients(),
-        cycle_time(),
+        carried("expansion", kernel.step("long-time"), quotients()),
+        coefficients(),
+        *cycle_time(),
         *expansion(),
         carried("balanced"),
         constant_found_again(HALF, Fraction(3, 2)),

@@ -3,65 +3,17 @@
 from fractions import Fraction
 from functools import cache
 
-import sympy as sp
 from flint import arb
 
-from paper_checks.claims.beyond.critical_ratio import (
-    depth,
-    half_angle,
-    rise,
-    threshold,
-)
-from paper_checks.claims.beyond.excursions import vanishes
-from paper_checks.claims.beyond.slips import depth_grows
+from paper_checks.claims.beyond.critical_ratio import depth, half_angle, rise, threshold
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision, shown
 from paper_checks.decide.roots import enclosed_root
-from theory.excursion import angle
-from theory.merging import half_angle_form, ratio, ray_excess, share
 from theory.return_map import return_map_of_angle
 
 SHARES = (Fraction(3, 5), Fraction(7, 10), Fraction(4, 5), Fraction(9, 10), Fraction(99, 100), Fraction(1))
 DIGITS = 30
-
-
-@cache
-def sign_of_excess() -> Steps:
-    """w' on the ray has the sign of R^2 - r; where it is not positive the pair is on S0."""
-    position, velocity = symbols("X V", real=True)
-    deep = 2 * (1 - angle * cos(angle) / sin(angle))
-    return (
-        vanishes(
-            r"$w'/q=c^2\,(R^2-r)$: the pair merges at this re-entry exactly if $R^2\leqslant r$, that is on one closed interval of angles",
-            half_angle_form(ray_excess() - deep**2 * (ratio() ** 2 - share)),
-        ),
-        prove(
-            r"$w'\leqslant 0$ on $S$, $X^2+V^2\leqslant 1$, is on $S_0$: the pair sticks there permanently",
-            [position**2 + velocity**2 <= 1],
-            position**2 <= 1,
-        ),
-    )
-
-
-@cache
-def never_from_below() -> Steps:
-    """Below the window 0 < y' < y: the same holds again after every excursion."""
-    rise_value, deep, y_a = symbols("h c y_a", positive=True)
-    return (
-        prove(
-            r"""
-            for $\theta<\theta_a$, where $R^2>r$: $0<y'=h^2-r\,c^2<y=h^2<y_a$, and so on: each slip re-enters $S_0$, as
-            $c$ rises with $\theta$ and $w'=0$ at $\theta_a$ puts its end into $|X'|\leqslant 1$
-            """,
-            [share < 1, rise_value**2 > share * deep**2, rise_value**2 < y_a],
-            And(
-                signed(rise_value**2 - share * deep**2, ">"),
-                sp.Lt(rise_value**2 - share * deep**2, y_a, evaluate=False),
-            ),
-        ),
-    )
 
 
 def window(value: arb) -> tuple[arb, arb]:
@@ -99,32 +51,6 @@ def windows() -> Evidence:
     )
 
 
-@cache
-def first_landing() -> Evidence:
-    """Where the first slip after S0 ends at or below E_cr: one interval of energies."""
-    return argument(
-        r"""
-        On $S_0$ above $E_{cr}$ the pair sticks up to a ray with the same $w$, and slips. It merges at the end of that
-        slip exactly if $w'\leqslant 0$ there, which is $R^2\leqslant r$: one closed interval of angles, and of
-        $w=q\,h^2$, which rises with the angle.
-        """,
-        kernel.step("gap-slip"),
-        kernel.step("first-slip"),
-        kernel.step("merging-set"),
-        *sign_of_excess(),
-    )
-
-
-def below_the_interval() -> Evidence:
-    """Below the interval the pair creeps for ever."""
-    return argument(
-        "Below $\\theta_a$ every slip from a ray ends in $S_0$ with $0<w'<w$, so below $\\theta_a$ again, by induction without end.",
-        first_landing(),
-        *depth_grows()[:2],
-        *never_from_below(),
-    )
-
-
 @theorem(
     "merging-set",
     clause(
@@ -148,6 +74,7 @@ def below_the_interval() -> Evidence:
         """,
         before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
         after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
+        kernel="ray-energy first-landing",
     ),
     clause(
         "crossings",
@@ -159,18 +86,16 @@ def below_the_interval() -> Evidence:
         r"and it is the same one: where a trajectory crosses $S$, once or more often, its first re-entry is above $E_{cr}$.",
         kernel="merging-set sticks-iff",
     ),
-    clause("below", r"Below $w_a$ it never merges."),
+    clause("below", r"Below $w_a$ it never merges.", kernel="merging-set"),
     clause(
         "none",
-        r"For $r<r^*$ no energy on $S_0$ above $E_{cr}$ merges where the trajectory first meets $S$.",
+        r"For $r<r^*$, so as $m_1/m_2\to\infty$, nothing that has touched $S$ above $E_{cr}$ ever merges.",
         kernel="heavy-never-merges",
     ),
     clause(
         "limits",
-        r"""
-        As $m_1/m_2\to 0$ the interval $[w_a,w_b]/q$ tends to that of $r=1$; as $m_1/m_2\to\infty$ nothing merges
-        after its first contact with $S$.
-        """,
+        r"As $m_1/m_2\to 0$ both ends of $[w_a,w_b]/q$ tend to the two values of $h^2$ where $h(\theta)=c(\theta)$, those of $r=1$.",
+        kernel="light-driver",
     ),
 )
 def merging_set() -> Case:
@@ -184,17 +109,8 @@ def merging_set() -> Case:
         monotone on both sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and
         short slips in turn, and its re-entry, at the end of a short one, is above $E_{cr}$.
         """,
-        carried("leads", first_landing()),
-        carried("below", below_the_interval()),
-        carried(
-            "limits",
-            argument(
-                "$R$ is strictly monotone on both sides of $\\varphi^*$, so both roots are continuous in $r$ up to $r=1$.",
-                first_landing(),
-                windows(),
-                *threshold(),
-            ),
-        ),
+        windows(),
+        *threshold(),
         derivation=(
             r"""
             $$\text{merges at the first re-entry}\iff q\,h(\theta_a)^2\leqslant w\leqslant q\,h(\theta_b)^2,\qquad

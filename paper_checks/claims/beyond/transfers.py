@@ -2,14 +2,11 @@
 
 from functools import cache
 
-import sympy as sp
-
 from paper_checks.claims.beyond.contraction import same_modes
 from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_control as control
 from theory.energy import sigma
-from theory.forced_control import angle, reduced, strength
 
 
 @cache
@@ -50,46 +47,4 @@ def followed() -> Evidence:
         gentle(),
         stuck_force(),
         same_modes(),
-    )
-
-
-@cache
-def nothing_breaks() -> Evidence:
-    """A weak force does not break the pair within half a turn."""
-    share = Symbol("c", real=True)
-    return prove(
-        r"$|M\ddot x_1|\leqslant U(2-\cos\Omega t)\leqslant 3U\leqslant bM/m_2$ (here $c=\cos\Omega t$)",
-        [
-            sp.Ge(share, -1, evaluate=False),
-            sp.Le(3 * strength * m2, b * total_mass(), evaluate=False),
-        ],
-        sp.Le(m2 * control.pressed().subs(cos(angle), share), b * total_mass(), evaluate=False),
-    )
-
-
-@cache
-def weak_force() -> Evidence:
-    """Two arcs, and a sine that no other control serves as well."""
-    first, second = control.switching_cosines()
-    meets = reduced / 2 + reduced**2 / 4
-    return argument(
-        r"""
-        In units of $U/a_2$ the pair moves about $1$ from $0$, then about $-1$ into $d\leqslant 1$; both circles meet
-        at $X=d/2+d^2/4$. Both angles are below $\pi$. Let $T=(\alpha_1+\alpha_2)/\Omega$ and
-        $\psi=\sin(\alpha_1-\Omega t)$, which is positive up to the switch and negative after it. Every control that
-        brings the stuck pair to rest at $D$ at $T$ has $\int_0^Tu\,\psi\,dt=M(\dot x\psi-x\dot\psi)|_0^T$, the same
-        number; for this one it is $U\int|\psi|$, the largest one, so every other control with $|u|\leqslant U$ is
-        equal to it. One that arrives earlier could hold $D$ with $u=a_2D\leqslant U$ up to $T$ and would differ.
-        Within $T<\pi/\Omega$ no control breaks the pair: $a_2|x_1|\leqslant U(1-\cos\Omega t)$.
-        """,
-        identity(
-            r"the arcs meet on both circles, and turn by these angles",
-            [first - (1 - meets), second * (1 + reduced) - (meets + 1)],
-        ),
-        identity(
-            r"$X=d/2+d^2/4$ is on both circles",
-            (1 - (meets - 1) ** 2) - ((1 + reduced) ** 2 - (meets + 1) ** 2),
-        ),
-        nothing_breaks(),
-        stuck_force(),
     )

@@ -306,13 +306,6 @@ Definition piecewise_analytic (u : R -> R) := forall t, 0 <= t -> exists f g d, 
   analytic_at g t /\
   (forall r, t <= r < t + d -> u r = g r) /\ (forall r, 0 <= r -> t - d < r < t -> u r = f r).
 
-(** a force that is analytic by pieces is so from T on *)
-Lemma piecewise_later u T : 0 <= T -> piecewise_analytic u -> piecewise_analytic (fun t => u (T + t)).
-Proof.
-  intros HT A t Ht. destruct (A (T + t) ltac:(lra)) as (f & g & d & Hd & Af & Ag & Eg & Ef).
-  exists (fun r => f (T + r)), (fun r => g (T + r)), d. split; auto. split; [apply analytic_shift; auto|].
-  split; [apply analytic_shift; auto|]. split; [intros r Hr; apply Eg; lra|intros r Hr0 Hr; apply Ef; lra].
-Qed.
 
 (** *** Polynomials plus sinusoids, by pieces, are such forces: the pieces begin at the times of a list *)
 Fixpoint by_pieces (first : R -> R) (later : list (R * (R -> R))) (t : R) :=

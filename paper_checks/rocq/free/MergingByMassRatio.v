@@ -57,6 +57,46 @@ Proof.
   split; [fold o1; lra|]. split; [|exact Ec]. intros t' Hu' Q. specialize (Sg t' Hu'). rewrite Q in Sg. lra.
 Qed.
 
+(** *** Below a level from which first re-entries stay above E_cr, E never comes down to it *)
+Section Again.
+Variable e : R.
+Hypothesis again : forall k te p t, k = 1 \/ k = -1 -> 0 <= te -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 te ->
+  E te <= e -> first_reentry L x v1 v2 te t -> Ecr < E t.
+(** one round takes at least a fixed time, unless the level is small: then E stays above E_cr anyway *)
+Let tau := 2 * half (2 / 3) / o1.
+(** so there is a next contact in S0 above E_cr, or the energy never comes down *)
+Lemma next_above t0 : above t0 -> E t0 <= e -> (forall t, 0 <= t -> Ecr < E t) \/
+  exists t, t0 + tau <= t /\ above t /\ E t <= e.
+Proof.
+  intros A Le. pose proof A as (Ht & Ev & Hx & HE). destruct (Rle_dec (E t0) (Ecr * (1 + 4 / 9 * q))) as [Sm|Bg].
+  - left. apply (no_merging_from_S0 m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0); auto. apply small_simple; auto.
+  - right. apply Rnot_le_lt in Bg. destruct (round t0 A) as (k & te & p & t & Hk & Te & Hp & En & _ & HR & F & Tt).
+    exists t. destruct (half_spec (2 / 3) ltac:(lra)) as (P3 & H3). set (p3 := half (2 / 3)) in *.
+    assert (P : p3 <= p).
+    { apply hh_le; auto. rewrite H3. pose proof (hh_pos p Hp). rewrite En in Bg.
+      assert (EQ : 0 < Ecr * q) by positive.
+      assert (Ecr * q * (4 / 9) < Ecr * q * hh p ^ 2) by lra. apply Rmult_lt_reg_l in H1; auto. nra. }
+    assert (tau <= 2 * p / o1). { unfold tau, Rdiv.
+      apply Rmult_le_compat_r; [positive|lra]. }
+    destruct (first_reentry_in _ _ _ _ _ _ F) as (T1 & Ev1 & I1). pose proof (Emono t0 te ltac:(lra)).
+    pose proof (Emono te t ltac:(lra)). split; [lra|]. split; [|lra]. repeat split; auto; try lra.
+    apply (again k te p t); auto; lra.
+Qed.
+(** so it never does *)
+Theorem stays_above t0 : above t0 -> E t0 <= e -> forall t, t0 <= t -> Ecr < E t.
+Proof.
+  intros A0 Le T HT.
+  assert (P3 : 0 < tau). { destruct (half_spec (2 / 3) ltac:(lra)) as (P3 & _). apply Rdiv_lt_0_compat; lra. }
+  assert (Far : forall n, (forall t, 0 <= t -> Ecr < E t) \/ exists t, t0 + INR n * tau <= t /\ above t /\ E t <= e).
+  { induction n as [|n [All|(t & Hn & A & Lt)]]; [right; exists t0; simpl; split; [lra|auto]|left; exact All|].
+    destruct (next_above t A Lt) as [All|(t' & Hn' & A')]; [left; exact All|right]. exists t'. rewrite S_INR.
+      split; [lra|auto]. }
+  destruct (nat_above (T - t0) tau P3) as (n & Hn).
+    destruct (Far n) as [All|(t & Hn' & (_ & _ & _ & Up) & _)]; [apply All; destruct A0; lra|].
+  apply Rlt_le_trans with (1 := Up). apply Emono. destruct A0. split; [lra|]. apply Rle_trans with (2 := Hn'). lra.
+Qed.
+End Again.
+
 (** *** Heavy drivers: every slip ends above E_cr *)
 Section Heavy.
 Hypothesis high : forall p d, 0 < p < PI -> 0 <= d -> 0 < level m1 m2 p d.
@@ -82,25 +122,6 @@ Proof.
     apply (IH k' d' u'); auto. lra.
 Qed.
 
-(** one round takes at least a fixed time, unless the level is small: then E stays above E_cr for ever anyway *)
-Let tau := 2 * half (2 / 3) / o1.
-(** so there is a next contact in S0 above E_cr, or the energy never comes down *)
-Lemma next_above t0 : above t0 -> (forall t, 0 <= t -> Ecr < E t) \/ exists t, t0 + tau <= t /\ above t.
-Proof.
-  intros A. pose proof A as (Ht & Ev & Hx & HE). destruct (Rle_dec (E t0) (Ecr * (1 + 4 / 9 * q))) as [Sm|Bg].
-  - left. apply (no_merging_from_S0 m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0); auto. apply small_simple; auto.
-  - right. apply Rnot_le_lt in Bg. destruct (round t0 A) as (k & te & p & t & Hk & Te & Hp & En & _ & HR & F & Tt).
-    exists t. destruct (half_spec (2 / 3) ltac:(lra)) as (P3 & H3). set (p3 := half (2 / 3)) in *.
-    assert (P : p3 <= p).
-    { apply hh_le; auto. rewrite H3. pose proof (hh_pos p Hp). rewrite En in Bg.
-      assert (EQ : 0 < Ecr * q) by positive.
-      assert (Ecr * q * (4 / 9) < Ecr * q * hh p ^ 2) by lra. apply Rmult_lt_reg_l in H1; auto. nra. }
-    assert (tau <= 2 * p / o1). { unfold tau, Rdiv.
-      apply Rmult_le_compat_r; [positive|lra]. }
-    split; [lra|]. apply (reentry_above te t F k 0 (hh p)); auto; [lra|right; split; [auto|apply hh_pos; auto]|].
-    apply ray_gap. exact HR.
-Qed.
-
 (** Nothing that has touched S above E_cr comes down to E_cr. *)
 Theorem never_down t0 : 0 <= t0 -> v1 t0 = v2 t0 -> Ecr < E t0 -> forall t, t0 <= t -> Ecr < E t.
 Proof.
@@ -110,15 +131,10 @@ Proof.
     all: destruct (beyond_gap m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 t0 Ev ltac:(fold L; lra)) as (k & d & u & Hk & Hd & HG);
       destruct (returns m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k d u t0 Hk Ht (or_introl Hd) HG) as (t1 & F);
       exists t1; split; [apply first_reentry_in in F; lra|]; apply (reentry_above t0 t1 F k d u); auto. }
-  destruct St as (t1 & Ht1 & A1).
-  assert (P3 : 0 < tau). { destruct (half_spec (2 / 3) ltac:(lra)) as (P3 & _). apply Rdiv_lt_0_compat; lra. }
-  assert (Far : forall n, (forall t, 0 <= t -> Ecr < E t) \/ exists t, t1 + INR n * tau <= t /\ above t).
-  { induction n as [|n [All|(t & Hn & A)]]; [right; exists t1; simpl; split; [lra|auto]|left; exact All|].
-    destruct (next_above t A) as [All|(t' & Hn' & A')]; [left; exact All|right]. exists t'. rewrite S_INR.
-      split; [lra|auto]. }
-  destruct (nat_above (T - t1) tau P3) as (n & Hn).
-    destruct (Far n) as [All|(t & Hn' & (_ & _ & _ & Up))]; [apply All; lra|].
-  apply Rlt_le_trans with (1 := Up). apply Emono. split; [lra|]. apply Rle_trans with (2 := Hn'). lra.
+  destruct St as (t1 & Ht1 & A1). destruct (Rle_dec t1 T) as [Late|Early].
+  - apply (stays_above (E t1)) with t1; auto; [|lra]. intros k te p t Hk Te Hp HR _ F.
+    apply (reentry_above te t F k 0 (hh p)); auto; [right; split; [auto|apply hh_pos; auto]|]. apply ray_gap. exact HR.
+  - destruct A1 as (_ & _ & _ & Up). apply Rlt_le_trans with (1 := Up). apply Emono. lra.
 Qed.
 End Heavy.
 End Rounds.

@@ -44,7 +44,7 @@ End Roots.
     which are one at the critical ratio. From S0 above E_cr a motion sticks up to an exit ray at te,
     slips up to its first contact t1, and re-enters S0 first at t: it sticks for ever from t1 on, and so from t on,
     exactly if its energy is between those of both roots. If t1 is outside S0, a crossing,
-    it does not stick for ever from t on. *)
+    it does not stick for ever from t on. Below both energies it never comes down to E_cr. *)
 Theorem merging_set : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 ->
   let root p := 0 < p < PI /\ hh p = sqrt (m2 / (m1 + m2)) * depth p in
   (- cos (2 * ps) < m1 / m2 -> forall p, ~ root p) /\
@@ -56,6 +56,7 @@ Theorem merging_set : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1
     forall x v1 v2 s t0, solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
       - L m1 m2 a2 b <= x t0 <= L m1 m2 a2 b ->
     let E0 := energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) in Ecr m1 m2 a2 b < E0 ->
+    (E0 < level pl -> forall t, t0 <= t -> Ecr m1 m2 a2 b < energy m1 m2 a2 (x t) (v1 t) (v2 t)) /\
     exists te t1 t, t0 <= te < t1 /\ t1 <= t /\
       (forall t', t0 <= t' <= te -> v1 t' = v2 t' /\ - L m1 m2 a2 b <= x t' <= L m1 m2 a2 b) /\
       (forall t', te < t' < t1 -> v1 t' <> v2 t') /\ v1 t1 = v2 t1 /\ first_reentry (L m1 m2 a2 b) x v1 v2 te t /\
@@ -92,15 +93,26 @@ Proof.
   { unfold level. pose proof (pow_lt _ 2 (hh_pos pl ltac:(lra))) as P.
     pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ Q0 P)). lra. }
   split; [intros; apply Inc; lra|]. intros x v1 v2 s t0 H Ht Ev Hx En0 HE.
+  assert (T0 : forall p, 0 < p -> 0 < 2 * p / o1 m1 a2) by (intros; apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]).
+  assert (Q : 0 < q < 1).
+  { split; [auto|]. unfold q. undivide (m1 + m2). lra. }
+  destruct (pc_ex q Q) as (pc & Hpc & Dc). pose proof (kappa_large m1 m2 ps pc H1 H2 Hps Z Hr Hpc Dc) as HK.
+  assert (Iff' : forall k te p t, k = 1 \/ k = -1 -> 0 <= te -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 te ->
+    first_reentry (L m1 m2 a2 b) x v1 v2 te t ->
+    ((forall u, 0 <= u -> v1 (t + u) = v2 (t + u)) <-> hh p ^ 2 <= r * depth p ^ 2)).
+  { intros k te p t Hk Te Hp HR F. exact (first_reentry_iff m1 m2 a2 b H1 H2 Ha Hb pc Hpc Dc (Rlt_le _ _ HK) x v1 v2 s H k te
+      t p Hk Te Hp HR F). }
+  split.
+  { intros Low. apply (stays_above m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H En0); [|repeat split; auto; lra|fold En0; lra].
+    intros k te p t Hk Te Hp HR En F. pose proof (first_reentry_in _ _ _ _ _ _ F) as (T1 & Ev1 & _).
+    apply Rnot_le_lt. intros N. pose proof (proj2 (sticks_iff m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t ltac:(lra) Ev1) N) as St.
+    pose proof (proj1 (A8 p Hp) (proj1 (Iff' k te p t Hk Te Hp HR F) St)) as In. pose proof (proj2 (Le pl p ltac:(lra) Hp) (proj1 In)).
+    rewrite (ray_energy m1 m2 a2 b H1 H2 Ha k (hh p) x v1 v2 te Hk HR) in En. fold q Ec in En. unfold level in *. lra. }
   destruct (round m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t0 (conj Ht (conj Ev (conj Hx HE))))
     as (k & te & p & t & Hk & Te & Hp & En & St & HR & F & Tt).
   destruct (merges_at_first_landing m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H k te p Hk ltac:(lra) Hp HR)
     as (Sg & Ev1 & Ex & _ & Iff & Dp).
-  assert (T0 : 0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; [lra|apply o1_pos; auto]). assert (Q : 0 < q < 1).
-  { split; [auto|]. unfold q. undivide (m1 + m2). lra. }
-  destruct (pc_ex q Q) as (pc & Hpc & Dc). pose proof (kappa_large m1 m2 ps pc H1 H2 Hps Z Hr Hpc Dc) as HK.
-  pose proof (first_reentry_iff m1 m2 a2 b H1 H2 Ha Hb pc Hpc Dc (Rlt_le _ _ HK) x v1 v2 s H k te t p Hk ltac:(lra) Hp
-    HR F) as Iff'.
+  specialize (Iff' k te p t Hk ltac:(lra) Hp HR F). specialize (T0 p ltac:(lra)).
   assert (Between : hh p ^ 2 <= r * depth p ^ 2 <-> level pl <= En0 <= level pu).
   { rewrite (A8 p Hp). unfold En0. rewrite En. change (Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2)) with (level p).
     rewrite !Le by lra. tauto. }

@@ -197,76 +197,68 @@ Proof.
   - assert (Ecr * q * (tm (S n) * y n - K) < Ecr * q * (eps / (Ecr * q))) by scale. lra.
   - assert (Ecr * q * (- (eps / (Ecr * q))) < Ecr * q * (tm n * y (S n) - K)) by scale. lra.
 Qed.
-(** *** Explicit bounds in the time, from the exit at t0 *)
-Let del := 6 * sqrt q * hh p.
-Let kap := 9 / 4 * r.
-(** levels are at most the first one *)
+(** *** Bounds in the time, from the exit at t0: by what 1/y gains in a cycle, and by how long a cycle takes *)
+Theorem between a Tu t : 0 <= a -> (forall n, a <= / y (S n) - / y n) -> (forall n, 0 < om * cy n <= Tu) -> t0 <= t ->
+  / y 0 + a * (om * (t - t0) / Tu - 1) <= / ((E t / Ecr - 1) / q) /\
+  forall A Tl, 0 <= A -> 0 < Tl -> (forall n, / y (S n) - / y n <= A) -> (forall n, Tl <= om * cy n) ->
+  / ((E t / Ecr - 1) / q) <= / y 0 + A * (om * (t - t0) / Tl + 1).
+Proof.
+  intros Ha Gain Time Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0.
+  pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1. pose proof (tm_from n) as T0.
+  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
+    rewrite exit_level in F1, F2.
+  set (yt := (E t / Ecr - 1) / q). assert (EY : E t = Ecr * (1 + q * yt)) by (unfold yt; field; lra).
+  rewrite EY in F1, F2. apply Rmult_le_reg_l in F1; auto. apply Rmult_le_reg_l in F2; auto.
+  assert (G1 : yt <= y n) by (apply Rmult_le_reg_l with q; [auto|lra]).
+    assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
+  assert (I1 : / y n <= / yt) by (apply Rinv_le_contravar; lra).
+    assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra). split.
+  - assert (Gains : forall i, / y 0 + INR i * a <= / y i).
+    { induction i as [|i IH]; [simpl INR; lra|]. rewrite S_INR. specialize (Gain i). lra. }
+    assert (Times : forall i, om * (tm i - t0) <= INR i * Tu).
+    { induction i as [|i IH]; [change (tm 0) with t0; simpl INR; lra|]. rewrite S_INR, tm_S. specialize (Time i). lra. }
+    pose proof (Gains n) as G. pose proof (Times (S n)) as T. rewrite S_INR in T. pose proof (Time 0%nat).
+    assert (N : om * (t - t0) / Tu - 1 <= INR n).
+    { assert (om * (t - t0) / Tu <= INR n + 1); [|lra]. undivide Tu.
+      assert (om * (t - t0) <= om * (tm (S n) - t0)) by scale. lra. }
+    assert (a * (om * (t - t0) / Tu - 1) <= a * INR n) by scale. lra.
+  - intros A Tl HA HTl Gain' Time'. assert (Gains : forall i, / y i <= / y 0 + INR i * A).
+    { induction i as [|i IH]; [simpl INR; lra|]. rewrite S_INR. specialize (Gain' i). lra. }
+    assert (Times : forall i, INR i * Tl <= om * (tm i - t0)).
+    { induction i as [|i IH]; [change (tm 0) with t0; simpl INR; lra|]. rewrite S_INR, tm_S. specialize (Time' i). lra. }
+    pose proof (Gains (S n)) as G. rewrite S_INR in G. pose proof (Times n).
+    assert (N : INR n <= om * (t - t0) / Tl).
+    { undivide Tl. assert (om * (tm n - t0) <= om * (t - t0)) by scale. lra. }
+    assert (A * (INR n + 1) <= A * (om * (t - t0) / Tl + 1)) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+(** levels are at most the first one, and so are the pushes *)
 Lemma y_below n : y n <= y 0.
 Proof. induction n; [lra|]. pose proof (ReturnMap.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
-(** each cycle time is between these *)
-Lemma cy_bounds n : PI - del <= om * cy n <= PI + del.
+Lemma push_below n : hh (ph n) <= hh p.
 Proof.
-  pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q. fold M in Q. fold q om in Q.
-  assert (Hh : hh (ph n) <= hh p).
-  { pose proof (y_below n) as Y. unfold y in Y. simpl ph in Y. pose proof (hh_pos _ (ph_pi n)).
-    pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra. }
-  pose proof (sqrt_pos q). assert (6 * sqrt q * hh (ph n) <= del) by (unfold del; apply Rmult_le_compat_l; lra).
-    unfold cy. lra.
+  pose proof (y_below n) as Y. unfold y in Y. pose proof (hh_pos _ (ph_pi n)).
+  pose proof (hh_pos _ (ph_pi 0)) as P0. change (ph 0) with p in *. nra.
 Qed.
-(** so are the exit times *)
-Lemma tm_bounds n : INR n * (PI - del) <= om * (tm n - t0) <= INR n * (PI + del).
-Proof.
-  induction n. { change (tm 0) with t0. simpl INR. lra. } rewrite S_INR, tm_S. pose proof (cy_bounds n). lra.
-Qed.
-(** the levels fall no faster than this *)
-Lemma y_lower n : kap * y 0 < 1 -> / y n <= / y 0 + INR n * (kap / (1 - kap * y 0)).
-Proof.
-  intros Sm. assert (K0 : 0 < kap) by (unfold kap; lra). induction n. { simpl INR. lra. }
-  pose proof (y_below n) as Yb. pose proof (y_plus n) as Yp.
-    assert (Yk : kap * y n <= kap * y 0) by scale.
-  assert (D : / y (S n) - / y n <= kap / (1 - kap * y n)).
-  { apply (ReturnMap.d_upper r r_pos ph ph_pi y_step n). change (kap * y n < 1). lra. }
-  assert (kap / (1 - kap * y n) <= kap / (1 - kap * y 0)). { apply Rmult_le_compat_l; [lra|].
-    apply Rinv_le_contravar; lra. }
-  rewrite S_INR. lra.
-Qed.
-
-(** both bounds at any time, by the cycle it lies in *)
-Theorem two_sided_ray t : t0 <= t ->
+(** with simple constants *)
+Theorem two_sided_ray t : let del := 6 * sqrt q * hh p in let kap := 9 / 4 * r in t0 <= t ->
   / y 0 + kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= / ((E t / Ecr - 1) / q) /\
   (del < PI -> kap * y 0 < 1 -> / ((E t / Ecr - 1) / q) <= / y 0 + kap / (1 - kap * y 0) * (om * (t - t0) / (PI -
     del) + 1)).
 Proof.
-  intros Hu. destruct (in_cycle 0 t Hu) as (n & _ & B1 & B2). pose proof Ecr_pos as E0. pose proof PI_RGT_0 as P0.
-  pose proof (tm_from n) as T0. pose proof (y_plus n) as Y0. pose proof (y_plus (S n)) as Y1.
-  pose proof (E_falls (tm n) t ltac:(lra)) as F1. pose proof (E_falls t (tm (S n)) ltac:(lra)) as F2.
-    rewrite exit_level in F1, F2.
-  set (yt := (E t / Ecr - 1) / q).
-  assert (EY : E t = Ecr * (1 + q * yt)) by (unfold yt; field; lra). rewrite EY in F1, F2.
-  apply Rmult_le_reg_l in F1; auto. apply Rmult_le_reg_l in F2; auto.
-  assert (G1 : yt <= y n) by (apply Rmult_le_reg_l with q; [auto|lra]).
-    assert (G2 : y (S n) <= yt) by (apply Rmult_le_reg_l with q; [auto|lra]).
-  assert (I1 : / y n <= / yt) by (apply Rinv_le_contravar; lra).
-    assert (I2 : / yt <= / y (S n)) by (apply Rinv_le_contravar; lra).
-  pose proof (hh_pos _ (ph_pi 0)) as H0. change (ph 0) with p in H0. pose proof (sqrt_pos q).
-    pose proof (sinc_pos _ (ph_pi 0)) as S0. change (ph 0) with p in S0.
-  assert (D0 : 0 <= del) by (unfold del; apply Rmult_le_pos; lra). pose proof (tm_bounds n) as (Tl & _).
-    pose proof (tm_bounds (S n)) as (_ & Tu). rewrite S_INR in Tu.
-  split.
-  - pose proof (ReturnMap.y_bound r r_pos ph ph_pi y_step n) as Yb.
-    change (/ y 0 + INR n * (kap * (sin p / p) ^ 12) <= / y n) in Yb.
-    assert (N : om * (t - t0) / (PI + del) - 1 <= INR n).
-    { assert (om * (t - t0) / (PI + del) <= INR n + 1); [|lra]. undivide (PI + del).
-      assert (om * (t - t0) <= om * (tm (S n) - t0)) by scale. lra. }
-    assert (0 <= kap * (sin p / p) ^ 12). { apply Rmult_le_pos; [unfold kap; lra|]. apply pow_le; lra. }
-    assert (kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= kap * (sin p / p) ^ 12 * INR n) by scale. lra.
-  - intros Hd Sm. pose proof (y_lower (S n) Sm) as Yb. rewrite S_INR in Yb.
-    assert (N : INR n <= om * (t - t0) / (PI - del)).
-    { undivide (PI - del). assert (om * (tm n - t0) <= om * (t - t0)) by scale. lra. }
-    assert (0 <= kap / (1 - kap * y 0)). { apply Rmult_le_pos; [unfold kap; lra|].
-      apply Rlt_le, Rinv_0_lt_compat; lra. }
-    assert (kap / (1 - kap * y 0) * (INR n + 1) <= kap / (1 - kap * y 0) * (om * (t - t0) / (PI - del) + 1)) by
-      (apply Rmult_le_compat_l; lra). lra.
+  intros del kap Hu. pose proof (sinc_pos _ (ph_pi 0)) as S0. change (ph 0) with p in S0.
+  assert (K0 : 0 < kap) by (unfold kap; lra). assert (S12 : 0 < (sin p / p) ^ 12) by positive.
+  assert (Time : forall n, PI - del <= om * cy n <= PI + del).
+  { intros n. pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q.
+    fold M in Q. fold q om in Q. pose proof (push_below n). pose proof (sqrt_pos q).
+    assert (6 * sqrt q * hh (ph n) <= del) by (unfold del; apply Rmult_le_compat_l; lra). unfold cy. lra. }
+  destruct (between (kap * (sin p / p) ^ 12) (PI + del) t) as (Lo & Up); auto; [positive| | |split; [exact Lo|]].
+  - intros n. apply Rle_trans with (2 := ReturnMap.d_lower r r_pos ph ph_pi y_step n). scale.
+    apply pow_incr. split; [lra|exact (ReturnMap.si_0 r r_pos ph ph_pi y_step n)].
+  - intros n. pose proof (cyc_long m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)). split; [apply Rmult_lt_0_compat; unfold cy; lra|apply Time].
+  - intros Hd Sm. apply Up; [apply Rlt_le, Rdiv_lt_0_compat; lra|lra| |apply Time].
+    intros n. pose proof (y_below n). assert (kap * y n <= kap * y 0) by scale.
+    apply Rle_trans with (1 := ReturnMap.d_upper r r_pos ph ph_pi y_step n ltac:(change (kap * y n < 1); lra)).
+    apply Rmult_le_compat_l; [lra|]. apply Rinv_le_contravar; [lra|]. change (1 - kap * y 0 <= 1 - kap * y n). lra.
 Qed.
 End FromRay.
 End Sharp.

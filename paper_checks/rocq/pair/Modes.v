@@ -48,13 +48,6 @@ Proof.
     apply (modes_append v1 v2 0 c); [auto|lra|]. apply (one_mode_within v1 v2 c (c + d)); auto; lra.
 Qed.
 
-(** one motion after another *)
-Lemma modes_concat v1 v2 r q t : finitely_many_modes v1 v2 r q -> finitely_many_modes v1 v2 q t ->
-  finitely_many_modes v1 v2 r t.
-Proof.
-  intros F (n & p & P0 & Pn & Step). revert t Pn. induction n as [|n IH]; intros t Pn; [rewrite <- Pn, P0; auto|].
-  destruct (Step n ltac:(lia)) as (Le & M). rewrite Pn in Le, M. apply (modes_append v1 v2 r (p n)); auto.
-Qed.
 
 (** without a zero a continuous function keeps its sign *)
 Lemma no_zero_one_sign v1 v2 p q : cont (fun t => v1 t - v2 t) -> 0 <= p -> (forall t, p < t < q -> v1 t <> v2 t) ->
@@ -86,26 +79,4 @@ Proof.
   { induction j as [|j IH]; intros i Hi; [rewrite Nat.add_0_r; lra|]. specialize (IH i ltac:(lia)).
     specialize (Step (i + j)%nat ltac:(lia)). replace (i + S j)%nat with (S (i + j)) by lia. lra. }
   intros i Hi. split; [apply (Up i O); lia|]. replace n with (i + (n - i))%nat by lia. apply Up. lia.
-Qed.
-
-(** of equal motions *)
-Lemma modes_equal v1 v2 w1 w2 r q : (forall t, r <= t <= q -> v1 t = w1 t /\ v2 t = w2 t) ->
-  finitely_many_modes w1 w2 r q -> finitely_many_modes v1 v2 r q.
-Proof.
-  intros Eq (n & p & P0 & Pn & Step). exists n, p. split; auto. split; auto. intros i Hi.
-  destruct (Step i Hi) as (Le & M). split; auto.
-  pose proof (times_within n p (fun i Hi => proj1 (Step i Hi))) as In. rewrite P0, Pn in In.
-  pose proof (In i ltac:(lia)). pose proof (In (S i) Hi).
-  destruct M as [M|[M|M]]; [left|right; left|right; right]; intros t Ht; specialize (M t Ht);
-    destruct (Eq t ltac:(lra)) as (-> & ->); auto.
-Qed.
-
-(** of a motion from T on *)
-Lemma modes_later v1 v2 T r q : finitely_many_modes (fun t => v1 (T + t)) (fun t => v2 (T + t)) r q ->
-  finitely_many_modes v1 v2 (T + r) (T + q).
-Proof.
-  intros (n & p & P0 & Pn & Step). exists n, (fun i => T + p i). rewrite P0, Pn. split; auto. split; auto.
-  intros i Hi. destruct (Step i Hi) as (Le & M). split; [lra|].
-  destruct M as [M|[M|M]]; [left|right; left|right; right]; intros t Ht; specialize (M (t - T) ltac:(lra));
-    cbv beta in M; replace (T + (t - T)) with t in M by ring; auto.
 Qed.

@@ -16,7 +16,6 @@ from paper_checks.claims.beyond import (
     long_time,
     merging,
     merging_share,
-    rate,
     return_map,
     slips,
     uniform_rate,
@@ -97,12 +96,7 @@ def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, name, chan
             lambda level: lambda: sp.Le(level().lhs - b**2, 0, evaluate=False),
             onset.stays_together,
         ),
-        (
-            "rate.bounds",  # too tight
-            lambda bounds: lambda *numbers: 2 * (bounds(*numbers)[1],),
-            lambda: [rate.bounded_run(Fraction(1, 2), Fraction(3, 2), 5)],
-        ),
-        ("return_map.lost_coefficients", lambda lost: lambda: lost()[:-1], lambda: [*return_map.remainder()]),
+        ("return_map.at_most", lambda most: lambda defect, order: most(defect, order) * 10_000, return_map.remainders),
         (
             "long_time.TIMES",
             lambda times: (times[0], "1e4", times[2]),

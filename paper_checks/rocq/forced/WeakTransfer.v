@@ -1,0 +1,265 @@
+(** Transfers under a weak force without a damper: within half a turn no force of at most F, 3 F <= b M/m2, breaks the
+    pair, and two arcs, under F and then under -F, bring it to rest at D before any other one does. Each force is tested
+    with a sine that has its sign on both arcs. *)
+From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Arcs LeastTimeTransfer.
+
+Section Weak.
+Variables m1 m2 a2 b F : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 < F) (Weak : 3 * F <= b * (m1 + m2) / m2).
+Let M := m1 + m2.
+Let om := omega m1 m2 a2.
+Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
+Let a2_om : a2 = M * (om * om).
+Proof. unfold om, M. rewrite (omega_sq m1 m2 a2) by auto. field. lra. Qed.
+
+Section Motion.
+Variables U x v1 v2 s : R -> R.
+Hypotheses (H : forced m1 m2 0 a2 b U x v1 v2 s) (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)).
+Hypotheses (X0 : x 0 = 0) (V0 : v1 0 = 0) (W0 : v2 0 = 0).
+
+(** what a stuck pair gains beside a sine, at most F times the integral of its size *)
+Let gained be t := M * v1 t * sin (be - om * t) + M * om * x t * cos (be - om * t).
+Lemma paired j k be r t : (j = 1 \/ j = -1) -> (k = 1 \/ k = -1) -> 0 <= r <= t -> (forall q, r <= q <= t -> v1 q = v2 q) ->
+  (forall q, r <= q <= t -> 0 <= k * sin (be - om * q)) ->
+  j * (gained be t - gained be r) <= F * (k * (cos (be - om * t) - cos (be - om * r))) / om.
+Proof.
+  intros Hj Hk Hr St Sg. set (c := m2 * v2 0 - b * s 0). set (P q := m1 * v1 q + b * s q - U q + c).
+  assert (DS : forall q, is_derive (fun q => sin (be - om * q)) q (- om * cos (be - om * q))) by (intros q; auto_derive; auto; unfold Rminus; ring).
+  assert (DC : forall q, is_derive (fun q => cos (be - om * q)) q (om * sin (be - om * q))) by (intros q; auto_derive; auto; unfold Rminus; ring).
+  set (f q := (j * k * U q) * (k * sin (be - om * q)) + (j * (P q * sin (be - om * q) + M * om * (x q * cos (be - om * q)))
+    - F * k / om * cos (be - om * q))).
+  assert (E : forall q, r <= q <= t -> f q = j * gained be q - F * k / om * cos (be - om * q)).
+  { intros q Hq. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H q ltac:(lra)) as W. fold c in W. rewrite <- (St q Hq) in W.
+    unfold f, P, gained, M. replace (m1 * v1 q + b * s q - U q + c) with ((m1 + m2) * v1 q - U q) by lra.
+    destruct Hk; subst k. all: field; lra. }
+  assert (Le : f t <= f r).
+  { pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
+    pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H). pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ (forced_moving _ _ _ _ _ _ _ _ _ _ H)).
+    apply dini_mono; [|auto|].
+    - pose proof (cont_of_derive _ _ DS). pose proof (cont_of_derive _ _ DC).
+      unfold f, P. repeat first [apply cont_minus|apply cont_plus|apply cont_mult]; auto using cont_const, cont_scal.
+    - intros q Hq. assert (Lj : forall p q, 0 <= p <= q -> Rabs (j * k * U q - j * k * U p) <= F * (q - p)).
+      { intros p q' Hp. rewrite <- Rmult_minus_distr_l, Rabs_mult. replace (Rabs (j * k)) with 1; [rewrite Rmult_1_l; auto|].
+        symmetry. destruct Hj; subst j; destruct Hk; subst k; rewrite ?Rmult_1_l; unfold Rabs; destruct Rcase_abs; lra. }
+      pose proof (dini_lip_mult (fun q => j * k * U q) (fun q => k * sin (be - om * q)) q F _ (t - q) ltac:(lra) ltac:(lra) Lj
+        ltac:(intros p Hp; apply Sg; lra) (rderiv_scal k _ _ _ (rderiv_of_derive _ _ _ (DS q)))) as Du.
+      assert (DP : rderiv P q (- (a2 * x q + 0 * v1 q) + 0)).
+      { apply rderiv_plus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_const]. }
+      assert (Dr : rderiv (fun q => j * (P q * sin (be - om * q) + M * om * (x q * cos (be - om * q))) - F * k / om * cos (be - om * q)) q
+        (j * ((- (a2 * x q + 0 * v1 q) + 0) * sin (be - om * q) + P q * (- om * cos (be - om * q)) +
+          M * om * (v1 q * cos (be - om * q) + x q * (om * sin (be - om * q)))) - F * k / om * (om * sin (be - om * q)))).
+      { apply rderiv_minus; [apply rderiv_scal, rderiv_plus|apply (rderiv_scal (F * k / om) (fun q => cos (be - om * q))), rderiv_of_derive, DC].
+        - apply (rderiv_mult P (fun q => sin (be - om * q))); [exact DP|apply rderiv_of_derive, DS].
+        - apply (rderiv_scal (M * om) (fun q => x q * cos (be - om * q))), (rderiv_mult x (fun q => cos (be - om * q))); [apply (f_x _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_of_derive, DC]. }
+      eapply dini_eq; [|exact (dini_plus _ _ _ _ _ Du Dr)]. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H q ltac:(lra)) as W. fold c in W.
+      rewrite <- (St q) in W by lra. assert (EP : P q = M * v1 q - U q) by (unfold P, M; lra). rewrite EP, a2_om.
+      destruct Hk; subst k; field; lra. }
+  rewrite (E t), (E r) in Le by lra. unfold Rdiv in *. lra.
+Qed.
+
+(** stuck so far, within half a turn: body 1 is not beyond 1 - cos *)
+Lemma place_within t : 0 <= t -> om * t <= PI -> (forall q, 0 <= q <= t -> v1 q = v2 q) -> a2 * Rabs (x t) <= F * (1 - cos (om * t)).
+Proof.
+  intros Ht Hp St. assert (B : forall j, j = 1 \/ j = -1 -> j * (a2 * x t) <= F * (1 - cos (om * t))).
+  { intros j Hj. pose proof (paired j 1 (om * t) 0 t Hj (or_introl eq_refl) ltac:(lra) St) as Q. unfold gained in Q.
+    replace (om * t - om * t) with 0 in Q by ring. replace (om * t - om * 0) with (om * t) in Q by ring. rewrite X0, V0, sin_0, cos_0 in Q.
+    assert (Sg : forall q, 0 <= q <= t -> 0 <= 1 * sin (om * t - om * q)).
+    { intros q Hq. assert (0 <= om * (t - q)) by (apply Rmult_le_pos; lra). assert (om * (t - q) <= om * t) by scale.
+      rewrite Rmult_1_l. apply sin_ge_0; lra. }
+    specialize (Q Sg). apply (Rmult_le_compat_l om) in Q; [|lra].
+    replace (om * (F * (1 * (1 - cos (om * t))) / om)) with (F * (1 - cos (om * t))) in Q by (field; lra). rewrite a2_om. lra. }
+  pose proof (B 1 ltac:(auto)). pose proof (B (-1) ltac:(auto)). unfold Rabs. destruct Rcase_abs; lra.
+Qed.
+
+(** while body 1 is within 2 F/a2, friction holds the pair *)
+Lemma held r t k : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall q, r <= q < t -> a2 * Rabs (x q) <= 2 * F) ->
+  k * (v1 r - v2 r) <= 0 -> k * (v1 t - v2 t) <= 0.
+Proof.
+  intros Hk Hr B W. assert (CW : cont (fun q => k * (v1 q - v2 q))).
+  { apply cont_scal, cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|].
+    exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ (forced_moving _ _ _ _ _ _ _ _ _ _ H)). }
+  apply le_epsilon. intros e He. rewrite Rplus_0_l. apply (barrier_until _ e r t CW Hr); [lra|]. intros q Hq Pos.
+  assert (S : rderiv s q k).
+  { destruct Hk; subst k; [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
+  set (c := m2 * v2 0 - b * s 0). set (P q := m1 * v1 q + b * s q - U q).
+  assert (Lu : dini_le (fun q => k / m1 * U q) q (F / m1)).
+  { intros g Hg. exists 1. split; [lra|]. intros h Hh. rewrite <- Rmult_minus_distr_l.
+    pose proof (LU q (q + h) ltac:(lra)) as L. replace (q + h - q) with h in L by ring. apply Rabs_inv in L.
+    assert (k / m1 * (U (q + h) - U q) <= F / m1 * h); [|nra]. unfold Rdiv. rewrite (Rmult_comm k), (Rmult_comm F), !Rmult_assoc.
+    apply Rmult_le_compat_l; [positive|]. destruct Hk; subst k; lra. }
+  assert (Dr : rderiv (fun q => k / m1 * P q - (k * b / m1 + k * b / m2) * s q - k * c / m2) q
+    (k / m1 * - (a2 * x q + 0 * v1 q) - (k * b / m1 + k * b / m2) * k - 0)).
+  { apply rderiv_minus; [apply rderiv_minus; apply rderiv_scal; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|exact S]|apply rderiv_const]. }
+  assert (Eq : forall p, 0 <= p -> k * (v1 p - v2 p) = k / m1 * U p + (k / m1 * P p - (k * b / m1 + k * b / m2) * s p - k * c / m2)).
+  { intros p Hp. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H p Hp) as W2. fold c in W2.
+    unfold P. replace (v2 p) with ((b * s p + c) / m2) by (rewrite <- W2; field; lra). field. lra. }
+  specialize (B q ltac:(lra)). assert (Xk : - k * (a2 * x q) <= 2 * F).
+  { pose proof (Rle_abs (x q)). pose proof (Rle_abs (- x q)) as N. rewrite Rabs_Ropp in N. destruct Hk; subst k; nra. }
+  assert (K2 : k * k = 1) by (destruct Hk; subst k; ring).
+  assert (Neg : F / m1 + (k / m1 * - (a2 * x q + 0 * v1 q) - (k * b / m1 + k * b / m2) * k - 0) <= 0).
+  { replace (F / m1 + (k / m1 * - (a2 * x q + 0 * v1 q) - (k * b / m1 + k * b / m2) * k - 0)) with
+      ((F + - k * (a2 * x q) - k * k * (b * (m1 + m2) / m2)) / m1) by (field; lra). rewrite K2. undivide m1. lra. }
+  intros g Hg. destruct (dini_plus _ _ _ _ _ Lu Dr g Hg) as (d & Hd & D). exists d. split; auto. intros h Hh.
+  specialize (D h Hh). rewrite !Eq by lra. eapply Rle_trans; [exact D|]. apply Rmult_le_compat_r; lra.
+Qed.
+
+(** so it sticks through half a turn *)
+Theorem sticks_half_turn t : 0 <= t -> om * t <= PI -> v1 t = v2 t.
+Proof.
+  intros Ht Hp. assert (C1 : cont v1) by apply (f_cv _ _ _ _ _ _ _ _ _ _ H).
+  assert (C2 : cont v2) by exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ (forced_moving _ _ _ _ _ _ _ _ _ _ H)).
+  assert (Zero : forall q, (forall k, k = 1 \/ k = -1 -> k * (v1 q - v2 q) <= 0) -> v1 q = v2 q).
+  { intros q B. pose proof (B 1 ltac:(auto)). pose proof (B (-1) ltac:(auto)). lra. }
+  cut (forall r, 0 <= r <= t -> v1 r = v2 r); [intros St; apply St; lra|].
+  apply (onward (fun t => forall r, 0 <= r <= t -> v1 r = v2 r) 0 t); try lra.
+  - intros r Hr. replace r with 0 by lra. lra.
+  - intros q Hq St r Hr. destruct (Rlt_dec r q) as [Lt|]; [apply (St r ltac:(lra)); lra|]. replace r with q by lra.
+    apply Zero. intros k Hk. apply (cont_le (fun q => k * (v1 q - v2 q)) 0 0 q); [apply cont_scal, cont_minus; auto|lra|].
+    intros p Hp'. rewrite (St p) by lra. lra.
+  - intros q Hq St. assert (Oq : 0 <= om * q < om * t) by (split; [apply Rmult_le_pos|apply Rmult_lt_compat_l]; lra).
+    assert (Lt : a2 * Rabs (x q) < 2 * F).
+    { apply Rle_lt_trans with (1 := place_within q ltac:(lra) ltac:(lra) St). assert (-1 < cos (om * q)); [|nra].
+      rewrite <- cos_PI. apply cos_decreasing_1; lra. }
+    destruct (cont_abs _ (f_cx _ _ _ _ _ _ _ _ _ _ H) q ltac:(lra) (2 * F / a2 - Rabs (x q))) as (d & Hd & K).
+    { apply Rlt_Rminus. undivide a2. lra. }
+    exists d. split; auto. intros u Hu r Hr. destruct (Rle_dec r q) as [|N]; [apply St; lra|].
+    apply Zero. intros k Hk. apply (held q r k Hk); [lra| |rewrite St; lra].
+    intros p Hp'. specialize (K p ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). apply Rabs_def2 in K.
+    assert (Le : Rabs (x p) < 2 * F / a2) by lra. apply Rlt_div_r in Le; lra.
+Qed.
+
+(** *** The least time *)
+(** to rest at D: not before both arcs could *)
+Theorem weak_takes T D : 0 < D -> a2 * D <= F -> 0 <= T -> x T = D -> v1 T = 0 -> let xi := a2 * D / F in
+  (acos (1 - xi / 2 - xi ^ 2 / 4) + acos ((1 + xi / 2 + xi ^ 2 / 4) / (1 + xi))) / om <= T.
+Proof.
+  intros HD Hold HT XT VT xi. assert (Xi : 0 < xi <= 1) by (unfold xi; split; [positive|undivide F; lra]).
+  assert (EX : a2 * D = xi * F) by (unfold xi; field; lra). pose proof PI_RGT_0.
+  set (c1 := 1 - xi / 2 - xi ^ 2 / 4). set (c2 := (1 + xi / 2 + xi ^ 2 / 4) / (1 + xi)).
+  assert (C1 : 0 < c1 < 1) by (unfold c1; nra). assert (C2 : 0 < c2 < 1).
+  { unfold c2. split; [apply Rdiv_lt_0_compat; nra|]. undivide (1 + xi). nra. }
+  assert (Ac : forall c, 0 < c < 1 -> 0 < acos c < PI / 2 /\ cos (acos c) = c).
+  { intros c Hc. pose proof (cos_acos c ltac:(lra)) as E. pose proof (acos_bound c) as B. split; [|exact E]. split.
+    - destruct (Req_dec (acos c) 0) as [Z|]; [rewrite Z, cos_0 in E|]; lra.
+    - apply Rnot_le_lt. intros N. pose proof (cos_le_0 (acos c) ltac:(lra) ltac:(lra)). lra. }
+  destruct (Ac c1 C1) as (A1 & E1). destruct (Ac c2 C2) as (A2 & E2). set (al := acos c1) in *. set (be := acos c2) in *.
+  undivide om. rewrite (Rmult_comm T). apply Rnot_lt_le. intros Early.
+  assert (St : forall q, 0 <= q <= T -> v1 q = v2 q).
+  { intros q Hq. apply sticks_half_turn; [lra|]. apply Rle_trans with (om * T); [scale|]; lra. }
+  assert (Start : gained al 0 = 0) by (unfold gained; rewrite X0, V0; ring).
+  assert (End : om * gained al T = xi * F * cos (al - om * T)) by (unfold gained; rewrite XT, VT, <- EX, a2_om; ring).
+  assert (Sine : forall k r t, (k = 1 /\ om * t <= al) \/ (k = -1 /\ al <= om * r) -> 0 <= r <= t -> t <= T ->
+    om * (gained al t - gained al r) <= F * (k * (cos (al - om * t) - cos (al - om * r)))).
+  { intros k r t Side Hr Ht. pose proof (paired 1 k al r t (or_introl eq_refl) ltac:(tauto) Hr ltac:(intros; apply St; lra)) as Q.
+    apply Rle_trans with (om * (F * (k * (cos (al - om * t) - cos (al - om * r))) / om)); [|right; field; lra].
+    apply Rmult_le_compat_l; [lra|]. rewrite <- (Rmult_1_l (gained al t - gained al r)). apply Q. intros q Hq.
+    assert (om * r <= om * q <= om * t) by (split; scale). assert (om * t <= om * T) by scale.
+    assert (0 <= om * r) by (apply Rmult_le_pos; lra). destruct Side as [(-> & S)|(-> & S)].
+    - rewrite Rmult_1_l. apply sin_ge_0; lra.
+    - replace (-1 * sin (al - om * q)) with (sin (om * q - al)) by (rewrite <- (Ropp_minus_distr al), sin_neg; ring).
+      apply sin_ge_0; lra. }
+  destruct (Rle_dec (om * T) al) as [Short|Long].
+  - pose proof (Sine 1 0 T ltac:(auto) ltac:(lra) ltac:(lra)) as Q. rewrite Start, Rminus_0_r, End in Q. replace (al - om * 0) with al in Q by ring. rewrite E1 in Q.
+    pose proof (COS_bound (al - om * T)). assert (xi * cos (al - om * T) <= cos (al - om * T) - c1) by nra. unfold c1 in *. nra.
+  - set (t1 := al / om). assert (T1 : om * t1 = al) by (unfold t1; field; lra).
+    assert (Ht1 : 0 <= t1 <= T) by (split; [unfold t1; positive|apply Rmult_le_reg_l with om; lra]).
+    pose proof (Sine 1 0 t1 ltac:(left; split; [auto|lra]) ltac:(lra) ltac:(lra)) as Q1.
+    pose proof (Sine (-1) t1 T ltac:(right; split; [auto|lra]) ltac:(lra) ltac:(lra)) as Q2.
+    rewrite T1 in Q1, Q2. replace (al - al) with 0 in Q1, Q2 by ring. replace (al - om * 0) with al in Q1 by ring.
+    rewrite cos_0 in Q1, Q2. rewrite Start, E1 in Q1.
+    rewrite Rmult_minus_distr_l, End in Q2. assert (Q : (1 + xi) * cos (al - om * T) <= 2 - c1).
+    { apply Rmult_le_reg_l with F; auto. lra. }
+    assert (cos (al - om * T) <= c2) by (unfold c2, c1 in *; undivide (1 + xi); lra).
+    assert (c2 < cos (om * T - al)) by (rewrite <- E2; apply cos_decreasing_1; lra).
+    replace (om * T - al) with (- (al - om * T)) in H2 by ring. rewrite cos_neg in H2. lra.
+Qed.
+End Motion.
+
+(** both arcs do it, stuck, and the force a2 D holds the pair there *)
+Theorem weak_attained D : 0 < D -> a2 * D <= F -> let xi := a2 * D / F in
+  let t1 := acos (1 - xi / 2 - xi ^ 2 / 4) / om in let t2 := acos ((1 + xi / 2 + xi ^ 2 / 4) / (1 + xi)) / om in
+  exists U x v1 v2 s, forced m1 m2 0 a2 b U x v1 v2 s /\ (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)) /\
+  x 0 = 0 /\ v1 0 = 0 /\ v2 0 = 0 /\ (forall t, t1 + t2 <= t -> x t = D /\ v1 t = 0 /\ v2 t = 0) /\
+  (forall t, 0 <= t < t1 -> rderiv U t F) /\ (forall t, t1 <= t < t1 + t2 -> rderiv U t (- F)).
+Proof.
+  intros HD Hold xi t1 t2. assert (Xi : 0 < xi <= 1) by (unfold xi; split; [positive|undivide F; lra]).
+  set (c1 := 1 - xi / 2 - xi ^ 2 / 4) in *. set (c2 := (1 + xi / 2 + xi ^ 2 / 4) / (1 + xi)) in *.
+  assert (C1 : 0 < c1 < 1) by (unfold c1; nra). assert (C2 : 0 < c2 < 1).
+  { unfold c2. split; [apply Rdiv_lt_0_compat; nra|]. undivide (1 + xi). nra. }
+  assert (E2 : (1 + xi) * c2 = 2 - c1) by (unfold c2, c1; field; lra).
+  set (R := F / a2). assert (HR : 0 < R) by (unfold R; positive). assert (DR : D = xi * R) by (unfold xi, R; field; lra).
+  assert (FR : F = a2 * R) by (unfold R; field; lra).
+  set (al := acos c1) in *. set (be := acos c2) in *. assert (O1 : om * t1 = al) by (unfold t1; field; lra).
+  assert (O2 : om * t2 = be) by (unfold t2; field; lra). pose proof (acos_bound c1). pose proof (acos_bound c2). fold al in H. fold be in H0.
+  assert (T1 : 0 <= t1) by (unfold t1; positive). assert (T2 : 0 <= t2) by (unfold t2; positive).
+  assert (Cal : cos al = c1) by (apply cos_acos; lra). assert (Cbe : cos be = c2) by (apply cos_acos; lra).
+  assert (Sin : sin al = (1 + xi) * sin be).
+  { pose proof (sin_ge_0 al ltac:(lra) ltac:(lra)) as Sa. pose proof (sin_ge_0 be ltac:(lra) ltac:(lra)) as Sb.
+    pose proof (sin2_cos2 al) as Qa. pose proof (sin2_cos2 be) as Qb. unfold Rsqr in Qa, Qb. rewrite Cal in Qa. rewrite Cbe in Qb.
+    assert (Sq : sin al ^ 2 = ((1 + xi) * sin be) ^ 2).
+    { replace (sin al ^ 2) with (1 - c1 * c1) by (rewrite <- Qa; ring).
+      replace (((1 + xi) * sin be) ^ 2) with ((1 + xi) ^ 2 * (1 - c2 * c2)) by (rewrite <- Qb; ring).
+      replace ((1 + xi) ^ 2 * (1 - c2 * c2)) with ((1 + xi) ^ 2 - ((1 + xi) * c2) ^ 2) by ring. rewrite E2. unfold c1. field. }
+    assert (0 <= (1 + xi) * sin be) by positive. nra. }
+  set (X1 t := R * (1 - cos (om * t))). set (V1 t := R * (om * sin (om * t))). set (A1 t := R * (om * (om * cos (om * t)))).
+  set (X2 t := (1 + xi) * R * cos (be - om * t) - R). set (V2 t := (1 + xi) * R * (om * sin (be - om * t))).
+  set (A2 t := - ((1 + xi) * R * (om * (om * cos (be - om * t))))).
+  assert (D1 : forall t, is_derive X1 t (V1 t)) by (intros; unfold X1, V1; auto_derive; auto; ring).
+  assert (D2 : forall t, is_derive V1 t (A1 t)) by (intros; unfold V1, A1; auto_derive; auto; ring).
+  assert (D3 : forall t, is_derive X2 t (V2 t)) by (intros; unfold X2, V2; auto_derive; auto; unfold Rminus; ring).
+  assert (D4 : forall t, is_derive V2 t (A2 t)) by (intros; unfold V2, A2; auto_derive; auto; unfold Rminus; ring).
+  set (y := join t2 X2 (fun _ => D)). set (y' := join t2 V2 (fun _ => 0)). set (y'' := join t2 A2 (fun _ => 0)).
+  assert (Z2 : be - om * t2 = 0) by lra.
+  assert (JX : X2 t2 = D) by (unfold X2; rewrite Z2, cos_0, DR; ring). assert (JV : V2 t2 = 0) by (unfold V2; rewrite Z2, sin_0; ring).
+  assert (JX1 : X1 t1 = y 0).
+  { unfold y. rewrite join_before by (auto; lra). unfold X1, X2. rewrite O1, Rmult_0_r, Rminus_0_r, Cal, Cbe.
+    replace ((1 + xi) * R * c2) with (R * ((1 + xi) * c2)) by ring. rewrite E2. ring. }
+  assert (JV1 : V1 t1 = y' 0).
+  { unfold y'. rewrite join_before by (auto; lra). unfold V1, V2. rewrite O1, Rmult_0_r, Rminus_0_r, Sin. ring. }
+  set (r := join t1 X1 y). set (r' := join t1 V1 y'). set (r'' := join t1 A1 y'').
+  assert (Cy : cont y) by (apply cont_join; auto using cont_const; exact (cont_of_derive _ _ D3)).
+  assert (Cy' : cont y') by (apply cont_join; auto using cont_const; exact (cont_of_derive _ _ D4)).
+  assert (Cr : cont r) by (apply cont_join; auto; exact (cont_of_derive _ _ D1)).
+  assert (Cr' : cont r') by (apply cont_join; auto; exact (cont_of_derive _ _ D2)).
+  assert (Rate : forall f f' f'' g g' c t, f t2 = c -> (forall t, is_derive f t (f' t)) -> g t1 = join t2 f (fun _ => c) 0 ->
+    (forall t, is_derive g t (g' t)) -> f'' = join t2 f' (fun _ => 0) -> 0 <= t ->
+    rderiv (join t1 g (join t2 f (fun _ => c))) t (join t1 g' f'' t)).
+  { intros f f' f'' g g' c t Ef Df Eg Dg -> Ht. unfold join at 3. destruct (Rlt_dec t t1) as [L|N].
+    - apply rderiv_join_before; auto. apply rderiv_of_derive, Dg.
+    - apply rderiv_join_after; [lra|]. unfold join at 2. destruct (Rlt_dec (t - t1) t2) as [L'|N'].
+      + apply rderiv_join_before; auto. apply rderiv_of_derive, Df.
+      + apply rderiv_join_after; [lra|apply rderiv_const]. }
+  assert (Dr : forall t, 0 <= t -> rderiv r t (r' t)) by (intros; apply Rate with V2; auto).
+  assert (Dr' : forall t, 0 <= t -> rderiv r' t (r'' t)) by (intros; apply Rate with A2; auto).
+  assert (RM : M * (R * (om * om)) = F) by (rewrite FR, a2_om; ring).
+  (* the force: F, then -F, then a2 D *)
+  assert (Force : forall t, M * r'' t + a2 * r t = if Rlt_dec t t1 then F else if Rlt_dec (t - t1) t2 then - F else a2 * D).
+  { intros t. unfold r'', r, join. destruct (Rlt_dec t t1); [|unfold y'', y, join; destruct (Rlt_dec (t - t1) t2)].
+    - unfold A1, X1. rewrite a2_om, <- RM. ring.
+    - unfold A2, X2. rewrite a2_om, <- RM. ring.
+    - ring. }
+  assert (Small : forall t, Rabs (r'' t) <= b / m2).
+  { assert (B : forall c z, 0 <= c <= 2 -> Rabs (c * R * (om * (om * cos z))) <= b / m2).
+    { intros c z Hc. apply Rmult_le_reg_l with M; [unfold M; lra|]. replace (M * (b / m2)) with (b * (m1 + m2) / m2) by (unfold M; field; lra).
+      rewrite <- (Rabs_pos_eq M) at 1 by (unfold M; lra). rewrite <- Rabs_mult.
+      replace (M * (c * R * (om * (om * cos z)))) with (F * c * cos z) by (rewrite <- RM; ring).
+      pose proof (COS_bound z). assert (0 <= F * c <= F * 2) by (split; [positive|scale]). apply Rabs_le. split; nra. }
+    assert (0 <= b / m2) by positive. intros t. unfold r'', join. destruct (Rlt_dec t t1).
+    - unfold A1. rewrite <- (Rmult_1_l R). apply B. lra.
+    - unfold y'', join. destruct (Rlt_dec (t - t1) t2); [|rewrite Rabs_R0; auto]. unfold A2. rewrite Rabs_Ropp. apply B. lra. }
+  assert (Lip : forall p q, 0 <= p <= q -> Rabs (r' q - r' p) <= b / m2 * (q - p)) by (intros; apply (lip_of_rderiv r' r''); auto).
+  assert (R0 : r 0 = 0).
+  { unfold r. rewrite join_before by auto. unfold X1. rewrite Rmult_0_r, cos_0. ring. }
+  assert (R0' : r' 0 = 0). { unfold r'. rewrite join_before by auto. unfold V1. rewrite Rmult_0_r, sin_0. ring. }
+  pose proof (trackable m1 m2 0 a2 b Hm2 Hb 0 r r' Cr Dr Lip) as Fo. set (U := fun t => _) in Fo.
+  assert (DU : forall t, 0 <= t -> rderiv U t (M * r'' t + a2 * r t)).
+  { intros t Ht. apply rderiv_eq with (M * r'' t + 0 * r' t + a2 * (0 + r t - r 0)); [rewrite R0; ring|]. apply tracking_force; auto. }
+  eexists U, _, r', r', _. split; [exact Fo|]. split; [|split; [rewrite R0; ring|split; [auto|split; [auto|split; [|split]]]]].
+  - intros p q Hp. apply (lip_of_rderiv U (fun t => M * r'' t + a2 * r t)); auto; [apply (f_cU _ _ _ _ _ _ _ _ _ _ Fo)|].
+    intros t Ht. split; [apply DU; auto|]. rewrite Force. assert (0 < a2 * D) by positive.
+    apply Rabs_le. destruct (Rlt_dec t t1); [lra|]. destruct (Rlt_dec (t - t1) t2); lra.
+  - intros t Ht. assert (r t = D /\ r' t = 0) by (unfold r, r', y, y'; rewrite !join_after by lra; auto). rewrite R0. repeat split; lra.
+  - intros t Ht. eapply rderiv_eq; [|apply DU; lra]. rewrite Force. destruct (Rlt_dec t t1); lra.
+  - intros t Ht. eapply rderiv_eq; [|apply DU; lra]. rewrite Force. destruct (Rlt_dec t t1); [lra|]. destruct (Rlt_dec (t - t1) t2); lra.
+Qed.
+End Weak.
