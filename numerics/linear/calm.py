@@ -1,8 +1,8 @@
 """A stick that nothing ends before its piece does: proved calm, and stepped over by powers of exp(A h).
 
-Only where the signals are u, of a polynomial up to t^2 and sines, and one friction number. Along a stick the load is
-that of the steady answer, at most the sum of its amplitudes, and that of a free motion y: y'' there has the equation of
-y, of which y^2 + (M/a2) y'^2 never grows.
+Only where the signals are u, of a polynomial up to t^2 and sines, and constants, none of them of a belt. Along a stick
+the load is that of the steady answer, at most the sum of its amplitudes, and that of a free motion y: y'' there has the
+equation of y, of which y^2 + (M/a2) y'^2 never grows.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import TwoFloats
 from numerics.linear.evolve import moved
-from numerics.linear.model import EDGE, FORCE, FRICTION, LOAD, STICK, V1, X1
+from numerics.linear.model import EDGE, FORCE, FORCE_2, FRICTION, LOAD, STICK, V1, WALL, X1
 from numerics.linear.room import Now, Run, dot, form_z, load_off, place_of
 from numerics.linear.table import OTHERS, RATES, STATE, UNIT
 
@@ -53,10 +53,10 @@ def rest_is_calm(run: Run, now: Now) -> bool:
     tables, (kind, _), z = run.tables, place_of(run, now), run.z
     A, others, blocks = tables.A[kind, STICK], tables.lines[kind, STICK, OTHERS:RATES], tables.blocks[kind]
     first, terms, sines, waves = blocks[FORCE]
-    numbers = 0
+    numbers, constants = 0, min(blocks[FORCE_2, 1], 1) + min(blocks[WALL, 1], 1)
     for block in blocks:
         numbers += block[1] + 2 * block[3]
-    if numbers != terms + 2 * waves + 1 or blocks[FRICTION, 1] != 1 or terms > 3 or A[V1, X1] == 0.0:
+    if numbers != terms + 2 * waves + 1 + constants or blocks[FRICTION, 1] != 1 or terms > 3 or A[V1, X1] == 0.0:
         return False
     load, edge, stiff, drag = others[LOAD], others[EDGE], -A[V1, X1], -A[V1, V1]
     value, rate, size = dot(load, z), 0.0, 0.0
@@ -67,6 +67,7 @@ def rest_is_calm(run: Run, now: Now) -> bool:
             size += abs(load[i] * A[i, j] * z[j]) / math.sqrt(stiff)
     # of u = p t^2/2 the steady answer has x'' = p/a2, and the load -(load of x1) x''/(M's own stiffness)
     most = load[first] / stiff * z[first + 2] if terms > 2 else 0.0
+    most -= z[blocks[FORCE_2, 0]] if blocks[FORCE_2, 1] > 0 else 0.0  # which friction alone holds
     free, most = value - most, abs(most)
     for k in range(waves):
         at = sines + 2 * k

@@ -73,6 +73,13 @@ def test_a_contact_that_may_be_on_either_side_of_a_knot_of_places_is_in_doubt():
     assert run(scene, (0, 0, 1e-8, 0)).modes == run(Scene(pair, at, 2)).modes
 
 
+@pytest.mark.parametrize(("held", "status"), [("0.2", "STUCK_FOR_EVER"), ("0.49", "REACHED_HORIZON")])
+def test_a_stick_under_constants_of_every_signal_is_one_for_ever_as_in_balls(held, status):
+    still = {"force_2": Force([Piece(0, [held])]), "wall": Signal([Piece(0, ["0.01"])])}
+    scene = Scene(Pair(1, 2, 200, "0.5", "0.4"), State(v1="0.2"), 8, force=Force.sine("0.1", 3), **still)
+    assert {solve(scene, arithmetic=one).status.name for one in ("float64", "ball")} == {status}
+
+
 def border(random, scene, place):
     """By how much a number of the start may be moved before other modes follow, bisected; None if none do within 3."""
     modes, way = run(scene).modes, random.choice([-1, 1]) * np.eye(4)[place]
