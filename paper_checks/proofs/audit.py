@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 
-from paper_checks.proofs.cited import CITED
 from paper_checks.proofs.kernel import Compiled
 from paper_checks.proofs.sources import AUDIT, FOLDER, LIBRARY
 
@@ -44,7 +43,9 @@ Set Printing Width 110.
 Set Printing Depth 1000.
 """
 _TITLE = re.compile(r"^== (.*)\n", re.MULTILINE)
-_TIE = re.compile(r"^\(\*\* ((?:(?!\*\)).)*) \*\)\nTheorem (tie_\w+) :", re.MULTILINE | re.DOTALL)
+_CITED = re.compile(
+    r"^\(\*\* \[([\w.-]+)\] ((?:(?!\*\)).)*) \*\)\n(?:Theorem|Lemma|Corollary) ([\w']+)", re.MULTILINE | re.DOTALL
+)
 _AXIOM = re.compile(r"^(?:([A-Za-z_][\w.']*)\s*(?::|$)|(\S.*))", re.MULTILINE)
 _AXIOMS = re.compile(r"^(?:Axioms:\n|Closed under the global context)", re.MULTILINE)
 
@@ -88,13 +89,15 @@ def recorded() -> Audit:
 
 @cache
 def register() -> dict[str, tuple[str, str]]:
-    """The kernel's name and the sentence of every theorem that is cited or is a tie, by id."""
-    ties = {
-        name.replace("_", "-"): (f"{path.stem}.{name}", " ".join(words.split()))
-        for path in sorted(FOLDER.rglob("*Ties.v"))
-        for words, name in _TIE.findall(path.read_text("utf-8"))
+    """The kernel's name and the sentence of every theorem that may be cited, by the id that stands with it above the theorem.
+
+    The sentence is for the reader and carries nothing.
+    """
+    return {
+        one: (f"{path.stem}.{name}", " ".join(sentence.split()))
+        for path in sorted(FOLDER.rglob("*.v"))
+        for one, sentence, name in _CITED.findall(path.read_text("utf-8"))
     }
-    return CITED | ties
 
 
 def below(text: str, printed: Mapping[str, str]) -> dict[str, str]:

@@ -1563,7 +1563,7 @@ Check @TwoStop.two_stop_needs.
 Print Assumptions TwoStop.two_stop_needs.
 
 Goal True. idtac "== undamped-entrained
-With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response at $t=0$ over $b\,(1-U/U_*)$.
+With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response at $t=0$ over $b\,(1-U/U_{*})$.
 uses: driven-acceleration". Abort.
 Check @UndampedEntrainment.undamped_entrained.
 Print Assumptions UndampedEntrainment.undamped_entrained.

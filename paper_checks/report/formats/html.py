@@ -11,7 +11,7 @@ from markupsafe import Markup
 
 from paper_checks.claims import source
 from paper_checks.explore import motion, page
-from paper_checks.proofs.cited import CITED
+from paper_checks.proofs.audit import register
 from paper_checks.report.content import derivation, opening, phrases, shared, story, trust
 from paper_checks.report.content.blocks import Block
 from paper_checks.report.content.document import Document
@@ -35,7 +35,7 @@ def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:
         FRONT: text.render(
             report=report,
             motion=motion.section(),
-            cited=CITED,
+            cited=register(),
             say=phrases,
             story=story,
             derivation=derivation,

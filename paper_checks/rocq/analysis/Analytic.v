@@ -333,7 +333,7 @@ Proof.
       split; [positive|]. repeat split; auto; intros; rewrite Late by lra; [apply Eg|apply Ef]; lra.
 Qed.
 
-(** each piece a polynomial plus sinusoids: what scenes have *)
+(** [scenes-analytic] Piecewise polynomials plus sinusoids are piecewise analytic. *)
 Theorem scenes_are_analytic first later : piecewise_analytic (by_pieces (piece (fst first) (snd first))
   (map (fun p => (fst p, piece (fst (snd p)) (snd (snd p)))) later)).
 Proof.

@@ -339,7 +339,8 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Definition controlled (a u x v1 v2 s : R -> R) := exists V, forced m1 m2 0 a2 b V x v1 v2 s /\
   forall t, 0 <= t -> rderiv V t (u t - a t * v1 t).
 
-(** where it never pushes, the flow is non-expansive *)
+(** [controlled-contraction] Under a force and a damper $a_1(t)\geqslant 0$ whose impulses have them as rates from the
+    right at every time, two motions never move apart in the energy norm. *)
 Theorem controlled_contraction a u x v1 v2 s x' v1' v2' s' r t : (forall q, 0 <= q -> 0 <= a q) ->
   controlled a u x v1 v2 s -> controlled a u x' v1' v2' s' -> 0 <= r <= t ->
   energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy m1 m2 a2 (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
@@ -363,7 +364,8 @@ Proof.
     apply rderiv_eq with (- (a2 * x t + 0 * v1 t) - a1 * v1 t); [ring|]. apply rderiv_minus; auto using rderiv_scal.
 Qed.
 
-(** where it always takes and the force is bounded, every motion tends to each that is bounded *)
+(** [controlled-approach] With a damper $a_1(t)$ between two positive bounds and a bounded force every motion tends to
+    each that is bounded. *)
 Theorem controlled_approach a u x v1 v2 s x' v1' v2' s' a1 A G B : 0 < a1 -> 0 <= G ->
   (forall t, 0 <= t -> a1 <= a t <= A /\ Rabs (u t) <= G) ->
   controlled a u x v1 v2 s -> controlled a u x' v1' v2' s' ->

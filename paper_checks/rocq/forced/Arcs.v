@@ -136,7 +136,8 @@ Record forced_arc (T : R) (u X V1 V2 g : R -> R) : Prop := {
   fa_v2 : forall t, is_derive V2 t (b * g t / m2);
   fa_law : forall t, 0 <= t < T -> -1 <= g t <= 1 /\ (V2 t < V1 t -> g t = 1) /\ (V1 t < V2 t -> g t = -1) }.
 
-(** an arc is the beginning of a motion: go on from its end *)
+(** [arc-begins] A smooth arc that satisfies the friction law under a force is the beginning of a motion under that
+    force. *)
 Theorem arc_begins U u X V1 V2 g T : 0 <= T -> cont U -> (forall t, 0 <= t < T -> rderiv U t (u t)) ->
   forced_arc T u X V1 V2 g -> exists x v1 v2 s, forced U x v1 v2 s /\
   forall t, 0 <= t <= T -> x t = X t /\ v1 t = V1 t /\ v2 t = V2 t.
@@ -161,7 +162,7 @@ Proof.
   - intros t Ht. unfold S. field; lra.
 Qed.
 
-(** so every motion that starts on an arc, at any time, runs along it *)
+(** [follow-forced-arc] A motion under a force that meets the start of such an arc, at any time, follows it. *)
 Theorem follow_arc U u x v1 v2 s X V1 V2 g T t0 : 0 <= T -> 0 <= t0 -> (forall t, t0 <= t < t0 + T ->
   rderiv U t (u (t - t0))) ->
   forced_arc T u X V1 V2 g -> forced U x v1 v2 s -> x t0 = X 0 -> v1 t0 = V1 0 -> v2 t0 = V2 0 ->
@@ -187,7 +188,8 @@ Proof.
       (fun t => s (T + t))), forced_shift; auto.
 Qed.
 
-(** under a force that repeats with the opposite sign, a motion whose state does so once does so for ever *)
+(** [antiperiodic] Under a force that repeats with the opposite sign, a motion whose state does so once does so from
+    then on. *)
 Theorem antiperiodic U x v1 v2 s T : 0 <= T -> (forall t, 0 <= t -> U (T + t) - U T = - (U t - U 0)) ->
   forced U x v1 v2 s -> x T = - x 0 -> v1 T = - v1 0 -> v2 T = - v2 0 ->
   forall t, 0 <= t -> x (T + t) = - x t /\ v1 (T + t) = - v1 t /\ v2 (T + t) = - v2 t.

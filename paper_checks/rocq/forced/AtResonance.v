@@ -61,6 +61,9 @@ Proof.
 Qed.
 
 (** *** a motion that slips for ever, for every c *)
+
+(** [resonance-edge] With $a_1=0$, under $u=\frac{4b}{\pi}\sin\omega_1t$ there is a family of motions that slip
+    permanently, one way for half a period and then the other way, in closed form. *)
 Theorem edge_family c : h <= c -> exists x v1 v2 s, nonstop m1 m2 0 a2 b om F 0 x v1 v2 s /\
   forall t, 0 <= t <= T -> x t = edge_x c t /\ v1 t = edge_v1 c t /\ v2 t = edge_v2 t.
 Proof.
@@ -79,6 +82,8 @@ Proof.
 Qed.
 
 (** *** so every motion is bounded *)
+
+(** [resonance-edge-bounded] With $a_1=0$, every motion under $u=\frac{4b}{\pi}\sin\omega_1t$ is bounded. *)
 Theorem edge_bounded x v1 v2 s : forced m1 m2 0 a2 b (wave F om 0) x v1 v2 s ->
   exists B, forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B.
 Proof.

@@ -96,7 +96,7 @@ Proof.
 Qed.
 End One.
 
-(** so the motion is bounded; v2 by chasing v1 *)
+(** [forced-bounded] With $a_1>0$ every motion under a bounded force is bounded. *)
 Theorem bounded U x v1 v2 s G : forced U x v1 v2 s -> 0 <= G -> (forall r t, 0 <= r <= t ->
   Rabs (U t - U r) <= G * (t - r)) ->
   exists B, forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B.
@@ -145,6 +145,8 @@ Proof.
 Qed.
 
 (** *** Any two motions under the same bounded force approach each other *)
+
+(** [forced-approach] With $a_1>0$ any two motions under one bounded force approach each other. *)
 Theorem approach U x v1 v2 s x' v1' v2' s' G : forced U x v1 v2 s -> forced U x' v1' v2' s' ->
   0 <= G -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->

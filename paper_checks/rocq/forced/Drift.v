@@ -3,7 +3,7 @@
 From InertialPair Require Import Dini Pair Stick Pursuit Forced ForcedExistence Approach BoundedMotions Arcs
   PeriodicMotion.
 
-(** the place z of body 2 *)
+(** [drift] The position of body 2 changes by the integral of its velocity. *)
 Theorem drift v2 z t : cont v2 -> cont z -> (forall r, 0 <= r -> rderiv z r (v2 r)) -> 0 <= t -> z t - z 0 = integral
   v2 t.
 Proof.
@@ -14,8 +14,8 @@ Proof.
   rewrite integral_0 in Q. lra.
 Qed.
 
-(** a force that changes its sign after half a period, and its periodic response: that changes its sign, too, and
-  body 2 comes back *)
+(** [no-drift] With $a_1>0$, if the force changes its sign after half a period, so does the periodic response, and
+    body 2 returns. *)
 Theorem no_drift m1 m2 a1 a2 b U G T x v1 v2 s z : 0 < m1 -> 0 < m2 -> 0 < a1 -> 0 < a2 -> 0 < b -> 0 <= G -> 0 < T ->
   (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) -> (forall t, 0 <= t -> U (T + t) - U T = - (U t - U
     0)) ->

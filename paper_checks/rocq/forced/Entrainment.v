@@ -108,7 +108,8 @@ Proof.
   rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by positive; lra). lra.
 Qed.
 
-(** a stuck solution needs the friction it asks for, at the peak as well *)
+(** [entrained-iff] The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most $U_*$.
+    *)
 Theorem entrained_iff : (exists s, forced m1 m2 a1 a2 b drive rX rV rV s) <-> F <= Fstar.
 Proof.
   split.
@@ -151,7 +152,8 @@ Proof.
     apply Rabs_inv in L. apply Rabs_le. lra.
 Qed.
 
-(** a1 > 0: a permanently stuck motion exists iff F <= F* *)
+(** [stuck-iff] With $a_1>0$ some solution sticks permanently under a sinusoidal force exactly if its amplitude is at
+    most $U_*$. *)
 Corollary stuck_iff : 0 < a1 -> (exists x v1 v2 s, forced m1 m2 a1 a2 b drive x v1 v2 s /\ forall t, 0 <= t ->
   v1 t = v2 t) <-> F <= Fstar.
 Proof.
@@ -197,7 +199,7 @@ Proof.
     apply Rabs_le. lra.
 Qed.
 
-(** so it allows a larger force than F* *)
+(** [third-harmonic] With $a_1=0$ and $\Omega=3\omega$ a stuck motion exists above $U_*$. *)
 Theorem third_harmonic : exists F U x v s, Fstar m1 m2 0 a2 b om < F /\ F = 2 / sqrt 3 * Fstar m1 m2 0 a2 b om /\
   (forall t, 0 <= t -> rderiv U t (F * sin (om * t))) /\ forced m1 m2 0 a2 b U x v v s /\
   forall t, x (t + 2 * PI / om) = x t /\ v (t + 2 * PI / om) = v t.

@@ -61,6 +61,8 @@ Qed.
 End Zeno.
 
 (** *** No accumulation: one friction *)
+
+(** [no-zeno] Under a piecewise analytic force every bounded time interval has finitely many mode changes. *)
 Theorem no_zeno m1 m2 a1 a2 b U u x v1 v2 s T : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->
   forced m1 m2 a1 a2 b U x v1 v2 s -> (forall t, 0 <= t -> rderiv U t (u t)) -> piecewise_analytic u -> 0 <= T ->
   finitely_many_modes v1 v2 0 T.

@@ -108,7 +108,7 @@ Lemma forced_moving U x v1 v2 s : forced U x v1 v2 s -> moves m1 m2 a1 a2 b 1 U 
 Proof. apply forced_moves. Qed.
 Coercion forced_moving : forced >-> moves.
 
-(** no force: the solutions of the free pair, and only they *)
+(** [free-case] Without a force the forced system is the free system. *)
 Theorem free_case x v1 v2 s : forced (fun _ => 0) x v1 v2 s <-> solution m1 m2 a1 a2 b x v1 v2 s.
 Proof. rewrite forced_moves, solution_moves. split; [tauto|auto using cont_const]. Qed.
 
@@ -125,6 +125,8 @@ Proof.
 Qed.
 
 (** *** Energy: E' = u v1 - a1 v1^2 - b |v1 - v2| wherever the impulse has the right derivative u *)
+
+(** [forced-energy-rate] $\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$, where the impulse has the rate $u$ from the right. *)
 Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
   rderiv (fun t => energy (x t) (v1 t) (v2 t)) t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
 Proof. intros H. exact (moves_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
@@ -165,6 +167,8 @@ Qed.
 End Two.
 
 (** *** Contraction, uniqueness: two solutions under the same force (any continuous impulse) *)
+
+(** [forced-contraction] Under any force the flow is non-expansive in the energy norm. *)
 Theorem forced_contraction U x v1 v2 s x' v1' v2' s' r t : forced U x v1 v2 s -> forced U x' v1' v2' s' ->
   0 <= r <= t ->
   energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
@@ -182,7 +186,8 @@ Proof.
   rewrite X, V, W in C. exact (energy_apart m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ _ _ _ _ _ C).
 Qed.
 
-(** for continuous forces the norm of the difference is an integral *)
+(** [input-to-state] Under two continuous forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|$, $\frac12N^2$ the
+    energy of the difference. *)
 Corollary input_to_state_integral u u' x v1 v2 s x' v1' v2' s' t : cont u -> cont u' ->
   forced (integral u) x v1 v2 s -> forced (integral u') x' v1' v2' s' -> 0 <= t ->
   sqrt (2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) <=
@@ -196,7 +201,7 @@ Qed.
 
 (** *** What body 2 can follow *)
 
-(** under any force, |v2'| <= b/m2 in the sense of Lipschitz *)
+(** [driven-acceleration] Body 2 changes its velocity by at most $b/m_2$ times the time, whatever the force. *)
 Theorem only_gentle U x v1 v2 s r t : forced U x v1 v2 s -> 0 <= r <= t -> Rabs (v2 t - v2 r) <= b / m2 * (t - r).
 Proof.
   intros H Hr. rewrite (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H r t) by lra. apply abs_scal; [|apply (f_lip _ _ _ _ _ H); auto].
@@ -211,7 +216,7 @@ Proof.
   apply rderiv_eq with (0 + b / m2 * k); [ring|]. apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto].
 Qed.
 
-(** where the acceleration of body 2 is less than b/m2 in size the pair sticks *)
+(** [must-stick] At a time at which body 2 accelerates by less than $b/m_2$, $v_1=v_2$. *)
 Theorem must_stick U x v1 v2 s t l : forced U x v1 v2 s -> 0 <= t -> rderiv v2 t l -> Rabs l < b / m2 -> v1 t = v2 t.
 Proof.
   intros H Ht F B. assert (Hk : 0 < b / m2) by positive. assert (V : forall k, rderiv s t k -> l = b / m2 * k)
@@ -253,7 +258,8 @@ Proof.
     apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
 Qed.
 
-(** so body 2 can be given the velocity v iff v is b/m2-Lipschitz *)
+(** [trackable] From some initial state of body 1 some force makes body 2 follow a velocity exactly if that is
+    $b/m_2$-Lipschitz. *)
 Corollary trackable_iff v : (exists U x v1 s, forced U x v1 v s) <->
   forall p q, 0 <= p <= q -> Rabs (v q - v p) <= b / m2 * (q - p).
 Proof.
@@ -323,7 +329,7 @@ Proof.
   rewrite Ed. apply Req_le. unfold p. field.
 Qed.
 
-(** the place at T for a given change of velocity: largest and smallest by accelerating first or last *)
+(** [reach] A bound on the position of body 2 at a time, whatever the force. *)
 Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
@@ -338,7 +344,7 @@ Proof.
   set (d := (v2 T - v2 0) * m2 / b) in *. replace ((- d) ^ 2) with (d ^ 2) in B by ring. apply Rabs_le. lra.
 Qed.
 
-(** from rest to rest over the distance D no force is faster than 2 sqrt (m2 D / b) *)
+(** [least-time] From rest to rest over $D$ takes at least $2\sqrt{m_2D/b}$, whatever the force. *)
 Theorem least_time U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) ->
   0 <= T ->
   v2 0 = 0 -> v2 T = 0 -> 2 * sqrt (m2 * Rabs (x2 T - x2 0) / b) <= T.
@@ -403,7 +409,7 @@ Proof.
   apply Rabs_le. unfold Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
-(** the least time is attained, stuck, by an explicit force with three jumps, and the target is held for ever *)
+(** [least-time-attained] The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained. *)
 Theorem least_time_attained x0 D : 0 < D -> exists U x v1 v2 s x2, forced U x v1 v2 s /\
   cont x2 /\ (forall t, 0 <= t -> rderiv x2 t (v2 t)) /\ x 0 = x0 /\ v1 0 = 0 /\ v2 0 = 0 /\ x2 0 = 0 /\
   (forall t, 2 * sqrt (m2 * D / b) <= t -> v1 t = 0 /\ v2 t = 0 /\ x2 t = D) /\

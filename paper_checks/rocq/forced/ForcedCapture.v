@@ -73,7 +73,8 @@ Lemma Z_pos : 0 < Z m1 m2 a1 a2 om.
 Proof. unfold Z. assert (0 < a1 * om) by positive.
   pose proof (pow2_ge_0 (a2 - (m1 + m2) * om ^ 2)). assert (0 < (a1 * om) ^ 2) by nra. lra. Qed.
 
-(** every motion tends to the stuck response, F <= F* *)
+(** [entrains] With $a_1>0$ every motion tends to the stuck response to a sinusoidal force of amplitude up to $U_*$.
+    *)
 Theorem entrains x v1 v2 s : F <= Fstar m1 m2 a1 a2 b om -> forced m1 m2 a1 a2 b (drive F om) x v1 v2 s ->
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
   energy m1 m2 a2 (x t - rX m1 m2 a1 a2 F om t) (v1 t - rV m1 m2 a1 a2 F om t) (v2 t - rV m1 m2 a1 a2 F om t) <= e.
@@ -83,7 +84,8 @@ Proof.
     Hom HZ HS) HF (drive_lip F om HF Hom)).
 Qed.
 
-(** and for F < F* it sticks for ever *)
+(** [synchronises] With $a_1>0$ every motion under a sinusoidal force of amplitude below $U_*$ sticks permanently
+    after a finite time. *)
 Theorem synchronises x v1 v2 s : F < Fstar m1 m2 a1 a2 b om -> forced m1 m2 a1 a2 b (drive F om) x v1 v2 s ->
   exists T, 0 <= T /\ forall t, T <= t -> v1 t = v2 t.
 Proof.

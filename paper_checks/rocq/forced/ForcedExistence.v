@@ -12,7 +12,8 @@ Proof.
   - exists x, v1, v2, (fun t => F t / b). split; [apply rubs_constant|]; auto.
 Qed.
 
-(** Well-posed under every continuous impulse: one and only one solution from every start. *)
+(** [forced-well-posed] Under any force with a continuous impulse there is exactly one solution from every initial
+    state. *)
 Theorem forced_well_posed m1 m2 a1 a2 b U x0 v10 v20 : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b -> cont U ->
   exists x v1 v2 s, (forced m1 m2 a1 a2 b U x v1 v2 s /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20) /\
   forall x' v1' v2' s', forced m1 m2 a1 a2 b U x' v1' v2' s' -> x' 0 = x0 -> v1' 0 = v10 -> v2' 0 = v20 ->

@@ -3,7 +3,8 @@
 From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Pair Forced.
 
-(** A motion under a force obeys the equations of the theory, with impulses of friction and of the force. *)
+(** [tie-forced] A motion under a force obeys the equations of the theory, with impulses of friction and of the force.
+    *)
 Theorem tie_forced : forall m1 m2 a1 a2 b (U x v1 v2 s : R -> R), forced m1 m2 a1 a2 b U x v1 v2 s <->
   ((forall r t, 0 <= r <= t -> Rabs (s t - s r) <= t - r) /\
    (forall t, 0 <= t -> 0 < ((v1 t) + ((-1) * (v2 t))) -> rderiv s t 1) /\ (forall t, 0 <= t -> ((v1 t) + ((-1) * (v2 t))) < 0 -> rderiv s t (-1)) /\

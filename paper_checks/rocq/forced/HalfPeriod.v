@@ -94,7 +94,8 @@ Proof.
     replace (T + (T + t)) with (2 * T + t) by ring. rewrite E1, E2, E3. repeat split; field.
 Qed.
 
-(** A motion by halves and one that repeats with the opposite sign exist for the same forces. *)
+(** [nonstop-by-halves] A motion with the force's period that slips one way for half of it and then the other way
+    exists exactly where one exists that also repeats with the opposite sign; each for some phase of the force. *)
 Corollary by_halves_iff om F : 0 < om -> (exists phi x v1 v2 s, by_halves om F phi x v1 v2 s) <->
   exists phi x v1 v2 s, nonstop m1 m2 a1 a2 b om F phi x v1 v2 s.
 Proof.
@@ -103,7 +104,8 @@ Proof.
   - exists phi, x, v1, v2, s. apply nonstop_by_halves; auto.
 Qed.
 
-(** So below U** there is none, whatever the relative velocity does at U**: k is the response to the square wave. *)
+(** [nonstop-by-halves-needs] Below $U_{**}$ no motion with the force's period slips one way for half of it and then
+    the other way, whatever the relative velocity does at $U_{**}$, if it leaves the turn there ($A>0$). *)
 Corollary by_halves_needs om (k k' : R -> R) F phi x v1 v2 s : 0 < om -> (forall t, is_derive k t (k' t)) ->
   (forall t, is_derive k' t ((1 - a1 * k' t - a2 * k t) / m1)) -> k (PI / om) = - k 0 -> k' (PI / om) = - k' 0 ->
   0 < Z1 m1 a1 a2 om -> 0 < leave m1 m2 a1 a2 b om (k 0) (k' 0) -> 0 <= F -> by_halves om F phi x v1 v2 s ->

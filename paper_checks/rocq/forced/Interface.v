@@ -23,7 +23,7 @@ Record rubs (b U x v1 v2 F : R -> R) : Prop := {
   r_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + F r - U r) t (- (a2 * x t + a1 * v1 t));
   r_v2 : forall t, 0 <= t -> m2 * v2 t - F t = m2 * v2 0 - F 0 }.
 
-(** one strength at all times: the motions under a force, and only they *)
+(** [interface-one-strength] A friction of one strength at all times: the motions under a force, and only they. *)
 Theorem rubs_constant b U x v1 v2 F : 0 < b -> rubs (fun _ => b) U x v1 v2 F <-> forced m1 m2 a1 a2 b U x v1 v2 (fun t => F t / b).
 Proof.
   intros Hb. assert (Fs : forall f : R -> R, (forall t, b * (f t / b) = f t)) by (intros; field; lra).
@@ -91,7 +91,8 @@ Proof.
     eapply little_ext; [|exact (little_scal w _ (r_slip _ _ _ _ _ _ H t Ht k Hk Kw))]. intros h; simpl. ring.
 Qed.
 
-(** the power of the force, of the damper and of friction *)
+(** [interface-energy-rate] With a friction of the strength $b(t)$, whatever it depends on, $\dot
+    E=u\,v_1-a_1v_1^2-b(t)|v_1-v_2|$, where the impulse has the rate $u$ from the right. *)
 Theorem interface_energy_rate t u : 0 <= t -> rderiv U t u -> rderiv (fun t => energy (x t) (v1 t) (v2 t)) t
   (u * v1 t - a1 * v1 t ^ 2 - b t * Rabs (v1 t - v2 t)).
 Proof.
@@ -168,7 +169,9 @@ Proof.
   rewrite <- Eq. nra.
 Qed.
 
-(** the rate of their distance, where the friction of both has one *)
+(** [interface-distance-rate] Where the frictions $f,\tilde f$ of two motions exist from the right,
+    $\tfrac12\tfrac{d}{dt}N^2=(u-\tilde u)(v_1-\tilde v_1)-a_1(v_1-\tilde v_1)^2-(f-\tilde f)(\dot z-\dot{\tilde z})$.
+    *)
 Theorem interface_distance_rate t du f f' : 0 <= t -> rderiv (fun r => U r - U' r) t du -> rderiv F t f -> rderiv F' t f' ->
   rderiv D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2 - (f - f') * (w t - w' t)).
 Proof.
@@ -178,7 +181,8 @@ Proof.
 Qed.
 End Two.
 
-(** under one force and one strength they never move apart *)
+(** [interface-contraction] Two motions under one force with a friction of one strength $b$ along both, as any $b(t)$
+    has, never move apart in the energy norm. *)
 Theorem interface_contraction b U x v1 v2 F x' v1' v2' F' r t : rubs b U x v1 v2 F -> rubs b U x' v1' v2' F' -> 0 <= r <= t ->
   energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
 Proof.
@@ -259,7 +263,8 @@ Proof.
   apply Rmult_le_compat; auto using Rabs_pos.
 Qed.
 
-(** a strength that depends on the place of body 1 *)
+(** [growth-by-place] Where $|b-\tilde b|\leqslant\ell|x_1-\tilde x_1|$ along two motions: $N(t)\leqslant e^{\gamma
+    t}N(0)$, $\gamma=\ell\sqrt{(m_1+m_2)/(m_1m_2a_2)}$. *)
 Theorem growth_by_place t : 0 <= t -> (forall t, 0 <= t -> Rabs (b t - b' t) <= l * Rabs (x t - x' t)) ->
   sqrt (N2 t) <= exp (l * sqrt ((m1 + m2) / (m1 * m2 * a2)) * t) * sqrt (N2 0).
 Proof.
@@ -272,7 +277,8 @@ Proof.
   replace (a2 * (x u - x' u) ^ 2 + (N2 u - a2 * (x u - x' u) ^ 2)) with (N2 u) in Q by ring. exact Q.
 Qed.
 
-(** on the speed of the slip: it may rise as it likes, and fall by at most l times the increase of the speed *)
+(** [growth-by-speed] Where $b$ falls by at most $\ell$ times the increase of $|\dot z|$: $N(t)\leqslant e^{\gamma
+    t}N(0)$, $\gamma=\ell(m_1+m_2)/(m_1m_2)$. *)
 Theorem growth_by_speed t : 0 <= t -> (forall t, 0 <= t ->
   - l * (Rabs (w t) - Rabs (w' t)) ^ 2 <= (b t - b' t) * (Rabs (w t) - Rabs (w' t))) ->
   sqrt (N2 t) <= exp (l * (m1 + m2) / (m1 * m2) * t) * sqrt (N2 0).
@@ -286,7 +292,9 @@ Proof.
   assert (0 <= kap * (a2 * (x u - x' u) ^ 2)) by positive. lra.
 Qed.
 
-(** on the displacement z, or on all three, with slopes of at most l: with the square of the difference of z beside *)
+(** [growth-by-state] Where $|b-\tilde b|\leqslant\ell(|x_1-\tilde x_1|+|z-\tilde z|+||\dot z|-|\dot{\tilde z}||)$
+    along two motions, $N^2+(z-\tilde z)^2$ grows at most as $e^{2\gamma t}$,
+    $\gamma=\ell\sqrt{\kappa/a_2}+(\ell+1)\sqrt\kappa+\ell\kappa$. *)
 Theorem growth_by_state z z' t : cont z -> cont z' -> (forall t, 0 <= t -> rderiv z t (w t)) ->
   (forall t, 0 <= t -> rderiv z' t (w' t)) -> 0 <= t -> (forall t, 0 <= t ->
     Rabs (b t - b' t) <= l * (Rabs (x t - x' t) + Rabs (z t - z' t) + Rabs (Rabs (w t) - Rabs (w' t)))) ->
@@ -326,6 +334,9 @@ Qed.
 End Growth.
 
 (** *** Two forces: the root of twice the distance grows at most by the integral of their difference over sqrt m1 *)
+
+(** [interface-input-to-state] With a friction of one strength $b(t)$, under two forces: $N(t)\leqslant
+    N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference. *)
 Theorem interface_input_to_state b U U' x v1 v2 F x' v1' v2' F' du J r t :
   rubs b U x v1 v2 F -> rubs b U' x' v1' v2' F' -> (forall t, 0 <= t -> rderiv (fun r => U r - U' r) t (du t)) -> cont J ->
   (forall t, 0 <= t -> rderiv J t (Rabs (du t))) -> 0 <= r <= t ->
@@ -351,6 +362,9 @@ Proof.
 Qed.
 
 (** *** Without a force, friction that stays above some strength brings the slip to rest, whatever it depends on *)
+
+(** [interface-synchronises] Without a force, with a strength between $b_{\min}>0$ and $b_{\max}$, whatever it depends
+    on: $\dot E\leqslant-b_{\min}|\dot z|$, $\dot z\to 0$, and $z$ has a limit. *)
 Theorem interface_synchronises b x v1 v2 F z lo hi : rubs b (fun _ => 0) x v1 v2 F -> 0 < lo ->
   (forall t, 0 <= t -> lo <= b t <= hi) -> cont z -> (forall t, 0 <= t -> rderiv z t (v1 t - v2 t)) ->
   (forall t, 0 <= t -> dini_le (fun t => energy (x t) (v1 t) (v2 t)) t (- lo * Rabs (v1 t - v2 t))) /\

@@ -151,7 +151,8 @@ Variables m1 m2 a1 a2 : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
 Let rubs := rubs m1 m2 a1 a2.
 
-(** Well-posed: a strength that depends on the time, and is the rate of a continuous B. *)
+(** [interface-well-posed] With a friction of at most $b(t)\geqslant 0$ against the slip, where $b$ is the rate from
+    the right of a continuous function, there is exactly one motion from every initial state. *)
 Theorem interface_well_posed b B U x0 v10 v20 : cont U -> cont B -> (forall t, 0 <= t -> rderiv B t (b t) /\ 0 <= b t) ->
   exists x v1 v2 F, (rubs b U x v1 v2 F /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20) /\
   forall x' v1' v2' F', rubs b U x' v1' v2' F' -> x' 0 = x0 -> v1' 0 = v10 -> v2' 0 = v20 ->
@@ -172,7 +173,8 @@ Qed.
 Definition rubs_by_state (be : R -> R -> R -> R) U x v1 v2 z F := cont z /\
   (forall t, 0 <= t -> rderiv z t (v1 t - v2 t)) /\ rubs (fun t => be (x t) (z t) (Rabs (v1 t - v2 t))) U x v1 v2 F.
 
-(** Well-posed: a strength that depends on the state, with bounded slopes. *)
+(** [state-well-posed] With a strength $b\geqslant 0$ that depends on $x_1$, $z$ and $|\dot z|$ with bounded slopes
+    there is exactly one motion from every initial state. *)
 Theorem state_well_posed be l U x0 v10 v20 z0 : cont U -> 0 <= l -> (forall x z s, 0 <= be x z s) ->
   (forall x z s x' z' s', Rabs (be x z s - be x' z' s') <= l * (Rabs (x - x') + Rabs (z - z') + Rabs (s - s'))) ->
   exists x v1 v2 z F, (rubs_by_state be U x v1 v2 z F /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20 /\ z 0 = z0) /\

@@ -46,8 +46,9 @@ Proof.
   - intros t Ht. rewrite !join_before by (auto; lra). auto.
 Qed.
 
-(** Right after a contact: stick within the strength, slip beyond it, at a tie the first derivative that is not 0, and
-    stick at the edge where all are 0. *)
+(** [interface-rule] Where the strength $b$ is constant for a while from a contact on: stick for $|\Lambda|<b$, slip
+    with the sign of $\Lambda$ for $|\Lambda|>b$, at $\Lambda=\pm b$ the first nonzero derivative, and stick at the
+    edge where all are 0 and the force is analytic. *)
 Theorem interface_rule b U u x v1 v2 F t0 d b0 : rubs m1 m2 a1 a2 b U x v1 v2 F -> 0 <= t0 -> 0 < d -> 0 < b0 ->
   (forall t, t0 <= t < t0 + d -> b t = b0 /\ rderiv U t (u t)) ->
   (forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 <= h < d -> Rabs (u (t0 + h) - u t0) <= e) -> v1 t0 = v2 t0 ->
@@ -106,8 +107,8 @@ Proof.
       rewrite Lo in K2 by lra. replace (t0 + (t - t0)) with t in * by ring. lra.
 Qed.
 
-(** No accumulation: under a force that is analytic by pieces and with a strength that is constant by pieces, finitely
-    many of both in every bounded time, the modes change finitely often in it. *)
+(** [interface-no-zeno] Under a piecewise analytic force and with a strength $b>0$ that is constant on pieces,
+    finitely many in every bounded time, every bounded time interval has finitely many mode changes. *)
 Theorem interface_no_zeno b U u x v1 v2 F T : rubs m1 m2 a1 a2 b U x v1 v2 F -> (forall t, 0 <= t -> rderiv U t (u t)) ->
   piecewise_analytic u -> (forall t, 0 <= t -> exists c c' d, 0 < c /\ 0 < c' /\ 0 < d /\
     (forall r, t <= r < t + d -> b r = c) /\ (forall r, 0 <= r -> t - d < r < t -> b r = c')) -> 0 <= T ->

@@ -219,7 +219,8 @@ Proof.
   - unfold V'. rewrite G0, G0'. field; lra.
 Qed.
 
-(** the least amplitude: b + beta tau/g(tau) *)
+(** [least-amplitude] To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly
+    $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$. *)
 Theorem least_amplitude F : (exists v, arrives F v) <-> b + b / m2 * half_time m2 b D / g (half_time m2 b D) <= F.
 Proof.
   split; [|apply arrival_attained].
@@ -227,7 +228,8 @@ Proof.
   apply (arrival_needs m1 m2 a1 a2 b D Hm1 Hm2 Hb HD g g' U' x v1 v2 s x2 F); auto. lra.
 Qed.
 
-(** and where the pair that brakes at the limit asks no more than F, both bodies are at rest then *)
+(** [rest-to-rest] With that amplitude both bodies can be at rest then, if the stuck pair can brake with it in the
+    second half. *)
 Theorem rest_to_rest F : b + b / m2 * half_time m2 b D / g (half_time m2 b D) <= F ->
   (forall t, 0 <= t <= half_time m2 b D ->
     b / m2 * half_time m2 b D / g (half_time m2 b D) * (1 - m1 * g' (half_time m2 b D) - a1 * g (half_time m2 b D))
@@ -271,7 +273,8 @@ Proof.
 Qed.
 End Arrival.
 
-(** without damping *)
+(** [least-amplitude-undamped] $a_1=0$, $\theta=\omega_1\tau\leqslant\pi/2$: to bring body 2 to rest at $D$ in the
+    least time, from rest with $x_1=0$, takes exactly $b+m_1\beta\,\theta/\sin\theta$. *)
 Corollary least_amplitude_undamped m1 m2 a2 b D F : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < D ->
   let th := sqrt (a2 / m1) * half_time m2 b D in th <= PI / 2 ->
   (exists v, arrives m1 m2 0 a2 b D F v) <-> b + m1 * (b / m2) * th / sin th <= F.

@@ -62,8 +62,7 @@ Proof. intros Ht. pose proof tau_pos. rewrite <- tau_sq. phase. Qed.
 Lemma force_last t : 2 * tau <= t -> stuck_force t = a2 * D.
 Proof. intros Ht. pose proof tau_pos. rewrite <- tau_sq. phase. Qed.
 
-(** its amplitude: the push just before the middle, the hold, and, with little damping, the largest push while it
-    brakes *)
+(** [stuck-transfer-amplitude] The amplitude of the force of the fastest stuck transfer over $D$ from $x_1=0$. *)
 Theorem stuck_amplitude F : (forall t, 0 <= t -> Rabs (stuck_force t) <= F) <->
   (m1 + m2) * (b / m2) + a1 * sqrt (b / m2 * D) + a2 * D / 2 <= F /\ a2 * D <= F /\
   (a1 ^ 2 * (b / m2) <= a2 ^ 2 * D -> a2 * D + a1 ^ 2 * (b / m2) / (2 * a2) - (m1 + m2) * (b / m2) <= F).
@@ -142,9 +141,9 @@ Proof.
   f_equal. destruct (Req_dec q t) as [|N]; auto. exfalso. assert (0 < (t - q) * (tau - (t + q) / 2)) by positive. lra.
 Qed.
 
-(** In the first half body 1 must gain the velocity beta tau against the friction b. Tested with the speed g' of body
-    1's response to a unit impulse, run backwards in time: while g' >= 0 no force of size F gives more than (F - b)
-    g(tau). *)
+(** [arrival-needs] To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, a force needs an
+    amplitude of at least $b+\beta\tau/g(\tau)$, where $g$ is body 1's impulse response and $g'\geqslant 0$ up to
+    $\tau$. *)
 Theorem arrival_needs (g g' : R -> R) U x v1 v2 s x2 F : (forall t, is_derive g t (g' t)) ->
   (forall t, is_derive g' t (- (a2 * g t + a1 * g' t) / m1)) -> g 0 = 0 -> g' 0 = / m1 ->
   (forall t, 0 <= t <= tau -> 0 <= g' t) -> 0 < g tau ->

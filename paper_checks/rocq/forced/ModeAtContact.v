@@ -136,7 +136,8 @@ Proof.
   apply Rmult_lt_reg_l with m1; [auto|]. nra.
 Qed.
 
-(** a load beyond b: slip, with its sign *)
+(** [mode-slip] At a contact with $|\Lambda|>b$, where $u$ is continuous from the right, it slips at once, with the
+    sign of the load $\Lambda$. *)
 Theorem slips_at k : k = 1 \/ k = -1 -> b < k * load t0 -> exists d, 0 < d /\ forall t, t0 < t < t0 + d ->
   0 < k * (v1 t - v2 t).
 Proof.
@@ -168,7 +169,8 @@ Proof.
   apply Rabs_inv in K. destruct Hk; subst k; lra.
 Qed.
 
-(** a load within b: stick *)
+(** [mode-stick] At a contact with $|\Lambda|<b$, where $u$ is continuous from the right, the pair sticks for a while.
+    *)
 Theorem sticks_at : Rabs (load t0) < b -> exists d, 0 < d /\ forall t, t0 <= t < t0 + d -> v1 t = v2 t.
 Proof.
   intros G. pose proof (Rle_abs (load t0)). pose proof (Rle_abs (- load t0)) as A. rewrite Rabs_Ropp in A.
@@ -337,7 +339,8 @@ Proof.
 Qed.
 End Mode.
 
-(** positive: slip; negative: stick *)
+(** [mode-tie] At a contact with $\Lambda=\pm b$, under a smooth force, the first nonzero derivative of the excess of
+    the force over that which keeps the load at $\pm b$ decides. *)
 Theorem tie_rule m1 m2 a1 a2 b U u x v1 v2 s t0 d0 (P : nat -> R -> R) n k :
   0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b -> forced m1 m2 a1 a2 b U x v1 v2 s -> 0 <= t0 -> 0 < d0 ->
   (forall t, t0 <= t < t0 + d0 -> rderiv U t (u t)) ->

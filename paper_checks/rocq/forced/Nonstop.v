@@ -313,7 +313,8 @@ Proof.
     [lra|]. nra.
 Qed.
 
-(** U**: where the relative velocity stays positive at that amplitude, the motion exists exactly from it on *)
+(** [nonstop-iff] $a_1\geqslant 0$: a motion that slips one way for half a period, and then is its own negative,
+    exists exactly from $U_{**}$ on, if $A>0$ and its relative velocity keeps its sign at $U_{**}$. *)
 Theorem nonstop_iff F : 0 <= F -> (forall t, 0 < t < T -> 0 < slipping k' (leave (k 0) (k' 0)) t) ->
   (exists phi x v1 v2 s, nonstop F phi x v1 v2 s) <-> Fslip (k 0) (k' 0) <= F.
 Proof.

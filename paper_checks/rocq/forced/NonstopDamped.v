@@ -170,7 +170,7 @@ Proof.
   rewrite sqrt_mult by (try apply Rmult_le_pos; lra). rewrite sqrt_mult by lra. rewrite sqrt_pow2 by lra. field; lra.
 Qed.
 
-(** exactly from U** on, where the relative velocity is positive at U** *)
+(** [nonstop-damped] $a_1>0$, $a_1^2<4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form. *)
 Theorem damped_iff F : 0 <= F -> (forall t, 0 < t < PI / om -> 0 < slipping m2 b om damped_swing'
     (leave m1 m2 a1 a2 b om turn_place turn_speed) t) ->
   (exists phi x v1 v2 s, nonstop m1 m2 a1 a2 b om F phi x v1 v2 s) <-> Fslip_damped <= F.
@@ -188,7 +188,7 @@ Proof.
 Qed.
 End Damped.
 
-(** with damping a motion that slips for ever attracts every motion under its force *)
+(** [nonstop-attracts] With $a_1>0$ a motion of nonstop-iff attracts every motion under its force. *)
 Theorem nonstop_attracts m1 m2 a1 a2 b om F phi x v1 v2 s x' v1' v2' s' : 0 < m1 -> 0 < m2 -> 0 < a1 -> 0 < a2 ->
   0 < b ->
   0 < om -> 0 <= F -> nonstop m1 m2 a1 a2 b om F phi x v1 v2 s -> forced m1 m2 a1 a2 b (wave F om phi) x' v1' v2' s' ->

@@ -71,7 +71,8 @@ Proof.
     lra.
 Qed.
 
-(** U** above critical damping *)
+(** [nonstop-overdamped] $a_1^2>4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form, by two exponentials.
+    *)
 Theorem overdamped_iff F : 0 <= F -> (forall t, 0 < t < PI / om -> 0 < slipping m2 b om creep'
     (leave m1 m2 a1 a2 b om (creep 0) (creep' 0)) t) ->
   (exists phi x v1 v2 s, nonstop m1 m2 a1 a2 b om F phi x v1 v2 s) <-> Fslip m1 m2 a1 a2 b om (creep 0) (creep' 0) <= F.

@@ -163,7 +163,7 @@ Proof.
   - unfold A, B, turn, leave, Z1. field. repeat split; lra.
 Qed.
 
-(** below, at or above resonance: exactly from U** on, where the relative velocity is positive at U** *)
+(** [nonstop-undamped] $a_1=0$: the theorem nonstop-iff with $U_{**}$ in closed form, off the resonances of body 1. *)
 Theorem undamped_iff F : 0 <= F -> (forall t, 0 < t < PI / om ->
   0 < slipping m2 b om swing' (leave m1 m2 0 a2 b om 0 (swing' 0)) t) ->
   (exists phi x v1 v2 s, nonstop m1 m2 0 a2 b om F phi x v1 v2 s) <-> Fslip_undamped <= F.
@@ -182,7 +182,8 @@ Proof.
 Qed.
 End Undamped.
 
-(** above body 1's resonance U** decides alone *)
+(** [nonstop-above-resonance] $a_1=0$ and $\omega$ above body 1's own frequency: the motion of nonstop-iff exists
+    exactly from $U_{**}$ on, without a condition. *)
 Theorem above_resonance m1 m2 a2 b om F : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 <= F -> a2 < m1 * om ^ 2 ->
   (exists phi x v1 v2 s, nonstop m1 m2 0 a2 b om F phi x v1 v2 s) <-> Fslip_undamped m1 m2 a2 b om <= F.
 Proof.

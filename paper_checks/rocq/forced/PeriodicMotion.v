@@ -141,7 +141,8 @@ Proof.
     cbv beta; rewrite ?Rplus_0_r; lra.
 Qed.
 
-(** exactly one periodic motion, and it attracts every motion *)
+(** [periodic-response] With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts every
+    motion. *)
 Theorem response : exists x v1 v2 s, forced U x v1 v2 s /\
   (forall t, 0 <= t -> x (P + t) = x t /\ v1 (P + t) = v1 t /\ v2 (P + t) = v2 t) /\
   forall x' v1' v2' s', forced U x' v1' v2' s' ->

@@ -2,7 +2,7 @@
     that the displacement is not seen. *)
 From InertialPair Require Import Dini Pair Forced Drift.
 
-(** N^2 = 2 energy: (v1 - v2)^2 <= kappa N^2, and no smaller factor will do *)
+(** [ring-factor] $|v_1-v_2|\leqslant\sqrt\kappa\,N$, $\kappa=(m_1+m_2)/(m_1m_2)$, and no smaller factor suffices. *)
 Theorem ring_factor m1 m2 a2 : 0 < m1 -> 0 < m2 -> 0 < a2 ->
   (forall x v1 v2, (v1 - v2) ^ 2 <= (m1 + m2) / (m1 * m2) * (2 * energy m1 m2 a2 x v1 v2)) /\
   forall c, (forall x v1 v2, (v1 - v2) ^ 2 <= c * (2 * energy m1 m2 a2 x v1 v2)) -> (m1 + m2) / (m1 * m2) <= c.
@@ -19,8 +19,8 @@ Proof.
     replace (c * (m1 * m2 * (m1 + m2))) with (c * (2 * energy m1 m2 a2 0 m2 (- m1))) by (unfold energy; field). exact H.
 Qed.
 
-(** two motions from one state of (x1, v1, v2), with body 2 at other places z, z': the relative motions keep their
-  difference *)
+(** [displacement-unseen] A shift of the initial position of body 2 shifts the relative displacement by as much at all
+    times. *)
 Theorem displacement_unseen m1 m2 a1 a2 b U x v1 v2 s z x' v1' v2' s' z' : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0
   < b ->
   forced m1 m2 a1 a2 b U x v1 v2 s -> forced m1 m2 a1 a2 b U x' v1' v2' s' -> x' 0 = x 0 -> v1' 0 = v1 0 -> v2' 0 =

@@ -25,7 +25,7 @@ Variables U u x v1 v2 s : R -> R.
 Hypothesis H : forced m1 m2 a1 a2 b U x v1 v2 s.
 Let load := load m1 m2 a1 a2 u x v1.
 
-(** in slip of sign k the relative velocity has the rate (load - k b) M/(m1 m2) *)
+(** [slip-rate] In slip the rate of the relative velocity is given by the load in excess of $\pm b$. *)
 Theorem slip_rate t k : 0 <= t -> rderiv U t (u t) -> k = 1 \/ k = -1 -> 0 < k * (v1 t - v2 t) ->
   rderiv (fun r => v1 r - v2 r) t ((m1 + m2) / (m1 * m2) * (load t - k * b)).
 Proof.
@@ -34,7 +34,7 @@ Proof.
   unfold load, ModeAtContact.load. ring.
 Qed.
 
-(** while stuck body 2 has the acceleration load/m2, and the load is within b *)
+(** [stuck-load] While stuck body 2 has the acceleration $\Lambda/m_2$, and $|\Lambda|\leqslant b$. *)
 Theorem stuck_load t d : 0 <= t -> 0 < d -> rderiv U t (u t) -> (forall r, t <= r < t + d -> v1 r = v2 r) ->
   rderiv v2 t (load t / m2) /\ Rabs (load t) <= b.
 Proof.
@@ -51,7 +51,8 @@ Proof.
   apply abs_scal; lra.
 Qed.
 
-(** a tie in which every derivative is 0: the pair sticks, at the load k b, with the acceleration k b/m2 of the slip *)
+(** [mode-marginal] Where all these derivatives are 0 and the force is analytic, the pair sticks at the load $\pm b$,
+    with the acceleration of the slip. *)
 Theorem marginal t0 d0 g k : 0 <= t0 -> 0 < d0 -> (forall t, t0 <= t < t0 + d0 -> rderiv U t (u t)) ->
   (forall t, t0 <= t < t0 + d0 -> u t = g t) -> analytic_at g t0 -> v1 t0 = v2 t0 -> k = 1 \/ k = -1 ->
   (forall n, Derive_n (beyond m1 m2 a1 a2 b g x v1 t0 k) n t0 = 0) ->
@@ -105,8 +106,8 @@ Proof.
     t0)) / (m1 + m2))) with (k * k * b) by (field; lra). rewrite KK. ring.
 Qed.
 
-(** the state has no jumps, and a jump j of the force moves the strip by j/a2: the load at the place beside is the
-  same *)
+(** [jump-moves-strip] The state is continuous whatever the force does; a jump of the force moves the strip
+    $|\Lambda|\leqslant b$. *)
 Theorem jump_moves_strip : (cont x /\ cont v1 /\ cont v2) /\ forall j t,
   ModeAtContact.load m1 m2 a1 a2 (fun r => u r + j) (fun r => x r + j / a2) v1 t = load t.
 Proof.
@@ -115,7 +116,7 @@ Proof.
 Qed.
 End Rule.
 
-(** a free pair, stuck at x1 = 0 with the velocity v1 > 0, slips at once if the damper is strong *)
+(** [damper-breaks] A free pair, stuck at $x_1=0$ with $v_1>0$, slips at once if $a_1>b(m_1+m_2)/(m_2v_1)$. *)
 Theorem damper_breaks m1 m2 a1 a2 b x v1 v2 s t0 : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
   solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= t0 -> x t0 = 0 -> v1 t0 = v2 t0 -> 0 < v1 t0 ->
   b * (m1 + m2) / (m2 * v1 t0) < a1 -> exists d, 0 < d /\ forall t, t0 < t < t0 + d -> v1 t < v2 t.

@@ -156,6 +156,10 @@ Qed.
 End Orbit.
 
 (** *** the law: from some X0 on, at rest beside X, all of it *)
+
+(** [third-root-law] For $c,\kappa,K>0$: if $X$ is large at first and $V=0$, and from step to step, while $X$ is large
+    and $V\leqslant 1$, $X$ does not fall and gains $c/X^2$ within $(K\sqrt V+K/X)/X^2$, and $V\geqslant 0$ gains at
+    most $-\kappa V/X+K/X^2$, then $X\to\infty$, $V\to 0$ and $X_n^3/n\to 3c$. *)
 Theorem third_root_law : exists X0, 0 < X0 /\ forall X V : nat -> R, X0 <= X O -> V O = 0 ->
   (forall n, X0 <= X n -> 0 <= V n <= 1 -> period_of_growth (X n) (V n) (X (S n)) (V (S n))) ->
   is_lim_seq X p_infty /\ is_lim_seq V 0 /\ is_lim_seq (fun n => X n ^ 3 / INR n) (3 * c).

@@ -3,24 +3,25 @@
 From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Pair Stick Forced Entrainment Nonstop NonstopUndamped NonstopDamped.
 
-(** $U_*$, the amplitude up to which the stuck response is a motion. *)
+(** [tie-entrained-amplitude] $U_*$, the amplitude up to which the stuck response is a motion. *)
 Theorem tie_entrained_amplitude : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> Fstar m1 m2 a1 a2 b om = (b * (/ m2) * (/ (om ^ 2)) * (sqrt (((a2 + ((-1) * m1 * (om ^ 2)) + ((-1) * m2 * (om ^ 2))) ^ 2) + ((a1 ^ 2) * (om ^ 2))))).
 Proof. intros; unfold Fstar, Z. match goal with |- _ * sqrt ?x / _ = _ => match goal with |- context [sqrt ?y] =>
     lazymatch y with x => fail | _ => replace y with x by ring end end end. field; lra. Qed.
 
-(** The part in phase of a motion that never stops. *)
+(** [tie-turn] The part in phase of a motion that never stops. *)
 Theorem tie_turn : forall m1 m2 a2 b om h' : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> turn m2 b om h' = ((1 / 2) * (/ m2) * (/ (om ^ 2)) * (((-1) * PI * b) + (2 * h' * b * m2 * om))).
 Proof. intros; unfold turn; field; lra. Qed.
 
-(** The size of the part out of phase with which it leaves by an edge. *)
+(** [tie-leave] The size of the part out of phase with which it leaves by an edge. *)
 Theorem tie_leave : forall m1 m2 a1 a2 b om h h' : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> leave m1 m2 a1 a2 b om h h' = ((-1) * (/ m1) * (/ m2) * (/ (om ^ 2)) * (((-1) * b * m1) + ((-1) * b * m2) + (h * a2 * b * m2) + (h' * a1 * b * m2))).
 Proof. intros; unfold leave; field; lra. Qed.
 
-(** $U_{**}$, the amplitude that slip without a stop needs, by the response to the square wave. *)
+(** [tie-non-stop-amplitude] $U_{**}$, the amplitude that slip without a stop needs, by the response to the square
+    wave. *)
 Theorem tie_non_stop_amplitude : forall m1 m2 a1 a2 b om h h' : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> Fslip m1 m2 a1 a2 b om h h' = sqrt ((((a2 + ((-1) * m1 * (om ^ 2))) ^ 2) + ((a1 ^ 2) * (om ^ 2))) * (((1 / 4) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * PI * b) + (2 * h' * b * m2 * om)) ^ 2)) + ((/ (m1 ^ 2)) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * b * m1) + ((-1) * b * m2) + (h * a2 * b * m2) + (h' * a1 * b * m2)) ^ 2)))).
 Proof. intros; unfold Fslip, Z1, turn, leave; f_equal; field; lra. Qed.
 
-(** The same without a damper, in closed form. *)
+(** [tie-non-stop-undamped] The same without a damper, in closed form. *)
 Theorem tie_non_stop_undamped : forall m1 m2 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> Fslip_undamped m1 m2 a2 b om ^ 2 = ((((m1 * ((sqrt (a2 / m1)) ^ 2)) + ((-1) * m1 * (om ^ 2))) ^ 2) * (((1 / 4) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * PI * b) + ((-2) * b * m2 * om * (/ m1) * (/ (sqrt (a2 / m1))) * (tan ((1 / 2) * PI * (sqrt (a2 / m1)) * (/ om))))) ^ 2)) + ((/ (m1 ^ 2)) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * b * m1) + ((-1) * b * m2)) ^ 2)))).
 Proof. intros; unfold Fslip_undamped. assert (W : 0 < sqrt (a2 / m1)) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; lra).
   assert (Q : a2 / m1 = sqrt (a2 / m1) ^ 2) by (rewrite pow2_sqrt; [auto|apply Rlt_le, Rdiv_lt_0_compat; lra]).
@@ -30,11 +31,11 @@ Proof. intros; unfold Fslip_undamped. assert (W : 0 < sqrt (a2 / m1)) by (apply 
     repeat match goal with |- context [tan ?z] => replace (tan z) with y by (unfold y; f_equal; field; lra) end; clearbody y end.
   set (w := sqrt (a2 / m1)) in *; clearbody w. field; lra. Qed.
 
-(** The same with a damper that lets body 1 swing. *)
+(** [tie-non-stop-damped] The same with a damper that lets body 1 swing. *)
 Theorem tie_non_stop_damped : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 < a1 -> a1 ^ 2 < 4 * m1 * a2 -> Fslip_damped m1 m2 a1 a2 b om = sqrt ((((a2 + ((-1) * m1 * (om ^ 2))) ^ 2) + ((a1 ^ 2) * (om ^ 2))) * (((1 / 4) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * PI * b) + (2 * (turn_speed m1 a1 a2 om) * b * m2 * om)) ^ 2)) + ((/ (m1 ^ 2)) * (/ (m2 ^ 2)) * (/ (om ^ 4)) * ((((-1) * b * m1) + ((-1) * b * m2) + ((turn_place m1 a1 a2 om) * a2 * b * m2) + ((turn_speed m1 a1 a2 om) * a1 * b * m2)) ^ 2)))).
 Proof. intros. rewrite <- Fslip_swing, swing_0, swing'_0 by lra. apply tie_non_stop_amplitude; lra. Qed.
 
-(** The place of body 1 where the square wave turns. *)
+(** [tie-turn-place] The place of body 1 where the square wave turns. *)
 Theorem tie_turn_place : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 <= a1 -> a1 ^ 2 < 4 * (m1 * a2) -> 0 < weight m1 a1 a2 om -> turn_place m1 a1 a2 om = ((/ ((m1 * ((ring_frequency m1 a1 a2) ^ 3)) + (m1 * (ring_frequency m1 a1 a2) * ((Waves.fade m1 a1) ^ 2)) + (m1 * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2) * ((ring_frequency m1 a1 a2) ^ 3)) + (m1 * (ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2) * ((Waves.fade m1 a1) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * ((ring_frequency m1 a1 a2) ^ 3) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * (ring_frequency m1 a1 a2) * ((Waves.fade m1 a1) ^ 2) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))))) * (((-1) * (ring_frequency m1 a1 a2)) + ((ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * (Waves.fade m1 a1) * (sin (PI * (ring_frequency m1 a1 a2) * (/ om)))))).
 Proof. intros; unfold turn_place, weight, cosh, sinh in *.
   assert (O : 0 < ring_frequency m1 a1 a2) by (apply sqrt_lt_R0; unfold Waves.fade;
@@ -59,7 +60,7 @@ Proof. intros; unfold turn_place, weight, cosh, sinh in *.
     | replace t with (m1 * o * (1 + 2 * d * c + d ^ 2)) by ring | replace t with (m1 * o * (l ^ 2 + o ^ 2) * (1 + 2 * d * c + d ^ 2)) by ring] end;
   apply Rgt_not_eq; repeat apply Rmult_lt_0_compat; lra. Qed.
 
-(** Its velocity there. *)
+(** [tie-turn-speed] Its velocity there. *)
 Theorem tie_turn_speed : forall m1 m2 a1 a2 b om : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 < om -> 0 <= a1 -> a1 ^ 2 < 4 * (m1 * a2) -> 0 < weight m1 a1 a2 om -> turn_speed m1 a1 a2 om = ((-2) * (exp (- (Waves.fade m1 a1 * (PI / om)))) * (/ ((m1 * (ring_frequency m1 a1 a2)) + (m1 * (ring_frequency m1 a1 a2) * ((exp (- (Waves.fade m1 a1 * (PI / om)))) ^ 2)) + (2 * (exp (- (Waves.fade m1 a1 * (PI / om)))) * m1 * (ring_frequency m1 a1 a2) * (cos (PI * (ring_frequency m1 a1 a2) * (/ om)))))) * (sin (PI * (ring_frequency m1 a1 a2) * (/ om)))).
 Proof. intros; unfold turn_speed, weight, cosh, sinh in *.
   assert (O : 0 < ring_frequency m1 a1 a2) by (apply sqrt_lt_R0; unfold Waves.fade;

@@ -26,8 +26,8 @@ Proof.
   assert (Hk : 0 < (m1 + m2) / (m1 * m2)) by positive. apply (Rmult_le_compat_l ((m1 + m2) / (m1 * m2))) in E; lra.
 Qed.
 
-(** with damping, under a bounded force: every tube around a motion is entered by every other one at one time and for
-    good, and with it the ring of relative velocities |w - w'| <= sqrt (2 kappa e) is never left again *)
+(** [tolerance-ring] With $a_1>0$ and a bounded force every motion enters a tube around another one at some time, and
+    stays; from then on it is in the ring of relative velocities. *)
 Theorem ring U x v1 v2 s x' v1' v2' s' G e : forced m1 m2 a1 a2 b U x v1 v2 s -> forced m1 m2 a1 a2 b U x' v1' v2' s' ->
   0 <= G -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) -> 0 < e ->
   exists T, 0 <= T /\

@@ -5,8 +5,9 @@ Section Tracking.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 
-(** A constant damper: under the force that holds a stuck pair on the reference r, but for a constant x0 - r 0, if it
-    is bounded, every motion takes on the velocity of the reference, and body 1 its place but for that constant. *)
+(** [tracks] With $a_1>0$, under the force of the stuck motion along a reference with $|\ddot
+    x_{\mathrm{ref}}|\leqslant b/m_2$, but for a constant, if it is bounded: $v_1$, $v_2$ and $x_1$ of every motion
+    tend to the velocity of the reference, and to its place but for the constant. *)
 Theorem tracks r r' x0 G x v1 v2 s : 0 < a1 -> cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
   (forall p q, 0 <= p <= q -> Rabs (r' q - r' p) <= b / m2 * (q - p)) ->
   let U t := (m1 + m2) * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t in

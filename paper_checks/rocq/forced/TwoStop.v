@@ -28,7 +28,8 @@ Definition sticks (Y W : R -> R) := (forall t, is_derive Y t (W t)) /\
 (** the load of the stuck pair *)
 Let load Y W t := m2 * (u t - a2 * Y t - a1 * W t) / M.
 
-(** two arcs whose ends meet are such a motion *)
+(** [two-stop-exists] A slip and a stick whose ends meet, and meet with the opposite sign after half a period, are a
+    periodic motion if $v_1>v_2$ in the slip and $|\Lambda|\leqslant b$ in the stick. *)
 Theorem two_stop_exists X V Y W : slips X V -> sticks Y W ->
   Y ts = X ts -> W ts = V ts -> V ts = V 0 + b / m2 * ts -> Y (PI / om) = - X 0 -> W (PI / om) = - V 0 ->
   (forall t, 0 < t < ts -> V 0 + b / m2 * t < V t) ->
@@ -80,7 +81,8 @@ Proof.
     intros t _. apply wave_half; auto.
 Qed.
 
-(** and every such motion solves the system: load b at the exit, and body 2 pulled along at the rate b/m2 *)
+(** [two-stop-needs] A motion that slips and sticks once in each half period, and is its own negative after it, leaves
+    stick at $\Lambda=b$, gains $bt_s/m_2$ of velocity in the slip, and has $|\Lambda|\leqslant b$ in the stick. *)
 Theorem two_stop_needs x v1 v2 s : two_stop x v1 v2 s ->
   F * sin phi - a1 * v1 0 - a2 * x 0 = (m1 + m2) * (b / m2) /\ v1 0 = v2 0 /\ v1 ts = v1 0 + b / m2 * ts /\
   forall t, ts <= t < PI / om -> Rabs (m2 * (F * sin (om * t + phi) - a2 * x t - a1 * v1 t) / (m1 + m2)) <= b.

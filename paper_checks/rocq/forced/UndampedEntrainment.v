@@ -410,6 +410,10 @@ Qed.
 
 (** *** a1 = 0, F < F*: the path of the slip is at most the energy distance from the stuck response over b times the unused share of F*,
     and the motion tends to one that sticks for ever *)
+
+(** [undamped-entrained] With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that
+    sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response at $t=0$ over
+    $b\,(1-U/U_{*})$. *)
 Theorem undamped_entrained :
   (forall t, 0 <= t -> b * (1 - F / Fstar m1 m2 0 a2 b om) * integral (fun q => Rabs (v1 q - v2 q)) t <=
     energy m1 m2 a2 (x 0 - rX m1 m2 0 a2 F om 0) (v1 0 - rV m1 m2 0 a2 F om 0) (v2 0 - rV m1 m2 0 a2 F om 0)) /\

@@ -103,7 +103,8 @@ Proof.
   specialize (D h Hh). rewrite !Eq by lra. eapply Rle_trans; [exact D|]. apply Rmult_le_compat_r; lra.
 Qed.
 
-(** so it sticks through half a turn *)
+(** [weak-sticks] From rest at $x_1=0$ no force of at most $F$, $3F\leqslant bM/m_2$, breaks the undamped pair within
+    $\pi/\Omega$. *)
 Theorem sticks_half_turn t : 0 <= t -> om * t <= PI -> v1 t = v2 t.
 Proof.
   intros Ht Hp. assert (C1 : cont v1) by apply (f_cv _ _ _ _ _ _ _ _ _ _ H).
@@ -129,7 +130,8 @@ Proof.
 Qed.
 
 (** *** The least time *)
-(** to rest at D: not before both arcs could *)
+(** [weak-takes] Under such forces, where $a_2D\leqslant F$, from rest at $x_1=0$ to rest at $D$ takes at least the
+    time of two arcs, under $F$ and then under $-F$. *)
 Theorem weak_takes T D : 0 < D -> a2 * D <= F -> 0 <= T -> x T = D -> v1 T = 0 -> let xi := a2 * D / F in
   (acos (1 - xi / 2 - xi ^ 2 / 4) + acos ((1 + xi / 2 + xi ^ 2 / 4) / (1 + xi))) / om <= T.
 Proof.
@@ -175,7 +177,7 @@ Proof.
 Qed.
 End Motion.
 
-(** both arcs do it, stuck, and the force a2 D holds the pair there *)
+(** [weak-attained] Both arcs are a motion, and the pair can then be held there. *)
 Theorem weak_attained D : 0 < D -> a2 * D <= F -> let xi := a2 * D / F in
   let t1 := acos (1 - xi / 2 - xi ^ 2 / 4) / om in let t2 := acos ((1 + xi / 2 + xi ^ 2 / 4) / (1 + xi)) / om in
   exists U x v1 v2 s, forced m1 m2 0 a2 b U x v1 v2 s /\ (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= F * (t - r)) /\

@@ -34,7 +34,7 @@ Proof.
   - destruct (Req_dec y 0) as [->|]; [lra|]. pose proof (Eq_pos (- y) ltac:(lra)). lra.
 Qed.
 
-(** On S: it sticks for ever exactly if E <= E_cr (stuck, E is constant, and its limit is at most E_cr). *)
+(** [sticks-iff] On $S$ the pair sticks permanently exactly if its energy is at most $E_{cr}$. *)
 Theorem sticks_iff t : 0 <= t -> v1 t = v2 t -> (sticks t <-> E t <= Ecr).
 Proof.
   intros Ht Ev. split.
@@ -55,8 +55,8 @@ Proof.
     rewrite A, B. auto.
 Qed.
 
-(** Re-entry: D = depth + d <= 2/q. It lands in S0 at the level y'; it sticks there for ever exactly if y' <= 0,
-    and otherwise it sticks until a ray with the push sqrt y'. *)
+(** [re-entry] A slip from $S$ with a gap and the initial speed of an angle that ends in $S_0$ sticks there
+    permanently exactly if its energy is not above $E_{cr}$. *)
 Theorem reentry k t0 d p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
   at_gap m1 m2 a2 b k d (push d p) x v1 v2 t0 -> depth p + d <= 2 / q ->
   let t1 := t0 + 2 * p / o1 in let y := level m1 m2 p d in
@@ -89,8 +89,8 @@ Proof.
     + exists k', t2. repeat (split; [auto; fail|]). intros t Hu. apply A4; auto.
 Qed.
 
-(** From a ray, every p in (0, PI): the first contact is at t1, and it sticks for ever from there exactly if hh^2 <= r
-    depth^2; that implies depth <= 2/q, that is, a landing inside S0. *)
+(** [first-landing] From a ray with the exit speed of an angle: one slip up to that angle, to the energy
+    $E_{cr}(1+q(h^2-r\,c^2))$, and merging there exactly if $h^2\leqslant r\,c^2$. *)
 Theorem merges_at_first_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI ->
   on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
   let t1 := t0 + 2 * p / o1 in
@@ -115,7 +115,7 @@ Proof.
   assert (N : - L <= k * x t1) by (destruct Hk; subst k; lra). rewrite A in N. undivide q. nra.
 Qed.
 
-(** From S0 above E_cr: stuck up to a ray at t1, then one slip up to t2, and the same equivalence. *)
+(** [first-slip] From $S_0$ above $E_{cr}$: stick, one slip, and merging there exactly if $h^2\leqslant r\,c^2$. *)
 Theorem first_slip t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L -> 0 < p < PI ->
   E t0 = Ecr * (1 + q * hh p ^ 2) ->
   exists t1 t2, t0 <= t1 /\ t1 < t2 /\ (forall t, t0 <= t <= t1 -> v1 t = v2 t) /\ (forall t, t1 < t < t2 ->
@@ -130,7 +130,8 @@ Proof.
   intros t Hu Q. specialize (Sg t Hu). rewrite Q in Sg. lra.
 Qed.
 
-(** From a ray with depth > 2/q: it crosses S beyond the other end and slips on with the other sign. *)
+(** [ray-crossing] From a ray with the exit speed of an angle whose depth is above $2/q$ the pair crosses $S$ and
+    slips on with the other sign. *)
 Theorem ray_crossing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
   2 / q < depth p ->
   let t1 := t0 + 2 * p / o1 in let d := depth p - 2 / q in let u := 2 * p - hh p in

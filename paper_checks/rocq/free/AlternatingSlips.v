@@ -14,8 +14,9 @@ Proof.
   pose proof (pow2_ge_0 ((k ^ 2 + q) * D - (1 - h * k))). lra.
 Qed.
 
-(** A slip that crosses is followed by one of the other kind: after p >= pc comes p' <= pi - pc,
-  after p <= pi - pc comes p' >= pc. *)
+(** [alternation] Where the longest slip from a ray that ends in $S_0$ has an angle $2\varphi_c\geqslant 4\pi/3$: a
+    crossing slip at least that long is followed by one of at most $2\pi-2\varphi_c$, and a crossing slip of at most
+    that by one at least as long as the longest. *)
 Theorem alternation m1 m2 a2 b x v1 v2 s k t0 d p pc : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> let q := m1 / (m1 + m2) in
   PI / 2 < pc < PI -> depth pc = 2 / q -> / sqrt 3 <= - ct pc ->
   k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
@@ -58,7 +59,8 @@ Proof.
       replace (q * (sin z / q)) with (sin z) by (field; lra). lra.
 Qed.
 
-(** m1/m2 > - cos (2 phi* ): from S0 nothing sticks for ever at the end of the first slip *)
+(** [no-first-merging] If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ above $E_{cr}$ merges at the end of its first
+    slip. *)
 Theorem no_first_merging : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2 a2 b, 0 < m1 -> 0 < m2 -> 0 < a2 ->
   0 < b ->
   - cos (2 * ps) < m1 / m2 -> forall x v1 v2 s t0 p, solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->

@@ -14,8 +14,8 @@ Hypothesis Hb : 0 < b.
 Let no_force := fun _ : R => 0.
 Let law := filippov 1 1 0 200 b no_force.
 
-(** (3), (4) are (11) and, in slip and where |x| < b/100, (12); beyond b/100 a stick leaves body 2 without acceleration,
-    and at b/100 with half of it. *)
+(** [case-study-reduction] Case study: (3), (4) at one time are (11) and, in slip or where $|x_1|<b/100$, (12); with
+    $v_1=v_2$ body 2 has no acceleration where $|x_1|>b/100$, and half of body 1's where $|x_1|=b/100$. *)
 Theorem reduction (x v1 v2 : R -> R) t : switched 1 1 0 200 b no_force x v1 v2 t <->
   exists a a' : R, is_derive x t (v1 t) /\ is_derive v1 t a /\ is_derive v2 t a' /\
     a = - (/ (2 - Rabs (sgn (v1 t - v2 t))) * (200 * x t + b * sgn (v1 t - v2 t))) /\
@@ -42,7 +42,7 @@ Proof.
       [rewrite E3 by lra|rewrite E2 by (right; lra)|rewrite E4 by lra]; lra.
 Qed.
 
-(** Every motion of Coulomb's law satisfies (11), (12). *)
+(** [law-satisfies-case-study] Case study: every Filippov solution satisfies (11), (12) at almost every time. *)
 Theorem law_case_study x v1 v2 : law x v1 v2 -> almost (case_study b x v1 v2).
 Proof.
   intros F. pose proof (proj2 (switching_iff 1 1 0 200 b ltac:(lra) ltac:(lra) ltac:(lra) Hb x v1 v2) F) as Sw.
@@ -112,8 +112,8 @@ Proof.
   unfold Rsqr in *. repeat split; apply Rminus_diag_uniq, Rsqr_0_uniq; unfold Rsqr; lra.
 Qed.
 
-(** A solution of (11), (12) that keeps every stick is the motion of Coulomb's law until it is stuck beyond S0, at a
-    contact outside or where it leaves S0, and no longer. *)
+(** [case-study-agrees-until] Case study: a solution of (11), (12) that keeps every stick agrees with the Filippov
+    solution up to $T$ exactly if at no time before $T$ it has $v_1=v_2$ and $|x_1|>b/100$. *)
 Theorem agree_until x v1 v2 y w1 w2 T : 0 <= T -> ac x -> ac v1 -> ac v2 -> almost (case_study b x v1 v2) -> kept v1 v2 ->
   law y w1 w2 -> x 0 = y 0 -> v1 0 = w1 0 -> v2 0 = w2 0 ->
   ((forall t, 0 <= t <= T -> x t = y t /\ v1 t = w1 t /\ v2 t = w2 t) <->
@@ -150,6 +150,8 @@ End CaseStudy.
 
 (** *** The start of Fig. 4 (a), at rest at 6 mm, b = 1/2: two solutions of (11), (12), of which one is Coulomb's. *)
 Definition six (x v1 v2 : R -> R) := x 0 = 6 / 1000 /\ v1 0 = 0 /\ v2 0 = 0.
+(** [two-solutions-from-6-mm] Case study, $b=0.5$, from rest at 6 mm: the stuck $x_1=0.006\cos 10t$ satisfies (11),
+    (12), and so does a Filippov solution that slips at once, the only one of (3), (4) and of the inclusion. *)
 Theorem two_from_six : let x t := 6 / 1000 * cos (10 * t) in let v t := - (6 / 100 * sin (10 * t)) in
   (six x v v /\ ac x /\ ac v /\ forall t, case_study (1 / 2) x v v t) /\
   exists x v1 v2 T, six x v1 v2 /\ filippov 1 1 0 200 (1 / 2) (fun _ => 0) x v1 v2 /\
@@ -179,6 +181,9 @@ Qed.
 
 (** *** The ring of Fig. 1: stuck pairs that differ in the place of body 2 keep their distance. Motion from rest at
     4 mm, b = 1/2, body 2 at 0 and at 1 mm: no region narrower than 1 mm is reached by both relative motions. *)
+
+(** [ring-missed] Case study, $b=0.5$, from rest at 4 mm, body 2 at 0 or at 1 mm: both pairs stick permanently, 4 and
+    3 mm apart, and no region narrower than 1 mm is reached by both relative motions. *)
 Theorem ring_missed x v1 v2 s y x' v1' v2' s' y' : solution 1 1 0 200 (1 / 2) x v1 v2 s ->
   solution 1 1 0 200 (1 / 2) x' v1' v2' s' -> cont y -> (forall t, 0 <= t -> rderiv y t (v2 t)) -> cont y' ->
   (forall t, 0 <= t -> rderiv y' t (v2' t)) -> x 0 = 4 / 1000 -> v1 0 = 0 -> v2 0 = 0 -> y 0 = 0 ->

@@ -41,8 +41,8 @@ Proof.
 Qed.
 End Free.
 
-(** From the half-space v1 < v2 a solution comes either into S0, or to S beyond the left end, where it goes on into the
-    other half-space at once. *)
+(** [return-alternatives] From $v_1<v_2$ every solution reaches $S_0$, or $S$ beyond its left edge, from where it
+    passes into $v_1>v_2$ at once. *)
 Theorem return_alternatives m1 m2 a2 b x v1 v2 s t : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
   solution m1 m2 0 a2 b x v1 v2 s ->
   0 <= t -> v1 t < v2 t -> exists t1, t < t1 /\ (forall u, t <= u < t1 -> v1 u < v2 u) /\ v1 t1 = v2 t1 /\
@@ -58,7 +58,8 @@ Proof.
   destruct (slips_beyond m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t1 ltac:(lra) ltac:(lra) ltac:(lra)) as (T & HT & K).
   exists T. split; [auto|]. intros u Hu. specialize (K u Hu). nra.
 Qed.
-(** The mirror image. *)
+(** [return-alternatives-mirror] From $v_1>v_2$ every solution reaches $S_0$, or $S$ beyond its right edge, from where
+    it passes into $v_1<v_2$ at once. *)
 Theorem return_alternatives_mirror m1 m2 a2 b x v1 v2 s t : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
   solution m1 m2 0 a2 b x v1 v2 s ->
   0 <= t -> v2 t < v1 t -> exists t1, t < t1 /\ (forall u, t <= u < t1 -> v2 u < v1 u) /\ v1 t1 = v2 t1 /\
@@ -72,7 +73,7 @@ Proof.
   exists T. split; [auto|]. intros u Hu. specialize (K u Hu). lra.
 Qed.
 
-(** Synchronisation for all parameters: v1 - v2 tends to 0, with damping or without. *)
+(** [synchronisation] $v_1-v_2\to 0$ for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$ and from every start. *)
 Theorem relative_velocity_vanishes m1 m2 a1 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->
   solution m1 m2 a1 a2 b x v1 v2 s -> forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
     Rabs (v1 t - v2 t) <= e.
@@ -96,7 +97,8 @@ Proof.
       rewrite Rminus_diag_eq, Rabs_R0; auto. lra.
 Qed.
 
-(** Slower than exponential: a solution that never merges stays above every exponential in the end. *)
+(** [slower-than-exponential] The excess energy of a solution that never merges is eventually above every decaying
+    exponential. *)
 Theorem slower_than_exponential m1 m2 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
   solution m1 m2 0 a2 b x v1 v2 s ->
   (forall t, 0 <= t -> Ecr m1 m2 a2 b < energy m1 m2 a2 (x t) (v1 t) (v2 t)) ->

@@ -5,7 +5,8 @@ From InertialPair Require Import Dini Stick TurningFunction.
 Definition lo := 1898637871626800 / 1000000000000000.
 (** and from above *)
 Definition hi := 1898637871626801 / 1000000000000000.
-(** phi* is in the bracket, and the ratio has these decimals *)
+(** [critical-mass-ratio-digits] The critical mass ratio $-\cos 2\varphi^*$ up to $2\cdot 10^{-14}$, and $\varphi^*$
+    up to $10^{-15}$. *)
 Theorem decimals p : 0 < p <= PI -> (forall q, 0 < q <= PI -> K q = 0 -> q = p) ->
   lo < p < hi /\ Rabs (- cos (2 * p) - 79263163272865 / 100000000000000) <= 2 / 100000000000000.
 Proof.

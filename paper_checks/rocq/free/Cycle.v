@@ -155,8 +155,8 @@ Proof.
     replace (rho * rho * (1 - / rho * / rho)) with (rho * rho - 1) by (field; lra). rewrite R2, <- Mo. field.
 Qed.
 
-(** Every solution that is on S inside the strip, at the level y > 0 and moving to the left, sticks until the ray x =
-    -L. *)
+(** [stick-arc] On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit
+    ray, at a time in closed form. *)
 Theorem stick x v1 v2 s t0 z u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < u ->
   x t0 = L * z -> -1 <= z <= 1 -> v1 t0 < 0 -> v2 t0 = v1 t0 ->
   energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->

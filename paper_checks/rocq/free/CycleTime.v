@@ -13,7 +13,8 @@ Let q := m1 / (m1 + m2).
 Let r := m2 / (m1 + m2).
 Let om := omega m1 m2 a2.
 
-(** The cycle time, all terms together. *)
+(** [cycle-time-sharp] With $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt
+    q\,h^3/\Omega$ where $h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$. *)
 Theorem cycle_time_sharp p : ok m1 m2 p -> hh p <= 2 / 3 ->
   Rabs (om * cyc m1 m2 a2 p - PI) <= 27 / 2 * sqrt q * hh p ^ 3.
 Proof.

@@ -19,7 +19,7 @@ Let X := X m1 m2 a2.
 Let V := V m1 m2 a2.
 Let distance x0 v0 t := energy m1 m2 a2 (x t - X x0 v0 t) (v1 t - V x0 v0 t) (v2 t - V x0 v0 t).
 
-(** A, B and E converge, so the solution tends to the stuck motion with those values *)
+(** [convergence] Every solution tends to one stuck motion. *)
 Theorem convergence : exists x0 v0, energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
   (forall t, 0 <= t -> energy m1 m2 a2 x0 v0 v0 <= E t) /\
   (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> E t <= energy m1 m2 a2 x0 v0 v0 + e) /\
@@ -106,7 +106,8 @@ Proof.
   replace (a2 / 2 * (kap ^ 2 * e1 + kap ^ 2 * e1)) with (C * e1) by (unfold C; field). auto.
 Qed.
 
-(** The dichotomy of Section III *)
+(** [dichotomy] Every solution merges in finite time with an ellipse, or stays above $E_{cr}$ and tends to one motion
+    on the critical one. *)
 Theorem dichotomy : (exists t0 x0 v0, 0 <= t0 /\ energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
      forall u, 0 <= u -> x (t0 + u) = X x0 v0 u /\ v1 (t0 + u) = V x0 v0 u /\ v2 (t0 + u) = V x0 v0 u) \/
   (exists x0 v0, energy m1 m2 a2 x0 v0 v0 = Ecr m1 m2 a2 b /\ (forall t, 0 <= t -> Ecr m1 m2 a2 b < E t) /\

@@ -9,7 +9,8 @@ Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
 Hypotheses (Cz : cont z) (Dz : forall t, 0 <= t -> rderiv z t (v1 t - v2 t)).
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 
-(** b |z(t) - z(r)| <= E(r) - E(t) *)
+(** [displacement-paid] $b\,|z(t)-z(r)|\leqslant E(r)-E(t)$ for the relative displacement $z=x_1-x_2$ and $r\leqslant
+    t$, with or without damping. *)
 Theorem displacement_paid r t : 0 <= r <= t -> b * Rabs (z t - z r) <= E r - E t.
 Proof.
   intros Hr. assert (Q : forall k, k = 1 \/ k = -1 -> k * b * z t + E t <= k * b * z r + E r).
@@ -23,7 +24,7 @@ Proof.
   pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). unfold Rabs; destruct Rcase_abs; lra.
 Qed.
 
-(** the path is bounded by the energy that is left, so x1 - x2 has a limit *)
+(** [displacement-limit] The relative displacement $x_1-x_2$ has a limit. *)
 Theorem displacement_limit : exists zl, forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
 Proof.
   destruct (paid_converges E b) with (z := z) as (zl & _ & Lim); auto.

@@ -87,7 +87,8 @@ Proof.
     apply No. eauto.
 Qed.
 
-(** Around every time: with equal velocities (3) gives an acceleration below b/m2, but perhaps at that time. *)
+(** [edges-isolated] Around every time of a solution: with $v_1=v_2$ (3) gives an acceleration of absolute value below
+    $b/m_2$, but perhaps at that time itself. *)
 Theorem edges_isolated t : 0 <= t -> exists d, 0 < d /\ forall r, 0 <= r -> r <> t -> Rabs (r - t) < d -> v1 r = v2 r ->
   Rabs (- (a2 * x r + a1 * v1 r) / (m1 + m2)) < b / m2.
 Proof.

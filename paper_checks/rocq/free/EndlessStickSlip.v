@@ -2,7 +2,7 @@
 From InertialPair Require Import Dini Pair Stick Pursuit Excursion ReturnMap FollowArc Cycle ExitOrbit SharpRate
   SharpLaw OneOverT WellPosed.
 
-(** Entries te and exits tau: it sticks from te n to tau n, and slips from tau n to te (n + 1). *)
+(** [stick-slip-for-ever] For all $m_1,m_2,a_2,b>0$ there is a solution that sticks and slips in turn without end. *)
 Theorem stick_slip_for_ever m1 m2 a2 b : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> exists x v1 v2 s,
   solution m1 m2 0 a2 b x v1 v2 s /\ (forall t, 0 <= t -> Ecr m1 m2 a2 b < energy m1 m2 a2 (x t) (v1 t) (v2 t)) /\
   exists te tau : nat -> R, (forall n, 0 <= te n < tau n) /\ (forall n, tau n < te (S n)) /\ is_lim_seq te p_infty /\

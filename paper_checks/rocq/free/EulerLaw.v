@@ -144,6 +144,9 @@ End Step.
 
 (** *** Euler's law: twice the energy distance after n steps is at most that before them and h t C (C + C'), t = n h, where
     C bounds the speed of Euler's steps in the energy norm, and C' that of the motion *)
+
+(** [euler-law] Forward Euler with the step $h$ and a friction in $[-b,b]$ of the sign of the slip: $N(t)^2\leqslant
+    N(0)^2+h\,t\,C(C+C')$, $C$ and $C'$ the speeds of its steps and of the motion in the energy norm. *)
 Theorem euler_law X V1 V2 g x v1 v2 s C C' : euler X V1 V2 g -> solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= C -> 0 <= C' ->
   (forall r t, 0 <= r <= t -> a2 * (x t - x r) ^ 2 + m1 * (v1 t - v1 r) ^ 2 + m2 * (v2 t - v2 r) ^ 2 <= (C' * (t - r)) ^ 2) ->
   forall n, (forall k, (k < n)%nat -> a2 * V1 k ^ 2 + m1 * pull (X k) (V1 k) (g k) ^ 2 + m2 * (b * g k / m2) ^ 2 <= C ^ 2) ->

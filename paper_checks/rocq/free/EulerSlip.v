@@ -33,6 +33,10 @@ Definition slip_v1 t := V1 * cos (om * t) + A1 / om * sin (om * t).
 Definition slip_v2 t := V2 + A2 * t.
 
 (** *** while that slip does not end within the step, it adds at most h^2 om B/2 to the distance from a motion *)
+
+(** [euler-slip-step] For $a_1=0$, $\omega_1^2=a_2/m_1$: a step $h$ of forward Euler in which the slip with the
+    friction at its beginning does not end adds at most $\frac12h^2\omega_1B$ to the energy distance from a motion,
+    $B^2=a_2v_1^2+m_1\dot v_1^2$. *)
 Theorem euler_slip_step x v1 v2 s N B : solution m1 m2 0 a2 b x v1 v2 s ->
   (forall t, 0 <= t < h -> -1 <= g <= 1 /\ (slip_v2 t < slip_v1 t -> g = 1) /\ (slip_v1 t < slip_v2 t -> g = -1)) ->
   0 <= N -> 0 <= B -> 2 * energy m1 m2 a2 (X - x 0) (V1 - v1 0) (V2 - v2 0) <= N ^ 2 -> a2 * V1 ^ 2 + m1 * A1 ^ 2 <= B ^ 2 ->

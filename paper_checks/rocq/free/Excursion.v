@@ -67,7 +67,7 @@ Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin.
     pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)). nra.
 Qed.
-(** its slope is that numerator over a square *)
+(** [h-increases] $h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed. *)
 Theorem h_increases u v : 0 < u -> u < v -> v < 2 * PI -> h u < h v.
 Proof.
   intros. apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra).

@@ -68,7 +68,8 @@ Proof.
   intros. apply (incr_function c 0 (2 * PI) h); try (simpl; lra); intros t T0 T1; simpl in T0, T1; [apply c_derive; lra|apply h_pos; lra].
 Qed.
 
-(** h increases from 0 to infinity and is convex, and the condition that ends a slip is monotone. *)
+(** [excursion-rise] $h$ increases on $(0,2\pi)$, takes every positive value once and has $h''>0$; $h-d\cot(\theta/2)$
+    increases for every $d\geqslant 0$. *)
 Theorem rise : (forall u, 0 < u < 2 * PI -> is_derive h u (h1 u) /\ 0 < h1 u /\ is_derive h1 u (h2 u) /\ 0 < h2 u) /\
   (forall y, 0 < y -> exists! u, 0 < u < 2 * PI /\ h u = y) /\ (forall u, 0 < u < 2 * PI -> 0 < h u) /\
   (forall d p p', 0 <= d -> 0 < p -> p < p' -> p' < PI -> push d p < push d p').
@@ -82,7 +83,8 @@ Proof.
   - exists (2 * p). rewrite push_0, hh_h in E by lra. split; [lra|auto].
 Qed.
 
-(** c has the rate h, increases from 0 to infinity, and is concave in h^2: its chords by h^2 become less steep. *)
+(** [excursion-depth] $c'=h$; $c$ takes every positive value once on $(0,2\pi)$ and is concave as a function of $h^2$.
+    *)
 Theorem deepens : (forall u, 0 < u < 2 * PI -> is_derive c u (h u) /\ 0 < c u) /\
   (forall y, 0 < y -> exists! u, 0 < u < 2 * PI /\ c u = y) /\
   (forall u v w, 0 < u -> u < v -> v < w -> w < 2 * PI ->
@@ -156,7 +158,7 @@ Proof.
   split; [exact Sg|]. split; [destruct Hk; subst k; lra|]. split; [rewrite Rmult_minus_distr_l, X0, A; ring|]. rewrite R', En. ring.
 Qed.
 
-(** Of two excursions from a ray the faster one lasts longer, goes deeper and loses more. *)
+(** [excursions-grow] Of two excursions from a ray the faster one lasts longer, goes deeper and loses more energy. *)
 Theorem grow_together k x v1 v2 s t p k' x' v1' v2' s' t' p' : k = 1 \/ k = -1 -> k' = 1 \/ k' = -1 -> sol x v1 v2 s ->
   sol x' v1' v2' s' -> 0 <= t -> 0 <= t' -> 0 < p -> p < p' -> p' < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t ->
   on_ray m1 m2 a2 b k' (hh p') x' v1' v2' t' -> let e := t + 2 * p / o1 in let e' := t' + 2 * p' / o1 in
@@ -179,7 +181,8 @@ Proof.
   - assert (depth p ^ 2 < depth p' ^ 2) by nra. assert (r2 : 0 < m2 / M) by (unfold M; positive). repeat (apply Rmult_lt_compat_l; auto).
 Qed.
 
-(** Every slip from S ends at the one angle of its push. *)
+(** [one-contact] Every slip from $S$ with a gap $d\geqslant 0$ and a push $\nu$ ($\nu>0$ if $d=0$) ends at the one
+    angle with $\nu=h-d\cot(\theta/2)$. *)
 Theorem one_contact k d u x v1 v2 s t : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <= t -> 0 <= d -> (d = 0 -> 0 < u) ->
   at_gap m1 m2 a2 b k d u x v1 v2 t -> exists! p, 0 < p < PI /\ push d p = u /\
   (forall t', t < t' < t + 2 * p / o1 -> k * v1 t' < k * v2 t') /\ v1 (t + 2 * p / o1) = v2 (t + 2 * p / o1).
@@ -214,6 +217,7 @@ Proof.
   - destruct (Rle_dec u PI) as [Le|]; [apply Early; lra|]. pose proof (turn_falls u v ltac:(lra) Huv ltac:(lra)). lra.
   - pose proof (turn_falls v u ltac:(lra) Huv ltac:(lra)). lra.
 Qed.
+(** [turning-angle] $\sin\theta=\theta\cos\theta$ has one solution $\theta_v$ in $(0,2\pi)$. *)
 Theorem turning_angle : exists! v, 0 < v < 2 * PI /\ turn v = 0.
 Proof.
   pose proof PI_RGT_0. destruct (IVT (fun t => - turn t) PI (2 * PI)) as (v & Hv & Z); [unfold turn; reg|lra| | |].
@@ -224,6 +228,8 @@ Proof.
     destruct (Rtotal_order v w) as [L1|[|L1]]; auto; exfalso; [specialize (B L1)|specialize (A L1)]; lra.
 Qed.
 
+(** [leaves-by] After an excursion from a ray that re-enters $S_0$ above $E_{cr}$ the pair leaves by the other ray if
+    $\theta<\theta_v$, and by the same if $\theta>\theta_v$. *)
 Theorem leaves_by k x v1 v2 s t p v : k = 1 \/ k = -1 -> sol x v1 v2 s -> 0 <= t -> 0 < p < PI ->
   on_ray m1 m2 a2 b k (hh p) x v1 v2 t -> depth p <= 2 / q -> 0 < hh p ^ 2 - m2 / M * depth p ^ 2 ->
   0 < v < 2 * PI -> sin v = v * cos v -> let e := t + 2 * p / o1 in

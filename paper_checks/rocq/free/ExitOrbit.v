@@ -158,7 +158,8 @@ Proof.
   replace (- k * - v2 t) with (k * v2 t) by ring. tauto.
 Qed.
 
-(** the cycle on either side *)
+(** [cycle] From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ to the other ray: one slip and one stick, with the
+    return map $y'=h^2-r\,c^2$. *)
 Theorem cycle k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->
   on_ray k (hh p) x v1 v2 t0 ->
   2 * p / o1 <= cyc p < 2 * p / o1 + PI / om /\ on_ray (- k) (hh (next p)) x v1 v2 (t0 + cyc p) /\
@@ -182,7 +183,8 @@ Proof.
   unfold om, o1, omega, Cycle.o1. rewrite <- sqrt_div_alt by positive. f_equal. unfold q, M.
     field. lra.
 Qed.
-(** slip, and both arc cosines, are at most multiples of the push *)
+(** [cycle-time] With slip angle up to $\pi$ and $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most
+    $6\sqrt w/\Omega$. *)
 Theorem cycle_time p : ok p -> Rabs (om * cyc p - PI) <= 6 * sqrt q * hh p.
 Proof.
   intros Hok. pose proof (ok_pi p Hok) as Hp. destruct (next_ok p Hok) as (Hn & E).
@@ -255,7 +257,8 @@ Proof. intros Hp. simpl. pose proof (cyc_long _ (orb_ok p n Hp)). lra. Qed.
 Lemma tim_start t0 p n : ok p -> t0 <= tim t0 p n.
 Proof. intros Hp. induction n; [simpl; lra|]. pose proof (tim_mono t0 p n Hp). lra. Qed.
 
-(** by induction on the cycles *)
+(** [exits] From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the exits of a solution follow the orbit of the
+    return map. *)
 Theorem exits k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->
   on_ray k (hh p) x v1 v2 t0 ->
   forall n, on_ray (k * (-1) ^ n) (hh (orb p n)) x v1 v2 (tim t0 p n).
@@ -269,7 +272,7 @@ Proof.
   - pose proof (tim_start t0 p n Hp). lra.
   - apply orb_ok; auto.
 Qed.
-(** the energy on a ray *)
+(** [ray-energy] On an exit ray with the exit speed $h$ the energy is $E_{cr}(1+q\,h^2)$. *)
 Lemma ray_energy k u x v1 v2 t : k = 1 \/ k = -1 -> on_ray k u x v1 v2 t ->
   energy m1 m2 a2 (x t) (v1 t) (v2 t) = Ecr * (1 + q * u ^ 2).
 Proof.
@@ -277,7 +280,7 @@ Proof.
   assert (Ev : v2 t = v1 t) by (destruct Hk; subst k; lra). rewrite <- Ex, <- E1, Ev.
   unfold energy. destruct Hk; subst k; field.
 Qed.
-(** so the energy at each exit is that of the orbit *)
+(** [exit-energy] Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$. *)
 Theorem exit_energy k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->
   on_ray k (hh p) x v1 v2 t0 ->
   forall n, energy m1 m2 a2 (x (tim t0 p n)) (v1 (tim t0 p n)) (v2 (tim t0 p n)) = Ecr * (1 + q * hh (orb p n) ^ 2).

@@ -47,7 +47,8 @@ Proof.
   - apply (is_lim_seq_scal_l _ (a2 / M) (L * L)). apply is_lim_seq_mult'; auto.
 Qed.
 
-(** At an exit it does not stick on, so it is at an end; slips get ever shorter, so the entry is near the same end. *)
+(** [exits-near-endpoints] A solution that never merges leaves $S_0$ exactly where $|x_1|=L$; its entries tend to
+    $|x_1|=L$, and the velocities at both to 0. *)
 Theorem exits_near_endpoints : exists te tau : nat -> R,
   (forall n, 0 <= te n < tau n) /\ (forall n, tau n < te (S n)) /\ is_lim_seq te p_infty /\
   (forall n t, te n <= t <= tau n -> v1 t = v2 t /\ - L <= x t <= L) /\ (forall n t, tau n < t < te (S n) ->

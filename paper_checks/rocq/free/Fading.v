@@ -305,9 +305,9 @@ Proof.
     apply Rle_trans with (2 := Fa t0 (Rle_refl t0)). apply Rabs_pos.
 Qed.
 
-(** A motion that never merges sticks from the entries te to the exits tau and slips from there to the next entry. At
-    late entries v1 has its largest size until the next entry while stuck, as body 1 passes its rest position, and this
-    peak falls to L Omega like 1/t, with the constant of the sharp law. *)
+(** [peaks-fall] Where a motion never merges, the peaks of $|v_1|$ between entries tend to $L\Omega$ like $1/t$: at
+    late entries each is at $x_1=0$, in stick, and
+    $t\,(|v_1|-L\Omega)\to\frac12L\Omega\cdot\frac{4\pi}{9}\frac{m_1}{m_2}\sqrt{M/a_2}$. *)
 Theorem peaks_fall : (forall t, 0 <= t -> Ecr < E t) -> exists te tau : nat -> R, is_lim_seq te p_infty /\
   (forall n, 0 <= te n /\ te n < tau n < te (S n)) /\ (forall n t, te n <= t <= tau n -> v1 t = v2 t) /\
   (forall n t, tau n < t < te (S n) -> v1 t <> v2 t) /\ forall e, 0 < e -> exists N, forall n, (N <= n)%nat ->

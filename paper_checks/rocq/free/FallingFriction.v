@@ -8,7 +8,8 @@ Section Falling.
 Variables m1 m2 a1 a2 : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
 
-(** S3: with the slope f' < 0 of friction the difference of two slips has a motion that grows like exp (l t), l > 0 *)
+(** [falling-parts] Where friction falls with speed at a constant slope, the difference of two slips has an
+    exponentially growing mode, whatever the damper of body 1. *)
 Theorem slips_part f' : f' < 0 -> exists l x0 v0 w0, 0 < l /\ w0 <> 0 /\
   forall t, is_derive (fun t => x0 * exp (l * t)) t (v0 * exp (l * t)) /\
     is_derive (fun t => v0 * exp (l * t)) t ((- a2 * (x0 * exp (l * t)) - a1 * (v0 * exp (l * t))
@@ -47,8 +48,8 @@ Let X := X m1 m2 a2.
 Let V := V m1 m2 a2.
 Let om := omega m1 m2 a2.
 
-(** S4: from a stuck state whose load lies between two coefficients the pair may leave the stick at any time up to some
-  D > 0 *)
+(** [jump-ill-posed] With two coefficients of friction and $a_1=0$ a stick with a load between them can end at each of
+    a continuum of times. *)
 Theorem sticks_left_at_will x0 v0 : bk < Rabs (stick_load m1 m2 0 a2 x0 v0) < bs -> exists D, 0 < D /\
   forall T, 0 <= T < D -> exists x v1 v2 s, two_frictions m1 m2 0 a2 bs bk x v1 v2 s /\ x 0 = x0 /\ v1 0 = v0 /\ v2 0 =
     v0 /\

@@ -63,7 +63,8 @@ Definition included (u x v1 v2 : R -> R) t := exists g, -1 <= g <= 1 /\ (v2 t < 
 (** a Filippov solution on [0, oo) *)
 Definition filippov (u x v1 v2 : R -> R) := ac x /\ ac v1 /\ ac v2 /\ almost (included u x v1 v2).
 
-(** Every Filippov solution is a motion: what is proved of all motions is true of it. *)
+(** [filippov-forced] Under any integrable force a Filippov solution is a motion: what is proved of all motions is
+    true of it. *)
 Theorem filippov_forced u U x v1 v2 : integral_of u U -> filippov u x v1 v2 ->
   forced m1 m2 a1 a2 b U x v1 v2 (fun t => m2 / b * v2 t).
 Proof.
@@ -286,7 +287,8 @@ Proof.
 Qed.
 End Motion.
 
-(** The two notions agree. *)
+(** [forced-filippov-iff] Under an integrable force that is continuous at almost every time the motions are the
+    Filippov solutions, and only they. *)
 Corollary forced_filippov_iff u U x v1 v2 : integral_of u U -> almost (continuous u) ->
   (filippov u x v1 v2 <-> exists s, forced m1 m2 a1 a2 b U x v1 v2 s).
 Proof.
@@ -312,11 +314,14 @@ Proof.
   split; [split; [apply ac_const|]|]; apply (almost_impl (fun t => 0 < t)); auto using almost_later; intros t _ _;
     [apply @is_derive_const|apply continuous_const].
 Qed.
+(** [filippov-iff] A solution is what Filippov calls one: absolutely continuous, and in the differential inclusion at
+    almost all times. *)
 Corollary filippov_iff x v1 v2 : filippov (fun _ => 0) x v1 v2 <-> exists s, solution m1 m2 a1 a2 b x v1 v2 s.
 Proof.
   destruct no_force as (HU & Cu). rewrite (forced_filippov_iff _ _ x v1 v2 HU Cu). split; intros (s & F); exists s;
     apply free_case; exact F.
 Qed.
+(** [filippov-well-posed] From every initial state there is exactly one Filippov solution, with or without damping. *)
 Corollary filippov_well_posed x0 v10 v20 :
   exists x v1 v2, (filippov (fun _ => 0) x v1 v2 /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20) /\
   forall x' v1' v2', filippov (fun _ => 0) x' v1' v2' -> x' 0 = x0 -> v1' 0 = v10 -> v2' 0 = v20 ->

@@ -8,8 +8,7 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 
-(** From S0, at a level with theta <= pi (E <= E_cr (1 + q pi^2/4)): the solution never merges exactly if r c^2 <
-  h^2. *)
+(** [merges-iff] From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ at all later times exactly if $r\,c^2<h^2$. *)
 Theorem merges_iff t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L m1 m2 a2 b <= x t0 <= L m1 m2 a2 b -> 0 < p <= PI / 2 ->
   energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * hh p ^ 2) ->
   ((forall t, 0 <= t -> Ecr m1 m2 a2 b < energy m1 m2 a2 (x t) (v1 t) (v2 t)) <->

@@ -13,7 +13,7 @@ Record arc (T : R) (X V1 V2 g : R -> R) : Prop := {
   a_v2 : forall t, is_derive V2 t (b * g t / m2);
   a_law : forall t, 0 <= t < T -> -1 <= g t <= 1 /\ (V2 t < V1 t -> g t = 1) /\ (V1 t < V2 t -> g t = -1) }.
 
-(** Uniqueness on an interval: from a common state at t0 every solution runs along the arc until t0 + T. *)
+(** [follow] A solution that meets the start of an explicit arc that satisfies the law follows it. *)
 Theorem follow x v1 v2 s X V1 V2 g T t0 : solution m1 m2 0 a2 b x v1 v2 s -> arc T X V1 V2 g -> 0 <= t0 ->
   x t0 = X 0 -> v1 t0 = V1 0 -> v2 t0 = V2 0 ->
   forall u, 0 <= u <= T -> x (t0 + u) = X u /\ v1 (t0 + u) = V1 u /\ v2 (t0 + u) = V2 u.

@@ -16,7 +16,7 @@ Proof.
     assert (189 / 100 <= PI) by (interval with (i_prec 60)). pose proof (Ri (189 / 100) ltac:(lra)). lra.
 Qed.
 
-(** the mass ratio is at most 0.81 there, so the depth at p_c is above 4.46, which is beyond 2 pi/3 *)
+(** [kappa-large] Where merging is possible, the longest slip that ends in $S_0$ is longer than the angle $4\pi/3$. *)
 Theorem kappa_large m1 m2 ps pc : 0 < m1 -> 0 < m2 -> 0 < ps < PI -> K ps = 0 -> m1 / m2 <= - cos (2 * ps) ->
   PI / 2 < pc < PI -> depth pc = 2 / (m1 / (m1 + m2)) -> / sqrt 3 < - ct pc.
 Proof.

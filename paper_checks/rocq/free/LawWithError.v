@@ -16,7 +16,9 @@ Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 
-(** From a ray with y0 <= (pi/2 - 1)^2, for bounds of one cycle at all half angles up to pi/4. *)
+(** [law-with-error] From a ray with $y_0\leqslant(\pi/2-1)^2$, given $g\leqslant\pi G/c^2$, $\pi G/(r\,c^2)\leqslant
+    g'$ and $F\,(1+\sqrt{1-rs})/(h\,s)\leqslant f$ at all slip angles up to $\pi/2$, with $g\leqslant 0\leqslant
+    g',f$: $(g\,y_0-f\sqrt{y_0})/r\leqslant R_n\leqslant g'y_0$ at every exit. *)
 Theorem law_with_error lo hi long : lo <= 0 <= hi -> 0 <= long ->
   (forall p, 0 < p <= PI / 4 -> let s := (depth p / hh p) ^ 2 in lo * depth p ^ 2 <= PI * gain r p <= hi * (r * depth p ^ 2) /\
     delay r p * (1 + sqrt (1 - r * s)) <= long * (hh p * s)) ->

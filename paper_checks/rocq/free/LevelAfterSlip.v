@@ -125,7 +125,8 @@ Proof.
   assert (PI <= 52 / 15) by lra. nra.
 Qed.
 
-(** The level after every slip from S is positive where m1/m2 > - cos (2 phi* ). *)
+(** [no-low-level] For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and initial speed, ends at or
+    below $E_{cr}$. *)
 Theorem no_low_level : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 ->
   - cos (2 * ps) < m1 / m2 ->
   forall p d, 0 < p < PI -> 0 <= d -> 0 < level m1 m2 p d.

@@ -201,7 +201,8 @@ Proof.
   - replace (9 / 4 * r * tau / PI) with (tau / C * q) by (unfold C; field; repeat split; lra). rewrite ln_mult by positive. ring.
 Qed.
 
-(** a motion that never merges comes to such an exit *)
+(** [long-time] A solution that never merges comes to exits where $w=\frac{C}{\tau}(1-\frac{\pi
+    B\ln(\alpha\tau/\pi)+K}{\tau}+O(\tau^{-3/2}))$, given the bounds of law-with-error. *)
 Theorem long_time : (forall t, 0 <= t -> Ecr m1 m2 a2 b < energy m1 m2 a2 (x t) (v1 t) (v2 t)) ->
   exists k t0 p, (k = 1 \/ k = -1) /\ 0 <= t0 /\ ok m1 m2 p /\ on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 /\
   exists K A T, forall n, let t := tim m1 m2 a2 t0 p n in T <= t ->

@@ -108,6 +108,9 @@ Proof.
 Qed.
 
 (** *** Light drivers: the interval tends to the one between the roots of hh = depth *)
+
+(** [light-driver] As $m_1/m_2\to 0$ the values of $h^2$ at both roots of $h=\sqrt r\,c$ tend to those at the two
+    roots of $h=c$. *)
 Theorem light_driver : exists ps pa pb, 0 < pa < ps /\ ps < pb < PI /\ K ps = 0 /\ hh pa = depth pa /\ hh pb = depth pb /\
   forall e, 0 < e -> exists d, 0 < d /\ forall m1 m2, 0 < m1 -> 0 < m2 -> m1 / m2 < d -> forall p, 0 < p < PI ->
   hh p = sqrt (m2 / (m1 + m2)) * depth p ->

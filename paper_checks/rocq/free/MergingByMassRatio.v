@@ -139,7 +139,8 @@ Qed.
 End Heavy.
 End Rounds.
 
-(** The critical mass ratio, for every slip: above it no solution that has touched S above E_cr ever merges. *)
+(** [heavy-never-merges] For $m_1/m_2>-\cos 2\varphi^*$: no solution that has touched $S$ above $E_{cr}$ ever merges,
+    after whatever number of slips. *)
 Theorem heavy_never_merges : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2 a2 b, 0 < m1 -> 0 < m2 ->
   0 < a2 -> 0 < b ->
   - cos (2 * ps) < m1 / m2 -> forall x v1 v2 s t0, solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->

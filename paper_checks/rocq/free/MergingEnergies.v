@@ -40,11 +40,10 @@ Proof.
 Qed.
 End Roots.
 
-(** One theorem: for m1/m2 above the critical mass ratio hh = sqrt r depth has no root in (0, pi); up to it, two,
-    which are one at the critical ratio. From S0 above E_cr a motion sticks up to an exit ray at te,
-    slips up to its first contact t1, and re-enters S0 first at t: it sticks for ever from t1 on, and so from t on,
-    exactly if its energy is between those of both roots. If t1 is outside S0, a crossing,
-    it does not stick for ever from t on. Below both energies it never comes down to E_cr. *)
+(** [merging-set] For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at
+    equality; the energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first
+    contact, and they, and no others, at the first re-entry, after any number of crossings; those below never merge.
+    *)
 Theorem merging_set : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 ->
   let root p := 0 < p < PI /\ hh p = sqrt (m2 / (m1 + m2)) * depth p in
   (- cos (2 * ps) < m1 / m2 -> forall p, ~ root p) /\

@@ -27,8 +27,8 @@ Proof.
   exists k, t1, p. split; [auto|]. split; [lra|]. auto.
 Qed.
 
-(** "there is a sequence t_1 < tau_1 < t_2 < ... such that tau_k - t_k -> pi sqrt (M/a), t_{k+1} - tau_k -> 0,
-    and the trajectory belongs to the sliding region during [t_k, tau_k]"; in between it is off S. *)
+(** [exit-and-entry-times] For every solution that never merges: entries and exits alternate; stays on $S_0$ tend to
+    $\pi/\Omega$, slips to 0. *)
 Theorem times : (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
   exists te tau : nat -> R, (forall n, 0 <= te n < tau n) /\ (forall n, tau n < te (S n)) /\ is_lim_seq te p_infty /\
     (forall n t, te n <= t <= tau n -> v1 t = v2 t /\ - L <= x t <= L) /\
@@ -65,8 +65,8 @@ Proof.
     apply (is_lim_seq_incr_1 sl). exact (slip_time m1 m2 a2 Hm1 Hm2 Ha2 p Hp).
 Qed.
 
-(** c1(E(0))/t <= E(t) - E_cr <= c2(E(0))/t, explicit, from S0 up to E_cr (1 + 2q/9); c1 for t >= T, any T > 0;
-    c2, and c1 for large T, tend to the sharp constant as E(0) -> E_cr *)
+(** [one-over-t] From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from
+    $T$ on, explicit, $c_1$ by $T$. *)
 Theorem one_over_t : v1 0 = v2 0 -> - L <= x 0 <= L ->
   let w t := en (x t) (v1 t) (v2 t) / Ecr - 1 in let w0 := w 0 in let K := 9 / 4 * (m2 / m1) in
   0 < w0 <= 2 / 9 * q -> forall T t, 0 < T <= t ->

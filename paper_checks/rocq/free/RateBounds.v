@@ -110,7 +110,8 @@ Proof.
   split; [|auto]. rewrite acos_opp, <- B1. replace (/ rho) with (1 / rho) by lra. rewrite A1.
   pose proof (om_o1 m1 m2 a2 Hm1 Hm2 Ha2) as Oo. fold q om in Oo. rewrite <- Oo. field. lra.
 Qed.
-(** its time, in closed form *)
+(** [cycle-time-exact] From a ray with $h\leqslant\tfrac{2}{3}$ a cycle takes $(\pi+\sqrt q\,\theta-\arctan(\sqrt
+    q\sqrt{h^2-r\,c^2})-\arctan\frac{\sqrt q\,(\theta-h)}{1-q\,c})/\Omega$. *)
 Theorem cycle_time_exact p : 0 < p < PI -> hh p <= 2 / 3 -> om * cyc m1 m2 a2 p = PI + sqrt q * (2 * p) -
   atan (sqrt q * sqrt (hh p ^ 2 - r * depth p ^ 2)) - atan (sqrt q * (2 * p - hh p) / (1 - q * depth p)).
 Proof.
@@ -138,6 +139,9 @@ Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 Let w t := energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr m1 m2 a2 b - 1.
 
 (** *** The bounds: all later cycles are bounded by the first *)
+
+(** [rate-bounds] From an exit ray with $y_0\leqslant\tfrac{4}{9}$ on, $w$ lies between $q/(1/y_0+A(s/T_-+1))$ and
+    $q/(1/y_0+a'(s/T_+-1))$, the constants explicit in the first excursion. *)
 Theorem rate_bounds k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> hh p <= 2 / 3 ->
   on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 -> let y0 := hh p ^ 2 in let c0 := depth p in
   let a := r * c0 ^ 2 / y0 ^ 2 in let A := 9 / 4 * r / (1 - r * c0 ^ 2 / y0) in

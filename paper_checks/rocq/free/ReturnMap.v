@@ -28,7 +28,7 @@ Proof.
   rewrite sin_2a, cos_2a_sin in C. unfold hh. undivide (sin p ^ 2). nra.
 Qed.
 
-(** an upper bound of the depth *)
+(** [depth-upper] The depth of an excursion is at most $\tfrac{3}{2}h^2$. *)
 Theorem depth_upper p : 0 < p < PI -> depth p <= 3 / 2 * hh p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (depth_above p ltac:(lra)) as Q.
@@ -39,7 +39,7 @@ Proof.
     (field; lra). auto.
 Qed.
 
-(** and a lower one *)
+(** [depth-lower] The depth of an excursion is at least $\tfrac{3}{2}(\sin\varphi/\varphi)^6h^2$. *)
 Theorem depth_lower p : 0 < p < PI -> 3 / 2 * (sin p / p) ^ 6 * hh p ^ 2 <= depth p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
@@ -217,7 +217,7 @@ Qed.
 Lemma telescope n : sum_f_R0 d n = / y (S n) - / y 0%nat.
 Proof. induction n; simpl; [reflexivity|]. rewrite IHn. unfold d. ring. Qed.
 
-(** the sharp law: n y_n -> 4/(9 r) *)
+(** [return-map-rate] Along the return map $n\,y_n\to 4/(9r)$. *)
 Theorem sharp : is_lim_seq (fun n => INR n * y n) (4 / (9 * r)).
 Proof.
   assert (C : is_lim_seq (fun n => sum_f_R0 d (pred n) / INR n) kappa).

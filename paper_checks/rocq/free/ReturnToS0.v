@@ -176,7 +176,8 @@ Proof.
     assert (0 < L * (q * (depth p + d - 2 / q))) by positive. destruct Hk; subst k; lra.
 Qed.
 
-(** From beyond S0, or from an exit ray, there is a first re-entry. *)
+(** [first-re-entry] From beyond $S_0$, or from an exit ray, a solution returns to $S_0$ after finitely many slips,
+    for every mass ratio. *)
 Theorem returns k d u t0 : k = 1 \/ k = -1 -> 0 <= t0 -> (0 < d \/ (d = 0 /\ 0 < u)) ->
   at_gap m1 m2 a2 b k d u x v1 v2 t0 -> exists t, first_reentry L x v1 v2 t0 t.
 Proof.

@@ -60,7 +60,8 @@ Proof.
       replace (w * (9 / 4 * r / q)) with (9 / 4 * r * (w / q)) in Sm2 by (field; lra). auto.
 Qed.
 
-(** on S0 above E_cr it sticks until it reaches one of the two rays, at the same level *)
+(** [arc-to-left-ray] On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left
+    exit ray, at the same level. *)
 Lemma to_ray_left y w1 w2 z t u : solution m1 m2 0 a2 b y w1 w2 z -> 0 <= t -> w1 t = w2 t -> - L <= y t <= L ->
   w1 t < 0 -> 0 < u ->
   energy m1 m2 a2 (y t) (w1 t) (w2 t) = Ecr * (1 + q * u ^ 2) ->
@@ -79,7 +80,7 @@ Section Ray.
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 Let E t := en (x t) (v1 t) (v2 t).
-(** either ray: the mirror image of the left one, and at rest the energy would be at most E_cr *)
+(** [arc-to-ray] On $S_0$ above $E_{cr}$ every solution sticks until it reaches one of the two exit rays. *)
 Lemma to_ray t u : 0 <= t -> v1 t = v2 t -> - L <= x t <= L -> 0 < u -> E t = Ecr * (1 + q * u ^ 2) ->
   exists k t2, (k = 1 \/ k = -1) /\ t <= t2 < t + PI / om /\ on_ray m1 m2 a2 b k u x v1 v2 t2 /\
     forall t', t <= t' <= t2 -> v1 t' = v2 t' /\ - L <= x t' <= L.
@@ -110,6 +111,9 @@ Proof.
 Qed.
 
 (** *** The claim of the paper: from S0, slightly above E_cr, no merging, ... *)
+
+(** [no-merging-from-S0] From $S_0$ slightly above $E_{cr}$ a solution never merges, tends to one critical motion and
+    obeys the sharp law. *)
 Theorem no_merging_from_S0 x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
   - L <= x t0 <= L ->
   Ecr < en (x t0) (v1 t0) (v2 t0) -> small (en (x t0) (v1 t0) (v2 t0)) ->
@@ -130,6 +134,9 @@ Qed.
 
 (** *** ... and explicit bounds of 1/w for w = E/E_cr - 1: both slopes tend to the sharp (9 m2/(4 m1)) omega/pi as
   w0 -> 0. *)
+
+(** [two-sided-rate] Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, the
+    upper one where $6\sqrt{w_0}<\pi$. *)
 Theorem two_sided x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
   let w t := en (x t) (v1 t) (v2 t) / Ecr - 1 in let w0 := w t0 in let K := 9 / 4 * (m2 / m1) in
   0 < w0 <= 4 / 9 * q -> forall t, t0 <= t ->
@@ -230,7 +237,8 @@ Proof.
   split; [lra|]. split; [auto|]. split; [auto|]. apply KT. lra.
 Qed.
 
-(** the sharp law for every solution that never merges *)
+(** [sharp-law] $t\,(E-E_{cr})\to E_{cr}\tfrac{4\pi}{9}\tfrac{m_1}{m_2}\sqrt{M/a_2}$ for every solution that never
+    merges. *)
 Theorem sharp_law x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s -> (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
   is_lim (fun t => t * (en (x t) (v1 t) (v2 t) - Ecr)) p_infty (Ecr * rate m1 m2 a2).
 Proof.
@@ -241,6 +249,8 @@ Qed.
 
 (** *** Section III, complete: a solution merges in finite time with an ellipse up to the critical one,
     or it tends to one motion on the critical ellipse and t (E - E_cr) tends to E_cr (4 pi/9) (m1/m2) sqrt (M/a2). *)
+
+(** [trichotomy] Every solution merges in finite time, or tends to one critical motion and obeys the sharp law. *)
 Theorem trichotomy x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
   (exists t0 x0 v0, 0 <= t0 /\ en x0 v0 v0 <= Ecr /\
      forall u, 0 <= u -> x (t0 + u) = X m1 m2 a2 x0 v0 u /\ v1 (t0 + u) = V m1 m2 a2 x0 v0 u /\

@@ -134,6 +134,9 @@ Lemma tm_above B : exists n, B < tm n.
 Proof. pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T B) as (n & K). exists n. apply K; auto. Qed.
 
 (** *** No merging: E > E_cr at every time *)
+
+(** [never-merges] From an exit ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the energy stays above $E_{cr}$ at
+    all later times. *)
 Theorem never_merges t : 0 <= t -> Ecr < E t.
 Proof.
   intros Hu. destruct (tm_above t) as (n & Hn). pose proof (E_falls t (tm n) ltac:(lra)) as F. rewrite exit_level in F.

@@ -9,7 +9,7 @@ Lemma margin_mid p : 7 / 10 <= p <= 16 / 10 ->
     - (1 - 2 * ((p - sin p * cos p) / (sin p * sin p)) * (cos p / sin p)) * (1 + (PI - p) * (cos p / sin p)).
 Proof. intros Hp. interval with (i_bisect p, i_taylor p, i_depth 14, i_prec 60). Qed.
 
-(** at small angles 2 h k >= 1, so the left side is not positive *)
+(** [margin] The one numerical inequality of the merging set, enclosed in balls by the kernel. *)
 Theorem margin p : 0 < p < PI / 2 -> (1 - 2 * hh p * ct p) * (1 + (PI - p) * ct p) < hh p ^ 2.
 Proof.
   intros Hp. pose proof PI_4 as P4. pose proof PI2_3_2. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.

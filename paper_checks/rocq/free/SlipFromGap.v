@@ -173,8 +173,8 @@ Proof.
   rewrite R1, R. unfold level, w. fold D. ring.
 Qed.
 
-(** Every solution that leaves S with gap d and push u = push d p slips with one sign until the half angle p,
-  and meets S there. *)
+(** [gap-slip] A slip from $S$ with a gap and the initial speed of an angle, in closed form up to that angle, where it
+    ends. *)
 Theorem gap_slip k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 <= d ->
   0 < p < PI ->
   at_gap k d (push d p) x v1 v2 t0 -> let t1 := t0 + 2 * p / o1 in let D := depth p + d in
@@ -222,8 +222,7 @@ Proof.
   destruct Hk; subst k; lra.
 Qed.
 
-(** Crossing: D > 2/q. It meets S beyond the other end, with gap D - 2/q and push h + k D, and slips on with the other
-    sign. *)
+(** [crossing] A slip that ends beyond the other end of $S_0$ is followed by one of the other sign. *)
 Theorem crossing k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 <= d ->
   0 < p < PI ->
   at_gap k d (push d p) x v1 v2 t0 -> 2 / q < depth p + d ->
@@ -295,6 +294,8 @@ Let Ecr := Ecr m1 m2 a2 b.
 Let ray := ray m1 m2 a2 b.
 Let on_ray := on_ray m1 m2 a2 b.
 
+(** [slip-arc] From the right exit ray with the exit speed $h$ of an angle every solution slips up to that angle, and
+    ends where the closed form says. *)
 Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < p < PI -> on_ray 1 (hh p) x v1 v2 t0 ->
   (forall u, 0 < u < 2 * p / o1 -> v1 (t0 + u) < v2 (t0 + u)) /\
   x (t0 + 2 * p / o1) = L * (1 - q * depth p) /\

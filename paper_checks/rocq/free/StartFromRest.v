@@ -6,7 +6,7 @@ From InertialPair Require Import Dini Pair Stick AfterOneSlip SwitchingSurface.
 Lemma half_width_example : L 1 1 200 (1 / 2) = 5 / 1000.
 Proof. unfold L. lra. Qed.
 
-(** Released at rest beyond 5 mm it slips at once: body 1 is drawn back, body 2 lags behind. *)
+(** [slips-from-rest] Case study, $b=0.5$: released at rest at $x_1>5$ mm every solution slips at once. *)
 Theorem slips_from_rest x v1 v2 s : solution 1 1 0 200 (1 / 2) x v1 v2 s -> v1 0 = 0 -> v2 0 = 0 -> 5 / 1000 < x 0 ->
   exists T, 0 < T /\ forall t, 0 < t < T -> v1 t < v2 t.
 Proof.
@@ -18,12 +18,12 @@ Proof.
   assert (x 0 * (v2 t - v1 t) <= 0); [|lra]. assert (0 <= x 0 * (v1 t - v2 t)) by positive. lra.
 Qed.
 
-(** In particular from 6 mm: the pair does not stick at all times, nor at any time right after the start. *)
+(** [slips-from-6-mm] Case study, $b=0.5$: released at rest at 6 mm every solution slips at once. *)
 Theorem six_millimetres x v1 v2 s : solution 1 1 0 200 (1 / 2) x v1 v2 s -> x 0 = 6 / 1000 -> v1 0 = 0 -> v2 0 = 0 ->
   exists T, 0 < T /\ forall t, 0 < t < T -> v1 t < v2 t.
 Proof. intros H X V1 V2. apply (slips_from_rest x v1 v2 s H V1 V2). lra. Qed.
 
-(** Released at rest anywhere up to 5 mm it sticks for ever: a start other than zero does not ensure relative motion. *)
+(** [sticks-from-rest] Released at rest inside $S_0$ every solution sticks permanently. *)
 Theorem rest_inside m1 m2 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> solution m1 m2 0 a2 b x v1 v2 s ->
   v1 0 = 0 -> v2 0 = 0 -> - L m1 m2 a2 b <= x 0 <= L m1 m2 a2 b -> forall t, 0 <= t -> v1 t = v2 t.
 Proof.
@@ -32,7 +32,7 @@ Proof.
     assert (a2 * x 0 ^ 2 <= a2 * L m1 m2 a2 b ^ 2) by scale. lra. }
   apply (sticks_iff m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H 0) with (u := t) in E; try lra. rewrite Rplus_0_l in E. exact E.
 Qed.
-(** In the case study: anywhere up to 5 mm. *)
+(** [sticks-from-5-mm] Case study, $b=0.5$: released at rest up to 5 mm every solution sticks permanently. *)
 Theorem five_millimetres x v1 v2 s : solution 1 1 0 200 (1 / 2) x v1 v2 s -> v1 0 = 0 -> v2 0 = 0 ->
   - (5 / 1000) <= x 0 <= 5 / 1000 -> forall t, 0 <= t -> v1 t = v2 t.
 Proof.

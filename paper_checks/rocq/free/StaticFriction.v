@@ -257,7 +257,9 @@ Qed.
 (** a slip from one contact to the next *)
 Definition one_slip p q := 0 <= p < q /\ v1 p = v2 p /\ v1 q = v2 q /\ forall u, p < u < q -> v1 u <> v2 u.
 
-(** lasts, and costs *)
+(** [static-slip-costs] With static friction above kinetic, where sticks are kept, every slip of a free motion from a
+    contact to the next lasts longer than a fixed time and dissipates at least a fixed energy, both given by $E(0)$.
+    *)
 Theorem slip_costs p q : one_slip p q -> p + h0 < q /\ E q <= E p - e0.
 Proof.
   intros (Hp & Mp' & Mq & Sl). destruct (leaves p ltac:(lra) Mp') as (k & Hk' & Edge).
@@ -276,7 +278,8 @@ Proof.
   pose proof (falls (p + h0) q ltac:(lra)). lra.
 Qed.
 
-(** so there are at most E(0) / e0 of them *)
+(** [static-few-slips] With static friction above kinetic, where sticks are kept, a free motion has at most $E(0)/e_0$
+    such slips, $e_0>0$ explicit. *)
 Theorem few_slips (p q : nat -> R) n : (forall i, (i < n)%nat -> one_slip (p i) (q i)) ->
   (forall i, (S i < n)%nat -> q i <= p (S i)) -> INR n * e0 <= E 0.
 Proof.
@@ -321,6 +324,9 @@ Proof.
 Qed.
 
 (** *** Every motion sticks for ever from some time on *)
+
+(** [static-sticks-at-last] With static friction above kinetic, by any amount, every free motion that keeps its sticks
+    sticks permanently from some time on. *)
 Theorem sticks_at_last : exists T, 0 <= T /\ forall t, T <= t -> v1 t = v2 t.
 Proof.
   assert (Q : forall n T, 0 <= T -> E T <= INR n * e0 -> exists T, 0 <= T /\ forall t, T <= t -> v1 t = v2 t).

@@ -230,6 +230,9 @@ Qed.
 End Paid.
 
 (** *** from every state there is a motion that keeps its sticks *)
+
+(** [static-kept] With static friction above kinetic there is, from every state, a free motion that keeps its sticks.
+    *)
 Theorem sticks_kept x0 p q : exists x v1 v2 s, jumping x v1 v2 s /\ x 0 = x0 /\ v1 0 = p /\ v2 0 = q.
 Proof.
   change (starts x0 p q). set (e := energy x0 p q).

@@ -26,8 +26,8 @@ Proof.
   unfold push_of. split; [ring|field].
 Qed.
 
-(** A pair that sticks follows a velocity under (3), (4) exactly if the acceleration is below the limit at almost all
-    times; body 1 may start anywhere. *)
+(** [literal-reference] A pair that sticks has the velocity $v$ under (3), (4) and some force exactly if $v$ is
+    absolutely continuous with $|\dot v|<b/m_2$ at almost every time, wherever body 1 starts. *)
 Theorem literal_reference (v : R -> R) x0 : (exists u x, switching m1 m2 a1 a2 b u x v v /\ x 0 = x0) <->
   ac v /\ almost (fun t => exists c : R, is_derive v t c /\ Rabs c < b / m2).
 Proof.
@@ -52,7 +52,8 @@ Proof.
     destruct (Rle_dec 0 (r - c)); try lra; [rewrite Rabs_pos_eq|rewrite Rabs_left]; lra.
 Qed.
 
-(** Body 2 from rest to rest, by a force on body 1 that may jump, in any time T > 2 sqrt (m2 |D| / b), under (3), (4). *)
+(** [literal-transfer] Under (3), (4) a stuck pair takes body 2 from rest to rest over any $D$ of either sign in any
+    time above $2\sqrt{m_2|D|/b}$, and stays, under a force that is continuous at almost every time. *)
 Theorem literal_transfer m1 m2 a1 a2 b x0 y0 D T : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->
   2 * sqrt (m2 * Rabs D / b) < T -> exists u U x v y, integral_of u U /\ almost (continuous u) /\
   switching m1 m2 a1 a2 b u x v v /\ cont y /\ (forall t, 0 <= t -> rderiv y t (v t)) /\

@@ -70,7 +70,8 @@ Proof.
       rewrite <- Eq. field.
 Qed.
 
-(** Under any force: the solutions of (3), (4) are Coulomb's with |load| < b at almost all times of a stick. *)
+(** [forced-switching-iff] Under any force the absolutely continuous solutions of (3), (4), met at almost every time,
+    are the Filippov solutions with $|\Lambda|<b$ at almost every time with $v_1=v_2$, and only they. *)
 Theorem forced_switching_iff u x v1 v2 : switching u x v1 v2 <->
   filippov u x v1 v2 /\ almost (fun t => v1 t = v2 t -> Rabs (load u x v1 t) < b).
 Proof.
@@ -101,8 +102,9 @@ Proof.
   destruct (S E) as (a & _ & _ & _ & -> & Le). exact Le.
 Qed.
 
-(** So they have a solution from a start exactly if the motion of Coulomb's law from there has |load| = b at almost no
-    time of a stick; and every solution is that motion. *)
+(** [literal-solutions] Under an integrable force that is continuous at almost every time (3), (4) have a solution
+    from the start of a motion exactly if that has $|\Lambda|\neq b$ at almost every time with $v_1=v_2$; every such
+    solution is that motion. *)
 Theorem literal_solutions u U x v1 v2 s : integral_of u U -> almost (continuous u) -> forced m1 m2 a1 a2 b U x v1 v2 s ->
   ((exists x' v1' v2', switching u x' v1' v2' /\ x' 0 = x 0 /\ v1' 0 = v1 0 /\ v2' 0 = v2 0) <->
     almost (fun t => v1 t = v2 t -> Rabs (load u x v1 t) <> b)) /\
@@ -124,7 +126,8 @@ Proof.
     specialize (Ne E). specialize (Le E). lra.
 Qed.
 
-(** Without a force the load of a stick is at an edge at almost no time. *)
+(** [switching-iff] The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are
+    Filippov's, and only they. *)
 Theorem switching_iff x v1 v2 : switching (fun _ => 0) x v1 v2 <-> filippov (fun _ => 0) x v1 v2.
 Proof.
   rewrite forced_switching_iff. split; [tauto|]. intros F. split; [auto|].
@@ -151,7 +154,8 @@ Proof.
   assert (a = 0) by (destruct Hk; subst k; [apply Q1|apply Q2]; auto). subst a. destruct Hk; subst k; nra.
 Qed.
 
-(** Newton's law behind such a motion: the forces between the bodies add up to nothing at almost all times. *)
+(** [momentum-balance] Every solution of (3), (4) has $m_1\dot v_1+a_1v_1+a_2x_1+m_2\dot v_2=u$ at almost every time:
+    the forces between the bodies add up to nothing. *)
 Theorem momentum_balance u x v1 v2 : switching u x v1 v2 -> almost (fun t => exists a a' : R,
   is_derive v1 t a /\ is_derive v2 t a' /\ m1 * a + a1 * v1 t + a2 * x t + m2 * a' = u t).
 Proof.
@@ -159,7 +163,8 @@ Proof.
   intros t _ (g & _ & _ & _ & _ & D1 & D2). eexists. eexists. split; [exact D1|]. split; [exact D2|]. field. lra.
 Qed.
 
-(** With sgn (0) = 0 in place of the interval Coulomb's law has no solution from a stick inside S0 with a load. *)
+(** [no-solution-inside] With $\mathrm{sgn}(0)=0$ in place of the set-valued sign Coulomb's law has no solution from a
+    contact with $0<|a_2x_1+a_1v_1|<b(m_1+m_2)/m_2$. *)
 Theorem no_solution_inside x0 v0 : 0 < Rabs (a2 * x0 + a1 * v0) < b * (m1 + m2) / m2 -> ~ exists x v1 v2,
   ac x /\ ac v1 /\ ac v2 /\ x 0 = x0 /\ v1 0 = v0 /\ v2 0 = v0 /\ almost (fun t => is_derive x t (v1 t) /\
     is_derive v1 t ((- a2 * x t - a1 * v1 t - b * sgn (v1 t - v2 t)) / m1) /\ is_derive v2 t (b * sgn (v1 t - v2 t) / m2)).
@@ -191,7 +196,7 @@ Proof.
 Qed.
 End Switching.
 
-(** At u = 1 + 50 t^2 the pair of the example, from rest at 0, holds the load b for ever: (3), (4) have no solution. *)
+(** [no-solution-under-control] Case study, $b=0.5$, from rest at 0 under $u=1+50t^2$: (3), (4) have no solution. *)
 Theorem no_solution_under_control : ~ exists x v1 v2, switching 1 1 0 200 (1 / 2) (fun t => 1 + 50 * t ^ 2) x v1 v2 /\
   x 0 = 0 /\ v1 0 = 0 /\ v2 0 = 0.
 Proof.

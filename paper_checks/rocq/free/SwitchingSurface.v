@@ -32,14 +32,14 @@ Proof.
   eapply rderiv_eq; [|exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 k Ht (rderiv_const 0 t) S)].
   unfold normal_rate. field. lra.
 Qed.
-(** with the sign +1 above S *)
+(** [rate-above] While $v_1>v_2$ the relative velocity has the rate $\Phi_+\cdot n_S$. *)
 Theorem rate_above t : 0 <= t -> v2 t < v1 t -> rderiv (fun u => v1 u - v2 u) t (normal_rate 1 (x t)).
 Proof. intros Ht Hv. apply rate_by_impulse; auto. apply (s_pos _ _ _ _ _ _ _ _ _ H); auto. Qed.
-(** and -1 below *)
+(** [rate-below] While $v_1<v_2$ the relative velocity has the rate $\Phi_-\cdot n_S$. *)
 Theorem rate_below t : 0 <= t -> v1 t < v2 t -> rderiv (fun u => v1 u - v2 u) t (normal_rate (-1) (x t)).
 Proof. intros Ht Hv. apply rate_by_impulse; auto. apply (s_neg _ _ _ _ _ _ _ _ _ H); auto. Qed.
 
-(** The transversality conditions: on S beyond S0 both rates have the sign of - x ... *)
+(** [transversal-beyond] On $S$ beyond $S_0$ both rates have the sign of $-x_1$. *)
 Theorem transversal_beyond y k : (k = 1 \/ k = -1) -> (L < y -> normal_rate k y < 0) /\ (y < - L ->
   0 < normal_rate k y).
 Proof.
@@ -51,7 +51,8 @@ Proof.
       subst k; nra). lra.
   - assert (y * (a2 * m2) < - L * (a2 * m2)) by scale. apply Rmult_lt_0_compat; auto. destruct Hk; subst k; nra.
 Qed.
-(** ... and exactly inside S0 both fields point back to S, on its edges one of them along it *)
+(** [transversal-inside] Both fields point back to $S$ exactly in the interior of $S_0$, back or along it exactly on
+    $S_0$. *)
 Theorem transversal_inside y : (- L < y < L <-> normal_rate 1 y < 0 < normal_rate (-1) y) /\
   (- L <= y <= L <-> normal_rate 1 y <= 0 <= normal_rate (-1) y).
 Proof.
@@ -61,7 +62,7 @@ Proof.
   split; split; intros (B & C); split; nra.
 Qed.
 
-(** Beyond S0 it slips at once, with the sign of - x. *)
+(** [slips-beyond] At a contact beyond $S_0$ every solution slips at once, with the sign of $-x_1$. *)
 Theorem slips_beyond t : 0 <= t -> v1 t = v2 t -> ~ (- L <= x t <= L) ->
   exists T, 0 < T /\ forall u, t < u < t + T -> 0 < x t * (v2 u - v1 u).
 Proof.
@@ -72,7 +73,8 @@ Proof.
   destruct Hk; subst k; nra.
 Qed.
 
-(** On an edge, moving outwards (on an exit ray), it slips at once too, inwards. *)
+(** [slips-on-ray] On an edge of $S_0$, moving outwards, every solution slips at once, with $\dot z$ of the sign of
+    $-x_1$. *)
 Theorem slips_on_ray t k : k = 1 \/ k = -1 -> 0 <= t -> v1 t = v2 t -> k * x t = L -> 0 < k * v1 t ->
   exists T, 0 < T /\ forall u, t < u < t + T -> k * v1 u < k * v2 u.
 Proof.
@@ -84,7 +86,7 @@ Proof.
   exists (2 * p / o1 m1 a2). split; [positive|exact Sg].
 Qed.
 
-(** Inside S0, or on an edge and not moving outwards, it sticks for a while. *)
+(** [sticks-inside] On $S_0$, but for the exit rays, every solution sticks for a while. *)
 Theorem sticks_inside t : 0 <= t -> v1 t = v2 t -> - L <= x t <= L -> (x t = L -> v1 t <= 0) -> (x t = - L ->
   0 <= v1 t) ->
   exists T, 0 < T /\ forall u, t <= u <= t + T -> v1 u = v2 u.
@@ -106,7 +108,7 @@ Proof.
 Qed.
 End Solution.
 
-(** E_cr: an ellipse on S is a solution exactly up to it. *)
+(** [ellipse-iff] An ellipse on $S$ is a solution exactly if its energy is at most $E_{cr}$. *)
 Theorem ellipse_iff x0 v0 : (exists s, solution m1 m2 0 a2 b (X m1 m2 a2 x0 v0) (V m1 m2 a2 x0 v0) (V m1 m2 a2 x0
   v0) s) <->
   energy m1 m2 a2 x0 v0 v0 <= Ecr.

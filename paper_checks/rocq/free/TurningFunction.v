@@ -55,7 +55,7 @@ Proof.
     assert (sin t / t * t = sin t) by (field; lra). nra.
 Qed.
 
-(** so the function rises and then falls, and has one zero *)
+(** [turning-point] The turning function has one zero $\varphi^*$ in $(0,\pi]$. *)
 Theorem root : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q < p -> 0 < K q) /\ (forall q, p < q <= PI ->
   K q < 0).
 Proof.
@@ -148,7 +148,8 @@ Proof.
   rewrite sqrt_sqrt by lra. field. lra.
 Qed.
 
-(** merging from a ray: y1 = h^2 - r c^2 <= 0 for some excursion, exactly if r >= 1/(2 sin^2 p) *)
+(** [merging-threshold] $h^2>r\,c^2$ at all slip angles below $2\pi$ exactly if $m_1/m_2>-\cos 2\varphi^*$; else not
+    at $2\varphi^*$. *)
 Theorem threshold : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q <= PI -> K q = 0 -> q = p) /\
   (forall r, 0 < r -> r < / (2 * sin p ^ 2) -> forall q, 0 < q < PI -> 0 < hh q ^ 2 - r * depth q ^ 2) /\
   (forall r, / (2 * sin p ^ 2) <= r -> hh p ^ 2 - r * depth p ^ 2 <= 0) /\

@@ -84,11 +84,9 @@ Proof.
     exists d. split; [auto|]. intros t Ht. specialize (K t Ht). lra.
 Qed.
 
-(** Above E_cr the level meets S0 in two arcs, apart from each other, the graphs of a positive speed and of its negative
-    over [-L, L]. Each is run through by a motion, the one with v > 0 from left to right,
-      the other from right to left; it
-    comes to the ray at its end, and slips from there: from the left ray into v1 > v2,
-      from the right one into v1 < v2. *)
+(** [two-arcs] A level above $E_{cr}$ meets $S_0$ in two arcs, the graphs of a speed and of its negative over
+    $[-L,L]$; each is run through by a motion, which slips at its end: from the left ray into $v_1>v_2$, from the
+    right one into $v_1<v_2$. *)
 Theorem two_arcs : (forall y, - L <= y <= L -> 0 < sp y) /\
   (forall y v, - L <= y <= L -> energy m1 m2 a2 y v v = e <-> v = sp y \/ v = - sp y) /\
   forall k, k = 1 \/ k = -1 -> exists x v1 v2 s T, solution m1 m2 0 a2 b x v1 v2 s /\ 0 < T /\

@@ -38,7 +38,8 @@ Proof.
   replace (o1 * (0 - T)) with (- (o1 * T)) by ring. rewrite sin_neg, cos_neg. repeat split; try ring.
 Qed.
 
-(** of every energy above E_cr, with every level e at a contact in S0 by the time sqrt (2 E0 m2)/b *)
+(** [no-uniform-lower-rate] From every energy above $E_{cr}$ some solutions never merge and are arbitrarily close to
+    $E_{cr}$ from the time $\sqrt{2E(0)m_2}/b$ on. *)
 Theorem no_lower_constant E0 e : Ecr < E0 -> 0 < e -> exists x v1 v2 s, solution m1 m2 0 a2 b x v1 v2 s /\
   energy (x 0) (v1 0) (v2 0) = E0 /\ (forall t, 0 <= t -> Ecr < energy (x t) (v1 t) (v2 t)) /\
   forall t, sqrt (2 * E0 * m2) / b <= t -> energy (x t) (v1 t) (v2 t) <= Ecr * (1 + e).
@@ -102,7 +103,8 @@ Proof.
 Qed.
 
 (** *** The upper constant *)
-(** every motion from below e is below l > E_cr after one and the same time *)
+(** [settling-time] For each level above $E_{cr}$ there is one time after which every solution that starts below
+    another level is below it. *)
 Theorem settles e l : Ecr < l -> exists T, 0 <= T /\ forall x v1 v2 s, solution m1 m2 0 a2 b x v1 v2 s ->
   energy (x 0) (v1 0) (v2 0) <= e -> energy (x T) (v1 T) (v2 T) <= l.
 Proof.
@@ -162,7 +164,8 @@ Proof.
   pose proof (Mono tc t ltac:(lra)). change (E t <= l). lra.
 Qed.
 
-(** so one constant bounds all of them: E/E_cr - 1 <= c/t *)
+(** [uniform-upper-rate] $E/E_{cr}-1\leqslant c/t$ with one $c$ for all solutions that start below a level and never
+    merge. *)
 Theorem uniform_upper e : Ecr < e -> exists c, 0 < c /\ forall x v1 v2 s, solution m1 m2 0 a2 b x v1 v2 s ->
   energy (x 0) (v1 0) (v2 0) <= e -> (forall t, 0 <= t -> Ecr < energy (x t) (v1 t) (v2 t)) ->
   forall t, 0 < t -> energy (x t) (v1 t) (v2 t) / Ecr - 1 <= c / t.

@@ -10,7 +10,7 @@ Proof.
     as (x & v1 & v2 & s & H & St). exists x, v1, v2, s. split; [apply free_case|]; auto.
 Qed.
 
-(** Well-posed: one and only one solution from every start (and [contraction]: it depends continuously on the start). *)
+(** [well-posed] From every initial state there is exactly one solution, with or without damping. *)
 Theorem well_posed m1 m2 a1 a2 b x0 v10 v20 : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->
   exists x v1 v2 s, (solution m1 m2 a1 a2 b x v1 v2 s /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20) /\
   forall x' v1' v2' s', solution m1 m2 a1 a2 b x' v1' v2' s' -> x' 0 = x0 -> v1' 0 = v10 -> v2' 0 = v20 ->

@@ -352,6 +352,8 @@ Proof.
 Qed.
 
 (** *** No level above E_cr is a limit *)
+
+(** [energy-limit] The limit of the energy is at most $E_{cr}$. *)
 Theorem limit_not_above l : (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -> exists T, 0 <= T /\ forall t,
   T <= t -> E t <= l + e) ->
   l <= Ecr m1 m2 a2 b.

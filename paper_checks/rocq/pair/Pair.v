@@ -362,7 +362,7 @@ Proof.
 Qed.
 End Two.
 
-(** of solutions *)
+(** [contraction] The flow is non-expansive in the energy norm, with or without damping. *)
 Theorem contraction x v1 v2 s x' v1' v2' s' : solution x v1 v2 s -> solution x' v1' v2' s' -> forall r t, 0 <= r <= t ->
   energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
 Proof.
@@ -371,6 +371,8 @@ Proof.
 Qed.
 
 (** *** Forward uniqueness *)
+
+(** [uniqueness] Two solutions that meet coincide from then on, with or without damping. *)
 Theorem unique x v1 v2 s x' v1' v2' s' t0 : solution x v1 v2 s -> solution x' v1' v2' s' -> 0 <= t0 ->
   x t0 = x' t0 -> v1 t0 = v1' t0 -> v2 t0 = v2' t0 ->
   forall t, t0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
@@ -386,13 +388,13 @@ Hypothesis H : solution x v1 v2 s.
 Let E t := energy (x t) (v1 t) (v2 t).
 Let Mo := solution_moving _ _ _ _ H.
 
-(** the work of friction, and of the damper *)
+(** [energy-rate] $\dot E=-b|v_1-v_2|-a_1v_1^2$ at every time, from the right. *)
 Theorem energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2).
 Proof. exact (free_energy_rate _ _ _ _ _ Mo t). Qed.
-(** so the energy never increases *)
+(** [energy-decreases] The energy never increases, with or without damping. *)
 Theorem energy_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (free_decreases _ _ _ _ _ Mo r t). Qed.
-(** a stay off S is short *)
+(** [bounded-stay] A stay off $S$ lasts at most $2\sqrt{2Em_2}/b$. *)
 Theorem dwell r t : 0 <= r <= t ->
   (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
   t - r <= 2 * sqrt (2 * E r * m2) / b.

@@ -3,7 +3,8 @@
 From Coq Require Import Nsatz.
 From InertialPair Require Import Dini Pair Stick Viscous.
 
-(** A solution obeys the equations of motion of the theory, with an impulse that follows the sign of its guard. *)
+(** [tie-solution] A solution obeys the equations of motion of the theory, with an impulse that follows the sign of
+    its guard. *)
 Theorem tie_solution : forall m1 m2 a1 a2 b (x v1 v2 s : R -> R), solution m1 m2 a1 a2 b x v1 v2 s <->
   ((forall r t, 0 <= r <= t -> Rabs (s t - s r) <= t - r) /\
    (forall t, 0 <= t -> 0 < ((v1 t) + ((-1) * (v2 t))) -> rderiv s t 1) /\ (forall t, 0 <= t -> ((v1 t) + ((-1) * (v2 t))) < 0 -> rderiv s t (-1)) /\
@@ -24,23 +25,23 @@ Proof. intros; split.
     + intros t Ht. eapply rderiv_ext; [|eapply rderiv_eq; [|exact (V t Ht)]]; [intros; cbv beta; ring|ring].
     + intros t Ht. pose proof (W t Ht). lra. Qed.
 
-(** The energy. *)
+(** [tie-energy] The energy. *)
 Theorem tie_energy : forall m1 m2 a2 x v1 v2 : R, energy m1 m2 a2 x v1 v2 = (((1 / 2) * a2 * (x ^ 2)) + ((1 / 2) * m1 * (v1 ^ 2)) + ((1 / 2) * m2 * (v2 ^ 2))).
 Proof. intros; unfold energy; field; lra. Qed.
 
-(** The longest stay off $S$. *)
+(** [tie-dwell-time] The longest stay off $S$. *)
 Theorem tie_dwell_time : forall m2 b e : R, 0 < m2 -> 0 < b -> 0 <= e -> 2 * sqrt (2 * e * m2) / b = (2 * (sqrt 2) * (sqrt e) * (/ b) * (sqrt m2)).
 Proof. intros; rewrite !sqrt_mult by nra; field; lra. Qed.
 
-(** The half width $L$ of the sliding region. *)
+(** [tie-half-width] The half width $L$ of the sliding region. *)
 Theorem tie_half_width : forall m1 m2 a2 b : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> L m1 m2 a2 b = (b * (/ a2) * (/ m2) * (m1 + m2)).
 Proof. intros; unfold L; field; lra. Qed.
 
-(** The critical energy. *)
+(** [tie-critical-energy] The critical energy. *)
 Theorem tie_critical_energy : forall m1 m2 a2 b : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> Ecr m1 m2 a2 b = ((1 / 2) * (/ a2) * (b ^ 2) * (/ (m2 ^ 2)) * ((m1 + m2) ^ 2)).
 Proof. intros; unfold Ecr; field; lra. Qed.
 
-(** With damping: the level whose ellipse lies in the sliding region. *)
+(** [tie-captive] With damping: the level whose ellipse lies in the sliding region. *)
 Theorem tie_captive : forall m1 m2 a1 a2 b e : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> 0 <= a1 -> (captive m1 m2 a1 a2 b e <-> e <= ((1 / 2) * (b ^ 2) * (/ (m2 ^ 2)) * ((m1 + m2) ^ 3) * (/ ((a1 ^ 2) + (a2 * m1) + (a2 * m2))))).
 Proof. intros. unfold captive.
   assert (W : 0 < a2 + a1 ^ 2 / (m1 + m2)).
@@ -52,14 +53,14 @@ Proof. intros. unfold captive.
   - apply Rmult_le_compat_r with (r := 2 * (a2 + a1 ^ 2 / (m1 + m2))) in I; [|lra].
     unfold Rdiv at 2 in I. rewrite Rmult_assoc, Rinv_l in I by lra. lra. Qed.
 
-(** The frequency of stick. *)
+(** [tie-stick-frequency] The frequency of stick. *)
 Theorem tie_stick_frequency : forall m1 m2 a2 : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> omega m1 m2 a2 = ((sqrt a2) * (/ (sqrt (m1 + m2)))).
 Proof. intros; unfold omega; rewrite sqrt_div_alt by lra; field; apply Rgt_not_eq, sqrt_lt_R0; lra. Qed.
 
-(** Stick: the place of both bodies. *)
+(** [tie-stick-place] Stick: the place of both bodies. *)
 Theorem tie_stick_place : forall m1 m2 a2 x0 v0 t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> X m1 m2 a2 x0 v0 t = ((x0 * (cos (t * (omega m1 m2 a2)))) + (v0 * (/ (omega m1 m2 a2)) * (sin (t * (omega m1 m2 a2))))).
 Proof. intros; pose proof (omega_pos m1 m2 a2 ltac:(lra) ltac:(lra) ltac:(lra)); unfold X, V; rewrite ?(Rmult_comm t); field; lra. Qed.
 
-(** Stick: the speed of both bodies. *)
+(** [tie-stick-speed] Stick: the speed of both bodies. *)
 Theorem tie_stick_speed : forall m1 m2 a2 x0 v0 t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> V m1 m2 a2 x0 v0 t = ((v0 * (cos (t * (omega m1 m2 a2)))) + ((-1) * x0 * (omega m1 m2 a2) * (sin (t * (omega m1 m2 a2))))).
 Proof. intros; pose proof (omega_pos m1 m2 a2 ltac:(lra) ltac:(lra) ltac:(lra)); unfold X, V; rewrite ?(Rmult_comm t); field; lra. Qed.

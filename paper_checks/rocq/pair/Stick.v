@@ -25,6 +25,7 @@ Proof.
   - specialize (Dw (T + tau + 1) ltac:(lra)). cut (T + tau + 1 - T <= tau); [lra|]. apply Dw. intros u Hu.
     apply Rnot_le_lt. intros Nu. apply No. exists u. lra.
 Qed.
+(** [contact] Every solution meets $S$ in every time window of length $2\sqrt{2Em_2}/b$, so infinitely often. *)
 Theorem contact x v1 v2 s T : solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= T ->
   exists t, T <= t <= T + 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b /\ v1 t = v2 t.
 Proof. intros H. apply solution_moves in H. exact (moves_contact 1 x v1 v2 s T H). Qed.
@@ -85,7 +86,7 @@ Proof.
   assert (x ^ 2 <= L ^ 2) by nra. split; nra.
 Qed.
 
-(** inside S0 the friction that sticking needs is at most b *)
+(** [ellipse-solution] Every ellipse on $S$ with energy up to $E_{cr}$ is a solution: the stuck pair. *)
 Theorem ellipse_solution x0 v0 : energy m1 m2 a2 x0 v0 v0 <= Ecr ->
   solution m1 m2 0 a2 b (X x0 v0) (V x0 v0) (V x0 v0) (fun t => m2 / b * V x0 v0 t).
 Proof.
@@ -114,6 +115,8 @@ Proof.
 Qed.
 
 (** *** Capture: on S with E <= E_cr the pair moves along the ellipse for ever *)
+
+(** [capture] A solution on $S$ with energy up to $E_{cr}$ moves along its ellipse permanently. *)
 Theorem capture x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 ->
   v1 t0 = v2 t0 -> energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) <= Ecr ->
   forall u, 0 <= u -> x (t0 + u) = X (x t0) (v1 t0) u /\ v1 (t0 + u) = V (x t0) (v1 t0) u /\
@@ -127,7 +130,7 @@ Proof.
   - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0, <- Ev. ring.
 Qed.
 
-(** merging: E <= E_cr at the time T is enough *)
+(** [merging] Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time. *)
 Theorem merging x v1 v2 s T : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= T ->
   energy m1 m2 a2 (x T) (v1 T) (v2 T) <= Ecr ->
   exists t0, T <= t0 <= T + 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b /\
@@ -141,7 +144,7 @@ Proof.
   exists t0; split; [auto|]. split; [rewrite <- Ev in ED; lra|]. apply (capture x v1 v2 s t0); auto; lra.
 Qed.
 
-(** stability of every stuck motion: the energy distance to it never increases *)
+(** [ellipse-stable] The energy distance of a solution to a stuck motion never grows. *)
 Theorem ellipse_stable x0 v0 x v1 v2 s r t : energy m1 m2 a2 x0 v0 v0 <= Ecr ->
   solution m1 m2 0 a2 b x v1 v2 s -> 0 <= r <= t ->
   energy m1 m2 a2 (x t - X x0 v0 t) (v1 t - V x0 v0 t) (v2 t - V x0 v0 t) <=

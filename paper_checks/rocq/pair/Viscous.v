@@ -74,7 +74,7 @@ Proof. assert (0 <= a1 ^ 2 / M); [|lra].
 Lemma captive_less e e' : e' <= e -> captive e -> captive e'.
 Proof. unfold captive. intros. nra. Qed.
 
-(** contact at or below the captive level is for ever *)
+(** [captive-sticks] On $S$ below the captive level the pair sticks permanently. *)
 Theorem captive_sticks t0 : 0 <= t0 -> v1 t0 = v2 t0 -> captive (E t0) -> forall t, t0 <= t -> v1 t = v2 t.
 Proof.
   intros Ht W C t Hu. assert (CW : cont w). { apply cont_minus;
@@ -85,7 +85,8 @@ Proof.
   unfold w in Q. rewrite W in Q. nra.
 Qed.
 
-(** there is a contact in bounded time, and from there on it sticks *)
+(** [captive-merges] Once its energy is below the captive level, a solution sticks permanently after a bounded time.
+    *)
 Theorem captive_merges T : 0 <= T -> captive (E T) ->
   exists t0, T <= t0 <= T + 2 * sqrt (2 * E T * m2) / b /\ forall t, t0 <= t -> v1 t = v2 t.
 Proof.
@@ -93,7 +94,7 @@ Proof.
   exists t0; split; auto. apply captive_sticks; auto; [lra|]. apply captive_less with (E T); auto. apply E_mono; lra.
 Qed.
 
-(** then it moves as one body *)
+(** [one-body] While stuck the pair moves as one damped body. *)
 Theorem one_body t0 : (forall t, t0 <= t -> v1 t = v2 t) -> forall t, 0 <= t -> t0 <= t ->
   rderiv x t (v1 t) /\ rderiv (fun u => (m1 + m2) * v1 u) t (- (a2 * x t + a1 * v1 t)).
 Proof.
@@ -204,7 +205,8 @@ Proof.
   rewrite En in A6 |- *. lra.
 Qed.
 
-(** E <= 3 E(0) exp (-k t), with one k for all starts in {E <= E0} *)
+(** [viscous-decay] With $a_1>0$: $E(t)\leqslant 3E(0)\,e^{-kt}$, with one $k>0$ for all initial energies below a
+    level. *)
 Theorem decay E0 : 0 <= E0 -> exists k, 0 < k /\ forall x v1 v2 s, solution m1 m2 a1 a2 b x v1 v2 s ->
   energy (x 0) (v1 0) (v2 0) <= E0 -> forall t, 0 <= t ->
   energy (x t) (v1 t) (v2 t) <= 3 * energy (x 0) (v1 0) (v2 0) * exp (- k * t).
@@ -248,7 +250,7 @@ Proof.
   assert (exp (k * t) * (E t / 2) <= exp (k * t) * L t) by scale. lra.
 Qed.
 
-(** one time after which every pair that started in {E <= E0} is stuck and has at most the energy e *)
+(** [viscous-rest] With $a_1>0$: one time after which every solution that starts below a level sticks permanently. *)
 Theorem rest E0 e : 0 <= E0 -> 0 < e -> exists T, 0 <= T /\ forall x v1 v2 s, solution m1 m2 a1 a2 b x v1 v2 s ->
   energy (x 0) (v1 0) (v2 0) <= E0 -> forall t, T <= t -> energy (x t) (v1 t) (v2 t) <= e /\ v1 t = v2 t.
 Proof.

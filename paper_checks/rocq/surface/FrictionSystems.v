@@ -86,7 +86,8 @@ Proof.
   rewrite b_minus. apply Q; auto.
 Qed.
 
-(** T1: two motions never part by more than the impulse of the difference of their forces *)
+(** [system-defects] Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone,
+    under two forces separate by at most the integral of the norm of $M^{-1}(u-\tilde u)$. *)
 Theorem system_defects psi U F q v U' F' q' v' d J r t : dampers 0 -> inclusion psi U F q v -> inclusion psi U' F' q' v'
   ->
   (forall u, 0 <= u -> vderiv state_ip (fun r => minus (impulse U r) (impulse U' r)) u (d u)) -> cont J ->
@@ -97,7 +98,8 @@ Proof.
     (inclusion_motion _ _ _ _ _ H) (inclusion_motion _ _ _ _ _ H') d J r t Hd CJ HJ Hr).
 Qed.
 
-(** under one force they never part *)
+(** [system-contraction] The flow of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$, $C$ monotone and
+    friction bounded, is non-expansive in the energy norm. *)
 Theorem system_contracts psi U F q v F' q' v' r t : dampers 0 -> inclusion psi U F q v -> inclusion psi U F' q' v' -> 0
   <= r <= t ->
   norm state_ip (minus (q t, v t) (q' t, v' t)) <= norm state_ip (minus (q r, v r) (q' r, v' r)).
@@ -106,7 +108,8 @@ Proof.
     (inclusion_motion _ _ _ _ _ H) (inclusion_motion _ _ _ _ _ H') Hr).
 Qed.
 
-(** S1: where the dampers give at most at the rate c, they part at most at this rate *)
+(** [system-parts] Where the dampers supply a power of at most $c|v|^2$, as friction that falls with speed does, two
+    motions separate at most like $e^{ct}$. *)
 Theorem system_parts c psi U F q v F' q' v' t : 0 <= c -> dampers c -> inclusion psi U F q v -> inclusion psi U F' q' v'
   ->
   0 <= t -> norm state_ip (minus (q t, v t) (q' t, v' t)) <= exp (c * t) * norm state_ip (minus (q 0, v 0) (q' 0, v'
@@ -116,7 +119,9 @@ Proof.
     (inclusion_motion _ _ _ _ _ H) (inclusion_motion _ _ _ _ _ H') Ht).
 Qed.
 
-(** T2: whatever brakes with a power of at least beta |B q'| synchronises, unique or not *)
+(** [system-synchronises] Without a force, $M,K\geqslant 0$ and dissipative dampers, any bounded friction with a power
+    of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the displacement converges, and $Bq'\to 0$ where
+    $|Bq'|$ is Lipschitz. *)
 Theorem system_synchronises F q v beta J : (forall w, 0 <= dot (C w) w) -> 0 < beta -> moves (fun _ => zero) F q v ->
   (forall t, 0 <= t -> brakes dotw (beta * norm dotw (B (v t))) F (B (v t)) t) ->
   cont J -> (forall t, 0 <= t -> rderiv J t (norm dotw (B (v t)))) ->
@@ -183,6 +188,7 @@ Proof.
     1)) with ((a2 + m1 + m2 + 1) * (a2 + m1 + m2 + 1) * (e * e)) by ring. apply Rmult_le_compat_r; nra.
 Qed.
 
+(** [pair-inclusion] The pair under a force is the case with one direction. *)
 Theorem pair_is_an_inclusion U x v1 v2 s : forced m1 m2 a1 a2 b U x v1 v2 s ->
   motion pair_ip pair_flow pair_friction (fun t => (0, U t / m1, 0)) (fun t => (0, b / m1 * s t, - (b / m2 * s t)))
     (fun t => (x t, v1 t, v2 t)).

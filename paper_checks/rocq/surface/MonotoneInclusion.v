@@ -219,7 +219,8 @@ Proof.
     cbv beta in K1. apply Rabs_inv in K1. fold (D (t + h)) (D t) in K1. lra.
 Qed.
 
-(** T1: the root of twice the distance grows at most by the integral J of the defects' norm *)
+(** [inclusion-defects] Two motions of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, separate by at most the
+    integral of the norm of their defects. *)
 Theorem defects_add d J r t : (forall u, 0 <= u -> vderiv (fun r => minus (G r) (G' r)) u (d u)) -> cont J ->
   (forall u, 0 <= u -> rderiv J u (norm (d u))) -> 0 <= r <= t ->
   norm (minus (y t) (y' t)) <= norm (minus (y r) (y' r)) + (J t - J r).
@@ -237,7 +238,8 @@ Proof.
 Qed.
 End Two.
 
-(** without defects: contraction *)
+(** [inclusion-contraction] The flow of $y'\in Ay+g-\partial\varphi(y)$, $-A$ monotone, is non-expansive in the energy
+    norm. *)
 Theorem contracts A phi G P y P' y' r t : monotone A -> motion A phi G P y -> motion A phi G P' y' -> 0 <= r <= t ->
   norm (minus (y t) (y' t)) <= norm (minus (y r) (y' r)).
 Proof.
@@ -318,8 +320,8 @@ Qed.
 
 Let Ep t : 0 <= t -> 0 <= E t. Proof. intros _. unfold E. pose proof (ip_pos _ In (y t)). lra. Qed.
 
-(** every displacement that moves no faster has a limit, no farther than E / beta, and a slip that cannot jump dies out
-  *)
+(** [inclusion-synchronises] Any force that brakes: the path of the slip is at most $E(0)/\beta$ long, what moves no
+    faster has a limit at most $E/\beta$ away, and a slip that cannot jump tends to 0. *)
 Theorem brakes_synchronise J : cont J -> (forall t, 0 <= t -> rderiv J t (f t)) ->
   (forall t, 0 <= t -> beta * (J t - J 0) <= E 0) /\
   (forall z, (forall r t, 0 <= r <= t -> Rabs (z t - z r) <= J t - J r) -> exists zl,

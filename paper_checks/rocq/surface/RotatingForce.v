@@ -28,7 +28,8 @@ Record circular U f rho (q q' v v' w w' g g' : R -> R) : Prop := {
 Definition balance U f rho := (m2 * om ^ 2 * U) ^ 2 =
   f ^ 2 * stiffness (m1 + m2) + 2 * a1 * m2 ^ 2 * om ^ 4 * f * rho + m2 ^ 2 * om ^ 2 * stiffness m1 * rho ^ 2.
 
-(** T6: friction of length f with slip of speed rho turns with the force exactly at the amplitude of the balance *)
+(** [rotating-motion] Under a rotating force there is a motion with a friction of constant size and the constant speed
+    $\rho$ of slip that solves a quadratic. *)
 Theorem circular_motion U f rho : 0 < U -> 0 < f -> 0 <= rho -> balance U f rho ->
   exists q q' v v' w w' g g', circular U f rho q q' v v' w w' g g'.
 Proof.
@@ -63,8 +64,8 @@ Let S1 : 0 <= stiffness m1. Proof. unfold stiffness. pose proof (pow2_ge_0 (a2 -
 Let SM : 0 <= stiffness (m1 + m2). Proof. unfold stiffness. pose proof (pow2_ge_0 (a2 - (m1 + m2) * om ^ 2)). pose proof
   (pow2_ge_0 (a1 * om)). lra. Qed.
 
-(** U** = U*: up to U* there is a stuck circle with friction b U / U*, above it just one speed of slip, and none below
-  *)
+(** [rotating-threshold] Unless $a_1=0$ and body 1 alone is in resonance: the equation of rotating-motion has a stuck
+    circle up to $U^*$, and exactly above it one positive speed of slip under the friction $b$. *)
 Theorem one_threshold U : 0 < U -> 0 < stiffness m1 ->
   (U <= Ustar_plane -> exists f, 0 < f <= b /\ U * b = f * Ustar_plane /\ balance U f 0) /\
   ((exists rho, 0 < rho /\ balance U b rho) <-> Ustar_plane < U) /\
@@ -121,6 +122,8 @@ Definition X0 f f' rho := (1 + f' * g_s) * (1 + f / rho * g_s) + f' * (f / rho) 
 Definition force2 f rho := (f ^ 2 * stiffness (m1 + m2) + 2 * a1 * m2 ^ 2 * om ^ 4 * f * rho
   + m2 ^ 2 * om ^ 2 * stiffness m1 * rho ^ 2) / (m2 * om ^ 2) ^ 2.
 
+(** [rotating-characteristic] With friction that depends on the speed, the characteristic function at 0 is
+    $X(0)=\frac{\omega^2}{2\rho|D|^2}\frac{d(U^2)}{d\rho}$. *)
 Theorem characteristic_at_zero f f' rho : 0 < stiffness m1 -> 0 < rho -> is_derive f rho f' ->
   is_derive (fun r => force2 (f r) r) rho (2 * rho * stiffness m1 / om ^ 2 * X0 (f rho) f' rho).
 Proof.

@@ -117,7 +117,8 @@ Proof.
   apply Rabs_inv in A5. nra.
 Qed.
 
-(** X(0) < 0: something grows *)
+(** [rotating-unstable] Where $X(0)<0$, the equations linearised about the slip that rotates with the force have a
+    solution that grows like $e^{\lambda t}$, $\lambda>0$. *)
 Theorem repels : X0 m1 m2 a1 a2 om f f' rho < 0 -> exists lam q q' v v' w w' g g', 0 < lam /\
   grows lam q q' v v' w w' g g' /\ (g <> 0 \/ g' <> 0).
 Proof.

@@ -31,7 +31,8 @@ Proof.
   replace ((A + B) / 2) with ((A + B) / 2 * (sin th * sin th + cos th * cos th)) by (rewrite SC; ring). field.
 Qed.
 
-(** T3: within the friction for ever exactly if the semi-major axis is at most L *)
+(** [plane-stuck-iff] On a stuck ellipse the load stays within isotropic friction permanently exactly if the
+    semi-major axis is at most $L$. *)
 Theorem stuck_iff L : 0 <= L -> ((forall th, norm ip (ellipse th) <= L) <-> semi_major_square <= L ^ 2).
 Proof.
   intros HL. assert (Sq : forall th, norm ip (ellipse th) <= L <-> ip (ellipse th) (ellipse th) <= L ^ 2).
@@ -60,8 +61,8 @@ Proof.
     nra.
 Qed.
 
-(** in units of E_cr the energy is (|q|^2 + |p|^2) / L^2: up to 1 it sticks for ever, beyond 2 never, and a line or a
-  circle exactly up to there *)
+(** [plane-stuck-energies] On a stuck ellipse the load stays within isotropic friction always up to $E_{cr}$, never
+    beyond $2E_{cr}$; on a line exactly up to the first, on a circle exactly up to the second. *)
 Theorem stuck_energies L : 0 <= L ->
   (A + B <= L ^ 2 -> forall th, norm ip (ellipse th) <= L) /\
   ((forall th, norm ip (ellipse th) <= L) -> A + B <= 2 * L ^ 2) /\
@@ -102,6 +103,8 @@ Proof.
   rewrite SC, C, S in E. lra.
 Qed.
 
+(** [plane-stuck-load] A stuck pair in the plane moves on an ellipse; the force on body 2 is within $b$ exactly while
+    the place is within $L$; its energy by the ellipse, and $E_{cr}=a_2L^2/2$. *)
 Theorem stuck_load m1 m2 a2 b (x y v w ax ay : R -> R) : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
   (forall t, is_derive x t (v t) /\ is_derive v t (ax t) /\ is_derive y t (w t) /\ is_derive w t (ay t)) ->
   (forall t, (m1 + m2) * ax t = - a2 * x t /\ (m1 + m2) * ay t = - a2 * y t) ->
@@ -141,8 +144,7 @@ Proof.
   - unfold L. field. lra.
 Qed.
 
-(** T4: in slip s' = k (Lambda - b s/|s|) the function G = b|s| + Lambda.s falls towards its zero, the end of the slip,
-  at a rate that does not vanish there while |Lambda| < b *)
+(** [plane-landing] In slip, $G=b|s|+\Lambda\cdot s$ has the rate $-\kappa(b^2-|\Lambda|^2)+\dot\Lambda\cdot s$. *)
 Theorem landing_rate k b (x y p q : R -> R) l l' t : 0 < x t ^ 2 + y t ^ 2 ->
   is_derive x t (k * (p t - b * x t / sqrt (x t ^ 2 + y t ^ 2))) ->
   is_derive y t (k * (q t - b * y t / sqrt (x t ^ 2 + y t ^ 2))) -> is_derive p t l -> is_derive q t l' ->

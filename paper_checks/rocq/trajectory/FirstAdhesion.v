@@ -82,9 +82,8 @@ Proof.
       destruct (mode_until now) as [[|]|]; simpl in Ma; [lra|lra|congruence].
 Qed.
 
-(** The first adhesion is at ta = 4.549769479..., not before: until then both velocities agree at 20 single instants
-    only. It lasts until tb = 4.579537997...; at 4.7 the pair slips, and adheres again from tc = 4.771754480... until
-    td = 4.911023717.... *)
+(** [first-adhesion] The scene of Fig. 5: every solution sticks from 4.549769479... s to 4.579537997... s, not before,
+    slips until 4.771754480... s, including 4.7 s, and sticks again. *)
 Theorem first_adhesion x v1 v2 s : solution 1 1 0 200 (5 / 100) x v1 v2 s -> x 0 = 0 -> v1 0 = 15 / 100 -> v2 0 = 0 ->
   exists ta tb tc td contacts, 45497694797 / 10 ^ 10 <= ta <= 45497694798 / 10 ^ 10 /\
   45795379975 / 10 ^ 10 <= tb <= 45795379977 / 10 ^ 10 /\ 47717544800 / 10 ^ 10 <= tc <= 47717544802 / 10 ^ 10 /\

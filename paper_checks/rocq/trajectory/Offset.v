@@ -27,8 +27,9 @@ End Table.
 Definition half_sine t := (1 - cos t) / 2.
 Definition swing t := - (sin t + cos t) / 4.
 Definition swing' t := - (cos t - sin t) / 4.
-(** The reference is a motion under that force. One that starts with body 2 in its place and at its velocity, but with
-    body 1 at rest at 0, tends to it in both velocities, and body 2 stays between 266.1 and 266.2 mm behind for good. *)
+(** [keeps-offset] $m_1=m_2=a_1=a_2=b=1$, $u=\frac12\sin t$: the reference $-\frac14(\sin t+\cos t)$ is a motion, and
+    one that starts with its $x_2$ and $v_2$, body 1 at rest at 0, takes on its velocities and keeps an offset of
+    $x_2$ between $-266.2$ and $-266.1$ mm. *)
 Theorem keeps_offset x v1 v2 s x2 : forced 1 1 1 1 1 half_sine x v1 v2 s -> cont x2 ->
   (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> x 0 = 0 -> v1 0 = 0 -> x2 0 = swing 0 -> v2 0 = swing' 0 ->
   (exists s', forced 1 1 1 1 1 half_sine swing swing' swing' s') /\

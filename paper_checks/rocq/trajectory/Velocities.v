@@ -106,6 +106,7 @@ Lemma accepted :
   C.check F.PtoP (F.PtoP 24) 64 the_scene 72 answers the_events the_ending hints = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
-(** so every motion of the scene runs through these events *)
+(** [trajectory-velocities] The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds on their times,
+    positions and velocities. *)
 Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2 -> unfolds x v1 x2 v2 0 the_events the_ending.
 Proof. exact (C.sound _ _ _ _ _ _ _ _ _ accepted x v1 x2 v2). Qed.
