@@ -40,7 +40,7 @@ NO_NUMBERS = _names(
 )
 """What says how and with which digits, and what gives the numbers below once more."""
 ROWS = _names(
-    """row_at row_changes row_column row_excess row_flow row_lengths row_mode row_motion row_pieces row_signs row_states
+    """row_at row_changes row_column row_excess row_excess_at row_flow row_lengths row_mode row_motion row_pieces row_signs row_states
     row_taken row_times row_values"""
 )
 """Of what the numbers below are made."""
@@ -49,7 +49,8 @@ NUMBERS = _names(
     final_state initial ledger reduced segments sol t t_events units y y_events"""
 )
 NO_NUMBERS_OF_A_BATCH = _names(
-    "ANSWERS certain digits ends event_mode inputs kept mode numbers plot shape status success to_dataframe to_xarray"
+    """ANSWERS certain digits ends event_mode inputs kept message mode numbers plot results shape status success
+    to_dataframe to_xarray values"""
 )
 NUMBERS_OF_A_BATCH = {"t", "y", "energy_excess", "dissipated", "event_t", "event_y", "events"}
 

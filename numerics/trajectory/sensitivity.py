@@ -124,6 +124,7 @@ def sensitivities(
     A fit of b and m1 to samples of v1 by the method of Gauss and Newton:
 
     >>> from fractions import Fraction
+    >>> import numpy as np
     >>> from numerics import Pair, Scene, State, solve
     >>> def solved(b, m1): return solve(Scene(Pair(Fraction(m1), 1, 200, Fraction(b)), State(v1="0.15"), 1))
     >>> times = np.linspace(0, 1, 20)

@@ -84,7 +84,7 @@ def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, name, chan
 
 
 @pytest.mark.parametrize(
-    ("place", "fault", "step"),
+    ("place", "fault", "step"),  # each step by its name in its module, where its cache is emptied
     [
         # with |x1''| >= 0 instead of >= b/m2 the spurious branches could stay
         ("filippov.b", lambda _: sp.Integer(0), lambda: [filippov.spurious_branches_leave()]),
@@ -94,9 +94,13 @@ def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, name, chan
         (
             "onset.subcritical_level",
             lambda level: lambda: sp.Le(level().lhs - b**2, 0, evaluate=False),
-            onset.stays_together,
+            lambda: [*onset.stays_together()],
         ),
-        ("return_map.at_most", lambda most: lambda defect, order: most(defect, order) * 10_000, return_map.remainders),
+        (
+            "return_map.at_most",
+            lambda most: lambda defect, order: most(defect, order) * 10_000,
+            lambda: [*return_map.remainders()],
+        ),
         (
             "long_time.TIMES",
             lambda times: (times[0], "1e4", times[2]),

@@ -22,7 +22,7 @@ from paper_checks.running import rows as running
 from paper_checks.running.runner import Context, Row
 
 TEX = pytest.mark.skipif(not shutil.which("pdflatex"), reason="pdflatex is not installed")
-PAGES, TOO_WIDE = 25, 2.0
+PAGES, TOO_WIDE = 26, 2.0
 """How long the paper may be, and by how much a line may stick out (points)."""
 SCREEN = r"\b(explore|tab|fold|unfold|click|choose|scroll|search|filter|html|browser|page)s?\b"
 
