@@ -2,7 +2,7 @@
 
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Scene, State
-from paper_checks.claims.beyond import contraction, response, static_friction, tolerance
+from paper_checks.claims.beyond import contraction, response, tolerance
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
 from paper_checks.decide import kernel
@@ -260,14 +260,6 @@ def damping_for_tracking() -> Case:
             r"As long as $b$ stays between some $b_{\min}>0$ and some $b_{\max}$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
             kernel="interface-synchronises",
         ),
-        clause(
-            "long-run",
-            r"""
-            If $b$ depends on $|\dot z|$ alone, without a jump at $0$ and with a bounded slope, $a_1=0$, then $E_{cr}$ and the
-            limit of $t\,(E-E_{cr})$ are those of a constant friction $b(0)$; if it is $b(0)$ at rest, a smaller constant in slip,
-            and sticks are kept, every motion merges (static-friction-stops-creeping).
-            """,
-        ),
     ),
     open=(
         "The long-run motion for a friction that varies with time or place (which motions merge, how fast the others converge) is not decided here.",
@@ -282,18 +274,12 @@ def varying_interface() -> Case:
         flow is non-expansive. With a friction that varies with the state two motions may separate, but if it varies
         without jumps, with bounded slopes, each initial state still has one motion; and without a force, friction that
         stays above some positive value, whatever it depends on, brings every relative motion to rest. How it does so is
-        known for a friction that depends on the speed of slip.
+        known for a friction that depends on the speed of slip: see static-friction-stops-creeping.
         """,
         counterexample(
             "For $b(t)\\geqslant 0$ with a continuous integral this much of the effect is known: from every initial state there is one solution, and the flow is non-expansive in the norm $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
             kernel.step("interface-well-posed"),
             kernel.step("interface-contraction"),
-        ),
-        carried(
-            "long-run",
-            static_friction.merges_or_tends(),
-            static_friction.slope_drops_out(),
-            kernel.step("static-sticks-at-last"),
         ),
         carried(
             "state",
