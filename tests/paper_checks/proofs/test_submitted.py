@@ -101,7 +101,8 @@ FALSE = {
 
 
 def test_the_shipped_table_is_what_the_solver_writes():
-    assert proof(load_scene("velocities")) == (FOLDER / "trajectory" / "Velocities.v").read_text("utf-8")
+    shipped = (FOLDER / "trajectory" / "Velocities.v").read_text("utf-8")
+    assert proof(load_scene("velocities")) == re.sub(r"\(\*\* \[.*?\*\)\n", "", shipped, flags=re.DOTALL)  # its id
 
 
 @needs_kernel
