@@ -101,8 +101,9 @@ FALSE = {
 
 
 def test_the_shipped_table_is_what_the_solver_writes():
-    shipped = (FOLDER / "trajectory" / "Velocities.v").read_text("utf-8")
-    assert proof(load_scene("velocities")) == re.sub(r"\(\*\* \[.*?\*\)\n", "", shipped, flags=re.DOTALL)  # its id
+    texts = proof(load_scene("velocities")), (FOLDER / "trajectory" / "Velocities.v").read_text("utf-8")
+    written, shipped = (re.sub(r"\(\*\*.*?\*\)", "", text, flags=re.DOTALL) for text in texts)  # but for its comments
+    assert written == shipped
 
 
 @needs_kernel
