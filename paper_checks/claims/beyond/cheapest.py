@@ -255,5 +255,15 @@ def cheapest_transfer() -> Case:
         carried("slip", with_slip()),
         carried("far", far_away()),
         carried("all", for_all()),
-        carried("peak", certificate(), *map(kernel.step, ("weak-sticks", "weak-takes", "weak-attained"))),
+        carried(
+            "peak",
+            argument(
+                r"""
+                Under a force with $|u|\leqslant U$ the pair sticks until $T_w<\pi/\Omega$, and does not arrive before it: so the bound
+                while stuck is one for each force of at most the peak $U$ that arrives by then.
+                """,
+                certificate(),
+                *map(kernel.step, ("weak-sticks", "weak-takes", "weak-attained")),
+            ),
+        ),
     )

@@ -227,8 +227,8 @@ def trackable_references() -> Case:
     clause(
         "weak",
         r"""
-        For a weak force, $a_1=0$, «weak» and «held», «share», no such force breaks adhesion within $\pi/\Omega$, and from
-        rest at $x_1=0$ to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
+        For a weak force, $|u|\leqslant U$, $a_1=0$, «weak» and «held», «share», from rest at $x_1=0$ no such force breaks
+        adhesion within $\pi/\Omega$, and to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
         angle, $-U$ over the second attain that.
         """,
         weak=sharp(

@@ -164,16 +164,16 @@ def decays() -> Evidence:
         r"""
         Let $R(a_1)$ be the time from which $E\leqslant a_2d^2/2$, so that $|x_1|\leqslant d$ from then on. $R$ is
         continuous for $a_1>0$. As $a_1\to\infty$, if $|x_1(0)|>d$, $R\sim\frac{a_1}{a_2}\ln\frac{|x_1(0)|}{d}$; if
-        $|x_1(0)|<d$, «stops» where that is positive, with the initial $x_1,v_2$, and $R\to 0$ elsewhere. As $a_1\to 0$,
-        if without a damper $E$ stays above $a_2d^2/2$, $R\to\infty$. So a damper that is best for rest exists if it
-        does and $|x_1(0)|>d$; if $x_1(0)=v_2(0)=0$, $R\to 0$ as $a_1\to\infty$.
+        $|x_1(0)|<d$, «stops» where that is positive, with the initial $x_1,v_2$, and $R\to 0$ where it is not. As
+        $a_1\to 0$, if without a damper $E$ stays above $a_2d^2/2$, $R\to\infty$. So a damper that is best for rest exists if
+        $E$ stays above $a_2d^2/2$ without one and $|x_1(0)|>d$; if $x_1(0)=v_2(0)=0$, $R\to 0$ as $a_1\to\infty$.
         """,
         stops=stops(),
     ),
     clause(
         "critical",
         r"""
-        As $d\to 0$ with a fixed $a_1$, $R/\ln\frac1d$ tends to $1/\lambda$, where $\lambda$ is the smaller real part of
+        As $d\to 0$ with a fixed $a_1>0$ and $E(0)>0$, $R/\ln\frac1d$ tends to $1/\lambda$, where $\lambda$ is the smaller real part of
         the rates at which the stuck pair decays: at most $\sqrt{a_2/M}$, and that for $a_1=2\sqrt{a_2M}$ only. Two
         exceptions are faster: a motion that ends exactly on the faster of two real rates, or at rest at a contact.
         """,
@@ -187,7 +187,7 @@ def synchronisation_against_damping() -> Case:
     return because(
         """
         A heavy damper stops body 1, and friction alone stops body 2; a light one takes, near the critical orbit, what
-        friction no longer takes. A larger damper saves slips: $T$ falls in steps, and between two of them it may rise.
+        friction no longer takes. A larger damper saves slips: $T$ may fall in steps, and rise between two of them.
         """,
         carried(
             "monotone",

@@ -286,7 +286,7 @@ def _above_six_turns() -> arb:
     ),
     clause(
         "below",
-        r"Below $U_{**}$ no motion slips permanently, one way for half a period of the force and then the other way, whatever its own period is, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
+        r"Under the same condition on $a_1$ and $\omega_1$, below $U_{**}$ no motion slips permanently, one way for half a period of the force and then the other way, whatever its own period is, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
     ),
     clause(
         "over-damped",
@@ -320,7 +320,7 @@ def _above_six_turns() -> arb:
         r"""
         In between: let $u=U_{\sin}\sin\omega t+U_{\cos}\cos\omega t$ from an exit $(x_0,v_0)$ on, and a slip of sign
         1 last for $t_s<\pi/\omega$. The conditions «exit» at the exit, «end» at $t_s$, and $(x_1,v_1)=-(x_0,v_0)$ at
-        $\pi/\omega$ are linear in $x_0,v_0,U_{\sin},U_{\cos}$. A solution of them is a motion of amplitude
+        $\pi/\omega$ are linear in $x_0,v_0,U_{\sin},U_{\cos}$. A solution of them is a motion with two stops of amplitude
         $U=\sqrt{U_{\sin}^2+U_{\cos}^2}$ that is its own negative half a period later exactly if $\dot z>0$ in the
         slip and $|\Lambda|\leqslant b$ in the stick.
         """,

@@ -167,17 +167,17 @@ def one_part() -> Evidence:
     clause(
         "edge",
         r"""
-        At $U_1=U_{\mathrm{res}}$ for such a sine every motion is bounded. For each $c\geqslant\frac{\pi b}{2m_2\omega_1}$ there
+        For $u=U_{\mathrm{res}}\sin\omega_1t$ every motion is bounded. For each $c\geqslant\frac{\pi b}{2m_2\omega_1}$ there
         is one that slips permanently, with $v_1=\bigl(c+\frac{2b}{\pi m_1}t\bigr)\sin\omega_1t-\frac{\pi
-        b}{2m_2\omega_1}\cos\omega_1t$ and $\dot z>0$ for half a period, and half a period later is its own negative.
+        b}{2m_2\omega_1}\cos\omega_1t$ and $\dot z>0$ for $0<t<\pi/\omega_1$, and half a period later is its own negative.
         """,
         kernel="resonance-edge resonance-edge-bounded",
     ),
     clause(
         "third-root",
         r"""
-        Let $U_1=U_{\mathrm{res}}$, $T=2\pi N/\omega_1$, $u$ be bounded, and $U_1\cos\omega_1t$ its part at $\omega_1$, $t=0$ being chosen so. Let $d_k$ be
-        $\int_0^tu\sin\omega_1t\,dt$ at the zeros of $\cos\omega_1t$ in a period, less its mean at those where $\sin\omega_1t$ is the same. If all
+        Let $U_1=U_{\mathrm{res}}$, $T=2\pi N/\omega_1$ with an integer $N\geqslant 1$, $u$ be bounded, and $U_1\cos\omega_1t$ its part at $\omega_1$, $t=0$ being chosen so. Let $d_k$ be
+        $\int_0^tu(s)\sin\omega_1s\,ds$ at the zeros of $\cos\omega_1t$ in a period, less its mean at those where $\sin\omega_1t$ is the same. If all
         $d_k=0$, as for $N=1$, every motion is bounded. Else every motion grows, «limit» as $t\to\infty$, $D=\sum_kd_k^2$.
         """,
         limit=Formula(

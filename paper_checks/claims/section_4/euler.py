@@ -32,8 +32,9 @@ step = Symbol("h", positive=True)
         clause(
             "adheres",
             r"""
-            Of the steps tried, $5\cdot10^{-5}$ s and $10^{-5}$ s give the first adhesion of the Filippov solution within
-            three steps in Fig. 4 (b), in Fig. 5 (b) with $b=0.2$ and in Fig. 5 (a). Fig. 4 (b) has it with all of them; in Fig. 5 (a) $10^{-4}$ s, $2\cdot10^{-4}$ s and
+            Let a run adhere where $\dot z$ first changes its sign between two places in $S_0$. Of the steps tried,
+            $5\cdot10^{-5}$ s and $10^{-5}$ s adhere within three steps of the first adhesion of the Filippov solution in
+            Fig. 4 (b), in Fig. 5 (b) with $b=0.2$ and in Fig. 5 (a). In Fig. 4 (b) all of them do; in Fig. 5 (a) $10^{-4}$ s, $2\cdot10^{-4}$ s and
             $10^{-3}$ s are late by more than 0.2 s, and with $10^{-2}$ s the energy grows.
             """,
         ),
@@ -71,7 +72,7 @@ def euler_reproduces_figures() -> Case:
             "of (11)–(12) read literally, kept because the run starts at $\\dot z=0$ exactly; Fig. 4 (b) and Fig. 5 are chatter about "
             "$\\dot z=0$, which no step ever meets, and this chatter imitates Filippov's sliding, not the branch sgn = 0 of (11)–(12), "
             "which would stick permanently at the first contact. The step matters, too: in Fig. 5 (a) a step of 0.01 s makes the "
-            f"oscillation grow, {_listed(sticks)}, and only a step below about {longest_right:.1g} s finds the true {true} s (euler-error). The printed 4.7 s is near what the two smallest of these steps give."
+            f"oscillation grow, {_listed(sticks)}, and only a step below about {longest_right:.1g} s changes the sign of $\\dot z$ in $S_0$ near the true {true} s at all (euler-error). The printed 4.7 s is near what the two smallest of these steps give."
         ),
         counterexample(
             (
