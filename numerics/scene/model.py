@@ -223,8 +223,11 @@ class Scene(ShortRepr):
         put(self, until=positive(until, "until", HORIZON), force_2=force_2, belt=belt, wall=wall)
         require_nonnegative(friction, self.until)
         if friction.weakening and (pair.b_static is not None or not pair.b or not friction.is_stepwise):
+            what = (
+                "b_static" if pair.b_static is not None else "b = 0" if not pair.b else "friction by pieces that vary"
+            )
             raise InvalidScene(
-                "[weakening] scales with b > 0 by constant steps; leave it, or b_static and the pieces, out"
+                f"{what} cannot stand beside [weakening], which scales b > 0 by constant steps; leave one out"
             )
         if pair.is_fixed:
             self._take_belt()

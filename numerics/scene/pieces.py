@@ -201,7 +201,7 @@ class Signal(ShortRepr):
         times, values = list(listed("t", t)), list(listed("u", u))
         for name, given in (("t", t), ("u", u)):
             mask = getattr(given, "mask", None)
-            if mask is not None and mask.any():
+            if hasattr(mask, "any") and mask.any():  # of a table of pandas it is a method
                 raise InvalidScene(f"{name} has masked samples; leave their rows out, or fill them")
         if len(times) != len(values) or not times:
             raise InvalidScene(f"t has {len(times)} samples and u {len(values)}; give one of u for each of t")

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+import pandas
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -24,6 +25,11 @@ def test_a_sum_of_forces_is_the_sum_of_their_values_on_both_sides_of_a_jump(f, g
 def test_a_multiple_of_a_force_and_its_opposite(f, t, factor):
     assert (factor * f)(t) == pytest.approx(float(factor) * float(f(t)), rel=1e-9, abs=1e-6)
     assert float((-f)(t)) == -float(f(t))
+
+
+def test_samples_may_be_columns_of_a_table():
+    table = pandas.DataFrame({"t": [0, 1, 2], "u": [0.0, 1.0, 0.5]})
+    assert Force.samples(table["t"], table["u"]) == Force.samples([0, 1, 2], [0, 1, 0.5])
 
 
 @given(forces())
