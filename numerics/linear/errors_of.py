@@ -25,11 +25,11 @@ def errors_of(
 ) -> tuple[Any, float, float, Any]:
     """Return bounds on the events' times (s), on energy (J) and excess at the end, and the worst relative errors (5,).
 
-    These are of what JUDGED names; `weights` are a2, m1 and m2; inf
-    where a bound is no number.
+    These are of what JUDGED names; `weights` are a2, m1 and m2; inf where a bound is no number. The largest velocity
+    and energy are those of the rows, or of a mean velocity between them, which is attained on the way.
     """
     count, events, late, worst = len(rows), 0, np.empty(len(rows)), np.zeros(5)
-    sizes, errors, highest, last = np.zeros(2), np.zeros(2), 0.0, 0.0
+    sizes, errors, highest, last, before, earlier = np.zeros(2), np.zeros(2), 0.0, 0.0, end, 0.0
     for index in range(count + 1):
         row = rows[index] if index < count else end
         for k in range(4):
@@ -38,9 +38,16 @@ def errors_of(
             errors[k % 2] = max(errors[k % 2], math.inf if math.isnan(error) else error)
         x1, v1, v2 = row[_X1], row[_X1 + 1], row[_X1 + 3]
         last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
-        highest = max(highest, last)
+        highest, t = max(highest, last), earlier
+        if row[_LOCAL] >= 0.0:  # no nan
+            t = starts[int(row[_PIECE])] + row[_LOCAL]
+        if index > 0:
+            lasted = t - earlier + row[_LATE] + before[_LATE] + 8 * rounding * t
+            fast = mean_speed(row, before, 0, lasted)
+            sizes[1] = max(sizes[1], fast, mean_speed(row, before, 2, lasted))
+            highest = max(highest, weights[1] * fast * fast / 2)
+        before, earlier = row, t
         if index < count and row[_EVENT] == 1.0:
-            t = abs(starts[int(row[_PIECE])] + row[_LOCAL])
             # 4 roundings: of where the piece begins, and of the sum
             late[events] = row[_LATE] + 4 * rounding * t
             worst[0] = max(worst[0], relative(late[events], t))
@@ -51,12 +58,12 @@ def errors_of(
     for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
         error = end[_ERRORS + k]
         energy += weight * error * (abs(end[_X1 + k]) + error / 2)
-    if weights[0] == 0.0 and end[_LOCAL] > 0.0:  # a block that rests at every event has moved all the same
-        sizes[1] = max(sizes[1], sizes[0] / (starts[int(end[_PIECE])] + end[_LOCAL]))
-        highest = max(highest, weights[1] * sizes[1] * sizes[1] / 2)
     rate = math.sqrt(weights[0] / (weights[1] + weights[2]))
-    worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], rate * sizes[0])
-    worst[3] = relative(energy, highest)
+    if weights[0] == 0.0 and earlier > 0.0:
+        rate = 1.0 / earlier
+    slow = rate * sizes[0]
+    worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], slow)
+    worst[3] = moved(energy, highest, weights[1] * slow * slow / 2)
     # the excess is formed from the energy
     return late[:events].copy(), energy, energy / critical + 8 * rounding * (1 + last / critical), worst
 
@@ -69,8 +76,15 @@ def relative(error: float, size: float) -> float:
 
 
 @compilable
+def mean_speed(row: Any, before: Any, place: int, lasted: float) -> float:
+    """Return the least mean speed of a body between two rows, as far as their errors leave one."""
+    gone = abs(row[_X1 + place] - before[_X1 + place]) - row[_ERRORS + place] - before[_ERRORS + place]
+    return gone / lasted if gone > 0.0 and lasted > 0.0 else 0.0
+
+
+@compilable
 def moved(error: float, size: float, scale: float) -> float:
-    """Return a relative error of velocities; of ones that may all be 0 the fourth root of that to a scale."""
+    """Return a relative error of velocities or energy; of ones that may all be 0 the fourth root of that to a scale."""
     return relative(error, scale) ** 0.25 if size <= error < 1e-4 * scale else relative(error, size)
 
 

@@ -97,7 +97,8 @@ class Batch(Ends):
     event_t_error, event_y_error   bounds on their errors
 
     Digits of a time are relative to that time, those of positions, velocities and energies to the largest of each at
-    the start, at the kept events and at the end (trajectory/digits.py). If they are 0 the status is NO_RIGHT_DIGIT.
+    the start, at the kept events and at the end, or of mean velocities between these (trajectory/digits.py). If they
+    are 0 the status is NO_RIGHT_DIGIT.
 
     >>> from numerics import solve_many
     >>> found = solve_many(1, 1, 200, 0.5, v1=[0.05, 0.15], until=5, keep_events=2, jobs=1)

@@ -1,12 +1,13 @@
 """How many digits are right: read off the radii of balls, or off the error bounds that a run carried.
 
 An error counts relative to the size that its quantity has along the run: positions have one scale, the largest |x1| or
-|x2| at start, events, jumps of u or b, and end; velocities likewise; the energy the largest energy there; the excess
-E/E_cr - 1, where it is carried, the largest |excess|. Times count relative to themselves. An x1 that passes 0 has then
-as many right digits as its neighbours. Velocities that may be 0 all along, as of a pair in balance, count as right to
-n digits below 10^(-4 n) of Omega times the largest |position|. A run has no right digit of a quantity whose error is as
-large as that scale. Where digits of balls are asked for, an error counts relative to each value itself, and a zero to n
-digits below 10^(-4 n) of its scale, as digits cost little there.
+|x2| at start, events, jumps of u or b, and end; velocities likewise, or the largest mean velocity between two of these,
+which is attained on the way, where that is larger; the energy the largest energy there, or of body 1 at that velocity;
+the excess E/E_cr - 1, where it is carried, the largest |excess|. Times count relative to themselves. An x1 that passes
+0 has then as many right digits as its neighbours. Velocities that may be 0 all along, as of a pair in balance, count as
+right to n digits below 10^(-4 n) of Omega times the largest |position|. A run has no right digit of a quantity whose
+error is as large as that scale. Where digits of balls are asked for, an error counts relative to each value itself, and
+a zero to n digits below 10^(-4 n) of its scale, as digits cost little there.
 """
 
 from __future__ import annotations
@@ -157,16 +158,16 @@ def _judged_floats(trajectory: Any) -> Judged:
 
 def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
     with trajectory.context():
-        states, energies, pair = trajectory.y, trajectory.energy, trajectory.scene.pair
+        states, energies, mass = trajectory.y, trajectory.energy, Ball.number(trajectory.scene.pair.m1)
         x, v = (states[k::2].ravel() for k in range(2))
         far: arb = _largest(x)
         carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
-        slow = _rate(trajectory.scene) * far
+        slow, fast = _rate(trajectory.scene) * far, _mean_speed(trajectory.t, states[0])
         worst = [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
             _relative(x, far),
-            _relative(v, _largest(v), slow),
-            _relative(energies[-1:], _largest(energies), Ball.number(pair.m1) * slow * slow / 2),
+            _relative(v, max(_largest(v), fast, _mean_speed(trajectory.t, states[2])), slow),
+            _relative(energies[-1:], max(_largest(energies), mass * fast * fast / 2), mass * slow * slow / 2),
             _relative(carried[-1:], _largest(carried)),
         ]
     return _digits(worst, trajectory.arithmetic.digits)
@@ -175,6 +176,12 @@ def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
 def _largest(balls: Any) -> arb:
     """Return the largest midpoint."""
     return max((abs(one.mid()) for one in balls), default=arb(0))
+
+
+def _mean_speed(times: Any, places: Any) -> arb:
+    """Return the largest mean speed between two times, which a speed on the way attains, from below."""
+    found = [(gone / lasted).abs_lower() for gone, lasted in zip(np.diff(places), np.diff(times), strict=False)]
+    return max((one for one in found if one.is_finite()), default=arb(0))
 
 
 def _relative(balls: Any, size: arb, scale: arb | None = None) -> float:

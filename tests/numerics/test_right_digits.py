@@ -85,6 +85,34 @@ def test_one_digit_more_than_float64_has_is_answered_by_balls(scene):
     assert proved_digits(more) >= has + 1
 
 
+BRAKED = Scene(Pair(m1=1, m2="inf", a2=100, b=1), State(x1="0.03"), until=3)
+"""It moves once, from rest to rest, and starts on a tie that balls decide."""
+LOOSE = Scene(Pair(m1=1, m2="inf", a2=0, b=1), State(x1=1000), until=3, force=Force([Piece(0, [2]), Piece(1)]))
+"""Far away, without a spring, from rest to rest."""
+
+
+@pytest.mark.parametrize("scene", [load_scene("friction-damper"), BRAKED, LOOSE])
+def test_bodies_that_rest_at_every_event_have_the_digits_of_their_speed_on_the_way(scene):
+    """The scale is a speed that is attained: never above the largest one, nor far below it."""
+    run, balls = solve(scene), solve(scene, digits=30, arithmetic="ball")
+    assert not any(float(one) for one in run.y[1][[0, -1]])
+    assert run.right_digits >= 12
+    assert balls.right_digits >= 30
+    fastest = abs(run.floats(run.sol(np.linspace(0, float(scene.until), 3001)))[1]).max()
+    mean = abs(np.diff(run.floats(run.y[0])) / np.diff(run.floats(run.t))).max()
+    assert fastest / 3 < mean < fastest
+    if run.bounded:
+        off = max(run.accuracy.final[1], run.accuracy.y[:, 1].max())
+        assert run.right_digits <= -np.log10(off / fastest)
+    batch = solve_scenes([scene], keep_events=len(run.events))
+    assert batch.digits.tolist() == [min(run.right_digits, 15)]
+    assert solve_scenes([scene]).digits[0] >= 12
+
+
+def test_a_few_digits_of_a_body_that_rests_at_every_event_need_no_balls():
+    assert solve(load_scene("friction-damper"), digits=5).arithmetic.name == "float64"
+
+
 # the ladder
 
 
