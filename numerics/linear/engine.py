@@ -62,6 +62,7 @@ def run_floats(scene: Scene, max_events: int, progress: Progress | None = None) 
         known = exact_knots(scene, prepared.pieces)
         if cells or len(known) > 1 or known[-1].order > 0 or known[-1].quiet > known[-1].local:
             how, rows, end = _from_exact(prepared, known, cells, max_events)
+    end[AT["how"]] = how
     _require_answer(how, prepared, end)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)

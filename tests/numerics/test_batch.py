@@ -134,6 +134,12 @@ def test_what_arrays_leave_open_is_said_in_a_sentence():
     assert "scene [0, 1]: " in repr(grid)
 
 
+def test_a_stick_that_starts_exactly_on_its_edge_is_for_ever_in_a_batch_too():
+    scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.005", x2="0.005"), until=2)
+    assert solve(scene).status == Status.STUCK_FOR_EVER
+    assert solve_scenes([scene]).status.tolist() == [Status.STUCK_FOR_EVER]
+
+
 def test_a_batch_of_one_and_of_none_have_tables():
     assert len(solve_many(**PAPER, until=1).to_dataframe()) == 1
     assert len(solve_many(1, 1, 200, [], until=1).to_dataframe()) == len(solve_scenes([]).to_dataframe()) == 0
