@@ -53,6 +53,7 @@ digits arithmetic precision: solve(scene, digits=N) chooses digits and arithmeti
 color colour title label style: the axes that it returns take that, as ax.set_title(...)
 """
 _INSTEAD = {
+    "to_dataframe": "only a run's table takes times: run.to_dataframe(times)",
     "solve_many": "solve_scenes takes a list of scenes",
     "Signal": "Force.constant(3), Force.samples(t, u) or Force.sine(amplitude, omega) make a force",
     "samples": 'of a file, np.loadtxt(file, delimiter=",", unpack=True) reads t and u',

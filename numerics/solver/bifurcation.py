@@ -133,13 +133,14 @@ def _points(task: tuple[int, Scene, Floats]) -> tuple[int, bool, Floats]:
 
 
 def _times(scene: Scene, keep: int, period: Exact | None) -> Floats:
-    """Return the last times of a run that are whole periods, s. Raises InvalidScene."""
+    """Return the last times of a run that are whole periods > 0, s. Raises InvalidScene."""
     sines = [one for pieces in scene.pieces.values() for piece in pieces for one in piece.sines]
     if period is None and not sines:
         raise InvalidScene("no sine acts on this scene; give a period in seconds")
     omega = Piece(0, (), sines).frequency or 0  # of which all are multiples
     length = 2 * math.pi / float(omega) if period is None else float(positive(period, "period"))
     times = length * (math.floor(float(scene.until) / length) - np.arange(keep - 1, -1, -1))
-    if times[0] < 0:
-        raise InvalidScene(f"until = {float(scene.until):g} s is shorter than {keep} periods of {length:g} s; raise it")
+    if times[0] <= 0:  # the start is no point
+        least = f"keep = {keep} periods of {length:g} s"
+        raise InvalidScene(f"until = {float(scene.until):g} s is shorter than {least}; raise it")
     return np.asarray(times)

@@ -47,15 +47,25 @@ class Tabled(Helpful):
         return found
 
     def to_xarray(self) -> Dataset:
-        """Return the same as an xarray Dataset, axes named by the inputs along them. Raises MissingTool."""
-        make = tool("xarray").Dataset
-        names, columns, axes = [f"axis_{k}" for k in range(len(self.shape))], self._columns(), {}
-        for name, one in varying(self.inputs).items():
-            along = [k for k in range(one.ndim) if (one != one.take([0], axis=k)).any()]
-            if len(along) == 1 and names[along[0]].startswith("axis_"):
-                names[along[0]] = name
-                axes[name] = np.moveaxis(one, along[0], 0).reshape(one.shape[along[0]], -1)[:, 0]
-                del columns[name]
+        """Return the same as an xarray Dataset. Raises MissingTool.
+
+        An axis is named by the input whose values label it, if one alone varies along it and no value comes twice;
+        else it is `scene`, of a grid `axis_0`, `axis_1`, ...
+        """
+        make, columns, axes = tool("xarray").Dataset, self._columns(), {}
+        names = ["scene"] if len(self.shape) == 1 else [f"axis_{k}" for k in range(len(self.shape))]
+        moving = {
+            name: [k for k in range(one.ndim) if (one != one.take([0], axis=k)).any()]
+            for name, one in varying(self.inputs).items()
+        }
+        for k in range(len(names)):
+            along = [name for name, places in moving.items() if places == [k]]
+            if len(along) != 1:
+                continue
+            values = np.moveaxis(columns[along[0]], k, 0).reshape(self.shape[k], -1)[:, 0]
+            if len(np.unique(values)) == len(values):
+                names[k], axes[along[0]] = along[0], values
+                del columns[along[0]]
         found: Dataset = make({name: ((*names, "point")[: one.ndim], one) for name, one in columns.items()}, axes)
         for name in found.variables:
             found[name].attrs["units"] = unit(name)

@@ -128,6 +128,33 @@ def test_stroboscopic_points_of_a_periodic_motion_are_one_and_a_time_is_a_multip
     assert (found.values("x1") == bifurcation(found.scenes, keep=5, jobs=1, period=period).values("x1")).all()
 
 
+@pytest.mark.parametrize(("keep", "period"), [(1, 3), (2, 2), (3, 1), (2, "1.5")])
+def test_the_start_is_no_point_of_a_diagram(keep, period):
+    short = load_scene("belt").replace(until=2)
+    with pytest.raises(InvalidScene, match="until = 2 s is shorter than"):
+        bifurcation([short], keep=keep, period=period)
+    assert bifurcation([short], keep=keep, period="0.5").t.min() >= 0.5
+
+
+def test_an_axis_is_named_by_an_input_only_if_its_values_tell_scenes_apart():
+    belt = load_scene("belt")
+    unlike = [belt, belt.replace(a1="0.5"), load_scene("friction-damper")]
+    for scenes in (unlike, [belt, belt], [belt, belt.replace(a1=1), belt]):
+        found = solve_scenes(scenes).to_xarray()
+        assert found["events"].dims == ("scene",)
+        assert found["m1"].to_numpy().tolist() == [float(one.pair.m1) for one in scenes]
+    found = solve_scenes([belt, belt.replace(a1="0.5")]).to_xarray()
+    assert found["a1"].dims == found["events"].dims == ("a1",)
+    grid = solve_many(1, 1, 200, 0.5, v1=[[0.1], [0.2]], x1=[0, 0.01, 0], until=1).to_xarray()
+    assert grid["events"].dims == ("v1", "axis_1")
+    assert grid["x1"].shape == (2, 3)
+
+
+def test_a_batch_has_no_table_of_times():
+    with pytest.raises(TypeError, match=r"only a run's table takes times: run\.to_dataframe\(times\)"):
+        solve_scenes([PAPER]).to_dataframe([1, 2])
+
+
 class Terminal(io.StringIO):
     def isatty(self):
         return True
