@@ -30,6 +30,7 @@ def errors_of(
     """
     count, events, late, worst = len(rows), 0, np.empty(len(rows)), np.zeros(5)
     sizes, errors, highest, last, before, earlier = np.zeros(2), np.zeros(2), 0.0, 0.0, end, 0.0
+    fast = np.zeros(2)  # of body 1 and 2
     for index in range(count + 1):
         row = rows[index] if index < count else end
         for k in range(4):
@@ -43,9 +44,8 @@ def errors_of(
             t = starts[int(row[_PIECE])] + row[_LOCAL]
         if index > 0:
             lasted = t - earlier + row[_LATE] + before[_LATE] + 8 * rounding * t
-            fast = mean_speed(row, before, 0, lasted)
-            sizes[1] = max(sizes[1], fast, mean_speed(row, before, 2, lasted))
-            highest = max(highest, weights[1] * fast * fast / 2)
+            for k in range(2):
+                fast[k] = max(fast[k], mean_speed(row, before, 2 * k, lasted))
         before, earlier = row, t
         if index < count and row[_EVENT] == 1.0:
             # 4 roundings: of where the piece begins, and of the sum
@@ -62,8 +62,8 @@ def errors_of(
     if weights[0] == 0.0 and earlier > 0.0:
         rate = 1.0 / earlier
     slow = rate * sizes[0]
-    worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], slow)
-    worst[3] = moved(energy, highest, weights[1] * slow * slow / 2)
+    worst[1], worst[2] = relative(errors[0], sizes[0]), moved(errors[1], sizes[1], max(fast[0], fast[1]), slow)
+    worst[3] = moved(energy, highest, weights[1] * fast[0] * fast[0] / 2, weights[1] * slow * slow / 2)
     # the excess is formed from the energy
     return late[:events].copy(), energy, energy / critical + 8 * rounding * (1 + last / critical), worst
 
@@ -83,9 +83,13 @@ def mean_speed(row: Any, before: Any, place: int, lasted: float) -> float:
 
 
 @compilable
-def moved(error: float, size: float, scale: float) -> float:
-    """Return a relative error of velocities or energy; of ones that may all be 0 the fourth root of that to a scale."""
-    return relative(error, scale) ** 0.25 if size <= error < 1e-4 * scale else relative(error, size)
+def moved(error: float, size: float, on_the_way: float, scale: float) -> float:
+    """Return an error of velocities or energy relative to the larger of their sizes at rows and on the way.
+
+    Of ones that may all be 0 at rows it is no more than the fourth root of that to a scale.
+    """
+    found = relative(error, max(size, on_the_way))
+    return min(found, relative(error, scale) ** 0.25) if size <= error < 1e-4 * scale else found
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

@@ -166,8 +166,8 @@ def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
         worst = [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
             _relative(x, far),
-            _relative(v, max(_largest(v), fast, _mean_speed(trajectory.t, states[2])), slow),
-            _relative(energies[-1:], max(_largest(energies), mass * fast * fast / 2), mass * slow * slow / 2),
+            _relative(v, _largest(v), slow, max(fast, _mean_speed(trajectory.t, states[2]))),
+            _relative(energies[-1:], _largest(energies), mass * slow * slow / 2, mass * fast * fast / 2),
             _relative(carried[-1:], _largest(carried)),
         ]
     return _digits(worst, trajectory.arithmetic.digits)
@@ -184,18 +184,18 @@ def _mean_speed(times: Any, places: Any) -> arb:
     return max((one for one in found if one.is_finite()), default=arb(0))
 
 
-def _relative(balls: Any, size: arb, scale: arb | None = None) -> float:
+def _relative(balls: Any, size: arb, scale: arb | None = None, on_the_way: arb | None = None) -> float:
     """Return the largest radius relative to a size, or as `moved` to a scale; inf of what is not finite."""
     if not all(one.is_finite() for one in balls):
         return math.inf
     error = max((one.rad() for one in balls), default=arb(0))
     if error.is_zero():
         return 0.0
-    if error < size:
-        return float((error / size).upper())
-    if scale is not None and 10_000 * error < scale:
-        return float((error / scale).upper()) ** 0.25
-    return math.inf
+    largest = size if on_the_way is None else max(size, on_the_way)
+    found = float((error / largest).upper()) if error < largest else math.inf
+    if scale is not None and not error < size and 10_000 * error < scale:
+        return min(found, float((error / scale).upper()) ** 0.25)
+    return found
 
 
 def _digits(worst: list[float], most: int) -> tuple[int, tuple[str, ...]]:

@@ -188,3 +188,15 @@ def test_velocities_that_are_0_all_along_are_no_lost_digits(u, arithmetic):
     run = solve(Scene(Pair(1, 1, 200, "0.5"), at, 3, force=Force([Piece(0, [u])])), arithmetic=arithmetic)
     assert run.success
     assert run.right_digits > 0
+
+
+def test_a_run_that_ends_where_it_began_is_a_success_without_kept_events_too():
+    """Of a motion from rest to rest and back the ends say no more than that it may have rested all along."""
+    pushes = Force([Piece(0, [2]), Piece(1), Piece("2.5", [-2]), Piece("3.5")])
+    for a2 in (0, "1e-9"):
+        scene = Scene(Pair(m1=1, m2="inf", a2=a2, b=1, a1="0.7"), State(x1="0.074"), until=6, force=pushes)
+        run = solve(scene, arithmetic="float64")
+        assert run.right_digits >= 10
+        short = solve_scenes([scene])
+        assert short.success.all()
+        assert 0 < short.digits[0] <= run.right_digits
