@@ -201,6 +201,12 @@ def test_a_time_that_does_not_do_is_refused(time, error, said):
         planned(FREE, "0.01", time)
 
 
+@pytest.mark.parametrize(("time", "a1"), [(2, 200), (10, 60), ("0.3", 1000), (1, 1000)])
+def test_a_damper_too_strong_to_search_is_named(time, a1):
+    with pytest.raises(NotSettled, match=f"or the damper a1 = {a1} N s/m too strong; give another time or a weaker"):
+        planned(Pair(1, 1, 200, "0.5", a1), "0.01", time)
+
+
 def test_a_least_peak_that_friction_does_not_allow_is_not_given():
     with pytest.raises(NotSettled, match="the least peak was not found: friction would exceed its limit; give more"):
         planned(FREE, "0.01", "0.3", least="peak")
