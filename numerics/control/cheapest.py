@@ -18,6 +18,9 @@ from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, decimal_text, positive
 from numerics.scene.short_repr import ShortRepr
 
+_CLOSE = Fraction(1, 10**12)
+"""By this part at most the least energy that is proved may be below that of the force."""
+
 
 @dataclass(frozen=True, repr=False)
 class CheapestTransfer(ShortRepr):
@@ -102,7 +105,10 @@ def _energy(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece], ar
     search = Search(pair, far, until)
     found = search.force(pair.b / pair.m2)
     pieces, sides = zip(*found.parts, strict=True)
-    return list(pieces), *search.bound(found, pair.b / pair.m2), any(sides)
+    cost, least_cost = search.bound(found, pair.b / pair.m2)
+    if not cost - least_cost < cost * number(_CLOSE):
+        raise search.not_found
+    return list(pieces), cost, least_cost, any(sides)
 
 
 _FIND = {"energy": (TransferKind.CHEAPEST, _energy), "peak": (TransferKind.GENTLEST, least_peak)}

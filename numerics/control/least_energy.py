@@ -136,26 +136,32 @@ class Search:
     def bound(self, found: Motion, most: Fraction) -> tuple[arb, arb]:
         """Return int u^2 of a force and the least that any under which the bodies stick can have, N^2 s, enclosures.
 
-        The bound holds whatever the force is.
+        The bound holds whatever the force is. Friction matters little where D is tiny; but who spends less than this
+        force has |v| <= V = sqrt(T int (u/M)^2), as the damper and the spring add no energy, and so
+        int |a| <= V (1 + c T + k T^2).
         """
         _, _, nu, mu = found.ends[0]
-        cost = lost = once = twice = arb(0)  # S and int_t^T S at the end of a part
+        cost = lost = largest = once = twice = arb(0)  # S and int_t^T S at the end of a part
         until = self.until
         for piece, side in reversed(found.parts):
             length, w = number(until - piece.start), arb_poly([number(one) / self.mass for one in piece.polynomial])
             S = _from_end(w, length, once)
             R = _from_end(S, length, twice)
             rho = w + self.c * S + self.k * R + nu - mu * arb_poly([number(self.until - piece.start), -1])
-            size = sum((abs(one) * length**k for k, one in enumerate(rho.coeffs())), arb(0)) * length
+            high = sum((abs(one) * length**k for k, one in enumerate(rho.coeffs())), arb(0))
+            size, largest = high * length, largest.max(high)
             if side:
-                little = size * number(_LITTLE) / length
+                little = high * number(_LITTLE)
                 least = [exact_middle(one.lower()) for one in (little - side * rho).coeffs()]
                 size = 2 * little * length - side * rho.integral()(length)
                 if not is_never_negative(least, until - piece.start):
                     raise self.not_found
             cost, lost = cost + (w * w).integral()(length), lost + size
             once, twice, until = S(0), R(0), piece.start
-        return self.mass**2 * cost, self.mass**2 * (2 * mu * self.far - 2 * number(most) * lost - cost)
+        T, without = number(self.until), 2 * mu * self.far - cost  # what |rho| takes
+        moved = (T * cost).sqrt() * (1 + self.c * T + self.k * T * T)
+        least = (without - 2 * number(most) * lost).max(cost.min(without - 2 * largest * moved))
+        return self.mass**2 * cost, self.mass**2 * least
 
 
 def _from_end(f: arb_poly, length: arb, after: arb) -> arb_poly:

@@ -145,6 +145,23 @@ def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong):
         assert more - less > cost * 1e-8
 
 
+@pytest.mark.parametrize("pair", [FREE, DAMPED])
+def test_the_energy_of_a_tiny_distance_goes_with_its_square(pair):
+    rest = Scene(pair, State(), 1)
+    near = cheapest_transfer(rest, "0.0001", "0.3")
+    for power in (100, 300):
+        tiny = cheapest_transfer(rest, f"1e-{power}", "0.3")
+        with Ball(40).context():
+            for one in (tiny.cost, tiny.least_cost):
+                assert abs(one * Ball.number(10) ** (2 * power - 8) / near.cost - 1) < 1e-17
+
+
+def test_a_bound_that_is_not_close_is_not_given(monkeypatch):
+    monkeypatch.setattr(Search, "bound", lambda *_: (Ball.number(1), Ball.number(1 - Fraction(1, 10**9))))
+    with pytest.raises(NotSettled, match="no force of least energy was found"):
+        planned(FREE, "0.001", "0.2")
+
+
 @pytest.mark.parametrize(
     ("pair", "distance", "time"),
     [
