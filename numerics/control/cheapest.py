@@ -9,13 +9,13 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, SecondSolveDiffers, number, solved_again
+from numerics.control.answers import KEPT_DIGITS, SlipsAgain, number, solved_again
 from numerics.control.least_energy import Search
 from numerics.control.least_peak import least_peak
 from numerics.control.transfer import Transfer, TransferKind, read_transfer
 from numerics.errors import InvalidScene, NotSettled
 from numerics.scene import Force, Pair, Piece, Scene
-from numerics.scene.decimals import Exact, decimal_text, positive
+from numerics.scene.decimals import Exact, decimal_text, positive, short
 from numerics.scene.short_repr import ShortRepr
 
 _CLOSE = Fraction(1, 10**12)
@@ -96,8 +96,14 @@ def cheapest_transfer(
     found = to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
     try:
         solved_again(replace(found, scene=replace(found.scene, pair=tight)))
-    except SecondSolveDiffers as error:
-        raise NotSettled(f"the least {least} was not found: friction would exceed its limit; give more time") from error
+    except SlipsAgain as error:
+        if least != "peak":
+            raise
+        near = short(pair.mass * tight.b / (pair.m2 * pair.a2))
+        raise NotSettled(
+            "the least peak was not found: the optimum has friction at its limit, which is not computed: give a "
+            f'smaller distance, or least="energy" (more time can help only below M b/(m2 a2) = {near} m)'
+        ) from error
     return found
 
 
