@@ -49,6 +49,11 @@ class CheapestTransfer(ShortRepr):
 
     sticks, goal = True, Transfer.goal
 
+    @property
+    def holding_force(self) -> Fraction:
+        """Return a2 D, the force (N) that holds the pair at its new place after that time; no part of the cost."""
+        return self.scene.pair.a2 * self.distance
+
 
 def cheapest_transfer(
     scene: Scene,
