@@ -242,6 +242,9 @@ def print_damping(options: argparse.Namespace) -> int:
         if record[name] is not None:
             record[name] = numbers(found, **record[name]._asdict())
             lines += [said, *number_lines(record[name])]
+        elif name == "best":
+            tried = f"no damper of {len(found.sampled)} that were tried"
+            lines.append(f"{tried} is better for rest than the limit as a1 grows without bound")
     record |= {"a1": best or None, "digits": found.digits}
     answer(options, record, [*lines, f"{found.digits} right digits, proved; that no other damper is better is not"])
     return OK
