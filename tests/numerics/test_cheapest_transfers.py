@@ -126,17 +126,18 @@ def test_a_slip_at_the_limit_of_friction_can_be_cheaper(share, is_cheaper):
 
 
 @pytest.mark.parametrize("wrong", ["force", "nu", "mu", "later"])
-def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong):
+@pytest.mark.parametrize("far", [Fraction("0.001"), Fraction("1e-100")])
+def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong, far):
     """What is proved does not rest on the search: another force has a bound that is true, and a gap."""
     with Ball(60).context():
-        search, most = Search(FREE, Fraction("0.001"), Fraction("0.2")), FREE.b
+        search, most = Search(FREE, far, Fraction("0.2")), FREE.b
         found = search.force(most)
         cost, bound = search.bound(found, most)
         assert 0 <= cost - bound < cost * 1e-30
         if wrong == "force":
             found = search.arrive(found.q, found.r, found.largest * 0.9)
         elif wrong == "later":
-            found = Search(FREE, Fraction("0.001"), Fraction("0.201")).force(most)
+            found = Search(FREE, far, Fraction("0.201")).force(most)
         else:
             end = found.ends[0]
             end[2 if wrong == "nu" else 3] *= 1 + Ball.number(Fraction(1, 1000))
