@@ -168,6 +168,7 @@ def _cheapest(options: argparse.Namespace) -> int:
     """Print the transfer with the least int u^2 dt or max |u| in a time."""
     from numerics.control.answers import solved_again
     from numerics.control.cheapest import cheapest_transfer
+    from numerics.scene.decimals import decimal_text
     from numerics.scene.file import load_line
 
     if options.amplitude is not None:
@@ -176,9 +177,12 @@ def _cheapest(options: argparse.Namespace) -> int:
     found = cheapest_transfer(load_line(options.scene), options.distance, options.time, **given)
     draw(options, "draw_transfer", found, solved_again(found))
     shown = numbers(found, "bound", "time", **{options.least: found.cost, f"least_{options.least}": found.least_cost})
-    record = {"sentence": found.road.value, **shown, "is_at_limit": found.is_at_limit, "digits": found.digits}
     limit = "at its limit, or the margin, for a part of the time" if found.is_at_limit else "below its limit"
-    return _plan(options, found.scene, (record, [found.road.value, *number_lines(shown), f"friction is {limit}"]), "")
+    holds = decimal_text(found.holding_force)
+    record = {"sentence": found.road.value, **shown, "is_at_limit": found.is_at_limit, "holding_force": holds}
+    lines = [found.road.value, *number_lines(shown), f"friction is {limit}"]
+    lines.append(f"afterwards, and counted in neither number, the force a2 D = {holds} N holds the pair there")
+    return _plan(options, found.scene, (record | {"digits": found.digits}, lines), "")
 
 
 def _plan(options: argparse.Namespace, scene: Scene | None, shown: Shown, otherwise: str) -> int:
@@ -238,6 +242,9 @@ def print_damping(options: argparse.Namespace) -> int:
         if record[name] is not None:
             record[name] = numbers(found, **record[name]._asdict())
             lines += [said, *number_lines(record[name])]
+        elif name == "best":
+            tried = f"no damper of {len(found.sampled)} that were tried"
+            lines.append(f"{tried} is better for rest than the limit as a1 grows without bound")
     record |= {"a1": best or None, "digits": found.digits}
     answer(options, record, [*lines, f"{found.digits} right digits, proved; that no other damper is better is not"])
     return OK

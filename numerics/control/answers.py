@@ -42,6 +42,10 @@ class SecondSolveDiffers(NumericsError):
     """The same scene solved by events contradicts a result: one of the two is wrong."""
 
 
+class SlipsAgain(SecondSolveDiffers):
+    """The bodies slip where a result says that they stick."""
+
+
 def solved_again(found: Any) -> Trajectory | None:
     """Return the scene of a Transfer or a Tracking solved by events in balls, None if it has none.
 
@@ -52,7 +56,7 @@ def solved_again(found: Any) -> Trajectory | None:
         return None
     solved = solve(found.scene, digits=found.digits, arithmetic="ball")
     if found.sticks and any(mode.sign for mode in solved.modes):
-        raise SecondSolveDiffers("the bodies slip when solved by events, and stick by equations")
+        raise SlipsAgain("the bodies slip when solved by events, and stick by equations")
     with Ball(found.digits + 20).context():
         (goal, size), x2 = found.goal(found.scene), solved.final_state[2]
         if not abs(x2 - goal) <= size * arb(10) ** (3 - min(found.digits, _DECIMALS)):

@@ -9,14 +9,17 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, SecondSolveDiffers, number, solved_again
+from numerics.control.answers import KEPT_DIGITS, SlipsAgain, number, solved_again
 from numerics.control.least_energy import Search
 from numerics.control.least_peak import least_peak
 from numerics.control.transfer import Transfer, TransferKind, read_transfer
 from numerics.errors import InvalidScene, NotSettled
 from numerics.scene import Force, Pair, Piece, Scene
-from numerics.scene.decimals import Exact, decimal_text, positive
+from numerics.scene.decimals import Exact, decimal_text, positive, short
 from numerics.scene.short_repr import ShortRepr
+
+_CLOSE = Fraction(1, 10**12)
+"""By this part at most the least energy that is proved may be below that of the force."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -45,6 +48,11 @@ class CheapestTransfer(ShortRepr):
     digits: int
 
     sticks, goal = True, Transfer.goal
+
+    @property
+    def holding_force(self) -> Fraction:
+        """Return a2 D, the force (N) that holds the pair at its new place after that time; no part of the cost."""
+        return self.scene.pair.a2 * self.distance
 
 
 def cheapest_transfer(
@@ -93,8 +101,14 @@ def cheapest_transfer(
     found = to_digits(attempt, max(digits, KEPT_DIGITS), max_digits)
     try:
         solved_again(replace(found, scene=replace(found.scene, pair=tight)))
-    except SecondSolveDiffers as error:
-        raise NotSettled(f"the least {least} was not found: friction would exceed its limit; give more time") from error
+    except SlipsAgain as error:
+        if least != "peak":
+            raise
+        near = short(pair.mass * tight.b / (pair.m2 * pair.a2))
+        raise NotSettled(
+            "the least peak was not found: the optimum has friction at its limit, which is not computed: give a "
+            f'smaller distance, or least="energy" (more time can help only below M b/(m2 a2) = {near} m)'
+        ) from error
     return found
 
 
@@ -102,7 +116,10 @@ def _energy(pair: Pair, far: Fraction, until: Fraction) -> tuple[list[Piece], ar
     search = Search(pair, far, until)
     found = search.force(pair.b / pair.m2)
     pieces, sides = zip(*found.parts, strict=True)
-    return list(pieces), *search.bound(found, pair.b / pair.m2), any(sides)
+    cost, least_cost = search.bound(found, pair.b / pair.m2)
+    if not cost - least_cost < cost * number(_CLOSE):
+        raise search.not_found
+    return list(pieces), cost, least_cost, any(sides)
 
 
 _FIND = {"energy": (TransferKind.CHEAPEST, _energy), "peak": (TransferKind.GENTLEST, least_peak)}

@@ -28,7 +28,7 @@ from numerics.errors import NoForceHere, NotSettled, OutOfRange
 from numerics.free.abel import creeping_place
 from numerics.linear.record import How
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, positive, require_digits
+from numerics.scene.decimals import Exact, positive, require_digits, short
 from numerics.scene.model import require_plain
 from numerics.scene.short_repr import ShortRepr
 from numerics.solver.solve import solve
@@ -39,6 +39,8 @@ _log = logging.getLogger(__name__)
 _SWINGS, _DOUBLINGS, _MOST_EVENTS = 16, 60, 10_000
 _OCTAVES, _PER_OCTAVE, _ZOOMS, _PARTS = 8, 8, 3, 16
 """The best damper is looked for so many octaves about 2 sqrt(a2 M), then between the neighbours of the best one."""
+_LEAST, _MOST = Fraction(1, 10**300), Fraction(10) ** 300
+"""The least and the largest energy at the tolerance, J, that the search in float64 takes."""
 
 
 class Times(NamedTuple):
@@ -91,10 +93,14 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
     if scene.is_forced:
         raise NoForceHere("damping is that of the free pair; leave the force and the changes of friction out")
     level = scene.pair.a2 * size**2 / 2
+    _require_in_range(scene, size, level)
     try:
         sampled = _sampled(scene, level)
     except OverflowError:
-        raise OutOfRange.of("a damper, or a time, of the search", "float64") from None
+        raise OutOfRange(
+            "a damper, or a time, of the search is beyond the range of float64 (4.9e-324 to 1.8e+308); "
+            "choose units that bring it into range"
+        ) from None
     best = Fraction(f"{min(sampled, key=lambda one: one[1].rest)[0]:.4g}")
 
     def attempt(arithmetic: Ball) -> tuple[Damping, list[arb]]:
@@ -109,6 +115,16 @@ def damping(scene: Scene, tolerance: Exact, *, digits: int = 15, max_digits: int
         return Damping(scene, size, own, best, at_best, heavy, digits, sampled), known
 
     return to_digits(attempt, digits, most_digits(digits, max_digits))
+
+
+def _require_in_range(scene: Scene, size: Fraction, level: Fraction) -> None:
+    """Raise OutOfRange, with the bounds of the tolerance, where the search could not hold the energy at it."""
+    if not _LEAST <= level <= _MOST:
+        low, high = (number(2 * one / scene.pair.a2).sqrt().str(3, radius=False) for one in (_LEAST, _MOST))
+        raise OutOfRange(
+            f"tolerance = {short(size)} m must be between {low} and {high} m, where the search in float64 holds the "
+            "energy a2 d^2/2; give another tolerance"
+        )
 
 
 def _heavy(scene: Scene, size: Fraction) -> Times:

@@ -24,13 +24,11 @@ from numerics.control.answers import number, rounded
 from numerics.control.tracking import is_never_negative
 from numerics.errors import NotSettled
 from numerics.scene import Pair, Piece
+from numerics.scene.decimals import short
 
 _NEWTON, _MOST_PARTS, _TERMS, _CHECKS, _LEAST_STEP = 12, 1000, 40, 8, 0.9999
 _LITTLE = Fraction(1, 10**20)
 """By this part the force stays below the limit of friction, so that the bodies stick beyond doubt."""
-_NOT_FOUND = NotSettled(
-    "no force of least energy was found: the time is next to the least one, or too long to search; give another time"
-)
 
 
 class Motion(NamedTuple):
@@ -47,7 +45,7 @@ class Motion(NamedTuple):
     largest: arb
 
     def moved(self, x: arb, v: arb) -> tuple[arb, arb]:
-        """Return the q(0), r(0) that add so much to x and v at T, to first order."""
+        """Return the q(0), r(0) that add so much to x and v at T, to first order; raises ZeroDivisionError."""
         by = arb_mat([one[:2] for one in self.ends[1:3]]).transpose().solve(arb_mat([[x], [v]]))
         return (self.q + by[0, 0]).mid(), (self.r + by[1, 0]).mid()
 
@@ -59,6 +57,13 @@ class Search:
         """Take the numbers in the arithmetic of the context."""
         self.mass, self.far, self.until = number(pair.mass), number(far), until
         self.c, self.k = number(pair.a1 / pair.mass), number(pair.a2 / pair.mass)
+        cause, remedy = "", ""
+        if pair.a1:
+            cause, remedy = f", or the damper a1 = {short(pair.a1)} N s/m too strong", " or a weaker damper"
+        self.not_found = NotSettled(
+            "no force of least energy was found: the time is next to the least one, or too long to search"
+            f"{cause}; give another time{remedy}"
+        )
 
     def series(self, state: Sequence[arb], limit: arb | None) -> list[arb_poly]:
         """Return the Taylor polynomials of x, v, q, r, of a before it is cut off, and of u/M; a is `limit` if given."""
@@ -96,7 +101,7 @@ class Search:
                 ends[k] = [one(end).mid() for one in self.series(ends[k], given if side else None)[:4]]
             start, side = (start + end).mid(), then if side in (0, then) else 0
             if len(parts) > _MOST_PARTS:
-                raise _NOT_FOUND
+                raise self.not_found
         return Motion(q, r, parts, ends, largest)
 
     def arrive(self, q: arb, r: arb, limit: arb) -> Motion:
@@ -106,8 +111,11 @@ class Search:
             x, v, *_ = found.ends[0]
             if abs(self.far - x) + abs(v) * number(self.until) < self.far * number(_LITTLE**2):
                 return found
-            q, r = found.moved(self.far - x, -v)
-        raise _NOT_FOUND
+            try:
+                q, r = found.moved(self.far - x, -v)
+            except ZeroDivisionError:
+                break
+        raise self.not_found
 
     def force(self, most: Fraction) -> Motion:
         """Return the motion that arrives with |a| <= most; raises NotSettled."""
@@ -122,32 +130,38 @@ class Search:
             except (NotSettled, ZeroDivisionError):
                 share = share.sqrt()
                 if share > _LEAST_STEP:
-                    raise _NOT_FOUND from None
+                    raise self.not_found from None
         return found
 
     def bound(self, found: Motion, most: Fraction) -> tuple[arb, arb]:
         """Return int u^2 of a force and the least that any under which the bodies stick can have, N^2 s, enclosures.
 
-        The bound holds whatever the force is.
+        The bound holds whatever the force is. Friction matters little where D is tiny; but who spends less than this
+        force has |v| <= V = sqrt(T int (u/M)^2), as the damper and the spring add no energy, and so
+        int |a| <= V (1 + c T + k T^2).
         """
         _, _, nu, mu = found.ends[0]
-        cost = lost = once = twice = arb(0)  # S and int_t^T S at the end of a part
+        cost = lost = largest = once = twice = arb(0)  # S and int_t^T S at the end of a part
         until = self.until
         for piece, side in reversed(found.parts):
             length, w = number(until - piece.start), arb_poly([number(one) / self.mass for one in piece.polynomial])
             S = _from_end(w, length, once)
             R = _from_end(S, length, twice)
             rho = w + self.c * S + self.k * R + nu - mu * arb_poly([number(self.until - piece.start), -1])
-            size = sum((abs(one) * length**k for k, one in enumerate(rho.coeffs())), arb(0)) * length
+            high = sum((abs(one) * length**k for k, one in enumerate(rho.coeffs())), arb(0))
+            size, largest = high * length, largest.max(high)
             if side:
-                little = size * number(_LITTLE) / length
+                little = high * number(_LITTLE)
                 least = [exact_middle(one.lower()) for one in (little - side * rho).coeffs()]
                 size = 2 * little * length - side * rho.integral()(length)
                 if not is_never_negative(least, until - piece.start):
-                    raise _NOT_FOUND
+                    raise self.not_found
             cost, lost = cost + (w * w).integral()(length), lost + size
             once, twice, until = S(0), R(0), piece.start
-        return self.mass**2 * cost, self.mass**2 * (2 * mu * self.far - 2 * number(most) * lost - cost)
+        T, without = number(self.until), 2 * mu * self.far - cost  # what |rho| takes
+        moved = (T * cost).sqrt() * (1 + self.c * T + self.k * T * T)
+        least = (without - 2 * number(most) * lost).max(cost.min(without - 2 * largest * moved))
+        return self.mass**2 * cost, self.mass**2 * least
 
 
 def _from_end(f: arb_poly, length: arb, after: arb) -> arb_poly:

@@ -144,7 +144,7 @@ def draw_transfer(found: Transfer | CheapestTransfer, solved: Trajectory) -> Fig
         draw(solved, kind, ax, curve)
     rows[2].set_ylabel("force (N)")
     explain_below(figure)
-    figure.suptitle(found.road.value)
+    figure.suptitle(found.road.value, fontsize=10)  # the longest one fits
     return figure
 
 

@@ -126,23 +126,41 @@ def test_a_slip_at_the_limit_of_friction_can_be_cheaper(share, is_cheaper):
 
 
 @pytest.mark.parametrize("wrong", ["force", "nu", "mu", "later"])
-def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong):
+@pytest.mark.parametrize("far", [Fraction("0.001"), Fraction("1e-100")])
+def test_the_bound_holds_for_a_wrong_force_too_and_shows_it(wrong, far):
     """What is proved does not rest on the search: another force has a bound that is true, and a gap."""
     with Ball(60).context():
-        search, most = Search(FREE, Fraction("0.001"), Fraction("0.2")), FREE.b
+        search, most = Search(FREE, far, Fraction("0.2")), FREE.b
         found = search.force(most)
         cost, bound = search.bound(found, most)
         assert 0 <= cost - bound < cost * 1e-30
         if wrong == "force":
             found = search.arrive(found.q, found.r, found.largest * 0.9)
         elif wrong == "later":
-            found = Search(FREE, Fraction("0.001"), Fraction("0.201")).force(most)
+            found = Search(FREE, far, Fraction("0.201")).force(most)
         else:
             end = found.ends[0]
             end[2 if wrong == "nu" else 3] *= 1 + Ball.number(Fraction(1, 1000))
         more, less = search.bound(found, most)
         assert less < bound
         assert more - less > cost * 1e-8
+
+
+@pytest.mark.parametrize("pair", [FREE, DAMPED])
+def test_the_energy_of_a_tiny_distance_goes_with_its_square(pair):
+    rest = Scene(pair, State(), 1)
+    near = cheapest_transfer(rest, "0.0001", "0.3")
+    for power in (100, 300):
+        tiny = cheapest_transfer(rest, f"1e-{power}", "0.3")
+        with Ball(40).context():
+            for one in (tiny.cost, tiny.least_cost):
+                assert abs(one * Ball.number(10) ** (2 * power - 8) / near.cost - 1) < 1e-17
+
+
+def test_a_bound_that_is_not_close_is_not_given(monkeypatch):
+    monkeypatch.setattr(Search, "bound", lambda *_: (Ball.number(1), Ball.number(1 - Fraction(1, 10**9))))
+    with pytest.raises(NotSettled, match="no force of least energy was found"):
+        planned(FREE, "0.001", "0.2")
 
 
 @pytest.mark.parametrize(
@@ -201,8 +219,16 @@ def test_a_time_that_does_not_do_is_refused(time, error, said):
         planned(FREE, "0.01", time)
 
 
+@pytest.mark.parametrize(("time", "a1"), [(2, 200), (10, 60), ("0.3", 1000), (1, 1000)])
+def test_a_damper_too_strong_to_search_is_named(time, a1):
+    with pytest.raises(NotSettled, match=f"or the damper a1 = {a1} N s/m too strong; give another time or a weaker"):
+        planned(Pair(1, 1, 200, "0.5", a1), "0.01", time)
+
+
 def test_a_least_peak_that_friction_does_not_allow_is_not_given():
-    with pytest.raises(NotSettled, match="the least peak was not found: friction would exceed its limit; give more"):
-        planned(FREE, "0.01", "0.3", least="peak")
+    said = r'friction at its limit, .* give a smaller distance, or least="energy" .* only below .* = 0.005 m'
+    for time in ("0.3", 10):
+        with pytest.raises(NotSettled, match=said):
+            planned(FREE, "0.01", time, least="peak")
     with pytest.raises(InvalidScene, match="least = 'time' must be one of energy, peak"):
         planned(FREE, "0.01", "0.3", least="time")
