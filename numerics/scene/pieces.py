@@ -200,8 +200,8 @@ class Signal(ShortRepr):
         require_one_of("kind", kind, ("linear", "hold"), InvalidScene)
         times, values = list(listed("t", t)), list(listed("u", u))
         for name, given in (("t", t), ("u", u)):
-            mask = getattr(given, "mask", None)
-            if hasattr(mask, "any") and mask.any():  # of a table of pandas it is a method
+            masked = getattr(getattr(given, "mask", None), "any", None)  # of a column of pandas `mask` is a method
+            if masked is not None and masked():
                 raise InvalidScene(f"{name} has masked samples; leave their rows out, or fill them")
         if len(times) != len(values) or not times:
             raise InvalidScene(f"t has {len(times)} samples and u {len(values)}; give one of u for each of t")
