@@ -11,7 +11,8 @@ from three_scenes import DAMPED, PAPER
 
 from numerics import EventUndecided, Force, Pair, Piece, Scene, State, load_scene, solve, solve_many, solve_scenes
 from numerics.arithmetic.ball import Ball, widened
-from numerics.linear.record import AT
+from numerics.linear.errors_of import mean_speed, moved
+from numerics.linear.record import AT, END_ROW
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.rendering import right_digits_text
 from numerics.trajectory.status import Status
@@ -200,3 +201,13 @@ def test_a_run_that_ends_where_it_began_is_a_success_without_kept_events_too():
         short = solve_scenes([scene])
         assert short.success.all()
         assert 0 < short.digits[0] <= run.right_digits
+
+
+def test_a_mean_speed_is_one_that_is_surely_attained():
+    """1 m, each place within 0.1 m, in 2 s: 0.4 m/s; nothing where the errors leave nothing."""
+    begin, end = np.zeros((2, END_ROW))
+    end[AT["x1"]], begin[AT["x1_error"]], end[AT["x1_error"]] = 1, 0.1, 0.1
+    assert mean_speed(end, begin, 0, 2.0) == mean_speed(begin, end, 0, 2.0) == pytest.approx(0.4)
+    begin[AT["x1_error"]] = 0.9
+    assert mean_speed(end, begin, 0, 2.0) == 0
+    assert moved(1e-3, 0, 0.4, 1) == pytest.approx(1e-3 / 0.4)
