@@ -179,7 +179,8 @@ def draw_damping(found: Any) -> Figure:
     for damper, style in ((found.scene.pair.a1, "-."), (found.best, ":")):
         if damper:
             ax.axvline(float(damper), color=GRAY, ls=style, label=f"$a_1$ = {float(damper):g} N s/m")
-    ax.set(xscale="log", yscale="log", xlabel="$a_1$ (N s/m)", ylabel="from t on (s)", title="What a damper does")
+    ax.set(xscale="log", yscale="log", xlabel="$a_1$ (N s/m)", ylabel="time from which it does (s)")
+    ax.set_title("When the pair sticks for good and when it rests, by its damper")
     _legends_below([ax])
     return figure
 
