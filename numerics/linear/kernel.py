@@ -181,6 +181,8 @@ def write(run: Run, row: Any, now: Now, late: float) -> None:
     if norm.root_m2 == 0.0:  # the velocity of the belt, rounded, at a time that is rounded
         rounded = fastest(run, now, 1, 0.0) * abs(run.clock[0, 0])
         v2 = UNIT * (8.0 * run.size[V2] + 2.0 * rounded)
+    elif now.mode == 0:  # both velocities are off by the same
+        v1 = v2 = now.N / math.sqrt(norm.root_m1 * norm.root_m1 + norm.root_m2 * norm.root_m2)
     if late > 0.0:
         one, two = fastest(run, now, 0, late), fastest(run, now, 1, late)
         v1 = v2 = min(v1 + one * late, v2 + two * late) + abs(y[1] - y[3])
