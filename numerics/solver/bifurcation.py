@@ -138,8 +138,13 @@ def _times(scene: Scene, keep: int, period: Exact | None) -> Floats:
     if period is None and not sines:
         raise InvalidScene("no sine acts on this scene; give a period in seconds")
     omega = Piece(0, (), sines).frequency or 0  # of which all are multiples
-    length = 2 * math.pi / float(omega) if period is None else float(positive(period, "period"))
-    times = length * (math.floor(float(scene.until) / length) - np.arange(keep - 1, -1, -1))
+    if period is None:
+        length = 2 * math.pi / float(omega)
+        count = math.floor(float(scene.until) / length)
+    else:  # exact: the end may be a whole number of periods
+        exact = positive(period, "period")
+        length, count = float(exact), scene.until // exact
+    times = length * (count - np.arange(keep - 1, -1, -1))
     if times[0] <= 0:  # the start is no point
         least = f"keep = {keep} periods of {length:g} s"
         raise InvalidScene(f"until = {float(scene.until):g} s is shorter than {least}; raise it")

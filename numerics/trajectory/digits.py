@@ -30,6 +30,7 @@ from numerics.linear.record import AT
 from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.columns import Floats
+from numerics.trajectory.events import energy_of
 from numerics.trajectory.rendering import MOST_DIGITS
 
 FEW_DIGITS = 3
@@ -71,10 +72,11 @@ def _scales(trajectory: Any) -> tuple[arb, arb, arb]:
     if trajectory.has_frame:
         frame = trajectory.frame
         return frame.length, frame.speed, frame.critical_energy
-    x, v = (_largest(trajectory.y[k::2].ravel()) for k in range(2))
+    times, states = trajectory._own_moments
+    x, v = (_largest(states[k::2].ravel()) for k in range(2))
     slow = _rate(trajectory.scene) * x  # a block that rests at every event has moved all the same
     moving = Ball.number(trajectory.scene.pair.m1) * slow * slow / 2
-    return x, max(v, slow), max(_largest(trajectory.energy), moving)
+    return x, max(v, slow), max(_largest(energy_of(trajectory, times, states)), moving)
 
 
 def _rate(scene: Scene) -> arb:
@@ -158,15 +160,16 @@ def _judged_floats(trajectory: Any) -> Judged:
 
 def _judged_balls(trajectory: Any) -> tuple[int, tuple[str, ...]]:
     with trajectory.context():
-        states, energies, mass = trajectory.y, trajectory.energy, Ball.number(trajectory.scene.pair.m1)
+        (times, states), mass = trajectory._own_moments, Ball.number(trajectory.scene.pair.m1)
+        energies = energy_of(trajectory, times, states)
         x, v = (states[k::2].ravel() for k in range(2))
         far: arb = _largest(x)
         carried: Any = [] if trajectory.row_excess is None else trajectory.row_excess
-        slow, fast = _rate(trajectory.scene) * far, _mean_speed(trajectory.t, states[0])
+        slow, fast = _rate(trajectory.scene) * far, _mean_speed(times, states[0])
         worst = [
             max((_relative([t], abs(t.mid())) for t in trajectory.event_times), default=0.0),
             _relative(x, far),
-            _relative(v, _largest(v), slow, max(fast, _mean_speed(trajectory.t, states[2]))),
+            _relative(v, _largest(v), slow, max(fast, _mean_speed(times, states[2]))),
             _relative(energies[-1:], _largest(energies), mass * slow * slow / 2, mass * fast * fast / 2),
             _relative(carried[-1:], _largest(carried)),
         ]

@@ -225,18 +225,20 @@ class Trajectory(Rows):
     @property
     def t(self) -> Array:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        if self.t_eval is not None:
-            return self._asked_times
-        times = self.row_times[self._starts]
-        return np.append(times, self.end_time) if self.reached else times
+        return self._own_moments[0] if self.t_eval is None else self._asked_times
 
     @property
     def y(self) -> Array:
         """Return the states at `t`, shape (4, m)."""
-        if self.t_eval is not None:
-            return self._asked_states
-        at = self._starts
-        return self._states[:, np.append(at, -1) if self.reached else at]
+        return self._own_moments[1] if self.t_eval is None else self._asked_states
+
+    @cached_property
+    def _own_moments(self) -> tuple[Array, Array]:
+        """The times of start, events and end, and the states there."""
+        at, times = self._starts, self.row_times[self._starts]
+        if not self.reached:
+            return times, self._states[:, at]
+        return np.append(times, self.end_time), self._states[:, np.append(at, -1)]
 
     @cached_property
     def _asked_states(self) -> Array:

@@ -136,6 +136,11 @@ def test_the_start_is_no_point_of_a_diagram(keep, period):
     assert bifurcation([short], keep=keep, period="0.5").t.min() >= 0.5
 
 
+def test_an_end_after_a_whole_number_of_periods_is_a_point_of_a_diagram():
+    short = load_scene("belt").replace(until="0.6")  # 0.6/0.2 is 2.9999999999999996 in floats
+    assert bifurcation([short], keep=2, period="0.2").t[0] == pytest.approx([0.4, 0.6])
+
+
 def test_an_axis_is_named_by_an_input_only_if_its_values_tell_scenes_apart():
     belt = load_scene("belt")
     unlike = [belt, belt.replace(a1="0.5"), load_scene("friction-damper")]

@@ -211,3 +211,13 @@ def test_a_mean_speed_is_one_that_is_surely_attained():
     begin[AT["x1_error"]] = 0.9
     assert mean_speed(end, begin, 0, 2.0) == 0
     assert moved(1e-3, 0, 0.4, 1) == pytest.approx(1e-3 / 0.4)
+
+
+@pytest.mark.parametrize("arithmetic", ["float64", "ball"])
+def test_times_that_are_asked_for_change_no_digits(arithmetic):
+    scene = load_scene("velocities")
+    own = solve(scene, arithmetic=arithmetic)
+    for times in ([], [0], ["0.001", 5]):
+        asked = solve(scene, arithmetic=arithmetic, t_eval=times)
+        assert asked.right_digits == own.right_digits
+        assert asked.without_digits == own.without_digits
