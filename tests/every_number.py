@@ -87,7 +87,7 @@ Bounds = dict[str, list[float]]
 class Bounded:
     """What the bounds of the states of a run in floats make of all that is formed from them; in binary64.
 
-    Between events N (linear/kernel.py), which bounds the error of the row before, does not grow, and roundings are those
+    Between events N (linear/kernel.py), a bound on the error of the row before, does not grow, and roundings are those
     of the terms of state and force; an integral over the motion is off by N and by roundings of the largest energy.
     """
 
