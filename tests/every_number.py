@@ -164,7 +164,8 @@ class Bounded:
         off, N = time / math.sqrt(pair["m1"]), self.norms.max()
         held = max(float(one.b) for one in self.run.pieces)
         damped = 2 * math.sqrt(viscous * pair["a1"] * time) * N / math.sqrt(pair["m1"]) + pair["a1"] * off * off * N * N
-        turned = 1 + self.rate * time / len(self.run.record.rows)
+        fastest = self.rate + pair["a1"] / min(pair["m1"], pair["m2"])
+        turned = 1 + fastest * time / len(self.run.record.rows)
         rounding = self.u * (largest + self.push * (self.sizes[0] + self.sizes[2])) * (64 + 8 * math.log2(turned))
         return self.push * N * off + 2 * held * self.kappa * N * time + damped + rounding + self.energy + 1e-322
 
@@ -186,6 +187,7 @@ def bounds_of(run: Any, times: Any) -> Bounds:
     late = 2 * own.late.max() + 16 * u * len(run.record.rows) * float(run.end_time)
     end = [own.y[:, -1], [energies[-1]], [excesses[-1]]]
     taken = own.taken
+    each = min(taken, run.ledger.error + 1e-322)
     return {
         "t": own.t,
         "y": own.y.ravel(),
@@ -203,7 +205,7 @@ def bounds_of(run: Any, times: Any) -> Bounds:
         "initial": own.y[:, 0],
         "end_numbers": np.concatenate(end),
         "dissipated": [run.accuracy.dissipated],
-        "ledger": [taken] * 10,
+        "ledger": [taken, taken, each, each, 6 * taken, 4 * each, each, each, each, each],
         "units": [8 * u * one for one in (own.length, own.rate, own.critical)],
         "segments": [one for segment in run.segments for one in (late, late, late, taken, taken)],
         "sol": np.concatenate([own.flowed(times, side).ravel() for side in SIDES]),
