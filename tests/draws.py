@@ -261,6 +261,22 @@ def tie(random: Random) -> Scene:
     return Scene(of, begun, until, force=Force(pieces), friction=Friction(frictions))
 
 
+def graze(random: Random) -> Scene:
+    """A slip whose v1 - v2 = c (t - t0)^2 + e has a least value e of any size and sign; with a spring or damper or not.
+
+    The force follows from that motion; body 2 is held at rest by its own, but where it is the ground.
+    """
+    m1, c, t0 = (decimal(random, -1, 0, 2) for _ in range(3))
+    m2: Any = random.choice([decimal(random, -1, 0), "inf"])
+    a1, a2, b = (random.choice([0, decimal(random, -2, 1)]) for _ in range(3))
+    least = signed(random, -20, -8) * random.choice([0, 1, 1])
+    v_1 = np.array([c * t0 * t0 + least, -2 * c * t0, c], object)
+    u = a2 * _summed(v_1, Fraction(0)) + np.pad(a1 * v_1, (0, 1)) + np.pad(m1 * np.arange(1, 3) * v_1[1:], (0, 2))
+    u[0] += b
+    held = {} if m2 == "inf" or not b else {"force_2": Force.constant(-b)}
+    return Scene(Pair(m1, m2, a2, b, a1), State(0, v_1[0]), 2 * t0, force=Force([Piece(0, u)]), **held)
+
+
 def surface(random: Random, shape: str = "ellipsoid", exponents: Range = (-1, 0), narrow: bool = True) -> PlaneScene:
     """Return a scene on two axes or three: round or not, coupled or not, from anywhere, together, nearly on a line."""
     n = random.choice((2, 2, 3))

@@ -38,6 +38,7 @@ scenes = partial(drawn, draws.scene)
 near_critical = partial(drawn, draws.near_critical)
 long_slips = partial(drawn, draws.long_slip)
 ties = partial(drawn, draws.tie)
+grazes = partial(drawn, draws.graze)
 weakened_scenes = partial(drawn, draws.weakened, damping=(-12, 2))
 """With friction of the state, and dampers that do not ask for more steps than a test waits for."""
 brought_scenes = partial(drawn, draws.brought)

@@ -42,7 +42,7 @@ def step_over(run: Run, now: Now, calm: Calm, step: int) -> tuple[Now, Calm]:
     if not (is_calm and (run.literal or rest_is_calm(run, now))):
         return now, Calm(False, 2 * (step + 1) - calm.begun, calm.begun)  # seldom, where it stays in vain
     if left > _MOST_STEPS * run.tables.steps[kind, STICK]:
-        lost = Now(now.piece, 0, now.cell, 0, now.edge, now.late, now.since, math.inf, now.far, now.far_2, now.apart)
+        lost = Now(now.piece, 0, now.cell, 0, now.edge, now.late, math.inf, now.far, now.far_2, now.apart, math.inf)
         return lost, Calm(True, step, calm.begun)  # with an error beyond all range
     return long_step(run, now), Calm(True, step, calm.begun)
 

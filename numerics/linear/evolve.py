@@ -25,7 +25,7 @@ def evolve(run: Run, now: Now, s: float) -> Now:
         else:
             run.y[i] = dot(lines[FLOW + i], run.z)
     own = rounded(lines, 0, s, run.size), rounded(lines, 1, s, run.size), rounded(lines, 2, s, run.size)
-    both_stick = now.mode == 0 and not is_part and now.since > now.late
+    both_stick = now.mode == 0 and not is_part and now.late == 0.0
     factor = tables.steps[at[0], 2] if both_stick else 1.0
     return moved(run, now, two_product(s, h), own, factor)
 
@@ -58,8 +58,16 @@ def moved(run: Run, now: Now, time: TwoFloats, own: tuple[float, float, float], 
     far = now.far + own[1] + most / norm.root_m1 * time.high
     own_2 = own[1] + parted if now.mode == 0 else own[2]
     far_2 = now.far_2 + own_2 + (most / norm.root_m2 * time.high if norm.root_m2 > 0.0 else 0.0)
-    since, apart = now.since + time.high, apart + parted
-    return Now(now.piece, now.mode, now.cell, 0, now.edge, now.late, since, N, far, far_2, apart)
+    speed_apart = now.speed_apart + parting(run, now, most, apart) * time.high + norm.kappa * own[0]
+    speed_apart, late = min(norm.kappa * most, speed_apart), max(0.0, now.late - time.high)
+    return Now(now.piece, now.mode, now.cell, 0, now.edge, late, N, far, far_2, apart + parted, speed_apart)
+
+
+@compilable
+def parting(run: Run, now: Now, N: float, apart: float) -> float:
+    """Return by how much two motions in one cell may part in v1' - v2', with these bounds on their difference."""
+    kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
+    return run.norm.bend * N + kappa * kappa * (abs(friction[V1]) * kappa * N + abs(friction[X2]) * apart)
 
 
 @compilable_with(forceinline=False)

@@ -115,7 +115,8 @@ def begin(run: Run, start: Any) -> tuple[Now, StepEnd]:
     run.clock[1, :] = 0.0
     order, cell = int(start[_ORDER]), int(start[_CELL])
     edge = 0 if order >= 0 else 1  # a slip that starts below its ceiling has a negative order
-    now = Now(int(start[_PIECE]), int(start[_MODE]), cell, abs(order), edge, 0.0, 1e300, N, x1, x2, x1 + x2)
+    parted = norm.kappa * N
+    now = Now(int(start[_PIECE]), int(start[_MODE]), cell, abs(order), edge, 0.0, N, x1, x2, x1 + x2, parted)
     return now, StepEnd(CONTACT if start[_JUMP] == 1.0 and start[_MODE] == 0.0 else PIECE, 0.0)
 
 
@@ -138,7 +139,7 @@ def arrive(run: Run, now: Now, ahead: Next, step: Step, is_calm: bool) -> tuple[
     run.clock[0, :] = 0.0
     kind = CONTACT if places[piece, 4] == 1 or (now.mode == 0 and places[piece, 3] == 1) else PIECE
     return (
-        Now(piece, now.mode, now.cell, 0, now.edge, now.late, now.since, now.N, now.far, now.far_2, now.apart),
+        Now(piece, now.mode, now.cell, 0, now.edge, now.late, now.N, now.far, now.far_2, now.apart, now.speed_apart),
         StepEnd(kind, 0.0),
         GOES_ON,
     )

@@ -6,11 +6,11 @@ import math
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable
-from numerics.linear.evolve import grown
+from numerics.linear.evolve import grown, parting
 from numerics.linear.first_root import CLEAR, ROOT, first_root, value_slope
-from numerics.linear.model import AHEAD, FLOOR, KINETIC, V1, X2
+from numerics.linear.model import AHEAD, FLOOR
 from numerics.linear.room import Now, Run, dot, load_off, place_of, polynomial_of
-from numerics.linear.table import ORDERS, OTHERS, STATE, SUMS, UNIT
+from numerics.linear.table import ORDERS, STATE, SUMS, UNIT
 
 
 class Step(NamedTuple):
@@ -103,19 +103,12 @@ def abs_slope(q: Any) -> float:
 
 
 @compilable
-def parting(run: Run, now: Now, N: float, apart: float) -> float:
-    """Return by how much two motions in one cell may part in v1' - v2', with these bounds on their difference."""
-    kappa, friction = run.norm.kappa, run.tables.lines[place_of(run, now)][OTHERS + KINETIC]
-    return run.norm.bend * N + kappa * kappa * (abs(friction[V1]) * kappa * N + abs(friction[X2]) * apart)
-
-
-@compilable
 def slip_margins(
     run: Run, now: Now, guard: int, order: int, own: tuple[float, float], end: float
 ) -> tuple[float, float, float]:
     """Return the margin of a guard of a slip, up to a time, for `first_root`.
 
-    Two motions part in v1 - v2 by no more than they do in its rate since both were at v1 = v2, or at the same end.
+    Where both began at v1 = v2, or at the same end, two motions part in v1 - v2 by what they part in its rate.
     """
     (off, rise), kappa, h = own, run.norm.kappa, run.tables.steps[place_of(run, now)]
     N, apart = grown(run, now, now.N, end)
@@ -126,6 +119,6 @@ def slip_margins(
         return off, rise, 16.0 * bend * h
     if order == 1:
         return off + 2.0 * bend * h, rise, 0.0
-    if bend * (now.since + end) < kappa * N:
-        return off + 2.0 * bend * now.since, rise + 2.0 * bend * h, 0.0
+    if now.speed_apart + bend * end < kappa * N:
+        return off + 2.0 * now.speed_apart, rise + 2.0 * bend * h, 0.0
     return off + 2.0 * kappa * N, rise, 0.0

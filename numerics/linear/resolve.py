@@ -8,8 +8,9 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.linear.evolve import parting
 from numerics.linear.model import AHEAD, CEILING, EDGE, FLOOR, KINETIC, SLIP, STICK, V1, V2, X1, X2
-from numerics.linear.next_event import Next, parting
+from numerics.linear.next_event import Next
 from numerics.linear.room import Now, Run, dot, load_off, meeting, place_of, size_of
 from numerics.linear.table import GUARDS, OTHERS, RATES, SIGNED, UNIT
 
@@ -36,7 +37,7 @@ def lateness(run: Run, now: Now, ahead: Next) -> tuple[float, float]:
     elif ahead.guard == AHEAD:
         off = now.apart
     else:
-        off = min(run.norm.kappa * now.N, parting(run, now, now.N, now.apart) * now.since)
+        off = now.speed_apart
     return 1.25 * (off + ahead.own) / ahead.slope, 1.25 * ahead.own / ahead.slope
 
 
@@ -57,20 +58,24 @@ def arrived(run: Run, now: Now, ahead: Next) -> tuple[Now, StepEnd]:
         behind, order = tables.behind[now.cell, ahead.guard], 0 if ahead.guard == AHEAD else 1
         mode, edge = now.mode if behind >= 0 else UNDECIDED, CEILING if ahead.guard == FLOOR else FLOOR
         cell, N = max(int(behind), 0), factor * (N + 8.0 * (steep / norm.kappa + pull) * ahead.own * window)
-        return Now(piece, mode, cell, order, edge, late, 1e300, N, far, far_2, apart), StepEnd(NEXT_CELL, 0.0)
+        return Now(piece, mode, cell, order, edge, late, N, far, far_2, apart, norm.kappa * N), StepEnd(NEXT_CELL, 0.0)
     z[X1], z[V1], z[X2], z[V2] = y[0], 0.0, y[2], 0.0  # at v1 = v2
     b = abs(dot(lines[OTHERS + KINETIC], z))
     above = abs(dot(lines[OTHERS + EDGE], z)) - b
     N += norm.kappa * above * late
     if now.mode == 0:
-        N = factor * (N + 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window))
-        mode, order, since = 1 - 2 * ahead.guard, 2 if above <= 0.0 else 1, 0.0 if above <= 0.0 else 1e300
-        cell = tables.meets[now.cell, 1 + mode]
-        return Now(piece, mode, cell, order, FLOOR, late, since, N, far, far_2, apart), StepEnd(EXIT, late)
+        parted = 4.0 * norm.kappa * window * (ahead.own + ahead.slope * window)
+        N = factor * (N + parted)
+        mode, order, cell = 1 - 2 * ahead.guard, 1, tables.meets[now.cell, 2 - 2 * ahead.guard]
+        speed_apart = norm.kappa * N
+        if above <= 0.0:  # whichever leaves first does so with w' = 0
+            order, speed_apart = 2, min(speed_apart, norm.kappa * parted + parting(run, now, N, apart) * late)
+        return Now(piece, mode, cell, order, FLOOR, late, N, far, far_2, apart, speed_apart), StepEnd(EXIT, late)
     gap = abs(y[1] - y[3])
     y[1] = y[3]
     N = factor * (N + 2.0 * norm.kappa * b * window) + norm.root_m1 * gap
-    return Now(piece, now.mode, now.cell, 0, FLOOR, late, now.since, N, far, far_2, apart), StepEnd(SLIP_END, late)
+    after = Now(piece, now.mode, now.cell, 0, FLOOR, late, N, far, far_2, apart, norm.kappa * N)
+    return after, StepEnd(SLIP_END, late)
 
 
 @compilable
@@ -79,7 +84,7 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
 
     z is that of the event, with b unsigned.
     """
-    mode, order, since, y = now.mode, now.order, now.since, run.y
+    mode, order, y = now.mode, now.order, run.y
     lines = run.tables.lines[meeting(run, now.piece, now.cell, 0), STICK]
     one, two = dot(lines[GUARDS], run.z), dot(lines[GUARDS + 1], run.z)
     gap = y[1] - y[3]
@@ -91,12 +96,11 @@ def resolve(run: Run, now: Now, event: StepEnd) -> Now:
         if event.kind == SLIP_END and (mode == now.mode or is_at_end(run, now)):
             mode = UNDECIDED
         order = 1 if mode != 0 else 0
-        if mode != now.mode:
-            since = 1e300 if mode != 0 else 0.0
     late = event.late if mode != now.mode or event.kind == EXIT else now.late
     edge = now.edge if mode == now.mode and mode != 0 else 0 if mode != 0 or one <= two else 1
     cell = now.cell if mode in (now.mode, UNDECIDED) else run.tables.meets[now.cell, 1 + mode]
-    return Now(now.piece, mode, cell, order, edge, late, since, now.N, now.far, now.far_2, now.apart)
+    parted = now.speed_apart if mode == now.mode else run.norm.kappa * now.N
+    return Now(now.piece, mode, cell, order, edge, late, now.N, now.far, now.far_2, now.apart, parted)
 
 
 @compilable

@@ -75,9 +75,7 @@ class Now(NamedTuple):
     edge: int
     """The guard of stick that is nearer, or was where the segment began; that of a slip which vanished there."""
     late: float
-    """By how much the event that the segment began with may be misplaced, s."""
-    since: float
-    """Time since the exit that a slip began with, or the contact that a stick did, s; 1e300 if they began otherwise."""
+    """By how much later the true motion may begin this segment, s; 0 once it surely has."""
     N: float
     """A bound on N of the error (model.py)."""
     far: float
@@ -86,6 +84,8 @@ class Now(NamedTuple):
     """The same of x2."""
     apart: float
     """A bound on the error of x1 - x2."""
+    speed_apart: float
+    """The same of v1 - v2 in a slip."""
 
 
 def space_for(tables: Tables) -> NDArray[np.float64]:

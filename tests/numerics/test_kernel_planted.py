@@ -1,6 +1,7 @@
 """Whole runs of the kernel whose starts are off by far more than rounding, and of every signal: true, or in doubt."""
 
 import cmath
+from contextlib import suppress
 from fractions import Fraction
 from itertools import pairwise
 from random import Random
@@ -8,9 +9,13 @@ from random import Random
 import numpy as np
 import pytest
 from draws import brought
+from every_number import solved_truly
 from flint import arb
+from hypothesis import given
 from kernel_runs import BOUNDS, STATE, a_scene, a_weakened_scene, errors, exact, in_stick, moved, run
+from reaching import LeftOut, reaching
 from scene_files import scenes_in
+from strategies import grazes
 
 from numerics import EventUndecided, Force, Friction, OutOfRange, Pair, Piece, Scene, Sine, State, Weakening, solve
 from numerics.arithmetic.ball import Ball
@@ -18,6 +23,7 @@ from numerics.arithmetic.compiled import can_compile
 from numerics.linear.engine import ledger_of, run_floats
 from numerics.linear.record import AT
 from numerics.scene import Signal
+from numerics.trajectory.comparison import require_same_sequence
 from numerics.trajectory.run import run_scene
 
 OURS = 1e-13
@@ -254,3 +260,15 @@ def test_what_was_certain_and_wrong_is_right_or_in_doubt(name, scene, way):
         assert way
         return
     assert not found.certain or name == f"{len(found.events)}-events"
+
+
+@reaching
+@given(grazes())
+def test_a_graze_is_decided_rightly_or_not_at_all(scene):
+    """Without a spring two motions part at one speed: their distance in v1 - v2 was once left out."""
+    with suppress(EventUndecided):
+        found = solve(scene, arithmetic="float64")
+        if found.certain:
+            require_same_sequence(found, solved_truly(scene))
+            return
+    raise LeftOut

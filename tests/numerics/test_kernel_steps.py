@@ -56,15 +56,16 @@ def test_no_power_is_left_out_of_what_is_clear(power):
 
 @pytest.mark.parametrize("mode", [1, -1, 0])
 @pytest.mark.parametrize("order", [0, 1, 2])
-@pytest.mark.parametrize("since", [0.0, 0.1, 1e300])
-def test_a_guard_is_clear_where_it_exceeds_what_N_lateness_or_rounding_may_take_of_it(mode, order, since):
+@pytest.mark.parametrize("steps", [0.0, 0.1, None])
+def test_a_guard_is_clear_where_it_exceeds_what_N_lateness_or_rounding_may_take_of_it(mode, order, steps):
     """N takes kappa N of v1 - v2, bend N a second since both were there, load N of the load; of a slip twice that."""
     scene = Scene(Pair("0.9", "0.1", 1, "0.1", "0.3"), State(1, 1, 0, 1 - mode), 9)
     run, now = begun(scene, mode)
     h, norm = float(run.tables.steps[0, int(mode == 0)]), run.norm
-    if mode == 0 and (order or since):
+    if mode == 0 and (order or steps != 0.0):
         return
-    slip = norm.kappa if since > 9 else norm.bend * (since + 1) * h
+    parted = norm.kappa if steps is None else norm.bend * steps * h  # since both were there so many steps ago
+    slip = min(norm.kappa, parted + norm.bend * h)
     by_N = norm.load if mode == 0 else [2 * slip, 2 * norm.bend * h, 16 * norm.bend * h][order]
     rows, degrees = run.tables.rows[0, int(mode == 0)], run.tables.degrees[0, int(mode == 0)]
     sums = run.tables.lines[0, int(mode == 0), SUMS + 2 * order + 1].sum() * UNIT
@@ -79,7 +80,7 @@ def test_a_guard_is_clear_where_it_exceeds_what_N_lateness_or_rounding_may_take_
             # of the late one the guard is 1e-3 (s - s_0)
             rows[STATE:, 0, order + 1] = 1e-3 / (factor * unit) if late else 0.0
             run.z[0] = factor * unit * (-1 if mode < 0 else 1)
-            at = now._replace(order=order, since=since * h, N=N, late=late)
+            at = now._replace(order=order, speed_apart=parted * N, N=N, late=late)
             found = next_event(run, at, WHOLE)
             assert (found.how == CLEAR and found.s == 1.0) == is_clear, (N, size, late, factor)
 
