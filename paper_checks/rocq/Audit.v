@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -464,6 +464,12 @@ uses: no other". Abort.
 Check @Excursion.h_increases.
 Print Assumptions Excursion.h_increases.
 
+Goal True. idtac "== heavy-damping
+As $a_1\to\infty$, from a given state: from any time on $|v_1|$ is of the order $1/a_1$; in a slip of sign $\sigma$ that lasts any time $a_2x_1+a_1v_1$ tends to $-b\sigma$; and the time after which the pair sticks permanently tends to $m_2|v_2(0)|/b$.
+uses: contact, energy-decreases, free-case". Abort.
+Check @HeavyDamper.heavy_damping.
+Print Assumptions HeavyDamper.heavy_damping.
+
 Goal True. idtac "== heavy-never-merges
 For $m_1/m_2>-\cos 2\varphi^*$: no solution that has touched $S$ above $E_{cr}$ ever merges, after whatever number of slips.
 uses: arc-to-ray, energy-decreases, first-landing, first-re-entry, gap-slip, h-increases, no-low-level, no-merging-from-S0". Abort.
@@ -667,6 +673,12 @@ Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a 
 uses: capture, contact, energy-decreases". Abort.
 Check @Stick.merging.
 Print Assumptions Stick.merging.
+
+Goal True. idtac "== merging-energies
+Of the solutions that are on $S_0$ with one energy above $E_{cr}$ all merge, or none; for $0<w\leqslant q(\pi/2-1)^2$ none; and no interval of energies that merge contains two with one between them that does not.
+uses: arc-to-ray, free-case, interface-one-strength, interface-well-posed, no-merging-from-S0, sticks-iff, uniqueness". Abort.
+Check @OneEnergy.merging_energies.
+Print Assumptions OneEnergy.merging_energies.
 
 Goal True. idtac "== merging-set
 For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, at the first re-entry, after any number of crossings; those below never merge.
@@ -1960,6 +1972,12 @@ Print Offset.swing.
 
 Goal True. idtac "== Offset.swing'". Abort.
 Print Offset.swing'.
+
+Goal True. idtac "== OneEnergy.from_S0". Abort.
+Print OneEnergy.from_S0.
+
+Goal True. idtac "== OneEnergy.merges". Abort.
+Print OneEnergy.merges.
 
 Goal True. idtac "== Pair.energy". Abort.
 Print Pair.energy.
