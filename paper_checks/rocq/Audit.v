@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurnedFrame TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -94,7 +94,7 @@ Print Assumptions Pair.contraction.
 
 Goal True. idtac "== controlled-approach
 With a damper $a_1(t)$ between two positive bounds and a bounded force every motion tends to each that is bounded.
-uses: controlled-contraction, driven-acceleration". Abort.
+uses: controlled-contraction, driven-acceleration, interface-one-strength". Abort.
 Check @Approach.controlled_approach.
 Print Assumptions Approach.controlled_approach.
 
@@ -106,7 +106,7 @@ Print Assumptions Approach.controlled_contraction.
 
 Goal True. idtac "== convergence
 Every solution tends to one stuck motion.
-uses: contact, ellipse-stable, energy-decreases, energy-limit, energy-rate". Abort.
+uses: energy-decreases, energy-limit, energy-rate, free-case, interface-one-strength, interface-synchronises". Abort.
 Check @Dichotomy.convergence.
 Print Assumptions Dichotomy.convergence.
 
@@ -388,7 +388,7 @@ Print Assumptions Arcs.follow_arc.
 
 Goal True. idtac "== forced-approach
 With $a_1>0$ any two motions under one bounded force approach each other.
-uses: driven-acceleration, forced-bounded". Abort.
+uses: driven-acceleration, forced-bounded, interface-one-strength". Abort.
 Check @BoundedMotions.approach.
 Print Assumptions BoundedMotions.approach.
 
@@ -1156,7 +1156,7 @@ Print Assumptions Switching.switching_iff.
 
 Goal True. idtac "== synchronisation
 $v_1-v_2\to 0$ for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$ and from every start.
-uses: convergence, viscous-rest". Abort.
+uses: free-case, interface-one-strength, interface-synchronises". Abort.
 Check @Consequences.relative_velocity_vanishes.
 Print Assumptions Consequences.relative_velocity_vanishes.
 
@@ -1576,7 +1576,7 @@ Print Assumptions TwoStop.two_stop_needs.
 
 Goal True. idtac "== undamped-entrained
 With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response at $t=0$ over $b\,(1-U/U_{*})$.
-uses: driven-acceleration". Abort.
+uses: driven-acceleration, forced-contraction, interface-one-strength". Abort.
 Check @UndampedEntrainment.undamped_entrained.
 Print Assumptions UndampedEntrainment.undamped_entrained.
 
