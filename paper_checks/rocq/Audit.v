@@ -2,7 +2,7 @@
     Written by `python -m paper_checks.proofs audit`, with its output as it was last read, Audit.out. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
+From InertialPair Require AfterOneSlip AlmostEverywhere AlternatingAngles AlternatingSlips Analytic Approach Arcs AtResonance BeforeContact BoundedMotions CaseStudy Consequences CreepingScenes CriticalRatioDigits Cycle CycleLength CycleTime Dichotomy Dini DisplacementLimit Drift EdgesIsolated EndlessStickSlip EnergyLimit Entrainment EulerLaw EulerSlip Excursion ExcursionShape ExitOrbit ExitPlaces Fading FallingFriction Filippov FinitelyManyModes FirstAdhesion FirstLanding FollowArc Forced ForcedCapture ForcedExistence ForcedTies FrictionSystems HalfPeriod HeavyDamper Interface InterfaceExists InterfaceMode KappaBound LawWithError LeastAmplitude LeastTimeTransfer LevelAfterSlip LongTime MergingAngles MergingByMassRatio MergingEnergies MergingIff ModeAtContact Modes MonotoneInclusion Nonstop NonstopDamped NonstopOverdamped NonstopUndamped Offset OneEnergy OneOverT PaidRates Pair PairTies PeriodicMotion Pursuit RateBounds Reentry RelativeMotion ReturnMap ReturnToS0 RotatingForce RotatingUnstable RoundFriction RuleOfModes SharpLaw SharpRate ShortSlipMargin SlipFromGap SlipTies StartFromRest StaticFriction Stick SticksKept StuckReferences Switching SwitchingSurface SwitchingSurfaceTies SwitchingTies ThirdRoot ThresholdTies ToleranceRing Tracking Trajectory TransferTies TurnedFrame TurningFunction TwoArcs TwoStop UndampedEntrainment UniformRate VaryingFriction Velocities Viscous Waves WeakTransfer WellPosed.
 Open Scope R_scope.
 Set Printing Width 110.
 Set Printing Depth 1000.
@@ -94,7 +94,7 @@ Print Assumptions Pair.contraction.
 
 Goal True. idtac "== controlled-approach
 With a damper $a_1(t)$ between two positive bounds and a bounded force every motion tends to each that is bounded.
-uses: controlled-contraction, driven-acceleration". Abort.
+uses: controlled-contraction, driven-acceleration, interface-one-strength". Abort.
 Check @Approach.controlled_approach.
 Print Assumptions Approach.controlled_approach.
 
@@ -106,7 +106,7 @@ Print Assumptions Approach.controlled_contraction.
 
 Goal True. idtac "== convergence
 Every solution tends to one stuck motion.
-uses: contact, ellipse-stable, energy-decreases, energy-limit, energy-rate". Abort.
+uses: energy-decreases, energy-limit, energy-rate, free-case, interface-one-strength, interface-synchronises". Abort.
 Check @Dichotomy.convergence.
 Print Assumptions Dichotomy.convergence.
 
@@ -388,7 +388,7 @@ Print Assumptions Arcs.follow_arc.
 
 Goal True. idtac "== forced-approach
 With $a_1>0$ any two motions under one bounded force approach each other.
-uses: driven-acceleration, forced-bounded". Abort.
+uses: driven-acceleration, forced-bounded, interface-one-strength". Abort.
 Check @BoundedMotions.approach.
 Print Assumptions BoundedMotions.approach.
 
@@ -463,6 +463,12 @@ $h$ increases on $(0,2\pi)$: no two slip angles have the same exit speed.
 uses: no other". Abort.
 Check @Excursion.h_increases.
 Print Assumptions Excursion.h_increases.
+
+Goal True. idtac "== heavy-damping
+As $a_1\to\infty$, from a given state: from any time on $|v_1|$ is of the order $1/a_1$; in a slip of sign $\sigma$ that lasts any time $a_2x_1+a_1v_1$ tends to $-b\sigma$; and the time after which the pair sticks permanently tends to $m_2|v_2(0)|/b$.
+uses: contact, energy-decreases, free-case". Abort.
+Check @HeavyDamper.heavy_damping.
+Print Assumptions HeavyDamper.heavy_damping.
 
 Goal True. idtac "== heavy-never-merges
 For $m_1/m_2>-\cos 2\varphi^*$: no solution that has touched $S$ above $E_{cr}$ ever merges, after whatever number of slips.
@@ -667,6 +673,12 @@ Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a 
 uses: capture, contact, energy-decreases". Abort.
 Check @Stick.merging.
 Print Assumptions Stick.merging.
+
+Goal True. idtac "== merging-energies
+Of the solutions that are on $S_0$ with one energy above $E_{cr}$ all merge, or none; for $0<w\leqslant q(\pi/2-1)^2$ none; and no interval of energies that merge contains two with one between them that does not.
+uses: arc-to-ray, free-case, interface-one-strength, interface-well-posed, no-merging-from-S0, sticks-iff, uniqueness". Abort.
+Check @OneEnergy.merging_energies.
+Print Assumptions OneEnergy.merging_energies.
 
 Goal True. idtac "== merging-set
 For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, at the first re-entry, after any number of crossings; those below never merge.
@@ -1144,7 +1156,7 @@ Print Assumptions Switching.switching_iff.
 
 Goal True. idtac "== synchronisation
 $v_1-v_2\to 0$ for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$ and from every start.
-uses: convergence, viscous-rest". Abort.
+uses: free-case, interface-one-strength, interface-synchronises". Abort.
 Check @Consequences.relative_velocity_vanishes.
 Print Assumptions Consequences.relative_velocity_vanishes.
 
@@ -1564,7 +1576,7 @@ Print Assumptions TwoStop.two_stop_needs.
 
 Goal True. idtac "== undamped-entrained
 With $a_1=0$ every motion under a sinusoidal force of amplitude below $U_*$ tends to one that sticks permanently, and $\int|\dot z|\,dt$ is at most the energy distance from the stuck response at $t=0$ over $b\,(1-U/U_{*})$.
-uses: driven-acceleration". Abort.
+uses: driven-acceleration, forced-contraction, interface-one-strength". Abort.
 Check @UndampedEntrainment.undamped_entrained.
 Print Assumptions UndampedEntrainment.undamped_entrained.
 
@@ -1960,6 +1972,12 @@ Print Offset.swing.
 
 Goal True. idtac "== Offset.swing'". Abort.
 Print Offset.swing'.
+
+Goal True. idtac "== OneEnergy.from_S0". Abort.
+Print OneEnergy.from_S0.
+
+Goal True. idtac "== OneEnergy.merges". Abort.
+Print OneEnergy.merges.
 
 Goal True. idtac "== Pair.energy". Abort.
 Print Pair.energy.

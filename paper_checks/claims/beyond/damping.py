@@ -7,7 +7,6 @@ from flint import arb
 
 from numerics.linear.modes import Mode
 from paper_checks.claims.beyond.contraction import forces_apart
-from paper_checks.claims.beyond.tolerance import heavy_damping
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.section_3 import energy
 from paper_checks.claims.section_3.convergence import contact_again
@@ -113,7 +112,7 @@ def passes_once() -> Evidence:
         """,
         energy.energy_rate(),
         forces_apart(),
-        heavy_damping(),
+        kernel.step("heavy-damping"),
         decays(),
     )
 
@@ -202,7 +201,7 @@ def synchronisation_against_damping() -> Case:
         carried("light", slows()),
         carried(
             "heavy",
-            heavy_damping(),
+            kernel.step("heavy-damping"),
             argument(
                 r"""
                 In every mode $|\dot v_2|\leqslant b/m_2$. So $v_2(0)\leqslant v+bT/m_2$ with the velocity $v$ at $T$; and

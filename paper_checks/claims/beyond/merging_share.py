@@ -14,7 +14,6 @@ from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.claims.beyond.excursions import creeps_for_ever
 from paper_checks.claims.letters import R
 from paper_checks.claims.section_3.capture import stays_below_critical
 from paper_checks.claims.section_3.convergence import contact_again, stays_stuck
@@ -240,13 +239,10 @@ def merging_bands() -> Case:
         that never does. Each trajectory is solved in ball arithmetic until it sticks permanently, or leaves $S_0$ by a
         ray so little above $E_{cr}$ that it never merges.
         """,
-        carried(
-            "bands",
-            argument(
-                "Two energies that merge with one between them that never does are in two components.",
-                *(bands(share)[1] for share in WITNESSES),
-                creeps_for_ever(),
-            ),
+        carried("bands", kernel.step("merging-energies"), *(bands(share)[1] for share in WITNESSES)),
+        reading(
+            "bands of energies that ever merge",
+            r"the largest intervals of $E>E_{cr}$ such that solutions of that energy on $S_0$ have $v_1=v_2$ at all times from some time on",
         ),
     )
 

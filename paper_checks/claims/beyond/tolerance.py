@@ -6,7 +6,6 @@ import sympy as sp
 
 from paper_checks.claims.beyond import response
 from paper_checks.claims.beyond.contraction import never_apart
-from paper_checks.claims.beyond.forced_modes import strict_rule
 from paper_checks.claims.beyond.response import approach
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.section_3 import capture, energy, filippov
@@ -76,36 +75,6 @@ def sticks_for_ever_below() -> Evidence:
         capture.stays_below_critical(),
         capture.stick_is_a_motion(),
         filippov.one_solution(),
-    )
-
-
-@cache
-def heavy_damping() -> Evidence:
-    """A body 1 that creeps: body 2 comes to rest on it."""
-    load = forced.load().subs({u: 0, x1: (forced.creeping_load() - a1 * v1) / a2}, simultaneous=True)
-    return argument(
-        r"""
-        $E$ never grows, so $|a_2x_1+b\sigma|\leqslant F$ with an $F$ that does not depend on $a_1$, and
-        $|v_1|\leqslant|v_1(0)|e^{-a_1t/m_1}+F/a_1$: except for a time of order $\ln a_1/a_1$ body 1 has a velocity of
-        order $1/a_1$. While $|v_2|$ exceeds that, it falls at the rate $b/m_2$, so both velocities meet at
-        $m_2|v_2(0)|/b$, up to terms that tend to $0$; from then on both are small, and so is the time to the next
-        contact, as $v_2$ has the rate $\pm b/m_2$ in slip. In slip of sign $s$, $p=a_2x_1+a_1v_1$ obeys $\dot
-        p=a_2v_1-(a_1/m_1)(p+bs)$ and tends to $-bs$. The first slip may cross $S$. One that starts at a contact does
-        not: there $-sp\geqslant bM/m_2>b$, so $-sp$ stays above $b$, up to terms that tend to $0$, and where the slip
-        ends $0<s\Lambda=-sp\,m_2/M\leqslant b$. So the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets $|p|$ fall from
-        its edge $bM/m_2$: it sticks permanently.
-        """,
-        energy.energy_never_grows(),
-        identity(r"there the load is $m_2b\sigma/M$", load, m2 * b * sigma / total_mass()),
-        identity(
-            r"in slip $m_1\dot v_1=-(p+b\sigma)$, in stick $M\dot v_1=-p$",
-            [
-                m1 * forced.forced_system(sigma)[1].subs(u, 0) + a2 * x1 + a1 * v1 + b * sigma,
-                total_mass() * forced.load().subs(u, 0) / m2 + a2 * x1 + a1 * v1,
-            ],
-        ),
-        filippov.never_apart(),
-        strict_rule(),
     )
 
 
@@ -274,12 +243,14 @@ def tolerance_ring() -> Case:
         """,
         creeps=Formula(r"a_2x_1+a_1v_1", "->", -b * sigma, equals(forced.creeping_load)),
         time=Formula("T", "->", m2 * Abs(v2) / b, equals(lambda: Abs(v2) / control.strongest())),
+        kernel="heavy-damping",
     ),
     assuming=f"{POSITIVE} No force, $u=0$; with and without a damper.",
 )
 def damping_can_desynchronise() -> Case:
     """A damper pulls at body 1 only."""
+    load = forced.load().subs({u: 0, x1: (forced.creeping_load() - a1 * v1) / a2}, simultaneous=True)
     return because(
         "A damper acts on body 1 alone, so a strong one breaks the adhesion of a moving pair that would have stuck permanently without it: more damping does not always synchronise faster.",
-        carried("heavy", heavy_damping()),
+        identity(r"where body 1 creeps, the load is $m_2b\sigma/M$", load, m2 * b * sigma / total_mass()),
     )

@@ -1,6 +1,6 @@
 (** What grows at most in proportion; and what an energy pays for: it has a limit, and a rate that cannot jump comes to
     rest. *)
-From InertialPair Require Import Dini.
+From InertialPair Require Import Dini Pursuit.
 
 (** y' <= k y gives an exponential: the logarithm is concave *)
 Lemma log_dini y q k t : 0 < q -> 0 <= t -> (forall u, q <= y u) -> cont y -> (forall u, 0 <= u -> dini_le y u (k * y
@@ -24,6 +24,19 @@ Proof.
       undivide (y u). lra. }
   rewrite <- (exp_ln (y t)), <- (exp_ln (y 0)) at 1 by auto. rewrite <- exp_plus. apply Rnot_lt_le. intros N.
   apply exp_lt_inv in N. lra.
+Qed.
+
+(** a path that an energy pays for as it goes is paid for *)
+Lemma path_paid E c f r t : cont E -> cont f -> (forall u, 0 <= u -> dini_le E u (- (c * f u))) -> 0 <= r <= t ->
+  c * (integral f t - integral f r) <= E r - E t.
+Proof.
+  intros CE Cf D Hr. assert (E t + c * integral f t <= E r + c * integral f r); [|lra].
+  apply (dini_mono (fun u => E u + c * integral f u)); auto.
+  - apply cont_plus; [auto|apply cont_scal, integral_cont, Cf].
+  - intros u Hu e He. destruct (D u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
+    destruct (rderiv_scal c _ _ _ (integral_rderiv _ u Cf ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|].
+    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
+    cbv beta in K2. lra.
 Qed.
 
 (** what an energy pays for converges; at a rate that cannot jump it comes to rest *)

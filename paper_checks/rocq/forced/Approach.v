@@ -3,7 +3,7 @@
     dv2 tends to +-c with c^2 = 2 l / m2. If c > 0, the relative velocity of one pair stays c above the other's; each
     time that it crosses 0 both friction forces are at opposite limits for a while, and this costs a fixed part of
     dv2: so it crosses a last time, and then one body 2 is pulled to one side for ever. *)
-From InertialPair Require Import Dini Pair Stick Pursuit Forced.
+From InertialPair Require Import Dini Pair Stick Pursuit Forced Interface.
 
 (** the last time at which a continuous function is not negative *)
 Lemma last_nonneg w r t : cont w -> 0 <= r <= t -> 0 <= w r -> w t < 0 ->
@@ -87,19 +87,10 @@ Lemma v1_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t ->
   (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
   forall r t, 0 <= r <= t -> Rabs (v1 t - v1 r) <= (speed B G - b / m2) * (t - r).
 Proof.
-  intros H LU Bd r t Hr. assert (Im : 0 < / m1) by positive.
-  set (g := fun u => m1 * v1 u + b * s u - U u). pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cs.
-  assert (Lg : Rabs (g t - g r) <= (a2 + a1) * B * (t - r)).
-  { apply (lip_of_rderiv g (fun u => - (a2 * x u + a1 * v1 u))); auto.
-    - unfold g. pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
-      apply cont_minus; auto; apply cont_plus; apply cont_scal; auto.
-    - intros u Hu. split; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); auto|]. destruct (Bd u Hu) as (B1 & B2 & _).
-      rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|]. pose proof (abs_scal a2 _ _ ltac:(lra) B1).
-      pose proof (abs_scal a1 _ _ Ha B2). lra. }
-  pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H r t Hr) as L1. pose proof (LU r t Hr) as L2.
-  replace (v1 t - v1 r) with (/ m1 * (g t - g r - b * (s t - s r) + (U t - U r))) by (unfold g; field; lra).
-  replace ((speed B G - b / m2) * (t - r)) with (/ m1 * (((a2 + a1) * B + b + G) * (t - r))) by (unfold speed; ring).
-  apply abs_scal; [lra|]. apply Rabs_inv in Lg. apply Rabs_inv in L1. apply Rabs_inv in L2. apply Rabs_le. split; nra.
+  intros H LU Bd r t Hr. replace (speed B G - b / m2) with (/ m1 * ((a2 + a1) * B + G + b)) by (unfold speed; ring).
+  apply (body1_lip m1 m2 a1 a2 Hm1 (fun _ => b) U x v1 v2 _ _ G b (forced_rubs _ _ _ _ b _ _ _ _ _ Hb H)); auto.
+  intros u Hu. destruct (Bd u Hu) as (B1 & B2 & _). split; [|lra]. eapply Rle_trans; [apply Rabs_triang|].
+  pose proof (abs_scal a2 _ _ ltac:(lra) B1). pose proof (abs_scal a1 _ _ Ha B2). lra.
 Qed.
 (** the relative velocity of a bounded motion is Lipschitz *)
 Lemma w_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->

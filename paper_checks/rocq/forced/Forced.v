@@ -75,6 +75,34 @@ Proof.
   lra.
 Qed.
 
+(** *** what a force can do: the root of twice the energy bounds the velocity of body 1, and grows at most by what the force
+    pushes *)
+Section Pushed.
+Variables m1 m2 a2 : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2).
+Lemma energy_above x v1 v2 : sqrt m1 * Rabs v1 <= sqrt (2 * energy m1 m2 a2 x v1 v2).
+Proof.
+  rewrite <- (sqrt_Rsqr_abs v1), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt. unfold energy, Rsqr.
+  pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v2). nra.
+Qed.
+Lemma pushed_apart x v1 v2 du J r t : let D t := energy m1 m2 a2 (x t) (v1 t) (v2 t) in cont D -> cont J -> 0 <= r <= t ->
+  (forall u, r <= u < t -> rderiv J u (Rabs (du u)) /\ dini_le D u (du u * v1 u)) ->
+  sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r) / sqrt m1.
+Proof.
+  intros D CD CJ Hr HU. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
+  replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
+  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
+  - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
+  - intros u Hu. destruct (HU u Hu) as (DJ & DD). pose proof (Rabs_pos (du u)).
+    split; [positive|split; [apply rderiv_scal; auto|]]. intros e He. destruct (DD e He) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+    pose proof (Rle_abs (du u * v1 u)) as P. rewrite Rabs_mult in P.
+    assert (Rabs (du u) * Rabs (v1 u) <= / sqrt m1 * Rabs (du u) * sqrt (2 * D u)); [|lra].
+    replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u))) by (field; lra).
+    apply Rmult_le_compat_l; [positive|apply energy_above].
+Qed.
+End Pushed.
+
 Section Forced.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -140,29 +168,18 @@ Let N t := sqrt (2 * D t).
 
 (** it bounds the velocity of body 1 *)
 Lemma velocity_within t : sqrt m1 * Rabs (v1 t - v1' t) <= N t.
-Proof.
-  rewrite <- (sqrt_Rsqr_abs (v1 t - v1' t)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
-  unfold D, energy, Pair.energy, Rsqr. pose proof (pow2_ge_0 (x t - x' t)). pose proof (pow2_ge_0 (v2 t - v2' t)). nra.
-Qed.
+Proof. exact (energy_above m1 m2 a2 Hm1 Hm2 Ha2 _ _ _). Qed.
 
 (** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
 Theorem input_to_state du J r t : cont J -> 0 <= r <= t ->
   (forall u, r <= u < t -> rderiv (fun r => U r - U' r) u (du u) /\ rderiv J u (Rabs (du u))) ->
   N t <= N r + (J t - J r) / sqrt m1.
 Proof.
-  intros CJ Hr HU. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
-  replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
-  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
-  - exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H').
-  - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
-  - intros u Hu. destruct (HU u Hu) as (DU & DJ). pose proof (Rabs_pos (du u)).
-    split; [positive|split; [apply rderiv_scal; auto|]]. intros e He.
-    destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU e He) as (d & Hd & K).
-    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
-    pose proof (pow2_ge_0 (v1 u - v1' u)). pose proof (Rle_abs (du u * (v1 u - v1' u))) as P. rewrite Rabs_mult in P.
-    assert (Rabs (du u) * Rabs (v1 u - v1' u) <= / sqrt m1 * Rabs (du u) * N u); [|unfold N in *; nra].
-    replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1' u))) by (field; lra).
-    apply Rmult_le_compat_l; [positive|apply velocity_within].
+  intros CJ Hr HU. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t => v2 t - v2' t) du);
+    auto; [exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ H H')|]. intros u Hu. destruct (HU u Hu) as (DU & DJ). split; auto.
+  intros e He. destruct (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) DU e He) as (d & Hd & K).
+  exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+  pose proof (pow2_ge_0 (v1 u - v1' u)). nra.
 Qed.
 End Two.
 

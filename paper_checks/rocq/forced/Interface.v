@@ -23,6 +23,17 @@ Record rubs (b U x v1 v2 F : R -> R) : Prop := {
   r_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + F r - U r) t (- (a2 * x t + a1 * v1 t));
   r_v2 : forall t, 0 <= t -> m2 * v2 t - F t = m2 * v2 0 - F 0 }.
 
+(** friction's impulse is as fast as its strength allows *)
+Lemma cap_lip f c r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> forall e, 0 < e -> exists d, 0 < d /\
+  forall h, 0 < h < d -> Rabs (f (u + h) - f u) <= (c + e) * h) -> Rabs (f t - f r) <= c * (t - r).
+Proof.
+  intros C Hr Ca. assert (Up : forall k, k = 1 \/ k = -1 -> k * f t - k * f r <= c * (t - r)).
+  { intros k Hk. apply (dini_slope (fun t => k * f t)); auto using cont_scal. intros u Hu e He.
+    destruct (Ca u Hu e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh). apply Rabs_inv in K.
+    destruct Hk; subst k; lra. }
+  pose proof (Up 1 ltac:(auto)). pose proof (Up (-1) ltac:(auto)). apply Rabs_le. lra.
+Qed.
+
 (** [interface-one-strength] A friction of one strength at all times: the motions under a force, and only they. *)
 Theorem rubs_constant b U x v1 v2 F : 0 < b -> rubs (fun _ => b) U x v1 v2 F <-> forced m1 m2 a1 a2 b U x v1 v2 (fun t => F t / b).
 Proof.
@@ -36,13 +47,8 @@ Proof.
   - intros [Ca Sl CU Cx Cv CF X V W]. assert (Cs : cont (fun t => F t / b)).
     { apply cont_ext with (fun t => / b * F t); [intros; field; lra|apply cont_scal; auto]. }
     constructor; auto.
-    + assert (Up : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> k * (F t / b) - k * (F r / b) <= 1 * (t - r)).
-      { intros k r t Hk Hr. apply (dini_slope (fun t => k * (F t / b))); auto using cont_scal. intros u Hu e He.
-        destruct (Ca u ltac:(lra) (e * b)) as (d & Hd & K); [nra|]. exists d; split; auto. intros h Hh.
-        specialize (K h Hh). apply Rabs_inv in K. apply Rmult_le_reg_l with b; auto.
-        replace (b * (k * (F (u + h) / b) - k * (F u / b))) with (k * (F (u + h) - F u)) by (field; lra).
-        destruct Hk; subst k; nra. }
-      intros r t Hr. pose proof (Up 1 r t ltac:(auto) Hr). pose proof (Up (-1) r t ltac:(auto) Hr). apply Rabs_le. lra.
+    + intros r t Hr. apply Rmult_le_reg_l with b; auto. rewrite <- (Rabs_pos_eq b) at 1 by lra. rewrite <- Rabs_mult,
+        Rmult_minus_distr_l, !Fs. apply cap_lip; auto. intros u Hu. apply Ca. lra.
     + intros t Ht Gt. apply rderiv_eq with (1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
     + intros t Ht Lt. apply rderiv_eq with (-1 * b / b); [field; lra|]. apply To, Sl; auto; lra.
     + intros t Ht. apply Sum. auto.
@@ -82,14 +88,7 @@ Proof.
   apply cont_plus; [apply cont_const|apply cont_scal, (r_cF _ _ _ _ _ _ H)].
 Qed.
 Lemma rubs_power t : 0 <= t -> little (fun h => (F (t + h) - F t) * (v1 t - v2 t) - b t * Rabs (v1 t - v2 t) * h).
-Proof.
-  intros Ht. set (w := v1 t - v2 t). destruct (Req_dec w 0) as [->|N].
-  - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Rabs_R0; ring.
-  - assert (K : exists k, (k = 1 \/ k = -1) /\ 0 < k * w /\ Rabs w = w * k).
-    { destruct (Rlt_dec w 0); [exists (-1); rewrite Rabs_left by lra|exists 1; rewrite Rabs_pos_eq by lra]; lra. }
-    destruct K as (k & Hk & Kw & ->).
-    eapply little_ext; [|exact (little_scal w _ (r_slip _ _ _ _ _ _ H t Ht k Hk Kw))]. intros h; simpl. ring.
-Qed.
+Proof. intros Ht. apply friction_power, (r_slip _ _ _ _ _ _ H t Ht). Qed.
 
 (** [interface-energy-rate] With a friction of the strength $b(t)$, whatever it depends on, $\dot
     E=u\,v_1-a_1v_1^2-b(t)|v_1-v_2|$, where the impulse has the rate $u$ from the right. *)
@@ -103,11 +102,7 @@ Proof.
   intros h. unfold energy. cbv beta. ring.
 Qed.
 Lemma rubs_cE : cont (fun t => energy (x t) (v1 t) (v2 t)).
-Proof.
-  apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
-  { intros; unfold energy, Pair.energy; field. }
-  pose proof rubs_cv2. destruct H. repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
-Qed.
+Proof. pose proof rubs_cv2. destruct H. apply energy_cont; auto. Qed.
 End One.
 
 Section Two.
@@ -119,13 +114,8 @@ Let w' t := v1' t - v2' t.
 
 Lemma rubs_cD : cont D.
 Proof.
-  assert (cont (fun t => x t - x' t)) by (apply cont_minus; [apply (r_cx _ _ _ _ _ _ H)|apply (r_cx _ _ _ _ _ _ H')]).
-  assert (cont (fun t => v1 t - v1' t)) by (apply cont_minus; [apply (r_cv _ _ _ _ _ _ H)|apply (r_cv _ _ _ _ _ _ H')]).
-  assert (cont (fun t => v2 t - v2' t)) by (apply cont_minus; eapply rubs_cv2; eauto).
-  apply cont_ext with (fun t => a2 / 2 * ((x t - x' t) * (x t - x' t)) + m1 / 2 * ((v1 t - v1' t) * (v1 t - v1' t))
-    + m2 / 2 * ((v2 t - v2' t) * (v2 t - v2' t))).
-  { intros; unfold D, energy, Pair.energy; field. }
-  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
+  apply energy_cont; apply cont_minus; [apply (r_cx _ _ _ _ _ _ H)|apply (r_cx _ _ _ _ _ _ H')|apply (r_cv _ _ _ _ _ _ H)|
+    apply (r_cv _ _ _ _ _ _ H')|exact (rubs_cv2 _ _ _ _ _ _ H)|exact (rubs_cv2 _ _ _ _ _ _ H')].
 Qed.
 
 (** the increment of the distance, but for friction *)
@@ -343,22 +333,59 @@ Theorem interface_input_to_state b U U' x v1 v2 F x' v1' v2' F' du J r t :
   sqrt (2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) <=
   sqrt (2 * energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r)) + (J t - J r) / sqrt m1.
 Proof.
-  intros H H' HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
-  set (D := fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)).
-  replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
-  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using cont_scal.
-  - exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H').
-  - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
-  - intros u Hu. pose proof (Rabs_pos (du u)). split; [positive|split; [apply rderiv_scal; auto; apply HJ; lra|]]. intros e He.
-    destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) (HU u ltac:(lra)) e He) as (d & Hd & K).
-    exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
-    pose proof (pow2_ge_0 (v1 u - v1' u)). pose proof (Rle_abs (du u * (v1 u - v1' u))) as P. rewrite Rabs_mult in P.
-    assert (Q : sqrt m1 * Rabs (v1 u - v1' u) <= sqrt (2 * D u)).
-    { rewrite <- (sqrt_Rsqr_abs (v1 u - v1' u)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
-      unfold D, energy, Pair.energy, Rsqr. pose proof (pow2_ge_0 (x u - x' u)). pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
-    assert (Rabs (du u) * Rabs (v1 u - v1' u) <= / sqrt m1 * Rabs (du u) * sqrt (2 * D u)); [|nra].
-    replace (Rabs (du u) * _) with (/ sqrt m1 * Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1' u))) by (field; lra).
-    apply Rmult_le_compat_l; [positive|exact Q].
+  intros H H' HU CJ HJ Hr. apply (pushed_apart m1 m2 a2 Hm1 Hm2 Ha2 (fun t => x t - x' t) (fun t => v1 t - v1' t) (fun t => v2 t - v2' t) du);
+    auto; [exact (rubs_cD _ _ _ _ _ _ _ _ _ _ _ _ H H')|]. intros u Hu. split; [apply HJ; lra|]. intros e He.
+  destruct (interface_parts _ _ _ _ _ _ _ _ _ _ _ _ H H' u _ ltac:(lra) (HU u ltac:(lra)) e He) as (d & Hd & K).
+  exists d; split; auto. intros h Hh. eapply Rle_trans; [apply K; auto|]. apply Rmult_le_compat_r; [lra|].
+  pose proof (pow2_ge_0 (v1 u - v1' u)). nra.
+Qed.
+
+(** where the forces are bounded the velocity of body 1 is Lipschitz *)
+Section Lipschitz.
+Variables (b U x v1 v2 F : R -> R) (B G hi : R).
+Hypotheses (H : rubs b U x v1 v2 F) (Bd : forall t, 0 <= t -> Rabs (a2 * x t + a1 * v1 t) <= B /\ b t <= hi)
+  (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)).
+Lemma impulse_lip r t : 0 <= r <= t -> Rabs (F t - F r) <= hi * (t - r).
+Proof.
+  intros Hr. apply cap_lip; [apply (r_cF _ _ _ _ _ _ H)|auto|]. intros u Hu e He.
+  destruct (r_cap _ _ _ _ _ _ H u ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+  eapply Rle_trans; [apply K; auto|]. destruct (Bd u ltac:(lra)). apply Rmult_le_compat_r; lra.
+Qed.
+Lemma body1_lip r t : 0 <= r <= t -> Rabs (v1 t - v1 r) <= / m1 * (B + G + hi) * (t - r).
+Proof.
+  intros Hr. assert (LA : Rabs ((m1 * v1 t + F t - U t) - (m1 * v1 r + F r - U r)) <= B * (t - r)).
+  { apply (lip_of_rderiv (fun u => m1 * v1 u + F u - U u) (fun u => - (a2 * x u + a1 * v1 u))); auto.
+    - apply cont_minus; [apply cont_plus; [apply cont_scal, (r_cv _ _ _ _ _ _ H)|apply (r_cF _ _ _ _ _ _ H)]|apply (r_cU _ _ _ _ _ _ H)].
+    - intros u Hu. rewrite Rabs_Ropp. split; [apply (r_v1 _ _ _ _ _ _ H)|apply Bd]; auto. }
+  pose proof (LU r t Hr) as L. pose proof (impulse_lip r t Hr) as LF.
+  replace (v1 t - v1 r) with (/ m1 * ((m1 * v1 t + F t - U t) - (m1 * v1 r + F r - U r) - (F t - F r) + (U t - U r)))
+    by (field; lra).
+  rewrite Rmult_assoc. apply abs_scal; [apply Rlt_le; positive|]. apply Rabs_inv in LA, LF, L. apply Rabs_le. lra.
+Qed.
+(** and the relative velocity *)
+Lemma slip_lip r t : 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= (/ m1 * (B + G + hi) + / m2 * hi) * (t - r).
+Proof.
+  intros Hr. pose proof (body1_lip r t Hr) as L1. pose proof (r_v2 _ _ _ _ _ _ H r ltac:(lra)) as E1.
+  pose proof (r_v2 _ _ _ _ _ _ H t ltac:(lra)) as E2. assert (L2 : Rabs (v2 t - v2 r) <= / m2 * (hi * (t - r))).
+  { replace (v2 t - v2 r) with (/ m2 * (F t - F r)) by (replace (F t - F r) with (m2 * (v2 t - v2 r)) by lra; field; lra).
+    apply abs_scal; [apply Rlt_le; positive|apply impulse_lip, Hr]. }
+  apply Rabs_inv in L1, L2. apply Rabs_le. lra.
+Qed.
+End Lipschitz.
+
+(** a motion under a force has one strength; one that sticks, and needs a share of it only, that share *)
+Lemma forced_rubs b U x v1 v2 s : 0 < b -> forced m1 m2 a1 a2 b U x v1 v2 s -> rubs (fun _ => b) U x v1 v2 (fun t => b * s t).
+Proof.
+  intros Hb H. apply rubs_constant; auto. replace (fun t => b * s t / b) with s; auto.
+  apply FunctionalExtensionality.functional_extensionality. intros t. field. lra.
+Qed.
+Lemma stuck_rubs b rho U y v r : 0 < b -> forced m1 m2 a1 a2 b U y v v r ->
+  (forall p q, 0 <= p <= q -> Rabs (r q - r p) <= rho * (q - p)) -> rubs (fun _ => b * rho) U y v v (fun t => b * r t).
+Proof.
+  intros Hb H Easy. pose proof (moves_cs _ _ _ _ _ _ _ _ _ _ _ H) as Cr. destruct H as [_ _ _ CU Cy Cv Y V W].
+  constructor; auto using cont_scal; [|intros; lra].
+  intros t Ht e He. exists 1. split; [lra|]. intros h Hh. rewrite <- Rmult_minus_distr_l. pose proof (Easy t (t + h) ltac:(lra)) as L.
+  replace (t + h - t) with h in L by ring. apply Rle_trans with (b * (rho * h)); [apply abs_scal; lra|nra].
 Qed.
 
 (** *** Without a force, friction that stays above some strength brings the slip to rest, whatever it depends on *)
@@ -380,12 +407,7 @@ Proof.
     fold (w t). pose proof (Rabs_pos (w t)). pose proof (pow2_ge_0 (v1 t)). specialize (Hb t Ht). nra. }
   set (J := integral (fun t => Rabs (w t))).
   assert (Pay : forall r t, 0 <= r <= t -> lo * (J t - J r) <= E r - E t).
-  { intros r t Hr. assert (E t + lo * J t <= E r + lo * J r); [|lra].
-    apply (dini_mono (fun t => E t + lo * J t)); auto; [apply cont_plus; [auto|apply cont_scal, integral_cont; auto]|].
-    intros u Hu e He. destruct (Fall u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
-    destruct (rderiv_scal lo J u _ (integral_rderiv _ u CJ ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|].
-    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
-    cbv beta in *. lra. }
+  { intros r t. apply (path_paid E lo (fun t => Rabs (w t))); auto. intros u Hu. rewrite Ropp_mult_distr_l. auto. }
   assert (Path : forall r t, 0 <= r <= t -> Rabs (z t - z r) <= J t - J r).
   { assert (Up : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> k * z t - J t <= k * z r - J r).
     { intros k r t Hk Hr. apply (rderiv_mono (fun t => k * z t - J t) r t (fun t => k * w t - Rabs (w t))); auto.
@@ -405,38 +427,27 @@ Proof.
       pose proof (pow2_ge_0 (x t)). pose proof (pow2_ge_0 (v1 t)). pose proof (pow2_ge_0 (v2 t)). split; apply sq_le_abs; try lra.
       - assert (x t ^ 2 <= 2 * E 0 / a2) by (undivide a2; nra). unfold X in *. nra.
       - assert (v1 t ^ 2 <= 2 * E 0 / m1) by (undivide m1; nra). unfold V in *. nra. }
-    pose proof (Hb 0 (Rle_refl 0)) as Hb0. set (K := (a2 * X + a1 * V) / m1 + (/ m1 + / m2) * hi).
-    assert (i1 : 0 < / m1) by positive. assert (i2 : 0 < / m2) by positive.
-    assert (HK : 0 < K) by (unfold K; assert (0 < (/ m1 + / m2) * hi) by positive; assert (0 <= (a2 * X + a1 * V) / m1) by positive; lra).
-    assert (Steep : forall k t, k = 1 \/ k = -1 -> 0 <= t -> dini_le (fun t => k * w t) t K).
-    { intros k t Hk Ht e He. destruct (Bd t Ht) as (Bx & Bv). specialize (Hb t Ht).
-      destruct (r_v1 _ _ _ _ _ _ H t Ht (e * m1 / 4)) as (d1 & H1 & K1); [positive|].
-      destruct (r_cap _ _ _ _ _ _ H t Ht (e / (2 * (/ m1 + / m2)))) as (d2 & H2 & K2); [positive|].
-      smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1, K2.
-      pose proof (rubs_v2 _ _ _ _ _ _ H t h Ht ltac:(lra)) as W. set (f := F (t + h) - F t) in *. unfold w.
-      set (g := m1 * v1 (t + h) - m1 * v1 t + f). assert (G : Rabs g <= (a2 * X + a1 * V) * h + e * m1 / 4 * h).
-      { unfold g, f. apply Rabs_le. assert (Rabs (a2 * x t + a1 * v1 t) <= a2 * X + a1 * V) as Q by (apply Rabs_le; split; nra).
-        apply Rabs_inv in Q. unfold f in *. split; nra. }
-      replace (k * (v1 (t + h) - v2 (t + h)) - k * (v1 t - v2 t)) with (k * (/ m1 * g) - k * ((/ m1 + / m2) * f)).
-      2: { unfold g. replace (v2 (t + h)) with (v2 t + 1 / m2 * f) by lra. field. lra. }
-      assert (Q1 : k * (/ m1 * g) <= / m1 * ((a2 * X + a1 * V) * h + e * m1 / 4 * h)).
-      { apply Rabs_inv in G. assert (Rabs (/ m1 * g) <= / m1 * ((a2 * X + a1 * V) * h + e * m1 / 4 * h)) as Q.
-        { apply abs_scal; [lra|]. apply Rabs_le. lra. } apply Rabs_inv in Q. destruct Hk; subst k; lra. }
-      assert (Q2 : - (k * ((/ m1 + / m2) * f)) <= (/ m1 + / m2) * ((b t + e / (2 * (/ m1 + / m2))) * h)).
-      { assert (Rabs ((/ m1 + / m2) * f) <= (/ m1 + / m2) * ((b t + e / (2 * (/ m1 + / m2))) * h)) as Q.
-        { apply abs_scal; [lra|]. apply Rabs_le. lra. } apply Rabs_inv in Q. destruct Hk; subst k; lra. }
-      replace (/ m1 * ((a2 * X + a1 * V) * h + e * m1 / 4 * h)) with ((a2 * X + a1 * V) / m1 * h + e / 4 * h) in Q1 by (field; lra).
-      replace ((/ m1 + / m2) * ((b t + e / (2 * (/ m1 + / m2))) * h)) with ((/ m1 + / m2) * b t * h + e / 2 * h) in Q2 by (field; lra).
-      assert ((/ m1 + / m2) * b t * h <= (/ m1 + / m2) * hi * h) by (apply Rmult_le_compat_r; [lra|apply Rmult_le_compat_l; lra]).
-      unfold K. nra. }
+    pose proof (Hb 0 (Rle_refl 0)) as Hb0. set (K := / m1 * (a2 * X + a1 * V + 0 + hi) + / m2 * hi).
+    assert (HK : 0 < K) by (assert (0 < a2 * X) by (apply Rmult_lt_0_compat; lra); assert (0 <= a1 * V) by (apply Rmult_le_pos; lra);
+      unfold K; apply Rplus_lt_0_compat; apply Rmult_lt_0_compat; try (apply Rinv_0_lt_compat; auto); lra).
     apply (paid_vanishes E lo ltac:(auto) Em Hlo (fun t => Rabs (w t)) J K); auto.
     + apply integral_cont; auto.
     + intros t Ht. split; [apply Rabs_pos|apply (integral_rderiv (fun t => Rabs (w t))); auto].
-    + intros r t Hr. eapply Rle_trans; [apply Rabs_triang_inv2|]. 
-      pose proof (dini_slope (fun t => 1 * w t) K r t ltac:(apply cont_scal; auto) Hr ltac:(intros; apply Steep; auto; lra)).
-      pose proof (dini_slope (fun t => -1 * w t) K r t ltac:(apply cont_scal; auto) Hr ltac:(intros; apply Steep; auto; lra)).
-      apply Rabs_le. lra.
+    + intros r t Hr. eapply Rle_trans; [apply Rabs_triang_inv2|].
+      apply (slip_lip b (fun _ => 0) x v1 v2 F (a2 * X + a1 * V) 0 hi H); auto.
+      * intros u Hu. destruct (Bd u Hu). split; [apply Rabs_le; split; nra|apply Hb; auto].
+      * intros p q Hp. rewrite Rminus_0_r, Rabs_R0. lra.
   - destruct (paid_converges E lo ltac:(auto) Em Hlo z) as (zl & _ & Lim); [|exists zl; exact Lim].
     intros r t Hr. eapply Rle_trans; [|apply Pay; auto]. apply Rmult_le_compat_l; [lra|apply Path; auto].
+Qed.
+
+(** with a friction of one strength, too *)
+Corollary solution_synchronises b x v1 v2 s : 0 < b -> solution m1 m2 a1 a2 b x v1 v2 s ->
+  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (v1 t - v2 t) <= e.
+Proof.
+  intros Hb H. apply free_case, (forced_rubs b _ x v1 v2 s Hb) in H. rename H into R.
+  assert (C : cont (fun t => v1 t - v2 t)) by (apply cont_minus; [apply (r_cv _ _ _ _ _ _ R)|exact (rubs_cv2 _ _ _ _ _ _ R)]).
+  apply (interface_synchronises _ x v1 v2 _ (integral (fun t => v1 t - v2 t)) b b R Hb); [intros; lra|apply integral_cont, C|].
+  intros t Ht. exact (integral_rderiv (fun t => v1 t - v2 t) t C Ht).
 Qed.
 End Interface.

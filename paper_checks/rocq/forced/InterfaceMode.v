@@ -24,14 +24,10 @@ Proof.
   exists (join d (fun t => x (t0 + t)) y), (join d (fun t => v1 (t0 + t)) w1), (join d (fun t => v2 (t0 + t)) w2).
   eexists. split; [apply forced_moves; split; [apply cont_shift; auto|apply J]|].
   - constructor; auto using cont_shift.
-    + assert (Up : forall k r t, k = 1 \/ k = -1 -> 0 <= r <= t -> t <= d ->
-        k * (/ b0 * F (t0 + t)) - k * (/ b0 * F (t0 + r)) <= 1 * (t - r)).
-      { intros k r t Hk Hr Htd. apply (dini_slope (fun t => k * (/ b0 * F (t0 + t)))); auto using cont_scal. intros u Hu e He.
-        destruct (Ca (t0 + u) ltac:(lra) (e * b0)) as (q & Hq & K); [nra|]. exists q; split; auto. intros h Hh.
-        specialize (K h Hh). rewrite Eb in K by lra. apply Rabs_inv in K. replace (t0 + (u + h)) with (t0 + u + h) by ring.
-        apply Rmult_le_reg_l with b0; auto. replace (b0 * (k * (/ b0 * F (t0 + u + h)) - k * (/ b0 * F (t0 + u))))
-          with (k * (F (t0 + u + h) - F (t0 + u))) by (field; lra). destruct Hk; subst k; nra. }
-      intros r t Hr Htd. pose proof (Up 1 r t ltac:(auto) Hr Htd). pose proof (Up (-1) r t ltac:(auto) Hr Htd). apply Rabs_le. lra.
+    + intros r t Hr Htd. rewrite <- Rmult_minus_distr_l. apply Rmult_le_reg_l with b0; auto. rewrite <- (Rabs_pos_eq b0) at 1 by lra.
+      rewrite <- Rabs_mult. replace (b0 * (/ b0 * (F (t0 + t) - F (t0 + r)))) with (F (t0 + t) - F (t0 + r)) by (field; lra).
+      replace (b0 * (1 * (t - r))) with (b0 * (t0 + t - (t0 + r))) by ring. apply cap_lip; auto; [lra|]. intros u Hu e He.
+      rewrite <- (Eb u) by lra. apply Ca; auto; lra.
     + intros t Ht k Hk G. apply Ds. rewrite <- (Eb (t0 + t)) by lra. apply Sl; auto; lra.
     + intros t Ht. apply rderiv_earlier, X. lra.
     + intros t Ht. apply rderiv_ext with (fun r => m1 * v1 (t0 + r) + F (t0 + r) - U (t0 + r)); [intros; field; lra|].

@@ -2,7 +2,7 @@
     exits and entries, the decay slower than every exponential, and synchronisation for all parameters. *)
 From InertialPair Require Import Dini Pair Stick EnergyLimit Dichotomy Viscous Excursion ReturnMap FollowArc Cycle
   ExitOrbit SharpRate SharpLaw OneOverT.
-From InertialPair Require Import ReturnToS0 SwitchingSurface.
+From InertialPair Require Import ReturnToS0 SwitchingSurface Interface.
 
 Section Free.
 Variables m1 m2 a2 b : R.
@@ -78,23 +78,7 @@ Theorem relative_velocity_vanishes m1 m2 a1 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 ->
   solution m1 m2 a1 a2 b x v1 v2 s -> forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
     Rabs (v1 t - v2 t) <= e.
 Proof.
-  intros H1 H2 A1 Ha Hb H e He. destruct (Req_dec a1 0) as [->|N].
-  - destruct (convergence m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H) as (x0 & v0 & _ & _ & _ & C). cbv beta in C.
-    set (mu := Rmin m1 m2). assert (Mu : 0 < mu /\ mu <= m1 /\ mu <= m2).
-    { unfold mu. repeat split; [positive|apply Rmin_l|apply Rmin_r]. }
-    destruct (C (mu * e ^ 2 / 4)) as (T & HT & K).
-      { positive. }
-    exists T. split; [auto|]. intros t Hu. specialize (K t Hu). unfold energy in K.
-    set (p := v1 t - V m1 m2 a2 x0 v0 t) in *. set (q := v2 t - V m1 m2 a2 x0 v0 t) in *.
-    replace (v1 t - v2 t) with (p - q) by (unfold p, q; ring).
-    pose proof (pow2_ge_0 p). pose proof (pow2_ge_0 q). pose proof (pow2_ge_0 (p + q)).
-    assert (0 <= a2 * (x t - X m1 m2 a2 x0 v0 t) ^ 2) by positive. assert (mu * p ^ 2 <= m1 * p ^ 2) by scale.
-      assert (mu * q ^ 2 <= m2 * q ^ 2) by scale.
-    assert (Q : 2 * (p ^ 2 + q ^ 2) <= e ^ 2) by (apply Rmult_le_reg_l with mu; lra). apply Rabs_le. split; nra.
-  - destruct (rest m1 m2 a1 a2 b H1 H2 ltac:(lra) Ha Hb (energy m1 m2 a2 (x 0) (v1 0) (v2 0)) 1 (energy_pos m1 m2
-    a2 H1 H2 Ha _ _ _) Rlt_0_1) as (T & HT & K).
-    exists T. split; [auto|]. intros t Hu. destruct (K x v1 v2 s H (Rle_refl _) t Hu) as (_ & ->).
-      rewrite Rminus_diag_eq, Rabs_R0; auto. lra.
+  intros H1 H2 A1 Ha Hb. exact (solution_synchronises m1 m2 a1 a2 H1 H2 A1 Ha b x v1 v2 s Hb).
 Qed.
 
 (** [slower-than-exponential] The excess energy of a solution that never merges is eventually above every decaying

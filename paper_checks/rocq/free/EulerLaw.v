@@ -129,9 +129,7 @@ Proof.
     assert (cont dx) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|apply (s_cx _ _ _ _ _ _ _ _ _ H)]).
     assert (cont d1) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|apply (s_cv _ _ _ _ _ _ _ _ _ H)]).
     assert (cont d2) by (apply cont_minus; [apply cont_plus; [apply cont_const|apply cont_mult; auto using cont_const]|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ Hm)]).
-    apply cont_ext with (fun t => a2 / 2 * (dx t * dx t) + m1 / 2 * (d1 t * d1 t) + m2 / 2 * (d2 t * d2 t)).
-    { intros; unfold D, energy; field. }
-    repeat apply cont_plus; apply cont_scal; apply cont_mult; auto. }
+    apply energy_cont; auto. }
   assert (Q : D h - c / 2 * (h * h) <= D 0 - c / 2 * (0 * 0)); [|lra].
   apply (dini_mono (fun t => D t - c / 2 * (t * t))); [|lra|].
   - apply cont_minus; auto. apply cont_of_derive with (fun t => c * t). intros t. auto_derive; auto. field.

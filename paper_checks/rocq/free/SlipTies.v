@@ -10,6 +10,11 @@ Ltac root y := let w := fresh "w" in let E := fresh "E" in let P := fresh "P" in
   set (w := sqrt y) in *; clearbody w.
 Ltac circle p := let SC := fresh "SC" in pose proof (sin2_cos2 p) as SC; unfold Rsqr in SC.
 
+(** the slip, by its frequency *)
+Ltac of_slip G := intros; unfold G, ray, L; match goal with t : R |- context [o1 ?m ?a] =>
+  pose proof (o1_pos m a ltac:(lra) ltac:(lra)); assert (Q : a = m * (o1 m a * o1 m a)) by (apply o1_sq; lra);
+  set (o := o1 m a) in *; clearbody o; subst a; rewrite ?(Rmult_comm t o) end; field; repeat split; lra.
+
 (** [tie-slip-frequency] The frequency of slip. *)
 Theorem tie_slip_frequency : forall m1 a2 : R, 0 < m1 -> 0 < a2 -> o1 m1 a2 = ((sqrt a2) * (/ (sqrt m1))).
 Proof. intros; unfold o1; rewrite sqrt_div_alt by lra; field; apply Rgt_not_eq, sqrt_lt_R0; lra. Qed.
@@ -21,39 +26,27 @@ Proof. intros; unfold ray, o1; rewrite sqrt_div_alt by lra. root m1. root a2.
 
 (** [tie-slip-place] Slip from the ray: place (driven: of body 2). *)
 Theorem tie_slip_place : forall m1 m2 a2 b d u t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> Gx m1 m2 a2 b 0 u t = ((b * (/ a2)) + ((ray m1 m2 a2 b u) * (/ (o1 m1 a2)) * (sin (t * (o1 m1 a2)))) + ((/ a2) * (((-1) * b) + ((L m1 m2 a2 b * (1 + m1 / (m1 + m2) * 0)) * a2)) * (cos (t * (o1 m1 a2))))).
-Proof. intros; unfold Gx, ray, L; pose proof (o1_pos m1 a2 ltac:(lra) ltac:(lra)).
-  assert (Q : a2 = m1 * (o1 m1 a2 * o1 m1 a2)) by (apply o1_sq; lra). set (o := o1 m1 a2) in *. clearbody o. subst a2.
-  rewrite ?(Rmult_comm t o). field. repeat split; lra. Qed.
+Proof. of_slip Gx. Qed.
 
 (** [tie-gap-place] Slip from $S$ at the gap $d$: place (driven: of body 2). *)
 Theorem tie_gap_place : forall m1 m2 a2 b d u t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> Gx m1 m2 a2 b d u t = ((b * (/ a2)) + ((ray m1 m2 a2 b u) * (/ (o1 m1 a2)) * (sin (t * (o1 m1 a2)))) + ((/ a2) * (((-1) * b) + ((L m1 m2 a2 b * (1 + m1 / (m1 + m2) * d)) * a2)) * (cos (t * (o1 m1 a2))))).
-Proof. intros; unfold Gx, ray, L; pose proof (o1_pos m1 a2 ltac:(lra) ltac:(lra)).
-  assert (Q : a2 = m1 * (o1 m1 a2 * o1 m1 a2)) by (apply o1_sq; lra). set (o := o1 m1 a2) in *. clearbody o. subst a2.
-  rewrite ?(Rmult_comm t o). field. repeat split; lra. Qed.
+Proof. of_slip Gx. Qed.
 
 (** [tie-slip-speed] Slip from the ray: speed (driven: of body 2). *)
 Theorem tie_slip_speed : forall m1 m2 a2 b d u t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> G1 m1 m2 a2 b 0 u t = (((ray m1 m2 a2 b u) * (cos (t * (o1 m1 a2)))) + ((-1) * (o1 m1 a2) * (/ a2) * (((-1) * b) + ((L m1 m2 a2 b * (1 + m1 / (m1 + m2) * 0)) * a2)) * (sin (t * (o1 m1 a2))))).
-Proof. intros; unfold G1, ray, L; pose proof (o1_pos m1 a2 ltac:(lra) ltac:(lra)).
-  assert (Q : a2 = m1 * (o1 m1 a2 * o1 m1 a2)) by (apply o1_sq; lra). set (o := o1 m1 a2) in *. clearbody o. subst a2.
-  rewrite ?(Rmult_comm t o). field. repeat split; lra. Qed.
+Proof. of_slip G1. Qed.
 
 (** [tie-gap-speed] Slip from $S$ at the gap $d$: speed (driven: of body 2). *)
 Theorem tie_gap_speed : forall m1 m2 a2 b d u t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> G1 m1 m2 a2 b d u t = (((ray m1 m2 a2 b u) * (cos (t * (o1 m1 a2)))) + ((-1) * (o1 m1 a2) * (/ a2) * (((-1) * b) + ((L m1 m2 a2 b * (1 + m1 / (m1 + m2) * d)) * a2)) * (sin (t * (o1 m1 a2))))).
-Proof. intros; unfold G1, ray, L; pose proof (o1_pos m1 a2 ltac:(lra) ltac:(lra)).
-  assert (Q : a2 = m1 * (o1 m1 a2 * o1 m1 a2)) by (apply o1_sq; lra). set (o := o1 m1 a2) in *. clearbody o. subst a2.
-  rewrite ?(Rmult_comm t o). field. repeat split; lra. Qed.
+Proof. of_slip G1. Qed.
 
 (** [tie-slip-driven] Slip from the ray: driven (driven: of body 2). *)
 Theorem tie_slip_driven : forall m1 m2 a2 b d u t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> G2 m1 m2 a2 b u t = ((ray m1 m2 a2 b u) + ((-1) * t * b * (/ m2))).
-Proof. intros; unfold G2, ray, L; pose proof (o1_pos m1 a2 ltac:(lra) ltac:(lra)).
-  assert (Q : a2 = m1 * (o1 m1 a2 * o1 m1 a2)) by (apply o1_sq; lra). set (o := o1 m1 a2) in *. clearbody o. subst a2.
-  rewrite ?(Rmult_comm t o). field. repeat split; lra. Qed.
+Proof. of_slip G2. Qed.
 
 (** [tie-gap-driven] Slip from $S$ at the gap $d$: driven (driven: of body 2). *)
 Theorem tie_gap_driven : forall m1 m2 a2 b d u t : R, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> G2 m1 m2 a2 b u t = ((ray m1 m2 a2 b u) + ((-1) * t * b * (/ m2))).
-Proof. intros; unfold G2, ray, L; pose proof (o1_pos m1 a2 ltac:(lra) ltac:(lra)).
-  assert (Q : a2 = m1 * (o1 m1 a2 * o1 m1 a2)) by (apply o1_sq; lra). set (o := o1 m1 a2) in *. clearbody o. subst a2.
-  rewrite ?(Rmult_comm t o). field. repeat split; lra. Qed.
+Proof. of_slip G2. Qed.
 
 (** [tie-h] $h$: the push whose slip has the angle $\theta$. *)
 Theorem tie_h : forall u : R, 1 - cos u <> 0 -> h u = ((/ ((-1) + (cos u))) * (((-1) * u) + (sin u))).

@@ -1,7 +1,6 @@
-(** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A, B
-    move only by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a
-    fixed amount. *)
-From InertialPair Require Import Dini Pair Stick.
+(** The energy tends to a limit of at most E_cr: turned back by the angle Omega t the state moves only by slip, and slip
+    costs energy; above E_cr each turn would cost a fixed amount. *)
+From InertialPair Require Import Dini Pair Stick TurnedFrame.
 
 (** Archimedes *)
 Lemma nat_above y d : 0 < d -> exists k : nat, y < INR k * d.
@@ -71,14 +70,11 @@ Let om := omega m1 m2 a2.
 Let w t := v1 t - v2 t.
 Let P t := m1 * v1 t + m2 * v2 t.
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
-Let A t := x t * cos (om * t) - P t / (M * om) * sin (om * t).
-Let B t := x t * sin (om * t) + P t / (M * om) * cos (om * t).
+Let turned := turned m1 m2 a2 x v1 v2.
 Let kap := m2 / (M * b).
 
 Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
-Let om_sq : om * om = a2 / M := omega_sq m1 m2 a2 Hm1 Hm2 Ha2.
-Let M_pos : 0 < M. Proof. unfold M; lra. Qed.
-Let kap_pos : 0 < kap. Proof. unfold kap; apply Rdiv_lt_0_compat; auto. positive. Qed.
+Let kap_pos : 0 < kap. Proof. unfold kap, M. positive. Qed.
 Let Ha1 : 0 <= 0 := Rle_refl 0.
 
 (** the momentum feels the spring alone *)
@@ -91,94 +87,25 @@ Qed.
 
 (** v2 is continuous *)
 Lemma cont_v : cont v2. Proof. exact (moves_cv2 m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H). Qed.
-(** the momentum is continuous *)
-Lemma cont_P : cont P.
-Proof. apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
 (** the relative velocity is continuous *)
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
 (** the energy is continuous *)
 Lemma cont_En : cont E. Proof. exact (moves_cE m1 m2 0 a2 b Hm2 _ _ _ _ _ _ H). Qed.
-(** the place in the frame that turns with the pair, from a phase on *)
-Let turned phi t := x t * cos (om * t + phi) - P t / (M * om) * sin (om * t + phi).
-(** it is continuous *)
-Lemma cont_turned phi : cont (turned phi).
-Proof.
-  apply cont_minus; apply cont_mult; [apply (s_cx _ _ _ _ _ _ _ _ _ H)| |apply cont_ext with (fun u => / (M * om) * P u)|].
-  2: { intros; unfold Rdiv; ring. } 2: apply cont_scal, cont_P.
-  - apply cont_of_derive with (fun t => - om * sin (om * t + phi)). intros t; auto_derive; auto. ring.
-  - apply cont_of_derive with (fun t => om * cos (om * t + phi)). intros t; auto_derive; auto. ring.
-Qed.
-(** and changes only by slip *)
-Lemma turned_rate phi t : 0 <= t -> rderiv (turned phi) t (m2 / M * w t * cos (om * t + phi)).
-Proof.
-  intros Ht. apply rderiv_ext with (fun u => x u * cos (om * u + phi) - / (M * om) * (P u * sin (om * u + phi))).
-  { intros; unfold turned; field. split; lra. }
-  eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H t Ht)|]|apply rderiv_scal,
-    rderiv_mult; [apply P_rate, Ht|]]; apply rderiv_of_derive; auto_derive; auto; reflexivity].
-  unfold w, P. replace a2 with (M * (om * om)) by (rewrite om_sq; field; lra). unfold M in *. field. split; lra.
-Qed.
-
-(** and slip costs energy *)
+(** slip costs energy *)
 Lemma E_rate t : 0 <= t -> rderiv E t (- b * Rabs (w t)).
 Proof. intros Ht. eapply rderiv_eq; [|apply (energy_rate m1 m2 0 a2 b Hm1 Hm2 _ _ _ _ H t Ht)]. unfold w; ring. Qed.
 (** the energy never increases *)
 Lemma E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
-(** energy pays for every change of it *)
+(** energy pays for every change of the turned place *)
+Lemma E_pays t : 0 <= t -> dini_le E t (- (b * Rabs (w t))).
+Proof. intros Ht. eapply rderiv_dini; [|apply E_rate, Ht]. lra. Qed.
 Lemma paid phi r t : 0 <= r <= t -> Rabs (turned phi t - turned phi r) <= kap * (E r - E t).
 Proof.
-  intros Hr. pose proof cont_En. set (c := fun u => cos (om * u + phi)).
-  assert (Z : forall k u, k = 1 \/ k = -1 -> k * (m2 / M * w u * c u) + kap * (- b * Rabs (w u)) <= 0).
-  { intros k u Hk. assert (0 < m2 / M) by positive.
-    replace (kap * (- b * Rabs (w u))) with (- (m2 / M * Rabs (w u))) by (unfold kap; field; lra).
-    assert (k * (w u * c u) <= Rabs (w u)).
-    { pose proof (COS_bound (om * u + phi) : -1 <= c u <= 1). unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
-    assert (m2 / M * (k * (w u * c u)) <= m2 / M * Rabs (w u)) by scale. lra. }
-  assert (Q : forall k, k = 1 \/ k = -1 -> k * turned phi t + kap * E t <= k * turned phi r + kap * E r).
-  { intros k Hk. apply (rderiv_mono (fun u => k * turned phi u + kap * E u) r t (fun u => k * (m2 / M * w u * c u) + kap *
-    (- b * Rabs (w u)))); auto.
-    - apply cont_plus; apply cont_scal; auto using cont_turned.
-    - intros u Hu. split; auto. apply rderiv_plus; apply rderiv_scal; [apply turned_rate|apply E_rate]; lra. }
-  pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). apply Rabs_le; lra.
-Qed.
-(** A moves at most kap times the energy lost *)
-Lemma A_paid r t : 0 <= r <= t -> Rabs (A t - A r) <= kap * (E r - E t).
-Proof. intros Hr. pose proof (paid 0 r t Hr) as Q. unfold turned in Q. rewrite !Rplus_0_r in Q. exact Q. Qed.
-(** and so does B *)
-Lemma B_paid r t : 0 <= r <= t -> Rabs (B t - B r) <= kap * (E r - E t).
-Proof.
-  intros Hr. assert (Q : forall u, B u = turned (- (PI / 2)) u); [|rewrite !Q; apply paid, Hr].
-  intros u. unfold B, turned. rewrite cos_plus, sin_plus, cos_neg, sin_neg, cos_PI2, sin_PI2. ring.
-Qed.
-
-(** x from A and B *)
-Lemma x_AB t : x t = A t * cos (om * t) + B t * sin (om * t).
-Proof.
-  pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold A, B.
-  set (c := cos (om * t)) in *. set (n := sin (om * t)) in *.
-  replace ((x t * c - P t / (M * om) * n) * c + (x t * n + P t / (M * om) * c) * n) with (x t * (n * n + c * c))
-    by ring.
-  rewrite SC; ring.
-Qed.
-(** the momentum from A and B *)
-Lemma P_AB t : P t = M * om * (B t * cos (om * t) - A t * sin (om * t)).
-Proof.
-  pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold A, B.
-  set (c := cos (om * t)) in *. set (n := sin (om * t)) in *.
-  replace (M * om * ((x t * n + P t / (M * om) * c) * c - (x t * c - P t / (M * om) * n) * n)) with (P t * (n * n
-    + c * c)) by (field; split; lra).
-  rewrite SC; ring.
-Qed.
-(** the energy from A, B and the relative velocity *)
-Lemma E_AB t : E t = a2 / 2 * (A t ^ 2 + B t ^ 2) + m1 * m2 / (2 * M) * w t ^ 2.
-Proof.
-  pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold E, energy, A, B, w.
-  set (c := cos (om * t)) in *. set (n := sin (om * t)) in *.
-  replace ((x t * c - P t / (M * om) * n) ^ 2 + (x t * n + P t / (M * om) * c) ^ 2) with
-    ((x t ^ 2 + P t ^ 2 / (M * (M * (om * om)))) * (n * n + c * c)) by (field; split; lra).
-  rewrite SC. rewrite om_sq. unfold P, M in *. field. split; lra.
+  exact (paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 (s_cx _ _ _ _ _ _ _ _ _ H) (s_cv _ _ _ _ _ _ _ _ _ H) cont_v
+    (s_x _ _ _ _ _ _ _ _ _ H) P_rate E_pays phi r t).
 Qed.
 
 (** outside the strip the relative velocity runs down at a positive rate *)
@@ -237,13 +164,6 @@ Lemma E_limit : exists l, 0 <= l /\ (forall t, 0 <= t -> l <= E t) /\ forall e, 
   forall t, T <= t -> E t <= l + e.
 Proof.
   apply (dec_limit E E_mono). intros t _. apply energy_pos; auto.
-Qed.
-
-(** there is a contact after every time *)
-Lemma contact' T : 0 <= T -> exists t, T <= t /\ w t = 0.
-Proof.
-  intros HT. destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (t & Ht & Ev).
-  exists t; split; [lra|]. unfold w; lra.
 Qed.
 
 (** *** Above E_cr energy is paid, again and again *)
@@ -320,21 +240,22 @@ Proof.
       apply sqrt_le_1_alt. nra. }
   assert (High : forall u, T <= u <= T + W -> l <= E u /\ E T - d < E u <= E T).
   { intros u Hu. pose proof (E_mono u (T + W) ltac:(lra)). pose proof (E_mono T u ltac:(lra)). lra. }
-  pose proof (E_AB tc) as EAB. rewrite Wc in EAB. set (R := sqrt (A tc ^ 2 + B tc ^ 2)).
-  assert (Rsq : R * R = A tc ^ 2 + B tc ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 (A tc)).
-    pose proof (pow2_ge_0 (B tc)). lra. }
+  pose proof (energy_turned m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2 tc) as EAB. cbv beta in EAB. fold (E tc) (w tc) turned in EAB.
+  rewrite Wc in EAB. pose proof (fun phi => turned_phase m1 m2 a2 x v1 v2 phi tc : turned phi tc = _) as Phase.
+  fold turned in Phase. set (A := turned 0 tc) in *. set (B := turned (- (PI / 2)) tc) in *. set (R := sqrt (A ^ 2 + B ^ 2)).
+  assert (Rsq : R * R = A ^ 2 + B ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 A). pose proof (pow2_ge_0 B). lra. }
   assert (HR : R0 <= R).
   { assert (0 <= R) by apply sqrt_pos. assert (R0 * R0 <= R * R); [|nra]. rewrite R0sq.
     apply Rmult_le_reg_r with a2; auto.
     unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. destruct (High tc ltac:(lra)). nra. }
-  destruct (polar_soon (A tc) (B tc) R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
+  destruct (polar_soon A B R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
   assert (Out : forall u, ts <= u < ts + tau -> LL + g <= x u).
   { intros u Hu. pose proof (paid (- (om * u)) tc u ltac:(lra)) as Qu.
-    replace (turned (- (om * u)) u) with (x u) in Qu by (unfold turned; rewrite Rplus_opp_r, cos_0, sin_0; ring).
+    replace (turned (- (om * u)) u) with (x u) in Qu
+      by (unfold turned, TurnedFrame.turned; fold om; rewrite Rplus_opp_r, cos_0, sin_0; ring).
     replace (turned (- (om * u)) tc) with (R * cos (om * (u - ts))) in Qu.
-    2: { replace (om * (u - ts)) with (om * u - om * ts) by ring. transitivity (A tc * cos (om * u) + B tc * sin (om * u)).
-      - rewrite <- Cs, <- Ss, cos_minus. ring.
-      - unfold turned, A, B. rewrite cos_plus, sin_plus, cos_neg, sin_neg. ring. }
+    2: { rewrite Phase, cos_neg, sin_neg. replace (om * (u - ts)) with (om * u - om * ts) by ring.
+      rewrite <- Cs, <- Ss, cos_minus. ring. }
     destruct (High tc ltac:(lra)) as (_ & K1). destruct (High u ltac:(lra)) as (_ & K2).
     assert (KK : kap * (E tc - E u) <= g / 2). { apply Rle_trans with (kap * d); auto. scale. }
     assert (Zu : 0 <= om * (u - ts) <= z).

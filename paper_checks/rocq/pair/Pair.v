@@ -39,8 +39,9 @@ Proof.
     set (e1 := e / (q + 1)) in *. nra.
 Qed.
 
-(** the power of friction *)
-Lemma friction_power s w t : opposes s w t -> little (fun h => (s (t + h) - s t) * w - Rabs w * h).
+(** the power of a friction of the strength b *)
+Lemma friction_power b F w t : (forall k, k = 1 \/ k = -1 -> 0 < k * w -> rderiv F t (k * b)) ->
+  little (fun h => (F (t + h) - F t) * w - b * Rabs w * h).
 Proof.
   intros P. destruct (Req_dec w 0) as [->|N].
   - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Rabs_R0; ring.
@@ -92,6 +93,13 @@ Proof.
   replace (v1 (t + h)) with (v1 t + dv h) by (unfold dv, ev, ds; field; lra).
   replace (v2 (t + h)) with (v2 t + dw h) by (specialize (W h ltac:(lra)); unfold dw, ds; lra).
   unfold energy, rest. fold (ds h). unfold dx at 1 2, dv at 1 2, dw at 1 2. unfold dx, dv, dw. field. split; lra.
+Qed.
+
+(** it is continuous along continuous functions *)
+Lemma energy_cont x v1 v2 : cont x -> cont v1 -> cont v2 -> cont (fun t => energy (x t) (v1 t) (v2 t)).
+Proof.
+  intros. apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
+  { intros; unfold energy; field. } repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
 Qed.
 
 (** the energy is not negative *)
@@ -215,16 +223,13 @@ Proof.
   { eapply little_ext; [|exact (little_plus _ _ (q_v1 _ _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
   eapply little_ext; [|exact (little_minus _ _ (energy_increment x v1 v2 s t _ (q_x _ _ _ _ _ _ H t Ht) V
     (fun h Hh => moves_v2 t (t + h) Ht ltac:(lra)) (moves_big t Ht))
-    (little_scal b _ (friction_power _ _ _ (q_slip _ _ _ _ _ _ H t Ht))))].
+    (little_scal b _ (friction_power 1 s (v1 t - v2 t) t (fun k Hk W =>
+      rderiv_eq _ _ _ _ (eq_sym (Rmult_1_r k)) (q_slip _ _ _ _ _ _ H t Ht k Hk W)))))].
   intros h. unfold E. cbv beta. ring.
 Qed.
 (** the energy is continuous *)
 Lemma moves_cE : cont E.
-Proof.
-  apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
-  { intros; unfold E, energy; field. }
-  pose proof moves_cv2. destruct H. repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
-Qed.
+Proof. pose proof moves_cv2. destruct H. apply energy_cont; auto. Qed.
 End One.
 
 (** *** Without a force: dE/dt = - b |v1 - v2| - a1 v1^2 at every time (right derivative) *)
@@ -312,13 +317,8 @@ Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 (** the energy distance is continuous *)
 Lemma moves_cD : cont D.
 Proof.
-  assert (cont (fun t => x t - x' t)) by (apply cont_minus; [apply (q_cx _ _ _ _ _ _ H)|apply (q_cx _ _ _ _ _ _ H')]).
-  assert (cont (fun t => v1 t - v1' t)) by (apply cont_minus; [apply (q_cv _ _ _ _ _ _ H)|apply (q_cv _ _ _ _ _ _ H')]).
-  assert (cont (fun t => v2 t - v2' t)) by (apply cont_minus; eapply moves_cv2; eauto).
-  apply cont_ext with (fun t => a2 / 2 * ((x t - x' t) * (x t - x' t)) + m1 / 2 * ((v1 t - v1' t) * (v1 t - v1' t))
-    + m2 / 2 * ((v2 t - v2' t) * (v2 t - v2' t))).
-  { intros; unfold D, energy; field. }
-  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
+  apply energy_cont; apply cont_minus; [apply (q_cx _ _ _ _ _ _ H)|apply (q_cx _ _ _ _ _ _ H')|apply (q_cv _ _ _ _ _ _ H)|
+    apply (q_cv _ _ _ _ _ _ H')|exact (moves_cv2 _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ _ H')].
 Qed.
 
 (** D' <= du dv1 - a1 dv1^2: the elastic terms cancel, friction only takes away, the impulses of the two forces enter

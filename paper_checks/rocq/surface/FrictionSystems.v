@@ -227,7 +227,8 @@ Proof.
     + pose proof (moves_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)) as W.
       match goal with |- Rabs ?c <= _ => replace c with 0 by lra end. rewrite Rabs_R0. auto.
   - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
-    destruct (friction_power s (v1 t - v2 t) t (fun k => q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k) (e / b)) as
+    destruct (friction_power 1 s (v1 t - v2 t) t (fun k Hk W => rderiv_eq _ _ _ _ (eq_sym (Rmult_1_r k))
+      (q_slip m1 m2 a1 a2 b _ _ _ _ _ _ H t Ht k Hk W)) (e / b)) as
       (d & Hd & K); [positive|]. exists d; split; auto.
     intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
     destruct z as ((z1, z2), z3).
