@@ -74,10 +74,10 @@ def resonance() -> Figure:
 
 def _draw_third_root(ax: Axes) -> None:
     """Draw |A| period by period at U = 4b/pi: of a sine alone, and with a part at half its frequency beside it."""
-    omega, times = float(RESONANT.a2 / RESONANT.m1) ** 0.5, 0.4 * np.pi * np.geomspace(1, 2000, 60).round()
+    omega, times = float(RESONANT.a2 / RESONANT.m1) ** 0.5, 0.4 * np.pi * np.geomspace(1, 400, 60).round()
     for push, colour in ((0, BODY_2), ("0.5", BODY_1), (1, "black")):
         force = Force([Piece(0, (), [Sine(EDGE, 10, 0), Sine(push, 5, "0.3")])])
-        run = solve(Scene(RESONANT, State(), until=2600, force=force), t_eval=times, max_events=20_000)
+        run = solve(Scene(RESONANT, State(), until=510, force=force), t_eval=times, max_events=4_000)
         name = f"$p={push}$ N" if push else "the sine alone"
         ax.loglog(times, np.hypot(run.y[1], omega * run.y[0]), color=colour, label=name)
         if push:

@@ -163,7 +163,7 @@ def remainders() -> Steps:
     )
 
 
-SHARES, PARTS = 32, 64
+SHARES, PARTS = 24, 32
 """Boxes of sqrt q, and of the slip angle, on which the time is enclosed."""
 
 
