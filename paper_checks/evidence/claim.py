@@ -56,15 +56,12 @@ class Case:
 
     reason: str
     parts: tuple[Evidence | Carried | About, ...]
-    derivation: tuple[str, ...]
     figure: str | None
 
 
-def because(
-    reason: str, *parts: Evidence | Carried | About, derivation: tuple[str, ...] = (), figure: str | None = None
-) -> Case:
+def because(reason: str, *parts: Evidence | Carried | About, figure: str | None = None) -> Case:
     """Return the case for a claim: the reason, and the steps; `carried` says which of them carry which clause."""
-    return Case(one_line(reason), parts, tuple(map(one_line, derivation)), figure)
+    return Case(one_line(reason), parts, figure)
 
 
 @dataclass(frozen=True)
@@ -134,7 +131,6 @@ class Claim:
             *(step for part in case.parts for step in self._about(part)),
             corrected=texts.get(Subject.CORRECTION) or self.corrected,
             counterexample=texts.get(Subject.COUNTEREXAMPLE),
-            derivation=case.derivation,
             figure=case.figure,
         )
 

@@ -263,5 +263,4 @@ def minimum_transfer_time() -> Case:
         "The minimum time is set by the interface alone, whatever the force. The force amplitude needed is another matter: if body 1 slips ahead of body 2 in the first half, and both have the same velocity at half time, less is needed than if the pair sticks all the way.",
         transfers.gentle(),
         transfers.stuck_force(),
-        derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),
     )

@@ -181,22 +181,5 @@ def mass_ratio() -> Case:
         and negative after that one for $r>r^*$.
         """,
         *one_turning_point(),
-        derivation=(
-            r"""
-            $$\varphi^*-\sin\varphi^*\cos\varphi^*=\sqrt2\,(\sin\varphi^*-\varphi^*\cos\varphi^*),\qquad
-            r^*=\frac{1}{2\sin^2\varphi^*},\qquad \frac{m_1}{m_2}=-\cos 2\varphi^*.$$
-            """,
-            r"""
-            The minimum over $T$ touches zero at $\theta^*$ with a horizontal tangent: $(\varphi^*,T=1-C)$ is a
-            critical point of $w'$ in both variables, so a sign of the derivative there would prove nothing; its
-            factors $1-2r\sin^2\varphi$ and $\varphi-r(\varphi-\sin\varphi\cos\varphi)$ do.
-            """,
-            "At $r=r^*$ itself one energy merges by its first slip: from $w=q\\,h(\\theta^*)^2$ on a ray the pair lands on $E=E_{cr}$ inside $S_0$. Others reach that $w$ after some slips.",
-            r"""
-            So for $r<r^*$ a trajectory in the whole state space merges exactly if $E\leqslant E_{cr}$ where it first
-            meets $S$; it then sticks there permanently. Otherwise it sticks up to a ray or slips on from $S$, with
-            $E>E_{cr}$ after each slip, and tends to $E_{cr}$ by the dichotomy.
-            """,
-        ),
         figure="merging-window",
     )

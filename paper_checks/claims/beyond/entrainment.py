@@ -382,7 +382,4 @@ def entrainment_threshold() -> Case:
         carried("two-ends", two_ends()),
         carried("near-ends", near_first(), near_last(), beside_thresholds(0), beside_thresholds(1)),
         carried("only-one", one_response(), only_one()),
-        derivation=(
-            r"$$\ddot x_1\propto\cos\varphi-\tfrac1n\sin\tfrac{\pi}{2n}\cos n\varphi,\qquad\max=\cos\tfrac{\pi}{2n}\ \text{at}\ \varphi=\pm\tfrac{\pi}{2n}.$$",
-        ),
     )

@@ -245,9 +245,6 @@ def forced_mode_rule() -> Case:
         from their common motion decides.
         """,
         slip_rates(),
-        derivation=(
-            r"$$I\ddot\eta+a_1\dot\eta+a_2\eta=p(t),\qquad \Lambda-sb=\frac{m_2}{M}\,(p-a_1\dot\eta-a_2\eta).$$",
-        ),
     )
 
 

@@ -139,9 +139,4 @@ def long_time_expansion() -> Case:
         constant_found_again(HALF, Fraction(3, 2)),
         constant_found_again(HALF, Fraction(11, 10)),
         constant_found_again(MOST, Fraction(3, 2)),
-        derivation=(
-            "$$\\frac{E-E_{cr}}{E_{cr}}=\\frac{C}{\\tau}\\Bigl(1-\\frac{\\pi B\\ln(\\alpha\\tau/\\pi)+K}{\\tau}+O(\\tau^{-3/2})\\Bigr)$$",
-            "$E(0)$ enters at the order $\\tau^{-2}$ only, through $K$: two trajectories differ by $C\\,(K_2-K_1)/\\tau^2$ in $w$.",
-            "The error of $\\tau^{-1/2}$ in $K$ is $\\varepsilon=\\sqrt w$ to leading order: the next term of the time is $-\\varepsilon$.",
-        ),
     )

@@ -25,8 +25,6 @@ from theory.merging_share import density, dissipation, divergence, flux, large_e
 from theory.symbols import r as share_of_q
 
 MERGES, CREEPS = "merges", "creeps"
-SPEEDS = tuple(Fraction(n, 20) for n in range(21, 421))
-"""Speeds on S0 at x1 = 0, in units of L Omega, that are drawn: w = V^2 - 1."""
 WITNESSES = {
     Fraction(
         3, 5
@@ -38,7 +36,7 @@ WITNESSES = {
         4, 5
     ): "1.05 2.15 3.25 4.35 5.45 6.55 7.65 8.75 9.85 11.05 12.15 13.25 14.35 15.45 16.55 17.75 18.85 19.95",
 }
-"""By the share m2/M: some of these speeds, those that never merge and those that do in turn, seen in float64 and proved here."""
+"""By the share m2/M: speeds on S0 at x1 = 0, in units of L Omega (w = V^2 - 1), that never merge and that do in turn."""
 
 
 UNTIL = 150
@@ -290,8 +288,5 @@ def merging_share(seed: int) -> Case:
         carried("limit", limit()),
         random_states(Fraction(3, 10), Fraction(4), 250, seed),
         random_states(Fraction(1, 2), Fraction(3, 2), 250, seed),
-        derivation=(
-            "$$\\frac{1}{2\\pi\\sqrt{q\\,r\\,E}}\\int_{X^2+V^2\\leqslant 1}\\frac{1-X}{|V_1-V_2|_E}\\,dX\\,dV$$",
-        ),
         figure="merging-share",
     )

@@ -110,10 +110,5 @@ def rate_bounds_explicit() -> Case:
         """,
         depth_over_excess(),
         one_step(),
-        derivation=(
-            "$$\\frac{1}{y_0}+n\\,a'\\leqslant\\frac{1}{y_n}\\leqslant\\frac{1}{y_0}+n\\,A,\\qquad n\\,T_-\\leqslant\\tau_n-\\tau_0\\leqslant n\\,T_+.$$",
-            "For $\\tau_n\\leqslant\\tau<\\tau_{n+1}$, $s=\\tau-\\tau_0$: $n>s/T_+-1$ and $n+1\\leqslant s/T_-+1$, with $w_{n+1}\\leqslant w\\leqslant w_n$.",
-            "As $y_0\\to 0$ both $a'$ and $A$ tend to $\\tfrac{9}{4}r$ and both $T_\\pm$ to $\\pi$: the bounds converge to the sharp constant.",
-        ),
         figure="rate-bounds",
     )

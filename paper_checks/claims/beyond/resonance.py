@@ -206,7 +206,4 @@ def forced_resonance_bound() -> Case:
         carried("sine"),
         carried("third-root", third_root()),
         carried("one-part", one_part()),
-        derivation=(
-            r"$$\Bigl|\int_0^Te^{-i\omega_1t}b\sigma\,dt\Bigr|\leqslant b\int_0^T|\cos(\omega_1t-\gamma)|\,dt=\frac{2b}{\pi}\,T.$$",
-        ),
     )

@@ -236,9 +236,6 @@ def cycle_time() -> Steps:
 )
 def return_map_expansion() -> Case:
     """c as one power series in y; the mass ratio enters as a factor only."""
-    terms = [
-        f"{'+' if c > 0 and n > 1 else ''}{latex(c)}y^{{{n}}}" for n, c in enumerate(depth_series(ORDER - 1), start=1)
-    ]
     beyond, lost = remainders()
     return because(
         r"""
@@ -250,6 +247,5 @@ def return_map_expansion() -> Case:
         carried("remainder", lost),
         carried("time", kernel.step("cycle-time-exact"), *cycle_time()),
         coefficients(),
-        derivation=("$$c(y)=" + "".join(terms) + "+\\cdots$$",),
         figure="return-map",
     )

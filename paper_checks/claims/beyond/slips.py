@@ -291,15 +291,6 @@ def excursion_closed_form() -> Case:
         *turns_back(),
         exits_twice_by(Fraction(1, 5), Fraction(1, 10), same=False),
         exits_twice_by(Fraction(1, 5), Fraction(15), same=True),
-        derivation=(
-            r"""
-            In $\theta=\tau/\sqrt q$ the slip from $X=1+q\,d$, $V_1=V_2=\sqrt q\,\nu$ is
-            $$X=1-q+q\bigl((1+d)\cos\theta+\nu\sin\theta\bigr),\quad V_2=\sqrt q\,(\nu-\theta).$$
-            """,
-            "$$\\frac{V_1-V_2}{\\sqrt q\\,(1-\\cos\\theta)}=h(\\theta)-d\\cot\\frac{\\theta}{2}-\\nu$$",
-            "$$X'=1-q\\,c(\\theta),\\qquad V'=\\sqrt q\\,(h-\\theta),\\qquad w'=q\\,(h^2-r\\,c^2)\\qquad\\text{from a ray.}$$",
-            "Both cases occur: the same ray for $q<q_v$ and $\\theta_b<\\theta<\\theta_c$ (merging-set), a crossing for $\\theta>\\theta_c$.",
-        ),
         figure="excursion-curves",
     )
 

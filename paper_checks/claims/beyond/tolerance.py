@@ -179,7 +179,6 @@ def ring_of_tolerance() -> Case:
         carried("response", response.one_response(), entered_once()),
         carried("velocity", ring_contains()),
         carried("displacement", centre()),
-        derivation=(r"$$\tfrac12\tfrac{d}{dt}N^2\leqslant 0,\qquad (\dot z-\dot{\tilde z})^2\leqslant\kappa\,N^2.$$",),
     )
 
 

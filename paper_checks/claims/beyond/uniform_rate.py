@@ -162,11 +162,6 @@ def rate_with_error() -> Case:
         times a difference that telescopes along the exits; so the sum is bounded.
         """,
         carried("error", kernel.step("law-with-error"), quotients()),
-        derivation=(
-            "$$\\frac{C}{w_n}+\\pi B\\ln\\frac{w_n}{w_0}=\\frac{C}{w_0}+\\tau_n+R_n,\\qquad R_n=\\sum_{k<n}(\\pi G_k-F_k).$$",
-            "The bounds are uniform in $n$. For small $r=m_2/M$ the law itself sets in late, and the lower bound needs its factor $1/r$, as observed numerically: "
-            "the late $r\\,R_n$ come near to $\\pi\\int_0^{y_0}\\bigl(\\frac{4}{9y^2}+\\frac{2}{5y}-\\frac{1}{c^2}\\bigr)\\,dy<0$, $c$ as a function of $y$.",
-        ),
     )
 
 
@@ -230,8 +225,5 @@ def uniform_rate() -> Case:
         slightly above $E_{cr}$ both constants exist (rate-one-over-t).
         """,
         carried("upper", from_above()),
-        derivation=(
-            "$$X=r,\\quad V=\\sqrt{1-r^2+\\delta},\\qquad V_1-V_2=V(\\cos\\sigma-1)-\\sqrt q\\,\\sigma<0\\quad(\\sigma>0)$$",
-        ),
         figure="uniform-rate",
     )

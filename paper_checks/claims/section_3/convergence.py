@@ -138,9 +138,6 @@ def infinitely_many_crossings() -> Case:
         $S$ at every instant.
         """,
         carried("crossings", contact_again()),
-        derivation=(
-            "$$m_2v_2^2\\leqslant 2E(0),\\quad |\\dot v_2|=b/m_2\\ \\Rightarrow\\ T\\leqslant\\frac{2\\sqrt{2E(0)m_2}}{b}$$",
-        ),
     )
 
 
@@ -172,18 +169,6 @@ def dichotomy(seed: int) -> Case:
         identity(r"on $S_0$, $\dot E=0$: the level sets there are orbits", undamped(stick_rate())),
         *capture.leaves_above_critical(),
         dichotomy_samples(seed),
-        derivation=(
-            r"""
-            Step 1 (energy): $E$ never increases, and $b\int|v_1-v_2|\,dt\leqslant E(0)$. Step 2 (turned back): with
-            $P=m_1v_1+m_2v_2$ the point $(x_1,P/(M\Omega))$ turned back by $\Omega t$ moves at the rate
-            $\frac{m_2}{M}|v_1-v_2|$, so it converges. Step 3 (cost): where $|x_1|\geqslant L+\delta$, $|\dot v_1-\dot
-            v_2|\geqslant a\delta/m_1$; a rotation of a radius beyond $L$ would slip a fixed path in every turn.
-            """,
-            r"""
-            Step 4 (capture): on $S$ with $E\leqslant E_{cr}$ the pair sticks permanently; the flow is non-expansive, so
-            this is the only solution. No limit sets and no compactness are needed: the motion itself converges.
-            """,
-        ),
     )
 
 
@@ -212,7 +197,6 @@ def relative_displacement_limit() -> Case:
                 *capture.energy_decreases(),
             ),
         ),
-        derivation=("$$\\int_0^\\infty|\\dot x_1-\\dot x_2|\\,dt=\\frac{E(0)-E_\\infty}{b}<\\infty$$",),
     )
 
 
@@ -249,11 +233,5 @@ def global_stability() -> Case:
                 capture.stick_is_a_motion(),
                 merges_or_creeps(),
             ),
-        ),
-        derivation=(
-            r"""
-            $$\frac{d}{dt}\tfrac12\|y-\tilde y\|_E^2=-a_1(v_1-\tilde
-            v_1)^2-b(\sigma-\tilde\sigma)\bigl((v_1-v_2)-(\tilde v_1-\tilde v_2)\bigr)\leqslant 0$$
-            """,
         ),
     )

@@ -277,5 +277,4 @@ def filippov_equivalence() -> Case:
             ),
         ),
         carried("same-solutions", equivalent()),
-        derivation=(*ARGUMENT[:2], f"$$\\text{{sliding field}}={latex(sliding_field().T)}$$"),
     )

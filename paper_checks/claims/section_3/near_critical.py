@@ -23,16 +23,12 @@ from paper_checks.claims.section_3.convergence import merges_or_creeps
 from paper_checks.claims.section_3.sliding import width
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import solved, within
-from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, truncate
+from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit
 from theory.power_series import taylor
 
 HALF_PERIOD = pi * sqrt((m1 + m2) / a2)
 LATE = "Read as of late times, $k\\to\\infty$, as the limits of the same sentence are."
 """How all parts of that sentence are read."""
-
-
-def _series(name: str, expression: Expr, order: int = 4) -> str:
-    return f"$${name}={latex(truncate(expression, epsilon, order))}+\\cdots,\\qquad \\varepsilon=\\sqrt w$$"
 
 
 @claim(
@@ -69,7 +65,6 @@ def stick_durations() -> Case:
                 ),
             ),
         ),
-        derivation=(_series(r"\Omega(\tau_k-t_k)", cycle().stick_duration),),
     )
 
 
@@ -108,7 +103,6 @@ def slip_durations() -> Case:
             taylor(cycle().slip_duration / epsilon, epsilon, 1),
             3,
         ),
-        derivation=(_series(r"\Omega(t_{k+1}-\tau_k)", cycle().slip_duration),),
     )
 
 
@@ -159,10 +153,6 @@ def exits_near_endpoints() -> Case:
                 identity("entry points tend to $(L,0)$: velocity", limits.entry_velocity),
             ),
         ),
-        derivation=(
-            _series("X_{entry}", cycle().position),
-            _series("V_{entry}", cycle().velocity),
-        ),
     )
 
 
@@ -192,9 +182,6 @@ def no_merging_near_critical() -> Case:
         """,
         carried("creeps", creeps_for_ever()),
         no_merging_at_any_energy(),
-        derivation=(
-            "$$E_0\\leqslant E_{cr}\\Bigl(1+\\frac{m_1}{m_1+m_2}\\bigl(\\tfrac{\\pi}{2}-1\\bigr)^2\\Bigr)\\ \\Rightarrow\\ \\text{no merging}$$",
-        ),
     )
 
 
@@ -228,7 +215,6 @@ def slower_than_exponential() -> Case:
                 identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
             ),
         ),
-        derivation=(_series("w'", cycle().next_excess, 7),),
     )
 
 

@@ -71,10 +71,6 @@ def strip_proofs() -> list[Evidence]:
     ]
 
 
-def _products() -> tuple[str, ...]:
-    return tuple(f"$$\\Phi_{name}\\cdot n_S={latex(transversality(sign))}$$" for name, sign in HALF_SPACES)
-
-
 @claim(
     "transversality-outside",
     "III",
@@ -279,5 +275,4 @@ def return_alternatives() -> Case:
                 signed(edge_contact(-1).second, ">"),
             ),
         ),
-        derivation=_products(),
     )

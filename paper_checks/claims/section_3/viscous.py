@@ -8,7 +8,7 @@ from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.words import *
 from paper_checks.decide import kernel
 from theory.closed_forms import discriminant
-from theory.energy import energy, slip_rate, stick_rate
+from theory.energy import energy, slip_rate
 from theory.filippov import derivative_along, load, load_threshold, sliding_field
 from theory.model import free_system, slip, stick
 from theory.scaling import damping_ratio
@@ -96,7 +96,6 @@ def viscous_no_direct_effect() -> Case:
                 -a1 * v1**2,
             ),
         ),
-        derivation=(f"$$f_{{\\text{{adhesion}}}}={latex(force)}$$",),
     )
 
 
@@ -130,7 +129,6 @@ def viscous_energy_rate() -> Case:
                 *capture.energy_decreases(),
             ),
         ),
-        derivation=(f"$$\\dot E|_{{S_0}}={latex(stick_rate())}$$",),
     )
 
 
@@ -208,10 +206,5 @@ def viscous_origin_stable() -> Case:
                     evaluate=False,
                 ),
             ),
-        ),
-        derivation=(
-            *dissipation.SYNCHRONISATION,
-            *dissipation.REST,
-            f"$$\\dot{{\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}}}={latex(matrix)}\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}$$",
         ),
     )

@@ -8,7 +8,6 @@ from numerics.linear.modes import EventKind, Mode
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.section_3.itineraries import (
-    ARGUMENT,
     first_exit,
     largest_relative_speed,
     relative_speed_bound,
@@ -121,7 +120,6 @@ def synchronisation_time(
             "falling from slip to slip",
             r"$|\dot z(\tau_{n+1}+u)|<|\dot z(\tau_n+u)|$ at each time $u$ of the later slip, the slips beginning at $\tau_1<\tau_2<\cdots$",
         ),
-        derivation=ARGUMENT,
         figure="velocities",
     )
 

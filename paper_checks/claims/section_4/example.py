@@ -20,7 +20,6 @@ from theory.model import (
     driven_equation,
     driving_equation,
 )
-from theory.scaling import stick_frequency
 
 Z = Symbol(r"\mathrm{sgn}(\dot{z})", real=True)
 
@@ -76,10 +75,6 @@ def example_eigenfrequency() -> Case:
         rad/s.
         """,
         carried("frequency"),
-        derivation=(
-            equation(r"\ddot{x}_1", case_study_mode(0)[0]),
-            f"$$\\omega={latex(stick_frequency())}={latex(case_study_eigenfrequency())}$$",
-        ),
     )
 
 
@@ -162,11 +157,6 @@ def example_reduction() -> Case:
                 ),
             ),
         ),
-        derivation=(
-            "With $s=\\mathrm{sgn}(\\dot z)$ and $\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$, (3) and (4) become",
-            equation(r"\ddot{x}_1", derived[0]),
-            equation(r"\ddot{x}_2", derived[1]),
-        ),
     )
 
 
@@ -218,13 +208,4 @@ def example_two_modes() -> Case:
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),
         ),
         carried("sliding", dissipation.energy_rate(), dissipation.energy_never_grows()),
-        derivation=(
-            f"(13): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(0))}$$",
-            *(
-                f"(14), $\\mathrm{{sgn}}(\\dot z)={sign}$: $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(sign))}$$"
-                for sign in (1, -1)
-            ),
-            equation("x_1(t)", together.x1),
-            equation("x_2(t)", together.x2),
-        ),
     )

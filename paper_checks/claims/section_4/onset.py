@@ -16,7 +16,7 @@ from paper_checks.claims.section_5.points import EXAMPLE_PAIR, INSIDE, PULL, STA
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
 from theory.closed_forms import DampingRegime, rate, rates, residual, solution
-from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, slip_rate, stick_rate
+from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, stick_rate
 from theory.filippov import derivative_along, edge_contact, half_width
 from theory.linear import root
 from theory.model import CASE_STUDY, case_study_mode, slip, stick
@@ -139,12 +139,6 @@ def example_stiction_never_violated() -> Case:
             reading("it acts", r"$|\ddot x_1|\geqslant b/m_2$ at $\dot z=0$, where the factor of (4) is not $1$"),
         ),
         carried("lasting", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
-        derivation=(
-            equation(r"\ddot{x}_1|_{\dot{z}=0}", literal),
-            equation(r"\ddot{x}_1|_{\dot{z}>0}", slipping),
-            equation("L", half_width().subs(CASE_STUDY)),
-            equation("E_{cr}", critical_energy().subs(CASE_STUDY)),
-        ),
     )
 
 
@@ -251,12 +245,6 @@ def example_onset() -> Case:
             ),
         ),
         correction(*(*stays_together(), *comes_apart())),
-        derivation=(
-            equation("E|_S", on_surface()),
-            equation("E_{cr}", critical_energy()),
-            equation(r"v_1^2|_{|x_1|=L}", edge_speed_squared()),
-            equation(r"x_1(t)", solution("stick", DampingRegime.UNDAMPED).x1),
-        ),
     )
 
 
@@ -343,10 +331,4 @@ def example_damped_oscillations() -> Case:
         ),
         carried("undamped", *(amplitude_is_constant(sign) for sign in (1, -1)), dissipation.energy_rate()),
         carried("synchronises", argument(" ".join(dissipation.SYNCHRONISATION), *dissipation.in_every_mode())),
-        derivation=(
-            *(equation(f"A^2|_{{\\mathrm{{sgn}}(\\dot{{z}})={sign}}}", amplitude_squared(sign)) for sign in (1, -1)),
-            equation(r"\frac{d}{dt}\frac{a_2x_1^2+m_1v_1^2}{2}\Big|_{\dot{z}>0}", sp.factor(undamped(own_rate))),
-            equation(r"\dot{E}|_{\dot{z}>0}", undamped(slip_rate(1))),
-            *dissipation.SYNCHRONISATION,
-        ),
     )

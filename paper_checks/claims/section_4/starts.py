@@ -157,7 +157,6 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
         stuck_for_ever("(11), (12) read literally: sticks permanently, with 0.6 N > b", solved(literally(scene))),
         carried("from-rest", argument(FROM_REST, *_from_rest(scene))),
         carried("slips", argument(" ".join(ARGUMENT), *witnesses)),
-        derivation=ARGUMENT,
         figure="start-at-6mm",
     )
 
@@ -249,7 +248,6 @@ def synchronises(speed: Fraction = Fraction(15, 100)) -> Case:
         carried("adheres", witnesses[0]),
         carried("for-ever", largest_relative_speed(), _decline(found, "Fig. 4 (b)")),
         SLOWER,
-        derivation=(VANISHING, *ARGUMENT),
         figure="start-with-speed",
     )
 
@@ -348,6 +346,5 @@ def convergence(speed: Fraction = Fraction(15, 100)) -> Case:
             stuck_for_ever(f"{name}: (11), (12) read literally stick permanently", solved(literally(run.scene)))
             for name, run in runs
         ),
-        derivation=(VANISHING, *ARGUMENT),
         figure="relative-motion",
     )

@@ -179,17 +179,6 @@ def damping_rate(friction: Fraction | None = None) -> Case:
             within("not exponential: ratio of the first two peaks", ratios[0], "0.89", "0.90"),
             within("and of the last two", ratios[1], "0.43", "0.44"),
         ),
-        derivation=(
-            r"""
-            In slip $x_1$ turns about $\mp b/a_2$ with a constant amplitude $A$; at a crossing the centre jumps by
-            $2b/a_2$: $$A_-^2-A_+^2=-\frac{4b}{a_2}x_1,\qquad A_+-A_-=\frac{2b}{a_2}\cdot\frac{2x_1}{A_++A_-}.$$
-            """,
-            r"""
-            If $v_1$ were 0 at the crossings, $2x_1=A_++A_-$ and each cycle would remove exactly $4b/a_2$ of amplitude,
-            $4b/\sqrt{a_2m_1}$ of $v_1$. But the pair crosses at $v_1=v_2\neq 0$, so it removes less, the less the
-            smaller the amplitude.
-            """,
-        ),
         figure="velocities",
     )
 
@@ -269,7 +258,6 @@ def saw_tooth(friction: Fraction | None = None) -> Case:
             within("first adhesion (s)", run.events[len(SLIPS) - 1].t, "4.549769", "4.549770"),
         ),
         *literal_reading(friction),
-        derivation=("$$\\ddot x_2=\\frac{b}{m_2}\\,\\mathrm{sgn}(\\dot z)=\\pm 0.05\\ \\mathrm{m/s^2}$$",),
         figure="velocities",
     )
 

@@ -121,11 +121,6 @@ def two_descriptions() -> Case:
             ),
         ),
         carried("same", solutions.equivalent(), solutions.one_solution()),
-        derivation=(
-            *solutions.ARGUMENT,
-            equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{S_0}", sliding_field().T),
-            equation(r"(\ddot{x}_1,\ddot{x}_2)|_{(13)}", Matrix(case_study_mode(0)).T),
-        ),
         figure="start-at-6mm",
     )
 
@@ -197,10 +192,4 @@ def acceleration_bound() -> Case:
         carried("bound", transfers.gentle()),
         carried("modes"),
         carried("equality"),
-        derivation=(
-            equation(r"\ddot{x}_2|_{\dot{z}>0}", branch_named("slip+").acceleration2),
-            equation(r"\ddot{x}_2|_{\dot{z}<0}", branch_named("slip-").acceleration2),
-            equation(r"\ddot{x}_2|_{\mathrm{stick}}", sliding_field(damped=True)[2]),
-            f"On $S_0$: $$|{latex(load(damped=True))}|\\leqslant {latex(load_threshold())}$$",
-        ),
     )

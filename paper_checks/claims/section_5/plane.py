@@ -155,7 +155,4 @@ def motions_on_a_surface() -> Case:
         carried("direction", one_size(), energy_rate()),
         carried("one", never_apart()),
         carried("line", on_a_line()),
-        derivation=(
-            r"$$(\mathbf p-\tilde{\mathbf p})\cdot(\mathbf w-\tilde{\mathbf w})\geqslant 0,\qquad \mathbf f=b\,\mathbf p.$$",
-        ),
     )

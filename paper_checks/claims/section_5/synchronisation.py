@@ -12,8 +12,7 @@ from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, INSIDE, scene_at
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from theory.energy import captive_energy, critical_energy, on_surface, slip_rate, stick_rate
-from theory.filippov import surface
+from theory.energy import captive_energy, critical_energy, on_surface
 
 
 @claim(
@@ -41,12 +40,6 @@ def synchronisation_all_parameters() -> Case:
         literally with a stick that never ends reach $\dot z=0$ at the first contact.
         """,
         carried("synchronises", dissipation.synchronises()),
-        derivation=(
-            *dissipation.SYNCHRONISATION,
-            equation(r"\dot{E}|_{\dot{z}>0}", slip_rate(1)),
-            equation(r"\dot{E}|_{\mathrm{stick}}", stick_rate()),
-            equation("K", dissipation.lipschitz_constant()),
-        ),
     )
 
 
@@ -129,10 +122,6 @@ def finite_time_then_alternation() -> Case:
         carried("one-mode", sticks_for_ever_below()),
         carried("alternates", creeps_for_ever()),
         carried("precedes", argument(" ".join(itineraries.ARGUMENT), *alternates)),
-        derivation=(
-            f"The first entry is at $t=$ {text(entry.t)} s with $w=$ {text(entry.reduced.w)}.",
-            *itineraries.ARGUMENT,
-        ),
     )
 
 
@@ -203,7 +192,6 @@ def merges_with_a_damper() -> Steps:
 def viscous_accelerates() -> Case:
     """Compare Fig. 5 (a) with and without a damper, and prove that a damper ends every alternation."""
     undamped_run, damped_run = solved(load_scene("velocities")), solved(scene_at(DAMPED, "8"))
-    tilted = surface(damped=True).sliding.args[1]
     return because(
         r"""
         A damper can accelerate the synchronisation, but it changes the mechanism, too: with $a_1=0$ whole families of
@@ -233,10 +221,4 @@ def viscous_accelerates() -> Case:
         ),
         carried("alternates", creeps_for_ever()),
         carried("time"),
-        derivation=(
-            *dissipation.SYNCHRONISATION,
-            *dissipation.REST,
-            f"The sliding region: ${latex(tilted)}$.",
-            equation(r"E_{\mathrm{captive}}", captive_energy()),
-        ),
     )
