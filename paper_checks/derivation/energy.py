@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from paper_checks.claims.letters import ECR, WITHIN
 from paper_checks.claims.section_3 import capture, filippov
 from paper_checks.claims.section_3.levels import LEVEL
@@ -11,18 +9,7 @@ from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Drawn, Line, Stage, gathered, of_clause, same_as, zero
 from paper_checks.derivation.surface import FREE, HALF_WIDTH, SLIDING_FIELD, in_width
-from theory.energy import (
-    arc_speed_terms,
-    critical_energy,
-    edge_speed_squared,
-    energy,
-    level_semi_axis,
-    on_surface,
-    semi_axis_margin,
-    slip_rate,
-    stick_rate,
-)
-from theory.filippov import derivative_along, half_width, sliding_field
+from theory.energy import arc_speed_terms, edge_speed_squared, energy, level_semi_axis, semi_axis_margin, slip_rate
 from theory.fraction import factored
 
 RATE, CONSERVED = "energy-rate/rate", "energy-dissipation-places/conserved"

@@ -2,25 +2,13 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from paper_checks.claims.letters import WITHIN, field, guard_rate
 from paper_checks.claims.section_2 import model as modes
 from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
 from paper_checks.derivation.line import Line, Stage, of_clause, same_as, tidy, zero
-from theory.filippov import (
-    edge_contact,
-    half_width,
-    manifest_signs,
-    phi,
-    sliding_field,
-    sliding_weight,
-    transversality,
-    weight_margin,
-)
+from theory.filippov import edge_contact, manifest_signs, sliding_weight, weight_margin
 from theory.fraction import factored
-from theory.model import branch_named
 
 POSITIVE = "$m_1,m_2,a_2,b>0$"
 FREE = f"{POSITIVE}; no damper, $a_1=0$, and no force, $u=0$"

@@ -1,15 +1,11 @@
 """The cheapest transfer of body 2 from rest to rest: least energy and least work while stuck, and what slipping can gain."""
 
-from functools import cache
-
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import cheapest, forced
+from theory import cheapest
 from theory.cheapest import beyond, height, mu, nu, once, rate, twice, weight
-from theory.energy import energy, sigma
-from theory.filippov import half_width
+from theory.energy import energy
 from theory.forced_control import angle, duration, path, r_acceleration, r_place, r_speed, strongest, stuck_force
 from theory.scaling import stick_frequency
 

@@ -1,14 +1,8 @@
 """Two motions under one force never move apart: uniqueness, other forces, a friction that changes with time."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
-from theory import forced
-from theory.energy import contraction_rate, sigma, sigma_other
-from theory.model import slip, stick
+from theory.energy import contraction_rate
 
 
 @cache

@@ -1,14 +1,9 @@
 """What a force can make body 2 do: follow a reference, go from rest to rest in the least time."""
 
-import sympy as sp
-
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
-from theory import forced
 from theory import forced_control as control
-from theory.energy import sigma
-from theory.filippov import load_threshold
 from theory.forced_control import angle, duration, path, strength, velocity_gain
 from theory.scaling import stick_frequency
 

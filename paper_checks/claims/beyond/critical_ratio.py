@@ -1,13 +1,8 @@
 """The mass ratio from which on no motion merges slightly above the critical energy."""
 
-from fractions import Fraction
-from functools import cache
-
-from flint import arb
-
 from paper_checks.claims.beyond.excursions import vanishes
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import point, precision, shown
+from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import angle
 from theory.merging import (
@@ -150,7 +145,7 @@ def _critical_ratio() -> arb:
             lambda: {ANGLE: angle},
         ),
         ratio=equal(r"\mu^*", -cos(2 * ANGLE), critical_mass_ratio, lambda: {ANGLE: angle}),
-        digits=Formula(r"\mu^*", "=...", Rational("0.79263"), decimal(_critical_ratio)),
+        digits=decimal(r"\mu^*", "0.79263", _critical_ratio),
         kernel="turning-point critical-mass-ratio-digits",
     ),
     clause(

@@ -1,11 +1,5 @@
 """A damper on body 1: the time T from which the pair sticks permanently, and R from which it rests, against a1."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
-from numerics.linear.modes import Mode
 from paper_checks.claims.beyond.contraction import forces_apart
 from paper_checks.claims.beyond.tolerance import heavy_damping
 from paper_checks.claims.letters import MASS
@@ -13,12 +7,9 @@ from paper_checks.claims.section_3 import energy
 from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, scene_at
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.deciders import decimal
-from paper_checks.decide.enclosure import solved, stuck_for_ever
-from theory.energy import critical_energy, slip_rate
 from theory.energy import energy as stored
-from theory.filippov import load, load_threshold, sliding_field
+from theory.energy import slip_rate
+from theory.filippov import load
 from theory.near_critical import rate_constant
 
 TIME, ROOT, REACH, WITHIN, SWING = symbols("T s X d Omega", positive=True)
@@ -37,13 +28,13 @@ def sticks_from(point: dict[Symbol, Rational | int], damper: str) -> arb:
 
 def lasts(damper: str, digits: str) -> Formula:
     """Return T for the start of Fig. 5 (a), enclosed, as a decimal fraction that goes on."""
-    return Formula(f"T({damper})", "=...", Rational(digits), decimal(lambda: sticks_from(FIGURE, damper)))
+    return decimal(f"T({damper})", digits, lambda: sticks_from(FIGURE, damper))
 
 
 def growth() -> Formula:
     """Return the limit of sqrt(a1) T as a1 -> 0."""
     value = pi ** Rational(3, 2) / 3 * sqrt(m1 * MASS / (m2 * SWING))
-    return Formula(sqrt(a1) * TIME, "->", value, equals(_growth, lambda: {SWING: sqrt(a2 / MASS)}))
+    return tends(sqrt(a1) * TIME, value, _growth, lambda: {SWING: sqrt(a2 / MASS)})
 
 
 def _growth() -> Expr:
@@ -97,7 +88,7 @@ def stops() -> Formula:
         rest = sp.solve(left.subs(ROOT, sqrt(REACH)), REACH)[0]
         return m2 * Abs(v2) / b - sqrt(rest)
 
-    return Formula("R", "->", m2 / b * (Abs(v2) - sqrt(a2 * (WITHIN**2 - x1**2) / m2)), equals(derived))
+    return tends("R", m2 / b * (Abs(v2) - sqrt(a2 * (WITHIN**2 - x1**2) / m2)), derived)
 
 
 @cache

@@ -1,22 +1,13 @@
 """A periodic force: when the pair sticks for ever, stops twice a period, or never."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
-from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.beyond.forced_modes import strict_rule
 from paper_checks.claims.beyond.response import natural_frequency, one_response
 from paper_checks.claims.beyond.stuck import tends_to_stuck, undamped_stuck
 from paper_checks.claims.beyond.two_stops import beside_thresholds, near_first, near_last, only_one
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import forced
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
 from theory.fraction import in_lowest_terms
-from theory.model import slip
 from theory.scaling import stick_frequency
 
 
@@ -299,7 +290,7 @@ def _above_six_turns() -> arb:
         $\omega=10$, with «threshold» N, every motion tends at $U=1$ N to one that never stops and turns six times in
         each period: so none of this period has two stops.
         """,
-        threshold=Formula("U_{**}", "=...", Rational("5.1814"), decimal(_above_six_turns)),
+        threshold=decimal("U_{**}", "5.1814", _above_six_turns),
     ),
     clause(
         "non-stop-undamped",

@@ -1,23 +1,16 @@
 """Slips from a ray near the critical energy: they end inside $S_0$, and lose energy like $1/t$."""
 
-from fractions import Fraction
-from functools import cache
 from itertools import islice
-
-from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
-from numerics.scene import Pair
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.section_3.capture import mirror_image
 from paper_checks.claims.section_3.convergence import merges_or_creeps
 from paper_checks.claims.words import *
-from theory.energy import critical_energy
 from theory.excursion import angle, excursion, guard_of_u, h, h_limits, h_slope, half_angle_slope, half_tangent_form
 from theory.near_critical import cycle_limit, inverse_step, quadratic_coefficient, rate_constant
-from theory.power_series import taylor
 from theory.rate_bounds import no_merging_excess
 from theory.return_map import (
     depth,

@@ -1,16 +1,9 @@
 """Stick or slip under a force: the rule of modes, its ties, and why modes do not alternate without end."""
 
-from collections.abc import Callable
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
-from theory import forced
 from theory.forced import U_RATES
-from theory.model import slip
 
 NEEDED = Symbol("P", real=True)
 """The load, N, as a letter for the solvers."""

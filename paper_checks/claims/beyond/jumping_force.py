@@ -1,15 +1,8 @@
 """A continuum of periodic motions under one force that jumps, without a damper."""
 
-from fractions import Fraction
-from functools import cache
-
-import sympy as sp
-
-from numerics.linear.modes import Mode
-from numerics.scene import Force, Pair, Piece, Scene, State
+from numerics.scene import Piece
 from paper_checks.claims.beyond.forced_modes import slip_rates, strict_rule
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved
 from theory import jumping_force as jump
 
 HALF_PI = pi / 2

@@ -1,20 +1,12 @@
 """The next terms of the $1/t$ law: a logarithm, and one number that is left of the start."""
 
-from fractions import Fraction
-from functools import cache
-
-from flint import arb
-
 from numerics.arithmetic.ball import Ball
 from numerics.free.energy import energy_at
-from numerics.linear.modes import Mode
-from numerics.scene import Pair, Scene, State
 from paper_checks.claims.beyond.rate import HALF, MOST
 from paper_checks.claims.beyond.return_map import coefficients, cycle_time
 from paper_checks.claims.beyond.uniform_rate import quotients
 from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
 from theory.long_time import (
     abel_defect,
     balanced_share,

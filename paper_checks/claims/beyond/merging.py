@@ -1,14 +1,9 @@
 """Which energies merge at the first landing, and which after crossings."""
 
-from fractions import Fraction
-from functools import cache
-
-from flint import arb
-
 from paper_checks.claims.beyond.critical_ratio import depth, half_angle, rise, threshold
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import point, precision, shown
+from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.return_map import return_map_of_angle
 

@@ -2,25 +2,16 @@
 
 import math
 import random
-from dataclasses import replace
-from fractions import Fraction
-from functools import cache
 
 import numpy as np
-from flint import arb
 
-from numerics.linear.modes import EventKind
-from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
-from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.beyond.excursions import creeps_for_ever
 from paper_checks.claims.letters import R
 from paper_checks.claims.section_3.capture import stays_below_critical
 from paper_checks.claims.section_3.convergence import contact_again, stays_stuck
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.balls import point, precision
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
 from theory.symbols import r as share_of_q
 
@@ -272,7 +263,7 @@ def merging_bands() -> Case:
     clause(
         "limit",
         r"As $E$ grows, «limit», for $r\leqslant r^*$.",
-        limit=Formula(r"e\,\int f", "->", 1 / (2 * sqrt(q)), equals(large_energy_limit)),
+        limit=tends(r"e\,\int f", 1 / (2 * sqrt(q)), large_energy_limit),
     ),
 )
 def merging_share(seed: int) -> Case:

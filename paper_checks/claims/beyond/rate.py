@@ -1,14 +1,8 @@
 """The $1/t$ law as a limit, and with explicit bounds from a stated time on."""
 
-from fractions import Fraction
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.letters import R, limit_of_energy, of_share
 from paper_checks.claims.words import *
 from theory.excursion import h
-from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry

@@ -1,13 +1,8 @@
 """A force at the frequency of body 1 alone, without a damper: more than friction can take, less, and just as much."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond.contraction import energy_rate, never_apart
 from paper_checks.claims.beyond.response import natural_frequency
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
 from theory import critical_resonance as critical
 from theory import forced_response as response
 from theory.forced_response import natural
@@ -162,7 +157,7 @@ def one_part() -> Evidence:
     clause(
         "sine",
         r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
-        limit=Formula("U_{**}", "->", 4 * b / pi, equals(response.resonant_non_stop_amplitude)),
+        limit=tends("U_{**}", 4 * b / pi, response.resonant_non_stop_amplitude),
     ),
     clause(
         "edge",
@@ -180,18 +175,15 @@ def one_part() -> Evidence:
         $\int_0^tu(s)\sin\omega_1s\,ds$ at the zeros of $\cos\omega_1t$ in a period, less its mean at those where $\sin\omega_1t$ is the same. If all
         $d_k=0$, as for $N=1$, every motion is bounded. Else every motion grows, «limit» as $t\to\infty$, $D=\sum_kd_k^2$.
         """,
-        limit=Formula(
-            "|A|^3/t", "->", 3 * b * critical.moments / (m1**3 * natural * critical.period), equals(critical.growth)
-        ),
+        limit=tends("|A|^3/t", 3 * b * critical.moments / (m1**3 * natural * critical.period), critical.growth),
     ),
     clause(
         "one-part",
         r"For $u=U_{\mathrm{res}}\cos\omega_1t+p\cos(r\omega_1t+\psi)$ with a rational $r>0$ every motion is bounded if $r$ is an integer other than 1; if $r$ is none, «limit».",
-        limit=Formula(
+        limit=tends(
             "|A|^3/t",
-            "->",
             3 * b / (2 * pi * m1) * (critical.push * critical.order / (m1 * natural * (1 - critical.order**2))) ** 2,
-            equals(critical.growth_by_one_part),
+            critical.growth_by_one_part,
         ),
     ),
     assuming=f"{POSITIVE} No damper, $a_1=0$; a periodic force $u(t)$ on body 1.",

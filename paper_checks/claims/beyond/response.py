@@ -1,17 +1,11 @@
 """The response to a periodic force: the one that attracts, and what moves body 2 on."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond import jumping_force
 from paper_checks.claims.beyond.contraction import force_cancels, never_apart, one_solution
 from paper_checks.claims.beyond.forced_modes import strict_rule, tie_rule
 from paper_checks.claims.section_5 import plane
 from paper_checks.claims.words import *
-from theory import forced
 from theory import jumping_force as jumping
-from theory.energy import sigma
 from theory.forced_response import natural, rates
 
 

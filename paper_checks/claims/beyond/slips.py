@@ -1,24 +1,17 @@
 """Every slip from $S$: where it ends, in closed form, and what grows with its angle."""
 
-from fractions import Fraction
-from functools import cache
 from itertools import islice
-
-import sympy as sp
-from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
-from numerics.scene import Pair
 from paper_checks.claims.beyond.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.words import *
-from paper_checks.decide.balls import precision, shown
+from paper_checks.decide.balls import shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import guard_factors, h, half_tangent_form
 from theory.linear import root
-from theory.power_series import taylor
 from theory.return_map import (
     contact_condition,
     contact_slope,
@@ -267,7 +260,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         having re-entered with $w'>0$ the pair leaves by the opposite ray if $\theta<\theta_v$,
         $\tan\theta_v=\theta_v$, «turn», and by the same ray if $\theta>\theta_v$.
         """,
-        turn=Formula(r"\theta_v", "=...", Rational("4.4934"), decimal(_turning_angle)),
+        turn=decimal(r"\theta_v", "4.4934", _turning_angle),
         kernel="turning-angle leaves-by",
     ),
 )

@@ -1,17 +1,11 @@
 """Is creeping robust? Static friction above kinetic, by any jump, ends it; a finite slope of friction keeps its rate."""
 
-from fractions import Fraction
-from functools import cache
-
-from numerics.scene import Friction, Pair, Scene, State, Weakening
+from numerics.scene import Friction, Weakening
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import compare, exact, solved
 from theory import finite_slope
 from theory.finite_slope import END, SCALED, scaled_time, slope
 from theory.forced import load
-from theory.model import slip
 from theory.near_critical import inverse_step
 from theory.scaling import to_si
 from theory.symbols import r as share_of_q
@@ -174,11 +168,10 @@ def next_term() -> Evidence:
         so that, with $\tau=\Omega t$ and $C=\frac{4\pi q}{9r}$, «approach»: friction that falls lets $t\,(E-E_{cr})$ come to its
         limit from below, friction that rises from above.
         """,
-        approach=Formula(
+        approach=tends(
             r"\sqrt\tau\,\bigl(\tfrac{\tau w}C-1\bigr)",
-            "->",
             -Rational(8, 5) * slope * (m1 + m2) * sqrt(pi / (m1 * m2)),
-            equals(lambda: to_si(finite_slope.approach())),
+            lambda: to_si(finite_slope.approach()),
         ),
     ),
     assuming="$m_1,m_2,a_2>0$. No force, $u=0$; and not Coulomb's law with one $b$: friction at rest is larger than in slip, or friction depends on the speed of slip.",

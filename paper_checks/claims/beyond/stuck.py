@@ -1,16 +1,9 @@
 """A pair that sticks for ever under a periodic force, without a damper."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond.contraction import one_solution
 from paper_checks.claims.words import *
-from theory import forced
 from theory import forced_response as response
-from theory.energy import sigma, sigma_other
 from theory.forced_response import amplitude, multiple, omega
-from theory.model import stick
 
 
 @cache

@@ -1,10 +1,6 @@
 """The pair on a surface under round friction: what sticks for ever, how a slip ends, a force that goes round."""
 
-from functools import cache
-
 from paper_checks.claims.words import *
-from theory.energy import critical_energy
-from theory.filippov import half_width
 from theory.forced_response import omega
 
 

@@ -1,9 +1,5 @@
 """The ring of tolerance: entered once and for good; and damping that breaks adhesion."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.beyond import response
 from paper_checks.claims.beyond.contraction import never_apart
 from paper_checks.claims.beyond.forced_modes import strict_rule
@@ -12,10 +8,7 @@ from paper_checks.claims.letters import MASS
 from paper_checks.claims.section_3 import capture, energy, filippov
 from paper_checks.claims.section_5.points import INSIDE
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import forced
 from theory import forced_control as control
-from theory.energy import critical_energy, on_surface, sigma
 from theory.forced_control import ring_ratio
 
 
@@ -271,8 +264,8 @@ def tolerance_ring() -> Case:
         order $1/a_1$, and from every initial state the time after which the pair sticks permanently tends to «time»,
         with the initial $v_2$.
         """,
-        creeps=Formula(r"a_2x_1+a_1v_1", "->", -b * sigma, equals(forced.creeping_load)),
-        time=Formula("T", "->", m2 * Abs(v2) / b, equals(lambda: Abs(v2) / control.strongest())),
+        creeps=tends(r"a_2x_1+a_1v_1", -b * sigma, forced.creeping_load),
+        time=tends("T", m2 * Abs(v2) / b, lambda: Abs(v2) / control.strongest()),
     ),
     assuming=f"{POSITIVE} No force, $u=0$; with and without a damper.",
 )

@@ -1,11 +1,7 @@
 """Steps on moving body 2 by a force on body 1: friction is all that it feels."""
 
-from functools import cache
-
 from paper_checks.claims.words import *
-from theory import forced
 from theory import forced_control as control
-from theory.energy import sigma
 
 
 @cache

@@ -1,17 +1,10 @@
 """Motions with two stops in a period next to both thresholds, and whether there is only one."""
 
-from fractions import Fraction
-from functools import cache
-
-from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.beyond.response import undamped_attraction
 from paper_checks.claims.beyond.stuck import tends_to_stuck
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from theory import forced
 from theory import forced_response as response
 from theory.forced_response import slip_length
-from theory.model import slip, stick
 
 OMEGA = Symbol("Omega", positive=True)
 

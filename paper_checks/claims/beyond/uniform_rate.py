@@ -1,18 +1,12 @@
 """The $1/t$ law with an error term, and what of it the energy at the start alone fixes."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
 from paper_checks.claims.beyond.rate import one_step
 from paper_checks.claims.beyond.rate_error import ranges
 from paper_checks.claims.beyond.slips import contact, depth_grows, landings, one_contact
 from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.balls import point, precision, shown
+from paper_checks.decide.balls import shown
 from theory.long_time import leading_coefficient, logarithm_weight
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth

@@ -1,15 +1,13 @@
 """What the paper says of its model in passing: units, the stiff limit, the energy, the parts of S, two senses of sliding."""
 
-import sympy as sp
-
 from paper_checks.claims.letters import SIGN
 from paper_checks.claims.section_3 import capture, filippov
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.words import *
 from theory import presliding
-from theory.energy import energy, sigma_other, slip_rate
-from theory.filippov import derivative_along, guard, half_width, sliding_field, surface
-from theory.model import RELATIVE_SIGN, STICTION_SIGN, driven_equation, driving_equation
+from theory.energy import energy, slip_rate
+from theory.filippov import guard, surface
+from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.presliding import deflection, deflection_rate, slider_rate, stiffness, variation
 from theory.scaling import about_an_axis, radius
 

@@ -1,9 +1,5 @@
 """Section II, eqs (3), (4): their branches, the stiction bracket, the force between the bodies."""
 
-from collections.abc import Callable
-
-import sympy as sp
-
 from paper_checks.claims.section_2.signum import under_a_force
 from paper_checks.claims.section_3.filippov import (
     SPURIOUS,
@@ -14,15 +10,7 @@ from paper_checks.claims.section_3.filippov import (
 )
 from paper_checks.claims.section_5.points import EDGE, EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.model import (
-    RELATIVE_SIGN,
-    STICTION_SIGN,
-    Branch,
-    branch_named,
-    branches,
-    driven_equation,
-    driving_equation,
-)
+from theory.model import RELATIVE_SIGN, STICTION_SIGN, Branch, branches
 
 Z, ADHESION = (
     Symbol(r"\mathrm{sgn}(\dot{z})", real=True),

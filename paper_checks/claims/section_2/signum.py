@@ -1,14 +1,8 @@
 """The three-valued signum of (1): what (3), (4) mean with it, and what becomes of them under a force."""
 
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.section_5.points import INSIDE
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import compare, exact, itinerary, solved, text
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.filippov import transversality
 from theory.forced import held_at_the_limit, load
 from theory.model import free_system
 

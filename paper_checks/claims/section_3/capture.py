@@ -1,15 +1,9 @@
 """Where every free motion goes: it meets the switching surface again and again, and the critical energy decides there."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3 import filippov
 from paper_checks.claims.words import *
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, stick_rate
-from theory.filippov import half_width, phi, transversality
+from theory.energy import dwell_time_bound, energy
 
 
 def energy_decreases() -> Steps:

@@ -1,13 +1,10 @@
 """Every free motion merges with a stuck one in finite time, or tends to the critical one."""
 
-from functools import cache
-
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.words import *
 from paper_checks.decide.samples import dichotomy_samples
-from theory.energy import energy, sigma, stick_rate
-from theory.filippov import half_width, phi
+from theory.energy import energy
 from theory.turned_back import claimed_rates, energy_parts, rates, relative_rate
 
 

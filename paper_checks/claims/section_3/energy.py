@@ -1,13 +1,9 @@
 """The energy: its rate, where it is dissipated, and what sliding costs."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.words import *
-from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate
-from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
-from theory.model import free_system, slip
+from theory.energy import captive_energy, energy, slip_rate
+from theory.filippov import guard, load
+from theory.model import free_system
 
 
 def admissible(expression: Basic) -> Basic:

@@ -1,22 +1,10 @@
 """What a solution of (3), (4) is: Filippov's, of (5)–(7), and its two fields."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.letters import SIGN, field
 from paper_checks.claims.words import *
-from theory.energy import contraction_rate, contraction_terms, sigma, sigma_other
-from theory.filippov import derivative_along, half_width, load, load_threshold, phi, sliding_field, transversality
-from theory.model import (
-    RELATIVE_SIGN,
-    STICTION_SIGN,
-    branch_named,
-    driven_equation,
-    free_system,
-    slip,
-    stick,
-)
+from theory.energy import contraction_rate, contraction_terms
+from theory.filippov import load
+from theory.model import RELATIVE_SIGN, STICTION_SIGN, free_system
 
 ARGUMENT = (
     r"""

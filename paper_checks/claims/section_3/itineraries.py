@@ -1,19 +1,9 @@
 """Section III: an itinerary that merges, and one that creeps."""
 
-from functools import cache
-
-import sympy as sp
-from flint import arb
-
-from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Scene
-from numerics.scene.file import load_scene
 from numerics.trajectory.events import Event
 from numerics.trajectory.status import Status
-from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.beyond.excursions import angle_of_excursion
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved
 from theory.excursion import (
     angle,
     excursion,
@@ -24,7 +14,6 @@ from theory.excursion import (
     next_excess,
 )
 from theory.fraction import in_lowest_terms
-from theory.power_series import taylor
 
 LARGEST = pi**2 / 4
 """w/q of the excursion of slip angle pi: proved by `largest_excess`, used by `starts_below`."""

@@ -1,12 +1,10 @@
 """The level sets of the energy on the switching surface: the critical one, and the arcs above it."""
 
-import sympy as sp
-
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.section_3.sliding import beyond, product, within
 from paper_checks.claims.words import *
-from theory.energy import critical_energy, edge_speed_squared, level_semi_axis, on_surface, semi_axis_margin, stick_rate
-from theory.filippov import edge_contact, half_width, sliding_field
+from theory.energy import edge_speed_squared, level_semi_axis, semi_axis_margin
+from theory.filippov import edge_contact
 
 LEVEL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
 

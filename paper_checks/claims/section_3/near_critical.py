@@ -1,12 +1,7 @@
 """Section III: slightly above the critical energy: durations, exits, and how slowly the energy falls."""
 
-from fractions import Fraction
 from itertools import pairwise
 
-import sympy as sp
-
-from numerics.linear.modes import EventKind
-from numerics.scene.file import load_scene
 from paper_checks.claims.beyond.excursions import (
     EVENTUALLY,
     angle_of_excursion,
@@ -22,9 +17,8 @@ from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.section_3.convergence import merges_or_creeps
 from paper_checks.claims.section_3.sliding import width
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import solved, within
+from paper_checks.decide.enclosure import within
 from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit
-from theory.power_series import taylor
 
 HALF_PERIOD = pi * sqrt((m1 + m2) / a2)
 LATE = "Read as of late times, $k\\to\\infty$, as the limits of the same sentence are."
@@ -42,7 +36,7 @@ LATE = "Read as of late times, $k\\to\\infty$, as the limits of the same sentenc
         In the latter scenario there are times $t_1<\tau_1<t_2<\tau_2<\cdots$ such that the trajectory belongs to
         $S_0$ during each $[t_k,\tau_k]$ and «limit» as $k\to\infty$.
         """,
-        limit=Formula(r"\tau_k-t_k", "->", HALF_PERIOD, equals(lambda: critical_limits().stick_duration)),
+        limit=tends(r"\tau_k-t_k", HALF_PERIOD, lambda: critical_limits().stick_duration),
         kernel="exit-and-entry-times",
     ),
 )
@@ -76,7 +70,7 @@ def stick_durations() -> Case:
     clause(
         "slips",
         r"For the same times, «limit» as $k\to\infty$: the trajectory leaves $S_0$ only for short intervals of time.",
-        limit=Formula(r"t_{k+1}-\tau_k", "->", 0, equals(lambda: critical_limits().slip_duration)),
+        limit=tends(r"t_{k+1}-\tau_k", 0, lambda: critical_limits().slip_duration),
         kernel="exit-and-entry-times",
     ),
 )
@@ -118,8 +112,8 @@ def slip_durations() -> Case:
         «width», of the rays $\ell_\pm$: «entry» and «speed» at the entries as $k\to\infty$.
         """,
         width=width(),
-        entry=Formula(r"|x_1|", "->", b * (m1 + m2) / (a2 * m2), equals(lambda: critical_limits().entry_position)),
-        speed=Formula(r"|v_1|", "->", 0, equals(lambda: critical_limits().entry_velocity)),
+        entry=tends(r"|x_1|", b * (m1 + m2) / (a2 * m2), lambda: critical_limits().entry_position),
+        speed=tends(r"|v_1|", 0, lambda: critical_limits().entry_velocity),
         kernel="exits-near-endpoints",
     ),
 )

@@ -1,13 +1,10 @@
 """The switching surface: where it is crossed, and where it is slid on."""
 
-import sympy as sp
-
 from paper_checks.claims.letters import BEYOND, WITHIN, guard_rate
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.words import *
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.energy import energy, stick_rate
-from theory.filippov import edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
+from theory.energy import energy
+from theory.filippov import edge_contact, normal, sliding_weight
 
 WIDTH = b * (m1 + m2) / (a2 * m2)
 

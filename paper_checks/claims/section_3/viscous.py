@@ -1,16 +1,13 @@
 """Section III with a damper: the energy, and the origin."""
 
 from numerics.linear.exact_start import mode_at_start
-from numerics.linear.modes import Mode
-from numerics.scene import Pair, Scene, State
 from paper_checks.claims.section_3 import capture
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
 from theory.closed_forms import discriminant
 from theory.energy import energy, slip_rate
-from theory.filippov import derivative_along, load, load_threshold, sliding_field
-from theory.model import free_system, slip, stick
+from theory.filippov import load
+from theory.model import free_system
 from theory.scaling import damping_ratio
 
 

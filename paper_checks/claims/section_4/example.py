@@ -1,24 +1,16 @@
 """Section IV: the example system, its frequency and its equations."""
 
-import sympy as sp
-
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3.filippov import bracket_is_off_in_slip
 from paper_checks.claims.section_5.points import PULL, START_AT_6MM
 from paper_checks.claims.words import *
-from theory.closed_forms import DampingRegime, residual, solution
-from theory.energy import stick_rate
 from theory.linear import root
 from theory.model import (
-    CASE_STUDY,
     RELATIVE_SIGN,
     STICTION_SIGN,
-    branch_named,
     case_study_closed_form,
     case_study_eigenfrequency,
     case_study_mode,
-    driven_equation,
-    driving_equation,
 )
 
 Z = Symbol(r"\mathrm{sgn}(\dot{z})", real=True)

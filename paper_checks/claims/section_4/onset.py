@@ -1,9 +1,5 @@
 """Section IV: when the example sticks, when it slips, and how its oscillation decays."""
 
-import sympy as sp
-
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
 from paper_checks.claims.section_3 import energy as dissipation
 from paper_checks.claims.section_3.capture import leaves_above_critical
 from paper_checks.claims.section_3.filippov import (
@@ -14,12 +10,11 @@ from paper_checks.claims.section_3.filippov import (
 )
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, INSIDE, PULL, START_AT_6MM, scene_at
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
-from theory.closed_forms import DampingRegime, rate, rates, residual, solution
-from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, stick_rate
-from theory.filippov import derivative_along, edge_contact, half_width
+from theory.closed_forms import rate, rates
+from theory.energy import edge_speed_squared, energy
+from theory.filippov import edge_contact
 from theory.linear import root
-from theory.model import CASE_STUDY, case_study_mode, slip, stick
+from theory.model import case_study_mode
 
 
 def _level() -> sp.Rel:

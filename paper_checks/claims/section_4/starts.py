@@ -1,16 +1,9 @@
 """Section IV, Fig. 4: the two starts of the example, and where their relative motion goes."""
 
-from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from flint import arb
-
-from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Law, Scene, State
-from numerics.scene.file import load_scene
-from numerics.trajectory.trajectory import Trajectory
+from numerics.scene import Law
 from paper_checks.claims.beyond.tolerance import sticks_for_ever_below
 from paper_checks.claims.section_2.signum import two_solutions
 from paper_checks.claims.section_3.capture import energy_decreases, leaves_above_critical
@@ -25,13 +18,10 @@ from paper_checks.claims.section_3.itineraries import (
 from paper_checks.claims.section_3.sliding import width
 from paper_checks.claims.section_5.points import START_AT_6MM
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import compare, exact, itinerary, rounded, solved, stuck_for_ever, within
+from paper_checks.decide.enclosure import within
 from paper_checks.decide.exhibit import Point
-from theory.closed_forms import DampingRegime, rate, solution
-from theory.energy import critical_energy, energy
-from theory.filippov import half_width, transversality
-from theory.model import CASE_STUDY, branch_named, stick
+from theory.closed_forms import rate
+from theory.energy import energy
 
 
 def _event(scene: str, number: int) -> Callable[[], arb]:
@@ -47,7 +37,7 @@ def _event(scene: str, number: int) -> Callable[[], arb]:
 
 def time(letter: str, digits: str, scene: str, number: int) -> Formula:
     """Return the time of an event of a scene, s."""
-    return Formula(letter, "=...", Rational(digits), decimal(_event(scene, number)))
+    return decimal(letter, digits, _event(scene, number))
 
 
 ALTERNATION = (Mode.STICK, Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS)

@@ -1,22 +1,16 @@
 """Section V: the two descriptions of the system, and the bound of what friction hands on."""
 
-from fractions import Fraction
 from functools import partial
 
-import sympy as sp
-
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
 from paper_checks.claims.beyond import transfers
 from paper_checks.claims.section_2.signum import under_a_force
 from paper_checks.claims.section_3 import filippov as solutions
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from theory.filippov import load, load_threshold, sliding_field
+from theory.filippov import load
 from theory.fraction import in_lowest_terms
 from theory.linear import root
-from theory.model import branch_named, case_study_mode, slip
+from theory.model import case_study_mode
 
 DRIVEN, DRIVING = symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
 

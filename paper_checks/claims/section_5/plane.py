@@ -1,9 +1,5 @@
 """Motions on a surface: friction in a plane."""
 
-from functools import cache
-
-import sympy as sp
-
 from paper_checks.claims.words import *
 from theory import plane
 from theory.plane import FIRST, OTHER, SECOND, SHARE, SHARE_OTHER, SLIP

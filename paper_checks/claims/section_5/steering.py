@@ -1,15 +1,9 @@
 """Section V: control through the interface: damping, tracking, an interface that varies."""
 
-from numerics.linear.modes import Mode
-from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims.beyond import contraction, response, tolerance
 from paper_checks.claims.letters import S, either_sign
 from paper_checks.claims.words import *
-from paper_checks.decide import kernel
-from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved
-from theory import forced
-from theory.energy import energy, sigma, sigma_other
-from theory.model import stick
+from theory.energy import energy
 
 LIPSCHITZ = Symbol("ell", positive=True)
 APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}

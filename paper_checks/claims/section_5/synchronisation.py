@@ -1,7 +1,5 @@
 """Section V: whether, when and how the pair synchronises."""
 
-from numerics.linear.modes import Mode
-from numerics.scene.file import load_scene
 from paper_checks.claims.beyond import damping
 from paper_checks.claims.beyond.excursions import creeps_for_ever
 from paper_checks.claims.beyond.tolerance import sticks_for_ever_below
@@ -11,8 +9,7 @@ from paper_checks.claims.section_3.capture import meets_surface
 from paper_checks.claims.section_3.convergence import contact_again
 from paper_checks.claims.section_5.points import EXAMPLE_PAIR, INSIDE, scene_at
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from theory.energy import captive_energy, critical_energy, on_surface
+from theory.energy import captive_energy
 
 
 @claim(
