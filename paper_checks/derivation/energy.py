@@ -152,9 +152,9 @@ CRITICAL = Stage(
             steps=lambda: (
                 argument(
                     "the ellipse is a closed trajectory",
-                    capture.stays_below_critical(),
-                    capture.stick_is_a_motion(),
-                    filippov.stick_region(),
+                    capture.stays_below_critical,
+                    capture.stick_is_a_motion,
+                    filippov.stick_region,
                 ),
             ),
             kernel="ellipse-iff",
@@ -216,7 +216,7 @@ SUPERCRITICAL = Stage(
                     "each arc ends on its ray",
                     identity("along $\\Phi_0$, $\\dot x_1=v_1$", sliding_field()[0], v1),
                     identity("$L$ is as printed", half_width(), WIDTH),
-                    capture.mirror_image(),
+                    capture.mirror_image,
                 ),
             ),
             kernel="arc-to-left-ray slips-on-ray",

@@ -46,7 +46,7 @@ LAW = Stage(
             """,
             f"{BOTH} {STICKS} {SLIPS}",
             lambda: (*of_clause(STICKS, "limit")(), *of_clause(SLIPS, "limit")()),
-            steps=lambda: (argument(EVENTUALLY, merges_or_creeps()),),
+            steps=lambda: (argument(EVENTUALLY, merges_or_creeps),),
             kernel="exit-and-entry-times",
         ),
         Line(

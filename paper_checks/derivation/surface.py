@@ -85,7 +85,7 @@ MODEL = Stage(
             $\dot z=0$ over some time needs $\ddot z=0$. At all but isolated instants two modes are left, stick and slip.
             """,
             "modes-from-closed-form/instants",
-            steps=lambda: (argument("both branches leave $\\dot z=0$ at once", *modes.leaves_the_surface()),),
+            steps=lambda: (argument("both branches leave $\\dot z=0$ at once", modes.leaves_the_surface),),
         ),
     ),
 )

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, closure
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Named, Steps, Subject, closure, steps
 
 
 class Verdict(Enum):
@@ -39,9 +39,9 @@ class Carried:
     steps: Steps
 
 
-def carried(clause: str, *steps: Evidence) -> Carried:
+def carried(clause: str, *named: Named) -> Carried:
     """Return that these steps carry the clause: each states it, or a part of it, as it stands; without steps its formulas do."""
-    return Carried(clause, steps)
+    return Carried(clause, steps(*named))
 
 
 @dataclass(frozen=True)

@@ -29,8 +29,8 @@ def certificate() -> Evidence:
             weight * stuck_force(),
             cheapest.misfit() * r_acceleration + cheapest.along(cheapest.gathered()),
         ),
-        transfers.gentle(),
-        transfers.stuck_force(),
+        transfers.gentle,
+        transfers.stuck_force,
     )
 
 
@@ -49,7 +49,7 @@ def only_one() -> Evidence:
         $\int u^2=\int u_*^2+2\int u_*(u-u_*)+\int(u-u_*)^2$. Where $\rho=0$, also $\ddot\rho=0$, which is the equation of
         $u_*$; where that holds from $0$ to $T$, suitable $\mu,\nu$ make $\rho=0$.
         """,
-        certificate(),
+        certificate,
         cites=("Lagrange multipliers of a convex program under the condition of Slater",),
     )
 
@@ -68,7 +68,7 @@ def least_work() -> Evidence:
             r_speed * stuck_force(),
             a1 * r_speed**2 + cheapest.along((total_mass() * r_speed**2 + a2 * r_place**2) / 2),
         ),
-        transfers.gentle(),
+        transfers.gentle,
     )
 
 
@@ -86,7 +86,7 @@ def with_slip() -> Evidence:
         $\int u^2=\int u_*^2+2\int\kappa\,\dot z+\int(u-u_*)^2$, the last term quadratic in $z$. Such a $\dot z$ is $0$ where
         $|\dot v_2|<b/m_2$ and else has the sign of $\dot v_2$; any smooth one with that sign is possible.
         """,
-        only_one(),
+        only_one,
         identity(
             r"$w(m_1\ddot z+a_1\dot z+a_2z)=\kappa\dot z+\frac{\mathrm d}{\mathrm dt}[m_1w\dot z-a_2Sz]$",
             weight * cheapest.slip_force(),
@@ -118,7 +118,7 @@ def far_away() -> Evidence:
             stuck_force().subs(r_acceleration, -strongest()),
             a2 * (r_place - half_width()) + a1 * r_speed,
         ),
-        transfers.gentle(),
+        transfers.gentle,
     )
 
 
@@ -140,7 +140,7 @@ def for_all() -> Evidence:
             ),
             u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
         ),
-        transfers.gentle(),
+        transfers.gentle,
     )
 
 
@@ -244,13 +244,13 @@ def cheapest_transfer() -> Case:
         problem is convex, and its multipliers prove the minimum. Slipping leaves this class. It gains nothing for certain motions,
         and much for far ones.
         """,
-        carried("bound", certificate()),
-        carried("least", only_one()),
-        carried("undamped", only_one()),
-        carried("work", least_work()),
-        carried("slip", with_slip()),
-        carried("far", far_away()),
-        carried("all", for_all()),
+        carried("bound", certificate),
+        carried("least", only_one),
+        carried("undamped", only_one),
+        carried("work", least_work),
+        carried("slip", with_slip),
+        carried("far", far_away),
+        carried("all", for_all),
         carried(
             "peak",
             argument(
@@ -258,7 +258,7 @@ def cheapest_transfer() -> Case:
                 Under a force with $|u|\leqslant U$ the pair sticks until $T_w<\pi/\Omega$, and does not arrive before it: so the bound
                 while stuck is one for each force of at most the peak $U$ that arrives by then.
                 """,
-                certificate(),
+                certificate,
                 *map(kernel.step, ("weak-sticks", "weak-takes", "weak-attained")),
             ),
         ),

@@ -56,7 +56,7 @@ def one_active_one_passive() -> Case:
                 [diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)],
                 [0, 1, 0],
             ),
-            transfers.gentle(),
+            transfers.gentle,
         ),
         reading(
             "active",
@@ -85,8 +85,8 @@ def target_or_set_point() -> Case:
         than $b/m_2$. At exactly $b/m_2$ this holds under Coulomb's law, but not under (3)–(4); below it, under both: see
         trackable-references and minimum-transfer-time.
         """,
-        transfers.gentle().as_support(),
-        transfers.stuck_force().as_support(),
+        transfers.gentle().as_support,
+        transfers.stuck_force().as_support,
     )
 
 
@@ -142,7 +142,7 @@ def trackable_references() -> Case:
     """Friction is the only force on body 2."""
     return because(
         "Body 2 can follow exactly the references that require no more force than the interface can transmit. A pair that sticks follows each of them, under an explicit force.",
-        carried("force", transfers.stuck_force()),
+        carried("force", transfers.stuck_force),
     )
 
 
@@ -256,6 +256,6 @@ def minimum_transfer_time() -> Case:
     """A bound for every control, and what attaining it costs."""
     return because(
         "The minimum time is set by the interface alone, whatever the force. The force amplitude needed is another matter: if body 1 slips ahead of body 2 in the first half, and both have the same velocity at half time, less is needed than if the pair sticks all the way.",
-        transfers.gentle(),
-        transfers.stuck_force(),
+        transfers.gentle,
+        transfers.stuck_force,
     )

@@ -175,6 +175,6 @@ def mass_ratio() -> Case:
         equality at one slip from the ray. As $w'$ falls with $r$, it is positive after every slip from $S$ for $r<r^*$,
         and negative after that one for $r>r^*$.
         """,
-        *one_turning_point(),
+        one_turning_point,
         figure="merging-window",
     )

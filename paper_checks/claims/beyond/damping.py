@@ -63,10 +63,10 @@ def slows() -> Evidence:
         has that with a small $a_1$, below the captive level: it sticks from its next contact on.
         """,
         kernel.step("sharp-law"),
-        forces_apart(),
-        energy.captive_margin(),
-        energy.captive_level(),
-        contact_again(),
+        forces_apart,
+        energy.captive_margin,
+        energy.captive_level,
+        contact_again,
     )
 
 
@@ -102,10 +102,10 @@ def passes_once() -> Evidence:
         $b/m_2$ to $0$; the pair then sticks, $x_1$ has the slow rate $\frac{a_2}{a_1}(1+O(a_1^{-2}))$, and
         $E=\frac12a_2x_1^2(1+O(a_1^{-2}))$.
         """,
-        energy.energy_rate(),
-        forces_apart(),
-        heavy_damping(),
-        decays(),
+        energy.energy_rate,
+        forces_apart,
+        heavy_damping,
+        decays,
     )
 
 
@@ -190,20 +190,20 @@ def synchronisation_against_damping() -> Case:
             exhibit("with $a_1=0$ it slips at once", {**STUCK, a1: 0}, (pull, ">", load_threshold())),
             exhibit("and with $a_1=7$", {**STUCK, a1: 7}, (pull, ">", load_threshold())),
         ),
-        carried("light", slows()),
+        carried("light", slows),
         carried(
             "heavy",
-            heavy_damping(),
+            heavy_damping,
             argument(
                 r"""
                 In every mode $|\dot v_2|\leqslant b/m_2$. So $v_2(0)\leqslant v+bT/m_2$ with the velocity $v$ at $T$; and
                 if $v>0$ the stuck pair goes on by at least $m_2v^2/(2b)$, while $|x_1|\leqslant X$: $v^2\leqslant
                 4bX/m_2=4s^2$.
                 """,
-                energy.energy_never_grows(),
+                energy.energy_never_grows,
             ),
         ),
-        carried("rest", passes_once()),
+        carried("rest", passes_once),
         carried(
             "critical",
             argument(
@@ -212,7 +212,7 @@ def synchronisation_against_damping() -> Case:
                 is $0$, or all is. Of two rates with the product $a_2/M$ the smaller real part is at most $\sqrt{a_2/M}$, and that
                 only where they are equal.
                 """,
-                decays(),
+                decays,
             ),
         ),
     )

@@ -59,16 +59,16 @@ def non_stop() -> Evidence:
         $(c_*-c)\,\omega\sin\omega t\geqslant 0$, so it stays positive up to the next turn if it is at $U_{**}$, and
         then it is a motion by symmetry. With $a_1>0$ the response is the only one and attracts all.
         """,
-        square_wave(),
-        load_positive(),
+        square_wave,
+        load_positive,
         identity(r"$v_1=v_2$ at the turn", speed, lowest),
         identity(
             r"$\Lambda=b$ there",
             m1 * omega**2 * out_of_phase,
             a2 * b * response.square_place + a1 * b * response.square_speed - b * total_mass() / m2,
         ),
-        one_response(),
-        strict_rule(),
+        one_response,
+        strict_rule,
     )
 
 
@@ -86,8 +86,8 @@ def below_non_stop() -> Evidence:
         which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$. For a motion of the period $T$ itself this
         is the kernel's theorem, whose condition $A>0$ is $-c_*>0$.
         """,
-        square_wave(),
-        non_stop(),
+        square_wave,
+        non_stop,
         kernel.step("nonstop-by-halves-needs"),
     )
 
@@ -108,8 +108,8 @@ def over_damped() -> Evidence:
             r"$\cos(i\nu)=\cosh\nu$ and $\sin(i\nu)/(i\nu)=\sinh(\nu)/\nu$",
             [cos(sp.I * nu) - sp.cosh(nu), sin(sp.I * nu) / (sp.I * nu) - sp.sinh(nu) / nu],
         ),
-        non_stop(),
-        below_non_stop(),
+        non_stop,
+        below_non_stop,
         kernel.step("nonstop-overdamped"),
     )
 
@@ -136,7 +136,7 @@ def two_ends() -> Evidence:
             response.two_stop_conditions()[2],
             -2 * (response.exit_speed + pi * b / (2 * m2 * omega)),
         ),
-        non_stop(),
+        non_stop,
     )
 
 
@@ -364,13 +364,13 @@ def entrainment_threshold() -> Case:
     """Stuck, two stops, and no stop."""
     return because(
         "The amplitude up to which the pair can stick permanently has a closed form, and so has that below which no motion of the force's period slips permanently with two reversals. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
-        carried("undamped", undamped_stuck()),
-        carried("letters", square_wave()),
-        carried("below", below_non_stop()),
-        carried("over-damped", over_damped()),
-        carried("more-turns", six_turns(), one_response()),
-        carried("undamped-edge", tends_to_stuck()),
-        carried("two-ends", two_ends()),
-        carried("near-ends", near_first(), near_last(), beside_thresholds(0), beside_thresholds(1)),
-        carried("only-one", one_response(), only_one()),
+        carried("undamped", undamped_stuck),
+        carried("letters", square_wave),
+        carried("below", below_non_stop),
+        carried("over-damped", over_damped),
+        carried("more-turns", six_turns, one_response),
+        carried("undamped-edge", tends_to_stuck),
+        carried("two-ends", two_ends),
+        carried("near-ends", near_first, near_last, beside_thresholds(0), beside_thresholds(1)),
+        carried("only-one", one_response, only_one),
     )

@@ -31,7 +31,7 @@ def local_error() -> Evidence:
             [diff(squared, x1) * v1 + diff(squared, v1) * rate, a2 * rate**2 + m1 * (diff(rate, x1) * v1) ** 2],
             [0, a2 / m1 * squared],
         ),
-        never_apart(),
+        never_apart,
     )
 
 
@@ -88,8 +88,8 @@ def shows_adhesion(step: Fraction = SHOWS) -> Evidence:
                 ">",
                 relative,
             ),
-            slip_rate(),
-            local_error(),
+            slip_rate,
+            local_error,
         )
 
 
@@ -162,7 +162,7 @@ def euler_error() -> Case:
         the distance of two motions, but a step of Euler uses the friction and the forces at its beginning. Near $\dot z=0$
         that friction is off by up to $2b$, however small the step.
         """,
-        slip_rate(),
-        carried("turn", local_error()),
-        carried("fig-5a", shows_adhesion(), *_tried()),
+        slip_rate,
+        carried("turn", local_error),
+        carried("fig-5a", shows_adhesion, _tried),
     )

@@ -153,10 +153,10 @@ def creeps_for_ever() -> Evidence:
         ends inside $S_0$ with $0<w'<w$, by induction without end; so $E>E_{cr}$ permanently, and the trajectory tends
         to the critical orbit.
         """,
-        *capture.leaves_above_critical(),
-        *angle_of_excursion(),
-        *never_merges(),
-        merges_or_creeps(),
+        capture.leaves_above_critical,
+        angle_of_excursion,
+        never_merges,
+        merges_or_creeps,
     )
 
 
@@ -174,7 +174,7 @@ def sharp_limit() -> Evidence:
         tends to their quotient; between two exits $w$ lies between its values there, whose ratio tends to 1, as does
         that of the times.
         """,
-        creeps_for_ever(),
+        creeps_for_ever,
         identity("$1/w'-1/w\\to 9r/(4q)$ as $w\\to 0$", inverse_step(), 9 * r / (4 * q)),
         identity("equivalently $w'=w-\\tfrac{9r}{4q}w^2+\\dots$", quadratic_coefficient(), 9 * r / (4 * q)),
         identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
@@ -198,5 +198,5 @@ def two_sided() -> Evidence:
         ray, at most half a period, depends on the start: over these times the bounds are attained, so they depend on
         $E(0)$ and $t_0$ alone.
         """,
-        sharp_limit(),
+        sharp_limit,
     )

@@ -80,9 +80,9 @@ def sticks() -> Evidence:
             jump.stick_time() / sqrt(2),
             2 * sp.atan(sqrt(2)),
         ),
-        slips(),
-        slip_rates(),
-        strict_rule(),
+        slips,
+        slip_rates,
+        strict_rule,
     )
 
 
@@ -101,14 +101,14 @@ def keeps_apart() -> Evidence:
     """Two members keep their distance for ever, so none attracts another."""
     return argument(
         r"Under a force with $u(t+H)=-u(t)$ the state after $H$ is always minus the state before, so each member has the period $2H$. Two of them have the same distance after each period, which is not $0$.",
-        returns(),
-        sticks(),
+        returns,
+        sticks,
         identity(
             r"that distance is $N=\sqrt 3\,|v-\tilde v|$ at the exit",
             jump.apart_squared(),
             3 * (jump.speed - jump.other_speed) ** 2,
         ),
-        *seen(),
+        seen,
     )
 
 

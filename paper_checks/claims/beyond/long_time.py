@@ -123,10 +123,10 @@ def long_time_expansion() -> Case:
         errors are summable, as $y_n\sim\frac{1}{\alpha n}$, so $\pi A(y_n)-\tau_n$ tends to a number $K$, with the
         error $O(\tau^{-1/2})$ of the second tail. Solved for $y$ that is the expansion. Only $K$ depends on the start.
         """,
-        carried("expansion", kernel.step("long-time"), quotients()),
-        coefficients(),
-        *cycle_time(),
-        *expansion(),
+        carried("expansion", kernel.step("long-time"), quotients),
+        coefficients,
+        cycle_time,
+        expansion,
         carried("balanced"),
         constant_found_again(HALF, Fraction(3, 2)),
         constant_found_again(HALF, Fraction(11, 10)),

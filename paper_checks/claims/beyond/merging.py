@@ -104,7 +104,7 @@ def merging_set() -> Case:
         monotone on both sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and
         short slips in turn, and its re-entry, at the end of a short one, is above $E_{cr}$.
         """,
-        windows(),
-        *threshold(),
+        windows,
+        threshold,
         figure="merging-interval",
     )

@@ -97,8 +97,8 @@ def exact_share() -> Evidence:
         that it comes from have the measure of the flux through $S$ over the rate at which $E$ is passed; both
         half-spaces are mirror images.
         """,
-        contact_again(),
-        stays_below_critical(),
+        contact_again,
+        stays_below_critical,
         kernel.step("no-low-level"),
         kernel.step("heavy-never-merges"),
         identity("the flow of slip preserves volume: its divergence is 0", divergence()),
@@ -128,9 +128,9 @@ def just_above() -> Evidence:
         below $1+r\,\eta^2/(2K)$ to below $1$, and the pair merges. The states with $|V_1-V_2|<\eta$ are a share that
         tends to $0$ with $\eta$, uniformly up to $2E_{cr}$.
         """,
-        contact_again(),
-        stays_below_critical(),
-        stays_stuck(),
+        contact_again,
+        stays_below_critical,
+        stays_stuck,
         identity("$E/E_{cr}$ falls at the rate $2r\\,|V_1-V_2|$", dissipation(), 2 * r * relative),
     )
 
@@ -140,7 +140,7 @@ def limit() -> Evidence:
     """The share at large energies."""
     return argument(
         "Where the slip has the energy $E$, $X$ and $V_1$ are bounded, so $r\\,|V_1-V_2|^2/E\\to 1$ as $E\\to\\infty$, uniformly on the disc.",
-        exact_share(),
+        exact_share,
         identity("$E$ times the share tends to $\\frac{1}{2\\sqrt q}$", large_energy_limit(), 1 / (2 * sqrt(q))),
     )
 
@@ -234,7 +234,7 @@ def merging_bands() -> Case:
             argument(
                 "Two energies that merge with one between them that never does are in two components.",
                 *(bands(share)[1] for share in WITNESSES),
-                creeps_for_ever(),
+                creeps_for_ever,
             ),
         ),
     )
@@ -274,9 +274,9 @@ def merging_share(seed: int) -> Case:
         from $S_0$ there: up to $r^*$ the share of the states that merge is an integral over the disc of captive
         contacts, and falls like $1/E$.
         """,
-        carried("share", exact_share()),
-        carried("near", just_above()),
-        carried("limit", limit()),
+        carried("share", exact_share),
+        carried("near", just_above),
+        carried("limit", limit),
         random_states(Fraction(3, 10), Fraction(4), 250, seed),
         random_states(Fraction(1, 2), Fraction(3, 2), 250, seed),
         figure="merging-share",

@@ -52,7 +52,7 @@ def sharp_rate_constant() -> Case:
         Cesàro $1/(\Omega t\,w)\to\frac{9r}{4\pi q}$ along the exits, and as $w_{k+1}/w_k$ and $t_{k+1}/t_k$ tend to
         1, in $t$.
         """,
-        depth_over_excess(),
+        depth_over_excess,
         figure="sharp-rate",
     )
 
@@ -102,7 +102,7 @@ def rate_bounds_explicit() -> Case:
         falls with $y$ from $\tfrac{3}{2}$ and $c^2/y$ rises, so $1/y$ gains between $a'$ and $A$ per excursion; a cycle
         lasts between $T_-$ and $T_+$; and between two exits $w$ lies between its values there.
         """,
-        depth_over_excess(),
-        one_step(),
+        depth_over_excess,
+        one_step,
         figure="rate-bounds",
     )

@@ -34,8 +34,8 @@ def grows() -> Evidence:
         Over a period $T$ the force adds $U_1T/(2m_1)$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$,
         removes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
         """,
-        resonant_rate(),
-        most_friction(),
+        resonant_rate,
+        most_friction,
         identity(
             r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
             response.growth_rate(),
@@ -57,9 +57,9 @@ def stays_bounded() -> Evidence:
         constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over $n$ periods $E$ falls wherever it is
         large enough, and in between it rises by a bounded factor only.
         """,
-        energy_rate(),
-        resonant_rate(),
-        most_friction(),
+        energy_rate,
+        resonant_rate,
+        most_friction,
         identity(
             r"$\int|\cos s-c|\,ds$ over a turn is $4$ at $c=0$ and has the slope $4\arcsin c\geqslant 0$",
             [response.path_beside(offset).subs(offset, 0), slope],
@@ -84,7 +84,7 @@ def turns() -> Evidence:
         For large $X$ its rate is not $0$ where $|\cos\theta|\leqslant\frac12$: $\dot z$ has one zero near each of $\cos\theta$, late by an angle of
         $-f/X+O(X^{-2})$, $f=Y+sP+e_k$, and none elsewhere; the pair does not stick. In between $X,Y,P$ are constant.
         """,
-        resonant_rate(),
+        resonant_rate,
         identity(
             r"such a passage adds $bf^2/(m_1\omega_1X^2)$ to $X$, $-2bf/(\omega_1X)$ to $m_1Y$ and $s$ times that to $m_2P$, to first order in $1/X$",
             [entry for at in both for entry in critical.gain(at)],
@@ -108,9 +108,9 @@ def third_root() -> Evidence:
         $-\kappa V/X+K/X^2$, $\kappa>0$, and $X$ gains $(c+O(\sqrt V+1/X))/X^2$ with $c=b\sum e_k^2/(m_1\omega_1)>0$: $V\leqslant 1$ always, $X\to\infty$, $V\to 0$ and $X^3/n\to 3c$. As $|A|-X$ is
         bounded, $|A|^3/t\to 3c/T$; by contraction $|A|$ of every other motion differs by a constant at most.
         """,
-        turns(),
+        turns,
         kernel.step("third-root-law"),
-        never_apart(),
+        never_apart,
     )
 
 
@@ -123,7 +123,7 @@ def one_part() -> Evidence:
         At the zeros $\theta_k=\frac\pi2+k\pi$ the integral is $-\frac{pr}{\omega_1(1-r^2)}s\sin(r\theta_k+\psi)$. As $r\notin\mathbb Z$ and $rN\in\mathbb Z$, its sum over each direction is $0$,
         and $\sum\sin^2(r\theta_k+\psi)=N$ over a period, $T=2\pi N/\omega_1$.
         """,
-        third_root(),
+        third_root,
         identity(
             r"its rate is $p\cos(r\theta+\psi)\sin\theta$",
             natural * diff(critical.moment(), angle),
@@ -193,9 +193,9 @@ def forced_resonance_bound() -> Case:
     return because(
         r"Without a damper a resonant force makes every motion grow if it exceeds what the interface can dissipate: friction of magnitude $b$ takes at most the mean of $b|\cos|$ out of an oscillation. With just as much as that, all motions are bounded or all grow as $t^{1/3}$, as the rest of the force decides.",
         carried("rate"),
-        carried("grows", grows()),
-        carried("bounded", stays_bounded()),
+        carried("grows", grows),
+        carried("bounded", stays_bounded),
         carried("sine"),
-        carried("third-root", third_root()),
-        carried("one-part", one_part()),
+        carried("third-root", third_root),
+        carried("one-part", one_part),
     )

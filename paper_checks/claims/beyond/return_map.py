@@ -239,7 +239,7 @@ def return_map_expansion() -> Case:
         """,
         carried("series", beyond),
         carried("remainder", lost),
-        carried("time", kernel.step("cycle-time-exact"), *cycle_time()),
-        coefficients(),
+        carried("time", kernel.step("cycle-time-exact"), cycle_time),
+        coefficients,
         figure="return-map",
     )

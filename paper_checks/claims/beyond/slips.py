@@ -274,14 +274,14 @@ def excursion_closed_form() -> Case:
         $E_{cr}$ the velocity keeps its sign up to the ray, so the sign of $V'=\sqrt q\,(h-\theta)$ determines the ray;
         $V'=0$ inside $S_0$ is below $E_{cr}$.
         """,
-        contact(),
-        first_factor_positive(),
-        *angle_of_excursion(),
-        *one_contact(),
-        *landings(),
+        contact,
+        first_factor_positive,
+        angle_of_excursion,
+        one_contact,
+        landings,
         *depth_grows()[:2],
-        *stays_or_crosses(),
-        *turns_back(),
+        stays_or_crosses,
+        turns_back,
         exits_twice_by(Fraction(1, 5), Fraction(1, 10), same=False),
         exits_twice_by(Fraction(1, 5), Fraction(15), same=True),
         figure="excursion-curves",
@@ -324,10 +324,10 @@ def excursion_monotone() -> Case:
         q\,\theta$, the depth $q\,c$ and the excess lost $q\,r\,c^2$ (units of the reduced coordinates): each
         increases with $\theta$.
         """,
-        *angle_of_excursion(),
-        *rise_is_convex(),
-        *depth_grows(),
-        *one_contact(),
+        angle_of_excursion,
+        rise_is_convex,
+        depth_grows,
+        one_contact,
         *landings()[3:],
         figure="excursion-curves",
     )

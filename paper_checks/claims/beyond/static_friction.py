@@ -33,7 +33,7 @@ def merges_or_tends() -> Evidence:
         to a stuck motion whose load is within $b$. Hence $E\to E_{cr}$. Where that motion has $|\Lambda|<b$ the pair
         sticks from some time on, up to $|\Lambda|=b$: it leaves $S_0$ by the rays, with $w\to 0$.
         """,
-        slip_rate(),
+        slip_rate,
         kernel.step("interface-synchronises"),
         kernel.step("state-well-posed"),
     )
@@ -108,7 +108,7 @@ def next_term() -> Evidence:
         $an+2c\sqrt{an}+o(\sqrt n)$ with $a=\frac{9r}{4q}$, $c=\frac{6k}{5q}$, and the time is $\pi n+o(\sqrt n)$. Between two
         exits $w$ and the time change by the factor $1+O(1/n)$.
         """,
-        slope_drops_out(),
+        slope_drops_out,
         *(one_excursion(*case) for case in CASES),
         cites=("Stolz and Cesàro",),
     )
@@ -186,9 +186,9 @@ def static_friction_stops_creeping() -> Case:
         duration and a least loss. Without the jump slips near $E_{cr}$ are so slow, $|\dot z|$ of the order $w^{3/2}$, that
         friction is almost $b$ in them, and they may lose arbitrarily little.
         """,
-        slip_rate(),
-        carried("slope", merges_or_tends(), slope_drops_out()),
-        carried("step", next_term()),
-        carried("approach", next_term()),
+        slip_rate,
+        carried("slope", merges_or_tends, slope_drops_out),
+        carried("step", next_term),
+        carried("approach", next_term),
         figure="static-friction",
     )

@@ -77,9 +77,9 @@ def undamped_stuck() -> Evidence:
         the mean is $\omega^2X\cos(\pi/2n)$ whatever is added, and a free oscillation attains it. If $\Omega=\omega$ the
         stuck motion grows like $t$.
         """,
-        stuck_response(),
-        harmonic_curve(),
-        geometric(),
+        stuck_response,
+        harmonic_curve,
+        geometric,
     )
 
 
@@ -102,6 +102,6 @@ def tends_to_stuck() -> Evidence:
             put(forced.contraction_rate().subs(a1, 0), {sigma_other: force / b, v2_other: v1_other}),
             -(b * sigma - force) * (v1 - v2),
         ),
-        undamped_stuck(),
-        one_solution(),
+        undamped_stuck,
+        one_solution,
     )

@@ -17,8 +17,8 @@ def entered_once() -> Evidence:
     """A quantity that never grows passes a level once."""
     return argument(
         r"$N$ never grows, so $N\leqslant\varepsilon$ lasts from its first time on. With $a_1>0$ and a bounded force $N\to 0$.",
-        never_apart(),
-        approach(),
+        never_apart,
+        approach,
     )
 
 
@@ -55,7 +55,7 @@ def centre() -> Evidence:
     """Nothing depends on x2; the path of the relative displacement is paid."""
     return argument(
         r"A motion with $x_2(0)$ shifted by $c$ is the same motion with $x_2$ shifted by $c$. Without a force $b\int_t^\infty|\dot z|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
-        blind_to_x2(),
+        blind_to_x2,
         identity(r"of the energy lost $\mathrm dE$ friction takes $b\,|\mathrm dz|$", control.path_per_energy(), 1 / b),
         *energy.in_every_mode()[:2],
     )
@@ -66,9 +66,9 @@ def sticks_for_ever_below() -> Evidence:
     """On S with E <= E_cr the free pair is captured."""
     return argument(
         r"On $S$ with $E\leqslant E_{cr}$ the pair is in $S_0$; stuck it keeps its energy, so it sticks permanently.",
-        capture.stays_below_critical(),
-        capture.stick_is_a_motion(),
-        filippov.one_solution(),
+        capture.stays_below_critical,
+        capture.stick_is_a_motion,
+        filippov.one_solution,
     )
 
 
@@ -88,7 +88,7 @@ def heavy_damping() -> Evidence:
         ends $0<s\Lambda=-sp\,m_2/M\leqslant b$. So the pair sticks, and $\dot p=a_2v_1-(a_1/M)p$ lets $|p|$ fall from
         its edge $bM/m_2$: it sticks permanently.
         """,
-        energy.energy_never_grows(),
+        energy.energy_never_grows,
         identity(r"there the load is $m_2b\sigma/M$", load, m2 * b * sigma / total_mass()),
         identity(
             r"in slip $m_1\dot v_1=-(p+b\sigma)$, in stick $M\dot v_1=-p$",
@@ -97,8 +97,8 @@ def heavy_damping() -> Evidence:
                 total_mass() * forced.load().subs(u, 0) / m2 + a2 * x1 + a1 * v1,
             ],
         ),
-        filippov.never_apart(),
-        strict_rule(),
+        filippov.never_apart,
+        strict_rule,
     )
 
 
@@ -169,9 +169,9 @@ def ring_of_tolerance() -> Case:
                 (Abs((x1 - x2) - (x1 - OTHER_PLACE)), "=", Rational("0.001")),
             ),
         ),
-        carried("response", response.one_response(), entered_once()),
-        carried("velocity", ring_contains()),
-        carried("displacement", centre()),
+        carried("response", response.one_response, entered_once),
+        carried("velocity", ring_contains),
+        carried("displacement", centre),
     )
 
 
@@ -234,7 +234,7 @@ def tolerance_ring() -> Case:
     """The distance never grows; its image in the relative plane."""
     return because(
         "A ring that contains the image of the tube is entered no later than the tube, and not left once the tube is entered. The energy distance does not contain the relative displacement, so the ring is centred on its limit, if it has one: under a force body 2 may drift away.",
-        ring_contains(),
+        ring_contains,
     )
 
 
@@ -273,5 +273,5 @@ def damping_can_desynchronise() -> Case:
     """A damper pulls at body 1 only."""
     return because(
         "A damper acts on body 1 alone, so a strong one breaks the adhesion of a moving pair that would have stuck permanently without it: more damping does not always synchronise faster.",
-        carried("heavy", heavy_damping()),
+        carried("heavy", heavy_damping),
     )

@@ -20,7 +20,7 @@ def only_one() -> Evidence:
         $\beta\neq 0$, again only the velocities differ there, by $\beta$, and $\zeta$ sticks while the other does. At the next
         exit the loads agree again, so the places do: $\frac\beta\Omega\sin\Omega t=0$ after the stick.
         """,
-        undamped_attraction(),
+        undamped_attraction,
         identity(
             r"in stick $x_1-\tilde x_1=\frac\beta\Omega\sin\Omega t$",
             diff(beside, t, 2),
@@ -59,10 +59,10 @@ def near_first() -> Evidence:
         a motion. Its $U$ exceeds $U_*$, since up to $U_*$ no motion that slips comes back; so all $U$ slightly above $U_*$
         are taken.
         """,
-        shape(),
+        shape,
         identity(r"where $\Lambda=b$, $\ddot z=0$ and $\dddot z=\kappa\dot\Lambda$", response.short_slip()[0]),
-        same_load_rate(),
-        tends_to_stuck(),
+        same_load_rate,
+        tends_to_stuck,
         kernel.step("entrains"),
         kernel.step("two-stop-exists"),
     )
@@ -97,8 +97,8 @@ def near_last() -> Evidence:
             forced.relative_rate(1),
             forced.coupling() * (forced.load() - b),
         ),
-        same_load_rate(),
-        only_one(),
+        same_load_rate,
+        only_one,
         kernel.step("two-stop-exists"),
         kernel.step("periodic-response"),
     )

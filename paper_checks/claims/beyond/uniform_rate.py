@@ -78,10 +78,10 @@ def few_crossings() -> Evidence:
         $d\cot(\theta/2)=h-u\leqslant\frac{\pi}{2}+\sqrt{y_0}$, as $h\leqslant\pi/2$ and $u^2\leqslant y\leqslant
         y_0$; beyond, $c\geqslant 2$. So there are at most $N$ of them, each shorter than $2\pi\sqrt q$.
         """,
-        contact(),
-        *one_contact(),
-        *landings(),
-        *depth_grows(),
+        contact,
+        one_contact,
+        landings,
+        depth_grows,
         prove(
             r"$c+d\geqslant 2/q$ and $d\leqslant 1/q$ give $c\,(c+2d)\geqslant 2/q^2$ (here $k=1/q$)",
             [*crosses, GAP <= EDGE],
@@ -105,15 +105,15 @@ def from_above() -> Evidence:
         cross, of which there are at most $N$ in all. So the $n$-th exit is not after $\tau^*+(n+1)\,\pi(1+2\sqrt q)$,
         and $w$ never grows.
         """,
-        contact_again(),
+        contact_again,
         identity(
             r"the bound of a stay, in units of $1/\Omega$, is $2\sqrt{(1+w)/r}$",
             first_contact_bound() ** 2,
             4 * (1 + w) / r,
         ),
-        few_crossings(),
-        *depth_grows(),
-        one_step(),
+        few_crossings,
+        depth_grows,
+        one_step,
     )
 
 
@@ -155,7 +155,7 @@ def rate_with_error() -> Case:
         cycle adds $\pi G-F$ to the remainder. Each of the two is at most a constant, the same for every mass ratio,
         times a difference that telescopes along the exits; so the sum is bounded.
         """,
-        carried("error", kernel.step("law-with-error"), quotients()),
+        carried("error", kernel.step("law-with-error"), quotients),
     )
 
 
@@ -218,6 +218,6 @@ def uniform_rate() -> Case:
         of one $E(0)$ may lose arbitrarily much of the excess $E(0)-E_{cr}$ in their first slip. For starts on $S_0$
         slightly above $E_{cr}$ both constants exist (rate-one-over-t).
         """,
-        carried("upper", from_above()),
+        carried("upper", from_above),
         figure="uniform-rate",
     )

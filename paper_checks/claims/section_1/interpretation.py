@@ -36,7 +36,7 @@ def energy_as_lyapunov_function() -> Case:
         Lyapunov function of the origin: without a damper it is constant in stick, so periodic motions persist there.
         """,
         carried("positive", prove("$E>0$ unless $x_1=v_1=v_2=0$", [moved], signed(energy(), ">"))),
-        carried("falls", *capture.energy_decreases(), dissipation.stick_keeps_together()),
+        carried("falls", capture.energy_decreases, dissipation.stick_keeps_together),
     )
 
 
@@ -161,8 +161,8 @@ def stiff_limit() -> Case:
                 tends to 0, as $\delta$ does uniformly, $\dot\delta$ is bounded by the energy, and smooth functions
                 approximate $\tilde\sigma$.
                 """,
-                _spring_against_coulomb(),
-                _sliders_only_take(),
+                _spring_against_coulomb,
+                _sliders_only_take,
                 identity(
                     r"at $|\delta|=\delta_{\max}$ the spring has the force $b$",
                     stiffness * presliding.largest_deflection(),

@@ -122,5 +122,5 @@ def free_interface() -> Case:
             ),
         ),
         carried("tangential"),
-        carried("bounded", transfers.gentle()),
+        carried("bounded", transfers.gentle),
     )

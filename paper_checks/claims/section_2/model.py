@@ -355,5 +355,5 @@ def interface_force_balance() -> Case:
             ),
         ),
         carried("balanced"),
-        carried("broken", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
+        carried("broken", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave),
     )

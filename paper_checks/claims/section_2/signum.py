@@ -113,12 +113,12 @@ def sgn_three_valued() -> Case:
                 "solution. (11)–(12) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ permanently, and a slip with "
                 f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two of its solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none."
             ),
-            no_solution_inside(),
+            no_solution_inside,
             kernel.step("no-solution-inside"),
-            *two_solutions(),
+            two_solutions,
             kernel.step("no-solution-under-control"),
         ),
-        carried("same", filippov.equivalent()),
-        carried("unique", filippov.one_solution()),
+        carried("same", filippov.equivalent),
+        carried("unique", filippov.one_solution),
         figure=None,
     )

@@ -178,7 +178,7 @@ def equivalent() -> Evidence:
 @cache
 def one_solution() -> Evidence:
     """There is exactly one for each start."""
-    return argument(ARGUMENT[2], equivalent(), contraction(), never_apart(), cites=("Filippov's theorem on existence",))
+    return argument(ARGUMENT[2], equivalent, contraction, never_apart, cites=("Filippov's theorem on existence",))
 
 
 @claim(
@@ -264,5 +264,5 @@ def filippov_equivalence() -> Case:
                 And(*(signed(sign * transversality(sign), "<") for sign in (1, -1))),
             ),
         ),
-        carried("same-solutions", equivalent()),
+        carried("same-solutions", equivalent),
     )

@@ -31,13 +31,13 @@ def critical_energy_claim() -> Case:
         is at most $L$. At $E_0=0$ the ellipse is the equilibrium, which the paper counts among the periodic
         trajectories.
         """,
-        capture.stays_below_critical(),
+        capture.stays_below_critical,
         identity(
             "the end of the semi-axis has $E=E_0$",
             on_surface().subs({x1: level_semi_axis(), v1: 0}),
             E0,
         ),
-        capture.stick_is_a_motion(),
+        capture.stick_is_a_motion,
         carried(
             "above",
             prove(
@@ -100,5 +100,5 @@ def supercritical_arcs() -> Case:
             signed(contact.second, "<"),
         ),
         prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], signed(product(1), "<")),
-        capture.mirror_image(),
+        capture.mirror_image,
     )

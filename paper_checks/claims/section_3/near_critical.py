@@ -48,10 +48,10 @@ def stick_durations() -> Case:
             "sticks",
             argument(
                 EVENTUALLY,
-                merges_or_creeps(),
-                *angle_of_excursion(),
-                *never_merges(),
-                heads_for_the_other_ray(),
+                merges_or_creeps,
+                angle_of_excursion,
+                never_merges,
+                heads_for_the_other_ray,
                 identity(
                     r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a_2}$",
                     critical_limits().stick_duration,
@@ -81,14 +81,14 @@ def slip_durations() -> Case:
     return because(
         f"{LATE} {EVENTUALLY} The slip time is $3\\sqrt w/\\Omega$ to leading order. The first slips are not short: that "
         "after the first adhesion of Fig. 5 (a) lasts 0.192 s, after 0.030 s in $S_0$.",
-        within("the first slip from $S_0$ of Fig. 5 (a) lasts (s)", first_slip, "0.192", "0.193").as_support(),
+        within("the first slip from $S_0$ of Fig. 5 (a) lasts (s)", first_slip, "0.192", "0.193").as_support,
         carried(
             "slips",
             argument(
                 EVENTUALLY,
-                merges_or_creeps(),
-                *angle_of_excursion(),
-                *never_merges(),
+                merges_or_creeps,
+                angle_of_excursion,
+                never_merges,
                 identity("$t_{k+1}-\\tau_k\\to 0$", critical_limits().slip_duration),
             ),
         ),
@@ -133,14 +133,14 @@ def exits_near_endpoints() -> Case:
             first_entry.reduced.X,
             "0.7055",
             "0.7065",
-        ).as_support(),
+        ).as_support,
         carried(
             "all",
             argument(
                 EVENTUALLY,
-                merges_or_creeps(),
-                *angle_of_excursion(),
-                *never_merges(),
+                merges_or_creeps,
+                angle_of_excursion,
+                never_merges,
                 identity("exit points tend to $(L,0)$: position", limits.exit_position, length),
                 identity("exit points tend to $(L,0)$: velocity", limits.exit_velocity),
                 identity("entry points tend to $(L,0)$: position", limits.entry_position, length),
@@ -174,8 +174,8 @@ def no_merging_near_critical() -> Case:
         merging. "Slightly" may thus be read as this explicit level; for $m_2\leqslant m_1$ an excursion that
         re-enters $S_0$ never merges at any energy.
         """,
-        carried("creeps", creeps_for_ever()),
-        no_merging_at_any_energy(),
+        carried("creeps", creeps_for_ever),
+        no_merging_at_any_energy,
     )
 
 
@@ -204,7 +204,7 @@ def slower_than_exponential() -> Case:
                 $w$ is multiplied by a factor that tends to 1 in a time that tends to $\pi/\Omega$: more slowly than
                 by any $e^{-\lambda t}$.
                 """,
-                creeps_for_ever(),
+                creeps_for_ever,
                 identity("$w'/w\\to 1$ as $w\\to 0$", excess_ratio_limit(), 1),
                 identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
             ),
@@ -265,8 +265,8 @@ def rate_one_over_t() -> Case:
                 sp.Gt(c1, now * t, evaluate=False),
             ),
         ),
-        carried("two-sided", two_sided()),
-        carried("limit", sharp_limit()),
+        carried("two-sided", two_sided),
+        carried("limit", sharp_limit),
         correction(
             enclosed_rate(Fraction(1, 2), Fraction(1, 2), 1000, Fraction(1, 20)),
             enclosed_rate(Fraction(1, 2), Fraction(1, 10), 1000, Fraction(1, 20)),

@@ -123,7 +123,7 @@ def viscous_energy_rate() -> Case:
                 A solution has a derivative at almost every time, that of the value that friction takes there; the
                 chain rule gives the rate.
                 """,
-                *capture.energy_decreases(),
+                capture.energy_decreases,
             ),
         ),
     )
@@ -180,8 +180,8 @@ def viscous_origin_stable() -> Case:
             kernel.step("creeps-b-0.05"),
             kernel.step("viscous-rest"),
         ),
-        carried("origin", dissipation.comes_to_rest()),
-        carried("ends", dissipation.captured()),
+        carried("origin", dissipation.comes_to_rest),
+        carried("ends", dissipation.captured),
         carried(
             "spiral",
             identity(

@@ -97,13 +97,13 @@ def synchronisation_time(
                 "The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.05$, $\\dot x_1(0)=0.15$; "
                 f"$|\\dot z({float(time):g})|={slipping}$ mm/s."
             ),
-            *witnesses,
+            witnesses,
         ),
         carried("slipping"),
         carried("adheres"),
         carried(
             "for-ever",
-            largest_relative_speed(),
+            largest_relative_speed,
             within("bound of $|\\dot z|$ from the first exit on (m/s)", bound, "0.002320", "0.002321"),
         ),
         reading(

@@ -76,14 +76,14 @@ def euler_reproduces_figures() -> Case:
             within("from its first contact on, at (s)", literal.events[0].t, "0.106886", "0.106887"),
             *(_never_meets(), _grows(), *_misses()),
         ),
-        carried("adheres", *_converges(), *_misses(), _grows()),
-        carried("rests", _same_increment(), _slips_at_once()),
-        carried("gains", _step_in_stick()),
+        carried("adheres", _converges, _misses, _grows),
+        carried("rests", _same_increment, _slips_at_once),
+        carried("gains", _step_in_stick),
         correction(
-            _step_in_slip(),
-            _chatter_is_small(),
+            _step_in_slip,
+            _chatter_is_small,
         ),
-        *_program(),
+        _program,
         figure="euler-convergence",
     )
 

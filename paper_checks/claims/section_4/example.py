@@ -131,7 +131,7 @@ def example_reduction() -> Case:
                 [printed.subs(s, sign).subs(acceleration1, case_study_mode(sign)[0]) for sign in (0, 1, -1)],
                 [case_study_mode(sign) for sign in (0, 1, -1)],
             ),
-            bracket_is_off_in_slip(),
+            bracket_is_off_in_slip,
             identity(
                 r"""
                 at $\dot z=0$, (12) and (4) differ by $\frac{1}{2}(1+\sigma)\,\ddot x_1$, $\sigma=\mathrm{sgn}(|\ddot
@@ -199,5 +199,5 @@ def example_two_modes() -> Case:
             identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),
         ),
-        carried("sliding", dissipation.energy_rate(), dissipation.energy_never_grows()),
+        carried("sliding", dissipation.energy_rate, dissipation.energy_never_grows),
     )

@@ -115,7 +115,7 @@ def example_stiction_never_violated() -> Case:
                 exact(load_scene("velocities").pair.b),
             ),
         ),
-        carried("slip", bracket_is_off_in_slip()),
+        carried("slip", bracket_is_off_in_slip),
         carried("stick"),
         carried(
             "below",
@@ -133,7 +133,7 @@ def example_stiction_never_violated() -> Case:
         correction(
             reading("it acts", r"$|\ddot x_1|\geqslant b/m_2$ at $\dot z=0$, where the factor of (4) is not $1$"),
         ),
-        carried("lasting", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave()),
+        carried("lasting", *(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave),
     )
 
 
@@ -324,6 +324,6 @@ def example_damped_oscillations() -> Case:
                 (own_rate, ">", 0),
             ),
         ),
-        carried("undamped", *(amplitude_is_constant(sign) for sign in (1, -1)), dissipation.energy_rate()),
-        carried("synchronises", argument(" ".join(dissipation.SYNCHRONISATION), *dissipation.in_every_mode())),
+        carried("undamped", *(amplitude_is_constant(sign) for sign in (1, -1)), dissipation.energy_rate),
+        carried("synchronises", argument(" ".join(dissipation.SYNCHRONISATION), dissipation.in_every_mode)),
     )

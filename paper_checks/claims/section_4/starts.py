@@ -140,13 +140,13 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
         ),
         counterexample(
             "The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero. The motion that slips at once solves (11)–(12) too, and it is the only one of (3)–(4).",
-            *two_solutions(),
+            two_solutions,
             kernel.step("two-solutions-from-6-mm"),
-            *witnesses,
+            witnesses,
         ),
         stuck_for_ever("(11), (12) read literally: sticks permanently, with 0.6 N > b", solved(literally(scene))),
         carried("from-rest", argument(FROM_REST, *_from_rest(scene))),
-        carried("slips", argument(" ".join(ARGUMENT), *witnesses)),
+        carried("slips", argument(" ".join(ARGUMENT), witnesses)),
         figure="start-at-6mm",
     )
 
@@ -229,14 +229,14 @@ def synchronises(speed: Fraction = Fraction(15, 100)) -> Case:
             The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $\dot x_1(0)=0.15$; the excess energy $w=E/E_{cr}-1$ is
             positive after every slip.
             """,
-            *witnesses,
+            witnesses,
             kernel.step("creeps-b-0.5"),
         ),
         stuck_for_ever("(11), (12) read literally: sticks permanently after its first contact", literal),
         within("that contact is at $t=0.07688$ s", contact.t, "0.076878", "0.076879"),
         within("and at $x_1=0.00805$ m, outside $S_0$ ($L=0.005$ m)", contact.y[0], "0.00805", "0.00806"),
         carried("adheres", witnesses[0]),
-        carried("for-ever", largest_relative_speed(), _decline(found, "Fig. 4 (b)")),
+        carried("for-ever", largest_relative_speed, _decline(found, "Fig. 4 (b)")),
         SLOWER,
         figure="start-with-speed",
     )
@@ -314,22 +314,22 @@ def convergence(speed: Fraction = Fraction(15, 100)) -> Case:
             "limit",
             argument(
                 f"{VANISHING} The path of $z$ has a finite length, so $z$ has a limit.",
-                *in_every_mode(),
-                *energy_decreases(),
+                in_every_mode,
+                energy_decreases,
             ),
         ),
         carried(
             "invariant",
             argument(
                 "At $E\\leqslant E_{cr}$ the pair is captured; above it no stick lasts.",
-                sticks_for_ever_below(),
-                *leaves_above_critical(),
+                sticks_for_ever_below,
+                leaves_above_critical,
             ),
         ),
         carried(
             "again",
-            largest_relative_speed(),
-            *for_ever,
+            largest_relative_speed,
+            for_ever,
         ),
         SLOWER,
         *(

@@ -153,7 +153,7 @@ def damping_rate(friction: Fraction | None = None) -> Case:
                 arb("0.5"),
             ),
         ),
-        *_linear_decay(),
+        _linear_decay,
         carried(
             "linear",
             itinerary("twenty crossings, then stick", run, (*SLIPS, Mode.STICK)),

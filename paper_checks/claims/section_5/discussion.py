@@ -107,14 +107,14 @@ def two_descriptions() -> Case:
                 "Fig. 4 (a), $x_1(0)=0.006$, $b=0.5$, at rest: read literally, (11)–(12) stick permanently and give "
                 f"$x_2(0.2)=$ {text(literal)} m; the Filippov law, and (3)–(4), slip at once and give {text(filippov)} m."
             ),
-            *readings_part(),
+            readings_part,
             exhibit(
                 "for that literal stick, body 2 has $m_2|\\ddot x_2|>b$: more than friction can give",
                 START_AT_6MM,
                 (Abs(m2 * case_study_mode(0)[1]), ">", b),
             ),
         ),
-        carried("same", solutions.equivalent(), solutions.one_solution()),
+        carried("same", solutions.equivalent, solutions.one_solution),
         figure="start-at-6mm",
     )
 
@@ -183,7 +183,7 @@ def acceleration_bound() -> Case:
                 (Abs(literal[1]), ">", b / m2),
             ),
         ),
-        carried("bound", transfers.gentle()),
+        carried("bound", transfers.gentle),
         carried("modes"),
         carried("equality"),
     )

@@ -63,7 +63,7 @@ def never_apart() -> Evidence:
             SHARE.dot(SHARE) * OTHER.dot(OTHER) - p_k**2,
             turned**2,
         ),
-        one_size(),
+        one_size,
         cites=("Filippov's theorem on existence",),
     )
 
@@ -80,7 +80,7 @@ def on_a_line() -> Evidence:
             [*plane.by_direction(line * speed), *plane.by_direction(-line * speed)],
             [*(b * line), *(-b * line)],
         ),
-        never_apart(),
+        never_apart,
     )
 
 
@@ -145,10 +145,10 @@ def motions_on_a_surface() -> Case:
             magnitude $\sqrt2>b$. Rotated by 45° the same contact has $\mathbf w=(\sqrt2,0)$ and $|\mathbf f|=b$: the
             law depends on how the axes are drawn.
             """,
-            depends_on_axes(),
+            depends_on_axes,
         ),
         carried("components"),
-        carried("direction", one_size(), energy_rate()),
-        carried("one", never_apart()),
-        carried("line", on_a_line()),
+        carried("direction", one_size, energy_rate),
+        carried("one", never_apart),
+        carried("line", on_a_line),
     )

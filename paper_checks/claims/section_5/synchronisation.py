@@ -36,7 +36,7 @@ def synchronisation_all_parameters() -> Case:
         with a bounded rate tends to 0. Each step is checked for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$. (11)–(12) read
         literally with a stick that never ends reach $\dot z=0$ at the first contact.
         """,
-        carried("synchronises", dissipation.synchronises()),
+        carried("synchronises", dissipation.synchronises),
     )
 
 
@@ -110,15 +110,15 @@ def finite_time_then_alternation() -> Case:
         """,
         counterexample(
             "The pair of Section IV with $b=0.5$, both bodies at rest at $x_1=0.004$: $\\dot z=0$ permanently in the one mode of stick, and no alternation follows.",
-            *one_mode,
+            one_mode,
         ),
         carried(
             "both-modes",
-            argument("A stay in one half-space is bounded by the time that friction takes.", *meets_surface()),
+            argument("A stay in one half-space is bounded by the time that friction takes.", meets_surface),
         ),
-        carried("one-mode", sticks_for_ever_below()),
-        carried("alternates", creeps_for_ever()),
-        carried("precedes", argument(" ".join(itineraries.ARGUMENT), *alternates)),
+        carried("one-mode", sticks_for_ever_below),
+        carried("alternates", creeps_for_ever),
+        carried("precedes", argument(" ".join(itineraries.ARGUMENT), alternates)),
     )
 
 
@@ -203,19 +203,19 @@ def viscous_accelerates() -> Case:
                 f"first exit at $t=$ {text(itineraries.first_exit(undamped_run).t)} s on it sticks and slips in turn without end; with $a_1=5$ it sticks permanently from $t=$ {text(damped_run.events[-1].t)} s on."
             ),
             *itineraries.never_merges(undamped_run, "velocities"),
-            *merges_with_a_damper(),
+            merges_with_a_damper,
         ),
-        carried("ends", dissipation.captured()),
+        carried("ends", dissipation.captured),
         carried(
             "captive",
             argument(
                 "Below the level, $S$ is met inside the strip, where the pair sticks and, as $E$ does not grow, permanently.",
-                dissipation.captive_margin(),
-                dissipation.captive_level(),
-                contact_again(),
+                dissipation.captive_margin,
+                dissipation.captive_level,
+                contact_again,
                 identity("for $a_1\\to 0$ the level is $E_{cr}$", undamped(captive_energy()), critical_energy()),
             ),
         ),
-        carried("alternates", creeps_for_ever()),
+        carried("alternates", creeps_for_ever),
         carried("time"),
     )
