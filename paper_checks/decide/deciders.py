@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import sympy as sp
 from flint import arb
@@ -47,19 +48,15 @@ def equal(
     right: sp.Basic | int,
     derived: Derived,
     where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict,
+    *,
+    relation: str = "=",
 ) -> Formula:
     """Return the formula `left = right`, which is decided by what theory derives for the left side."""
-    return Formula(left, "=", right, equals(derived, where))
+    return Formula(left, relation, right, equals(derived, where))
 
 
-def tends(
-    left: sp.Basic | str,
-    right: sp.Basic | int,
-    derived: Derived,
-    where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict,
-) -> Formula:
-    """Return the formula `left -> right`, which is decided by the limit that theory derives."""
-    return Formula(left, "->", right, equals(derived, where))
+tends = partial(equal, relation="->")
+"""The formula `left -> right`, which is decided by the limit that theory derives."""
 
 
 def implied(

@@ -161,7 +161,7 @@ def six_turns() -> Evidence:
     """A motion that never stops, at an amplitude far below U**."""
     from numerics.control.response import Regime, response
 
-    found = response(LIGHT, digits=8)
+    found = response(LIGHT, digits=4)
     turns = [leg.side for leg in found.orbit.legs] if found.orbit else []
     return enclosed(
         "the periodic motion of that pair slips in each of its six modes, with signs in turn",

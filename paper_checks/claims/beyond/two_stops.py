@@ -119,7 +119,7 @@ def beside_thresholds(damping: int) -> Evidence:
     ends = [Fraction(str(one.mid().str(12, radius=False))) for one in (found.entrainment, found.non_stop)]
     sides = []
     for amplitude in (end * (1 + side * BESIDE) for end in ends for side in (-1, 1)):
-        motion = periodic(Scene(pair, State(), 1, force=Force.sine(amplitude, 12)), digits=6)
+        motion = periodic(Scene(pair, State(), 1, force=Force.sine(amplitude, 12)), digits=4)
         sides.append([leg.side for leg in motion.orbit.legs] if motion.orbit else [])
     two = [1, 0, -1, 0]
     return enclosed(
