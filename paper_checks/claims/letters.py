@@ -11,18 +11,12 @@ S = Symbol("s", real=True)
 """The sign of a slip."""
 
 
-Conditions = Callable[[], list[Basic]]
+def past_edge(side: int, relation: str = ">") -> Basic:
+    """Return the condition side x1 > L, or >=, of S_+ and S_-."""
+    return signed(side * x1 - half_width(), relation)
 
 
-def _beyond(side: int) -> Conditions:
-    return lambda: [signed(side * x1 - half_width(), ">")]
-
-
-BEYOND: dict[int, Conditions] = {1: _beyond(1), -1: _beyond(-1)}
-"""The conditions side x1 > L of S_+ and S_-."""
-
-
-def WITHIN() -> list[Basic]:
+def in_strip() -> list[Basic]:
     """Return the conditions |x1| <= L of S_0."""
     return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from paper_checks.claims.letters import ECR, WITHIN
+from paper_checks.claims.letters import ECR, in_strip
 from paper_checks.claims.section_3 import capture, filippov
 from paper_checks.claims.section_3.levels import LEVEL
 from paper_checks.claims.section_3.sliding import WIDTH
@@ -167,7 +167,7 @@ def never_at_rest(formula: Formula) -> Evidence:
     """Decide that above E_cr no point of S0 is at rest."""
     above = signed(on_surface() - critical_energy(), ">")
     differs = sp.Ne(v1, formula.right, evaluate=False)
-    return prove(f"on $S_0$, $E>E_{{cr}}$ implies ${formula.latex}$", [above, *WITHIN()], differs)
+    return prove(f"on $S_0$, $E>E_{{cr}}$ implies ${formula.latex}$", [above, *in_strip()], differs)
 
 
 SUPERCRITICAL = Stage(

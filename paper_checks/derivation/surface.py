@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from paper_checks.claims.letters import WITHIN, field, guard_rate
+from paper_checks.claims.letters import field, guard_rate, in_strip
 from paper_checks.claims.section_2 import model as modes
 from paper_checks.claims.section_3.sliding import WIDTH
 from paper_checks.claims.words import *
@@ -273,7 +273,7 @@ def in_width(expression: Expr) -> Expr:
 
 def within_unit(formula: Formula) -> Evidence:
     """Decide that the weight is a convex one on S0."""
-    return prove(f"${formula.latex}$ on $S_0$", WITHIN(), signed(weight_margin(), formula.relation))
+    return prove(f"${formula.latex}$ on $S_0$", in_strip(), signed(weight_margin(), formula.relation))
 
 
 def only_on_strip(formula: Formula) -> Evidence:

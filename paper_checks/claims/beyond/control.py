@@ -85,8 +85,8 @@ def target_or_set_point() -> Case:
         than $b/m_2$. At exactly $b/m_2$ this holds under Coulomb's law, but not under (3)–(4); below it, under both: see
         trackable-references and minimum-transfer-time.
         """,
-        transfers.gentle().as_support,
-        transfers.stuck_force().as_support,
+        transfers.gentle().as_support(),
+        transfers.stuck_force().as_support(),
     )
 
 

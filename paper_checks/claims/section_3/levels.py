@@ -1,7 +1,8 @@
 """The level sets of the energy on the switching surface: the critical one, and the arcs above it."""
 
+from paper_checks.claims.letters import in_strip, past_edge
 from paper_checks.claims.section_3 import capture
-from paper_checks.claims.section_3.sliding import beyond, product, within
+from paper_checks.claims.section_3.sliding import product
 from paper_checks.claims.words import *
 from theory.energy import edge_speed_squared, level_semi_axis, semi_axis_margin
 from theory.filippov import edge_contact
@@ -85,7 +86,7 @@ def supercritical_arcs() -> Case:
         $\ell_+$, and one with $v_1<0$, which runs to $\ell_-$. On $\ell_+$ the field $\Phi_-$ touches $S$ and curves
         into $\Omega_-$, while $\Phi_+$ points into $\Omega_-$ too: the exit is the only motion.
         """,
-        prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *within()], sp.Ne(v1, 0, evaluate=False)),
+        prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *in_strip()], sp.Ne(v1, 0, evaluate=False)),
         identity("$\\dot E=0$ along the sliding field", undamped(stick_rate())),
         identity(
             "on the edges the level has $v_1^2=2(E_0-E_{cr})/(m_1+m_2)$",
@@ -99,6 +100,6 @@ def supercritical_arcs() -> Case:
             [v1 > 0],
             signed(contact.second, "<"),
         ),
-        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], signed(product(1), "<")),
+        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [past_edge(1, ">=")], signed(product(1), "<")),
         capture.mirror_image,
     )

@@ -81,7 +81,7 @@ def slip_durations() -> Case:
     return because(
         f"{LATE} {EVENTUALLY} The slip time is $3\\sqrt w/\\Omega$ to leading order. The first slips are not short: that "
         "after the first adhesion of Fig. 5 (a) lasts 0.192 s, after 0.030 s in $S_0$.",
-        within("the first slip from $S_0$ of Fig. 5 (a) lasts (s)", first_slip, "0.192", "0.193").as_support,
+        within("the first slip from $S_0$ of Fig. 5 (a) lasts (s)", first_slip, "0.192", "0.193").as_support(),
         carried(
             "slips",
             argument(
@@ -133,7 +133,7 @@ def exits_near_endpoints() -> Case:
             first_entry.reduced.X,
             "0.7055",
             "0.7065",
-        ).as_support,
+        ).as_support(),
         carried(
             "all",
             argument(

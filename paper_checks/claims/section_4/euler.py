@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from flint import fmpq
 
 from numerics.trade.forward_euler import forward_euler
+from paper_checks.claims.letters import in_strip
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import within
 from paper_checks.decide.euler_in_balls import COARSE, HORIZONS, STEPS, run
@@ -133,7 +134,6 @@ def _chatter_is_small() -> Evidence:
     relative = Symbol("w", positive=True)
     largest = 2 * b * total_mass() / (m1 * m2)
     change = undamped(phi(1)[1] - phi(1)[2])
-    strip = [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
     after = relative + step * change
     bounds = [
         signed(after + step * largest, ">="),
@@ -141,7 +141,7 @@ def _chatter_is_small() -> Evidence:
     ]
     return prove(
         "in the strip a step from $\\dot z=w>0$ ends in $[-hC,w]$, $C=2b(m_1+m_2)/(m_1m_2)$ (for $w<0$ by symmetry)",
-        strip,
+        in_strip(),
         And(*bounds),
     )
 
