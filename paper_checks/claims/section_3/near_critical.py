@@ -15,7 +15,7 @@ from paper_checks.claims.beyond.excursions import (
 )
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.section_3.convergence import merges_or_creeps
-from paper_checks.claims.section_3.sliding import width
+from paper_checks.claims.section_3.sliding import WIDTH, width
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import within
 from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit
@@ -55,7 +55,7 @@ def stick_durations() -> Case:
                 identity(
                     r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a_2}$",
                     critical_limits().stick_duration,
-                    pi * sqrt((m1 + m2) / a2),
+                    HALF_PERIOD,
                 ),
             ),
         ),
@@ -112,7 +112,7 @@ def slip_durations() -> Case:
         «width», of the rays $\ell_\pm$: «entry» and «speed» at the entries as $k\to\infty$.
         """,
         width=width(),
-        entry=tends(r"|x_1|", b * (m1 + m2) / (a2 * m2), lambda: critical_limits().entry_position),
+        entry=tends(r"|x_1|", WIDTH, lambda: critical_limits().entry_position),
         speed=tends(r"|v_1|", 0, lambda: critical_limits().entry_velocity),
         kernel="exits-near-endpoints",
     ),
@@ -120,7 +120,6 @@ def slip_durations() -> Case:
 def exits_near_endpoints() -> Case:
     """Exit and entry points tend to the corner."""
     limits = critical_limits()
-    length = b * (m1 + m2) / (a2 * m2)
     first_entry = next(one for one in solved(load_scene("velocities")).events if one.kind is EventKind.ENTRY)
     return because(
         (
@@ -141,9 +140,9 @@ def exits_near_endpoints() -> Case:
                 merges_or_creeps,
                 angle_of_excursion,
                 never_merges,
-                identity("exit points tend to $(L,0)$: position", limits.exit_position, length),
+                identity("exit points tend to $(L,0)$: position", limits.exit_position, WIDTH),
                 identity("exit points tend to $(L,0)$: velocity", limits.exit_velocity),
-                identity("entry points tend to $(L,0)$: position", limits.entry_position, length),
+                identity("entry points tend to $(L,0)$: position", limits.entry_position, WIDTH),
                 identity("entry points tend to $(L,0)$: velocity", limits.entry_velocity),
             ),
         ),

@@ -31,9 +31,7 @@ def product(sign: int) -> Expr:
 
 def width_as_printed() -> Evidence:
     """Return that L, solved from the products, is the half width that the paper prints for S0."""
-    return identity(
-        "$L$, where the product vanishes, is the printed $b(m_1+m_2)/(a m_2)$", half_width(), b * (m1 + m2) / (a2 * m2)
-    )
+    return identity("$L$, where the product vanishes, is the printed $b(m_1+m_2)/(a m_2)$", half_width(), WIDTH)
 
 
 def outside_proofs() -> list[Evidence]:
