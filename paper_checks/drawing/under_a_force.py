@@ -99,7 +99,7 @@ def tracked_reference() -> Figure:
     return draw_tracking(track(scene, load_reference("s-curve")), scene.pair)
 
 
-def transfer() -> Figure:
+def fastest_transfer_figure() -> Figure:
     """Draw the fastest transfer over 1 mm with a force of at most 1.08 N: body 1 runs ahead, and is met at half time."""
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
     solved = solved_again(found)
@@ -107,7 +107,7 @@ def transfer() -> Figure:
     return draw_transfer(found, solved)
 
 
-def cheapest() -> Figure:
+def cheapest_transfer_figure() -> Figure:
     """Draw the transfer over 1 cm in 0.4 s with the least int u^2 dt: friction is at its limit at the end."""
     found = cheapest_transfer(load_scene("at-rest"), "0.01", "0.4")
     solved = solved_again(found)
@@ -115,7 +115,7 @@ def cheapest() -> Figure:
     return draw_transfer(found, solved)
 
 
-def tolerance_ring() -> Figure:
+def tolerance_ring_of_a_scene() -> Figure:
     """Draw Fig. 1 for the scene of Fig. 5: the ring of 1 mm, velocities counted in parts of 20/s."""
     return draw_ring(ring_entry(load_scene("velocities"), "0.001", rate=20))
 

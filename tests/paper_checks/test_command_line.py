@@ -26,7 +26,6 @@ def small(monkeypatch, tmp_path_factory, rows, figures):
     shipped = planted(tmp_path_factory.mktemp("shipped"), machine=machine)
     monkeypatch.setattr(recorded_module, "recorded", lambda path=None: recorded(path) if path else shipped)
     monkeypatch.setattr(under_a_force, "section", lambda: Section("under-a-force", "Under a force", ()))
-    monkeypatch.setattr(under_a_force, "figures", dict)
     monkeypatch.setattr(euler_lessons, "blocks", tuple)
     monkeypatch.setattr(claims_module, "CLAIMS", tuple(row.claim for row in rows))
     monkeypatch.setattr(pictures_module, "FIGURES", figures)

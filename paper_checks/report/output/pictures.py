@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numerics.trade.recorded import Trade
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.drawing.style import Figures
-from paper_checks.report.content import speed, under_a_force
+from paper_checks.report.content import speed
 from paper_checks.report.formats import vector
 from paper_checks.running import processes
 
@@ -36,7 +36,7 @@ class Undrawn:
 
 def figures(trade: Trade) -> Figures:
     """Return how every figure is drawn, by name."""
-    return {**FIGURES, **under_a_force.figures(), **speed.figures(trade)}
+    return {**FIGURES, **speed.figures(trade)}
 
 
 def drawn(figures: Figures, name: str, form: str) -> bytes | Undrawn:
